@@ -80,8 +80,7 @@ void joints_springs(Scene *scene)
         const int pa = scene->piece[j - 1], pb = scene->piece[j];
         Bushing both = series(&a, &b);
         const int swivel = (pa != pb && scene->def.pieces[pb].swivel) || (j == 1 && scene->def.strand.swivel);
-        if (swivel)
-            both.stiffness[TORSION] = both.damping[TORSION] = both.preload[TORSION] = 0;
+        if (swivel) both.stiffness[TORSION] = both.damping[TORSION] = both.preload[TORSION] = 0;
         joint_set(c, j, &both, 0, COMPONENTS);
     }
 }

@@ -8,7 +8,6 @@
 #include "contact/self/self_contact.h"
 #include "contact/surface/surface.h"
 #include "core/body.h"
-#include "sim/chains_look.h"
 #include "sim/def/scene_def.h"
 #include "sim/room.h"
 
@@ -43,6 +42,26 @@ typedef struct Surfaces {
     SurfacePoints points;
 } Surfaces;
 
+/* What each of several chains does to the others, as it is looked at: filled by sim/bunch, read by the room of their
+ * figures. docs/model.md, "Several chains" (SC11)-(SC15). */
+typedef struct ChainLook {
+    double pull;      /* N, at its head: of its winch, or what joins it to its rope */
+    double share;     /* of the pull of all that are no ropes */
+    double between;   /* N/m, the most with which another chain presses on it */
+    double walls;     /* N, normal forces of rollers and surfaces on it, their sizes summed */
+    double weight;    /* N, of what the route bears of it: behind the start the lead-in does */
+    double crossings; /* how often others pass from one side of it to the other along its length */
+    double reference; /* N, what theory says of the pull now, with the weight correction of ducts */
+    double factor;    /* w_c of the duct in which that is largest; 1 without ducts */
+    double twist;     /* rad, by which the others turn about it from tail to head, their mean */
+} ChainLook;
+
+typedef struct ChainsLook {
+    int n; /* 0: nothing has been looked at */
+    ChainLook chain[STRANDS_MAX],
+        all; /* all: sums, the largest, the mean of twists; ropes count with what bears them */
+} ChainsLook;
+
 /* Numbers: segments and joints of the whole chain are 0..total from the tail. What is simulated may be a part of it
  * (sim/run/stage.h): chain holds segments first..first+chain.n-1 and counts its own from 0. */
 struct Scene {
@@ -76,7 +95,7 @@ struct Scene {
     Surfaces surfaces;
     SelfModel self;    /* cable on cable */
     ChainsLook chains; /* of the first of several chains: what they do to each other, as of the last look */
-    SceneDef def;   /* a deep copy of what this was built from */
+    SceneDef def;      /* a deep copy of what this was built from */
 };
 
 /* Builds the scene. Errors: INPUT with the key to change, MEMORY. */

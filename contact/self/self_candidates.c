@@ -157,8 +157,7 @@ static int walk(const Walk *w, int node, int first, int width)
     if (first + width <= w->from || sphere->radius < 0) return 1;
     const double apart = v3_norm(v3_sub(sphere->centre, mine->centre)) - sphere->radius - mine->radius;
     if (apart > w->reach) return 1;
-    if (width == 1)
-        return !element_near(w, first) || candidate_add(w->pairs, w->line, w->element, w->other, first);
+    if (width == 1) return !element_near(w, first) || candidate_add(w->pairs, w->line, w->element, w->other, first);
     return walk(w, 2 * node, first, width / 2) && walk(w, 2 * node + 1, first + width / 2, width / 2);
 }
 

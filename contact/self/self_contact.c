@@ -119,8 +119,7 @@ static int range_hits(const SelfLine *mine, const SelfLine *other, const SelfRan
         for (int k = 0; m > 0 && k < before->count; ++k) {
             const Foot *const a = &before->foot[k], *const b = foot_beside(now, a);
             if (!b || !may_press(a->w, b->w, radius)) continue;
-            hit[count++] =
-                (SelfHit){range->line, e, m - 1, range->other, {a->element, b->element}, {a->v, b->v}};
+            hit[count++] = (SelfHit){range->line, e, m - 1, range->other, {a->element, b->element}, {a->v, b->v}};
         }
     }
     return count;
@@ -148,8 +147,8 @@ static int patch_of(const SelfModel *model, const SelfLines *lines, double frict
     const SelfLine *const side[2] = {&lines->line[hit->line], &lines->line[hit->other]};
     const double pieces = self_pieces(side[0]->chain, hit->element);
     const double u[2] = {hit->piece / pieces, (hit->piece + 1) / pieces};
-    return patch_at(side, &model->law, friction_scale, hit->element, u,
-                    self_piece_length(side[0]->chain, hit->element), hit->foot, hit->v, patch);
+    return patch_at(side, &model->law, friction_scale, hit->element, u, self_piece_length(side[0]->chain, hit->element),
+                    hit->foot, hit->v, patch);
 }
 
 /* What a patch does to the motion (BA5), (BA6); the feet run along the line square to the forces, at no cost. */

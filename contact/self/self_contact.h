@@ -32,7 +32,8 @@ typedef struct SelfLines {
     int within; /* a line may touch itself too */
 } SelfLines;
 /* A chain alone; for an argument. */
-#define SELF_ALONE(chain, kin) &(SelfLines){1, &(SelfLine){chain, kin, 0}, 1}
+#define SELF_ALONE(chain, kin)                                                                                         \
+    &(SelfLines) { 1, &(SelfLine){chain, kin, 0}, 1 }
 
 /* Candidates of one element: elements first .. first + count - 1 of a line, its own (farther along it) or one that
  * comes later. */
@@ -61,8 +62,8 @@ typedef struct SelfPairs {
     SelfHit *hit[SELF_PARTS];      /* [hits_allocated] each, by self_forces and self_blocks */
     int active[SELF_PARTS];        /* pieces that carried force in the last call of self_forces */
     ContactTally work[SELF_PARTS]; /* of the last call of self_forces; no force: the cable's own */
-    int n_beside; /* what else couples rows; borrowed */
-    const BlockPair *beside; /* [n_beside] */
+    int n_beside;                  /* what else couples rows; borrowed */
+    const BlockPair *beside;       /* [n_beside] */
     BlockExtras extras; /* blocks of K and D off the diagonals; pattern by self_refresh, values by self_blocks */
 } SelfPairs;
 
@@ -100,13 +101,13 @@ void self_pairs_checkpoint(Checkpoint *c, const SelfLines *lines, SelfPairs *pai
 /* One pressed or nearly pressed piece, for tests and reports. */
 typedef struct SelfDetail {
     int line, element, other, foot; /* of the two lines, elements of them */
-    double depth;      /* m */
-    double normal;     /* N */
-    Vec3 friction;     /* N, on the piece */
-    Vec3 direction;    /* unit, of the normal force on the piece */
-    Vec3 point;        /* m, on the piece's line at the resultant */
-    double arm;        /* m, between the two lines there */
-    double length;     /* m, of the piece at rest */
+    double depth;                   /* m */
+    double normal;                  /* N */
+    Vec3 friction;                  /* N, on the piece */
+    Vec3 direction;                 /* unit, of the normal force on the piece */
+    Vec3 point;                     /* m, on the piece's line at the resultant */
+    double arm;                     /* m, between the two lines there */
+    double length;                  /* m, of the piece at rest */
 } SelfDetail;
 
 /* Writes up to `room` of them, in the order of summation; returns how many there are. */

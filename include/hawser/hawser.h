@@ -135,13 +135,6 @@ double hawser_sim_time(const hawser_sim *s);
 /* The case's duration; earlier once a winch that tripped has ended the run. */
 double hawser_sim_end_time(const hawser_sim *s);
 const hawser_sample *hawser_sim_sample(hawser_sim *s);
-/* Of several chains that are pulled together (docs/bundles.md) the simulation is that of the first, and moves all of
- * them. How many there are (1: it is alone); the simulation of chain k, from 0, which is the first's and goes with it:
- * it can be looked at and told what to do, but not moved; NULL: there is none. */
-int hawser_sim_chains(const hawser_sim *s);
-hawser_sim *hawser_sim_chain(hawser_sim *s, int k);
-/* Its name; empty where it is alone. */
-const char *hawser_sim_chain_name(const hawser_sim *s);
 /* Takes the state of now into the statistics of the summary: means of the steady window, peaks. hawser_sim_run does so
  * at the case's output.interval; who advances by himself calls it after each advance. */
 void hawser_sim_record(hawser_sim *s);

@@ -24,7 +24,7 @@ typedef struct Beat {
 typedef struct Run {
     hawser_sim *s;
     Results *results[STRANDS_MAX]; /* of each chain; the first NULL: nothing is written */
-    hawser_progress progress; /* may be NULL */
+    hawser_progress progress;      /* may be NULL */
     void *user;
     double started, last_progress; /* clock_now() */
     Beat row, state;
@@ -219,8 +219,7 @@ static hawser_status results_of(hawser_sim *s, Results **out, const char *dir, c
     if (!at) envelope_free(&s->envelope); /* of a run before */
     if (!status && !at && def.states > 0) status = envelope_new(&s->envelope, &s->stage.scene, err);
     if (!status) {
-        status = at ? results_resume(out, dir, &def, at, summary, err)
-                    : results_open(out, dir, &def, summary, err);
+        status = at ? results_resume(out, dir, &def, at, summary, err) : results_open(out, dir, &def, summary, err);
     }
     geometry_free(&geometry);
     hawser_text_free(summary);
@@ -338,7 +337,8 @@ static hawser_status run_all(Run *run, int resumed, hawser_error *err)
     status = weigh(s, status, written, &late, err);
     if (run->results[0]) {
         status = weigh(s, status, finish_summary(run, &late), &late, err);
-        if (!status || status == HAWSER_ERR_RUN) results_no_checkpoint(run->results[0]); /* there is nothing to go on to */
+        if (!status || status == HAWSER_ERR_RUN)
+            results_no_checkpoint(run->results[0]); /* there is nothing to go on to */
         for (int k = 0; k < sim_chains(s); ++k) results_free(run->results[k]);
     }
     return status;

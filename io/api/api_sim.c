@@ -60,8 +60,7 @@ hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options
     for (int k = 0; k < sim_chains(s); ++k) named &= name_give(sim_chain(s, k), c);
     s->case_folder = c->tree->folder ? realpath(c->tree->folder, NULL) : NULL;
     if (!s->case_folder && c->tree->folder) s->case_folder = strdup(c->tree->folder);
-    status = named && plan_keep(s, &c->def) ? case_tree_text(c->tree, &s->case_text, err)
-                                                               : error_memory(err);
+    status = named && plan_keep(s, &c->def) ? case_tree_text(c->tree, &s->case_text, err) : error_memory(err);
     if (status) *out = sim_free(s);
     return status;
 }

@@ -5,9 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "io/chains/chains_tree.h"
 #include "theory/cables/duct.h"
-#include "theory/cables/lay.h"
 
 /* In the order of the enumerations that they stand for. */
 static const char *const holds[] = {"eye", "basket", NULL};
@@ -124,7 +122,8 @@ static hawser_status joins_find(Reading *all)
         const CaseNode *const node = all->node[k], *const drive = case_node_key(node, "drive");
         const CaseNode *const winch = case_node_key(drive, "winch");
         if (record->def.rope && record->def.joined >= 0)
-            return case_key_error(all->r->err, node, "join", "a rope to which others are joined is pulled by its winch");
+            return case_key_error(all->r->err, node, "join",
+                                  "a rope to which others are joined is pulled by its winch");
         if (record->def.joined >= 0 && winch)
             return case_key_error(all->r->err, winch, NULL, "not allowed: the chain is pulled by '%s'", record->join);
         if (record->def.swivel && !record->def.rope)
@@ -184,7 +183,8 @@ static void factors_set(Reading *all, const LayDef *lay, int cables, double diam
         DuctLoad load;
         if (surface->shape.kind != SURFACE_DUCT || cables < 2) continue;
         if (cables == 3 && lay->pattern == LAY_CRADLED) duct.layout = DUCT_CRADLE;
-        if (cables == 3 && (lay->pattern == LAY_TRIANGULAR || lay->pattern == LAY_TRIPLEXED)) duct.layout = DUCT_TRIANGLE;
+        if (cables == 3 && (lay->pattern == LAY_TRIANGULAR || lay->pattern == LAY_TRIPLEXED))
+            duct.layout = DUCT_TRIANGLE;
         duct.twisted = lay->pattern == LAY_TRIPLEXED;
         const double factor = duct_load(&duct, &load, NULL) ? UNKNOWN : load.weight_factor;
         for (int k = 0; k < all->n; ++k)
@@ -234,7 +234,8 @@ static hawser_status places_find(Reading *all, const CaseNode *node)
 static const char *foreign(const SceneDef *def)
 {
     int moving = 0;
-    for (int i = 0; i < def->n_rollers; ++i) moving |= def->rollers[i].spin.inertia > 0 || def->rollers[i].mount.present;
+    for (int i = 0; i < def->n_rollers; ++i)
+        moving |= def->rollers[i].spin.inertia > 0 || def->rollers[i].mount.present;
     if (def->rod.present) return "rod";
     if (def->bundle.shape.cables > 1) return "bundle";
     if (def->reel.model != REEL_NONE || def->drum.present) return "reel";
@@ -256,8 +257,9 @@ static hawser_status foreign_check(const Reading *all)
     for (int k = 0; k < all->n; ++k) {
         const char *const what = foreign(&all->def[k]);
         if (what)
-            return case_key_error(all->r->err, all->chains, NULL, "several chains cannot be computed with %s (chain '%s')",
-                                  what, all->record[k].def.name);
+            return case_key_error(all->r->err, all->chains, NULL,
+                                  "several chains cannot be computed with %s (chain '%s')", what,
+                                  all->record[k].def.name);
     }
     return HAWSER_OK;
 }
@@ -270,9 +272,8 @@ static hawser_status definitions_read(Reading *all, CaseReadOne *read)
     for (int k = 0; k < all->n; ++k) {
         const StrandRecord *const record = &all->record[k];
         const ChainRole role = {.led = record->def.joined >= 0, .rope = record->def.rope, .still = record->still};
-        CaseTree own = {.origins = all->tree->origins,
-                        .folder = all->tree->folder,
-                        .unlisted = all->tree->unlisted || k > 0};
+        CaseTree own = {
+            .origins = all->tree->origins, .folder = all->tree->folder, .unlisted = all->tree->unlisted || k > 0};
         own.root = chain_tree(all->tree->root, all->node[k], &role);
         if (!own.root) return error_memory(all->r->err);
         const hawser_status status = read(&own, &all->def[k], all->r->err);

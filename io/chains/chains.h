@@ -13,4 +13,16 @@ typedef hawser_status CaseReadOne(const CaseTree *tree, SceneDef *def, hawser_er
 /* The first chain's definition, with those of the others beside it. Errors: INPUT, MEMORY; *def is cleared then. */
 hawser_status chains_read(const CaseTree *tree, CaseReadOne *read, SceneDef *def, hawser_error *err);
 
+/* ---- The tree of one chain's own case: the case's, with what the chain says in its place (chains_tree.c). */
+
+/* What the case's drive does not do to a chain. */
+typedef struct ChainRole {
+    int led;   /* its head is joined to a rope: no winch pulls it, no rope drags */
+    int rope;  /* heads are joined to it: nothing holds its tail back */
+    int still; /* it lies still: neither */
+} ChainRole;
+
+/* NULL if there is no memory; node: the chain's map. */
+CaseNode *chain_tree(const CaseNode *root, const CaseNode *node, const ChainRole *role);
+
 #endif

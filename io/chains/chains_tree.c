@@ -1,4 +1,4 @@
-#include "io/chains/chains_tree.h"
+#include "io/chains/chains.h"
 
 #include <stdint.h>
 #include <stdlib.h>

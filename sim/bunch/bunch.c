@@ -250,14 +250,12 @@ void bunch_free(Bunch *b)
 void bunch_gather(const Bunch *b, double *const y[], double *all)
 {
     memset(all, 0, (size_t)b->motion.size * sizeof *all);
-    for (int k = 0; k < b->n; ++k)
-        memcpy(all + b->chain[k].at, y[k], (size_t)b->chain[k].motion->size * sizeof *all);
+    for (int k = 0; k < b->n; ++k) memcpy(all + b->chain[k].at, y[k], (size_t)b->chain[k].motion->size * sizeof *all);
 }
 
 void bunch_scatter(const Bunch *b, const double *all, double *const y[])
 {
-    for (int k = 0; k < b->n; ++k)
-        memcpy(y[k], all + b->chain[k].at, (size_t)b->chain[k].motion->size * sizeof *all);
+    for (int k = 0; k < b->n; ++k) memcpy(y[k], all + b->chain[k].at, (size_t)b->chain[k].motion->size * sizeof *all);
 }
 
 int bunch_chain_of(const Bunch *b, int row, int *segment)
@@ -301,6 +299,5 @@ void bunch_blocks(Bunch *b, double friction)
     const SelfLines lines = bunch_lines(b);
     block_extras_zero(&b->pairs.extras);
     if (b->contact.present) self_blocks(&b->contact, &lines, friction, &b->pairs, &b->whole.k, &b->whole.d);
-    for (int i = 0; i < b->n_links; ++i)
-        link_blocks(&b->link[i], b->line, &b->whole.k, &b->whole.d, &b->pairs.extras);
+    for (int i = 0; i < b->n_links; ++i) link_blocks(&b->link[i], b->line, &b->whole.k, &b->whole.d, &b->pairs.extras);
 }

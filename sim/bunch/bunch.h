@@ -28,7 +28,7 @@ typedef struct Bunch {
     SelfLine *line;    /* [n] */
     SelfPairs pairs;
     int n_links;
-    Link *link; /* [n_links] */
+    Link *link;        /* [n_links] */
     BlockPair *linked; /* [n_links] rows */
     double links_lost; /* W, of the last evaluation */
     long refreshes;
@@ -70,5 +70,15 @@ int bunch_solve(Bunch *b, double *rhs);
 /* As relax_to_equilibrium (sim/bunch/bunch_relax.c). */
 hawser_status bunch_relax(Bunch *b, double t, double *y, hawser_relaxation *out, hawser_error *err);
 const MotionOps *bunch_ops(void);
+
+/* ---- What the chains do to each other, in figures (sim/bunch/bunch_look.c). */
+
+/* For the kinematics in the workspaces, which have been looked at: forces of rollers and surfaces are there. Leaves
+ * what the last evaluation has counted alone. O(segments + contacts). */
+void bunch_look(Bunch *b, ChainsLook *out);
+/* look->all from its chains, of which all else is known. */
+void bunch_sum(ChainsLook *look);
+/* What pulls at the head of chain k, N (SC11). */
+double bunch_pull(const Bunch *b, int k);
 
 #endif

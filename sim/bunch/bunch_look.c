@@ -1,7 +1,6 @@
-#include "sim/bunch/bunch_look.h"
-
 #include <stdlib.h>
 
+#include "sim/bunch/bunch.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/winch.h"
 

@@ -254,8 +254,7 @@ static MethodLoss method_loss(const Motion *m, const double *y, const double *yd
     MethodLoss sum = {0};
     EACH_CHAIN(c, b)
     {
-        const MethodLoss own =
-            c->motion->ops->method_loss(c->motion, y + c->at, ydot + c->at, scale, past + 2 * c->at);
+        const MethodLoss own = c->motion->ops->method_loss(c->motion, y + c->at, ydot + c->at, scale, past + 2 * c->at);
         sum.lost += own.lost;
         sum.moving += own.moving;
     }

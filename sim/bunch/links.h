@@ -17,12 +17,12 @@ typedef struct Link {
 
 /* What a link does now. */
 typedef struct LinkNow {
-    Vec3 arm[2];   /* m, world */
-    Vec3 gap;      /* d, from the second point to the first, m */
-    Vec3 at[2];    /* m, from either centre to the middle between the points, where the force acts */
-    Vec3 turn[2];  /* angular velocities, rad/s */
-    Vec3 speed;    /* of the first segment against the second there, m/s */
-    Vec3 force;    /* N, on the first */
+    Vec3 arm[2];  /* m, world */
+    Vec3 gap;     /* d, from the second point to the first, m */
+    Vec3 at[2];   /* m, from either centre to the middle between the points, where the force acts */
+    Vec3 turn[2]; /* angular velocities, rad/s */
+    Vec3 speed;   /* of the first segment against the second there, m/s */
+    Vec3 force;   /* N, on the first */
 } LinkNow;
 
 LinkNow link_now(const Link *link, const SelfLine *line);

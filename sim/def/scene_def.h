@@ -144,11 +144,6 @@ typedef struct JamDef {
     double friction; /* coefficient with which the cable drags over a roller that stands; NAN: the usual */
 } JamDef;
 
-typedef struct StationDef {
-    char name[NAME_MAX_LENGTH];
-    double s; /* m along the route */
-} StationDef;
-
 typedef struct SceneDef {
     char title[256];
     Vec3 gravity; /* m/s2 */
@@ -173,7 +168,6 @@ typedef struct SceneDef {
     FrictionLaw friction;       /* default of every roller, and the theory's mu (mu_d) */
     double contact_reach;       /* m: candidates are refreshed after this much motion */
     int cable_on_cable;         /* the cable touches itself */
-    int between_chains;         /* chains touch each other */
     FrictionLaw cable_friction; /* there */
     int n_rollers;
     RollerDef *rollers;
@@ -210,11 +204,10 @@ typedef struct SceneDef {
     double duration;   /* s */
     int duration_open; /* neither the case nor its winch says how long: it can be calculated, but not run */
 
-    /* of several chains: this one, what ties them together, and the others, whose own of this are empty */
-    StrandDef strand;
-    TiesDef ties;
-    int n_beside;
-    struct SceneDef *beside;
+    StrandDef strand; /* of several chains: this one, */
+    TiesDef ties;     /* what ties them together, */
+    int n_beside, between_chains;
+    struct SceneDef *beside; /* [n_beside] the others, whose own of this are empty; they touch if between_chains */
 
     int n_drawn;
     DrawnDef *drawn;

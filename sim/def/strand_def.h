@@ -1,5 +1,5 @@
-/* What a case says of several chains that are pulled together: parts of SceneDef (sim/def/scene_def.h), which is that of
- * one of them. docs/model.md, "Several chains". */
+/* What a case says of several chains that are pulled together: parts of SceneDef (sim/def/scene_def.h), which is that
+ * of one of them. docs/model.md, "Several chains". */
 #ifndef HAWSER_SIM_DEF_STRAND_DEF_H
 #define HAWSER_SIM_DEF_STRAND_DEF_H
 

@@ -38,8 +38,8 @@ int newton_factor(Newton *nw);
 void newton_stats(const Newton *nw, LinStats *stats);
 /* b [scene_state_size] becomes the solution of (1 - gamma J) x = b (N6)-(N8); returns as linsolver_solve. */
 int newton_solve(Newton *nw, double *b);
-/* Its two ends, of the chain's rows alone: from b to the right-hand side x (N6), (N7), and back to b from the velocities
- * in x (N8). */
+/* Its two ends, of the chain's rows alone: from b to the right-hand side x (N6), (N7), and back to b from the
+ * velocities in x (N8). */
 void newton_reduce(Newton *nw, const double *b);
 void newton_expand(Newton *nw, double *b);
 

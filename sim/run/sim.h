@@ -68,14 +68,14 @@ typedef struct hawser_sim {
     int inside;                    /* it moves now: who is called must not have it move */
     char message[HAWSER_MESSAGE_MAX];
     /* of a whole run's two passes (io/api/api_passes.c) */
-    SceneDef *plan;            /* the definition as the case has it; NULL: no second pass is wanted. Owned */
-    int pass;                  /* 0; 1 of the second one */
-    int led;                   /* the caller has told it what to do: it cannot be computed again by itself */
-    OtherPass other;           /* the figures of the other one */
-    PassesSaid *passes;        /* what is said of them; NULL: there is nothing to be said. Owned */
+    SceneDef *plan;     /* the definition as the case has it; NULL: no second pass is wanted. Owned */
+    int pass;           /* 0; 1 of the second one */
+    int led;            /* the caller has told it what to do: it cannot be computed again by itself */
+    OtherPass other;    /* the figures of the other one */
+    PassesSaid *passes; /* what is said of them; NULL: there is nothing to be said. Owned */
     /* of several chains (sim/run/together.h) */
-    struct Together *together;  /* what moves them all, where this is the first; owned. NULL: it is alone, or led */
-    struct hawser_sim *leader;  /* the first, where this is another; NULL */
+    struct Together *together; /* what moves them all, where this is the first; owned. NULL: it is alone, or led */
+    struct hawser_sim *leader; /* the first, where this is another; NULL */
     struct hawser_sim *second; /* whose results have replaced this one's: SHOWN; owned */
 } Sim;
 

@@ -14,7 +14,8 @@ hawser_status start_check(Sim *s, hawser_error *err)
 {
     const Scene *const scene = &s->stage.scene;
     if (!scene->self.present) return HAWSER_OK;
-    const SelfDetail deepest = self_deepest(&scene->self, SELF_ALONE(&scene->chain, &s->stage.ws.kin), &s->stage.ws.self);
+    const SelfDetail deepest =
+        self_deepest(&scene->self, SELF_ALONE(&scene->chain, &s->stage.ws.kin), &s->stage.ws.self);
     const double radius = scene->chain.radius[deepest.element < scene->chain.n ? deepest.element : scene->chain.n - 1];
     if (!(deepest.depth > radius / 4)) return HAWSER_OK;
     return error_set(err, HAWSER_ERR_INPUT,

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "sim/bunch/bunch_look.h"
 #include "sim/equipment/winch.h"
 #include "sim/expected/expected.h"
 

@@ -13,8 +13,8 @@ struct Together {
     double *y; /* [bunch.motion.size] the state of all */
 };
 
-/* The simulations of the chains beside `lead`, which is built, and what moves them together. Errors: INPUT, MEMORY, RUN;
- * together_free follows either way. */
+/* The simulations of the chains beside `lead`, which is built, and what moves them together. Errors: INPUT, MEMORY,
+ * RUN; together_free follows either way. */
 hawser_status together_new(Sim *lead, const SceneDef *def, hawser_error *err);
 struct Together *together_free(struct Together *all);
 
@@ -22,8 +22,8 @@ struct Together *together_free(struct Together *all);
 hawser_status together_relax(struct Together *all, hawser_relaxation *out, hawser_error *err);
 /* One step of all. Errors: MEMORY, RUN. */
 hawser_status together_step(struct Together *all, double stop, hawser_error *err);
-/* After a look at the state of now: what pulls chain k, if that is another one, into its workspace; and, with the first,
- * what the chains do to each other into its scene. */
+/* After a look at the state of now: what pulls chain k, if that is another one, into its workspace; and, with the
+ * first, what the chains do to each other into its scene. */
 void together_look(struct Together *all, const Sim *of);
 
 /* N, what theory says now of the chains whose heads are joined to a rope, by their last looks. */

@@ -1,10 +1,10 @@
-/* Several chains from the case to the figures: three that do nothing to each other are three runs, bit for bit; what holds
- * them together balances and closes the books; how cables lie in a duct gives the formulas' weight correction; what cannot
- * be computed is refused. */
+/* Several chains from the case to the figures: three that do nothing to each other are three runs, bit for bit; what
+ * holds them together balances and closes the books; how cables lie in a duct gives the formulas' weight correction;
+ * what cannot be computed is refused. */
 #include "tests/io/case_fixture.h"
 
 #include "hawser/hawser.h"
-#include "theory/cables/lay.h"
+#include "theory/cables/duct.h"
 
 #define FOLDER HAWSER_SOURCE_DIR "/tests/data/"
 
@@ -44,18 +44,19 @@ static double figure_of(const hawser_sim *s, const char *name, const char *key)
 static void test_three_runs(void **state)
 {
     (void)state;
-    const char *const same_place[] = {"chains.one.place", "[0 m, 0 m]", "chains.two.place", "[0 m, 0 m]",
-                                      "chains.three.place", "[0 m, 0 m]", NULL};
-    hawser_case *alone = case_with("cables: {power: {d: 41 mm, mass: 3 kg/m, EA: 27 MN, GA: 9 MN, GJ: 100 N m2, EI: "
-                                   "200 N m2, damping: 2 ms}}\n"
-                                   "chain: [{cable: power, length: 4 m, segment: 250 mm}]\n"
-                                   "route: {head_at: 4 m, pieces: [{straight: 8 m}]}\n"
-                                   "surfaces: {planes: [{name: floor, point: [0 m, 0 m, -20.5 mm], normal: [0, 0, 1]}]}\n"
-                                   "friction: {mu: 0.3}\n"
-                                   "drive: {winch: {speed: 0.1 m/s, to: 1 s}, tail: {tension: 100 N}}\n"
-                                   "run: {duration: 2 s, steady_from: 1.5 s}\n"
-                                   "solver: {passes: 1, planar: off}\n",
-                                   NULL);
+    const char *const same_place[] = {
+        "chains.one.place", "[0 m, 0 m]", "chains.two.place", "[0 m, 0 m]", "chains.three.place", "[0 m, 0 m]", NULL};
+    hawser_case *alone =
+        case_with("cables: {power: {d: 41 mm, mass: 3 kg/m, EA: 27 MN, GA: 9 MN, GJ: 100 N m2, EI: "
+                  "200 N m2, damping: 2 ms}}\n"
+                  "chain: [{cable: power, length: 4 m, segment: 250 mm}]\n"
+                  "route: {head_at: 4 m, pieces: [{straight: 8 m}]}\n"
+                  "surfaces: {planes: [{name: floor, point: [0 m, 0 m, -20.5 mm], normal: [0, 0, 1]}]}\n"
+                  "friction: {mu: 0.3}\n"
+                  "drive: {winch: {speed: 0.1 m/s, to: 1 s}, tail: {tension: 100 N}}\n"
+                  "run: {duration: 2 s, steady_from: 1.5 s}\n"
+                  "solver: {passes: 1, planar: off}\n",
+                  NULL);
     hawser_sim *const one = run(alone);
     hawser_summary expected, found;
     hawser_sim_summary(one, &expected);
@@ -90,8 +91,8 @@ static void test_books(void **state)
     check_below(sum.balance->residual_share, 1e-3);
     check_below(sum.balance->impulse_residual_share, 4e-4);
     /* the rope pulls with what the three hold it back by, and its own weight's friction; shares add up */
-    const double three = figure_of(s, "one", "pull_mean_N") + figure_of(s, "two", "pull_mean_N") +
-                         figure_of(s, "three", "pull_mean_N");
+    const double three =
+        figure_of(s, "one", "pull_mean_N") + figure_of(s, "two", "pull_mean_N") + figure_of(s, "three", "pull_mean_N");
     check_between(figure_of(s, "rope", "pull_mean_N") - three, -2, 8);
     check_below(fabs(figure_of(s, "all", "pull_mean_N") / three - 1), 1e-9);
     check_below(fabs(figure_of(s, "one", "share") + figure_of(s, "two", "share") + figure_of(s, "three", "share") - 1),
@@ -108,11 +109,25 @@ static double lying(const char *pattern, double ratio, const char *k)
 {
     char radius[32];
     snprintf(radius, sizeof radius, "%.6f mm", 41 * ratio / 2);
-    const char *const settings[] = {"lay.pattern", pattern,
-                                    "surfaces.ducts.0.radius", radius, "contact.k", k, "friction.mu", "0",
-                                    "run.duration", "20 ms", "run.steady_from", "0 s", "chains",
+    const char *const settings[] = {"lay.pattern",
+                                    pattern,
+                                    "surfaces.ducts.0.radius",
+                                    radius,
+                                    "contact.k",
+                                    k,
+                                    "friction.mu",
+                                    "0",
+                                    "run.duration",
+                                    "20 ms",
+                                    "run.steady_from",
+                                    "0 s",
+                                    "chains",
                                     "{one: {still: true}, two: {still: true}, three: {still: true}}",
-                                    "solver.relax_iterations", "1000", "chain.0.length", "2 m", NULL};
+                                    "solver.relax_iterations",
+                                    "1000",
+                                    "chain.0.length",
+                                    "2 m",
+                                    NULL};
     hawser_sim *const s = run(load(FOLDER "chains-rope.yaml", settings));
     const double found = figure_of(s, "all", "weight_correction");
     hawser_sim_free(s);

@@ -51,9 +51,8 @@ static void threefold_new(Threefold *t, uint64_t *seed)
             t->chain[l].half[i] = h / 2;
             t->chain[l].radius[i] = 0.021;
             const Vec3 p = v3(from + h / 2, across[l][0], across[l][1]);
-            place(t, l, i, v3_axpy(p, 5e-4, fixture_vector(seed, 1)),
-                  quat_exp(v3_scale(5e-3, fixture_vector(seed, 1))), v3_scale(0.02, fixture_vector(seed, 1)),
-                  v3_scale(0.05, fixture_vector(seed, 1)));
+            place(t, l, i, v3_axpy(p, 5e-4, fixture_vector(seed, 1)), quat_exp(v3_scale(5e-3, fixture_vector(seed, 1))),
+                  v3_scale(0.02, fixture_vector(seed, 1)), v3_scale(0.05, fixture_vector(seed, 1)));
             from += h;
         }
     }
@@ -120,8 +119,8 @@ static void move(Threefold *t, int row, int c, double by)
         v3_store(of, i, v3_axpy(v3_load(of, i), by, axis));
     }
     if (c < 3 || c >= 6) return;
-    const Quat q = quat_mul(quat_exp(v3_scale(by, axis)),
-                            (Quat){kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]});
+    const Quat q =
+        quat_mul(quat_exp(v3_scale(by, axis)), (Quat){kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]});
     place(t, row / EACH, i, v3_load(kin->p, i), q, v3_load(kin->v, i), v3_load(kin->w, i));
 }
 

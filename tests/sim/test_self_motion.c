@@ -38,7 +38,8 @@ static void loads_of(Rig *r, double *between, double *rollers)
     enum { ROOM = 16 };
     SelfDetail detail[ROOM];
     dynamics_kinematics(&r->scene, &r->ws, 0, r->y);
-    const int count = self_details(&r->scene.self, SELF_ALONE(&r->scene.chain, &r->ws.kin), 1, &r->ws.self, ROOM, detail);
+    const int count =
+        self_details(&r->scene.self, SELF_ALONE(&r->scene.chain, &r->ws.kin), 1, &r->ws.self, ROOM, detail);
     assert_in_range(count, 2, ROOM);
     *between = *rollers = 0;
     for (int k = 0; k < count; ++k) {

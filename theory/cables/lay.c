@@ -1,7 +1,7 @@
-#include "theory/cables/lay.h"
-
 #include <math.h>
 #include <stdint.h>
+
+#include "theory/cables/duct.h"
 
 /* In a row about the middle. */
 static void row(double spacing, int n, double place[][2])

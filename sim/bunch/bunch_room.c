@@ -9,7 +9,7 @@
 
 typedef struct Chains {
     int n;
-    const ChainsLook *look;        /* the scene's */
+    const ChainsLook *look;            /* the scene's */
     const char *name[STRANDS_MAX + 1]; /* the definition's; then all together */
 } Chains;
 
@@ -53,26 +53,33 @@ static void chains_figures(const Room *room, int i, const TimeMean *kept, double
     const Chains *const all = room->self;
     (void)expected;
     const ChainLook *const look = i < all->look->n ? &all->look->chain[i] : &all->look->all;
-    const double figure[] = {mean_of(&kept[PULL]),      kept[PULL].peak,      mean_of(&kept[SHARE]),
-                             mean_of(&kept[BETWEEN]),   kept[BETWEEN].peak,   mean_of(&kept[WALLS]),
-                             mean_of(&kept[WEIGHT]),    mean_of(&kept[WALLS]) / mean_of(&kept[WEIGHT]),
-                             look->factor,              mean_of(&kept[REFERENCE]),
-                             mean_of(&kept[CROSSINGS]), mean_of(&kept[TWIST])};
+    const double figure[] = {mean_of(&kept[PULL]),
+                             kept[PULL].peak,
+                             mean_of(&kept[SHARE]),
+                             mean_of(&kept[BETWEEN]),
+                             kept[BETWEEN].peak,
+                             mean_of(&kept[WALLS]),
+                             mean_of(&kept[WEIGHT]),
+                             mean_of(&kept[WALLS]) / mean_of(&kept[WEIGHT]),
+                             look->factor,
+                             mean_of(&kept[REFERENCE]),
+                             mean_of(&kept[CROSSINGS]),
+                             mean_of(&kept[TWIST])};
     for (size_t k = 0; k < sizeof figure / sizeof *figure; ++k) value[k] = figure[k];
 }
 
-static const MachineKind CHAINS = {
-    .key = "chains",
-    .count = chains_count,
-    .name = chains_name,
-    .n_now = 6,
-    .n_kept = 8,
-    .now = {"pull_N", "share", "between_N_per_m", "walls_N", "crossings", "twist_rad"},
-    .keep = chains_keep,
-    .n_figures = 12,
-    .figure = {"pull_mean_N", "pull_peak_N", "share", "between_mean_N_per_m", "between_peak_N_per_m", "walls_mean_N",
-               "weight_N", "weight_correction", "weight_factor", "reference_N", "crossings", "twist_rad"},
-    .figures = chains_figures};
+static const MachineKind CHAINS = {.key = "chains",
+                                   .count = chains_count,
+                                   .name = chains_name,
+                                   .n_now = 6,
+                                   .n_kept = 8,
+                                   .now = {"pull_N", "share", "between_N_per_m", "walls_N", "crossings", "twist_rad"},
+                                   .keep = chains_keep,
+                                   .n_figures = 12,
+                                   .figure = {"pull_mean_N", "pull_peak_N", "share", "between_mean_N_per_m",
+                                              "between_peak_N_per_m", "walls_mean_N", "weight_N", "weight_correction",
+                                              "weight_factor", "reference_N", "crossings", "twist_rad"},
+                                   .figures = chains_figures};
 
 const RoomKind CHAINS_ROOM = {.name = "several chains",
                               .build = chains_build,
