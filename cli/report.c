@@ -102,8 +102,10 @@ static void report_theory(const Report *r, const char *name, double total, doubl
 {
     char force[HAWSER_SHOWN_MAX];
     if (!(total > 0)) return;
-    printf("  %-18s %14s %+12.2f %% %21.2f %% %7.2f %%\n", name, hawser_show(total, "N", r->units, force),
-           100 * (r->sum.pull_mean_N - total) / total, max_pct, mean_pct);
+    printf("  %-18s %14s %+12.2f %%", name, hawser_show(total, "N", r->units, force),
+           100 * (r->sum.pull_mean_N - total) / total);
+    if (isnan(max_pct)) printf(" %23s %9s\n", "no stations", "-");
+    if (!isnan(max_pct)) printf(" %21.2f %% %7.2f %%\n", max_pct, mean_pct);
 }
 
 /* How even the pull was and what theory says of it; the pull itself is in the answer. */

@@ -48,7 +48,8 @@ const char *limits_name(LimitKind kind) { return kinds[kind].name; }
 static void judge(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f,
                   hawser_limit *out)
 {
-    *out = (hawser_limit){.name = kinds[kind].name, .unit = kinds[kind].unit, .value = f->value, .margin = NAN};
+    *out = (hawser_limit){
+        .name = kinds[kind].name, .unit = kinds[kind].unit, .value = f->value, .margin = NAN, .error = f->error};
     memcpy(out->where, f->where, sizeof out->where);
     out->limit = limits_allowed(def, kind, diameter, cables, f, out->source);
     if (isnan(out->limit)) return;
@@ -91,6 +92,21 @@ void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctL
     duct_worse(load->clearance < room->value, load->clearance, cables, name, room);
     duct_worse(load->fill > fill->value, load->fill, cables, name, fill);
     if (cables > 1) duct_worse(load->weight_factor > weight->value, load->weight_factor, cables, name, weight);
+}
+
+const hawser_limit *limits_undecided(int n, const hawser_limit *limit)
+{
+    const hawser_limit *worst = NULL;
+    double most = 1;
+    for (int i = 0; i < n; i++) {
+        const hawser_limit *const l = &limit[i];
+        if (l->judged && !l->ok) return NULL;
+        const double reach = l->judged && l->limit > 0 ? (l->value + l->error) / l->limit : 0;
+        if (!(l->error > 0 && reach > most)) continue;
+        worst = l;
+        most = reach;
+    }
+    return worst;
 }
 
 int limits_judge(const LimitsDef *def, double diameter, int cables, const Finding finding[LIMIT_KINDS],

@@ -82,6 +82,7 @@ typedef enum LimitKind {
 typedef struct Finding {
     int absent;     /* it says nothing about this limit, which is then not listed */
     double value;   /* in the limit's unit; NAN: not known */
+    double error;   /* of value: the error bar of a run's figure; 0: it has none */
     double rating;  /* N, of the roller found; of the run-away the largest tension, which its margin is measured by */
     int cables;     /* in the duct found */
     double steady;  /* N, of a trip: the largest force that the winch needs by itself; NAN: the cable runs away */
@@ -155,5 +156,8 @@ void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctL
 /* Sets the findings against the limits, (LI4): out[HAWSER_LIMITS_MAX]. Returns how many; 0 if def is not present. */
 int limits_judge(const LimitsDef *def, double diameter, int cables, const Finding finding[LIMIT_KINDS],
                  hawser_limit *out);
+/* Where all limits hold, the one that the error bar of its figure reaches farthest beyond; NULL: there is none, or a
+ * limit is broken anyway. */
+const hawser_limit *limits_undecided(int n, const hawser_limit *limit);
 
 #endif

@@ -28,6 +28,8 @@ typedef struct hawser_limit {
     int ok;           /* the limit holds; 0 if it was not judged */
     char where[80];   /* the place of `value`, "" if there is none */
     char source[160]; /* where `limit` comes from; if it was not judged why, and the case's key that is missing */
+    double error; /* of `value`, in its unit: what it may be off by through the numbers of a run; 0: exact, or nobody
+                   * knows */
 } hawser_limit;
 
 struct hawser_sim;

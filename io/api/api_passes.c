@@ -22,9 +22,9 @@ enum { STEPS_MOST = 8 };
  */
 static int is_numerical(const hawser_condition *c)
 {
-    static const char *const names[] = {"numerical_error", "numerical_peak", "mesh"};
+    static const char *const names[] = {"numerical_error", "numerical_peak", "mesh", "decided"};
     int found = 0;
-    for (int k = 0; k < 3; ++k) found |= !strcmp(c->name, names[k]);
+    for (int k = 0; k < 4; ++k) found |= !strcmp(c->name, names[k]);
     return found;
 }
 

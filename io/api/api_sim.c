@@ -179,6 +179,7 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
     hawser_summary summary;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     Overload *overload;
+    hawser_sim_summary(s, &summary);
     SummaryLabels labels = {.title = s->title,
                             .case_name = s->case_name,
                             .outcome = outcome_name(s),
@@ -189,7 +190,7 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
                             .roller = s->stats.roller_out,
                             .n_assumptions = scene->def.n_assumptions,
                             .assumption = scene->def.assumptions,
-                            .n_limits = peaks_judge(&s->peaks, &s->stats, scene, &s->expected, limit),
+                            .n_limits = sim_limits(s, &summary, limit),
                             .limit = limit,
                             .n_overloads = peaks_overload(&s->peaks, scene, &s->expected, &overload),
                             .trip_N = limits->present ? limits_trip(limits, scene->def.bundle.shape.thickest,
@@ -201,7 +202,6 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
     labels.overload = overload;
     labels.n_remedies = remedies_find(scene, labels.n_limits, limit, remedy);
     labels.remedy = (const char(*)[REMEDY_MAX])remedy;
-    hawser_sim_summary(s, &summary);
     const hawser_status status = summary_json(&summary, &labels, text, err);
     free(overload);
     return status;

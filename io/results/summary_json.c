@@ -158,6 +158,7 @@ static const Column limit_column[] = {
     {COLUMN("limit", NUMBER, hawser_limit, limit)},   {COLUMN("unit", TEXT, hawser_limit, unit)},
     {COLUMN("margin", NUMBER, hawser_limit, margin)}, {.key = "ok", .kind = COLUMN_FLAG, .number = limit_holds},
     {COLUMN("where", CHARS, hawser_limit, where)},    {COLUMN("source", CHARS, hawser_limit, source)},
+    {COLUMN("error", NUMBER, hawser_limit, error)},
 };
 static const Columns limit_columns = COLUMNS(hawser_limit, limit_column);
 

@@ -4,6 +4,7 @@
 
 #include "sim/equipment/reel.h"
 #include "sim/run/commands.h"
+#include "sim/run/sim.h"
 
 /* Of a table's row, what is neither a name nor known from the case. */
 #define ROW(c, row, type, member) CHECKPOINT_FROM(c, row, type, member)

@@ -3,7 +3,7 @@
 #ifndef HAWSER_SIM_RUN_COMMANDS_H
 #define HAWSER_SIM_RUN_COMMANDS_H
 
-#include "sim/run/sim.h"
+#include "sim/run/parts.h"
 
 /* Carries out a command at the time of now, which notes it as an event. Errors: INPUT (nothing has the name, or it
  * cannot do that: nothing has changed then), MEMORY, RUN. */

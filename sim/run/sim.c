@@ -60,6 +60,23 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     return status ? status : start_fit(s, err);
 }
 
+/* The simulations of the chains beside this one, in the order of the case, and what moves them all. */
+static hawser_status beside_new(Sim *s, const SceneDef *def, hawser_error *err)
+{
+    Sim **const sim = calloc((size_t)def->n_beside + 1, sizeof(Sim *));
+    hawser_status status = sim ? HAWSER_OK : error_memory(err);
+    int n = 0;
+    if (sim) sim[n++] = s;
+    for (int k = 0; !status && k < def->n_beside; ++k) {
+        status = sim_new(&def->beside[k], 1, &sim[n], err);
+        n += !status;
+    }
+    if (!status) return together_new(sim, n, err);
+    for (int k = 1; k < n; ++k) sim_free(sim[k]);
+    free(sim);
+    return status;
+}
+
 hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error *err)
 {
     const double start = clock_now();
@@ -75,7 +92,7 @@ hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error 
     if (threads > 0) mine.solver.threads = mine.solver.linear.threads = threads;
     s->threads = mine.solver.threads;
     hawser_status status = parts_new(s, &mine, err);
-    if (!status && mine.n_beside > 0) status = together_new(s, &mine, err);
+    if (!status && mine.n_beside > 0) status = beside_new(s, &mine, err);
     if (status) {
         sim_free(s);
         return status;
@@ -88,6 +105,7 @@ hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error 
 Sim *sim_free(Sim *s)
 {
     if (!s) return NULL;
+    for (int k = 1; k < sim_chains(s); ++k) sim_free(sim_chain(s, k));
     s->together = together_free(s->together);
     mesh_free(&s->mesh);
     stats_free(&s->stats);
@@ -120,9 +138,6 @@ Sim *sim_free(Sim *s)
     free(s);
     return NULL;
 }
-
-int sim_chains(const Sim *s) { return s->together ? s->together->n : 1; }
-Sim *sim_chain(Sim *s, int k) { return s->together ? s->together->sim[k] : s; }
 
 /* What the integrator moves, and its state. */
 static Motion *moved(const Sim *s) { return s->together ? &s->together->bunch.motion : s->stage.motion; }
@@ -431,6 +446,12 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
     return shares;
 }
 
+int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out)
+{
+    const double bar = figures->pull_peak_error.total, peak = figures->pull_peak_N;
+    return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, peak > 0 && bar > 0 ? bar / peak : 0, out);
+}
+
 static void summary_fill(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
@@ -484,6 +505,8 @@ static void summary_fill(const Sim *s, hawser_summary *out)
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
     other_pass_bars(&s->other, &s->stats, out);
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    const int limits = sim_limits(s, out, limit);
     const TrustFacts facts = {.scene = scene,
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),
@@ -492,6 +515,8 @@ static void summary_fill(const Sim *s, hawser_summary *out)
                               .relaxation = &s->relaxation,
                               .balance = out->balance,
                               .figures = out,
+                              .n_limits = limits,
+                              .limit = limit,
                               .turned = s->overturned | s->stage.stability.turned,
                               .unstable = out->unstable,
                               .stray = s->stray,
@@ -569,5 +594,7 @@ int hawser_sim_limits(Sim *s, hawser_limit *out)
 {
     s = SHOWN(s);
     if (!s || !out) return 0;
-    return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, out);
+    hawser_summary figures;
+    summary_fill(s, &figures);
+    return sim_limits(s, &figures, out);
 }

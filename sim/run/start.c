@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "sim/run/commands.h"
+#include "sim/run/sim.h"
 
 static const double GRADE_LOST = M_PI / 180; /* rad, in one bend, that nobody should be surprised by */
 

@@ -10,24 +10,15 @@
 
 typedef struct Together Together;
 
+int sim_chains(const Sim *s) { return s->together ? s->together->n : 1; }
+Sim *sim_chain(Sim *s, int k) { return s->together ? s->together->sim[k] : s; }
+
 /* Each chain's own state; 0 if there is no memory. */
 static int states_of(const Together *all, double ***y)
 {
     *y = calloc((size_t)all->n, sizeof **y);
     for (int k = 0; *y && k < all->n; ++k) (*y)[k] = all->sim[k]->stage.y;
     return *y != NULL;
-}
-
-/* The others' simulations, in the order of the case. */
-static hawser_status beside_new(Together *all, const SceneDef *def, hawser_error *err)
-{
-    for (int k = 0; k < def->n_beside; ++k) {
-        Sim *beside;
-        const hawser_status status = sim_new(&def->beside[k], 1, &beside, err);
-        if (status) return status;
-        all->sim[all->n++] = beside;
-    }
-    return HAWSER_OK;
 }
 
 /* Where lines meet no contact can tell on which side of each other they are. */
@@ -64,16 +55,18 @@ static hawser_status bunch_make(Together *all, hawser_error *err)
     return status ? status : apart_check(all, err);
 }
 
-hawser_status together_new(Sim *lead, const SceneDef *def, hawser_error *err)
+hawser_status together_new(Sim **sim, int n, hawser_error *err)
 {
-    Together *const all = lead->together = calloc(1, sizeof *all);
-    if (!all) return error_memory(err);
-    all->sim = calloc((size_t)def->n_beside + 1, sizeof(Sim *));
-    if (!all->sim) return error_memory(err);
-    all->sim[all->n++] = lead;
-    hawser_status status = beside_new(all, def, err);
-    if (!status) status = bunch_make(all, err);
-    for (int k = 1; k < all->n; ++k) all->sim[k]->leader = lead;
+    Together *const all = sim[0]->together = calloc(1, sizeof *all);
+    if (!all) {
+        free(sim);
+        return error_memory(err);
+    }
+    all->sim = sim;
+    all->n = n;
+    for (int k = 1; k < n; ++k) sim[k]->leader = sim[0];
+    const hawser_status status = bunch_make(all, err);
+    if (status) return status;
     for (int k = 0; k < all->n; ++k) {
         const int rope = all->sim[k]->stage.scene.def.strand.joined;
         if (rope >= 0) all->sim[rope]->expected.reference_total += all->sim[k]->expected.reference_total;
@@ -86,7 +79,6 @@ struct Together *together_free(struct Together *all)
 {
     if (!all) return NULL;
     bunch_free(&all->bunch);
-    for (int k = 1; k < all->n; ++k) sim_free(all->sim[k]);
     free(all->sim);
     free(all->y);
     free(all);

@@ -4,18 +4,18 @@
 #define HAWSER_SIM_RUN_TOGETHER_H
 
 #include "sim/bunch/bunch.h"
-#include "sim/run/sim.h"
+#include "sim/run/parts.h"
 
 struct Together {
     int n;
-    Sim **sim; /* [n] the first is who leads; the others are owned */
+    Sim **sim; /* [n] the first is who leads and owns this; the others are owned by it */
     Bunch bunch;
     double *y; /* [bunch.motion.size] the state of all */
 };
 
-/* The simulations of the chains beside `lead`, which is built, and what moves them together. Errors: INPUT, MEMORY,
- * RUN; together_free follows either way. */
-hawser_status together_new(Sim *lead, const SceneDef *def, hawser_error *err);
+/* What moves n simulations together, of which the first leads: takes over the list, not what is in it. Errors: INPUT,
+ * MEMORY; together_free follows either way. */
+hawser_status together_new(Sim **sim, int n, hawser_error *err);
 struct Together *together_free(struct Together *all);
 
 /* All to equilibrium; what sim_relax asks of each is done. Errors: MEMORY, STOPPED. */

@@ -39,8 +39,9 @@ void peaks_free(Peaks *peaks);
 /* Takes a sample in; as stats_record. */
 void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
 
-/* The run so far against the case's limits, (LI5); as hawser_sim_limits. */
-int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected,
+/* The run so far against the case's limits, (LI5); as hawser_sim_limits. share: the error bar of the largest pull over
+ * that. */
+int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, double share,
                 hawser_limit *out);
 
 /* The rollers over which cable has passed and theory has a tension, by the case's order: *out is malloc'ed. Returns how

@@ -41,7 +41,24 @@ static Finding roller_finding(const Stats *stats, int steady)
         const hawser_roller *const roller = &stats->roller_out[r];
         finding_load(&worst, roller->name, steady ? roller->steady_N : roller->peak_N, roller->rating_N);
     }
+    for (int r = 0; r < stats->n_rollers; ++r) { /* whose bar reaches farthest, as a load on the worst */
+        const hawser_roller *const roller = &stats->roller_out[r];
+        const double most = steady ? roller->steady_N + roller->steady_error_N : roller->peak_N + roller->peak_error_N;
+        if (roller->rating_N > 0) worst.error = fmax(worst.error, most / roller->rating_N * worst.rating - worst.value);
+    }
     return worst;
+}
+
+/* What is allowed of tensions, and of what is one tension times or over something exact, is as uncertain as the largest
+ * pull. Pressure on surfaces is not: its bar is as large as itself, and what is allowed is of T/R. */
+static void errors_of_tension(Finding f[LIMIT_KINDS], double share)
+{
+    static const LimitKind of_tension[] = {LIMIT_PULL, LIMIT_ATTACHMENT, LIMIT_SIDEWALL,
+                                           LIMIT_ROPE, LIMIT_WINCH,      LIMIT_ALPHA};
+    for (size_t k = 0; k < sizeof of_tension / sizeof *of_tension; ++k) {
+        Finding *const it = &f[of_tension[k]];
+        if (it->value > 0) it->error = share * it->value;
+    }
 }
 
 /* The tension of the reference theory at a roller, N; NAN off the cable that theory counts. */
@@ -110,7 +127,8 @@ static void trip_finding(const Stats *stats, const Scene *scene, const Expected 
     findings_trip(scene, theory, fmax(theory, mean_of(&stats->pull)), scene->def.drag.force, out);
 }
 
-int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, hawser_limit *out)
+int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, double share,
+                hawser_limit *out)
 {
     const SceneDef *const def = &scene->def;
     Finding f[LIMIT_KINDS] = {[LIMIT_RESTART] = {.absent = 1}};
@@ -129,6 +147,7 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         findings_of_run(scene, expected, f);
         trip_finding(stats, scene, expected, &f[LIMIT_TRIP]);
         if (f[LIMIT_RUN_AWAY].value > 0) f[LIMIT_TRIP].steady = NAN;
+        errors_of_tension(f, share);
     } else {
         for (int k = 0; k < LIMIT_KINDS; ++k) {
             f[k].value = NAN;

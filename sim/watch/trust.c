@@ -285,6 +285,23 @@ static void add_errors(List *list, const hawser_summary *s)
     add_error(list, "numerical_peak", "the peak", &s->pull_peak_error, s->pull_peak_N, PEAK_ERROR);
 }
 
+/* Whether it is certain that all limits hold: a margin that is smaller than the error of what was found is none. */
+static void add_decided(List *list, const TrustFacts *f)
+{
+    const hawser_limit *const l = limits_undecided(f->n_limits, f->limit);
+    int judged = 0, ok = 0;
+    for (int i = 0; i < f->n_limits; ++i) judged += f->limit[i].judged, ok += f->limit[i].ok;
+    if (judged == 0 || ok < judged) return;
+    if (!l) {
+        add(list, "decided", "1", 0, 1, "%s", "all limits hold, whatever the figures may be off by");
+        return;
+    }
+    add(list, "decided", "1", (l->value + l->error) / l->limit, 1,
+        "limit '%s' holds by less than its figure may be off: %.6g +- %.3g %s of %.6g %s: use finer settings, or leave "
+        "it more room",
+        l->name, l->value, l->error, l->unit, l->limit, l->unit);
+}
+
 /* A winch pulls: where the cable pushes it the start has jammed or thrown it, or it runs away. */
 static void add_pushed(List *list, const hawser_summary *s)
 {
@@ -401,6 +418,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     add_friction_speed(&list, scene);
     if (!dynamic) return list.n;
     if (f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
+    add_decided(&list, f);
     if (scene->def.winch.present && f->figures->steady_to_s > f->figures->steady_from_s) add_pushed(&list, f->figures);
     if (scene->def.winch.present) add_shared(&list, f);
     if (scene->def.winch.present) add_steadiness(&list, f);

@@ -68,8 +68,10 @@ typedef struct TrustFacts {
     const hawser_relaxation *relaxation;
     const hawser_balance *balance; /* NULL: nothing has moved yet */
     const hawser_summary *figures; /* with their error bars */
-    int turned;                    /* sim/watch/events.h */
-    int unstable;                  /* motions that grow from an equilibrium of statics; -1: not counted */
+    int n_limits;                  /* what the case allows, against these figures; 0: it does not say */
+    const hawser_limit *limit;
+    int turned;   /* sim/watch/events.h */
+    int unstable; /* motions that grow from an equilibrium of statics; -1: not counted */
     Stray stray;
     const Steadiness *steadiness;
     const Passing *passing;

@@ -54,8 +54,15 @@ def check_library(path, line, name):
             for pattern, allowed in LIBRARIES if re.match(pattern, name) and not re.match(allowed, path)]
 
 
+def add_edge(graph, path, target):
+    """A header and the source of the same name are one module: what either includes, both stand above."""
+    above, below = (os.path.splitext(p)[0] for p in (path, target))
+    if above != below:
+        graph.setdefault(above, []).append(below)
+
+
 def circles(graph):
-    """Every circle of files that the depth-first search meets, as 'a -> b -> a'."""
+    """Every circle of modules that the depth-first search meets, as 'a -> b -> a'."""
     found, state, trail = [], {}, []
 
     def visit(node):
@@ -88,7 +95,7 @@ def check(root):
                 continue
             target = resolve(path, name)
             complaints += check_project(root, path, line, target)
-            graph.setdefault(path, []).append(target)
+            add_edge(graph, path, target)
     return complaints + ["circle: " + c for c in circles(graph)]
 
 

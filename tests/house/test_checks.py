@@ -78,7 +78,11 @@ class Includes(unittest.TestCase):
     def test_circle(self):
         found = self.check({"core/a.h": '#include "core/b.h"\n', "core/b.h": '#include "core/c.h"\n',
                             "core/c.h": '#include "core/a.h"\n'})
-        self.assertEqual(["circle: core/a.h -> core/b.h -> core/c.h -> core/a.h"], found)
+        self.assertEqual(["circle: core/a -> core/b -> core/c -> core/a"], found)
+
+    def test_circle_of_a_source_and_its_header(self):
+        found = self.check({"core/a.h": "", "core/a.c": '#include "core/b.h"\n', "core/b.h": '#include "core/a.h"\n'})
+        self.assertEqual(["circle: core/a -> core/b -> core/a"], found)
 
     def test_path_not_from_the_root(self):
         self.assertTrue(self.check({"core/a.c": '#include "b.h"\n', "core/b.h": ""}))

@@ -114,6 +114,43 @@ static void what_bars_do_not_see(void **state)
     hawser_sim_free(thrown);
 }
 
+static int verdict_of(hawser_sim *s)
+{
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    char text[HAWSER_VERDICT_MAX];
+    const hawser_summary sum = summary_of(s);
+    return hawser_verdict(sum.n_conditions, sum.conditions, hawser_sim_limits(s, limit), limit, text, sizeof text);
+}
+
+/* A pull of 1834 N +- 69 N where 1880 N are allowed may be too much: it is not called safe, but computed again, 1826 N
+ * +- 8 N, and that is. Where 1800 N are allowed there is nothing to be decided. */
+static void close_to_a_limit(void **state)
+{
+    (void)state;
+    const char *const near[] = {"limits.pull", "1880 N", "limits.sidewall", "9 kN/m", "solver.passes", "1", NULL},
+                      *const twice[] = {"limits.pull", "1880 N", "limits.sidewall", "9 kN/m", NULL},
+                      *const over[] = {"limits.pull", "1800 N", "limits.sidewall", "9 kN/m", NULL};
+    hawser_sim *const once_only = run_of(data_text("trust"), near), *const both = run_of(data_text("trust"), twice),
+                      *const broken = run_of(data_text("trust"), over);
+    const hawser_summary a = summary_of(once_only), b = summary_of(both), c = summary_of(broken);
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    assert_true(hawser_sim_limits(once_only, limit) > 0);
+    check_share(limit[0].error / limit[0].value, a.pull_peak_error.total / a.pull_peak_N, 1e-12);
+    assert_int_equal(verdict_of(once_only), -2);
+    assert_false(condition_called(&a, "decided")->holds);
+    check_share(condition_called(&a, "decided")->value, (limit[0].value + limit[0].error) / 1880, 1e-12);
+    check_has(condition_called(&a, "decided")->remedy, "limit 'pull' holds by less than its figure may be off");
+    assert_int_equal(verdict_of(both), 0);
+    assert_string_equal(b.passes->outcome, "replaced");
+    assert_true(condition_called(&b, "decided")->holds);
+    assert_int_equal(verdict_of(broken), 1);
+    assert_null(condition_called(&c, "decided"));
+    assert_null(c.passes);
+    hawser_sim_free(once_only);
+    hawser_sim_free(both);
+    hawser_sim_free(broken);
+}
+
 static int stop_second(void *user, const hawser_sample *sample, double wall_s, double end_s)
 {
     (void)user, (void)wall_s, (void)end_s;
@@ -233,7 +270,7 @@ int main(void)
         cmocka_unit_test(it_replaces),          cmocka_unit_test(it_compares),
         cmocka_unit_test(one_is_enough),        cmocka_unit_test(the_folder_is_the_seconds),
         cmocka_unit_test(what_bars_do_not_see), cmocka_unit_test(stopped_in_the_second),
-        cmocka_unit_test(bars_by_two_passes),
+        cmocka_unit_test(bars_by_two_passes),   cmocka_unit_test(close_to_a_limit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

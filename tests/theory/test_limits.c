@@ -414,6 +414,23 @@ static void ducts(void **state)
     check_close(out[1].limit, 0.31, 0);
 }
 
+/* A margin that is smaller than the error of what was found is none; where a limit is broken nothing is open. */
+static void undecided(void **state)
+{
+    (void)state;
+    hawser_limit l[3] = {{.judged = 1, .ok = 1, .value = 90, .limit = 100, .error = 9},
+                         {.judged = 1, .ok = 1, .value = 8, .limit = 10, .error = 2},
+                         {.value = 7, .limit = NAN, .error = 700}};
+    assert_null(limits_undecided(0, l));
+    assert_null(limits_undecided(3, l));
+    l[0].error = 11;
+    assert_ptr_equal(limits_undecided(3, l), &l[0]);
+    l[1].error = 2.2;
+    assert_ptr_equal(limits_undecided(3, l), &l[1]);
+    l[0].ok = 0;
+    assert_null(limits_undecided(3, l));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -421,6 +438,7 @@ int main(void)
         cmocka_unit_test(held_and_broken), cmocka_unit_test(verdicts),    cmocka_unit_test(not_judged),
         cmocka_unit_test(american_pulls),  cmocka_unit_test(attachments), cmocka_unit_test(other_codes),
         cmocka_unit_test(cable_types),     cmocka_unit_test(trips),       cmocka_unit_test(run_away),
+        cmocka_unit_test(undecided),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

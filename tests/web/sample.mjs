@@ -158,7 +158,7 @@ export function run(label = 'first', scale = 1) {
       limits: [
         ...LIMITS.map((limit) => ({
           ...limit,
-          ...(limit.name === 'sidewall' ? { remedy: 'a radius of 8.59 m in ‘bend’ would do' } : {}),
+          ...(limit.name === 'sidewall' ? { remedy: 'a radius of 8.66 m in ‘bend’ would do' } : {}),
         })),
         {
           name: 'rope',
