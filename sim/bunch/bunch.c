@@ -272,7 +272,7 @@ void bunch_interact(Bunch *b, double friction)
 {
     enum { CHAINS_MOST = 64 };
     const SelfLines lines = bunch_lines(b);
-    Loads *loads[CHAINS_MOST];
+    Loads *loads[STRANDS_MAX];
     for (int part = 0; part < SELF_PARTS && b->contact.present; ++part) {
         for (int k = 0; k < b->n; ++k) loads[k] = &b->chain[k].ws->loads[part];
         self_forces(&b->contact, &lines, friction, part, &b->pairs, loads);
