@@ -245,6 +245,7 @@ static const char *foreign(const SceneDef *def)
     if (def->n_jams > 0) return "jams";
     if (def->medium.density > 0) return "medium";
     if (def->launch.present) return "launch";
+    if (def->analysis.kind != ANALYSIS_DYNAMICS) return "run.analysis, but for dynamics";
     if (def->solver.planar == PLANAR_ON) return "solver.planar: on";
     if (def->cable_on_cable) return "contact.cable_on_cable: a chain that touches itself";
     const LinKind kind = def->solver.linear.kind;

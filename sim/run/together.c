@@ -13,14 +13,6 @@ typedef struct Together Together;
 int sim_chains(const Sim *s) { return s->together ? s->together->n : 1; }
 Sim *sim_chain(Sim *s, int k) { return s->together ? s->together->sim[k] : s; }
 
-/* Each chain's own state; 0 if there is no memory. */
-static int states_of(const Together *all, double ***y)
-{
-    *y = calloc((size_t)all->n, sizeof **y);
-    for (int k = 0; *y && k < all->n; ++k) (*y)[k] = all->sim[k]->stage.y;
-    return *y != NULL;
-}
-
 /* Where lines meet no contact can tell on which side of each other they are. */
 static hawser_status apart_check(Together *all, hawser_error *err)
 {
@@ -51,7 +43,9 @@ static hawser_status bunch_make(Together *all, hawser_error *err)
     hawser_status status = bunch_new(&all->bunch, all->n, chain, &all->sim[0]->stage.options, err);
     free(chain);
     if (!status) all->y = aligned_array_new(all->bunch.motion.size);
-    if (!status && !all->y) status = error_memory(err);
+    all->state = calloc((size_t)all->n, sizeof *all->state);
+    if (!status && (!all->y || !all->state)) status = error_memory(err);
+    for (int k = 0; !status && k < all->n; ++k) all->state[k] = all->sim[k]->stage.y;
     return status ? status : apart_check(all, err);
 }
 
@@ -81,6 +75,7 @@ struct Together *together_free(struct Together *all)
     bunch_free(&all->bunch);
     free(all->sim);
     free(all->y);
+    free(all->state);
     free(all);
     return NULL;
 }
@@ -88,12 +83,9 @@ struct Together *together_free(struct Together *all)
 hawser_status together_relax(struct Together *all, hawser_relaxation *out, hawser_error *err)
 {
     Motion *const m = &all->bunch.motion;
-    double **y;
-    if (!states_of(all, &y)) return error_memory(err);
-    bunch_gather(&all->bunch, y, all->y);
+    bunch_gather(&all->bunch, all->state, all->y);
     const hawser_status status = m->ops->relax(m, all->sim[0]->stage.t, all->y, out, err);
-    bunch_scatter(&all->bunch, all->y, y);
-    free(y);
+    bunch_scatter(&all->bunch, all->y, all->state);
     return status;
 }
 
@@ -132,14 +124,11 @@ static hawser_status step_failed(const Together *all, hawser_status status, haws
 hawser_status together_step(struct Together *all, double stop, hawser_error *err)
 {
     Stage *const st = &all->sim[0]->stage;
-    double **y;
-    if (!states_of(all, &y)) return error_memory(err);
-    if (!st->integrator) bunch_gather(&all->bunch, y, all->y);
+    if (!st->integrator) bunch_gather(&all->bunch, all->state, all->y);
     const Steps steps = {&all->bunch.motion, all->y, &st->integrator, &st->balance, &st->balance_s};
     const hawser_status status = steps_take(&steps, stop, &st->t, err);
-    bunch_scatter(&all->bunch, all->y, y);
+    bunch_scatter(&all->bunch, all->y, all->state);
     for (int k = 1; k < all->n; ++k) all->sim[k]->stage.t = st->t;
-    free(y);
     return status ? step_failed(all, status, err) : HAWSER_OK;
 }
 

@@ -10,7 +10,8 @@ struct Together {
     int n;
     Sim **sim; /* [n] the first is who leads and owns this; the others are owned by it */
     Bunch bunch;
-    double *y; /* [bunch.motion.size] the state of all */
+    double *y;      /* [bunch.motion.size] the state of all */
+    double **state; /* [n] each one's own, which stays where it is */
 };
 
 /* What moves n simulations together, of which the first leads: takes over the list, not what is in it. Errors: INPUT,

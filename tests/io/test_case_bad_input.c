@@ -296,10 +296,10 @@ static void every_key_wrong_in_every_way(void **state)
 {
     (void)state;
     static const char *const names[] = {
-        "full-ramps",        "full-tables",      "full-tension",      "full-tension-table", "full-reel",
-        "full-reel-table",   "full-reel-weight", "full-rod",          "full-rod-polyline",  "full-bundle",
-        "full-library",      "full-route",       "full-route-points", "full-route-plan",    "full-drawing",
-        "full-drawing-file", "full-route-file"};
+        "full-ramps",      "full-tables",       "full-tension",   "full-tension-table", "full-reel",
+        "full-reel-table", "full-reel-weight",  "full-rod",       "full-rod-polyline",  "full-bundle",
+        "full-chains",     "full-library",      "full-route",     "full-route-points",  "full-route-plan",
+        "full-drawing",    "full-drawing-file", "full-route-file"};
     Coverage coverage = {.n = 0};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         const char *const text = data_text(names[k]);
