@@ -1,6 +1,6 @@
 """Builds extension and wheel in a folder of their own: setuptools writes beside its sources, and they stay as they are.
 
-Usage: build_wheel.py SOURCE_DIR BUILD_DIR      (CMake runs it; BUILD_DIR/native.json says what to link: native.py)
+Usage: build_wheel.py SOURCE_DIR BUILD_DIR FMU_LIBRARY FMU_PLACE      (CMake runs it; BUILD_DIR/native.json says what to link: native.py)
 BUILD_DIR/package is then importable, BUILD_DIR/dist has the wheel, BUILD_DIR/build.log what was said.
 """
 import pathlib
@@ -9,8 +9,9 @@ import subprocess
 import sys
 
 
-def copy_sources(source: pathlib.Path, package: pathlib.Path) -> None:
-    """The package's files, and the catalogue where libhawser looks for it: beside the module that it is linked into."""
+def copy_sources(source: pathlib.Path, package: pathlib.Path, fmu: pathlib.Path, place: str) -> None:
+    """The package's files; the catalogue and the library for mock-up units where libhawser looks for them: beside the module that
+    it is linked into."""
     shutil.rmtree(package, ignore_errors=True)
     shutil.copytree(source / "python" / "hawser", package / "hawser", ignore=shutil.ignore_patterns("__pycache__"))
     for file in (source / "python").glob("*.*"):
@@ -20,11 +21,13 @@ def copy_sources(source: pathlib.Path, package: pathlib.Path) -> None:
     catalogue.mkdir(parents=True)
     for file in (source / "library").glob("*.yaml"):
         shutil.copy(file, catalogue)
+    (package / "hawser" / place).parent.mkdir(parents=True)
+    shutil.copy(fmu, package / "hawser" / place)
 
 
-def main(source: pathlib.Path, build: pathlib.Path) -> int:
+def main(source: pathlib.Path, build: pathlib.Path, fmu: pathlib.Path, place: str) -> int:
     package, wheels, log = build / "package", build / "dist", build / "build.log"
-    copy_sources(source, package)
+    copy_sources(source, package, fmu, place)
     shutil.copy(build / "native.json", package)
     shutil.rmtree(wheels, ignore_errors=True)
     command = [sys.executable, "-B", "setup.py", "-q", "build_ext", "--inplace", "bdist_wheel", "--dist-dir", str(wheels)]
@@ -36,4 +39,4 @@ def main(source: pathlib.Path, build: pathlib.Path) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])))
+    sys.exit(main(*(pathlib.Path(word) for word in sys.argv[1:4]), sys.argv[4]))

@@ -53,7 +53,7 @@ for target in "$@"; do
     esac
     echo "fuzz.sh: $target, $minutes min"
     # shellcheck disable=SC2086 # one word a folder
-    nice -n 19 $build/tests/fuzz/fuzz_"$program" -max_total_time=$((60 * minutes)) -timeout=100 -rss_limit_mb=2048 \
+    nice -n 19 $build/tests/fuzz/fuzz_"$program" -max_total_time=$((60 * minutes)) -timeout=100 -report_slow_units=100 -rss_limit_mb=2048 \
         -max_len=16384 -dict=$words -artifact_prefix=$build/found/"$target"- -print_final_stats=1 \
         -fork="${HAWSER_FUZZ_JOBS-1}" -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 \
         $build/corpus/"$target" $seeds >$build/"$target".log 2>&1 || status=1

@@ -1,21 +1,25 @@
 #!/bin/sh
 # Installs the Debian packages that building, running and testing hawser needs and that are not there yet.
-# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz | --web | --deb | --python]
-#   --lint    also what scripts/lint.sh needs
-#   --fuzz    also what scripts/fuzz.sh needs
-#   --web     also what scripts/web.sh and the tests of the report's page need: Node, Chromium, and npm's packages in
-#             web/node_modules; goes on without them where they are not to be had
-#   --deb     also what packaging/deb.sh needs
-#   --python  also what the Python package, its tests and its notebooks need; goes on without what is not to be had
-#   --bench   also the programs that scripts/bench.sh compares with; goes on without them where they are not to be had
+# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz | --mutants | --coverage | --web | --deb | --python]
+#   --lint      also what scripts/lint.sh needs
+#   --fuzz      also what scripts/fuzz.sh needs
+#   --mutants   also what scripts/mutants.py needs
+#   --coverage  also what scripts/coverage.sh needs
+#   --web       also what scripts/web.sh and the tests of the report's page need: Node, Chromium, and npm's packages in
+#               web/node_modules; goes on without them where they are not to be had
+#   --deb       also what packaging/deb.sh needs
+#   --python    also what the Python package, its tests and its notebooks need; goes on without what is not to be had
+#   --bench     also the programs that scripts/bench.sh compares with; goes on without them where they are not to be had
 # Says nothing and calls no apt-get when everything is there. Needs root or sudo only when something is missing.
 set -eu
 
 packages="build-essential cmake ninja-build pkg-config clang-format
     libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libexpat1-dev libjansson-dev libhdf5-dev zlib1g-dev libzip-dev
-    libnlopt-dev libcmocka-dev liblapacke-dev python3 valgrind cmark-gfm"
+    libnlopt-dev libcmocka-dev liblapacke-dev python3 valgrind cmark-gfm abigail-tools"
 lint_packages="clang clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
+mutants_packages="python3-clang-14"
+coverage_packages="gcovr"
 python_packages="python3-dev python3-cffi python3-setuptools python3-wheel python3-pip python3-numpy python3-pandas python3-h5py
     python3-xarray python3-pytest python3-matplotlib python3-nbclient python3-nbformat python3-ipykernel mypy"
 deb_packages="debhelper lintian fakeroot"
@@ -28,12 +32,14 @@ case "${1-}" in
 "") ;;
 --lint) packages="$packages $lint_packages" ;;
 --fuzz) packages="$packages $fuzz_packages" ;;
+--mutants) packages="$packages $mutants_packages" ;;
+--coverage) packages="$packages $coverage_packages" ;;
 --deb) packages="$packages $deb_packages" ;;
 --bench) peers=yes ;;
 --web) web=yes ;;
 --python) python=yes ;;
 *)
-    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz, --web, --deb, --python)" >&2
+    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz, --mutants, --coverage, --web, --deb, --python)" >&2
     exit 2
     ;;
 esac

@@ -26,6 +26,7 @@ hawser_status hawser_study_load(const char *path, hawser_study **out, hawser_err
 {
     hawser_error local;
     hawser_error *const e = err ? err : &local;
+    if (!path || !out) return error_argument(err, path ? "out" : "path");
     hawser_study *const s = calloc(1, sizeof *s);
     *out = NULL;
     if (!s) return error_memory(e);
@@ -99,6 +100,7 @@ hawser_status hawser_study_run(hawser_study *s, const char *dir, const hawser_st
     hawser_error local, late;
     hawser_error *const e = err ? err : &local;
     int lock = -1;
+    if (!s || !dir) return error_argument(err, s ? "dir" : "s");
     drop_rows(s);
     hawser_status status = out_make_dir(dir, e);
     if (!status) status = folder_lock(dir, &lock, e);
@@ -120,6 +122,7 @@ hawser_status hawser_study_run(hawser_study *s, const char *dir, const hawser_st
 hawser_status hawser_study_answer(const hawser_study *s, hawser_units units, char **text, hawser_error *err)
 {
     char *found, *whole;
+    if (!s || !text) return error_argument(err, s ? "text" : "s");
     *text = NULL;
     if (s->rows.n == 0) return error_set(err, HAWSER_ERR_INPUT, "the study has not run");
     const hawser_format format = units == HAWSER_US ? HAWSER_TABLE_US : HAWSER_TABLE;

@@ -79,6 +79,26 @@ int input_number_whole(const SurveyInput *in, const char *text, double *value)
     return end[strspn(end, " \t\r\n")] == 0;
 }
 
+size_t input_utf8(char *to, unsigned c)
+{
+    const int more = c < 0x80 ? 0 : c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
+    static const unsigned char lead[] = {0, 0xC0, 0xE0, 0xF0};
+    to[0] = (char)(lead[more] | c >> 6 * more);
+    for (int i = 1; i <= more; ++i) to[i] = (char)(0x80 | (c >> 6 * (more - i) & 0x3F));
+    return (size_t)more + 1;
+}
+
+unsigned input_hex(const char *text, int digits)
+{
+    unsigned c = 0;
+    for (int i = 0; i < digits; ++i) {
+        const char h = text[i];
+        if (!h || !strchr("0123456789abcdefABCDEF", h)) return 0;
+        c = 16 * c + (unsigned)(h <= '9' ? h - '0' : (h | 32) - 'a' + 10);
+    }
+    return c > 0x10FFFF || (c >= 0xD800 && c < 0xE000) ? 0 : c;
+}
+
 void input_unit(SurveyInput *in, double metres, const char *name)
 {
     const int asked = !isnan(in->options.unit);

@@ -38,6 +38,10 @@ hawser_status input_error(const SurveyInput *in, const char *format, ...) __attr
 int input_number(const SurveyInput *in, const char *text, char **end, double *value);
 /* All of a text as one number, blanks around it. */
 int input_number_whole(const SurveyInput *in, const char *text, double *value);
+/* A character as UTF-8, up to 4 bytes; how many. to has room. */
+size_t input_utf8(char *to, unsigned c);
+/* The character of so many hexadecimal digits; 0: they are none, or it is none. */
+unsigned input_hex(const char *text, int digits);
 /* Sets the unit of length and says which: the options' if they give one. name: as the file has it. */
 void input_unit(SurveyInput *in, double metres, const char *name);
 

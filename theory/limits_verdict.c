@@ -69,6 +69,7 @@ static Tally tally_of(int n, const hawser_limit *limit)
 
 int hawser_limits_verdict(int n, const hawser_limit *limit, char *text, size_t size)
 {
+    if (!text || size == 0 || (n > 0 && !limit)) return -1;
     const Tally t = tally_of(n, limit);
     *text = 0;
     Line line = {text, size};
@@ -97,6 +98,7 @@ int hawser_limits_verdict(int n, const hawser_limit *limit, char *text, size_t s
 int hawser_verdict(int n_conditions, const hawser_condition *condition, int n, const hawser_limit *limit, char *text,
                    size_t size)
 {
+    if (!text || size == 0 || (n_conditions > 0 && !condition)) return -1;
     const int broken = hawser_limits_verdict(n, limit, text, size);
     const hawser_condition *first = NULL;
     int more = 0;

@@ -2,6 +2,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 int text_make_printable(char *text)
@@ -59,4 +60,12 @@ hawser_status error_argument(hawser_error *err, const char *argument)
     error_set(err, HAWSER_ERR_INPUT, "the argument '%s' is NULL", argument);
     if (err) snprintf(err->key, sizeof err->key, "%s", argument);
     return HAWSER_ERR_INPUT;
+}
+
+int memory_room(size_t bytes)
+{
+    void *volatile block = malloc(bytes); /* volatile: or the compiler leaves both calls out */
+    const int found = block != NULL;
+    free(block);
+    return found;
 }

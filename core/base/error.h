@@ -2,6 +2,8 @@
 #ifndef HAWSER_CORE_BASE_ERROR_H
 #define HAWSER_CORE_BASE_ERROR_H
 
+#include <stddef.h>
+
 #include "hawser/hawser.h"
 
 /* Writes status and message into err (NULL: dropped) and returns status, so that a caller can
@@ -28,5 +30,9 @@ static inline hawser_status error_memory(hawser_error *err)
     error_set(err, HAWSER_ERR_MEMORY, "out of memory");
     return HAWSER_ERR_MEMORY;
 }
+
+/* Whether so many bytes are to be had now: asked before a library is entered that does not survive an allocation that
+ * fails. */
+int memory_room(size_t bytes);
 
 #endif

@@ -31,8 +31,8 @@ static void head_write(const Model *m, hawser_fmi version, const char *title, co
     attribute(t, "modelIdentifier", identifier);
     text_add(t, " canHandleVariableCommunicationStepSize=\"true\"");
     if (two) text_add(t, " canNotUseMemoryManagementFunctions=\"true\"");
-    attribute(t, two ? "canGetAndSetFMUstate" : "canGetAndSetFMUState", HAS_CHECKPOINTS ? "true" : "false");
-    attribute(t, two ? "canSerializeFMUstate" : "canSerializeFMUState", HAS_CHECKPOINTS ? "true" : "false");
+    attribute(t, two ? "canGetAndSetFMUstate" : "canGetAndSetFMUState", "true");
+    attribute(t, two ? "canSerializeFMUstate" : "canSerializeFMUState", "true");
     text_add(t, "/>\n");
 }
 

@@ -7,24 +7,6 @@
 #include "core/base/error.h"
 #include "fmi/model/variables.h"
 
-/* Whether simulations can be saved to memory and read back; a tree without hawser/checkpoint.h says no. */
-#if __has_include("include/hawser/checkpoint.h")
-enum { HAS_CHECKPOINTS = 1 };
-#else
-enum { HAS_CHECKPOINTS = 0 };
-static inline hawser_status hawser_sim_save_memory(hawser_sim *s, void **bytes, size_t *size, hawser_error *err)
-{
-    (void)s, (void)bytes, (void)size;
-    return error_set(err, HAWSER_ERR_INPUT, "states cannot be saved");
-}
-static inline hawser_status hawser_sim_load_memory(hawser_sim *s, const void *bytes, size_t size, hawser_error *err)
-{
-    (void)s, (void)bytes, (void)size;
-    return error_set(err, HAWSER_ERR_INPUT, "states cannot be read");
-}
-static inline void hawser_bytes_free(void *bytes) { free(bytes); }
-#endif
-
 /* The name of the case among an FMU's resources. */
 #define MODEL_CASE "case.yaml"
 

@@ -9,7 +9,7 @@
 
 /* What an importer holds. */
 typedef struct Instance2 {
-    Unit *unit;
+    Unit *unit; /* first, as of every Instance */
     fmi2CallbackFunctions calls;
     char *name;
     fmi2Status last; /* of the last step */
@@ -24,25 +24,12 @@ static void say2(void *host, Outcome outcome, const char *category, const char *
         c->calls.logger(c->calls.componentEnvironment, c->name, (fmi2Status)outcome, category, "%s", text);
 }
 
-/* The unit, if it is in one of the phases; NULL otherwise, or for no instance. */
-static Unit *unit_in(fmi2Component c, unsigned phases, const char *call)
-{
-    Unit *const u = c ? ((Instance2 *)c)->unit : NULL;
-    return u && !unit_expect(u, phases, call) ? u : NULL;
-}
-
-enum {
-    EARLY = PHASE_INSTANTIATED | PHASE_INITIALIZING,
-    LATE = PHASE_STEPPING | PHASE_OVER,
-    ANY = EARLY | LATE | PHASE_FAILED
-};
-
 const char *fmi2GetTypesPlatform(void) { return "default"; }
 const char *fmi2GetVersion(void) { return "2.0"; }
 
 fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t n, const fmi2String category[])
 {
-    Unit *const u = unit_in(c, ANY, "fmi2SetDebugLogging");
+    Unit *const u = unit_in(c, PHASES_ALL, "fmi2SetDebugLogging");
     (void)n, (void)category;
     if (!u) return fmi2Error;
     u->logging = on != fmi2False;
@@ -108,7 +95,7 @@ fmi2Status fmi2Terminate(fmi2Component c)
 
 fmi2Status fmi2Reset(fmi2Component c)
 {
-    Unit *const u = unit_in(c, ANY, "fmi2Reset");
+    Unit *const u = unit_in(c, PHASES_ALL, "fmi2Reset");
     if (!u) return fmi2Error;
     ((Instance2 *)c)->last = fmi2OK;
     ((Instance2 *)c)->over = 0;
@@ -117,41 +104,38 @@ fmi2Status fmi2Reset(fmi2Component c)
 
 /* ------------------------------------------------------------------------------------------------------- values */
 
-/* The worst of two outcomes. */
-static fmi2Status worse(fmi2Status a, Outcome b) { return (int)b > (int)a ? (fmi2Status)b : a; }
-
 static fmi2Status get2(fmi2Component c, const fmi2ValueReference vr[], size_t n, VariableType type, void *values,
                        const char *call)
 {
-    Unit *const u = unit_in(c, ANY & ~(unsigned)PHASE_FAILED, call);
-    fmi2Status status = u && (n == 0 || (vr && values)) ? fmi2OK : fmi2Error;
-    for (size_t i = 0; i < n && status < fmi2Error; ++i) {
+    Unit *const u = unit_in(c, PHASES_EARLY | PHASES_LATE, call);
+    Outcome status = u && (n == 0 || (vr && values)) ? GOES_WELL : FAILED;
+    for (size_t i = 0; i < n && status < FAILED; ++i) {
         double value = 0;
         const char *text = "";
         /* choices are integers here */
         const int choice = type == VARIABLE_INTEGER && vr[i] < (size_t)u->model.variables.n &&
                            u->model.variables.row[vr[i]].type == VARIABLE_VERDICT;
-        status = worse(status, unit_get(u, vr[i], choice ? VARIABLE_VERDICT : type, &value, &text));
+        status = outcome_worse(status, unit_get(u, vr[i], choice ? VARIABLE_VERDICT : type, &value, &text));
         if (type == VARIABLE_REAL) ((fmi2Real *)values)[i] = value;
         if (type == VARIABLE_INTEGER) ((fmi2Integer *)values)[i] = (fmi2Integer)value;
         if (type == VARIABLE_BOOLEAN) ((fmi2Boolean *)values)[i] = value > 0.5;
         if (type == VARIABLE_TEXT) ((fmi2String *)values)[i] = text;
     }
-    return status;
+    return (fmi2Status)status;
 }
 
 static fmi2Status set2(fmi2Component c, const fmi2ValueReference vr[], size_t n, VariableType type, const void *values,
                        const char *call)
 {
-    Unit *const u = unit_in(c, EARLY | PHASE_STEPPING, call);
-    fmi2Status status = u && (n == 0 || (vr && values)) ? fmi2OK : fmi2Error;
-    for (size_t i = 0; i < n && status < fmi2Error; ++i) {
+    Unit *const u = unit_in(c, PHASES_EARLY | PHASE_STEPPING, call);
+    Outcome status = u && (n == 0 || (vr && values)) ? GOES_WELL : FAILED;
+    for (size_t i = 0; i < n && status < FAILED; ++i) {
         const double value = type == VARIABLE_REAL      ? ((const fmi2Real *)values)[i]
                              : type == VARIABLE_INTEGER ? ((const fmi2Integer *)values)[i]
                                                         : ((const fmi2Boolean *)values)[i] != fmi2False;
-        status = worse(status, unit_set(u, vr[i], type, value));
+        status = outcome_worse(status, unit_set(u, vr[i], type, value));
     }
-    return status;
+    return (fmi2Status)status;
 }
 
 fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], size_t n, fmi2Real value[])
@@ -186,7 +170,7 @@ fmi2Status fmi2SetBoolean(fmi2Component c, const fmi2ValueReference vr[], size_t
 /* Texts are outputs all. */
 fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference vr[], size_t n, const fmi2String value[])
 {
-    Unit *const u = unit_in(c, EARLY | PHASE_STEPPING, "fmi2SetString");
+    Unit *const u = unit_in(c, PHASES_EARLY | PHASE_STEPPING, "fmi2SetString");
     (void)vr, (void)value;
     if (u && n > 0) unit_say(u, FAILED, "no text can be set");
     return u && n == 0 ? fmi2OK : fmi2Error;
@@ -246,56 +230,26 @@ fmi2Status fmi2GetStringStatus(fmi2Component c, fmi2StatusKind kind, fmi2String 
 
 fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate *state)
 {
-    Unit *const u = unit_in(c, EARLY | LATE, "fmi2GetFMUstate");
-    UnitState *made = NULL;
-    if (!u || !state) return fmi2Error;
-    const Outcome outcome = unit_save(u, &made);
-    if (outcome) return (fmi2Status)outcome;
-    free(*state); /* one that is given is overwritten */
-    *state = made;
-    return fmi2OK;
+    return (fmi2Status)state_get(c, state, "fmi2GetFMUstate");
 }
-
 fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate state)
 {
-    Unit *const u = unit_in(c, ANY, "fmi2SetFMUstate");
-    if (!u || !state) return fmi2Error;
-    ((Instance2 *)c)->over = 0;
-    return (fmi2Status)unit_load(u, state);
+    const Outcome outcome = state_set(c, state, "fmi2SetFMUstate");
+    if (!outcome) ((Instance2 *)c)->over = 0;
+    return (fmi2Status)outcome;
 }
-
-fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate *state)
-{
-    if (!c) return fmi2Error;
-    if (state) free(*state);
-    if (state) *state = NULL;
-    return fmi2OK;
-}
-
+fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate *state) { return (fmi2Status)state_free(c, state); }
 fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, fmi2FMUstate state, size_t *size)
 {
-    if (!c || !state || !size) return fmi2Error;
-    *size = ((const UnitState *)state)->size;
-    return fmi2OK;
+    return (fmi2Status)state_size(c, state, size);
 }
-
 fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate state, fmi2Byte to[], size_t size)
 {
-    if (!c || !state || !to || size < ((const UnitState *)state)->size) return fmi2Error;
-    memcpy(to, ((const UnitState *)state)->byte, ((const UnitState *)state)->size);
-    return fmi2OK;
+    return (fmi2Status)state_bytes(c, state, to, size);
 }
-
 fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte from[], size_t size, fmi2FMUstate *state)
 {
-    Unit *const u = unit_in(c, EARLY | LATE, "fmi2DeSerializeFMUstate");
-    UnitState *made = NULL;
-    if (!u || !from || !state) return fmi2Error;
-    const Outcome outcome = unit_state_of(u, from, size, &made);
-    if (outcome) return (fmi2Status)outcome;
-    free(*state);
-    *state = made;
-    return fmi2OK;
+    return (fmi2Status)state_of_bytes(c, from, size, state, "fmi2DeSerializeFMUstate");
 }
 
 /* ---------------------------------------------------------------------------------- what the description denies */

@@ -8,7 +8,7 @@
 
 /* What an importer holds. */
 typedef struct Instance3 {
-    Unit *unit;
+    Unit *unit; /* first, as of every Instance */
     fmi3LogMessageCallback log;
     fmi3InstanceEnvironment environment;
 } Instance3;
@@ -19,24 +19,11 @@ static void say3(void *host, Outcome outcome, const char *category, const char *
     if (c->log) c->log(c->environment, (fmi3Status)outcome, category, text);
 }
 
-/* The unit, if it is in one of the phases; NULL otherwise, or for no instance. */
-static Unit *unit_in(fmi3Instance c, unsigned phases, const char *call)
-{
-    Unit *const u = c ? ((Instance3 *)c)->unit : NULL;
-    return u && !unit_expect(u, phases, call) ? u : NULL;
-}
-
-enum {
-    EARLY = PHASE_INSTANTIATED | PHASE_INITIALIZING,
-    LATE = PHASE_STEPPING | PHASE_OVER,
-    ANY = EARLY | LATE | PHASE_FAILED
-};
-
 const char *fmi3GetVersion(void) { return "3.0"; }
 
 fmi3Status fmi3SetDebugLogging(fmi3Instance c, fmi3Boolean on, size_t n, const fmi3String category[])
 {
-    Unit *const u = unit_in(c, ANY, "fmi3SetDebugLogging");
+    Unit *const u = unit_in(c, PHASES_ALL, "fmi3SetDebugLogging");
     (void)n, (void)category;
     if (!u) return fmi3Error;
     u->logging = on;
@@ -121,7 +108,7 @@ fmi3Status fmi3Terminate(fmi3Instance c)
 
 fmi3Status fmi3Reset(fmi3Instance c)
 {
-    Unit *const u = unit_in(c, ANY, "fmi3Reset");
+    Unit *const u = unit_in(c, PHASES_ALL, "fmi3Reset");
     return u ? (fmi3Status)unit_reset(u) : fmi3Error;
 }
 
@@ -142,8 +129,6 @@ fmi3Status fmi3DoStep(fmi3Instance c, fmi3Float64 now, fmi3Float64 step, fmi3Boo
 
 /* ------------------------------------------------------------------------------------------------------- values */
 
-static fmi3Status worse(fmi3Status a, Outcome b) { return (int)b > (int)a ? (fmi3Status)b : a; }
-
 /* All variables are scalars: as many values as references. */
 static Unit *unit_for_values(fmi3Instance c, const fmi3ValueReference vr[], size_t n, const void *value,
                              size_t n_values, unsigned phases, const char *call)
@@ -159,26 +144,27 @@ static Unit *unit_for_values(fmi3Instance c, const fmi3ValueReference vr[], size
     fmi3Status fmi3Get##NAME(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3##NAME value[],              \
                              size_t n_values)                                                                          \
     {                                                                                                                  \
-        Unit *const u = unit_for_values(c, vr, n, (const void *)value, n_values, EARLY | LATE, "fmi3Get" #NAME);       \
-        fmi3Status status = u ? fmi3OK : fmi3Error;                                                                    \
-        for (size_t i = 0; i < n && status < fmi3Error; ++i) {                                                         \
+        Unit *const u =                                                                                                \
+            unit_for_values(c, vr, n, (const void *)value, n_values, PHASES_EARLY | PHASES_LATE, "fmi3Get" #NAME);     \
+        Outcome status = u ? GOES_WELL : FAILED;                                                                       \
+        for (size_t i = 0; i < n && status < FAILED; ++i) {                                                            \
             double number = 0;                                                                                         \
             const char *text = "";                                                                                     \
-            status = worse(status, unit_get(u, vr[i], TYPE, &number, &text));                                          \
+            status = outcome_worse(status, unit_get(u, vr[i], TYPE, &number, &text));                                  \
             value[i] = OF_VALUE;                                                                                       \
             (void)number, (void)text;                                                                                  \
         }                                                                                                              \
-        return status;                                                                                                 \
+        return (fmi3Status)status;                                                                                     \
     }                                                                                                                  \
     fmi3Status fmi3Set##NAME(fmi3Instance c, const fmi3ValueReference vr[], size_t n, const fmi3##NAME value[],        \
                              size_t n_values)                                                                          \
     {                                                                                                                  \
         Unit *const u =                                                                                                \
-            unit_for_values(c, vr, n, (const void *)value, n_values, EARLY | PHASE_STEPPING, "fmi3Set" #NAME);         \
-        fmi3Status status = u ? fmi3OK : fmi3Error;                                                                    \
-        for (size_t i = 0; i < n && status < fmi3Error; ++i)                                                           \
-            status = worse(status, unit_set(u, vr[i], TYPE, TO_VALUE));                                                \
-        return status;                                                                                                 \
+            unit_for_values(c, vr, n, (const void *)value, n_values, PHASES_EARLY | PHASE_STEPPING, "fmi3Set" #NAME);  \
+        Outcome status = u ? GOES_WELL : FAILED;                                                                       \
+        for (size_t i = 0; i < n && status < FAILED; ++i)                                                              \
+            status = outcome_worse(status, unit_set(u, vr[i], TYPE, TO_VALUE));                                        \
+        return (fmi3Status)status;                                                                                     \
     }
 GET_AND_SET(Float64, VARIABLE_REAL, number, value[i])
 GET_AND_SET(Int32, VARIABLE_INTEGER, (fmi3Int32)number, (double)value[i])
@@ -190,52 +176,22 @@ GET_AND_SET(String, VARIABLE_TEXT, text, 0)
 
 fmi3Status fmi3GetFMUState(fmi3Instance c, fmi3FMUState *state)
 {
-    Unit *const u = unit_in(c, EARLY | LATE, "fmi3GetFMUState");
-    UnitState *made = NULL;
-    if (!u || !state) return fmi3Error;
-    const Outcome outcome = unit_save(u, &made);
-    if (outcome) return (fmi3Status)outcome;
-    free(*state); /* one that is given is overwritten */
-    *state = made;
-    return fmi3OK;
+    return (fmi3Status)state_get(c, state, "fmi3GetFMUState");
 }
-
 fmi3Status fmi3SetFMUState(fmi3Instance c, fmi3FMUState state)
 {
-    Unit *const u = unit_in(c, ANY, "fmi3SetFMUState");
-    return u && state ? (fmi3Status)unit_load(u, state) : fmi3Error;
+    return (fmi3Status)state_set(c, state, "fmi3SetFMUState");
 }
-
-fmi3Status fmi3FreeFMUState(fmi3Instance c, fmi3FMUState *state)
-{
-    if (!c) return fmi3Error;
-    if (state) free(*state);
-    if (state) *state = NULL;
-    return fmi3OK;
-}
-
+fmi3Status fmi3FreeFMUState(fmi3Instance c, fmi3FMUState *state) { return (fmi3Status)state_free(c, state); }
 fmi3Status fmi3SerializedFMUStateSize(fmi3Instance c, fmi3FMUState state, size_t *size)
 {
-    if (!c || !state || !size) return fmi3Error;
-    *size = ((const UnitState *)state)->size;
-    return fmi3OK;
+    return (fmi3Status)state_size(c, state, size);
 }
-
 fmi3Status fmi3SerializeFMUState(fmi3Instance c, fmi3FMUState state, fmi3Byte to[], size_t size)
 {
-    if (!c || !state || !to || size < ((const UnitState *)state)->size) return fmi3Error;
-    memcpy(to, ((const UnitState *)state)->byte, ((const UnitState *)state)->size);
-    return fmi3OK;
+    return (fmi3Status)state_bytes(c, state, to, size);
 }
-
 fmi3Status fmi3DeserializeFMUState(fmi3Instance c, const fmi3Byte from[], size_t size, fmi3FMUState *state)
 {
-    Unit *const u = unit_in(c, EARLY | LATE, "fmi3DeserializeFMUState");
-    UnitState *made = NULL;
-    if (!u || !from || !state) return fmi3Error;
-    const Outcome outcome = unit_state_of(u, from, size, &made);
-    if (outcome) return (fmi3Status)outcome;
-    free(*state);
-    *state = made;
-    return fmi3OK;
+    return (fmi3Status)state_of_bytes(c, from, size, state, "fmi3DeserializeFMUState");
 }

@@ -13,9 +13,14 @@ typedef struct StateHead {
     size_t checkpoint; /* bytes of it; 0: the simulation stands at the start, or is not there */
 } StateHead;
 
+typedef struct UnitState {
+    size_t size;
+    unsigned char byte[]; /* [size] */
+} UnitState;
+
 static size_t values_size(const Unit *u) { return 2 * (size_t)u->model.variables.n * sizeof(double); }
 
-Outcome unit_save(Unit *u, UnitState **state)
+static Outcome save(Unit *u, UnitState **state)
 {
     hawser_error err = {HAWSER_OK, ""};
     void *checkpoint = NULL;
@@ -53,7 +58,7 @@ static int head_read(const Unit *u, const void *bytes, size_t size, StateHead *h
             head->phase == PHASE_OVER);
 }
 
-Outcome unit_load(Unit *u, const UnitState *state)
+static Outcome load(Unit *u, const UnitState *state)
 {
     hawser_error err = {HAWSER_OK, ""};
     StateHead head;
@@ -73,14 +78,63 @@ Outcome unit_load(Unit *u, const UnitState *state)
     return GOES_WELL;
 }
 
-Outcome unit_state_of(Unit *u, const void *bytes, size_t size, UnitState **state)
+/* *state, which may be there already, becomes what was made. */
+static Outcome hand_over(Outcome outcome, UnitState *made, void **state)
 {
+    if (outcome) return outcome;
+    free(*state);
+    *state = made;
+    return GOES_WELL;
+}
+
+Outcome state_get(const void *instance, void **state, const char *call)
+{
+    Unit *const u = unit_in(instance, PHASES_EARLY | PHASES_LATE, call);
+    UnitState *made = NULL;
+    if (!u || !state) return FAILED;
+    const Outcome outcome = save(u, &made);
+    return hand_over(outcome, made, state);
+}
+
+Outcome state_set(const void *instance, const void *state, const char *call)
+{
+    Unit *const u = unit_in(instance, PHASES_ALL, call);
+    return u && state ? load(u, state) : FAILED;
+}
+
+Outcome state_free(const void *instance, void **state)
+{
+    if (!instance) return FAILED;
+    if (state) free(*state);
+    if (state) *state = NULL;
+    return GOES_WELL;
+}
+
+Outcome state_size(const void *instance, const void *state, size_t *size)
+{
+    const UnitState *const s = state;
+    if (!instance || !s || !size) return FAILED;
+    *size = s->size;
+    return GOES_WELL;
+}
+
+Outcome state_bytes(const void *instance, const void *state, void *to, size_t size)
+{
+    const UnitState *const s = state;
+    if (!instance || !s || !to || size < s->size) return FAILED;
+    memcpy(to, s->byte, s->size);
+    return GOES_WELL;
+}
+
+Outcome state_of_bytes(const void *instance, const void *from, size_t size, void **state, const char *call)
+{
+    Unit *const u = unit_in(instance, PHASES_EARLY | PHASES_LATE, call);
     StateHead head;
-    if (!head_read(u, bytes, size, &head)) return unit_say(u, REFUSED, "these bytes are no state of this FMU");
+    if (!u || !from || !state) return FAILED;
+    if (!head_read(u, from, size, &head)) return unit_say(u, REFUSED, "these bytes are no state of this FMU");
     UnitState *const made = malloc(sizeof *made + size);
     if (!made) return unit_say(u, FAILED, "out of memory");
     made->size = size;
-    memcpy(made->byte, bytes, size);
-    *state = made;
-    return GOES_WELL;
+    memcpy(made->byte, from, size);
+    return hand_over(GOES_WELL, made, state);
 }

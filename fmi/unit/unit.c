@@ -22,16 +22,20 @@ Outcome unit_say(Unit *u, Outcome outcome, const char *format, ...)
     return outcome;
 }
 
-Outcome unit_expect(Unit *u, unsigned phases, const char *call)
+Unit *unit_in(const void *instance, unsigned phases, const char *call)
 {
-    if (u->phase & phases) return GOES_WELL;
+    Unit *const u = instance ? ((const Instance *)instance)->unit : NULL;
+    if (!u || u->phase & phases) return u;
     const char *const now = u->phase == PHASE_INSTANTIATED   ? "not initialized yet"
                             : u->phase == PHASE_INITIALIZING ? "being initialized"
                             : u->phase == PHASE_STEPPING     ? "being stepped"
                             : u->phase == PHASE_OVER         ? "terminated"
                                                              : "at an error: reset or free it";
-    return unit_say(u, FAILED, "%s cannot be called now: the instance is %s", call, now);
+    unit_say(u, FAILED, "%s cannot be called now: the instance is %s", call, now);
+    return NULL;
 }
+
+Outcome outcome_worse(Outcome a, Outcome b) { return b > a ? b : a; }
 
 /* ---------------------------------------------------------------------------------------------------- beginning */
 

@@ -17,6 +17,13 @@ typedef enum Phase {
     PHASE_FAILED = 16
 } Phase;
 
+/* Those in which a call makes sense. */
+enum {
+    PHASES_EARLY = PHASE_INSTANTIATED | PHASE_INITIALIZING,
+    PHASES_LATE = PHASE_STEPPING | PHASE_OVER,
+    PHASES_ALL = PHASES_EARLY | PHASES_LATE | PHASE_FAILED
+};
+
 /* What an instance has to say; `category` is one of those in the description. */
 typedef void (*Say)(void *host, Outcome outcome, const char *category, const char *text);
 
@@ -52,8 +59,15 @@ Unit *unit_new(const char *folder, const char *token, int logging, Say say, void
 Unit *unit_free(Unit *u);
 /* Says something in the category that goes with the outcome; returns the outcome. */
 Outcome unit_say(Unit *u, Outcome outcome, const char *format, ...) __attribute__((format(printf, 3, 4)));
-/* Whether the instance is in one of the phases; otherwise a failure that names the call. */
-Outcome unit_expect(Unit *u, unsigned phases, const char *call);
+/* What an importer holds begins with its unit, in either version. */
+typedef struct Instance {
+    Unit *unit;
+} Instance;
+/* The unit of an importer's instance that is in one of the phases; NULL otherwise, after a failure that names the call,
+ * and for no instance. */
+Unit *unit_in(const void *instance, unsigned phases, const char *call);
+/* The worse of two. */
+Outcome outcome_worse(Outcome a, Outcome b);
 
 Outcome unit_set_times(Unit *u, double start, int has_stop, double stop);
 Outcome unit_begin(Unit *u);  /* enters initialization */
@@ -70,15 +84,15 @@ Outcome unit_step(Unit *u, double now, double step, int *over);
 Outcome unit_get(Unit *u, size_t reference, VariableType type, double *value, const char **text);
 Outcome unit_set(Unit *u, size_t reference, VariableType type, double value);
 
-/* States: bytes, malloc'ed, which stand for themselves. */
-typedef struct UnitState {
-    size_t size;
-    unsigned char byte[]; /* [size] */
-} UnitState;
-Outcome unit_save(Unit *u, UnitState **state);
-Outcome unit_load(Unit *u, const UnitState *state);
-/* A state of the bytes that another gave, perhaps of another process. */
-Outcome unit_state_of(Unit *u, const void *bytes, size_t size, UnitState **state);
+/* States, of which an importer knows the address alone: bytes, malloc'ed, which stand for themselves. One that a call
+ * is given in *state is overwritten. Without an instance, or in another phase than the standard has: FAILED. */
+Outcome state_get(const void *instance, void **state, const char *call);
+Outcome state_set(const void *instance, const void *state, const char *call);
+Outcome state_free(const void *instance, void **state);
+Outcome state_size(const void *instance, const void *state, size_t *size);
+Outcome state_bytes(const void *instance, const void *state, void *to, size_t size);
+/* Of the bytes that another gave, perhaps of another process. */
+Outcome state_of_bytes(const void *instance, const void *from, size_t size, void **state, const char *call);
 
 /* The folder of an address of the resources, "file:///home/me/a%20pull/resources" or "file:/home/...", malloc'ed; a
  * path that is none is taken as it is, without slashes at its end. NULL: another scheme or host, a malformed escape,

@@ -13,9 +13,9 @@ typedef struct hawser_validation {
     int fast;           /* not 0: only those that take a moment */
 } hawser_validation;
 
-/* Runs the suite. *text is malloc'ed (hawser_text_free): case, quantity, expected, found, error, tolerance, source;
- * *outside gets the number of quantities outside their tolerance, a case that cannot be run counting as one. Errors:
- * INPUT (no case has such a name), MEMORY. */
+/* Runs the suite; choice NULL: all of it. *text is malloc'ed (hawser_text_free): case, quantity, expected, found,
+ * error, tolerance, source; *outside gets the number of quantities outside their tolerance, a case that cannot be run
+ * counting as one. Errors: INPUT (no case has such a name), MEMORY. */
 hawser_status hawser_validate(const hawser_validation *choice, hawser_format format, char **text, int *outside,
                               hawser_error *err);
 

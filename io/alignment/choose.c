@@ -81,6 +81,8 @@ static void doubts_say(const char *layer, const Joined *j, Survey *notes)
     for (int i = 0; !few && i < j->n_gaps; ++i) survey_ignore(notes, text);
     snprintf(text, sizeof text, "pieces drawn twice, layer '%.60s'", layer);
     for (int i = 0; i < j->doubles; ++i) survey_ignore(notes, text);
+    snprintf(text, sizeof text, "heights of a line of which some pieces have none, layer '%.60s'", layer);
+    for (int i = 0; i < j->lost_heights; ++i) survey_ignore(notes, text);
 }
 
 /* Only drawings have layers: their lines come in pieces, and pieces of one layer belong together. */

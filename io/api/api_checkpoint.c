@@ -15,7 +15,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FORMAT = 1 };
+enum { FORMAT = 2 };
 
 typedef struct FileHead {
     char magic[16];
@@ -233,9 +233,30 @@ hawser_status checkpoint_read_dir(hawser_sim *s, const char *dir, RunKept *run, 
     return status;
 }
 
+/* A handle that speaks of its second pass goes on from states of that; one of before that pass brings the first back,
+ * and with it a time when nothing was known of another. */
+static hawser_status state_read(hawser_sim *handle, const char *path, const void *bytes, size_t size, hawser_error *err)
+{
+    hawser_sim *s = SHOWN(handle);
+    hawser_error first = {.status = HAWSER_OK};
+    hawser_status status = checkpoint_read(s, path, bytes, size, NULL, err);
+    if (status == HAWSER_ERR_INPUT && s != handle && !checkpoint_read(handle, path, bytes, size, NULL, &first)) {
+        handle->second = sim_free(handle->second);
+        s = handle;
+        status = HAWSER_OK;
+    }
+    if (status || !(hawser_sim_time(s) < hawser_sim_end_time(s))) return status;
+    other_pass_free(&s->other);
+    s->other = (OtherPass){0};
+    free(s->passes);
+    s->passes = NULL;
+    return HAWSER_OK;
+}
+
 hawser_status hawser_sim_save_memory(hawser_sim *s, void **bytes, size_t *size, hawser_error *err)
 {
     Checkpoint c;
+    s = SHOWN(s);
     if (!s || !bytes || !size) return error_argument(err, !s ? "s" : bytes ? "size" : "bytes");
     if (s->inside) return error_inside(err);
     *bytes = NULL;
@@ -253,8 +274,8 @@ hawser_status hawser_sim_save_memory(hawser_sim *s, void **bytes, size_t *size, 
 hawser_status hawser_sim_load_memory(hawser_sim *s, const void *bytes, size_t size, hawser_error *err)
 {
     if (!s || !bytes) return error_argument(err, s ? "bytes" : "s");
-    if (s->inside || s->running) return error_inside(err);
-    return checkpoint_read(s, "memory", bytes, size, NULL, err);
+    if (SHOWN(s)->inside || SHOWN(s)->running) return error_inside(err);
+    return state_read(s, "memory", bytes, size, err);
 }
 
 void hawser_bytes_free(void *bytes) { free(bytes); }
@@ -264,6 +285,7 @@ hawser_status hawser_sim_save(hawser_sim *s, const char *path, hawser_error *err
 {
     Checkpoint c;
     char dir[OUT_PATH_MAX] = ".";
+    s = SHOWN(s);
     if (!s || !path) return error_argument(err, s ? "path" : "s");
     if (s->inside) return error_inside(err);
     const char *const slash = strrchr(path, '/');
@@ -280,10 +302,10 @@ hawser_status hawser_sim_load(hawser_sim *s, const char *path, hawser_error *err
     void *bytes;
     size_t size;
     if (!s || !path) return error_argument(err, s ? "path" : "s");
-    if (s->inside || s->running) return error_inside(err);
+    if (SHOWN(s)->inside || SHOWN(s)->running) return error_inside(err);
     hawser_status status = file_read(path, &bytes, &size, err);
     if (status) return status;
-    status = checkpoint_read(s, path, bytes, size, NULL, err);
+    status = state_read(s, path, bytes, size, err);
     free(bytes);
     return status;
 }

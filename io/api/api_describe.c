@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
 #include "io/case/case_parts.h"
+#include "sim/expected/cost.h"
 #include "sim/expected/mesh.h"
 
 #include <math.h>
@@ -206,6 +207,8 @@ static hawser_status write_description(Description *d, const char *title, hawser
     double mass, length;
     int worst;
     sum_chain(def, &mass, &length);
+    const CostCounts counts = cost_counts(def, s->planar);
+    const Cost cost = cost_of(&counts);
     const Vec3 last = route_at(&d->route, d->route.length).position;
     const Fact facts[] = {
         {"segments", "segments", "", cell_number(s->segments)},
@@ -235,6 +238,9 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"duration_s", "to be simulated", "s", cell_number(end)},
         {"steady_from_s", "steady window from", "s", cell_number(def->output.steady_from)},
         {"linear_solver", "linear solver", "", cell_text(s->linear_solver)},
+        {"memory_MB", "memory at most, about", "MB", cell_number(cost.memory / 1e6)},
+        {"disk_MB", "results, about", "MB", cell_number(cost.disk / 1e6)},
+        {"time_s", "computing, about", "s", cell_number(cost.time)},
     };
     const Table all[] = {
         {"chain", "Cable and rope, from the tail to the winch", COLUMNS(PieceRow, piece_column), def->n_pieces,

@@ -31,10 +31,14 @@ hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser
 
 /* ------------------------------------------------------------------------------------ one pass of a run (api_run.c) */
 
-/* One pass of a run: hawser_sim_run without a second one; err is not NULL. */
+/* One pass of a run: hawser_sim_run without a second one; err is not NULL. The last checkpoint stays in dir. */
 hawser_status pass_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
-/* The same from the checkpoint in dir. */
-hawser_status pass_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
+/* The same from the checkpoint in dir. *over: the pass had ended when that was made, and its files are left as they
+ * are. */
+hawser_status pass_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, int *over,
+                          hawser_error *err);
+/* A pass has ended and dir has its files, whole; what follows it can be gone on with. Errors: OUTPUT, MEMORY, RUN. */
+hawser_status pass_keep(hawser_sim *s, const char *dir, hawser_error *err);
 /* Tables and summary of a run that is over once more into its folder. Errors: OUTPUT, MEMORY. */
 hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err);
 
@@ -45,6 +49,7 @@ typedef struct RunKept {
     long rows, states;           /* beats so far */
     double last_row, last_state; /* s */
     ResultsPosition files;
+    long over; /* not 0: the pass has ended, and the files are not asked for any more */
 } RunKept;
 
 /* The state of now, with run's (NULL: there is none), as the bytes of a file; checkpoint_free follows either way.

@@ -141,6 +141,7 @@ hawser_status hawser_library(const char *kind, const char *pattern, hawser_forma
                              hawser_error *err)
 {
     const unsigned kinds = kinds_asked(kind);
+    if (!text) return error_argument(err, "text");
     *text = NULL;
     if (!kinds) {
         return error_set(err, HAWSER_ERR_INPUT,

@@ -4,17 +4,20 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
+#include "io/results/results_file.h"
 
 /* Evaluations times segments, of which a second pass takes about so many times as many as the first (the median of 341
  * random pulls; 4.2 in 95 % of them). */
 static const double GROWS = 3.1;
 /* Evaluations times segments of a second pass that is begun unasked: some ten minutes. */
 static const double WORK_MOST = 1.5e9;
-/* Steps of a second pass over those of the first: 1.7 in the median, 3.3 in 99 % of them. */
-enum { STEPS_MOST = 8 };
+/* Steps of a second pass over those of the first: 1.7 in the median, 3.3 in 99 % of them; what takes more mostly fails.
+ */
+enum { STEPS_MOST = 4 };
 
 /* ------------------------------------------------------------------------------------------ whether it is wanted */
 
@@ -171,9 +174,38 @@ typedef struct Second {
     hawser_sim *sim;  /* the pass itself; NULL: not built yet */
     const char *own;  /* a setting that is the case's; NULL: none */
     int slower;       /* v_s is refined too */
-    char dir[4096];   /* its folder within the first one's; "": nothing is written */
+    const char *home; /* the first one's folder; NULL: nothing is written */
+    char dir[4096];   /* its own within that */
+    int lock;         /* of the first one's; -1: none */
     PassesSaid *says; /* the first's */
 } Second;
+
+/* Whether what stops the run here can be gone on with. */
+static int is_kept(const Second *z) { return z->home && z->first->plan->output.checkpoint > 0; }
+
+/* Its folder belongs to this run alone, and has nothing in it that an earlier one has left: but for what `resumed`
+ * goes on with. Errors: OUTPUT. */
+static hawser_status second_house(Second *z, int resumed, hawser_error *err)
+{
+    if (!z->home) return HAWSER_OK;
+    if (snprintf(z->dir, sizeof z->dir, "%s/second-pass", z->home) >= (int)sizeof z->dir)
+        return error_set(err, HAWSER_ERR_OUTPUT, "the results folder's name is too long");
+    const hawser_status status = out_lock_dir(z->home, &z->lock, err);
+    if (!status && !resumed) results_remove(z->dir);
+    return status;
+}
+
+/* From its checkpoint, if the run that is gone on with has come so far, or from its beginning; what it needs to be
+ * taken over is kept. Errors: as hawser_sim_run. */
+static hawser_status second_run(Second *z, int resumed, hawser_progress progress, void *user, hawser_error *err)
+{
+    const char *const dir = z->home ? z->dir : NULL;
+    int over = 0;
+    hawser_status status = resumed ? pass_resume(z->sim, dir, progress, user, &over, err) : HAWSER_ERR_INPUT;
+    if (status == HAWSER_ERR_INPUT) status = pass_run(z->sim, dir, progress, user, err); /* there is no checkpoint */
+    if (!status && !over && is_kept(z)) status = pass_keep(z->sim, dir, err);
+    return status;
+}
 
 /* Built from the case's definition with finer settings. Errors: MEMORY, INPUT, RUN. */
 static hawser_status second_build(Second *z, hawser_error *err)
@@ -190,7 +222,6 @@ static hawser_status second_build(Second *z, hawser_error *err)
     hawser_sim_summary(first, &sum);
     scene_def_second_pass(finer, z->slower);
     finer->solver.max_steps = STEPS_MOST * sum.steps;
-    finer->output.checkpoint = 0; /* what interrupts it leaves the first pass's results, which are whole */
     status = sim_new(finer, first->threads, &z->sim, err);
     if (status) {
         scene_def_clear(finer);
@@ -219,13 +250,14 @@ static hawser_status second_take(Second *z, hawser_error *err)
     said->outcome = z->own ? "compared" : "replaced";
     say_both(said, z->own);
     if (!z->own) {
-        return other_pass_take(&b->other, &a->stats, &first, 0, 0, err);
+        return other_pass_take(&b->other, &a->stats, &first, sim_jolt(a), 0, 0, err);
     }
-    return other_pass_take(&a->other, &b->stats, &second, 1, !is_sound(&second), err);
+    return other_pass_take(&a->other, &b->stats, &second, sim_jolt(b), 1, !is_sound(&second), err);
 }
 
-/* The results of the second pass become those of the handle; the folder's, too. Errors: OUTPUT, MEMORY. */
-static hawser_status second_settle(Second *z, const char *dir, hawser_error *err)
+/* The results of the second pass become those of the handle; the folder's, too. Its checkpoint goes last. Errors:
+ * OUTPUT, MEMORY. */
+static hawser_status second_settle(Second *z, hawser_error *err)
 {
     hawser_sim *const first = z->first;
     const int replaced = !z->own;
@@ -235,29 +267,30 @@ static hawser_status second_settle(Second *z, const char *dir, hawser_error *err
         first->second = z->sim;
         z->sim = NULL;
     }
-    if (!dir) return HAWSER_OK;
-    hawser_status status = replaced ? results_replace(dir, z->dir, err) : HAWSER_OK;
-    if (!replaced) results_remove(z->dir);
-    return status ? status : pass_tell(SHOWN(first), dir, err);
+    if (!z->home) return HAWSER_OK;
+    hawser_status status = replaced ? results_replace(z->home, z->dir, err) : HAWSER_OK;
+    if (!status) status = pass_tell(SHOWN(first), z->home, err);
+    if (!status) results_remove(z->dir);
+    return status;
 }
 
 /* A second pass that was not to be: the first's results stand. What the caller stopped, and what no memory was there
  * for, is said to him. */
-static hawser_status second_give_up(Second *z, const char *dir, hawser_status status, const hawser_error *why,
-                                    hawser_error *err)
+static hawser_status second_give_up(Second *z, hawser_status status, const hawser_error *why, hawser_error *err)
 {
     hawser_passes *const said = &z->says->said;
-    if (*z->dir) results_remove(z->dir);
+    if (z->home && !(status == HAWSER_STOPPED && is_kept(z))) results_remove(z->dir);
     said->outcome = "failed";
     said->n = 1;
     if (status == HAWSER_STOPPED) {
         snprintf(said->says, sizeof said->says, "a second pass was stopped; these are the figures of the first");
-        error_set(err, status, "stopped in the second pass; the results are those of the first");
+        error_set(err, status, "stopped in the second pass; the results are those of the first%s",
+                  is_kept(z) ? " until it is resumed" : "");
     } else {
         snprintf(said->says, sizeof said->says, "a second pass failed: %.400s", why->message);
         if (status == HAWSER_ERR_MEMORY) return error_memory(err);
     }
-    hawser_status told = dir ? pass_tell(z->first, dir, status == HAWSER_STOPPED ? NULL : err) : HAWSER_OK;
+    hawser_status told = z->home ? pass_tell(z->first, z->home, status == HAWSER_STOPPED ? NULL : err) : HAWSER_OK;
     return status == HAWSER_STOPPED ? status : told;
 }
 
@@ -267,7 +300,7 @@ static int is_too_long(const hawser_sim *s, const hawser_summary *sum, hawser_pa
 {
     char about[32];
     const double work = GROWS * (double)sum->rhs_evals * sum->segments;
-    if (s->plan->solver.passes == PASSES_TWO || work <= WORK_MOST) return 0;
+    if (s->plan->solver.passes == PASSES_TWO || work <= (s->work_most > 0 ? s->work_most : WORK_MOST)) return 0;
     says->outcome = "declined";
     say_time(GROWS * sum->wall_time_s, sizeof about, about);
     snprintf(says->says, sizeof says->says,
@@ -275,13 +308,12 @@ static int is_too_long(const hawser_sim *s, const hawser_summary *sum, hawser_pa
     return 1;
 }
 
-/* After a first pass. Errors: OUTPUT, MEMORY, STOPPED. */
-static hawser_status second_pass(hawser_sim *s, const char *dir, hawser_progress progress, void *user,
-                                 hawser_error *err)
+/* Whether one is to be made, and what is said if one is open. Errors: MEMORY. */
+static hawser_status second_ask(hawser_sim *s, int *wanted, hawser_error *err)
 {
     char why[sizeof s->passes->said.why];
     hawser_summary sum;
-    hawser_error late = {.status = HAWSER_OK};
+    *wanted = 0;
     hawser_sim_summary(s, &sum);
     if (!is_open(&s->stage.scene, &sum, sizeof why, why)) return HAWSER_OK;
     s->passes = calloc(1, sizeof *s->passes);
@@ -290,16 +322,34 @@ static hawser_status second_pass(hawser_sim *s, const char *dir, hawser_progress
     s->passes->said.n = 1;
     s->passes->said.pass = s->passes->pass;
     s->passes->pass[0] = pass_describe(s, &sum, 1);
-    if (is_too_long(s, &sum, &s->passes->said)) return dir ? pass_tell(s, dir, err) : HAWSER_OK;
+    *wanted = !is_too_long(s, &sum, &s->passes->said);
+    return HAWSER_OK;
+}
 
-    Second z = {.first = s, .own = given(s->plan, is_setting), .says = s->passes};
+/* After a first pass. resumed: that had ended when the run was stopped, and is as it was then. Errors: OUTPUT, MEMORY,
+ * STOPPED. */
+static hawser_status second_pass(hawser_sim *s, const char *dir, int resumed, hawser_progress progress, void *user,
+                                 hawser_error *err)
+{
+    hawser_error late = {.status = HAWSER_OK};
+    Second z = {.first = s, .home = dir, .lock = -1};
+    int wanted;
+    hawser_status status = second_ask(s, &wanted, err);
+    if (status) return status;
+    if (!wanted) return dir && s->passes ? pass_tell(s, dir, err) : HAWSER_OK;
+    z.says = s->passes;
+    z.own = given(s->plan, is_setting);
     z.slower = z.own || !given(s->plan, is_v_s); /* in a pass that is only compared no law is another one */
-    if (dir && snprintf(z.dir, sizeof z.dir, "%s/second-pass", dir) >= (int)sizeof z.dir) return HAWSER_OK;
-    hawser_status status = second_build(&z, &late);
-    if (!status) status = pass_run(z.sim, dir ? z.dir : NULL, progress, user, &late);
-    if (!status) status = second_take(&z, &late);
-    status = status ? second_give_up(&z, dir, status, &late, err) : second_settle(&z, dir, err);
+    status = second_house(&z, resumed, err);
+    if (!status && is_kept(&z) && !resumed) status = pass_keep(s, dir, err);
+    if (!status) {
+        status = second_build(&z, &late);
+        if (!status) status = second_run(&z, resumed, progress, user, &late);
+        if (!status) status = second_take(&z, &late);
+        status = status ? second_give_up(&z, status, &late, err) : second_settle(&z, err);
+    }
     sim_free(z.sim);
+    if (z.lock >= 0) close(z.lock);
     return status;
 }
 
@@ -307,6 +357,15 @@ static hawser_status second_pass(hawser_sim *s, const char *dir, hawser_progress
 static int is_whole(const hawser_sim *s)
 {
     return s->plan && !s->pass && !s->passes && !s->relaxed && !(hawser_sim_time(s) > 0);
+}
+
+/* What follows a pass that has ended, and the checkpoint of a run that there is nothing more to do for. */
+static hawser_status go_on(hawser_sim *s, const char *dir, int whole, int over, hawser_status status,
+                           hawser_progress progress, void *user, hawser_error *err)
+{
+    if (!status && whole && !s->led) status = second_pass(s, dir, over, progress, user, err);
+    if (dir && (!status || status == HAWSER_ERR_RUN)) results_no_checkpoint(dir);
+    return status;
 }
 
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
@@ -318,8 +377,7 @@ hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress pro
     if (s->inside || s->running) return error_inside(e);
     if (s->leader) return error_led(e);
     const int whole = is_whole(s);
-    const hawser_status status = pass_run(s, dir, progress, user, e);
-    return status || !whole || s->led ? status : second_pass(s, dir, progress, user, e);
+    return go_on(s, dir, whole, 0, pass_run(s, dir, progress, user, e), progress, user, e);
 }
 
 hawser_status hawser_sim_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
@@ -331,6 +389,7 @@ hawser_status hawser_sim_resume(hawser_sim *s, const char *dir, hawser_progress 
     if (s->inside || s->running) return error_inside(e);
     if (s->leader) return error_led(e);
     const int whole = is_whole(s);
-    const hawser_status status = pass_resume(s, dir, progress, user, e);
-    return status || !whole || s->led ? status : second_pass(s, dir, progress, user, e);
+    int over = 0;
+    const hawser_status status = pass_resume(s, dir, progress, user, &over, e);
+    return go_on(s, dir, whole, over, status, progress, user, e);
 }

@@ -76,6 +76,7 @@ static hawser_status route_there(const hawser_sim *s, const void *out, hawser_er
 
 hawser_status hawser_sim_route_length(const hawser_sim *s, double *length_m, hawser_error *err)
 {
+    s = SHOWN(s);
     const hawser_status status = route_there(s, length_m, err);
     if (!status) *length_m = s->stage.scene.route.length;
     return status;
@@ -83,6 +84,7 @@ hawser_status hawser_sim_route_length(const hawser_sim *s, double *length_m, haw
 
 hawser_status hawser_sim_route_at(const hawser_sim *s, double s_m, hawser_route_place *out, hawser_error *err)
 {
+    s = SHOWN(s);
     const hawser_status status = route_there(s, out, err);
     if (status) return status;
     if (!isfinite(s_m)) return error_set(err, HAWSER_ERR_INPUT, "a place of %g m along the route", s_m);

@@ -55,6 +55,9 @@ static hawser_status report_make(const char *const *dirs, size_t n, const char *
 hawser_status hawser_report_write(const char *const *folders, size_t n, const char *path, hawser_error *err)
 {
     locale_t before;
+    if (!folders || !path) return error_argument(err, folders ? "path" : "folders");
+    for (size_t i = 0; i < n && n <= REPORT_RUNS_MAX; i++)
+        if (!folders[i]) return error_argument(err, "folders");
     if (n < 1 || n > REPORT_RUNS_MAX)
         return error_set(err, HAWSER_ERR_INPUT, "%zu results: a page shows 1 to %d", n, REPORT_RUNS_MAX);
     const locale_t plain = locale_plain(&before);
@@ -115,7 +118,9 @@ hawser_status hawser_plot_write(const char *folder, const char *dir, size_t n, c
 {
     int count = 0;
     locale_t before;
+    if (!folder || !dir) return error_argument(err, folder ? "dir" : "folder");
     for (size_t i = 0; i < n; i++) {
+        if (!names || !names[i]) return error_argument(err, "names");
         if (figure_named(names[i]) == FIGURES)
             return error_set(err, HAWSER_ERR_INPUT,
                              "'%.100s' is no figure: there are tension, series, rollers and plan", names[i]);

@@ -134,6 +134,7 @@ hawser_status hawser_routes_read(const char *path, const hawser_route_options *o
                                  hawser_error *err)
 {
     const hawser_route_options usual = hawser_route_defaults();
+    if (!path || !out) return error_argument(err, path ? "out" : "path");
     hawser_routes *r = calloc(1, sizeof *r);
     *out = NULL;
     if (!r) return error_memory(err);
@@ -178,7 +179,7 @@ void hawser_routes_free(hawser_routes *r)
     free(r);
 }
 
-int hawser_routes_count(const hawser_routes *r) { return r->survey.n; }
+int hawser_routes_count(const hawser_routes *r) { return r ? r->survey.n : 0; }
 
 /* --------------------------------------------------------------------------------------------------------- bends */
 
@@ -398,6 +399,7 @@ static const Column ignored_column[] = {
 
 hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format format, char **text, hawser_error *err)
 {
+    if (!r || !text) return error_argument(err, r ? "text" : "r");
     const Survey *const s = &r->survey;
     *text = NULL;
     if (format == HAWSER_JSON) return json_write(r, text, err);
@@ -458,6 +460,7 @@ static hawser_status row_good(const hawser_routes *r, int i, RouteRow **row, haw
 hawser_status hawser_routes_figures(const hawser_routes *r, int i, hawser_route_figures *out, hawser_error *err)
 {
     RouteRow *row = NULL;
+    if (!r || !out) return error_argument(err, r ? "out" : "r");
     const hawser_status status = row_find(r, i, &row, err);
     if (!status) *out = row->figures;
     return status;
@@ -466,6 +469,7 @@ hawser_status hawser_routes_figures(const hawser_routes *r, int i, hawser_route_
 hawser_status hawser_routes_bends(const hawser_routes *r, int i, int *n, hawser_route_bend **bends, hawser_error *err)
 {
     RouteRow *row = NULL;
+    if (!r || !n || !bends) return error_argument(err, !r ? "r" : !n ? "n" : "bends");
     *n = 0;
     *bends = NULL;
     const hawser_status status = row_good(r, i, &row, err);
@@ -497,6 +501,7 @@ static hawser_status row_build(const hawser_routes *r, int i, RouteRow **row, ha
 hawser_status hawser_routes_length(hawser_routes *r, int i, double *length_m, hawser_error *err)
 {
     RouteRow *row = NULL;
+    if (!r || !length_m) return error_argument(err, r ? "length_m" : "r");
     const hawser_status status = row_build(r, i, &row, err);
     if (!status) *length_m = row->use->route.length;
     return status;
@@ -505,6 +510,8 @@ hawser_status hawser_routes_length(hawser_routes *r, int i, double *length_m, ha
 hawser_status hawser_routes_at(hawser_routes *r, int i, double s_m, hawser_route_place *out, hawser_error *err)
 {
     RouteRow *row = NULL;
+    if (!r || !out) return error_argument(err, r ? "out" : "r");
+    if (!isfinite(s_m)) return error_set(err, HAWSER_ERR_INPUT, "a place of %g m along the route", s_m);
     const hawser_status status = row_build(r, i, &row, err);
     if (status) return status;
     const RoutePoint p = route_at(&row->use->route, s_m);
@@ -516,6 +523,7 @@ hawser_status hawser_routes_at(hawser_routes *r, int i, double s_m, hawser_route
 
 hawser_status hawser_routes_write(const hawser_routes *r, int i, const char *path, hawser_error *err)
 {
+    if (!r || !path) return error_argument(err, r ? "path" : "r");
     const int format = write_format(path);
     const Alignment *meant = NULL;
     RouteRow *row = NULL;

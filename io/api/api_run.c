@@ -24,6 +24,7 @@ typedef struct Beat {
 typedef struct Run {
     hawser_sim *s;
     Results *results[STRANDS_MAX]; /* of each chain; the first NULL: nothing is written */
+    const char *dir;               /* where they go */
     hawser_progress progress;      /* may be NULL */
     void *user;
     double started, last_progress; /* clock_now() */
@@ -86,11 +87,21 @@ static hawser_status keep_now(Run *run, hawser_error *err)
         .rows = run->row.count, .states = run->state.count, .last_row = run->last_row, .last_state = run->last_state};
     hawser_status status = results_position(run->results[0], &kept.files, err);
     if (!status) status = checkpoint_write(run->s, &kept, &c, err);
-    if (!status) status = results_checkpoint(run->results[0], c.bytes, c.size, err);
+    if (!status) status = results_checkpoint(run->dir, c.bytes, c.size, err);
     checkpoint_free(&c);
     run->last_kept = clock_now();
     run->kept_cost = run->last_kept - start;
     run->s->output_s += run->kept_cost;
+    return status;
+}
+
+hawser_status pass_keep(hawser_sim *s, const char *dir, hawser_error *err)
+{
+    Checkpoint c = {0};
+    RunKept kept = {.over = 1};
+    hawser_status status = checkpoint_write(s, &kept, &c, err);
+    if (!status) status = results_checkpoint(dir, c.bytes, c.size, err);
+    checkpoint_free(&c);
     return status;
 }
 
@@ -230,6 +241,7 @@ static hawser_status results_of(hawser_sim *s, Results **out, const char *dir, c
 /* The first chain's in the folder itself, those of the others in folders of their names within. */
 static hawser_status open_results(Run *run, const char *dir, const ResultsPosition *at, hawser_error *err)
 {
+    run->dir = dir;
     hawser_status status = results_of(run->s, &run->results[0], dir, at, err);
     for (int k = 1; !status && k < sim_chains(run->s); ++k) {
         hawser_sim *const each = sim_chain(run->s, k);
@@ -282,7 +294,7 @@ static hawser_status finish_summary(Run *run, hawser_error *err)
     for (int k = 0; !status && k < sim_chains(run->s); ++k) {
         char *summary = NULL;
         status = hawser_sim_summary_json(sim_chain(run->s, k), &summary, err);
-        if (!status) status = results_summary(run->results[k], summary, err);
+        if (!status) status = results_summary(run->results[k], summary, run->s->outcome == HAWSER_OK, err);
         hawser_text_free(summary);
     }
     return status;
@@ -337,8 +349,6 @@ static hawser_status run_all(Run *run, int resumed, hawser_error *err)
     status = weigh(s, status, written, &late, err);
     if (run->results[0]) {
         status = weigh(s, status, finish_summary(run, &late), &late, err);
-        if (!status || status == HAWSER_ERR_RUN)
-            results_no_checkpoint(run->results[0]); /* there is nothing to go on to */
         for (int k = 0; k < sim_chains(s); ++k) results_free(run->results[k]);
     }
     return status;
@@ -378,11 +388,13 @@ hawser_status pass_run(hawser_sim *s, const char *dir, hawser_progress progress,
 }
 
 /* The simulation first: nothing is touched in the folder of a run that cannot be gone on with. */
-hawser_status pass_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
+hawser_status pass_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, int *over,
+                          hawser_error *err)
 {
-    RunKept kept;
+    RunKept kept = {.over = 0};
     hawser_status status = checkpoint_read_dir(s, dir, &kept, err);
-    if (status) return settle(s, status, err);
+    *over = kept.over != 0;
+    if (status || kept.over) return settle(s, status, err);
     Run run = run_new(s, progress, user);
     run_begin(&run);
     run.row.count = kept.rows;

@@ -2,6 +2,7 @@
  * sim/run/sim.c. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
+#include "sim/expected/cost.h"
 #include "sim/run/commands.h"
 
 #include <math.h>
@@ -52,7 +53,8 @@ hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options
                          "%.200s: key 'run.duration': missing: without a winch that sets a speed nothing says how long",
                          c->name);
     }
-    status = sim_new(&c->def, threads, out, err);
+    status = cost_check(&c->def, err);
+    if (!status) status = sim_new(&c->def, threads, out, err);
     if (status) return case_name_error(c, status, err);
     hawser_sim *const s = *out; /* the case may be gone soon */
     if (s->team) team_pin(s->team, mine.pin);

@@ -67,8 +67,11 @@ static hawser_status write_log(const ValidationLog *log, int ran, int outside, h
 hawser_status hawser_validate(const hawser_validation *choice, hawser_format format, char **text, int *outside,
                               hawser_error *err)
 {
+    static const hawser_validation all = {0};
     ValidationLog log;
     int ran;
+    if (!text || !outside) return error_argument(err, text ? "outside" : "text");
+    if (!choice) choice = &all;
     *text = NULL;
     *outside = 0;
     hawser_status status = validation_run(choice->filter, choice->fast, &log, &ran, err);

@@ -281,8 +281,10 @@ static hawser_status segments_count(const CaseReader *r, const CaseNode *node, d
 {
     const double n = ceil(piece->length / segment - 1e-6);
     if (n + case_segments(r->def) > CASE_SEGMENTS_MAX) {
-        return case_key_error(r->err, node, "segment", "too short: the chain may have %d segments at most",
-                              CASE_SEGMENTS_MAX);
+        char cost[160];
+        case_cost_say(r, n + case_segments(r->def), 0, sizeof cost, cost);
+        return case_key_error(r->err, node, "segment", "too short: the chain may have %d segments at most; %s",
+                              CASE_SEGMENTS_MAX, cost);
     }
     piece->segments = n < 1 ? 1 : (int)n;
     return HAWSER_OK;

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
+#include "sim/expected/cost.h"
 
 /* Both keys are needed. */
 static const CaseKey station_keys[] = {
@@ -184,9 +185,14 @@ static hawser_status interval_check(const CaseReader *r, const CaseNode *node, c
 {
     if (interval <= 0 || r->def->duration <= interval * CASE_OUTPUTS_MAX) return HAWSER_OK;
     const CaseNode *given = case_node_key(node, key);
-    return case_key_error(r->err, given ? given : r->root, given ? NULL : "output",
-                          "%s of %g s is out of range: the run would have more than %d of them", key, interval,
-                          CASE_OUTPUTS_MAX);
+    const double n = r->def->duration / interval;
+    const int states = strcmp(key, "states") == 0;
+    const CostCounts counts = {
+        .segments = case_segments(r->def), .rows = states ? 0 : n, .states = states ? n : 0, .duration = NAN};
+    return case_key_error(
+        r->err, given ? given : r->root, given ? NULL : "output",
+        "%s of %g s is out of range: the run would have more than %d of them, and needs %.2g GB of disk", key, interval,
+        CASE_OUTPUTS_MAX, cost_of(&counts).disk / 1e9);
 }
 
 /* Needs the run's duration, the route and the chain to check against. In load steps every one is a row. */

@@ -36,6 +36,9 @@ hawser_status case_bundle_read(CaseReader *r, const CaseNode *node);
 hawser_status case_bundle_check(CaseReader *r, const CaseNode *node);
 extern const char *const case_layouts[]; /* in the order of DuctLayout */
 hawser_status case_run_read(CaseReader *r, const CaseNode *node);
+/* What a run of so many segments and rollers would need, for the message that refuses them: "10000000 segments: needs
+ * 77 GB, 2.1 h". The time is left out where the case does not say how long it runs. */
+void case_cost_say(const CaseReader *r, double segments, double rollers, int size, char *text);
 /* After the route and the drive, which say how long a run takes whose case does not. */
 hawser_status case_run_complete(CaseReader *r, const CaseNode *node);
 /* The lists of the section `theory`. */

@@ -34,7 +34,10 @@ double case_sideways(const CaseReader *r, double s)
 static hawser_status places_add(Places *p, double first, double step, double n)
 {
     if (n > CASE_ROLLERS_MAX - p->n) {
-        return case_key_error(p->r->err, p->node, "spacing", "too many rollers: at most %d", CASE_ROLLERS_MAX);
+        char cost[160];
+        case_cost_say(p->r, case_segments(p->r->def), p->n + n, sizeof cost, cost);
+        return case_key_error(p->r->err, p->node, "spacing", "too many rollers: at most %d; %s", CASE_ROLLERS_MAX,
+                              cost);
     }
     double *const grown = realloc(p->s, ((size_t)p->n + (size_t)n + 1) * sizeof *grown);
     if (!grown) return error_memory(p->r->err);

@@ -84,7 +84,9 @@ static hawser_status rollers_reserve(const CaseReader *r, const CaseNode *node, 
 {
     SceneDef *def = r->def;
     if (more > CASE_ROLLERS_MAX - def->n_rollers) {
-        return case_key_error(r->err, node, NULL, "too many rollers: at most %d", CASE_ROLLERS_MAX);
+        char cost[160];
+        case_cost_say(r, case_segments(def), (double)def->n_rollers + more, sizeof cost, cost);
+        return case_key_error(r->err, node, NULL, "too many rollers: at most %d; %s", CASE_ROLLERS_MAX, cost);
     }
     RollerDef *all = realloc(def->rollers, (size_t)(def->n_rollers + more + 1) * sizeof *all);
     if (!all) return error_memory(r->err);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "io/case/case_parts.h"
+#include "sim/expected/cost.h"
 
 static const char *const analyses[] = {"dynamics", "static", "modes", NULL};
 static const char *const stabilities[] = {"follow", "report", "ignore", NULL};
@@ -70,6 +71,22 @@ static double time_to_end(const SceneDef *def, double route_length)
         }
     }
     return late;
+}
+
+void case_cost_say(const CaseReader *r, double segments, double rollers, int size, char *text)
+{
+    CaseReader quiet = *r; /* the chain is read before the section `run` */
+    hawser_error unused;
+    quiet.err = &unused;
+    CostCounts counts = {.segments = segments, .rollers = rollers, .duration = NAN};
+    const CaseNode *const given = case_node_key(case_node_key(r->root, "run"), "duration");
+    if (given && case_number_read(&quiet, given, case_key_of(&case_run, "duration"), &counts.duration))
+        counts.duration = NAN;
+    const Cost cost = cost_of(&counts);
+    char needs[80];
+    cost_say(&cost, sizeof needs, needs);
+    snprintf(text, (size_t)size, "a run with %.0f %s %s", rollers > segments ? rollers : segments,
+             rollers > segments ? "rollers" : "segments", needs);
 }
 
 /* The steady window ends with the run, so it must begin before that. */

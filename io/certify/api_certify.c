@@ -22,7 +22,8 @@ static const char *const source_name[HAWSER_SOURCES] = {"time", "length"};
 
 typedef struct Certifier {
     hawser_certify_options options; /* filled in */
-    const SceneDef *def;
+    const SceneDef *def; /* of the run whose figures are judged: of a second pass, if that replaced the first */
+    double slower;       /* its v_s over the case's */
     int n_runs;
     Companion run[RUNS_MAX]; /* the case's own comes first */
     hawser_certificate *out;
@@ -337,6 +338,7 @@ static hawser_status describe_runs(Certifier *z, hawser_error *err)
     c->n_runs = z->n_runs;
     for (int r = 0; r < z->n_runs; ++r) {
         c->run[r] = z->run[r].about;
+        c->run[r].friction *= z->slower;
         c->run[r].work = z->run[r].evaluations / z->run[0].evaluations;
     }
     c->work = work_of_all(z);
@@ -385,8 +387,9 @@ hawser_status hawser_certify(hawser_case *c, hawser_sim *run, const hawser_certi
                              hawser_certificate **out, hawser_error *err)
 {
     hawser_summary sum;
+    if (!c || !run || !out) return error_argument(err, !c ? "c" : !run ? "run" : "out");
     *out = NULL;
-    const SceneDef *const finer = run->second ? run->second->plan : NULL; /* settings of the figures that are judged */
+    const hawser_sim *const second = run->second;
     run = SHOWN(run);
     if (run->together || run->leader)
         return error_set(err, HAWSER_ERR_INPUT, "a run of several chains cannot be certified");
@@ -395,7 +398,8 @@ hawser_status hawser_certify(hawser_case *c, hawser_sim *run, const hawser_certi
     hawser_status status = z && certificate ? case_ensure_read(c, err) : error_memory(err);
     if (!status) status = options_fill(options, &z->options, err);
     if (!status) {
-        z->def = finer ? finer : &c->def;
+        z->def = second ? second->plan : &c->def;
+        z->slower = second ? second->passes->pass[1].friction : 1;
         z->out = certificate;
         certificate->tolerance = z->options.tolerance;
         status = begin(z, run, err);

@@ -113,6 +113,7 @@ hawser_status hawser_certificate_text(const hawser_certificate *certificate, haw
 {
     const hawser_certificate *const c = certificate;
     Shown shown[SHOWN_MAX];
+    if (!c || !text) return error_argument(err, c ? "text" : "certificate");
     const int n = choose(c, shown);
     const Table all = {"figures", "Figures", figure_columns, c->n_figures, c->figure};
     const Table tables[] = {all, {"runs", "Runs", run_columns, c->n_runs, c->run}};
@@ -135,6 +136,7 @@ hawser_status hawser_certificate_write(const hawser_certificate *certificate, co
 {
     char *text;
     OutFile out = {.f = NULL};
+    if (!certificate || !dir) return error_argument(err, certificate ? "dir" : "certificate");
     hawser_status status = hawser_certificate_text(certificate, HAWSER_JSON, &text, err);
     if (status) return status;
     status = out_make_dir(dir, err);

@@ -8,6 +8,7 @@
 #include "io/results/results_file.h"
 
 #include <errno.h>
+#include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,6 +25,16 @@ static const struct {
     const char *file;
     const Columns *columns;
 } tables[TABLES] = {{"stations.csv", &station_columns}, {"rollers.csv", &roller_columns}};
+
+/* All that a run may write, and what is made of it; the summary comes last. */
+enum { RUN_FILES = 9, FOLDER_FILES = 12 };
+static const char *const folder_files[FOLDER_FILES] = {
+    "certificate.json", "report.html", "report.pdf", "series.csv", "stations.csv", "rollers.csv",
+    "inputs.csv",       "route.csv",   "modes.csv",  "results.h5", "results.xdmf", "summary.json"};
+static const char *const *const run_files = folder_files + FOLDER_FILES - RUN_FILES;
+
+/* Within the folder: the results of an earlier run that ended as it should, until those of this one have. */
+#define EARLIER "earlier"
 
 struct Results {
     OutFile series, tables[TABLES];
@@ -45,6 +56,14 @@ static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error
     return status ? status : xdmf_open(&r->xdmf, r->dir, def, err);
 }
 
+/* If it is there. */
+static void file_remove(const char *dir, const char *name)
+{
+    char path[OUT_PATH_MAX];
+    hawser_error unused;
+    if (!out_join(path, dir, name, &unused)) unlink(path);
+}
+
 /* What an earlier run left and this one may not write, or gives its name late: a folder holds the results of one run.
  */
 enum { OLD_ENDS = 4, OLD_BUT_XDMF = 8, OLD_ALL = 9 }; /* the first: what only the end of a run writes */
@@ -60,6 +79,51 @@ static hawser_status remove_old(const Results *r, int count, hawser_error *err)
         if (!s && unlink(path) && errno != ENOENT) s = out_error(path, errno, err);
     }
     return s;
+}
+
+/* Whether the folder's summary is one of a run that was finished. */
+static int is_finished(const char *dir)
+{
+    char path[OUT_PATH_MAX];
+    if (out_join(path, dir, "summary.json", NULL)) return 0;
+    json_t *const summary = json_load_file(path, 0, NULL);
+    const char *const outcome = json_string_value(json_object_get(summary, "outcome"));
+    const int finished = outcome && !strcmp(outcome, "finished");
+    json_decref(summary);
+    return finished;
+}
+
+/* Takes what there is of a list of files away from a folder, and the folder if nothing is left in it. */
+static void files_remove(const char *from, int n, const char *const *files)
+{
+    for (int k = 0; k < n; k++) file_remove(from, files[k]);
+    rmdir(from);
+}
+
+/* Renames what there is of a list of files into another folder. The last one moves when the others have, whatever
+ * happens to the machine meanwhile. */
+static hawser_status files_move(const char *to, const char *from, int n, const char *const *files, hawser_error *err)
+{
+    char old[OUT_PATH_MAX], new[OUT_PATH_MAX];
+    hawser_status s = HAWSER_OK;
+    for (int k = 0; k < n && !s; k++) {
+        if (k == n - 1) s = out_sync(to, err);
+        if (!s) s = out_join(old, from, files[k], err);
+        if (!s) s = out_join(new, to, files[k], err);
+        if (!s && rename(old, new) && errno != ENOENT) s = out_error(new, errno, err);
+    }
+    return s;
+}
+
+/* Good results wait in EARLIER for those that are to replace them; others are not worth keeping. */
+static hawser_status earlier_keep(const Results *r, hawser_error *err)
+{
+    char path[OUT_PATH_MAX];
+    if (!is_finished(r->dir)) return HAWSER_OK;
+    hawser_status s = out_join(path, r->dir, EARLIER, err);
+    if (!s) files_remove(path, FOLDER_FILES, folder_files);
+    if (!s) s = out_make_dir(path, err);
+    return s ? s : files_move(path, r->dir, FOLDER_FILES, folder_files, err);
 }
 
 /* What does not change: the case as it was read, and the route with its theory, where there is one. */
@@ -97,6 +161,7 @@ static hawser_status open_all(Results *r, const ResultsDef *def, const char *sum
 {
     hawser_status s = out_make_dir(r->dir, err);
     if (!s) s = out_lock_dir(r->dir, &r->lock, err);
+    if (!s) s = earlier_keep(r, err);
     if (!s) s = out_whole(r->dir, "summary.json", summary, err);
     if (!s) s = remove_old(r, def->states > 0 ? OLD_BUT_XDMF : OLD_ALL, err);
     if (!s) s = write_known(r, def, err);
@@ -207,16 +272,12 @@ hawser_status results_position(Results *r, ResultsPosition *position, hawser_err
     return s;
 }
 
-hawser_status results_checkpoint(Results *r, const void *bytes, size_t size, hawser_error *err)
+hawser_status results_checkpoint(const char *dir, const void *bytes, size_t size, hawser_error *err)
 {
-    return out_whole_bytes(r->dir, CHECKPOINT_FILE, bytes, size, err);
+    return out_whole_bytes(dir, CHECKPOINT_FILE, bytes, size, err);
 }
 
-void results_no_checkpoint(Results *r)
-{
-    char path[OUT_PATH_MAX];
-    if (!out_join(path, r->dir, CHECKPOINT_FILE, NULL)) unlink(path);
-}
+void results_no_checkpoint(const char *dir) { file_remove(dir, CHECKPOINT_FILE); }
 
 /* The first error of a sequence that goes on all the same; err is given only to calls before it. */
 static void keep_first(hawser_status *first, hawser_status status)
@@ -254,17 +315,25 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
     return s;
 }
 
-hawser_status results_summary(Results *r, const char *summary, hawser_error *err)
-{
-    return out_whole(r->dir, "summary.json", summary, err);
-}
-
-/* While files change, no summary says that they belong together. */
-static void summary_withdraw(const char *dir)
+/* The others are on the disk before it says what became of them. */
+hawser_status results_summary(Results *r, const char *summary, int whole, hawser_error *err)
 {
     char path[OUT_PATH_MAX];
-    hawser_error unused;
-    if (!out_join(path, dir, "summary.json", &unused)) unlink(path);
+    hawser_status s = HAWSER_OK;
+    for (int k = 0; k < RUN_FILES - 1 && !s; k++) {
+        s = out_join(path, r->dir, run_files[k], err);
+        if (!s && !access(path, F_OK)) s = out_sync(path, err);
+    }
+    if (!s) s = out_whole(r->dir, "summary.json", summary, err);
+    if (!s && whole && !out_join(path, r->dir, EARLIER, err)) files_remove(path, FOLDER_FILES, folder_files);
+    return s;
+}
+
+/* While files change, no summary says that they belong together, and no page or certificate what they say. */
+static void summary_withdraw(const char *dir)
+{
+    static const char *const names[] = {"summary.json", "certificate.json", "report.html", "report.pdf"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) file_remove(dir, names[k]);
 }
 
 hawser_status results_again(const char *dir, const ResultsTables *t, const char *summary, hawser_error *err)
@@ -280,36 +349,30 @@ hawser_status results_again(const char *dir, const ResultsTables *t, const char 
         s = csv_head(&out, tables[k].columns, err);
         if (!s) s = csv_rows(&out, tables[k].columns, n[k], rows[k], err);
         keep_first(&s, out_close(&out, s ? NULL : err));
+        if (!s) s = out_sync(out.path, err);
     }
     return s ? s : out_whole(dir, "summary.json", summary, err);
 }
 
-/* All that a run may write. */
-static const char *const run_files[] = {"series.csv", "stations.csv", "rollers.csv",  "inputs.csv",  "route.csv",
-                                        "modes.csv",  "results.h5",   "results.xdmf", "summary.json"};
-enum { RUN_FILES = sizeof run_files / sizeof *run_files };
-
-/* The summary comes last: what it says is there. */
+/* The summary comes last: what it says is there. The case is the same: what `to` says of it, with the lines of the file
+ * that it was read from, stays. */
 hawser_status results_replace(const char *to, const char *from, hawser_error *err)
 {
-    char old[OUT_PATH_MAX], new[OUT_PATH_MAX];
-    hawser_status s = HAWSER_OK;
     summary_withdraw(to);
-    for (int k = 0; k < RUN_FILES && !s; k++) {
-        s = out_join(old, to, run_files[k], err);
-        if (!s) s = out_join(new, from, run_files[k], err);
-        if (!s && rename(new, old) && errno != ENOENT) s = out_error(old, errno, err);
-    }
-    if (!s) rmdir(from);
-    return s;
+    file_remove(from, "inputs.csv");
+    return files_move(to, from, RUN_FILES, run_files, err);
 }
 
+/* With what a kill leaves, too. */
 void results_remove(const char *from)
 {
-    char path[OUT_PATH_MAX];
-    for (int k = 0; k < RUN_FILES; k++)
-        if (!out_join(path, from, run_files[k], NULL)) unlink(path);
-    rmdir(from);
+    static const char *const kept[] = {CHECKPOINT_FILE, CHECKPOINT_FILE ".part", "results.h5.journal"};
+    char part[64];
+    for (int k = 0; k < RUN_FILES; k++) {
+        if (snprintf(part, sizeof part, "%s.part", run_files[k]) > 0) file_remove(from, part);
+    }
+    for (size_t k = 0; k < sizeof kept / sizeof *kept; k++) file_remove(from, kept[k]);
+    files_remove(from, RUN_FILES, run_files);
 }
 
 /* After results_finish only memory is left to free; without it, everything is closed as it stands. */

@@ -37,8 +37,8 @@ hawser_status results_resume(Results **out, const char *dir, const ResultsDef *d
 /* CHECKPOINT_FILE of the folder, whole and on the disk, in place of the one before; or none any more. Errors: OUTPUT,
  * MEMORY. */
 #define CHECKPOINT_FILE "checkpoint.hawser"
-hawser_status results_checkpoint(Results *r, const void *bytes, size_t size, hawser_error *err);
-void results_no_checkpoint(Results *r);
+hawser_status results_checkpoint(const char *dir, const void *bytes, size_t size, hawser_error *err);
+void results_no_checkpoint(const char *dir);
 /* A row of series.csv. Errors: OUTPUT. */
 hawser_status results_row(Results *r, const hawser_sample *sample, hawser_error *err);
 /* A state of results.h5; nothing if no states are wanted. Errors: OUTPUT. */
@@ -49,12 +49,16 @@ hawser_status results_tick(Results *r, hawser_error *err);
 /* Writes the tables and closes everything; what can still be written is, and the first error is returned.
  * Only the summary may follow. Errors: OUTPUT. */
 hawser_status results_finish(Results *r, const ResultsTables *tables, hawser_error *err);
-/* summary.json for good: whole, or what stood there before. Errors: OUTPUT, MEMORY. */
-hawser_status results_summary(Results *r, const char *summary, hawser_error *err);
+/* summary.json for good: whole, or what stood there before; all files are on the disk then. whole: the run ended as it
+ * should, and results of a run before, which wait in the folder "earlier", are not needed any more. Errors: OUTPUT,
+ * MEMORY. */
+hawser_status results_summary(Results *r, const char *summary, int whole, hawser_error *err);
 Results *results_free(Results *r);
 
-/* Of folders whose runs are over. The tables and the summary once more; the results of `from`, a folder within the
- * folder `to`, in the place of those of `to`; `from` with its results away. Errors: OUTPUT, MEMORY. */
+/* Of folders whose runs are over. The tables and the summary once more, without what had been made of them; the results
+ * of `from`, a folder within the folder `to`, of the same case, in the place of those of `to` (what has been moved
+ * already is there);
+ * `from` with all that a run leaves away. Errors: OUTPUT, MEMORY. */
 hawser_status results_again(const char *dir, const ResultsTables *tables, const char *summary, hawser_error *err);
 hawser_status results_replace(const char *to, const char *from, hawser_error *err);
 void results_remove(const char *from);

@@ -224,9 +224,12 @@ hawser_status out_close(OutFile *out, hawser_error *err)
     return bad || number ? out_error(out->path, number, err) : HAWSER_OK;
 }
 
-/* What is written under "NAME.part" gets its name. */
+/* What is written under "NAME.part" gets its name once it is on the disk: a loss of power leaves the old file or the
+ * new one, never an empty one. */
 static hawser_status part_name(OutFile *out, const char *path, hawser_status status, hawser_error *err)
 {
+    if (!status) status = out_flush(out, err);
+    if (!status) status = out_sync(out->path, err);
     const hawser_status closed = out_close(out, status ? NULL : err);
     if (!status) status = closed;
     if (!status && rename(out->path, path)) status = out_error(path, errno, err);
@@ -249,8 +252,9 @@ hawser_status out_whole(const char *dir, const char *name, const char *text, haw
 {
     OutFile out;
     char path[OUT_PATH_MAX];
-    const hawser_status status = part_open(&out, dir, name, path, err);
-    return status ? status : part_name(&out, path, out_print(&out, err, "%s", text), err);
+    hawser_status status = part_open(&out, dir, name, path, err);
+    if (!status) status = part_name(&out, path, out_print(&out, err, "%s", text), err);
+    return status ? status : out_sync(dir, err); /* the name, too */
 }
 
 hawser_status out_whole_bytes(const char *dir, const char *name, const void *bytes, size_t size, hawser_error *err)
@@ -261,8 +265,6 @@ hawser_status out_whole_bytes(const char *dir, const char *name, const void *byt
     if (status) return status;
     errno = 0;
     if (fwrite(bytes, 1, size, out.f) != size) status = out_error(out.path, errno, err);
-    if (!status) status = out_flush(&out, err);
-    if (!status) status = out_sync(out.path, err);
     status = part_name(&out, path, status, err);
-    return status ? status : out_sync(dir, err); /* the name, too */
+    return status ? status : out_sync(dir, err);
 }

@@ -17,6 +17,10 @@
 enum { FRAMES_NAME = 32, TIME_CHUNK = 256 };
 /* Bytes of states from which on they are compressed. */
 static const double deflate_above = 32e6;
+/* HDF5 does not survive an allocation that fails: it reads through NULL, or ends the program. So it is asked before
+ * whether there is memory for what it may take until it returns, bytes and bytes a segment or roller
+ * (docs/reliability.md has what it took), and as much is kept for closing the file. */
+enum { ROOM = 4 << 20, ROOM_EACH = 256 };
 
 struct H5File {
     hid_t file, frames, driver; /* <= 0: not there */
@@ -25,9 +29,17 @@ struct H5File {
     int deflate; /* sets are compressed */
     hsize_t rows;
     int disk_error; /* errno of the first write that failed, see results_h5.h */
+    size_t room;    /* bytes that HDF5 must find when it is entered */
+    void *reserve;  /* [room] given back when the file is closed */
     float *frame;   /* [3*segments] scratch of the frames */
     char path[OUT_PATH_MAX];
 };
+
+/* HAWSER_OK: HDF5 can be entered. */
+static hawser_status h5_room(const H5File *h, hawser_error *err)
+{
+    return memory_room(h->room) ? HAWSER_OK : error_memory(err);
+}
 
 /* The result of a call: what HDF5 says and what the disk said. */
 static hawser_status h5_result(const H5File *h, int ok, hawser_error *err)
@@ -187,7 +199,10 @@ static hawser_status h5_new(H5File **out, const char *dir, const ResultsDef *def
     h->deflate = wants_deflate(def);
     h->frame = malloc(3 * sizeof *h->frame * (size_t)def->segments);
     h->set = calloc((size_t)sample_columns, sizeof *h->set);
-    const hawser_status status = h->frame && h->set ? out_join(path, dir, "results.h5", err) : error_memory(err);
+    h->room = ROOM + (size_t)ROOM_EACH * (size_t)(def->segments + def->rollers);
+    h->reserve = malloc(h->room);
+    hawser_status status = h->frame && h->set && h->reserve ? h5_room(h, err) : error_memory(err);
+    if (!status) status = out_join(path, dir, "results.h5", err);
     if (status) h5_close(out, NULL);
     return status;
 }
@@ -206,8 +221,10 @@ hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, haws
         strcpy(h->path, part);
         H5E_BEGIN_TRY { ok = make_file(h, def); }
         H5E_END_TRY
-        ok = ok && !h->disk_error && name_file(h, path);
-        status = h5_result(h, ok, err);
+        ok = ok && !h->disk_error;
+        if (ok) status = out_sync(part, err);
+        ok = ok && !status && name_file(h, path);
+        if (!status) status = h5_result(h, ok, err);
     }
     if (status) {
         h5_close(&h, NULL);
@@ -340,6 +357,8 @@ static int append_state(H5File *h, const hawser_sample *s)
 hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *err)
 {
     int ok = 0;
+    const hawser_status room = h5_room(h, err);
+    if (room) return room;
     H5E_BEGIN_TRY { ok = append_state(h, sample); }
     H5E_END_TRY
     h->rows++;
@@ -349,6 +368,8 @@ hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *er
 hawser_status h5_envelope(H5File *h, const Envelope *envelope, hawser_error *err)
 {
     int ok = 0;
+    const hawser_status room = h5_room(h, err);
+    if (room) return room;
     H5E_BEGIN_TRY { ok = h5_fixed(h->file, "", envelope_sets, envelope_set, envelope); }
     H5E_END_TRY
     return h5_result(h, ok, err);
@@ -358,6 +379,8 @@ hawser_status h5_envelope(H5File *h, const Envelope *envelope, hawser_error *err
 hawser_status h5_flush(H5File *h, hawser_error *err)
 {
     herr_t code = -1;
+    const hawser_status room = h5_room(h, err);
+    if (room) return room;
     H5E_BEGIN_TRY { code = H5Fflush(h->file, H5F_SCOPE_LOCAL); }
     H5E_END_TRY
     return h5_result(h, code >= 0, err);
@@ -370,6 +393,7 @@ hawser_status h5_close(H5File **file, hawser_error *err)
     hawser_status status = HAWSER_OK;
     *file = NULL;
     if (!h) return HAWSER_OK;
+    free(h->reserve);
     if (h->file > 0) {
         herr_t code = -1;
         /* the strong close degree takes the sets and the group along */

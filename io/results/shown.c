@@ -207,6 +207,7 @@ static const char *say_scaled(double value, Scale scale, int digits, char *text)
 
 const char *hawser_show(double value, const char *unit, hawser_units units, char *text)
 {
+    if (!text || !unit) return "";
     if (isinf(value)) return strcpy(text, "none");
     if (isnan(value)) return strcpy(text, "-");
     return say_scaled(value, scale_of(strcmp(unit, "1") ? unit : "", value, units), 4, text);
@@ -215,6 +216,7 @@ const char *hawser_show(double value, const char *unit, hawser_units units, char
 const char *hawser_show_figure(const hawser_figure *figure, hawser_units units, char *text)
 {
     char value[HAWSER_SHOWN_MAX];
+    if (!figure || !text) return "";
     const int n = (int)key_length(figure->key);
     hawser_show(figure->value, unit_of_key(figure->key), units, value);
     snprintf(text, 2 * (size_t)HAWSER_SHOWN_MAX, "%.*s %s", n < HAWSER_SHOWN_MAX ? n : HAWSER_SHOWN_MAX - 1,
@@ -305,6 +307,7 @@ const char *hawser_show_text(const char *sentence, hawser_units units, char *tex
 {
     const char *p = sentence;
     size_t used = 0;
+    if (!sentence || !text || size == 0) return "";
     if (units == HAWSER_SI) return snprintf(text, size, "%s", sentence), text;
     while (*p && used + HAWSER_SHOWN_MAX < size) {
         const size_t length = number_at(sentence, p);

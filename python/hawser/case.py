@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import json
 import os
+import pathlib
 from typing import TYPE_CHECKING, Any, Mapping, Union
 
 import numpy as np
@@ -107,6 +108,12 @@ class Case:
 
         return Theory(json.loads(self._text(lib.hawser_case_theory, lib.HAWSER_JSON)),
                       self._text(lib.hawser_case_theory, lib.HAWSER_TABLE))
+
+    def fmu(self, path: str | os.PathLike[str], *, version: int = 3) -> pathlib.Path:
+        """Writes the case as a mock-up unit (docs/fmi.md) for programs that simulate it together with other models. version: of FMI,
+        3 or 2. Returns the path."""
+        check(lib.hawser_fmu_write(self._c, version, os.fsencode(path), self._error), self._error)
+        return pathlib.Path(path)
 
     def simulation(self, *, threads: int = 0) -> Simulation:
         """A simulation of the case as it is now. threads: 1 or 2; 0: the case's choice."""

@@ -16,7 +16,7 @@ import pandas as pd
 
 from hawser._native import ffi, lib
 from hawser._tables import frame_of, shown
-from hawser.errors import OutputError, check
+from hawser.errors import OutputError, check, taken
 
 PLOTS = ("tension", "series", "rollers", "plan")
 # What the axes of a set of results.h5 are, by its name; all begin with the time of the state.
@@ -224,6 +224,26 @@ class Result:
         """Copies the files to another folder, which must not be there yet. Returns the results there."""
         shutil.copytree(self.folder, folder)
         return Result(folder)
+
+    def against(self, log: str | os.PathLike[str], *, align: str = "length", shift: float = 0.0, band: float = 0.1, raw: bool = False,
+                page: str | os.PathLike[str] | None = None) -> dict[str, Any]:
+        """How far the winch's force that a logger has written (CSV, docs/studies.md) agrees with this run and with the theory.
+
+        align: by "length", the winch's travel, or by the time since the pull's "start"
+        shift: m or s, added to where the log is
+        band:  share of the log's force that counts as agreement
+        raw:   spikes and drop-outs of the log are taken as they are
+        page:  an HTML file with figures, which is written
+        """
+        if align not in ("length", "start"):
+            raise ValueError(f"align={align!r}: 'length' or 'start' is expected")
+        error, text = ffi.new("hawser_error *"), ffi.new("char **")
+        drawn = ffi.NULL if page is None else ffi.new("char[]", os.fsencode(page))
+        options = ffi.new("hawser_compare_options *", {"by_start": align == "start", "shift": shift, "band": band, "raw": raw, "page": drawn,
+                                                       "format": lib.HAWSER_JSON})
+        check(lib.hawser_compare(os.fsencode(self.folder), os.fsencode(log), options, text, error), error)
+        found: dict[str, Any] = json.loads(taken(text))
+        return found
 
     def _figures(self) -> list[tuple[str, str]]:
         """What matters most, as people read it."""

@@ -274,13 +274,20 @@ hawser_status outside_law_set(Scene *scene, const OutsideLaw *law, hawser_error 
     return HAWSER_OK;
 }
 
-/* The law is the caller's: who loads sets it again. */
+void outside_attend(Scene *scene, int law)
+{
+    Room *const room = room_of(scene, &FORCES_ROOM);
+    const Outside *const all = room->self;
+    room->present = all->n > 0 || (law && all->law.call);
+}
+
+/* The law is the caller's: who loads has set it. */
 static void forces_controls(Room *room, ControlsVisit *visit)
 {
     Outside *const all = room->self;
     controls_bytes(visit, &all->n, sizeof all->n);
     controls_bytes(visit, all->force, (size_t)all->n * sizeof *all->force);
-    room->present |= all->n > 0;
+    if (visit->load) room->present = all->n > 0 || all->law.call;
 }
 
 const RoomKind FORCES_ROOM = {.name = "forces from outside",

@@ -33,5 +33,7 @@ typedef struct Outside {
 Outside *outside_of(Scene *scene);
 /* From now on; 1: done. Errors: INPUT (no such segments). */
 hawser_status outside_law_set(Scene *scene, const OutsideLaw *law, hawser_error *err);
+/* Whether the room is there: with forces; with `law` for that too, if there is one. */
+void outside_attend(Scene *scene, int law);
 
 #endif

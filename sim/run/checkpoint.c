@@ -2,6 +2,7 @@
  * in one go; what the steps keep is with those who keep it (stage_checkpoint). */
 #include <stdlib.h>
 
+#include "sim/control/forces.h"
 #include "sim/equipment/reel.h"
 #include "sim/run/commands.h"
 #include "sim/run/sim.h"
@@ -150,6 +151,15 @@ static hawser_status controls_checkpoint(Checkpoint *c, Sim *s, hawser_error *er
     return status;
 }
 
+/* Whom the caller has set acts on what was read, also if it is from before that. */
+static hawser_status calls_go_on(Sim *s, hawser_error *err)
+{
+    s->led |= s->calls.step || s->calls.event || s->calls.law;
+    if (!s->calls.law) return HAWSER_OK;
+    outside_attend(&s->stage.scene, 1);
+    return stage_to_space(&s->stage, "a law of force acts on segments", err);
+}
+
 hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
 {
     const Scene *const scene = &s->stage.scene;
@@ -177,7 +187,7 @@ hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, s->relax_s);
     CHECKPOINT(c, s->output_s);
     CHECKPOINT(c, s->record_s);
-    return HAWSER_OK;
+    return c->reading && !c->status ? calls_go_on(s, err) : HAWSER_OK;
 }
 
 /* The chain as the case makes it, and the state that a run begins with: what is simulated is as much the case's files,

@@ -189,5 +189,6 @@ hawser_status controls_load(Sim *s, const void *from, size_t size, hawser_error 
     const size_t read = controls_go(s, &visit, &in_space);
     if (read != size)
         return error_set(err, HAWSER_ERR_INPUT, "%zu bytes of controls where the case has %zu", size, read);
+    outside_attend(&s->stage.scene, in_space); /* what lay in a plane is read as that, whatever acts on it now */
     return in_space ? stage_to_space(&s->stage, "in space since a command asked for it", err) : HAWSER_OK;
 }

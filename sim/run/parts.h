@@ -69,6 +69,7 @@ typedef struct hawser_sim {
     /* of a whole run's two passes (io/api/api_passes.c) */
     SceneDef *plan;     /* the definition as the case has it; NULL: no second pass is wanted. Owned */
     int pass;           /* 0; 1 of the second one */
+    double work_most;   /* evaluations times segments of a second pass that is begun unasked; 0: ten minutes */
     int led;            /* the caller has told it what to do: it cannot be computed again by itself */
     OtherPass other;    /* the figures of the other one */
     PassesSaid *passes; /* what is said of them; NULL: there is nothing to be said. Owned */

@@ -9,6 +9,8 @@
 /* Of a difference: the first pass's error is twice as large if errors halve, the second's as large as it, or a third if
  * they fall by four. What a pass says of itself is not believed to be more than so many times too much. */
 static const double FIRST = 2, SECOND = 1, SECOND_LEAST = 1.0 / 3, TOO_MUCH = 4;
+/* What steps take of swings falls by a quarter a level at least: the first pass's is four times the difference. */
+static const double SWINGS_FIRST = 4, SWINGS_SECOND = 3;
 
 static double most_of(const OtherPass *o, double difference) { return (o->finer ? FIRST : SECOND) * difference; }
 static double least_of(const OtherPass *o, double difference) { return (o->finer ? FIRST : SECOND_LEAST) * difference; }
@@ -22,26 +24,40 @@ static double seen(const OtherPass *o, double bar, double other)
     return fmin(fmax(bar, least_of(o, difference)), fmax(most_of(o, difference), bar / TOO_MUCH));
 }
 
-/* In its parts, each as much as it was of the whole. What friction at rest makes does not fall with v_s in any order,
- * and stays. */
-static void bar_seen(const OtherPass *o, hawser_error_bar *bar, double other)
+/* In its parts, each as much as it was of the whole; swings: what of it steps took of them, N, which falls slowly
+ * (EB23). What friction at rest makes does not fall with v_s in any order, and stays. */
+static void bar_seen(const OtherPass *o, hawser_error_bar *bar, double other, double swings)
 {
     const double known = bar->time + bar->mesh;
     if (!(known > 0)) return;
-    const double by = seen(o, known, other) / known;
+    const double slowly = (o->finer ? SWINGS_FIRST : SWINGS_SECOND) * fabs(other);
+    const double by = fmax(seen(o, known, other), fmin(slowly, swings)) / known;
     bar->time *= by;
     bar->mesh *= by;
     bar->total = bar->time + bar->mesh + bar->friction;
 }
 
-hawser_status other_pass_take(OtherPass *out, const Stats *stats, const hawser_summary *figures, int finer, int unsound,
-                              hawser_error *err)
+/* A jolt that grows as the mesh is refined may be the largest pull in the end, though it is not in this pass: what it
+ * comes to by both is in the peak's bar (EB22). */
+static void jolt_seen(const OtherPass *o, double jolt, hawser_summary *figures)
+{
+    hawser_error_bar *const bar = &figures->pull_peak_error;
+    const double grows = o->finer ? o->jolt - jolt : jolt - o->jolt; /* as the mesh is refined */
+    const double above = jolt + most_of(o, grows) - figures->pull_peak_N;
+    if (!(grows > 0) || above <= bar->mesh) return;
+    bar->mesh = above;
+    bar->total = bar->time + bar->mesh + bar->friction;
+}
+
+hawser_status other_pass_take(OtherPass *out, const Stats *stats, const hawser_summary *figures, double jolt, int finer,
+                              int unsound, hawser_error *err)
 {
     *out = (OtherPass){.present = 1,
                        .finer = finer,
                        .unsound = unsound,
                        .mean = figures->pull_mean_N,
                        .peak = figures->pull_peak_N,
+                       .jolt = jolt,
                        .n_stations = stats->n_stations,
                        .n_rollers = stats->n_rollers,
                        .n_surfaces = stats->n_surfaces};
@@ -72,11 +88,12 @@ void other_pass_free(OtherPass *other)
     *other = (OtherPass){0};
 }
 
-void other_pass_bars(const OtherPass *o, const Stats *stats, hawser_summary *figures)
+void other_pass_bars(const OtherPass *o, const Stats *stats, double jolt, hawser_summary *figures)
 {
     if (!o->present) return;
-    bar_seen(o, &figures->pull_mean_error, o->mean - figures->pull_mean_N);
-    bar_seen(o, &figures->pull_peak_error, o->peak - figures->pull_peak_N);
+    bar_seen(o, &figures->pull_mean_error, o->mean - figures->pull_mean_N, 0);
+    bar_seen(o, &figures->pull_peak_error, o->peak - figures->pull_peak_N, stats->faded);
+    jolt_seen(o, jolt, figures);
     /* of the others the parts are not told apart */
     if (figures->pull_peak_error.friction > 0) return;
     for (int i = 0; i < o->n_stations; ++i) {

@@ -18,16 +18,17 @@ typedef struct OtherPass {
     int finer;                            /* it is the second one */
     int unsound;                          /* it fails a condition itself: then it makes no bar narrower */
     double mean, peak;                    /* N, of the pull */
+    double jolt;                          /* N, of its start; NAN: there is none (EB22) */
     double *station, *roller, *line_load; /* [2 n] mean and peak, N; [2 n]; [n] N/m; owned */
     int n_stations, n_rollers, n_surfaces;
 } OtherPass;
 
-/* The figures of a run that is over, for the other pass's sake. Errors: MEMORY. */
-hawser_status other_pass_take(OtherPass *out, const Stats *stats, const hawser_summary *figures, int finer, int unsound,
-                              hawser_error *err);
+/* The figures of a run that is over, for the other pass's sake; jolt: of its start, N, or NAN. Errors: MEMORY. */
+hawser_status other_pass_take(OtherPass *out, const Stats *stats, const hawser_summary *figures, double jolt, int finer,
+                              int unsound, hawser_error *err);
 void other_pass_free(OtherPass *other);
-/* Brings the error bars of summary and tables to what both passes say. */
-void other_pass_bars(const OtherPass *other, const Stats *stats, hawser_summary *figures);
+/* Brings the error bars of summary and tables to what both passes say; jolt: of this one's start, N, or NAN. */
+void other_pass_bars(const OtherPass *other, const Stats *stats, double jolt, hawser_summary *figures);
 /* The largest share of the mean pull that lengths of segments can have added by it; INFINITY: there is no other pass.
  */
 double other_pass_share(const OtherPass *other, const hawser_summary *figures);

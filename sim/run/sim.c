@@ -283,12 +283,6 @@ static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error
     return status;
 }
 
-/* One step, of all chains if there are several. */
-static hawser_status step_take(Sim *s, double stop, hawser_error *err)
-{
-    return s->together ? together_step(s->together, stop, err) : stage_step(&s->stage, stop, err);
-}
-
 /* What is due after a step, or before the first. */
 static hawser_status step_watch(Sim *s, hawser_error *err)
 {
@@ -309,7 +303,8 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
         status = script_due(each, err);                 /* what is due at the very beginning */
     }
     while (s->stage.t < t && !status) {
-        status = step_take(s, next_stop(s, t), err);
+        const double stop = next_stop(s, t);
+        status = s->together ? together_step(s->together, stop, err) : stage_step(&s->stage, stop, err);
         for (int k = 0; !status && k < sim_chains(s); ++k) status = step_watch(sim_chain(s, k), err);
         if (!status && (s->calls.step || s->calls.law || s->calls.stop)) status = sim_call(s, err);
         if (one_step) break;
@@ -432,6 +427,10 @@ static void integration_fill(const Sim *s, hawser_summary *out)
     out->balance = balance_close(s->stage.balance, moved(s), s->stage.t, moved_state(s));
 }
 
+static int came_to_rest(const Sim *s) { return s->stage.scene.def.solver.relax && s->relaxation.reached; }
+
+double sim_jolt(const Sim *s) { return steadiness_jolt(&s->steadiness, came_to_rest(s)); }
+
 /* What the error bars of the summary's figures share. */
 static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
 {
@@ -439,7 +438,7 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
     const BalanceWindow books = out->balance ? balance_window(s->stage.balance) : (BalanceWindow){0};
     ErrorShares shares =
         error_shares(scene, &s->mesh, out->balance ? &books : NULL, fmin(out->pull_mean_N, out->reference_total_N));
-    const Unsettled refused = steadiness_refused(&s->steadiness, scene->def.solver.relax && s->relaxation.reached);
+    const Unsettled refused = steadiness_refused(&s->steadiness, came_to_rest(s));
     shares.drift = refused.drift;
     shares.stands_out = refused.stands_out;
     shares.start = scene->def.solver.relax ? 0 : s->passing.start.force;
@@ -455,7 +454,6 @@ int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out)
 static void summary_fill(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
-    s = SHOWN(s);
     const Scene *const scene = &s->stage.scene;
     *out =
         (hawser_summary){.segments = scene->total,
@@ -504,7 +502,7 @@ static void summary_fill(const Sim *s, hawser_summary *out)
     stats_summary(&s->stats, out);
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
-    other_pass_bars(&s->other, &s->stats, out);
+    other_pass_bars(&s->other, &s->stats, sim_jolt(s), out);
     hawser_limit limit[HAWSER_LIMITS_MAX];
     const int limits = sim_limits(s, out, limit);
     const TrustFacts facts = {.scene = scene,
@@ -530,7 +528,7 @@ void hawser_sim_summary_sized(const Sim *s, hawser_summary *out, size_t size)
 {
     hawser_summary whole;
     if (!s || !out) return;
-    summary_fill(s, &whole);
+    summary_fill(SHOWN(s), &whole);
     memcpy(out, &whole, size < sizeof whole ? size : sizeof whole);
 }
 

@@ -28,6 +28,8 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err);
  * that is not known); what is wrong with a checkpoint that is read is in c. After a failure to read it can only be
  * freed. */
 hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err);
+/* The largest pull of the first moments, N, where it can be a jolt, or NAN. */
+double sim_jolt(const Sim *s);
 /* A number that another case has not. */
 uint64_t sim_identity(const Sim *s);
 /* What was found so far against the case's limits, with the error bars of these figures, which are the simulation's; as

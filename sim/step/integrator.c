@@ -169,8 +169,7 @@ static int cvode_set(Integrator *in)
 {
     const SolverDef *const def = &in->motion->scene->def.solver;
     void *const c = in->cvode;
-    int bad = CVodeSetErrHandlerFn(c, call_complaint, in);
-    bad |= CVodeSetUserData(c, in);
+    int bad = CVodeSetUserData(c, in);
     bad |= CVodeWFtolerances(c, call_weights);
     bad |= CVodeSetMaxOrd(c, def->max_order);
     bad |= CVodeSetMaxNumSteps(c, -1);
@@ -218,33 +217,42 @@ static hawser_status history_check(Integrator *in, hawser_error *err)
                      version);
 }
 
-/* N_VClone of SUNDIALS 6 writes into a clone that could not be made. Whether there is room is asked first, of all
- * vectors at once: Nordsieck's array, weights, corrections and scratch of CVODE, its solver's and ours. */
-static int has_room(int length)
+/* Vectors that CVODE makes while it is set up, at most: Nordsieck's array up to order 5, weights, corrections and
+ * scratch, those of its solvers. */
+enum { VECTORS_MOST = 24 };
+/* Bytes that are enough for SUNContext_Create. */
+enum { CONTEXT_ROOM = 1 << 14 };
+
+/* 0 if there is no memory. Where CVodeInit finds none it destroys the vectors that it has made, and CVodeFree would
+ * destroy them again: nothing but its own structure is left then. */
+static int cvode_new(Integrator *in, double t)
 {
-    enum { VECTORS = 24 };
-    void *volatile all = malloc((size_t)VECTORS * (size_t)length * sizeof(double));
-    const int found = all != NULL;
-    free(all);
-    return found;
+    in->cvode = CVodeCreate(CV_BDF, in->context);
+    if (!in->cvode) return 0;
+    CVodeSetErrHandlerFn(in->cvode, call_complaint, in);
+    if (CVodeInit(in->cvode, call_rates, t, in->state) == CV_SUCCESS) return 1;
+    free(in->cvode);
+    in->cvode = NULL;
+    return 0;
 }
 
-/* 0 if there is no memory. */
+/* 0 if there is no memory. SUNContext_Create does not look whether its logger has got some. */
 static int integrator_start(Integrator *in, double t)
 {
     const int length = in->motion->size;
     in->weight = malloc((size_t)length * sizeof(double));
-    if (!in->weight || !has_room(length) || SUNContext_Create(NULL, &in->context)) return 0;
+    if (!in->weight || !memory_room(CONTEXT_ROOM) || SUNContext_Create(NULL, &in->context)) return 0;
     in->motion->ops->weights(in->motion, in->weight);
     in->family.queue.team = in->motion->team;
     in->state = vector_wrap(length, in->y, call_norm, in->motion, &in->family, in->context);
-    if (!in->state) return 0;
-    in->cvode = CVodeCreate(CV_BDF, in->context);
-    if (!in->cvode || CVodeInit(in->cvode, call_rates, t, in->state) != CV_SUCCESS) return 0;
-    in->good = N_VClone(in->state);
+    if (!in->state || !vector_family_stock(in->state, VECTORS_MOST)) return 0;
+    if (!cvode_new(in, t)) return 0;
+    in->good = vector_clone(in->state);
     if (!in->good) return 0;
     state_keep(in);
-    return cvode_set(in);
+    const int set = cvode_set(in);
+    vector_family_unstock(&in->family);
+    return set;
 }
 
 /* NOLINTNEXTLINE(readability-non-const-parameter): every step writes it */
@@ -264,6 +272,7 @@ Integrator *integrator_free(Integrator *in)
     if (!in) return NULL;
     if (in->cvode) CVodeFree(&in->cvode);
     custom_linear_free(&in->linear);
+    vector_family_unstock(&in->family);
     if (in->good) N_VDestroy(in->good);
     if (in->state) N_VDestroy(in->state);
     if (in->context) SUNContext_Free(&in->context);
@@ -289,7 +298,7 @@ const double *integrator_rates(Integrator *in, double *h)
 /* The segment whose weighted local error is largest: where to look when a step fails. */
 static int worst_segment(Integrator *in)
 {
-    N_Vector error = N_VClone(in->state);
+    N_Vector error = vector_clone(in->state);
     int worst = 0;
     if (error && CVodeGetEstLocalErrors(in->cvode, error) == CV_SUCCESS) {
         worst = in->motion->ops->worst(in->motion, N_VGetArrayPointer(error), in->weight);

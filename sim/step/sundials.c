@@ -1,5 +1,6 @@
 #include "sim/step/sundials.h"
 
+#include <assert.h>
 #include <nvector/nvector_serial.h>
 #include <stdlib.h>
 #include <string.h>
@@ -212,7 +213,7 @@ static N_Vector vector_fill(N_Vector v, double *data, int own, const VectorConte
     return v;
 }
 
-static N_Vector op_clone(N_Vector like)
+N_Vector vector_clone(N_Vector like)
 {
     const VectorContent *const content = like->content;
     N_Vector v = N_VNewEmpty(like->sunctx);
@@ -221,6 +222,12 @@ static N_Vector op_clone(N_Vector like)
         return NULL;
     }
     return vector_fill(v, aligned_array_new((int)content->serial.length), 1, content);
+}
+
+static N_Vector op_clone(N_Vector like)
+{
+    VectorFamily *const family = ((const VectorContent *)like->content)->family;
+    return family && family->n_spare > 0 ? family->spare[--family->n_spare] : vector_clone(like);
 }
 
 /* Operations that are not listed would read numbers that wait to be computed: there are none. */
@@ -274,6 +281,28 @@ void vector_take(N_Vector x, N_Vector b)
     vector_queue_unfill(&to->family->queue, to->serial.data);
     from->serial.data = to->serial.data;
     to->serial.data = given;
+}
+
+int vector_family_stock(N_Vector like, int n)
+{
+    VectorFamily *const family = ((const VectorContent *)like->content)->family;
+    assert(family && !family->spare);
+    family->spare = calloc((size_t)n, sizeof *family->spare);
+    while (family->spare && family->n_spare < n) {
+        N_Vector v = vector_clone(like);
+        if (!v) break;
+        family->spare[family->n_spare++] = v;
+    }
+    return family->n_spare == n;
+}
+
+int vector_family_unstock(VectorFamily *family)
+{
+    const int left = family->n_spare;
+    while (family->n_spare > 0) op_destroy(family->spare[--family->n_spare]);
+    free(family->spare);
+    family->spare = NULL;
+    return left;
 }
 
 void vector_family_settle(VectorFamily *family)

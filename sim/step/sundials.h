@@ -17,6 +17,8 @@ typedef double (*VectorNorm)(const void *owner, const double *x, const double *w
 typedef struct VectorFamily {
     int n, room;
     N_Vector *member; /* [n] */
+    int n_spare;
+    N_Vector *spare; /* [n_spare] of the members: made before somebody asks for them, see vector_family_stock */
     VectorQueue queue;
 } VectorFamily;
 
@@ -25,13 +27,21 @@ typedef struct VectorFamily {
  * family are read and written through N_VGetArrayPointer, which does what waits, or after vector_family_settle. */
 N_Vector vector_wrap(int length, double *data, VectorNorm norm, const void *owner, VectorFamily *family,
                      SUNContext context);
+/* A clone, as N_VClone makes them, or NULL if there is no memory: N_VClone of SUNDIALS 6 writes into the clone without
+ * looking whether there is one. */
+N_Vector vector_clone(N_Vector like);
+/* Makes n clones of `like`, which has a family, for those who clone with N_VClone: as long as there are any, it gets
+ * one of them and cannot fail. Returns 0 if there is no memory. vector_family_unstock destroys those that are left and
+ * returns how many these were. */
+int vector_family_stock(N_Vector like, int n);
+int vector_family_unstock(VectorFamily *family);
 /* Moves b's numbers to x, a clone of the same vector: x has them, and what b holds is not to be read before it is
  * written. Nothing is copied unless one of them wraps borrowed data. */
 void vector_take(N_Vector x, N_Vector b);
 
 /* Does what waits to be done with the family's vectors. */
 void vector_family_settle(VectorFamily *family);
-/* After the family's vectors are destroyed. */
+/* After the family's vectors are destroyed, and those in stock too. */
 void vector_family_clear(VectorFamily *family);
 
 /* Writes a vector's entries of the new length from those of the old one. */

@@ -160,6 +160,7 @@ hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares
     const double hits = fmax(shares->stands_out * size, fmin(size, shares->start - size));
     const double rough = fmax(shares->rough * sqrt(figure->rough_at_peak), hits);
     const double stands = fmax(0, size - fmax(mean, shares->at_rest)), jerk = (shares->slack + JERK) * stands;
-    return bar(SHARPNESS * figure->sharpness + shares->step * size, fmax(passes, rough) + shares->mesh * size + jerk,
+    const double time = fmax(SHARPNESS * figure->sharpness, shares->faded);
+    return bar(time + shares->step * size, fmax(passes, rough) + shares->mesh * size + jerk,
                shares->friction * size + loose);
 }

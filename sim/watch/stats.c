@@ -274,6 +274,7 @@ static void peak_record(Stats *stats, const Scene *scene, const Kinematics *kin,
     stats->placed = fabs(here);
     stats->peak_speed = slowest(scene, sample);
     stats->peak_travel = sample->winch_travel;
+    stats->faded = stats->fades;
 }
 
 /* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). Until the first has ended it is
@@ -343,11 +344,26 @@ static void step_values(const Stats *stats, const Scene *scene, double pull, con
     for (int r = 0; r < stats->n_rollers; ++r) *value++ = v3_norm(on_roller[r]);
 }
 
+/* What a method of second order takes of a swing that falls in n steps, half of its period: pi^4/4n^3 of it (EB23). */
+static void swing_record(Stats *stats, double pull)
+{
+    static const double HALF = M_PI * M_PI * M_PI * M_PI / 4;
+    if (pull < stats->step_pull) {
+        if (stats->downward++ == 0) stats->top = stats->step_pull;
+        const double n = stats->downward;
+        stats->fades = fmax(stats->fades, fmin(1, HALF / (n * n * n)) * (stats->top - pull));
+    } else {
+        stats->downward = 0;
+    }
+    stats->step_pull = pull;
+}
+
 int stats_step(Stats *stats, const Scene *scene, double pull, const double *tension, const Vec3 *on_roller)
 {
     double *const before = stats->now, *const now = stats->before, load = 0;
     const int n = watched_count(stats), first_roller = n - stats->n_rollers;
     int due = 0;
+    swing_record(stats, pull);
     step_values(stats, scene, pull, tension, on_roller, now);
     stats->before = before;
     stats->now = now;
@@ -440,10 +456,12 @@ void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, h
     shares->placed = stats->placed;
     shares->slack = slack_share(scene, stats->peak_travel, stats->at_rest);
     shares->at_rest = stats->at_rest;
+    shares->faded = stats->faded;
     if (stats->pull.time > 0 && out->pull_mean_N > 0) shares->friction += sideways(stats, scene) / out->pull_mean_N;
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);
-    shares->placed = shares->slack = shares->drift = shares->stands_out = shares->start = 0; /* of the pull alone */
+    shares->placed = shares->slack = shares->drift = shares->stands_out = shares->start = shares->faded =
+        0;                                        /* of the pull alone */
     for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there, too */
         hawser_surface *const row = &stats->surface_out[i];
         const double tension = out->pull_peak_error.total / fabs(stats->pull.peak);

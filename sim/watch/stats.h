@@ -33,7 +33,12 @@ typedef struct Stats {
     double placed;    /* N, of the pull when it was largest: what the places of joints over rollers made of it (EB11) */
     double peak_travel, at_rest; /* m, of the winch up to then; N, of the pull at first */
     double peak_speed;           /* m/s, of the slowest segment when the pull was largest */
-    double settled_at;           /* s, last time the speed was more than 2 % off the final speed of the head */
+    /* a swing of the pull that steps follow: N at its last top, N of the last step, steps downward since; N: the most
+     * that the method takes of such a swing, and of those before the largest pull (EB23) */
+    double top, step_pull;
+    int downward;
+    double fades, faded;
+    double settled_at; /* s, last time the speed was more than 2 % off the final speed of the head */
     int n_stations, n_rollers, n_surfaces;
     TimeMean *station; /* [n_stations], N */
     RollerMeans *roller;

@@ -131,6 +131,8 @@ double steadiness_drift(const Steadiness *s)
 /* Whether the largest pull can be a jolt: a chain that begins at rest and is set in motion gently has none. */
 static int may_jolt(const Steadiness *s, int rests) { return !rests || s->speed > 0; }
 
+double steadiness_jolt(const Steadiness *s, int rests) { return may_jolt(s, rests) ? s->jolt : NAN; }
+
 Unsettled steadiness_refused(const Steadiness *s, int rests)
 {
     double at;

@@ -51,6 +51,10 @@ double steadiness_drift(const Steadiness *s);
  * the cable came to rest first, and what is between two rows is not asked. */
 double steadiness_spike(const Steadiness *s, int rests, double *at);
 
+/* The largest pull of the first moments, N, where it can be a jolt: NAN of a chain that begins at rest and is set in
+ * motion gently. */
+double steadiness_jolt(const Steadiness *s, int rests);
+
 /* What the conditions on steadiness refuse, shares; 0 where they hold. Its use: (EB16), (EB17). */
 typedef struct Unsettled {
     double drift; /* of the mean, between the window's halves */

@@ -316,6 +316,7 @@ hawser_status hawser_compare(const char *results, const char *log, const hawser_
     hawser_error *const e = err ? err : &local;
     Folder folder = {0};
     Comparison c = {.options = options ? *options : (hawser_compare_options){0}};
+    if (!results || !log || !text) return error_argument(err, !results ? "results" : !log ? "log" : "text");
     *text = NULL;
     if (c.options.band == 0) c.options.band = 0.1;
     hawser_status status = folder_read(results, &folder, e);

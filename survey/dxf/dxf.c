@@ -28,17 +28,25 @@ static int is_utf8(const unsigned char *t)
     return 1;
 }
 
+/* The character of "\U+00FC", as drawings before 2007 write what their code page has not; 0: no such. */
+static unsigned escape_of(const char *t) { return strncmp(t, "\\U+", 3) ? 0 : input_hex(t + 3, 4); }
+
 /* A name or layer as UTF-8; older drawings have bytes of a code page, which are taken for Latin-1. */
 static void text_set(char *to, size_t size, const char *text)
 {
+    const int utf8 = is_utf8((const unsigned char *)text);
     size_t n = 0;
-    if (is_utf8((const unsigned char *)text)) {
+    if (utf8 && !strstr(text, "\\U+")) {
         snprintf(to, size, "%s", text);
         return;
     }
-    for (const unsigned char *t = (const unsigned char *)text; *t && n + 2 < size; ++t) {
-        if (*t >= 0x80) to[n++] = (char)(0xC0 | *t >> 6);
-        to[n++] = (char)(*t < 0x80 ? *t : 0x80 | (*t & 0x3F));
+    for (const char *t = text; *t && n + 3 < size; ++t) {
+        const unsigned escaped = escape_of(t);
+        if (escaped || !utf8)
+            n += input_utf8(to + n, escaped ? escaped : (unsigned char)*t);
+        else
+            to[n++] = *t;
+        if (escaped) t += 6;
     }
     to[n] = 0;
 }
@@ -157,9 +165,10 @@ static hawser_status entity_add(DxfStream *s, const DxfEntity *e)
         hawser_status (*add)(const SurveyInput *in, const DxfEntity *e);
     } shapes[] = {
         {"LINE", dxf_add_line}, {"ARC", dxf_add_arc}, {"LWPOLYLINE", dxf_add_lwpolyline}, {"SPLINE", dxf_add_spline}};
-    if (dxf_number(e, 67, 0) == 1) { /* frames and titles of a sheet, in its own coordinates */
+    const int sheet = dxf_number(e, 67, 0) == 1; /* frames and titles of a sheet, in its own coordinates */
+    if (sheet || dxf_number(e, 60, 0) == 1) {
         char what[SURVEY_NAME_MAX];
-        snprintf(what, sizeof what, "%s in paper space", e->kind);
+        snprintf(what, sizeof what, sheet ? "%s in paper space" : "%s that is not to be seen", e->kind);
         survey_ignore(s->in->out, what);
         return HAWSER_OK;
     }
@@ -182,17 +191,33 @@ static void unit_set(SurveyInput *in, int code)
         int code;
         double metres;
         const char *name;
-    } units[] = {{1, 0.0254, "inches"},  {2, 0.3048, "feet"},
-                 {3, 1609.344, "miles"}, {4, 1e-3, "mm"},
-                 {5, 1e-2, "cm"},        {6, 1, "m"},
-                 {7, 1e3, "km"},         {10, 0.9144, "yards"},
-                 {14, 0.1, "dm"},        {21, 1200.0 / 3937, "US survey feet"}};
+    } units[] = {{1, 0.0254, "inches"},
+                 {2, 0.3048, "feet"},
+                 {3, 1609.344, "miles"},
+                 {4, 1e-3, "mm"},
+                 {5, 1e-2, "cm"},
+                 {6, 1, "m"},
+                 {7, 1e3, "km"},
+                 {8, 0.0254e-6, "microinches"},
+                 {9, 0.0254e-3, "mils"},
+                 {10, 0.9144, "yards"},
+                 {13, 1e-6, "microns"},
+                 {14, 0.1, "dm"},
+                 {15, 10, "dam"},
+                 {16, 100, "hm"},
+                 {21, 1200.0 / 3937, "US survey feet"},
+                 {22, 100.0 / 3937, "US survey inches"},
+                 {23, 3600.0 / 3937, "US survey yards"},
+                 {24, 5280 * 1200.0 / 3937, "US survey miles"}};
     for (size_t i = 0; i < sizeof units / sizeof *units; ++i) {
         if (units[i].code == code) {
             input_unit(in, units[i].metres, units[i].name);
             return;
         }
     }
+    char what[SURVEY_NAME_MAX];
+    snprintf(what, sizeof what, "$INSUNITS %d: lengths are taken in m", code);
+    if (code && isnan(in->options.unit)) survey_ignore(in->out, what);
     input_unit(in, 1, "the drawing does not say");
 }
 

@@ -149,7 +149,8 @@ hawser_status dxf_add_arc(const SurveyInput *in, const DxfEntity *e)
     const double radius = dxf_number(e, 40, NAN), from = PI / 180 * dxf_number(e, 50, NAN),
                  to = PI / 180 * dxf_number(e, 51, NAN);
     const Vec3 centre = v3(dxf_number(e, 10, NAN), dxf_number(e, 20, NAN), dxf_number(e, 30, 0));
-    const double turn = to - from - 2 * PI * floor((to - from) / (2 * PI));
+    const double rest = to - from - 2 * PI * floor((to - from) / (2 * PI)),
+                 turn = rest > 0 || to == from ? rest : 2 * PI;
     if (!(radius > 0) || !isfinite(from + to + centre.x + centre.y)) {
         return input_error(in, "an ARC without centre, radius above 0 and angles (groups 10, 20, 40, 50, 51)");
     }

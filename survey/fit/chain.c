@@ -371,13 +371,26 @@ static double step_take(int n, Piece *piece, const double *b)
 /* How far a piece turns, at most. */
 static double turn_most(const Piece *p) { return p->e.length * fmax(fabs(p->e.k0), fabs(p->e.k1)); }
 
-/* A step that winds a piece up leads nowhere, and its sums cost as much as it turns: no more than twice round, or a
- * little more than before. */
-static int is_wound(int n, const Piece *before, const Piece *piece)
+/* No piece of a route goes round twice: beyond that its sums cost as much as it turns, and lead nowhere. */
+static double turn_bound(void) { return 4 * acos(-1); }
+
+/* A step that winds a piece up is not taken. */
+static int is_wound(int n, const Piece *piece)
 {
     int wound = 0;
-    for (int q = 0; q < n; ++q) wound |= turn_most(&piece[q]) > fmax(4 * acos(-1), 1.2 * turn_most(&before[q]));
+    for (int q = 0; q < n; ++q) wound |= turn_most(&piece[q]) > turn_bound() && !piece[q].kept;
     return wound;
+}
+
+/* Pieces that begin wound up, as trials in a maze of points do, are bent open. */
+static void unwind(int n, Piece *piece)
+{
+    for (int q = 0; q < n; ++q) {
+        const double most = turn_most(&piece[q]), part = 0.5 * turn_bound() / most;
+        if (!(most > turn_bound()) || piece[q].kept) continue;
+        piece[q].e.k0 *= part;
+        piece[q].e.k1 *= part;
+    }
 }
 
 /* What is missed, at its price: with half the squares it is what a good step lowers. */
@@ -403,7 +416,7 @@ static int step_try(int n, Piece *piece, int m, const Node *node, double *streng
         for (int k = 0; k < n * BLOCK; ++k) w->price[k] = fmax(w->price[k], 2 * fabs(w->b[k]));
         const double was = squares + misses_price(n, piece, w->price);
         *change = step_take(n, piece, w->b);
-        if (isnan(*change) || is_wound(n, w->before, piece)) continue;
+        if (isnan(*change) || is_wound(n, piece)) continue;
         feet_find(n, piece, m, node, foot, w->next);
         if (0.5 * chain_squares(m, node, foot) + misses_price(n, piece, w->price) <= was * (1 + 1e-9)) {
             Normal *const kept = w->normal;
@@ -422,6 +435,7 @@ hawser_status chain_refine(int n, Piece *piece, int m, const Node *node, int ste
     Work w;
     const int memory = work_alloc(n, &w);
     double strength = 1, change = INFINITY;
+    if (steps > 0) unwind(n, piece);
     if (memory) feet_find(n, piece, m, node, foot, w.normal);
     for (int i = 0; memory && i < steps && !(change < 1e-6); ++i) {
         if (!step_try(n, piece, m, node, &strength, foot, &change, &w)) break;

@@ -144,6 +144,7 @@ static int is_flat(const Alignment *a) { return a->n_profile == 0 && (a->flat ||
 typedef struct Search {
     const Net *net;
     int from, found;
+    int gaps; /* looked for: the two ends of one straight piece are none */
     double within, least;
 } Search;
 
@@ -155,6 +156,7 @@ static int end_near(void *data, int i)
     const double away = hypot(a.x - b.x, a.y - b.y);
     const int level = is_flat(s->net->piece[s->from / 2]) || is_flat(s->net->piece[i / 2]);
     if (i == s->from || away > s->within || away >= s->least) return 0;
+    if (s->gaps && i / 2 == s->from / 2 && away > 0.5 * s->net->length[i / 2]) return 0;
     if (!level && fabs(a.z - b.z) > s->within) return 0;
     s->least = away;
     s->found = i;
@@ -167,7 +169,7 @@ static int knots_find(const JoinOptions *o, Net *net)
     Grid g;
     const int fine = grid_alloc(2 * net->n, net->end, o->tolerance, &g);
     for (int i = 0; fine && i < 2 * net->n; ++i) {
-        Search s = {net, i, -1, o->tolerance, INFINITY};
+        Search s = {net, i, -1, 0, o->tolerance, INFINITY};
         net->first[i] = net->other[i] = -1;
         grid_near(&g, net->end[i], end_near, &s);
         net->knot[i] = s.found < 0 ? i : net->knot[s.found];
@@ -226,7 +228,7 @@ static int doubts_find(const JoinOptions *o, const Net *net, Joined *joined)
         if (net->knot[i] == i && net->ends[i] > 2)
             doubt_add(joined, (JoinDoubt){JOIN_FORK, net->end[i], net->ends[i], 0});
         if (net->knot[i] != i || net->ends[i] == 0) continue;
-        Search s = {net, i, -1, gap_reach(o->tolerance), INFINITY};
+        Search s = {net, i, -1, 1, gap_reach(o->tolerance), INFINITY};
         if (net->ends[i] == 1) grid_near(&g, net->end[i], end_near, &s);
         if (s.found >= 0) doubt_add(joined, (JoinDoubt){JOIN_GAP, net->end[i], 1, s.least});
         if (net->ends[i] == 1) grid_put(&g, i); /* each pair once */
@@ -300,10 +302,11 @@ static int elements_take(const Alignment *from, Alignment *to)
 }
 
 /* n pieces of net->order as one line: of points if there are heights, else of elements, else of points again if there
- * is nothing but points. */
-static int line_make(const Net *net, int n, Survey *to)
+ * is nothing but points. Heights that jump where two pieces meet are those of pieces without: then the line has none.
+ */
+static int line_make(const Net *net, int n, double tolerance, Joined *joined, Survey *to)
 {
-    int heights = 0, elements = 0;
+    int heights = 0, elements = 0, jump = 0;
     for (int k = 0; k < n; ++k) {
         const Alignment *const a = net->piece[net->order[k] < 0 ? -1 - net->order[k] : net->order[k]];
         heights |= !is_flat(a) && n > 1;
@@ -326,8 +329,15 @@ static int line_make(const Net *net, int n, Survey *to)
             *line = piece;
             return 1;
         }
+        const double z = alignment_measure(&piece).start.z;
+        if (heights && line->n_points) jump |= fabs(z - line->point[line->n_points - 1].z) > 2 * tolerance;
         fine = heights || !elements ? points_take(&piece, line) : elements_take(&piece, line);
         alignment_clear(&piece);
+    }
+    if (fine && jump) { /* pieces without heights among others */
+        for (int i = 0; i < line->n_points; ++i) line->point[i].z = 0;
+        line->flat = 1;
+        joined->lost_heights++;
     }
     return fine;
 }
@@ -386,7 +396,7 @@ hawser_status join_lines(const Survey *from, const JoinOptions *options, Survey 
     for (int pass = 0; pass < 2 && fine; ++pass) { /* from ends and forks first; what is left goes round */
         for (int e = 0; e < 2 * net.n && fine; ++e) {
             if (net.used[e / 2] || (pass == 0 && net.ends[net.knot[e]] == 2)) continue;
-            fine = line_make(&net, walk(&net, e), to);
+            fine = line_make(&net, walk(&net, e), options->tolerance, joined, to);
         }
     }
     if (fine) fine = lines_sort(to, before);

@@ -23,8 +23,9 @@ typedef struct JoinDoubt {
 } JoinDoubt;
 
 typedef struct Joined {
-    int pieces;  /* taken */
-    int doubles; /* left out because they lie on another */
+    int pieces;       /* taken */
+    int doubles;      /* left out because they lie on another */
+    int lost_heights; /* lines made level, since some of their pieces have heights and others none */
     int n_forks, n_gaps, n_doubts;
     JoinDoubt doubt[16]; /* the first of them */
 } Joined;

@@ -1,5 +1,6 @@
 /* Curves that an alignment is drawn with: IfcGradientCurve over IfcCompositeCurve, IfcPolyline, IfcIndexedPolyCurve. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/base/error.h"
@@ -14,6 +15,42 @@ typedef struct Segment {
     double radius, spiral; /* of a circle; constant of a clothoid; 0: neither */
     double square;         /* coefficient of x^2 of a polynomial */
 } Segment;
+
+/* The points of an indexed curve, m. */
+typedef struct Corners {
+    int n, flat, level; /* flat: without heights; level: all at one */
+    int elements;       /* they become elements in plan, not points */
+    Vec3 *at;           /* [n] */
+} Corners;
+
+/* What a length on a curve is where it is given as a parameter: an angle on a circle, so many vectors along a line. On
+ * a clothoid programs write the length itself, whatever the schema's parameter is. */
+static hawser_status parameter_scale(const IfcFile *file, const StepEntity *parent, double *scale)
+{
+    StepEntity vector = {0};
+    hawser_status status = HAWSER_OK;
+    *scale = 1;
+    if (!strcmp(parent->name, "IFCCIRCLE")) *scale = file->angle * step_number(parent, 1);
+    if (!strcmp(parent->name, "IFCLINE")) {
+        status = step_entity(&file->step, step_reference(parent, 1), &vector);
+        if (!status) *scale = step_number(&vector, 1);
+    }
+    step_entity_free(&vector);
+    return status;
+}
+
+/* Start and length on the parent, attributes 2 and 3, in the file's lengths. */
+static hawser_status lengths_read(const IfcFile *file, const StepEntity *e, const StepEntity *parent, Segment *out)
+{
+    double scale = 1;
+    hawser_status status = HAWSER_OK;
+    const int start = step_is(step_attribute(e, 2), "IFCPARAMETERVALUE"),
+              length = step_is(step_attribute(e, 3), "IFCPARAMETERVALUE");
+    if (start || length) status = parameter_scale(file, parent, &scale);
+    out->from = step_number(e, 2) * (start ? scale : 1);
+    out->length = step_number(e, 3) * (length ? scale : 1);
+    return status;
+}
 
 /* The second coefficient of an IfcPolynomialCurve's y. */
 static double square_of(const StepEntity *parent)
@@ -34,36 +71,33 @@ static hawser_status segment_read(const IfcFile *file, long id, Segment *out)
     if (!status) status = ifc_axes(file, step_reference(&e, 1), &out->start, &out->along, &tilted);
     if (!status) status = step_entity(&file->step, step_reference(&e, 4), &parent);
     if (!status) {
-        out->from = step_number(&e, 2);
-        out->length = step_number(&e, 3);
+        status = lengths_read(file, &e, &parent, out);
         if (!strcmp(parent.name, "IFCCIRCLE")) out->radius = step_number(&parent, 1);
-        if (out->radius > 0 && step_is(step_attribute(&e, 3), "IFCPARAMETERVALUE"))
-            out->length *= file->angle * out->radius;
         if (!strcmp(parent.name, "IFCCLOTHOID"))
             out->spiral = step_number(&parent, 1);
         else if (!strcmp(parent.name, "IFCPOLYNOMIALCURVE"))
             out->square = square_of(&parent);
         else if (strcmp(parent.name, "IFCLINE") && !(out->radius > 0))
-            survey_ignore(file->step.in->out, parent.name);
+            status = input_error(file->step.in, "#%ld: a segment on an %s, which is not read", id, parent.name);
     }
     step_entity_free(&e);
     step_entity_free(&parent);
     return status;
 }
 
-/* A negative length on a circle runs clockwise. */
+/* A negative length runs against its parent: on a circle clockwise. */
 static hawser_status plan_add(const IfcFile *file, const Segment *s, Alignment *a)
 {
     const double unit = file->step.in->unit, side = s->length < 0 ? -1 : 1;
     const double rate = s->spiral != 0 ? copysign(1, s->spiral) / (s->spiral * s->spiral) : 0; /* curvature a metre */
-    const double k = s->radius > 0 ? side / s->radius : 0;
+    const double k = s->radius > 0 ? 1 / s->radius : 0;
     return ifc_add_plan(file, a,
                         (PlanElement){.x = unit * s->start.x,
                                       .y = unit * s->start.y,
                                       .heading = atan2(s->along.y, s->along.x),
                                       .length = unit * fabs(s->length),
-                                      .k0 = (k + rate * s->from) / unit,
-                                      .k1 = (k + rate * (s->from + s->length)) / unit});
+                                      .k0 = side * (k + rate * s->from) / unit,
+                                      .k1 = side * (k + rate * (s->from + s->length)) / unit});
 }
 
 /* Its length in plan follows from the next one's start; the last one's from its curve. */
@@ -73,6 +107,7 @@ static hawser_status profile_add(const IfcFile *file, const Segment *s, double n
     const double side = s->length < 0 ? -1 : 1, turned = s->radius > 0 ? slope + s->length / s->radius : slope;
     const double own = s->radius > 0 ? s->radius * side * (sin(turned) - sin(slope)) : s->length * cos(slope);
     const double length = isnan(next) ? own : next - s->start.x;
+    if (s->spiral != 0) return input_error(file->step.in, "a vertical segment on an IFCCLOTHOID, which is not read");
     return ifc_add_profile(file, a,
                            (ProfileElement){.kind = s->radius > 0 ? PROFILE_ARC : PROFILE_PARABOLA,
                                             .station = unit * s->start.x,
@@ -116,29 +151,109 @@ static hawser_status polyline_add(const IfcFile *file, const StepEntity *curve, 
     return status;
 }
 
-/* The corners of an IfcCartesianPointList; arcs between them become chords, and it is said so. */
-static hawser_status indexed_add(const IfcFile *file, const StepEntity *curve, Alignment *a)
+/* The points of an IfcCartesianPointList, in metres. */
+static hawser_status list_read(const IfcFile *file, long id, Corners *out)
 {
     StepEntity list = {0};
-    hawser_status status = step_entity(&file->step, step_reference(curve, 0), &list);
+    hawser_status status = step_entity(&file->step, id, &list);
     const StepValue *v = status ? NULL : step_item(&list, step_attribute(&list, 0), 0);
+    out->at = calloc((size_t)list.n + 1, sizeof *out->at);
+    if (!out->at) status = error_memory(file->step.in->err);
     for (; v && !status; v = step_behind(&list, v)) {
         const StepValue *const x = step_item(&list, v, 0), *const y = step_item(&list, v, 1),
                                *const z = step_item(&list, v, 2);
         if (!x || !y)
-            return step_entity_free(&list),
-                   input_error(file->step.in, "#%ld: a point with less than two coordinates", list.id);
-        status = point_add(file, v3(x->number, y->number, z ? z->number : 0), a);
-        a->flat = !z;
-    }
-    const StepValue *part = status ? NULL : step_item(curve, step_attribute(curve, 1), 0);
-    for (; part; part = step_behind(curve, part)) {
-        if (step_item(curve, part, 2) && step_is(step_item(curve, part, 0), "IFCARCINDEX")) {
-            survey_ignore(file->step.in->out, "arcs of IfcIndexedPolyCurve: taken as their chords");
-        }
+            status = input_error(file->step.in, "#%ld: a point with less than two coordinates", id);
+        else
+            out->at[out->n++] = v3_scale(file->step.in->unit, v3(x->number, y->number, z ? z->number : 0));
+        out->flat = !z;
+        out->level &= out->at[out->n > 0 ? out->n - 1 : 0].z == out->at[0].z;
     }
     step_entity_free(&list);
     return status;
+}
+
+/* A straight in plan, or its second corner in space. */
+static int straight_add(const Corners *c, Vec3 a, Vec3 b, Alignment *to)
+{
+    const double length = hypot(b.x - a.x, b.y - a.y);
+    Vec3 *const corner = c->elements ? NULL : alignment_add_point(to);
+    if (corner) *corner = b;
+    if (!c->elements || !(length > 1e-9)) return c->elements || corner;
+    PlanElement *const e = alignment_add_plan(to);
+    if (e) *e = (PlanElement){.x = a.x, .y = a.y, .heading = atan2(b.y - a.y, b.x - a.x), .length = length};
+    return e != NULL;
+}
+
+/* From p over q to r on a circle: an element in plan, or in space chords 1 mm off. The centre is that of the triangle's
+ * circle; seen from it, p lies along `out` and the arc goes toward `forth`. */
+static int arc_add(const Corners *c, Vec3 p, Vec3 q, Vec3 r, Alignment *to)
+{
+    const Vec3 u = v3_sub(q, p), v = v3_sub(r, p), w = v3_cross(u, v);
+    const double area = v3_norm(w);
+    if (!(area > 1e-9 * v3_norm(u) * v3_norm(v))) return straight_add(c, p, r, to);
+    const Vec3 away =
+        v3_scale(0.5 / (area * area), v3_axpy(v3_scale(v3_dot(v, v), v3_cross(w, u)), v3_dot(u, u), v3_cross(v, w)));
+    const Vec3 centre = v3_add(p, away), out = v3_scale(-1 / v3_norm(away), away);
+    const Vec3 forth = v3_cross(v3_scale(1 / area, w), out), end = v3_sub(r, centre);
+    const double radius = v3_norm(away), angle = atan2(v3_dot(end, forth), v3_dot(end, out));
+    const double turn = angle > 0 ? angle : angle + 2 * acos(-1), side = w.z > 0 ? 1 : -1;
+    if (c->elements) {
+        PlanElement *const e = alignment_add_plan(to);
+        if (e) *e = (PlanElement){p.x, p.y, atan2(forth.y, forth.x), radius * turn, side / radius, side / radius, 0, 0};
+        return e != NULL;
+    }
+    const double step = 2 * acos(fmax(0, 1 - 1e-3 / fmax(radius, 1e-3)));
+    const int n = (int)fmin(10000, 1 + turn / fmax(step, 1e-3));
+    int fine = 1;
+    for (int i = 1; i <= n && fine; ++i) {
+        const double at = turn * i / n;
+        fine = straight_add(c, p, v3_axpy(v3_axpy(centre, radius * cos(at), out), radius * sin(at), forth), to);
+    }
+    return fine;
+}
+
+/* One IfcLineIndex or IfcArcIndex: corners by their numbers from 1. */
+static hawser_status index_add(const IfcFile *file, const StepEntity *curve, const StepValue *part, const Corners *c,
+                               Alignment *to)
+{
+    Vec3 last[3];
+    int n = 0, fine = 1;
+    const int arc = step_is(part, "IFCARCINDEX");
+    for (const StepValue *v = step_item(curve, part, 0); v && fine; v = step_behind(curve, v)) {
+        if (v->kind != STEP_NUMBER || !(v->number >= 1 && v->number <= c->n))
+            return input_error(file->step.in, "#%ld: a segment of a point that is not in its list", curve->id);
+        last[n++] = c->at[(int)v->number - 1];
+        if (n == 1 && !c->elements && to->n_points == 0) fine = straight_add(c, last[0], last[0], to);
+        if (n == 1 || (arc && n < 3)) continue;
+        fine = fine && (arc ? arc_add(c, last[0], last[1], last[2], to) : straight_add(c, last[0], last[1], to));
+        last[0] = last[n - 1];
+        n = 1;
+    }
+    return fine ? HAWSER_OK : error_memory(file->step.in->err);
+}
+
+/* IfcIndexedPolyCurve(Points, Segments): straights and arcs; level ones with arcs as elements in plan, others as
+ * points. Without segments the points are corners. */
+static hawser_status indexed_add(const IfcFile *file, const StepEntity *curve, Alignment *a)
+{
+    Corners c = {.level = 1};
+    hawser_status status = list_read(file, step_reference(curve, 0), &c);
+    const StepValue *const segments = step_attribute(curve, 1), *const first = step_item(curve, segments, 0);
+    int fine = 1;
+    for (const StepValue *part = first; part && c.level; part = step_behind(curve, part))
+        c.elements |= step_is(part, "IFCARCINDEX");
+    for (const StepValue *part = first; part && !status; part = step_behind(curve, part))
+        status = index_add(file, curve, part, &c, a);
+    for (int i = 0; i < c.n && !first && !status && fine; ++i) fine = straight_add(&c, c.at[i], c.at[i], a);
+    a->flat = c.flat;
+    if (fine && !status && c.elements && c.at[0].z != 0) {
+        ProfileElement *const level = alignment_add_profile(a);
+        if (level) *level = (ProfileElement){.length = alignment_measure(a).plan_length, .z = c.at[0].z};
+        fine = level != NULL;
+    }
+    free(c.at);
+    return fine || status ? status : error_memory(file->step.in->err);
 }
 
 /* Any curve that is known, with the curve that it stands over. */
@@ -158,6 +273,7 @@ static hawser_status curve_add(const IfcFile *file, long id, int depth, Alignmen
         if (a->n_profile == 0) status = segments_add(file, &e, 1, a);
         if (!status) status = curve_add(file, step_reference(&e, 2), depth + 1, a);
     } else if (!strcmp(e.name, "IFCSEGMENTEDREFERENCECURVE")) {
+        survey_ignore(file->step.in->out, "cant of an IFCSEGMENTEDREFERENCECURVE");
         status = curve_add(file, step_reference(&e, 2), depth + 1, a);
     } else if (!strcmp(e.name, "IFCPOLYLINE")) {
         if (a->n_plan + a->n_points == 0) status = polyline_add(file, &e, a);

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "survey/ifc/parts.h"
 
-enum { PLACEMENTS_MOST = 64 };
+enum { PLACEMENTS_MOST = 64, UNITS_MOST = 8 };
 
 /* ----------------------------------------------------------------------------------------------------------- units */
 
@@ -15,24 +15,31 @@ static double prefix_factor(const StepValue *prefix)
     static const struct {
         const char *name;
         double factor;
-    } prefixes[] = {{"MILLI", 1e-3}, {"CENTI", 1e-2}, {"DECI", 1e-1}, {"KILO", 1e3}, {"MICRO", 1e-6}};
+    } prefixes[] = {{"MILLI", 1e-3}, {"CENTI", 1e-2}, {"DECI", 1e-1},  {"DECA", 1e1},  {"HECTO", 1e2},
+                    {"KILO", 1e3},   {"MEGA", 1e6},   {"MICRO", 1e-6}, {"NANO", 1e-9}, {"PICO", 1e-12}};
     for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; ++i) {
         if (step_is(prefix, prefixes[i].name)) return prefixes[i].factor;
     }
     return 1;
 }
 
-/* IfcConversionBasedUnit(Dimensions, UnitType, Name, ConversionFactor): the factor, an IfcMeasureWithUnit(value, unit).
- */
-static hawser_status conversion_read(const IfcFile *file, long id, double *factor)
+/* A unit in SI: IfcSIUnit by its prefix; IfcConversionBasedUnit(Dimensions, UnitType, Name, ConversionFactor) by the
+ * factor, an IfcMeasureWithUnit(value, unit), whose unit may be converted itself. */
+static hawser_status factor_read(const IfcFile *file, const StepEntity *unit, int depth, double *factor)
 {
-    StepEntity e = {0}, unit = {0};
-    hawser_status status = step_entity(&file->step, id, &e);
-    if (!status) status = step_entity(&file->step, step_reference(&e, 1), &unit);
-    if (!status) *factor = step_number(&e, 0) * prefix_factor(step_attribute(&unit, 2));
-    if (!status && !(*factor > 0)) status = input_error(file->step.in, "#%ld: a unit's factor must be above 0", id);
-    step_entity_free(&e);
-    step_entity_free(&unit);
+    StepEntity measure = {0}, base = {0};
+    hawser_status status = HAWSER_OK;
+    *factor = prefix_factor(step_attribute(unit, 2));
+    if (strncmp(unit->name, "IFCCONVERSIONBASEDUNIT", 22)) return HAWSER_OK;
+    if (depth > UNITS_MOST) return input_error(file->step.in, "#%ld: units of units without an end", unit->id);
+    status = step_entity(&file->step, step_reference(unit, 3), &measure);
+    if (!status) status = step_entity(&file->step, step_reference(&measure, 1), &base);
+    if (!status) status = factor_read(file, &base, depth + 1, factor);
+    if (!status) *factor *= step_number(&measure, 0);
+    if (!status && !(*factor > 0))
+        status = input_error(file->step.in, "#%ld: a unit's factor must be above 0", unit->id);
+    step_entity_free(&measure);
+    step_entity_free(&base);
     return status;
 }
 
@@ -45,12 +52,10 @@ static hawser_status unit_read(IfcFile *file, long id)
     const StepValue *const of = step_attribute(&e, 1);
     const int length = step_is(of, "LENGTHUNIT"), angle = step_is(of, "PLANEANGLEUNIT");
     if (!status && (length || angle)) {
-        const int converted = !strcmp(e.name, "IFCCONVERSIONBASEDUNIT");
-        const StepValue *const name = step_attribute(&e, converted ? 2 : 3);
+        const StepValue *const name = step_attribute(&e, strcmp(e.name, "IFCSIUNIT") ? 2 : 3);
         char text[64];
         snprintf(text, sizeof text, "%.*s", name->text ? name->length : 0, name->text ? name->text : "");
-        factor = prefix_factor(step_attribute(&e, 2));
-        if (converted) status = conversion_read(file, step_reference(&e, 3), &factor);
+        status = factor_read(file, &e, 0, &factor);
         if (!status && length) input_unit(file->step.in, factor, text);
         if (!status && angle) file->angle = factor;
     }
@@ -61,9 +66,13 @@ static hawser_status unit_read(IfcFile *file, long id)
 static hawser_status units_read(IfcFile *file)
 {
     StepEntity e = {0};
-    const int at = step_next(&file->step, 0, "IFCUNITASSIGNMENT");
-    hawser_status status = at < 0 ? HAWSER_OK : step_entity(&file->step, file->step.entry[at].id, &e);
-    const StepValue *v = at < 0 || status ? NULL : step_item(&e, step_attribute(&e, 0), 0);
+    const int project = step_next(&file->step, 0, "IFCPROJECT"), at = step_next(&file->step, 0, "IFCUNITASSIGNMENT");
+    hawser_status status = project < 0 ? HAWSER_OK : step_entity(&file->step, file->step.entry[project].id, &e);
+    const long of_project = status || project < 0 ? 0 : step_reference(&e, 8); /* UnitsInContext */
+    const long id = of_project ? of_project : at < 0 ? 0 : file->step.entry[at].id;
+    input_unit(file->step.in, 1, "the file does not say");
+    if (!status && id) status = step_entity(&file->step, id, &e);
+    const StepValue *v = !id || status ? NULL : step_item(&e, step_attribute(&e, 0), 0);
     for (; v && !status; v = step_behind(&e, v)) status = unit_read(file, v->reference);
     step_entity_free(&e);
     return status;
@@ -76,9 +85,7 @@ static hawser_status system_read(IfcFile *file)
     char *const text = file->step.in->out->system;
     const int crs = step_next(&file->step, 0, "IFCPROJECTEDCRS"), map = step_next(&file->step, 0, "IFCMAPCONVERSION");
     hawser_status status = crs < 0 ? HAWSER_OK : step_entity(&file->step, file->step.entry[crs].id, &e);
-    const StepValue *const name = step_attribute(&e, 0);
-    if (crs >= 0 && !status && name->kind == STEP_TEXT)
-        snprintf(text, SURVEY_NAME_MAX, "%.*s", name->length, name->text);
+    if (crs >= 0 && !status) step_text(step_attribute(&e, 0), text, SURVEY_NAME_MAX);
     if (map >= 0 && !status) status = step_entity(&file->step, file->step.entry[map].id, &e);
     if (map >= 0 && !status && (step_number(&e, 2) != 0 || step_number(&e, 3) != 0)) {
         const size_t used = strlen(text);
@@ -201,6 +208,8 @@ static hawser_status layout_add(const IfcFile *file, long id, Alignment *a)
     const int profile = !status && !strcmp(e.name, "IFCALIGNMENTVERTICAL");
     const IfcNest *const part = ifc_parts(file, id, &n);
     if (!status && !plan && !profile && !strncmp(e.name, "IFCALIGNMENT", 12)) survey_ignore(file->step.in->out, e.name);
+    if (!status && !strcmp(e.name, "IFCREFERENT"))
+        survey_ignore(file->step.in->out, "IFCREFERENT: stations count from where the line begins");
     if ((plan && a->n_plan == 0) || (profile && a->n_profile == 0)) {
         for (int i = 0; i < n && !status; ++i) status = segment_add(file, part[i].part, a);
     } else if (profile) {
@@ -218,8 +227,7 @@ static hawser_status alignment_read(const IfcFile *file, long id)
     hawser_status status = step_entity(&file->step, id, &e);
     if (status) return step_entity_free(&e), status;
     char name[SURVEY_NAME_MAX] = "";
-    const StepValue *const label = step_attribute(&e, 2);
-    if (label->kind == STEP_TEXT) snprintf(name, sizeof name, "%.*s", label->length, label->text);
+    step_text(step_attribute(&e, 2), name, sizeof name);
     Alignment *const a = survey_add(file->step.in->out, name);
     if (!a) return step_entity_free(&e), error_memory(file->step.in->err);
     const IfcNest *const part = ifc_parts(file, id, &n);

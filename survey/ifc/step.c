@@ -193,7 +193,7 @@ static void text_parse(Parser *p, StepValue *v, StepKind kind)
 
 static int list_parse(Parser *p, int depth);
 
-/* TYPE(value): the value alone; of a number the type's name is its text. */
+/* TYPE(value): the value alone; of a number or a list the type's name is its text. */
 static int typed_parse(Parser *p, int depth)
 {
     const char *const name = p->c;
@@ -202,7 +202,7 @@ static int typed_parse(Parser *p, int depth)
     p->c = blanks(p->c);
     if (*p->c != '(' || depth >= NESTING_MOST || length > 1000) return fail(p, "expected TYPE(value)"), -1;
     const int list = list_parse(p, depth + 1), item = list < 0 ? 0 : p->out->value[list].first;
-    if (item && p->out->value[item].kind == STEP_NUMBER) {
+    if (item && (p->out->value[item].kind == STEP_NUMBER || p->out->value[item].kind == STEP_LIST)) {
         p->out->value[item].text = name;
         p->out->value[item].length = length;
     }
@@ -357,6 +357,38 @@ long step_reference(const StepEntity *e, int i)
 {
     const StepValue *const v = step_attribute(e, i);
     return v->kind == STEP_REFERENCE ? v->reference : 0;
+}
+
+/* One escape at c; where it ends, or NULL if there is none. */
+static const char *escape_put(const char *c, const char *end, char *out, size_t *n, size_t size)
+{
+    const int wide = end - c > 3 && c[1] == 'X' && (c[2] == '2' || c[2] == '4') && c[3] == '\\' ? (c[2] - '0') * 2 : 0;
+    if (end - c > 3 && c[1] == 'S' && c[2] == '\\')
+        return *n += input_utf8(out + *n, 0x80u + (unsigned char)c[3]), c + 4;
+    if (end - c > 4 && c[1] == 'X' && c[2] == '\\') return *n += input_utf8(out + *n, input_hex(c + 3, 2)), c + 5;
+    if (end - c > 1 && c[1] == '\\') return out[(*n)++] = '\\', c + 2;
+    if (!wide) return NULL;
+    for (c += 4; end - c >= wide && *c != '\\' && *n + 5 < size; c += wide) {
+        const unsigned character = input_hex(c, wide);
+        *n += input_utf8(out + *n, character ? character : '?');
+    }
+    return end - c >= 4 && !strncmp(c, "\\X0\\", 4) ? c + 4 : end;
+}
+
+void step_text(const StepValue *value, char *out, size_t size)
+{
+    const char *c = value->kind == STEP_TEXT ? value->text : "", *const end = c + (*c ? value->length : 0);
+    size_t n = 0;
+    while (c < end && n + 5 < size) {
+        const char *const behind = *c == '\\' ? escape_put(c, end, out, &n, size) : NULL;
+        if (behind) {
+            c = behind;
+            continue;
+        }
+        out[n++] = *c;
+        c += *c == '\'' && end - c > 1 && c[1] == '\'' ? 2 : 1;
+    }
+    out[n] = 0;
 }
 
 int step_is(const StepValue *value, const char *word)

@@ -59,6 +59,9 @@ const StepValue *step_item(const StepEntity *e, const StepValue *list, int i);
 const StepValue *step_behind(const StepEntity *e, const StepValue *item);
 /* NAN if it is no number. */
 double step_number(const StepEntity *e, int i);
+/* A text as UTF-8: ISO 10303-21's escapes \X\, \X2\, \X4\ and \S\ are characters, two quotes are one. Cut to size - 1
+ * bytes; "" if it is no text. */
+void step_text(const StepValue *value, char *out, size_t size);
 /* The entity that an attribute refers to; 0: none. */
 long step_reference(const StepEntity *e, int i);
 /* Whether a word, text or number's type is this. */

@@ -129,6 +129,12 @@ static void curve_add(Reader *r)
         turn = g->length > acos(-1) * radius ? 2 * acos(-1) : 0;
         if (turn == 0) survey_ignore(r->in->out, "a Curve of no length: Start and End are one place");
     }
+    const double other = 2 * acos(-1) - turn; /* the way around the other side */
+    if (fabs(radius * turn - g->length) > fabs(radius * other - g->length) + 1e-3) {
+        survey_ignore(r->in->out, "rot of a Curve: its length says the other side");
+        element_add(r, start, from - side * acos(0), radius * other, -side / radius, -side / radius);
+        return;
+    }
     element_add(r, start, from + side * acos(0), radius * turn, side / radius, side / radius);
 }
 
@@ -145,6 +151,8 @@ static void spiral_add(Reader *r)
     const PlanElement level = {0, 0, 0, g->length, side / g->radius, side / g->radius_end, 0, 0};
     const PlanElement tip = plan_at(&level, g->length);
     const double heading = atan2(end.y - start.y, end.x - start.x) - atan2(tip.y, tip.x);
+    const double off = fabs(hypot(end.x - start.x, end.y - start.y) - hypot(tip.x, tip.y));
+    if (off > 1e-2 + 1e-4 * g->length) survey_ignore(r->in->out, "Ends of Spirals: length and radii lead elsewhere");
     if (*g->kind && strcmp(g->kind, "clothoid")) {
         char what[2 * WORD_MOST];
         snprintf(what, sizeof what, "Spiral's type '%s': taken as a clothoid", g->kind);
@@ -311,14 +319,27 @@ static const struct {
              {"USSurveyFoot", 1200.0 / 3937},
              {"mile", 1609.344}};
 
+/* Heights have the unit of length; a file that gives them another is told so. */
+static void height_unit_check(Reader *r, const char *name, double metres)
+{
+    static const char *const names[] = {"meter", "kilometer", "feet", "miles"};
+    static const double factors[] = {1, 1e3, 0.3048, 1609.344};
+    for (size_t i = 0; name && i < sizeof names / sizeof *names; ++i) {
+        if (!strcasecmp(name, names[i]) && fabs(factors[i] / metres - 1) > 1e-5)
+            survey_ignore(r->in->out, "elevationUnit: heights are taken in the unit of length");
+    }
+}
+
 static void units_read(Reader *r, const char **attributes)
 {
     const char *const name = attribute(attributes, "linearUnit");
+    const double before = r->in->unit;
     for (size_t i = 0; name && i < sizeof units / sizeof *units; ++i) {
-        if (!strcasecmp(name, units[i].name)) {
-            input_unit(r->in, units[i].metres, name);
-            return;
-        }
+        if (strcasecmp(name, units[i].name)) continue;
+        input_unit(r->in, units[i].metres, name);
+        height_unit_check(r, attribute(attributes, "elevationUnit"), units[i].metres);
+        if (r->in->out->n > 0 && r->in->unit != before) FAIL(r, "Units behind what is measured in them: not read");
+        return;
     }
     FAIL(r, "linearUnit is '%.40s': expected meter, foot, USSurveyFoot, inch and the like", name ? name : "not given");
 }
@@ -510,6 +531,7 @@ hawser_status landxml_read(SurveyInput *in)
     if (!r) return error_memory(in->err);
     r->in = in;
     r->current = -1;
+    input_unit(in, 1, "the file does not say");
     r->parser = XML_ParserCreate(NULL);
     if (r->parser) {
         XML_SetUserData(r->parser, r);

@@ -1,6 +1,7 @@
 /* GeoJSON: LineString and MultiLineString as lines, Point and MultiPoint as marks, in features, collections or alone.
  */
 #include <jansson.h>
+#include <math.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -109,6 +110,34 @@ static hawser_status geometry_read(MapPlaces *p, const json_t *g, const Label *l
     return HAWSER_OK;
 }
 
+/* The first position in a file, whatever holds it; NULL: none. */
+static const json_t *position_find(const json_t *in, int depth)
+{
+    static const char *const holders[] = {"features", "geometries", "geometry", "coordinates"};
+    const json_t *found = NULL;
+    if (depth > DEPTH_MOST) return NULL;
+    if (json_is_array(in) && json_is_number(json_array_get(in, 0))) return in;
+    for (size_t i = 0; i < json_array_size(in) && !found; ++i) found = position_find(json_array_get(in, i), depth + 1);
+    for (size_t i = 0; i < sizeof holders / sizeof *holders && !found; ++i)
+        found = json_is_object(in) ? position_find(json_object_get(in, holders[i]), depth + 1) : NULL;
+    return found;
+}
+
+/* Whether a system of coordinates by its name has longitude and latitude. Of one that is not known its first place
+ * tells: metres of a projection are far beyond 180 and 90. */
+static int is_in_degrees(Survey *s, const char *crs, const json_t *root)
+{
+    const json_t *const at = position_find(root, 0);
+    const double x = json_number_value(json_array_get(at, 0)), y = json_number_value(json_array_get(at, 1));
+    const int known = !crs || strstr(crs, "CRS84") || strstr(crs, "4326") || strstr(crs, "4979");
+    char what[SURVEY_NAME_MAX];
+    if (known || !at) return 1;
+    const int degrees = fabs(x) <= 180 && fabs(y) <= 90;
+    snprintf(what, sizeof what, "crs '%.60s': coordinates are taken as %s", crs, degrees ? "degrees" : "metres");
+    survey_ignore(s, what);
+    return degrees;
+}
+
 /* A file may say which place its projection is about ("origin"). Degrees, but for files that say that they hold metres:
  * by "coordinates_in", or by the "crs" of old files. */
 static hawser_status system_find(MapPlaces *p, const json_t *root)
@@ -116,8 +145,7 @@ static hawser_status system_find(MapPlaces *p, const json_t *root)
     const char *const in = json_string_value(json_object_get(root, "coordinates_in"));
     const char *const crs =
         json_string_value(json_object_get(json_object_get(json_object_get(root, "crs"), "properties"), "name"));
-    const int degrees = !crs || strstr(crs, "CRS84") || strstr(crs, "4326") || strstr(crs, "4979");
-    p->plain = (in && !strcmp(in, "m")) || !degrees;
+    p->plain = (in && !strcmp(in, "m")) || !is_in_degrees(p->in->out, crs, root);
     input_unit(p->in, 1, p->plain ? "" : "projected");
     const json_t *const origin = json_object_get(root, "origin");
     if (!p->plain && json_is_number(json_array_get(origin, 0)) && json_is_number(json_array_get(origin, 1))) {

@@ -16,6 +16,7 @@ typedef struct Reader {
     XML_Parser parser;
     hawser_status status;
     int depth, line; /* line: alignment that is open, -1: none */
+    int skipped;     /* depth of the <extensions> in which nothing is read; 0: none */
     char name[SURVEY_NAME_MAX];
     PointKind point;
     double longitude, latitude, height;
@@ -131,6 +132,10 @@ static void begin(void *data, const char *full, const char **attributes)
                             r->depth == 1 ? "the outermost element is <%.40s>: expected <gpx>"
                                           : "<%.40s>: elements more than 64 deep",
                             name));
+    } else if (r->skipped) {
+        return;
+    } else if (!strcmp(name, "extensions")) {
+        r->skipped = r->depth;
     } else if (!strcmp(name, "trk") || !strcmp(name, "rte")) {
         *r->name = 0;
         if (!strcmp(name, "rte")) line_begin(r, "rte");
@@ -149,8 +154,10 @@ static void end(void *data, const char *full)
     Reader *const r = data;
     const char *const name = local(full);
     if (r->status) return;
-    r->depth--;
-    if (!strcmp(name, "name") && r->point != POINT_OF_LINE) {
+    const int depth = r->depth--;
+    if (r->skipped) {
+        if (r->skipped == depth) r->skipped = 0;
+    } else if (!strcmp(name, "name") && r->point != POINT_OF_LINE) {
         memcpy(r->name, r->text, sizeof r->name);
         if (r->line >= 0 && r->point == POINT_NONE)
             memcpy(r->places.in->out->alignment[r->line].name, r->name, sizeof r->name);

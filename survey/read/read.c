@@ -121,6 +121,24 @@ static void lengths_compare(Survey *s)
     }
 }
 
+/* Says where a profile covers less than its line: beyond it goes on with its grade. */
+static void profiles_compare(Survey *s)
+{
+    const double least = 0.01, part = 1e-5; /* m; of the length, rounding of stations */
+    for (int i = 0; i < s->n; ++i) {
+        const Alignment *const a = &s->alignment[i];
+        const double is = alignment_measure(a).plan_length;
+        char what[SURVEY_NAME_MAX];
+        if (a->n_profile == 0 || !(is > 0)) continue;
+        const double from = a->profile[0].station,
+                     to = a->profile[a->n_profile - 1].station + a->profile[a->n_profile - 1].length;
+        if (from < least + part * is && to > is - least - part * is) continue;
+        snprintf(what, sizeof what, "heights of '%.40s' but from %.3f to %.3f m of %.3f: its grade goes on", a->name,
+                 from, to, is);
+        survey_ignore(s, what);
+    }
+}
+
 hawser_status survey_read(const char *path, const SurveyOptions *options, Survey *out, hawser_error *err)
 {
     SurveyInput in;
@@ -141,6 +159,7 @@ hawser_status survey_read(const char *path, const SurveyOptions *options, Survey
     input_close(&in);
     if (!status) names_fill(path, out);
     if (!status) lengths_compare(out);
+    if (!status) profiles_compare(out);
     if (status) survey_clear(out);
     return status;
 }

@@ -248,6 +248,9 @@ static hawser_status piece_lay(SurveyInput *in, const TableRow *row, Alignment *
     const int bend = fabs(angle) > 0, upright = row->turn == TURN_UP || row->turn == TURN_DOWN;
     if (!isnan(v[COLUMN_SLOPE])) at->slope = atan(v[COLUMN_SLOPE]);
     if (bend && !(radius > 0)) return input_error(in, "a bend needs a radius above 0");
+    if (!bend && radius > 0) return input_error(in, "a piece with a radius is a bend, and needs its angle and turn");
+    if (bend && fabs(v[COLUMN_LENGTH] - radius * fabs(angle)) > 1e-3 + 1e-3 * radius * fabs(angle))
+        survey_ignore(in->out, "lengths of bends that are not their radius times their angle");
     if (bend && row->turn == TURN_NONE && angle > 0)
         return input_error(in, "a bend needs a turn: left, right, up or down");
     if (!bend && !(v[COLUMN_LENGTH] > 0))
@@ -278,8 +281,38 @@ static hawser_status pieces_make(SurveyInput *in, const Table *t, Alignment *a)
 
 /* -------------------------------------------------------------------------------------------------------- kinds */
 
+/* Says which columns of numbers a table of this kind has no use for; used: those that it has, up to the first -1. */
+static void unused_say(SurveyInput *in, const Table *t, const char *kind, const int *used)
+{
+    static const char *const names[] = {"x",
+                                        "y",
+                                        "z",
+                                        "length",
+                                        "angle",
+                                        "radius",
+                                        "slope",
+                                        "start radius",
+                                        "end radius",
+                                        "direction",
+                                        "station",
+                                        "gradient",
+                                        "end gradient",
+                                        "curve length",
+                                        "vertical radius"};
+    for (int c = 0; c < COLUMN_TYPE; ++c) {
+        int known = 0;
+        char what[SURVEY_NAME_MAX];
+        for (int i = 0; used[i] >= 0; ++i) known |= used[i] == c;
+        snprintf(what, sizeof what, "column '%s' of a table of %s", names[c], kind);
+        if (t->has[c] && !known) survey_ignore(in->out, what);
+    }
+}
+
 hawser_status table_alignment(SurveyInput *in, Table *t)
 {
+    static const int points[] = {COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_STATION, -1};
+    static const int pieces[] = {COLUMN_LENGTH, COLUMN_ANGLE, COLUMN_RADIUS, COLUMN_SLOPE, COLUMN_STATION, -1};
+
     const int *const has = t->has, plan = has[COLUMN_X] && has[COLUMN_Y];
     Alignment *const a = survey_add(in->out, "");
     if (!a) return error_memory(in->err);
@@ -288,10 +321,10 @@ hawser_status table_alignment(SurveyInput *in, Table *t)
     const double station = has[COLUMN_STATION] ? t->row[0].value[COLUMN_STATION] : NAN;
     a->station = isnan(station) ? 0 : station;
     if (plan && has[COLUMN_LENGTH]) return plan_make(in, t, a);
-    if (plan) return points_make(in, t, a);
+    if (plan) return unused_say(in, t, "points", points), points_make(in, t, a);
     if (has[COLUMN_STATION] && has[COLUMN_Z] && has[COLUMN_GRADE]) return profile_make(in, t, a);
     if (has[COLUMN_STATION] && has[COLUMN_Z]) return corners_make(in, t, a);
-    if (has[COLUMN_LENGTH] || has[COLUMN_ANGLE]) return pieces_make(in, t, a);
+    if (has[COLUMN_LENGTH] || has[COLUMN_ANGLE]) return unused_say(in, t, "pieces", pieces), pieces_make(in, t, a);
     in->line = 0;
     return input_error(in,
                        "the columns are none of these: length, angle, radius, turn, slope; x, y, z; x, y, direction, "

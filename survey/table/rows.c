@@ -10,6 +10,9 @@
 
 enum { CELLS_MOST = 200, HEADER_MOST = 80 };
 
+/* A slope or gradient is dz/ds; degrees of it are an angle. */
+static int is_slope(TableColumn c) { return c == COLUMN_SLOPE || c == COLUMN_GRADE || c == COLUMN_GRADE_END; }
+
 /* Which words stand over which column: letters and digits alone, in lower case. */
 static const struct {
     TableColumn column;
@@ -57,6 +60,7 @@ typedef struct Columns {
     int n;
     TableColumn meaning[CELLS_MOST]; /* TABLE_COLUMNS: none */
     double factor[CELLS_MOST];
+    char tangent[CELLS_MOST]; /* a slope that is given as an angle */
     char separator;
 } Columns;
 
@@ -84,18 +88,40 @@ static int split(SurveyInput *in, char *text, char separator, char *cell[CELLS_M
     }
 }
 
+/* The unit that stands behind a header's name: in brackets, behind a comma, or as a percent sign; NULL: none. */
+static const char *unit_of(const char *text)
+{
+    const char *const bracket = strpbrk(text, "([,");
+    return bracket ? bracket + 1 + strspn(bracket + 1, " ") : strchr(text, '%');
+}
+
+/* German letters with two of the alphabet, in UTF-8 or Latin-1: Laenge, Hoehe. NULL: another. */
+static const char *umlaut(const unsigned char *c)
+{
+    static const struct {
+        unsigned char latin, utf;
+        const char *letters;
+    } umlauts[] = {{0xE4, 0xA4, "ae"}, {0xF6, 0xB6, "oe"}, {0xFC, 0xBC, "ue"}, {0xC4, 0x84, "ae"},
+                   {0xD6, 0x96, "oe"}, {0xDC, 0x9C, "ue"}, {0xDF, 0x9F, "ss"}};
+    for (size_t i = 0; i < sizeof umlauts / sizeof *umlauts; ++i) {
+        if (*c == umlauts[i].latin || (c[0] == 0xC3 && c[1] == umlauts[i].utf)) return umlauts[i].letters;
+    }
+    return NULL;
+}
+
 /* "Start Radius (ft)" into its letters, and the unit's factor; NAN: no such unit. */
 static double header_parse(const char *text, char letters[HEADER_MOST])
 {
-    const char *const bracket = strpbrk(text, "([,");
+    const char *const unit = unit_of(text), *const bracket = strpbrk(text, "([,");
     const char *end = bracket ? bracket : text + strlen(text);
     size_t n = 0;
-    for (const char *c = text; c < end && n + 1 < HEADER_MOST; ++c) {
+    for (const char *c = text; c < end && n + 2 < HEADER_MOST; ++c) {
+        const char *const two = umlaut((const unsigned char *)c);
         if (isalnum((unsigned char)*c)) letters[n++] = (char)tolower((unsigned char)*c);
+        for (int i = 0; two && i < 2; ++i) letters[n++] = two[i];
     }
     letters[n] = 0;
-    if (!bracket) return 1;
-    const char *const unit = bracket + 1 + strspn(bracket + 1, " ");
+    if (!unit) return 1;
     const size_t size = strcspn(unit, " )]");
     for (size_t i = 0; i < sizeof factors / sizeof *factors; ++i) {
         if (strlen(factors[i].name) == size && !strncasecmp(unit, factors[i].name, size)) return factors[i].factor;
@@ -111,6 +137,13 @@ static TableColumn column_of(const char *letters)
         if (strstr(headers[i].names, wanted)) return headers[i].column;
     }
     return TABLE_COLUMNS;
+}
+
+/* Whether a header's unit is one of angles. */
+static int is_angle(const char *text)
+{
+    const char *const unit = unit_of(text);
+    return unit && (!strncasecmp(unit, "deg", 3) || !strncasecmp(unit, "rad", 3) || !strncasecmp(unit, "gon", 3));
 }
 
 static int is_length(TableColumn c)
@@ -138,6 +171,7 @@ static hawser_status header_read(SurveyInput *in, char *text, Columns *columns, 
         if (c == TABLE_COLUMNS) {
             char what[HEADER_MOST + 16];
             snprintf(what, sizeof what, "column '%.60s'", cell[i]);
+            for (char *p = what; *p; ++p) *p = (unsigned char)*p < 128 ? *p : '?'; /* of whatever code page */
             survey_ignore(in->out, what);
             continue;
         }
@@ -148,7 +182,8 @@ static hawser_status header_read(SurveyInput *in, char *text, Columns *columns, 
         if (table->has[c] && c < COLUMN_TYPE)
             return input_error(in, "column '%.60s' means the same as one before it", cell[i]);
         table->has[c] = 1;
-        columns->factor[i] = strpbrk(cell[i], "([,") ? factor : usual_factor(in, c);
+        columns->factor[i] = unit_of(cell[i]) ? factor : usual_factor(in, c);
+        columns->tangent[i] = (char)(is_slope(c) && is_angle(cell[i]));
     }
     return columns->n < 0 ? HAWSER_ERR_INPUT : HAWSER_OK;
 }
@@ -194,6 +229,8 @@ static hawser_status cell_read(SurveyInput *in, const Columns *columns, int i, c
     }
     if (!cell_number(in, columns, text, &row->value[c])) return input_error(in, "'%.40s' is no number", text);
     row->value[c] *= columns->factor[i];
+    if (columns->tangent[i] && !(fabs(row->value[c]) < 1.57)) return input_error(in, "'%.40s' is too steep", text);
+    if (columns->tangent[i]) row->value[c] = tan(row->value[c]);
     return HAWSER_OK;
 }
 
@@ -275,6 +312,7 @@ hawser_status table_rows(SurveyInput *in, Table *table)
         char *text = line.text;
         if (in->line == 1 && !strncmp(text, "\xEF\xBB\xBF", 3)) text += 3;
         if (text[strspn(text, " \t;,")] == 0 || *text == '#') continue;
+        if (columns->n == 0 && !strncmp(text, "sep=", 4)) continue; /* a spreadsheet's word to itself */
         status = columns->n ? row_read(in, columns, text, table) : header_read(in, text, columns, table);
     }
     if (!status && more < 0) status = in->err->status;

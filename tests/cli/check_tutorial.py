@@ -1,9 +1,9 @@
-"""The tutorial's commands, run as they stand, and what they print against what the tutorial says they do.
+"""The commands of documents, run as they stand, and what they print against what the documents say they do.
 
 Usage: check_tutorial.py HAWSER SOURCE [--update]
-In docs/tutorial.md a block ```console holds commands ("$ hawser ...") and lines of what each prints, in order; "..." stands for lines that
-are left out. Words must be the same; numbers may differ by 1 % or 0.3, as they do between processors. A block ```yaml must stand in a file of
-docs/tutorial/. --update puts the lines that the program prints now in the place of those that begin with the same words.
+The tutorial's commands run among the files of docs/tutorial/, those of docs/routes.md among cases/routes/. A block ```console
+holds commands ("$ hawser ...") and lines of what each prints, in order; "..." stands for lines that are left out. Words must be the same; numbers may differ by 1 % or 0.3, as they do between processors. A block ```yaml must stand in a file of
+the folder. --update puts the lines that the program prints now in the place of those that begin with the same words.
 """
 import os
 import re
@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 
+DOCUMENTS = (("docs/tutorial.md", "docs/tutorial"), ("docs/routes.md", "cases/routes"))
 NEAR, SMALL = 0.01, 0.3
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
@@ -53,10 +54,9 @@ def follow(block, folder, hawser, complaints):
     return "\n".join(lines) + "\n"
 
 
-def main(hawser, source, update):
-    path, cases = os.path.join(source, "docs/tutorial.md"), os.path.join(source, "docs/tutorial")
-    complaints = []
-    with open(path, encoding="utf-8") as f:
+def check(hawser, document, cases, update, complaints):
+    """Runs what one document says in a copy of its folder."""
+    with open(document, encoding="utf-8") as f:
         text = f.read()
     with tempfile.TemporaryDirectory() as folder:
         files = ""
@@ -66,11 +66,17 @@ def main(hawser, source, update):
                 files += f.read()
         for block in re.findall(r"```yaml\n(.*?)```", text, re.S):
             if block not in files:
-                complaints.append(f"no file of docs/tutorial/ holds\n{block}")
+                complaints.append(f"no file of {cases} holds\n{block}")
         new = re.sub(r"(?<=```console\n).*?(?=```)", lambda m: follow(m.group(0), folder, hawser, complaints), text, flags=re.S)
     if update:
-        with open(path, "w", encoding="utf-8") as f:
+        with open(document, "w", encoding="utf-8") as f:
             f.write(new)
+
+
+def main(hawser, source, update):
+    complaints = []
+    for document, cases in DOCUMENTS:
+        check(hawser, os.path.join(source, document), os.path.join(source, cases), update, complaints)
     for complaint in complaints:
         print(complaint, file=sys.stderr)
     return 1 if complaints else 0

@@ -96,7 +96,19 @@ for setting in run.duration=1e300s output.interval=1e-9s output.states=1e-9s cha
     (cd "$work" && $limit && exec "$hawser" check pull.yaml --set "$setting" >out 2>err)
     [ $? = 2 ] || fail "$what: not 2"
     grep -q "out of range\|too short\|too many\|too large" "$work/err" || fail "$what: $(cat "$work/err")"
+    case $setting in
+    *segment* | *spacing* | output*) grep -q "needs [0-9.e+]* GB" "$work/err" || fail "$what: not what it needs" ;;
+    esac
 done
+# within the bounds, and more than the machine may give
+if [ "$limit" != : ]; then
+    what="hawser run of a chain that needs more than there is"
+    (cd "$work" && ulimit -v 300000 && exec "$hawser" run pull.yaml -o much --quiet --set chain.0.length=500m \
+        --set chain.0.segment=5mm --set route.pieces.0.straight=550m --set route.head_at=502m >out 2>err)
+    [ $? = 5 ] || fail "$what: not 5"
+    says err "out of memory: the run needs 4" "there are 0.3"
+    missing much
+fi
 
 # text that would command a terminal or a spreadsheet
 run_hawser 2 check pull.yaml --set 'title="a\e[31mb"'

@@ -320,10 +320,29 @@ static void test_capsules_double_at_joints(void **state)
     check_close(force[0], 2 * force[1], 1e-13 * force[0]);
 }
 
+/* The slope of the way from p: a product of the place and the axis of each segment, the first and the last too; before
+ * the first it falls, behind the last it rises. */
+static void test_slope(void **state)
+{
+    (void)state;
+    TestScene s;
+    line_new(&s, 3.1, 1e-3);
+    line_bend(&s, 0.1, 1e-3);
+    const Vec3 p = v3(0.3, -0.2, 0.1);
+    assert_true(line_slope(&s.chain, &s.kin, -1, p) < 0);
+    assert_true(line_slope(&s.chain, &s.kin, s.chain.n, p) > 0);
+    for (int i = 0; i < s.chain.n; ++i) {
+        const Vec3 way = v3_sub(vec_load(s.kin.p, i), p);
+        check_close(line_slope(&s.chain, &s.kin, i, p), v3_dot(way, vec_load(s.kin.a, i)), 1e-15);
+    }
+    scene_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_straight),
+        cmocka_unit_test(test_slope),
         cmocka_unit_test(test_bent),
         cmocka_unit_test(test_sheared),
         cmocka_unit_test(test_ends),

@@ -7,6 +7,7 @@ import unittest
 import check_adding
 import check_documents
 import check_equations
+import check_handles
 import check_includes
 import check_sizes
 
@@ -93,6 +94,22 @@ class Includes(unittest.TestCase):
                            ("sim/a.c", "yaml.h"), ("theory/a.c", "nvector/nvector_serial.h"),
                            ("sim/run/a.c", "cvode/cvode.h")]:
             self.assertEqual(1, len(self.check({path: f"#include <{name}>\n"})), (path, name))
+
+
+class Handles(unittest.TestCase):
+    HEADER = {"include/hawser/hawser.h": "typedef struct hawser_sim hawser_sim;\nint hawser_sim_count(const hawser_sim *s, int *n);\n"}
+
+    def check(self, source):
+        return Tree({**self.HEADER, "io/a.c": source}).complaints(check_handles.check)
+
+    def test_one_that_asks_is_fine(self):
+        self.assertEqual([], self.check("int hawser_sim_count(const hawser_sim *s, int *n)\n{\n    s = SHOWN(s);\n    return *n;\n}\n"))
+        self.assertEqual([], self.check("int hawser_sim_count(const Sim *s, int *n) { return s ? SHOWN(s)->n : 0; }\n"))
+
+    def test_one_that_does_not_is_caught(self):
+        said = self.check("int hawser_sim_count(const hawser_sim *handle, int *n)\n{\n    return handle->n; /* SHOWN(handle) */\n}\n")
+        self.assertIn("without SHOWN(handle)", said[0])
+        self.assertIn("not found", self.check("int other(void) { return 1; }\n")[0])
 
 
 class Equations(unittest.TestCase):

@@ -129,7 +129,7 @@ static inline hawser_status fixture_finish(Results *r, hawser_error *err)
 {
     const ResultsTables tables = {3, fixture_stations, R, fixture_rollers, 0, N, NULL, NULL};
     const hawser_status status = results_finish(r, &tables, err);
-    const hawser_status told = results_summary(r, "{\"outcome\": \"finished\"}\n", status ? NULL : err);
+    const hawser_status told = results_summary(r, "{\"outcome\": \"finished\"}\n", !status, status ? NULL : err);
     return status ? status : told;
 }
 

@@ -275,6 +275,35 @@ static void levels(void **state)
     scene_def_clear(&def);
 }
 
+/* A run whose figures are those of its second pass: these are certified, refined from its settings, and by what the
+ * case says of v_s, not by what the pass made of it. */
+static void a_second_pass(void **state)
+{
+    (void)state;
+    const hawser_certify_options once = {.rounds = 1};
+    Certified z = certify(data_text("trust-slack"), NULL, &once);
+    hawser_summary sum;
+    hawser_sim_summary(z.sim, &sum);
+    consistent(z.cert);
+    assert_string_equal(sum.passes->outcome, "replaced");
+    assert_int_equal(z.cert->n_runs, 2 + HAWSER_SOURCES);
+    check_equal(figure(z.cert, "pull, peak")->value, sum.pull_peak_N);
+    check_equal(z.cert->run[0].accuracy, 2.5e-4);
+    check_equal(z.cert->run[0].friction, 0.5);
+    assert_int_equal(z.cert->run[0].segments, 84);
+    for (int r = 0; r < z.cert->n_runs; r++) {
+        const hawser_certify_run *const run = &z.cert->run[r];
+        assert_int_equal(run->status, HAWSER_OK); /* a second pass's bound on steps is not theirs */
+        check_share(run->accuracy, 2.5e-4 * pow(4, -run->level[HAWSER_TIME]), 1e-12);
+        check_share(run->friction, 0.5 * pow(2, -run->level[HAWSER_TIME]), 1e-12);
+        assert_int_equal(run->segments, (int)(84 * pow(2, run->level[HAWSER_LENGTH])));
+    }
+    /* 1908 N on segments a quarter as long as the first pass's, 2125 N by that */
+    const hawser_certified *const peak = figure(z.cert, "pull, peak");
+    check_at_most(fabs(peak->value - 1908), peak->run_bar);
+    certified_free(&z);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -285,6 +314,7 @@ int main(void)
         cmocka_unit_test(one_thread_or_two),
         cmocka_unit_test(not_trusted),
         cmocka_unit_test(a_rod),
+        cmocka_unit_test(a_second_pass),
         cmocka_unit_test(half_a_turn),
         cmocka_unit_test(texts),
         cmocka_unit_test(refused),

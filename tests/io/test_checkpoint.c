@@ -275,6 +275,88 @@ static void test_what_is_not_whole(void **state)
     hawser_sim_free(s);
 }
 
+/* What a simulation is told between two visits of one state; FORCE and LAW are no numbers of hawser_control. */
+enum { FORCE = 100, LAW = 101 };
+typedef struct Told {
+    const char *path;
+    int what;
+    const char *on;
+    double value;
+} Told;
+
+static const Told told[] = {{"tests/data/short-pull.yaml", HAWSER_WINCH_SPEED, NULL, 0.2},
+                            {"tests/data/short-pull.yaml", HAWSER_WINCH_BRAKE, NULL, 0},
+                            {"tests/data/short-pull.yaml", HAWSER_WINCH_PAUSE, NULL, 0},
+                            {"tests/data/short-pull.yaml", HAWSER_FRICTION, NULL, 2},
+                            {"tests/data/short-pull.yaml", FORCE, NULL, 50},
+                            {"tests/data/short-pull.yaml", LAW, NULL, 0},
+                            {"tests/data/scripted-pull.yaml", HAWSER_JAM, "R5", 0},
+                            {"tests/data/scripted-pull.yaml", FORCE, NULL, 50},
+                            {"tests/data/hold-tension.yaml", HAWSER_JAM, "K", 0},
+                            {"tests/data/hold-tension.yaml", HAWSER_CONVEYOR_SPEED, "K", 0.2},
+                            {"tests/data/hold-tension.yaml", HAWSER_CONVEYOR_CLAMP, "K", 1000},
+                            {"tests/data/scripted-reel.yaml", HAWSER_REEL_BRAKE, NULL, 900},
+                            {"tests/data/scripted-reel.yaml", HAWSER_WINCH_TENSION, NULL, 2000},
+                            {"tests/data/scripted-reel.yaml", HAWSER_WINCH_BRAKE, NULL, 0}};
+
+static int drag(void *user, const hawser_segment_now *at, double wrench[6], double by_place[36], double by_motion[36])
+{
+    (void)user, (void)by_place, (void)by_motion;
+    for (int k = 0; k < 3; ++k) wrench[k] = -30 * at->velocity_m_per_s[k];
+    return 0;
+}
+
+static hawser_status tell(hawser_sim *s, const Told *t, hawser_error *err)
+{
+    const hawser_force force = {.force_N = {0, 0, t->value}};
+    if (t->what == FORCE) return hawser_sim_force(s, 3, &force, 0.1, err);
+    if (t->what == LAW) return hawser_sim_set_law(s, 2, 9, drag, 0, NULL, err);
+    return hawser_sim_control(s, (hawser_control)t->what, t->on, t->value, 0.1, err);
+}
+
+static Bytes later(hawser_sim *s, const Scene *scene)
+{
+    for (int k = 1; k <= 25; ++k) step(s, scene, k);
+    return save(s);
+}
+
+/* A state is what it was, whatever the simulation has been told since: also a state in the plane, which commands bring
+ * into space. */
+static void test_back_over_a_command(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof told / sizeof *told; ++k) {
+        hawser_error err = {.status = HAWSER_OK};
+        const Scene scene = {told[k].path, 0.6, NULL, NULL};
+        hawser_sim *const s = sim_of(&scene, 1);
+        go_to_scene(s, &scene);
+        const Bytes then = save(s), expected = later(s, &scene);
+        load(s, then);
+        if (tell(s, &told[k], &err)) fail_msg("%s: %s", told[k].path, err.message);
+        hawser_bytes_free(later(s, &scene).at);
+        load(s, then);
+        if (told[k].what == LAW) { /* which is the caller's, and stays */
+            hawser_sim *const other = sim_of(&scene, 1);
+            if (hawser_sim_set_law(other, 2, 9, drag, 0, NULL, &err)) fail_msg("%s", err.message);
+            load(other, then);
+            const Bytes a = later(s, &scene), b = later(other, &scene);
+            if (first_difference(a, b) >= 0) fail_msg("row %zu: piece %d", k, first_difference(a, b));
+            assert_int_not_equal(first_difference(a, expected), -1);
+            hawser_bytes_free(a.at);
+            hawser_bytes_free(b.at);
+            hawser_sim_free(other);
+        } else {
+            const Bytes again = later(s, &scene);
+            if (first_difference(expected, again) >= 0)
+                fail_msg("row %zu, %s: piece %d", k, told[k].path, first_difference(expected, again));
+            hawser_bytes_free(again.at);
+        }
+        hawser_bytes_free(then.at);
+        hawser_bytes_free(expected.at);
+        hawser_sim_free(s);
+    }
+}
+
 /* The head: 16 bytes of its piece, 16 of magic, then format, size and hash of what follows. */
 enum { FORMAT_AT = 32, HASH_AT = 48, BODY_AT = 56 };
 
@@ -299,9 +381,10 @@ static void test_what_is_of_another(void **state)
     hawser_sim *const same = sim_of(&often, 1);
     load(same, good); /* how often checkpoints are made makes no other case */
     unsigned char *const bytes = good.at;
+    const unsigned char format = bytes[FORMAT_AT];
     bytes[FORMAT_AT] = 77;
     refused(s, bytes, good.size, "another version of hawser: format 77");
-    bytes[FORMAT_AT] = 1;
+    bytes[FORMAT_AT] = format;
     /* the first piece is the version's text */
     bytes[BODY_AT + 16] ^= 1;
     hash_again(bytes, good.size);
@@ -355,6 +438,7 @@ int main(void)
         cmocka_unit_test(test_what_is_not_whole),
         cmocka_unit_test(test_what_is_of_another),
         cmocka_unit_test(test_wrong_pieces),
+        cmocka_unit_test(test_back_over_a_command),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

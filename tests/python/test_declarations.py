@@ -27,8 +27,6 @@ NOT_WRAPPED = {
     "hawser_validate": "a check of hawser itself, by the command",
     "hawser_certificate_write": "Certificate.data is the same JSON",
     "hawser_routes_describe": "Route has the figures",
-    "hawser_compare": "a measured pull against a run: the command",
-    "hawser_fmu_write": "for other programs: the command",
 }
 # Members of a sample that Python has under another name.
 ELSEWHERE = {"machines", "machine", "figures", "figure", "probes", "probe", "field", "pass"}

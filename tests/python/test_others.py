@@ -55,6 +55,32 @@ def test_the_catalogue(program):
         hawser.library("no such kind")
 
 
+def test_a_measured_pull(tmp_path, program):
+    """What the command says of the same, and what options change."""
+    result = hawser.run(ROOT / "cases" / "huangjiahu.yaml", set={"run.duration": "12 s", "run.steady_from": "6 s"}, out=tmp_path / "pull")
+    log = ROOT / "cases" / "studies" / "pull.csv"
+    said = subprocess.run([program, "compare", str(tmp_path / "pull"), str(log), "--json"], capture_output=True, check=True).stdout
+    found = result.against(log, page=tmp_path / "page.html")
+    assert found == json.loads(said)
+    assert (tmp_path / "page.html").read_text().startswith("<!doctype html>")
+    assert result.against(log, band=0.5) != found
+    with pytest.raises(ValueError, match="length"):
+        result.against(log, align="luck")
+    with pytest.raises(hawser.CaseError):
+        result.against(tmp_path / "none.csv")
+
+
+def test_a_mock_up_unit(tmp_path, program):
+    """The bytes that the command writes."""
+    path = DATA / "hold-tension.yaml"
+    for version in (2, 3):
+        subprocess.run([program, "fmu", str(path), "--fmi", str(version), "-o", str(tmp_path / "command.fmu")], capture_output=True, check=True)
+        assert hawser.Case(path).fmu(tmp_path / "python.fmu", version=version) == tmp_path / "python.fmu"
+        assert (tmp_path / "python.fmu").read_bytes() == (tmp_path / "command.fmu").read_bytes()
+    with pytest.raises(hawser.CaseError, match="FMI"):
+        hawser.Case(path).fmu(tmp_path / "python.fmu", version=1)
+
+
 def test_a_certificate():
     seen = []
     certificate = hawser.certify(DATA / "certify.yaml", progress=seen.append)

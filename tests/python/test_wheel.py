@@ -29,6 +29,7 @@ def test_what_is_in_it(wheel):
     catalogue = {f"hawser/share/hawser/library/{path.name}" for path in (ROOT / "library").glob("*.yaml")}
     assert modules | catalogue | {"hawser/py.typed", "hawser/_native.abi3.so", "hawser/_declared.py"} <= names
     assert all(name.startswith(("hawser/", "hawser-")) for name in names)
+    assert sum(name.endswith("/hawser/fmu.so") for name in names) == 1
 
 
 def test_it_works_elsewhere(wheel, tmp_path):
@@ -36,10 +37,11 @@ def test_it_works_elsewhere(wheel, tmp_path):
     subprocess.run([sys.executable, "-m", "pip", "install", "-q", "--no-index", "--no-deps", "--no-compile", "--target",
                     tmp_path / "site", wheel], check=True, env={**os.environ, "PIP_NO_CACHE_DIR": "1"})
     text = ("import hawser; assert hawser.__file__.startswith(%r), hawser.__file__\n"
-            "print(len(hawser.library('ropes')), hawser.run(%r).verdict.word)")
+            "print(len(hawser.library('ropes')), hawser.run(%r).verdict.word); hawser.Case(%r).fmu('pull.fmu')")
     clean = {key: value for key, value in os.environ.items() if not key.startswith(("HAWSER", "PYTHONPATH"))}
-    said = subprocess.run([sys.executable, "-c", text % (str(tmp_path), str(DATA / "full-library.yaml"))], cwd=tmp_path, text=True,
+    said = subprocess.run([sys.executable, "-c", text % (str(tmp_path), *2 * [str(DATA / "full-library.yaml")])], cwd=tmp_path, text=True,
                           env={**clean, "PYTHONPATH": str(tmp_path / "site")}, capture_output=True, check=True).stdout.split()
     assert int(said[0]) == len(hawser.library("ropes")) and said[1] in ("SAFE", "NOT")
+    assert zipfile.is_zipfile(tmp_path / "pull.fmu")
     linked = subprocess.run(["ldd", tmp_path / "site" / "hawser" / "_native.abi3.so"], capture_output=True, text=True).stdout
     assert "libhawser" not in linked and "not found" not in linked

@@ -343,13 +343,43 @@ static void test_objectivity(void **state)
     }
 }
 
+/* The bearing's law: odd in the speed, the whole of it from `speed` on, three halves of the slope at rest; the
+ * journal's friction grows with the load. Derivatives by differences. */
+static void test_bearing(void **state)
+{
+    (void)state;
+    const Bearing b = {.friction = 0.1, .journal = 0.02, .torque = 0.5, .speed = 4};
+    const double load = 300, most = 0.5 + 0.1 * 0.02 * 300, h = 1e-6;
+    double by_om, by_load, unused;
+    check_close(bearing_torque(&b, load, 40, &by_om, &by_load), -most, 1e-15);
+    check_close(bearing_torque(&b, load, -4.001, &by_om, &by_load), most, 1e-15);
+    check_close(by_om, 0, 1e-15);
+    check_close(bearing_torque(&b, load, 0, &by_om, &by_load), 0, 1e-15);
+    check_close(by_om, -1.5 * most / 4, 1e-15);
+    check_close(bearing_torque(&b, load, 2, &by_om, &by_load), -most * 11. / 16, 1e-15);
+    for (double om = -5; om <= 5; om += 0.37) {
+        bearing_torque(&b, load, om, &by_om, &by_load);
+        const double up = bearing_torque(&b, load, om + h, &unused, &unused),
+                     down = bearing_torque(&b, load, om - h, &unused, &unused),
+                     more = bearing_torque(&b, load + 1, om, &unused, &unused),
+                     less = bearing_torque(&b, load - 1, om, &unused, &unused);
+        check_close(by_om, (up - down) / (2 * h), 1e-6);
+        check_close(by_load, (more - less) / 2, 1e-12);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_slows_down), cmocka_unit_test(test_cable_drives_roller),
-        cmocka_unit_test(test_deflection), cmocka_unit_test(test_frequencies),
-        cmocka_unit_test(test_gyroscope),  cmocka_unit_test(test_at_rest_as_fixed),
-        cmocka_unit_test(test_threads),    cmocka_unit_test(test_objectivity),
+        cmocka_unit_test(test_bearing),
+        cmocka_unit_test(test_slows_down),
+        cmocka_unit_test(test_cable_drives_roller),
+        cmocka_unit_test(test_deflection),
+        cmocka_unit_test(test_frequencies),
+        cmocka_unit_test(test_gyroscope),
+        cmocka_unit_test(test_at_rest_as_fixed),
+        cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_objectivity),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,8 @@
 /* Cables that move and touch each other: a strand that lies across two others presses on them by its weight, one that
  * falls on them comes to rest, strands that meet in flight keep their momentum and gain no energy, and two threads give
  * the bits of one. */
+#include <string.h>
+
 #include "sim/newton/relax_space.h"
 #include "sim/step/integrator.h"
 #include "tests/sim/room_fixture.h"
@@ -41,6 +43,14 @@ static void loads_of(Rig *r, double *between, double *rollers)
     const int count =
         self_details(&r->scene.self, SELF_ALONE(&r->scene.chain, &r->ws.kin), 1, &r->ws.self, ROOM, detail);
     assert_in_range(count, 2, ROOM);
+    SelfDetail two[3]; /* more than there is room for: counted, not written */
+    memset(two, 0x5A, sizeof two);
+    const SelfDetail last = two[2];
+    for (int room = 0; room < 3; ++room) {
+        assert_int_equal(self_details(&r->scene.self, &r->scene.chain, &r->ws.kin, 1, &r->ws.self, room, two), count);
+        assert_memory_equal(&two[2], &last, sizeof last);
+        if (room < 2) assert_memory_equal(&two[room], &last, sizeof last);
+    }
     *between = *rollers = 0;
     for (int k = 0; k < count; ++k) {
         const Vec3 f = v3_axpy(detail[k].friction, detail[k].normal, detail[k].direction);

@@ -142,10 +142,31 @@ static void test_take(void **state)
     vectors_free(&s);
 }
 
+/* N_VClone gets what is in stock, and what is left of that goes. */
+static void test_stock(void **state)
+{
+    (void)state;
+    static Vectors s;
+    vectors_new(&s, 100, 1, NULL);
+    assert_int_equal(vector_family_stock(s.v[0], 3), 1);
+    N_Vector last = s.family.spare[2], taken = N_VClone(s.v[1]), own = vector_clone(s.v[1]);
+    assert_ptr_equal(taken, last);
+    assert_int_equal(s.family.n_spare, 2);
+    N_VScale(2, s.v[1], taken);
+    check_close(N_VGetArrayPointer(taken)[7], 2 * sin(1008), 1e-15);
+    assert_int_equal(s.family.n, VECTORS + 4);
+    assert_int_equal(vector_family_unstock(&s.family), 2);
+    assert_int_equal(s.family.n, VECTORS + 2);
+    N_VDestroy(own);
+    N_VDestroy(taken);
+    vectors_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_take),
+        cmocka_unit_test(test_stock),
         cmocka_unit_test(test_bits),
         cmocka_unit_test(test_waits),
     };

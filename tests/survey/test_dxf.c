@@ -246,6 +246,36 @@ static void railway_sheet(void **state)
     survey_clear(&ifc);
 }
 
+/* Units beyond the usual ones, a full circle as an arc, entities that are not to be seen, names in an older drawing's
+ * escapes; ezdxf reads the same of such files. */
+static void as_programs_write_them(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        double length;
+        int ignored;
+    } units[] = {{DXF("22", "0\nLINE\n8\nA\n10\n0\n20\n0\n11\n1000\n21\n0\n"), 1000 * 100 / 3937.0, 0},
+                 {DXF("15", "0\nLINE\n8\nA\n10\n0\n20\n0\n11\n1000\n21\n0\n"), 1e4, 0},
+                 {DXF("13", "0\nLINE\n8\nA\n10\n0\n20\n0\n11\n1e7\n21\n0\n"), 10, 0},
+                 {DXF("17", "0\nLINE\n8\nA\n10\n0\n20\n0\n11\n1000\n21\n0\n"), 1000, 1}}; /* Gm: not believed, said */
+    for (size_t i = 0; i < sizeof units / sizeof *units; ++i) {
+        Survey s = drawing(units[i].text);
+        check_close(alignment_measure(only(&s)).length, units[i].length, 1e-9);
+        assert_int_equal(s.n_ignored, units[i].ignored);
+        survey_clear(&s);
+    }
+    Survey s = drawing(DXF("6", "0\nARC\n8\nA\n10\n1\n20\n2\n40\n10\n50\n0\n51\n360\n"));
+    check_close(alignment_measure(only(&s)).length, 20 * acos(-1), 1e-12);
+    survey_clear(&s);
+    s = drawing(DXF("6", "0\nLINE\n8\nS\\U+00FCd\\U+20AC\n10\n0\n20\n0\n11\n3\n21\n0\n"
+                         "0\nLINE\n8\nA\n60\n1\n10\n3\n20\n0\n11\n9\n21\n0\n"));
+    assert_string_equal(only(&s)->layer, "S\xC3\xBC"
+                                         "d\xE2\x82\xAC");
+    assert_string_equal(s.ignored[0].what, "LINE that is not to be seen");
+    survey_clear(&s);
+}
+
 static void what_is_wrong(void **state)
 {
     (void)state;
@@ -264,6 +294,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lines_and_arcs), cmocka_unit_test(polylines),         cmocka_unit_test(splines),
         cmocka_unit_test(paper_space),    cmocka_unit_test(layers_and_blocks), cmocka_unit_test(marks),
-        cmocka_unit_test(binary),         cmocka_unit_test(railway_sheet),     cmocka_unit_test(what_is_wrong)};
+        cmocka_unit_test(binary),         cmocka_unit_test(railway_sheet),     cmocka_unit_test(as_programs_write_them),
+        cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

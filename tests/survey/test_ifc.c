@@ -108,7 +108,7 @@ static void units_and_placement(void **state)
     const AlignmentMeasure m = alignment_measure(&s.alignment[0]);
     check_vec(m.start, v3(8, 1, 1.5), 1e-12);
     check_vec(m.end, v3(3, 1, 2), 1e-12);
-    assert_string_equal(s.alignment[0].name, "it''s (1;2)");
+    assert_string_equal(s.alignment[0].name, "it's (1;2)");
     survey_clear(&s);
 }
 
@@ -168,6 +168,84 @@ static void older_schema_and_polyline(void **state)
     survey_clear(&s);
 }
 
+#define DRAWN(body)                                                                                                    \
+    "#1=IFCALIGNMENT('a',$,'S\\X2\\00FC\\X0\\d \\X\\E9\\S\\i',$,$,$,#2,$);\n#2=IFCPRODUCTDEFINITIONSHAPE($,$,(#3));\n" \
+    "#3=IFCSHAPEREPRESENTATION($,'Axis','Curve3D',(#4));\n" body
+
+/* Arcs by three points, level and in space; corners in another order than the list's; lengths as parameters; a clothoid
+ * that is run through against its parent; cant over a curve; units of units; names with escapes. */
+static void curves_of_other_kinds(void **state)
+{
+    (void)state;
+    Survey s;
+    const double pi = acos(-1);
+    assert_string_equal(
+        read_text(
+            IFC("IFC4X3", DRAWN("#4=IFCINDEXEDPOLYCURVE(#5,(IFCLINEINDEX((4,1)),IFCARCINDEX((1,2,3))),$);\n"
+                                "#5=IFCCARTESIANPOINTLIST3D(((10.,0.,5.),(13.,1.,5.),(15.,5.,5.),(0.,0.,5.)));\n")),
+            &s),
+        "");
+    assert_string_equal(s.alignment[0].name, "S\xC3\xBC"
+                                             "d \xC3\xA9\xC3\xA9");
+    assert_int_equal(s.alignment[0].n_plan, 2);
+    check_close(alignment_measure(&s.alignment[0]).length, 10 + 2.5 * pi, 1e-9);
+    check_close(s.alignment[0].plan[1].k0, 0.2, 1e-12);
+    check_vec(alignment_measure(&s.alignment[0]).end, v3(15, 5, 5), 1e-9);
+    survey_clear(&s);
+    /* three quarters of an upright circle, clockwise in plan's words: chords */
+    assert_string_equal(
+        read_text(IFC("IFC4X3", DRAWN("#4=IFCINDEXEDPOLYCURVE(#5,(IFCARCINDEX((1,2,3))),$);\n"
+                                      "#5=IFCCARTESIANPOINTLIST3D(((10.,0.,0.),(-10.,0.,0.),(0.,0.,-10.)));\n")),
+                  &s),
+        "");
+    check_close(alignment_measure(&s.alignment[0]).length, 15 * pi, 5e-3);
+    check_vec(alignment_measure(&s.alignment[0]).end, v3(0, 0, -10), 1e-9);
+    survey_clear(&s);
+    assert_string_equal(
+        read_text(IFC("IFC4X3",
+                      "#90=IFCUNITASSIGNMENT((#91));\n#91=IFCCONVERSIONBASEDUNIT(*,.LENGTHUNIT.,'FOOT',#92);\n"
+                      "#92=IFCMEASUREWITHUNIT(IFCLENGTHMEASURE(12.),#93);\n"
+                      "#93=IFCCONVERSIONBASEDUNIT(*,.LENGTHUNIT.,'INCH',#94);\n"
+                      "#94=IFCMEASUREWITHUNIT(IFCLENGTHMEASURE(2.54),#95);\n"
+                      "#95=IFCSIUNIT(*,.LENGTHUNIT.,.CENTI.,.METRE.);\n" DRAWN(
+                          "#4=IFCSEGMENTEDREFERENCECURVE((),.F.,#6,$);\n#6=IFCCOMPOSITECURVE((#10,#20),.F.);\n"
+                          "#10=IFCCURVESEGMENT(.CONTINUOUS.,#11,IFCPARAMETERVALUE(0.),IFCPARAMETERVALUE(4.),#13);\n"
+                          "#11=IFCAXIS2PLACEMENT2D(#12,$);\n#12=IFCCARTESIANPOINT((0.,0.));\n#13=IFCLINE(#12,#14);\n"
+                          "#14=IFCVECTOR(#15,25.);\n#15=IFCDIRECTION((1.,0.));\n"
+                          "#20=IFCCURVESEGMENT(.CONTINUOUS.,#21,IFCLENGTHMEASURE(80.),IFCLENGTHMEASURE(-80.),#23);\n"
+                          "#21=IFCAXIS2PLACEMENT2D(#22,#15);\n#22=IFCCARTESIANPOINT((100.,0.));\n"
+                          "#23=IFCCLOTHOID(#21,200.);\n")),
+                  &s),
+        "");
+    const Alignment *const a = &s.alignment[0];
+    check_close(a->plan[0].length, 100 * 0.3048, 1e-12);
+    check_close(a->plan[1].length, 80 * 0.3048, 1e-12);
+    check_close(a->plan[1].k0, -80 / (200.0 * 200) / 0.3048, 1e-15); /* backward: to the right, straightening */
+    check_close(a->plan[1].k1, 0, 1e-15);
+    check_below(alignment_measure(a).gap, 1e-9);
+    check_has(s.ignored[0].what, "cant");
+    survey_clear(&s);
+    /* the project's units count, not the first in the file */
+    assert_string_equal(
+        read_text(IFC("IFC4X3", "#80=IFCUNITASSIGNMENT((#81));\n#81=IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.);\n"
+                                "#82=IFCPROJECT('p',$,$,$,$,$,$,$,#83);\n#83=IFCUNITASSIGNMENT((#84));\n"
+                                "#84=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);\n" DRAWN(
+                                    "#4=IFCPOLYLINE((#5,#6));\n#5=IFCCARTESIANPOINT((0.,0.));\n"
+                                    "#6=IFCCARTESIANPOINT((3000.,4000.));\n")),
+                  &s),
+        "");
+    check_close(alignment_measure(&s.alignment[0]).length, 5, 1e-12);
+    survey_clear(&s);
+    bad(IFC("IFC4X3", DRAWN("#4=IFCINDEXEDPOLYCURVE(#5,(IFCARCINDEX((1,2,9))),$);\n"
+                            "#5=IFCCARTESIANPOINTLIST2D(((1.,0.),(2.,0.),(3.,3.)));\n")),
+        "a point that is not in its list");
+    bad(IFC("IFC4X3",
+            DRAWN(
+                "#4=IFCCOMPOSITECURVE((#10),.F.);\n#10=IFCCURVESEGMENT(.CONTINUOUS.,#11,$,$,#13);\n"
+                "#11=IFCAXIS2PLACEMENT2D(#12,$);\n#12=IFCCARTESIANPOINT((0.,0.));\n#13=IFCCOSINESPIRAL(#11,1.,$);\n")),
+        "on an IFCCOSINESPIRAL, which is not read");
+}
+
 static void what_is_wrong(void **state)
 {
     (void)state;
@@ -199,6 +277,7 @@ int main(void)
                                        cmocka_unit_test(units_and_placement),
                                        cmocka_unit_test(level_at_its_placement),
                                        cmocka_unit_test(older_schema_and_polyline),
+                                       cmocka_unit_test(curves_of_other_kinds),
                                        cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

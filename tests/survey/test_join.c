@@ -128,6 +128,54 @@ static void many(void **state)
     survey_clear(&s);
 }
 
+/* A piece at a height that joins one that has none: the line has none, and it is said, for it would fall 30 m in a
+ * step.
+ */
+static void pieces_without_heights(void **state)
+{
+    (void)state;
+    Survey s = {0};
+    Joined j;
+    straight(&s, "C", v3(0, 0, 30), v3(10, 0, 31));
+    straight(&s, "C", v3(10, 0, 0), v3(20, 0, 0));
+    s.alignment[1].flat = 1;
+    Survey to = joined(&s, NULL, &j);
+    assert_int_equal(to.n, 1);
+    assert_int_equal(j.lost_heights, 1);
+    assert_true(to.alignment[0].flat);
+    check_close(alignment_measure(&to.alignment[0]).length, 20, 1e-9);
+    survey_clear(&to);
+    survey_clear(&s);
+    /* a level one at 0 m that meets one which begins there has heights */
+    straight(&s, "C", v3(0, 0, 0), v3(10, 0, 0));
+    straight(&s, "C", v3(10, 0, 0), v3(20, 0, 5));
+    s.alignment[0].flat = 1;
+    to = joined(&s, NULL, &j);
+    assert_int_equal(j.lost_heights, 0);
+    check_close(alignment_measure(&to.alignment[0]).length, 10 + sqrt(125), 1e-9);
+    survey_clear(&to);
+    survey_clear(&s);
+}
+
+/* The two ends of a short straight are no gap; those of a line that nearly closes are. */
+static void own_ends(void **state)
+{
+    (void)state;
+    Survey s = {0};
+    Joined j;
+    straight(&s, "C", v3(0, 0, 0), v3(0.8, 0, 0));
+    Survey to = joined(&s, NULL, &j);
+    assert_int_equal(j.n_gaps, 0);
+    survey_clear(&to);
+    survey_clear(&s);
+    Alignment *const a = arc(&s, "C", (PlanElement){0, 0, 0, 62, 0.1, 0.1, 0, 0});
+    assert_non_null(a);
+    to = joined(&s, NULL, &j);
+    assert_int_equal(j.n_gaps, 1);
+    survey_clear(&to);
+    survey_clear(&s);
+}
+
 static void choosing(void **state)
 {
     (void)state;
@@ -151,7 +199,12 @@ static void choosing(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(order_and_direction), cmocka_unit_test(forks_and_gaps),
-                                       cmocka_unit_test(heights), cmocka_unit_test(many), cmocka_unit_test(choosing)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(order_and_direction),
+                                       cmocka_unit_test(forks_and_gaps),
+                                       cmocka_unit_test(heights),
+                                       cmocka_unit_test(pieces_without_heights),
+                                       cmocka_unit_test(own_ends),
+                                       cmocka_unit_test(many),
+                                       cmocka_unit_test(choosing)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -87,9 +87,11 @@ static void all_elements(void **state)
     assert_int_equal(a->n_profile, 4);
     check_close(a->profile[1].station, 40 * ft, 1e-12);
     check_close(a->profile[3].grade, -0.1, 1e-12);
-    /* q's height, bloss, a second profile, the ground; the alignment's length is not its line's */
-    assert_int_equal(s.n_ignored, 5);
+    /* q's height, bloss, a second profile, the ground; the alignment's length is not its line's, which goes on behind
+     * the profile */
+    assert_int_equal(s.n_ignored, 6);
     check_has(s.ignored[4].what, "by the file's word, but its line is");
+    check_has(s.ignored[5].what, "its grade goes on");
     check_has(s.unit, "foot");
     survey_clear(&s);
 }
@@ -117,6 +119,35 @@ static void what_is_left_out(void **state)
     survey_clear(&s);
 }
 
+/* A Curve that its length tells to turn to the other side than rot; a Spiral that does not end where it is said to;
+ * heights in another unit; units behind the lines, which would have been taken for metres. */
+static void what_contradicts_itself(void **state)
+{
+    (void)state;
+    Survey s;
+    assert_string_equal(
+        read_text(XML("<Metric linearUnit=\"meter\" elevationUnit=\"feet\"/>",
+                      ALIGNMENT("<Curve rot=\"cw\" length=\"0.04\"><Start>0 0</Start><Center>10 0</Center>"
+                                "<End>0.00008 0.04</End></Curve>"
+                                "<Spiral rot=\"ccw\" length=\"200\" radiusStart=\"INF\" radiusEnd=\"50\">"
+                                "<Start>0 0</Start><PI>0 9</PI><End>1 20</End></Spiral>",
+                                "")),
+                  &s),
+        "");
+    check_close(s.alignment[0].plan[0].length, 0.04, 1e-6);
+    check_close(s.alignment[0].plan[0].k0, 0.1, 1e-12);
+    check_below(hypot(alignment_at(&s.alignment[0], 0.04).at.x - 0.04, alignment_at(&s.alignment[0], 0.04).at.y - 8e-5),
+                1e-6);
+    check_has(s.ignored[0].what, "elevationUnit");
+    check_has(s.ignored[1].what, "rot of a Curve");
+    check_has(s.ignored[2].what, "Ends of Spirals");
+    survey_clear(&s);
+    bad("<LandXML><Alignments><Alignment name=\"a\"><CoordGeom><Line><Start>0 0</Start><End>0 "
+        "9</End></Line></CoordGeom>"
+        "</Alignment></Alignments><Units><Imperial linearUnit=\"foot\"/></Units></LandXML>",
+        "Units behind what is measured in them");
+}
+
 static void what_is_wrong(void **state)
 {
     (void)state;
@@ -141,8 +172,11 @@ static void what_is_wrong(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(tramway), cmocka_unit_test(railway),
-                                       cmocka_unit_test(all_elements), cmocka_unit_test(what_is_left_out),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(tramway),
+                                       cmocka_unit_test(railway),
+                                       cmocka_unit_test(all_elements),
+                                       cmocka_unit_test(what_is_left_out),
+                                       cmocka_unit_test(what_contradicts_itself),
                                        cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

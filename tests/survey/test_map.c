@@ -112,6 +112,44 @@ static void geojson(void **state)
     survey_clear(&s);
 }
 
+/* The `crs` of old files and of map programs: a geographic system by whatever number is degrees, and it is said how it
+ * was taken; what stands in extensions is another program's. */
+static void crs_of_other_names(void **state)
+{
+    (void)state;
+    Survey s;
+    assert_string_equal(
+        read_text(
+            "{\"type\":\"FeatureCollection\",\"crs\":{\"type\":\"name\",\"properties\":{\"name\":\"urn:ogc:def:crs:"
+            "EPSG::4258\"}},\"features\":[{\"type\":\"Feature\",\"properties\":null,\"geometry\":{\"type\":"
+            "\"LineString\",\"coordinates\":[[10,60],[10,60.001]]}}]}",
+            &s),
+        "");
+    check_close(alignment_measure(&s.alignment[0]).length, meridian(60, 60.001), 1e-6);
+    check_has(s.ignored[0].what, "EPSG::4258': coordinates are taken as degrees");
+    survey_clear(&s);
+    assert_string_equal(read_text("{\"type\":\"LineString\",\"crs\":{\"properties\":{\"name\":\"EPSG:25832\"}},"
+                                  "\"coordinates\":[[453120,6712310],[453123,6712314]]}",
+                                  &s),
+                        "");
+    check_close(alignment_measure(&s.alignment[0]).length, 5, 1e-9);
+    check_has(s.ignored[0].what, "taken as metres");
+    survey_clear(&s);
+    /* across the antimeridian */
+    assert_string_equal(read_text("{\"type\":\"LineString\",\"coordinates\":[[179.9995,0],[-179.9995,0]]}", &s), "");
+    check_close(alignment_measure(&s.alignment[0]).length, AXIS * 1e-3 * acos(-1) / 180, 1e-6);
+    survey_clear(&s);
+    assert_string_equal(
+        read_text("<gpx><trk><name>own</name><extensions><name>alien</name></extensions><trkseg>"
+                  "<trkpt lat=\"60\" lon=\"10\"><ele>5</ele><extensions><ele>9</ele></extensions></trkpt>"
+                  "<trkpt lat=\"60.001\" lon=\"10\"><ele>5</ele></trkpt></trkseg></trk></gpx>",
+                  &s),
+        "");
+    assert_string_equal(s.alignment[0].name, "own");
+    check_close(alignment_measure(&s.alignment[0]).start.z, 5, 0);
+    survey_clear(&s);
+}
+
 static void what_is_wrong(void **state)
 {
     (void)state;
@@ -131,6 +169,6 @@ static void what_is_wrong(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(projection), cmocka_unit_test(gpx), cmocka_unit_test(geojson),
-                                       cmocka_unit_test(what_is_wrong)};
+                                       cmocka_unit_test(crs_of_other_names), cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -62,6 +62,54 @@ test('key figures are those of the data; what is not known says so', async () =>
   await close();
 });
 
+test('says of which pass the figures are, and what the other found', async () => {
+  const pass = (segments, accuracy, mean, peak) => ({
+    accuracy,
+    segments,
+    v_s_factor: accuracy < 1e-3 ? 0.5 : 1,
+    steady_mean_N: mean,
+    steady_mean_bar_N: 0.067 * mean,
+    peak_N: peak,
+    peak_bar_N: 0.1 * peak,
+    steps: 10 * segments,
+    wall_time_s: 1.5,
+  });
+  const passes = {
+    outcome: 'replaced',
+    why: 'the mean pull may be off by 6.7 %, mostly by the mesh',
+    says: 'computed twice, with 69 and 138 segments: mean 7900 N and 8000 N; all figures are those of the second pass',
+    pass: [pass(69, 1e-3, 7900, 9100), pass(138, 2.5e-4, 8000, 9000)],
+  };
+  const data = run();
+  data.summary.passes = passes;
+  const { page, heard, close } = await open(report(data));
+  assert.match(await page.locator('#key-figures').innerText(), /those of a second pass with finer settings/);
+  const trust = (await page.locator('#trust').innerText()).replace(/[\u00a0\u202f]/g, ' ');
+  for (const part of ['may be off by 6.7 %', 'computed twice', 'second, shown', '7.9', '9.1', '138', '0.00025']) {
+    assert.ok(trust.includes(part), `${part} in: ${trust}`);
+  }
+  assert.equal(await page.locator('#trust .record tbody tr').count(), 2);
+  assert.deepEqual(heard, []);
+  await close();
+
+  data.summary.passes = {
+    ...passes,
+    outcome: 'declined',
+    says: 'a second pass would take about 3 hours',
+    pass: [passes.pass[0]],
+  };
+  const declined = await open(report(data));
+  assert.match(await declined.page.locator('#key-figures').innerText(), /what it would take/);
+  assert.match(await declined.page.locator('#trust').innerText(), /about 3 hours/);
+  assert.equal(await declined.page.locator('#trust .record tbody tr').count(), 1);
+  await declined.close();
+
+  delete data.summary.passes;
+  const once = await open(report(data));
+  assert.doesNotMatch(await once.page.locator('main').innerText(), /second pass/);
+  await once.close();
+});
+
 test('figures have the numbers of the data, in either system of units', async () => {
   const data = run();
   const { page, close } = await open(report(data));

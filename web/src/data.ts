@@ -46,6 +46,27 @@ export interface ErrorBar {
   total_N: Value;
 }
 
+/** One of two passes: its settings and what the pull was by it alone. */
+export interface Pass {
+  accuracy: Value;
+  segments: Value;
+  v_s_factor: Value;
+  steady_mean_N: Value;
+  steady_mean_bar_N: Value;
+  peak_N: Value;
+  peak_bar_N: Value;
+  steps: Value;
+  wall_time_s: Value;
+}
+
+/** What became of a second pass: it replaced the first, was compared with it, was declined as too long, or failed. */
+export interface Passes {
+  outcome: string;
+  why: string;
+  says: string;
+  pass?: Pass[];
+}
+
 /** The keys of summary.json that the page reads; all of them may be missing in results of an older hawser. */
 export interface Summary {
   title?: string;
@@ -74,6 +95,7 @@ export interface Summary {
   events?: PullEvent[];
   limits?: Limit[];
   trust?: Trust[];
+  passes?: Passes | null;
   assumptions?: Assumption[];
   overload?: { trip_N: Value; rollers?: Record<string, Value | string>[] };
   [key: string]: unknown;

@@ -34,6 +34,27 @@ function atPlace(context: Context, name: string): HTMLElement | null {
   return fact(inWords(name), show(limit.value, unit, context.units), where);
 }
 
+/** Of which pass the figures are, and where the other's stand; without a second one nothing. */
+function ofWhichPass(context: Context): HTMLElement | null {
+  const passes = context.run.summary.passes;
+  if (!passes) return null;
+  const whose: Record<string, string> = {
+    replaced: 'All figures of this page are those of a second pass with finer settings; those of the first stand under',
+    compared:
+      'All figures of this page are those of the first of two passes, and their ± is from both; the second’s stand under',
+    declined: 'A second pass with finer settings would narrow ±; what it would take stands under',
+  };
+  const link = el('a', { href: '#trust' }, 'trust');
+  return el(
+    'p',
+    { class: 'note' },
+    whose[passes.outcome] ?? 'A second pass was begun and did not end; why stands under',
+    ' ',
+    link,
+    '.',
+  );
+}
+
 export function keyFiguresSection(context: Context): HTMLElement {
   const { run, units } = context;
   const { pull_force: pull, theory, speed } = run.summary;
@@ -73,5 +94,5 @@ export function keyFiguresSection(context: Context): HTMLElement {
         '± is what a figure may be off by through the numbers alone: steps in time, length of segments, friction at rest.',
       )
     : null;
-  return section('key-figures', 'Key figures', el('dl', { class: 'facts' }, ...facts), caption);
+  return section('key-figures', 'Key figures', el('dl', { class: 'facts' }, ...facts), caption, ofWhichPass(context));
 }

@@ -1,11 +1,12 @@
 // What stands behind the figures: conditions of trust, inputs, and what made them.
 import type { Section } from '../context';
-import type { Assumption, Input, Trust } from '../data';
+import type { Assumption, Input, Passes, Trust } from '../data';
 import { el, named } from '../dom';
 import { csvTools } from '../figure/table';
 import { inWords } from '../run';
+import type { UnitSystem } from '../state';
 import { digits, isUnit, sentenceText, show, UNKNOWN, type Unit } from '../units';
-import { fact, note, section, sign } from './parts';
+import { fact, note, recordTable, section, sign, type Field } from './parts';
 
 function scrolled(label: string, table: HTMLElement): HTMLElement {
   return el('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': label }, table);
@@ -13,6 +14,34 @@ function scrolled(label: string, table: HTMLElement): HTMLElement {
 
 function heads(...labels: string[]): HTMLElement {
   return el('thead', {}, el('tr', {}, ...labels.map((text) => el('th', { scope: 'col' }, text))));
+}
+
+const PASS: Field[] = [
+  { key: 'which', label: 'pass' },
+  { key: 'segments', label: 'segments', unit: '1' },
+  { key: 'accuracy', label: 'accuracy', unit: '1' },
+  { key: 'v_s_factor', label: 'speed at which friction comes in, of the case’s', unit: '1' },
+  { key: 'steady_mean_N', label: 'pull, steady mean', unit: 'N' },
+  { key: 'steady_mean_bar_N', label: '± by itself', unit: 'N' },
+  { key: 'peak_N', label: 'pull, peak', unit: 'N' },
+  { key: 'peak_bar_N', label: '± by itself', unit: 'N' },
+  { key: 'steps', label: 'steps', unit: '1' },
+  { key: 'wall_time_s', label: 'computed in', unit: 's' },
+];
+
+/** Why a run was computed twice, or would have been, what came of it, and what each pass found. */
+function passesPart(passes: Passes, units: UnitSystem): HTMLElement[] {
+  const shown = passes.outcome === 'replaced' ? 1 : 0;
+  const rows = (passes.pass ?? []).map((pass, i) => ({
+    which: `${i === 0 ? 'first' : 'second'}${i === shown ? ', shown' : ''}`,
+    ...pass,
+  }));
+  const said = `${passes.why}: ${passes.says}.`;
+  return [
+    el('h3', {}, 'Passes'),
+    el('p', {}, named(sentenceText(said.charAt(0).toUpperCase() + said.slice(1), units))),
+    recordTable('passes', 'What each pass found before it knew of the other.', rows, PASS, units),
+  ];
 }
 
 export const trustSection: Section = ({ run, units }) => {
@@ -51,7 +80,13 @@ export const trustSection: Section = ({ run, units }) => {
     heads('Condition', 'Standing', 'Found', 'Allowed', 'What to do'),
     el('tbody', {}, ...order.map(row)),
   );
-  return section('trust', 'Can these figures be trusted?', el('p', {}, answer), scrolled('Conditions of trust', table));
+  return section(
+    'trust',
+    'Can these figures be trusted?',
+    el('p', {}, answer),
+    scrolled('Conditions of trust', table),
+    ...(run.summary.passes ? passesPart(run.summary.passes, units) : []),
+  );
 };
 
 const ORIGIN: Record<string, string> = {

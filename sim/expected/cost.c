@@ -1,0 +1,115 @@
+/* Every figure here was measured: maximum resident memory of runs with 20 to 25 000 segments and 5 to 5000 rollers, and
+ * processor time of their steps on one core of a Xeon. */
+#include "sim/expected/cost.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "core/base/error.h"
+
+/* Bytes: of the program itself; of a roller with its contacts; of HDF5, and of it for each segment. */
+static const double PROGRAM = 13.8e6, ROLLER = 2200, STATES = 7.3e6, STATES_SEGMENT = 260;
+/* Bytes that a segment takes, in space and in the plane, and what a solver takes beside the block LU's. */
+static const double SEGMENT[2] = {7700, 3850};
+static const double KLU[2] = {4900, 1400}, KLU_FULL[2] = {76e3, 19e3}, BAND[2] = {3200, 800};
+static const double UNKNOWNS[2] = {6, 3}; /* of a segment */
+/* Bytes of a row of series.csv; of a segment in a state, in double and in single precision. */
+static const double ROW = 200, STATE_SEGMENT = 170;
+/* s: a step of a pull that slides, in the mean; what a step takes, and each segment and roller in it. */
+static const double STEP = 0.04, STEP_TIME = 2e-5, SEGMENT_TIME[2] = {0.9e-6, 0.35e-6}, ROLLER_TIME = 1e-6;
+/* Operations a second of LAPACK, and the share of the steps that factor. */
+static const double DENSE_SPEED = 5e9, DENSE_SHARE = 0.3;
+
+CostCounts cost_counts(const SceneDef *def, int planar)
+{
+    const OutputDef *const out = &def->output;
+    CostCounts c = {.rollers = def->n_rollers, .duration = def->duration, .planar = planar};
+    for (int i = 0; i < def->n_pieces; ++i) c.segments += def->pieces[i].segments;
+    c.solver = def->solver.linear.kind;
+    c.step = def->solver.max_step > 0 ? def->solver.max_step : out->interval;
+    c.rows = out->interval > 0 ? def->duration / out->interval : 0;
+    c.states = out->state_interval > 0 ? 1 + def->duration / out->state_interval : 0;
+    return c;
+}
+
+/* Bytes of the Newton matrix where the block LU does not solve it. */
+static double solver_memory(const CostCounts *c)
+{
+    const int p = c->planar != 0;
+    const double n = c->segments, unknowns = UNKNOWNS[p] * n;
+    switch (c->solver) {
+    case LIN_KLU:
+        return KLU[p] * n;
+    case LIN_KLU_FULL:
+        return KLU_FULL[p] * n;
+    case LIN_BAND:
+        return BAND[p] * n;
+    case LIN_DENSE:
+        return 1.2 * unknowns * unknowns * sizeof(double);
+    case LIN_AUTO:
+    case LIN_BLOCK:
+    case LIN_BORDERED:
+        break;
+    }
+    return 0;
+}
+
+Cost cost_of(const CostCounts *c)
+{
+    const int p = c->planar != 0;
+    const double unknowns = UNKNOWNS[p] * c->segments, longest = c->step > 0 ? fmin(c->step, STEP) : STEP;
+    double each = STEP_TIME + SEGMENT_TIME[p] * c->segments + ROLLER_TIME * c->rollers;
+    Cost cost = {.memory = PROGRAM + SEGMENT[p] * c->segments + ROLLER * c->rollers + solver_memory(c),
+                 .disk = ROW * c->rows + STATE_SEGMENT * c->segments * c->states};
+    if (c->states > 0) cost.memory += STATES + STATES_SEGMENT * c->segments;
+    if (c->solver == LIN_DENSE) each += DENSE_SHARE * 2 / 3 * unknowns * unknowns * unknowns / DENSE_SPEED;
+    cost.time = c->duration / longest * each;
+    return cost;
+}
+
+/* A number with the largest unit of which it is more than one; the units rise, and end with NULL. */
+typedef struct Unit {
+    const char *name;
+    double size;
+} Unit;
+
+static void say_amount(double x, const Unit *unit, int size, char *text)
+{
+    while (unit[1].name && x >= unit[1].size) ++unit;
+    const double n = x / unit->size;
+    snprintf(text, (size_t)size, n < 10 ? "%.1f %s" : n < 1e4 ? "%.0f %s" : "%.1e %s", n, unit->name);
+}
+
+void cost_say(const Cost *cost, int size, char *text)
+{
+    static const Unit bytes[] = {{"MB", 1e6}, {"GB", 1e9}, {"TB", 1e12}, {NULL, 0}};
+    static const Unit times[] = {{"s", 1}, {"min", 60}, {"h", 3600}, {"days", 86400}, {"years", 3.156e7}, {NULL, 0}};
+    char memory[32], time[32];
+    say_amount(cost->memory, bytes, sizeof memory, memory);
+    say_amount(cost->time, times, sizeof time, time);
+    snprintf(text, (size_t)size, cost->time >= 0 ? "needs %s, %s" : "needs %s", memory, time);
+}
+
+/* Bytes; INFINITY: nobody says. */
+static double memory_there(void)
+{
+    struct rlimit limit;
+    const double pages = (double)sysconf(_SC_PHYS_PAGES), page = (double)sysconf(_SC_PAGESIZE);
+    const double machine = pages > 0 && page > 0 ? pages * page : INFINITY;
+    const int limited = !getrlimit(RLIMIT_AS, &limit) && limit.rlim_cur != RLIM_INFINITY;
+    return limited ? fmin(machine, (double)limit.rlim_cur) : machine;
+}
+
+hawser_status cost_check(const SceneDef *def, hawser_error *err)
+{
+    const CostCounts counts = cost_counts(def, def->solver.planar != PLANAR_OFF);
+    const Cost cost = cost_of(&counts);
+    const double there = memory_there();
+    char text[80];
+    if (cost.memory <= there) return HAWSER_OK;
+    cost_say(&cost, sizeof text, text);
+    return error_set(err, HAWSER_ERR_MEMORY,
+                     "out of memory: the run %s, and there are %.3g GB: longer segments need less", text, there / 1e9);
+}

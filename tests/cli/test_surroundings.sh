@@ -1,0 +1,127 @@
+# Where a run takes place: another locale, no home, another user, folders that may not be written, no descriptors.
+hawser=$1 source=$2
+. "$source/tests/cli/common.sh"
+
+# same_as DIR OTHER: the same numbers are in both.
+same_as() {
+    for file in series.csv stations.csv rollers.csv route.csv inputs.csv; do
+        cmp -s "$work/$1/$file" "$work/$2/$file" || fail "$what: $file is not the same"
+    done
+}
+short="--set run.duration=0.3s --set run.steady_from=0.2s"
+run_hawser 0 run pull.yaml -o plain $short
+cp "$work/out" "$work/plain.out"
+run_hawser 0 theory pull.yaml --format json
+cp "$work/out" "$work/plain.json"
+
+# decimal commas: through all the program
+if command -v localedef >/dev/null 2>&1 && localedef -i de_DE -f UTF-8 "$work/de_DE.UTF-8" >"$work/log" 2>&1; then
+    export LOCPATH="$work" LC_ALL=de_DE.UTF-8 LANG=de_DE.UTF-8
+    run_hawser 0 run pull.yaml -o german $short
+    same_as german plain
+    run_hawser 0 theory pull.yaml --format json
+    cmp -s "$work/out" "$work/plain.json" || fail "$what: theory is not the same"
+    run_hawser 0 check pull.yaml --set 'friction.mu=0.25'
+    says out "0.25"
+    run_hawser 2 check pull.yaml --set 'friction.mu=0,25'
+    run_hawser 0 report german -o german.html
+    run_hawser 0 plot german tension
+    grep -q '[0-9],[0-9]* *L' "$work/out" && fail "$what: commas in the figure's path"
+    run_hawser 0 library cables
+    unset LOCPATH LC_ALL LANG
+else
+    echo "skipped: no localedef, or no sources of de_DE; decimal commas are not tried"
+fi
+
+# nothing in the environment
+what="hawser run without an environment"
+(cd "$work" && env -i "$hawser" run pull.yaml -o bare $short --quiet >"$work/out" 2>"$work/err") || fail "$what: it failed"
+same_as bare plain
+what="hawser run without HOME"
+(cd "$work" && unset HOME && "$hawser" run pull.yaml -o homeless $short --quiet >"$work/out" 2>"$work/err") || fail "$what"
+what="hawser run with a HOME that is not there"
+(cd "$work" && HOME=/nowhere "$hawser" run pull.yaml -o homeless $short --quiet >"$work/out" 2>"$work/err") || fail "$what"
+
+# neither output nor errors can be written anywhere
+what="hawser run with standard output and error closed"
+(cd "$work" && exec "$hawser" run pull.yaml -o mute $short >&- 2>&-)
+status=$?
+[ $status = 0 ] || [ $status = 4 ] || fail "$what: status $status"
+same_as mute plain
+what="hawser run with standard input, output and error closed"
+(cd "$work" && exec "$hawser" run pull.yaml -o mute $short --quiet <&- >&- 2>&-) || fail "$what: status $?"
+same_as mute plain
+what="hawser check into a pipe that is closed after a line"
+(cd "$work" && { "$hawser" theory pull.yaml 2>err; echo $? >status; } | head -1 >out)
+[ "$(cat "$work/status")" -lt 128 ] || fail "$what: status $(cat "$work/status")"
+
+# links to links: as many as the system follows
+cd "$work"
+ln -s pull.yaml link-0
+k=0
+while [ $k -lt 45 ]; do
+    ln -s link-$k link-$((k + 1))
+    k=$((k + 1))
+done
+run_hawser 0 check link-30
+run_hawser 2 check link-45
+says err "Too many levels of symbolic links"
+mkdir real
+ln -s real folder-0
+ln -s folder-0 folder-1
+run_hawser 0 run pull.yaml -o folder-1/deep $short --quiet
+exists real/deep/summary.json
+
+# another user's files, and a folder that may only be read; root may write everywhere
+user="setpriv --reuid=65534 --regid=65534 --clear-groups"
+mkdir "$work/theirs"
+chmod 755 "$work" "$work/theirs"
+if [ "$(id -u)" != 0 ]; then
+    chmod 555 "$work/theirs"
+    user=
+fi
+cp "$hawser" "$work/hawser"
+if (cd "$work" && $user ./hawser --version >/dev/null 2>&1); then
+    what="hawser run into another user's folder"
+    (cd "$work" && $user ./hawser run pull.yaml -o theirs $short >out 2>err)
+    [ $? = 4 ] || fail "$what: not 4"
+    says err "cannot write 'theirs/" "Permission denied"
+    what="hawser run into a folder that cannot be made"
+    (cd "$work" && $user ./hawser run pull.yaml -o theirs/new $short >out 2>err)
+    [ $? = 4 ] || fail "$what: not 4"
+    says err "Permission denied"
+    missing theirs/new theirs/summary.json
+    what="hawser check of another user's case"
+    cp "$work/pull.yaml" "$work/secret.yaml"
+    chmod 000 "$work/secret.yaml"
+    (cd "$work" && $user ./hawser check secret.yaml >out 2>err)
+    [ $? = 2 ] || fail "$what: not 2"
+    says err "secret.yaml" "Permission denied"
+else
+    echo "skipped: the program cannot be run as another user here"
+fi
+
+# good results stay until others are whole
+run_hawser 0 run pull.yaml -o twice $short --quiet
+cp "$work/twice/series.csv" "$work/first.csv"
+what="hawser run over good results, killed"
+(cd "$work" && exec "$hawser" run pull.yaml -o twice --set run.duration=1000s --quiet) &
+pid=$!
+tries=0
+while ! grep -q running "$work/twice/summary.json" 2>/dev/null && [ $tries -lt 300 ]; do
+    sleep 0.1
+    tries=$((tries + 1))
+done
+kill -KILL $pid
+wait $pid 2>/dev/null
+cmp -s "$work/twice/earlier/series.csv" "$work/first.csv" || fail "$what: the good results are lost"
+grep -q '"finished"' "$work/twice/earlier/summary.json" || fail "$what: their summary is lost"
+run_hawser 4 run pull.yaml -o twice/summary.json $short --quiet
+rm "$work/twice/series.csv"
+ln -s /dev/full "$work/twice/series.csv"
+run_hawser 4 run pull.yaml -o twice $short --quiet
+rm "$work/twice/series.csv"
+cmp -s "$work/twice/earlier/series.csv" "$work/first.csv" || fail "$what: the good results are lost"
+run_hawser 0 run pull.yaml -o twice $short --quiet
+missing twice/earlier
+finish
