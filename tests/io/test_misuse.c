@@ -30,13 +30,19 @@ static hawser_sim *sim_new_of(const char *key, const char *value)
 
 static hawser_error error;
 
+/* NULL: any, or none. */
+static void check_key(const char *argument)
+{
+    if (argument) assert_string_equal(error.key, argument);
+}
+
 /* The last call was refused, naming the argument (NULL: something else). */
 #define REFUSED(call, argument)                                                                                        \
     do {                                                                                                               \
         error = (hawser_error){0};                                                                                     \
         assert_int_equal(call, HAWSER_ERR_INPUT);                                                                      \
         assert_int_equal(error.status, HAWSER_ERR_INPUT);                                                              \
-        if (argument) assert_string_equal(error.key, (const char *)(argument));                                        \
+        check_key(argument);                                                                                           \
         check_above(strlen(error.message), 5);                                                                         \
     } while (0)
 static const char *const nothing = NULL;
