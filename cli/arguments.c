@@ -27,6 +27,12 @@ enum {
     OPTION_JSON = 'j',
     OPTION_JOBS = 'K',
     OPTION_FRESH = 'N',
+    OPTION_MPI = 'm',
+    OPTION_SLURM = 'c',
+    OPTION_TASKS = 'k',
+    OPTION_TASK = 'y',
+    OPTION_SENSITIVITIES = 'i',
+    OPTION_SENSITIVE = 'I',
     OPTION_RESUME = 'G',
     OPTION_REPORT = 'e',
     OPTION_PDF = 'P',
@@ -67,6 +73,12 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"json", no_argument, NULL, OPTION_JSON},
                                             {"jobs", required_argument, NULL, OPTION_JOBS},
                                             {"fresh", no_argument, NULL, OPTION_FRESH},
+                                            {"sensitivities", no_argument, NULL, OPTION_SENSITIVITIES},
+                                            {"sensitivities", required_argument, NULL, OPTION_SENSITIVE},
+                                            {"mpi", no_argument, NULL, OPTION_MPI},
+                                            {"slurm", no_argument, NULL, OPTION_SLURM},
+                                            {"tasks", required_argument, NULL, OPTION_TASKS},
+                                            {"task", required_argument, NULL, OPTION_TASK},
                                             {"resume", required_argument, NULL, OPTION_RESUME},
                                             {"report", no_argument, NULL, OPTION_REPORT},
                                             {"pdf", no_argument, NULL, OPTION_PDF},
@@ -125,14 +137,30 @@ static int parse_threads(const char *text, Arguments *args)
     return EXIT_USAGE;
 }
 
-/* --jobs: any number of processes that a machine could have. */
-static int parse_jobs(const char *text, Arguments *args)
+/* A whole number from `least` to `most`, of `what`. */
+static int parse_count(const char *option, const char *text, const char *what, int least, int most, int *count)
 {
     char *end;
     const long n = strtol(text, &end, 10);
-    args->jobs = (int)n;
-    if (*text && !*end && n >= 1 && n <= 1024) return ARGUMENTS_GO_ON;
-    complain("--jobs %s: must be a number of processes from 1 to 1024", text);
+    *count = (int)n;
+    if (*text && !*end && n >= least && n <= most) return ARGUMENTS_GO_ON;
+    complain("--%s %s: must be %s from %d to %d", option, text, what, least, most);
+    return EXIT_USAGE;
+}
+
+/* The options of `study`: who computes it, in how many pieces. */
+static int take_study_option(int letter, Arguments *args)
+{
+    int status = ARGUMENTS_GO_ON;
+    if (letter == OPTION_JOBS) status = parse_count("jobs", optarg, "a number of processes", 1, 1024, &args->jobs);
+    if (letter == OPTION_TASKS) status = parse_count("tasks", optarg, "a number of tasks", 1, 1000, &args->tasks);
+    if (letter == OPTION_TASK) status = parse_count("task", optarg, "the number of a task", 0, 999, &args->task);
+    if (letter == OPTION_TASK) args->task++;
+    if (letter == OPTION_FRESH) args->fresh = 1;
+    if (letter == OPTION_MPI) args->mpi = 1;
+    if (letter == OPTION_SLURM) args->slurm = 1;
+    if (!args->mpi || !args->slurm) return status;
+    complain("--mpi and --slurm: one of them spreads a study");
     return EXIT_USAGE;
 }
 
@@ -306,6 +334,10 @@ static int take_option(const Command *command, int letter, Arguments *args)
     for (size_t i = 0; i < sizeof of_compare / sizeof *of_compare; i++) {
         if (letter == of_compare[i]) return take_compare_option(letter, &args->compare);
     }
+    const int of_study[] = {OPTION_JOBS, OPTION_FRESH, OPTION_MPI, OPTION_SLURM, OPTION_TASKS, OPTION_TASK};
+    for (size_t i = 0; i < sizeof of_study / sizeof *of_study; i++) {
+        if (letter == of_study[i]) return take_study_option(letter, args);
+    }
     switch (letter) {
     case OPTION_JSON:
         args->format = HAWSER_JSON;
@@ -338,16 +370,17 @@ static int take_option(const Command *command, int letter, Arguments *args)
     case OPTION_TOLERANCE:
         args->certify = 1;
         return parse_tolerance(optarg, args);
+    case OPTION_SENSITIVITIES:
+        args->sensitivities = 1;
+        return ARGUMENTS_GO_ON;
+    case OPTION_SENSITIVE:
+        args->sensitive = optarg;
+        return ARGUMENTS_GO_ON;
     case OPTION_CREW:
         args->crew = optarg;
         return ARGUMENTS_GO_ON;
     case OPTION_FMI:
         return parse_fmi(optarg, args);
-    case OPTION_JOBS:
-        return parse_jobs(optarg, args);
-    case OPTION_FRESH:
-        args->fresh = 1;
-        return ARGUMENTS_GO_ON;
     case OPTION_RESUME:
         args->resume = optarg;
         return ARGUMENTS_GO_ON;

@@ -33,9 +33,11 @@ typedef struct Arguments {
     int quiet;
     int strict; /* a broken limit is an error */
     int certify;
-    int report, pdf;  /* a page about the results; the same printed */
-    double tolerance; /* share; 0: the library's choice */
-    int verbose;      /* what it cost to compute is shown too */
+    int sensitivities; /* of theory */
+    char *sensitive;   /* keys of a run, with commas between; NULL: none */
+    int report, pdf;   /* a page about the results; the same printed */
+    double tolerance;  /* share; 0: the library's choice */
+    int verbose;       /* what it cost to compute is shown too */
     hawser_format format;
     const char *kind;   /* of the catalogue; NULL: all */
     hawser_units units; /* of what is shown */
@@ -44,6 +46,8 @@ typedef struct Arguments {
     hawser_fmi fmi;                 /* of the command fmu */
     int jobs;                       /* 0: the library's choice */
     int fresh;                      /* earlier samples do not count */
+    int mpi, slurm;                 /* what a study is spread by */
+    int tasks, task;                /* of a Slurm array: how many, 0: the library's choice; which + 1, 0: none */
     hawser_compare_options compare; /* of the command compare */
     const char *resume;             /* folder of the run to go on with; NULL: a new one */
     const char *crew;               /* file for the list of equipment; NULL: none */

@@ -1,5 +1,6 @@
 /* The commands that print a text of the library's: about a case, without simulating it, or about the library itself. */
 #include "cli/commands.h"
+#include "hawser/sweep.h"
 
 #include <stdio.h>
 
@@ -27,6 +28,8 @@ static const char theory_help[] =
     "by the paper's formulas and by the\n"
     "reference theory, the route piece by piece, ducts, and every limit.\n"
     "\n"
+    "      --sensitivities     prints instead what forces and tensions change by with friction, weight, the tension\n"
+    "                          at the start and pushes\n"
     "      --crew FILE         also writes what stands along the route, with loads, to FILE "
     "(CSV)\n" SETTING FORMAT "\n"
     "Exit status: 0 done; 2 the case is wrong.\n";
@@ -91,7 +94,7 @@ static int check(const Arguments *args) { return print_case(args, hawser_case_de
 static int theory(const Arguments *args)
 {
     const int status = args->crew ? write_crew(args) : 0;
-    return status ? status : print_case(args, hawser_case_theory);
+    return status ? status : print_case(args, args->sensitivities ? hawser_case_sensitivities : hawser_case_theory);
 }
 
 static int validate(const Arguments *args)
@@ -124,6 +127,6 @@ const Command command_library = {"library", "lists cables, ropes, rollers, ducts
                                  library_help, library};
 const Command command_check = {"check", "checks a case and prints what would be built", "sfu", check_help, check};
 const Command command_theory = {"theory", "the pulling calculation alone: verdict, forces, limits; in milliseconds",
-                                "sfuW", theory_help, theory};
+                                "sfuWi", theory_help, theory};
 const Command command_validate = {"validate", "runs scenes of which the result is known", "fuFx-", validate_help,
                                   validate};

@@ -1,16 +1,19 @@
 /* hawser report: results as one page. The page's program is in the library; here are the words around it. */
 #include "cli/commands.h"
+#include "hawser/sweep.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static const char help[] =
     "Usage: hawser report RESULTS [RESULTS2 ...] [options]\n"
     "\n"
     "Writes one HTML page about the results that hawser run has left in the folder RESULTS: verdict and remedies,\n"
     "figures along the route and over time, loads, limits, inputs, and the pull in three dimensions. Two to six\n"
-    "folders are compared on one page. The page needs no network and no other file; any browser of today opens it.\n"
+    "folders are compared on one page. Of a folder of hawser study it is the study's page. The page needs no network "
+    "and no other file; any browser of today opens it.\n"
     "\n"
     "  -o, --output FILE       where the page goes (default: RESULTS/report.html; of several ./report.html)\n"
     "      --pdf               prints the page to FILE with .pdf in place of .html, by an installed Chromium\n"
@@ -29,9 +32,18 @@ static char *pdf_path(const char *page)
     return path;
 }
 
+static int study_is_in(const char *folder)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%.4000s/workers/study", folder);
+    return access(path, F_OK) == 0;
+}
+
 hawser_status page_make(const char *const *folders, size_t n, const char *path, int pdf, int quiet, hawser_error *err)
 {
-    hawser_status status = hawser_report_write(folders, n, path, err);
+    const int study = n == 1 && study_is_in(folders[0]);
+    hawser_status status =
+        study ? hawser_study_report(folders[0], path, err) : hawser_report_write(folders, n, path, err);
     if (status) return status;
     if (!quiet) printf("Report: %s\n", path);
     if (!pdf) return HAWSER_OK;

@@ -1,6 +1,7 @@
 /* The command that everything is for. It drives the library's run and adds what a terminal needs: progress, an orderly
  * end on Ctrl-C, a report, an exit status. */
 #include "cli/commands.h"
+#include "hawser/sweep.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,6 +27,9 @@ static const char help[] =
     "                            tolerance, or says which do not; writes certificate.json. Costs 5 to 8 times\n"
     "                            a run, more where figures do not hold at once\n"
     "      --tolerance SHARE   that of --certify, which it implies (default: 1%)\n"
+    "      --sensitivities KEYS  computes the run once more with what its pull, tensions at stations and roller loads\n"
+    "                            change by with each of these keys, as in friction.mu,drive.tail.tension; also as\n"
+    "                            sensitivities.json\n"
     "      --report            writes DIR/report.html: the whole result as one page with figures and the pull in 3-D\n"
     "      --pdf               prints that page to DIR/report.pdf, by an installed Chromium; implies --report\n"
     "      --strict            a limit that is broken, or none that could be judged, is an error: status 1;\n"
@@ -116,6 +120,37 @@ static void report_page(const Arguments *args, hawser_sim *sim, const char *dir,
     *err = why;
 }
 
+static int sensitivities_stop(void *user)
+{
+    (void)user;
+    return interrupt_wanted();
+}
+
+/* The run once more with the derivatives of its figures: prints them, and writes them as sensitivities.json. */
+static hawser_status sensitivities(hawser_case *c, const Arguments *args, const char *dir, hawser_error *err)
+{
+    enum { KEYS_MAX = 64 };
+    const char *key[KEYS_MAX];
+    char path[4096], *text = NULL, *json = NULL;
+    size_t n = 0;
+    for (char *at = strtok(args->sensitive, ","); at && n < KEYS_MAX; at = strtok(NULL, ",")) key[n++] = at;
+    const hawser_format shown = args->units == HAWSER_US ? HAWSER_TABLE_US : HAWSER_TABLE;
+    hawser_status status = hawser_case_run_sensitivities(c, n, key, shown, sensitivities_stop, NULL, &text, &json, err);
+    snprintf(path, sizeof path, "%.4000s/sensitivities.json", dir);
+    FILE *const f = status ? NULL : fopen(path, "w");
+    const int written = f && fputs(json, f) >= 0;
+    const int closed = f && fclose(f) == 0;
+    if (!status && !(written && closed)) {
+        *err = (hawser_error){HAWSER_ERR_OUTPUT, ""};
+        snprintf(err->message, sizeof err->message, "cannot write '%.700s'", path);
+        status = HAWSER_ERR_OUTPUT;
+    }
+    if (!status && !args->quiet) printf("\n%s", text);
+    hawser_text_free(text);
+    hawser_text_free(json);
+    return status;
+}
+
 /* What there is to say about a run that is over, whatever its end. What is not safe or not to be trusted weighs more
  * than a certificate that is missing. */
 static int conclude(hawser_case *c, hawser_sim *sim, const Arguments *args, const char *dir, hawser_status status,
@@ -126,6 +161,7 @@ static int conclude(hawser_case *c, hawser_sim *sim, const Arguments *args, cons
     fflush(stdout);
     int certified = 1;
     if (args->certify && !status) certified = certify_run(args, c, sim, dir, interrupt_wanted, err, &status);
+    if (args->sensitive && !status) status = sensitivities(c, args, dir, err);
     if (args->report && kept) report_page(args, sim, dir, &status, err);
     int result = args->strict && !status ? strict_verdict(sim) : 0;
     if (!result && args->strict && !certified) result = EXIT_NOT_CERTIFIED;
@@ -164,4 +200,4 @@ static int run(const Arguments *args)
     return result;
 }
 
-const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvuSCTePG", help, run};
+const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvuSCTePGI", help, run};

@@ -2,8 +2,10 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "cli/commands.h"
+#include "hawser/sweep.h"
 
 static const char help[] =
     "Usage: hawser study STUDY [options]\n"
@@ -16,11 +18,15 @@ static const char help[] =
     "\n"
     "  -o, --output DIR        where the results go (default: results/NAME, NAME from STUDY)\n"
     "      --jobs N            worker processes (default: one for each processor); results do not depend on it\n"
+    "      --slurm             computes on a cluster, as an array of Slurm (docs/studies.md); --jobs is of each task\n"
+    "      --tasks N           of the array (default: by the number of samples)\n"
+    "      --mpi               computes on all ranks that mpirun has started; --jobs is of each rank\n"
     "      --fresh             begins anew where DIR has samples already\n"
     "      --units UNITS       of what is printed: si (default) or us; files are in SI\n"
     "  -q, --quiet             prints nothing but errors\n"
     "  -h, --help              this text\n"
     "  -V, --version           the version\n"
+    "      --task N            what the array's tasks are started with\n"
     "\n"
     "Exit status: 0 done, whatever the samples say; 2 the study, its case or the command line is wrong; 4 results\n"
     "could not be written; 5 no memory; 130 interrupted (the samples so far are in DIR).\n";
@@ -31,19 +37,33 @@ static int show_progress(void *user, const hawser_study_state *state)
     return interrupt_wanted();
 }
 
-static int run_study(const Arguments *args, hawser_study *s, const char *dir, hawser_error *err)
+/* This program's file, which a cluster's tasks start; NULL where the system does not say. */
+static const char *own_path(void)
+{
+    static char path[4096];
+    const ssize_t n = readlink("/proc/self/exe", path, sizeof path - 1);
+    return n > 0 ? path : NULL;
+}
+
+/* Of several ranks the first talks. */
+static int run_study(const Arguments *args, hawser_study *s, const char *dir, const hawser_ranks *ranks,
+                     hawser_error *err)
 {
     Progress progress;
+    const int quiet = args->quiet || (ranks && ranks->rank > 0);
     const hawser_study_options options = {
         .jobs = args->jobs, .fresh = args->fresh, .progress = show_progress, .user = &progress};
+    const hawser_study_cluster cluster = {
+        .ranks = ranks, .slurm = args->slurm ? own_path() : NULL, .tasks = args->tasks};
     char *text = NULL;
     interrupt_watch();
-    progress_start(&progress, args->quiet);
-    const hawser_status status = hawser_study_run(s, dir, &options, err);
+    progress_start(&progress, quiet);
+    const hawser_status status = args->task ? hawser_study_task(s, dir, args->task - 1, &options, err)
+                                            : hawser_study_run_on(s, dir, &options, &cluster, err);
     progress_end(&progress);
-    const int kept = status == HAWSER_OK || status == HAWSER_STOPPED;
+    const int kept = (status == HAWSER_OK || status == HAWSER_STOPPED) && !args->task;
     hawser_error late;
-    if (kept && !args->quiet && !hawser_study_answer(s, args->units, &text, &late)) {
+    if (kept && !quiet && !hawser_study_answer(s, args->units, &text, &late)) {
         fputs(text, stdout);
         printf("\nResults in %s/\n", dir);
     }
@@ -56,18 +76,20 @@ static int run_study(const Arguments *args, hawser_study *s, const char *dir, ha
 static int study(const Arguments *args)
 {
     hawser_error err = {HAWSER_OK, ""};
+    hawser_ranks ranks = {0};
     hawser_study *s = NULL;
-    const hawser_status status = hawser_study_load(args->case_path, &s, &err);
-    if (status) return exit_status(status, &err);
-    char *const made = args->dir ? NULL : default_dir(args->case_path);
+    hawser_status status = args->mpi ? hawser_ranks_open(&ranks, &err) : HAWSER_OK;
+    if (!status) status = hawser_study_load(args->case_path, &s, &err);
+    char *const made = args->dir || status ? NULL : default_dir(args->case_path);
     const char *const dir = args->dir ? args->dir : made;
-    int result = EXIT_INTERNAL;
-    if (!dir) complain("out of memory");
-    if (dir) result = run_study(args, s, dir, &err);
+    int result = status ? exit_status(status, &err) : EXIT_INTERNAL;
+    if (!status && !dir) complain("out of memory");
+    if (!status && dir) result = run_study(args, s, dir, args->mpi ? &ranks : NULL, &err);
     free(made);
     hawser_study_free(s);
+    hawser_ranks_close(&ranks);
     return result;
 }
 
 const Command command_study = {"study", "many variants of a case: how likely is a broken limit, and what matters",
-                               "ouqKN", help, study};
+                               "ouqKNmcky", help, study};

@@ -29,12 +29,12 @@ _hawser() {
     run)
         case $previous in
         -o|--output|--resume) _hawser_offer 'folders' ;;
-        --set) _hawser_offer '' ;;
+        --set|--sensitivities) _hawser_offer '' ;;
         --threads) _hawser_offer '1 2' ;;
         --linear-solver) _hawser_offer 'auto block bordered klu klu-full band dense' ;;
         --tolerance) _hawser_offer '1% 0.5% 2%' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--output --set --threads --linear-solver --resume --certify --tolerance --report --pdf --strict --units --verbose --quiet --help --version' '*.yaml' ;;
+        *) _hawser_word '--output --set --threads --linear-solver --resume --certify --tolerance --sensitivities --report --pdf --strict --units --verbose --quiet --help --version' '*.yaml' ;;
         esac
         ;;
     check)
@@ -51,7 +51,7 @@ _hawser() {
         --set) _hawser_offer '' ;;
         --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--crew --set --format --units --help --version' '*.yaml' ;;
+        *) _hawser_word '--sensitivities --crew --set --format --units --help --version' '*.yaml' ;;
         esac
         ;;
     validate)
@@ -94,9 +94,9 @@ _hawser() {
     study)
         case $previous in
         -o|--output) _hawser_offer 'folders' ;;
-        --jobs) _hawser_offer '1 2' ;;
+        --jobs|--tasks|--task) _hawser_offer '1 2' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--output --jobs --fresh --units --quiet --help --version' '*.yaml' ;;
+        *) _hawser_word '--output --jobs --slurm --tasks --mpi --fresh --units --quiet --help --version --task' '*.yaml' ;;
         esac
         ;;
     compare)

@@ -6,7 +6,7 @@ set -eu
 cd "$(dirname "$0")/.."
 sh scripts/setup.sh --lint
 each_source() { # each_source COMMAND...: the command with every C file of the tree
-    find include core contact linsolve sim theory validate io cli tests bench -name '*.[ch]' -print0 | xargs -0 "$@"
+    find include core contact linsolve sim theory survey validate io study cli fmi mpi tests bench -name '*.[ch]' -print0 | xargs -0 "$@"
 }
 if [ "${1-}" = --fix ]; then
     each_source clang-format -i
@@ -18,7 +18,7 @@ sh scripts/build.sh clang
 # Asserts stay in (-UNDEBUG): they tell the analyser what cannot happen.
 # One file a call: with several, clang-tidy 14 takes the second file's va_list for uninitialised.
 echo "Running clang-tidy (.clang-tidy)"
-find core contact linsolve sim theory validate io cli -name '*.c' -print0 |
+find core contact linsolve sim theory survey validate io study cli fmi mpi -name '*.c' -print0 |
     xargs -0 -P "$(nproc)" -n 1 clang-tidy -p build/clang --quiet --extra-arg=-UNDEBUG --warnings-as-errors='*' \
         2>build/clang/tidy.log
 echo "lint: nothing to complain about"

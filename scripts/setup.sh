@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs the Debian packages that building, running and testing hawser needs and that are not there yet.
-# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz | --mutants | --coverage | --web | --deb | --python]
+# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz | --mutants | --coverage | --web | --deb | --python | --clusters]
 #   --lint      also what scripts/lint.sh needs
 #   --fuzz      also what scripts/fuzz.sh needs
 #   --mutants   also what scripts/mutants.py needs
@@ -9,6 +9,7 @@
 #               web/node_modules; goes on without them where they are not to be had
 #   --deb       also what packaging/deb.sh needs
 #   --python    also what the Python package, its tests and its notebooks need; goes on without what is not to be had
+#   --clusters  also what `hawser study --mpi` is built with, and OpenMPI and Slurm for the tests of studies
 #   --bench     also the programs that scripts/bench.sh compares with; goes on without them where they are not to be had
 # Says nothing and calls no apt-get when everything is there. Needs root or sudo only when something is missing.
 set -eu
@@ -22,6 +23,7 @@ mutants_packages="python3-clang-14"
 coverage_packages="gcovr"
 python_packages="python3-dev python3-cffi python3-setuptools python3-wheel python3-pip python3-numpy python3-pandas python3-h5py
     python3-xarray python3-pytest python3-matplotlib python3-nbclient python3-nbformat python3-ipykernel mypy"
+cluster_packages="libopenmpi-dev openmpi-bin slurmctld slurmd slurm-client"
 deb_packages="debhelper lintian fakeroot"
 peer_packages="libmujoco-dev libsimbody-dev"
 
@@ -35,11 +37,12 @@ case "${1-}" in
 --mutants) packages="$packages $mutants_packages" ;;
 --coverage) packages="$packages $coverage_packages" ;;
 --deb) packages="$packages $deb_packages" ;;
+--clusters) packages="$packages $cluster_packages" ;;
 --bench) peers=yes ;;
 --web) web=yes ;;
 --python) python=yes ;;
 *)
-    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz, --mutants, --coverage, --web, --deb, --python)" >&2
+    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz, --mutants, --coverage, --web, --deb, --python, --clusters)" >&2
     exit 2
     ;;
 esac

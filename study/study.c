@@ -1,6 +1,7 @@
 /* The public interface of studies. */
-#include "hawser/hawser.h"
+#include "hawser/sweep.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -75,7 +76,7 @@ static hawser_status tables_write(hawser_study *s, const char *dir, hawser_error
     if (!status) status = table_csv(s->study, &s->rows, dir, err);
     if (!status) status = table_h5(s->study, &s->rows, dir, err);
     if (!status) status = summary_write(s, dir, err);
-    return status ? status : study_page_write(s->study, &s->rows, &s->findings, dir, err);
+    return status ? status : study_page_write(s->study, &s->rows, &s->findings, dir, "study.html", err);
 }
 
 /* The workers of a study that was killed end a moment after it, and hold its folder until then. */
@@ -92,30 +93,117 @@ static hawser_status folder_lock(const char *dir, int *lock, hawser_error *err)
     return status;
 }
 
+/* What is open, wherever it is computed, and again what a worker took along that died before it said so; its rows
+ * afterwards. Pilots first: they say which of the others are run. */
+static hawser_status part_run(hawser_study *s, const char *dir, const hawser_study_options *o,
+                              const hawser_study_cluster *on, int pilots, hawser_error *err)
+{
+    hawser_error late;
+    if (on->ranks) return ranks_run(s->study, dir, o, on->ranks, pilots, &s->rows, &s->efficiency, err);
+    if (on->slurm) return slurm_run(s->study, dir, o, on, pilots, &s->rows, err);
+    hawser_status status = HAWSER_OK;
+    for (long left = LONG_MAX; !status;) {
+        Units open;
+        status = units_open(s->study, pilots, &s->rows, &open, err);
+        const int more = open.n > 0 && open.n < left;
+        left = open.n;
+        if (!status && more)
+            status = engine_run(s->study, dir, "worker", o, &open, NULL, &s->rows, &s->efficiency, err);
+        free(open.unit);
+        const hawser_status read = store_read(s->study, dir, &s->rows, &late);
+        if (read && !status) status = error_set(err, read, "%s", late.message);
+        if (!more) break;
+    }
+    return status;
+}
+
+static hawser_status parts_run(hawser_study *s, const char *dir, const hawser_study_options *o,
+                               const hawser_study_cluster *on, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    if (s->study->pilot) status = part_run(s, dir, o, on, 1, err);
+    if (s->study->pilot && !status) pilots_bands(s->study, &s->rows, s->study->close);
+    return status ? status : part_run(s, dir, o, on, 0, err);
+}
+
+/* The folder becomes ours, and what it has is read. */
+static hawser_status folder_begin(hawser_study *s, const char *dir, int fresh, int slurm, int *lock, hawser_error *err)
+{
+    hawser_status status = out_make_dir(dir, err);
+    if (!status) status = folder_lock(dir, lock, err);
+    if (!status) status = rows_make(s->study, &s->rows, err);
+    if (!status && fresh && slurm) status = slurm_idle(s->study, dir, err);
+    if (!status && !fresh) status = store_read(s->study, dir, &s->rows, err);
+    return status ? status : store_begin(s->study, dir, fresh, err);
+}
+
 /* In a folder that is ours for as long as this lasts. A study that is stopped gets its tables too; the first error
- * counts. */
-hawser_status hawser_study_run(hawser_study *s, const char *dir, const hawser_study_options *options, hawser_error *err)
+ * counts. Of several ranks the first has the folder and makes the tables. */
+hawser_status hawser_study_run_on(hawser_study *s, const char *dir, const hawser_study_options *options,
+                                  const hawser_study_cluster *cluster, hawser_error *err)
 {
     const hawser_study_options usual = {0}, *const o = options ? options : &usual;
+    const hawser_study_cluster here = {0}, *const on = cluster ? cluster : &here;
     hawser_error local, late;
     hawser_error *const e = err ? err : &local;
+    const int first = !on->ranks || on->ranks->rank == 0;
     int lock = -1;
     if (!s || !dir) return error_argument(err, s ? "dir" : "s");
     drop_rows(s);
-    hawser_status status = out_make_dir(dir, e);
-    if (!status) status = folder_lock(dir, &lock, e);
-    if (!status) status = rows_make(s->study, &s->rows, e);
-    if (!status && !o->fresh) status = store_read(s->study, dir, &s->rows, e);
-    if (!status) status = store_begin(s->study, dir, o->fresh, e);
-    if (!status) {
-        /* pilots first: they say which of the others are run */
-        if (s->study->pilot) status = engine_run(s->study, dir, o, 1, &s->rows, &s->efficiency, e);
-        if (s->study->pilot) pilots_bands(s->study, &s->rows, s->study->close);
-        if (!status) status = engine_run(s->study, dir, o, 0, &s->rows, &s->efficiency, e);
+    s->efficiency = NAN;
+    hawser_status status =
+        first ? folder_begin(s, dir, o->fresh, on->slurm != NULL, &lock, e) : rows_make(s->study, &s->rows, e);
+    if (on->ranks) status = ranks_agree(on->ranks, status, e);
+    const int begun = !status;
+    if (begun) status = parts_run(s, dir, o, on, e);
+    if (begun && first) {
         const hawser_status written = tables_write(s, dir, &late);
         if (written && (!status || status == HAWSER_STOPPED)) status = error_set(e, written, "%s", late.message);
     }
     if (lock >= 0) close(lock);
+    return status;
+}
+
+hawser_status hawser_study_run(hawser_study *s, const char *dir, const hawser_study_options *options, hawser_error *err)
+{
+    return hawser_study_run_on(s, dir, options, NULL, err);
+}
+
+hawser_status hawser_study_task(hawser_study *s, const char *dir, int task, const hawser_study_options *options,
+                                hawser_error *err)
+{
+    const hawser_study_options usual = {0};
+    hawser_error local;
+    if (!s || !dir) return error_argument(err, s ? "dir" : "s");
+    return slurm_task(s->study, dir, task, options ? options : &usual, err ? err : &local);
+}
+
+/* The folder and the name of a file's path; dir[OUT_PATH_MAX]. */
+static const char *path_split(const char *path, char *dir)
+{
+    const char *const slash = strrchr(path, '/');
+    const size_t n = slash == path ? 1 : slash ? (size_t)(slash - path) : 1;
+    snprintf(dir, OUT_PATH_MAX, "%.*s", (int)(n < OUT_PATH_MAX ? n : 0), slash ? path : ".");
+    return slash ? slash + 1 : path;
+}
+
+/* Bands of pilots are found again, since the answer tells them. */
+hawser_status hawser_study_report(const char *dir, const char *page, hawser_error *err)
+{
+    char path[OUT_PATH_MAX], folder[OUT_PATH_MAX];
+    hawser_error local;
+    hawser_error *const e = err ? err : &local;
+    hawser_study *s = NULL;
+    if (!dir || !page) return error_argument(err, dir ? "page" : "dir");
+    const char *const name = path_split(page, folder);
+    hawser_status status = store_study(dir, path, e);
+    if (!status) status = hawser_study_load(path, &s, e);
+    if (!status) status = rows_make(s->study, &s->rows, e);
+    if (!status) status = store_read(s->study, dir, &s->rows, e);
+    if (!status && s->study->pilot) pilots_bands(s->study, &s->rows, s->study->close);
+    if (!status) status = findings_make(s->study, &s->rows, &s->findings, e);
+    if (!status) status = study_page_write(s->study, &s->rows, &s->findings, folder, name, e);
+    hawser_study_free(s);
     return status;
 }
 

@@ -104,6 +104,11 @@ static double wear_place(const PlanDef *def, int way, double head, double length
     return def->wear_by == WEAR_CABLE ? plan_first(def, way) + sign_of(way) * length : head - sign_of(way) * length;
 }
 
+double plan_friction_factor(const PlanDef *def, const DuctLoad *load, int way, double head, double s)
+{
+    return load->weight_factor * wear_at(def, wear_length(def, way, head, s));
+}
+
 /* Cable up to the head and rope beyond it, friction by wear, the duct's correction on the cable. */
 static PullStretch stretch_make(const PlanDef *def, const DuctLoad *load, int way, double head, double begin,
                                 double middle)
@@ -116,7 +121,7 @@ static PullStretch stretch_make(const PlanDef *def, const DuctLoad *load, int wa
         s.share = 1;
         return s;
     }
-    const double factor = load->weight_factor * wear_at(def, wear_length(def, way, head, middle));
+    const double factor = plan_friction_factor(def, load, way, head, middle);
     s.mu *= factor;
     s.mu_static *= factor;
     if (def->duct) s.share = load->sidewall_factor;

@@ -23,6 +23,9 @@ PlanSection plan_section(const PlanDef *def, int way, int i);
 /* The one in which the head is at `head`, m along the route: at a pit the one that ends there. */
 PlanSection plan_section_at(const PlanDef *def, int way, double head);
 
+/* What the friction of a stretch is multiplied by at s, with the cable's head at `head`: duct and wear (PN4). */
+double plan_friction_factor(const PlanDef *def, const DuctLoad *load, int way, double head, double s);
+
 /* What plan_pull is asked for. */
 typedef struct PlanPullDef {
     int way, restart;

@@ -187,7 +187,9 @@ hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, s->relax_s);
     CHECKPOINT(c, s->output_s);
     CHECKPOINT(c, s->record_s);
-    return c->reading && !c->status ? calls_go_on(s, err) : HAWSER_OK;
+    if (!c->reading || c->status) return HAWSER_OK;
+    s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin); /* what solves now is not what the beginning asked for */
+    return calls_go_on(s, err);
 }
 
 /* The chain as the case makes it, and the state that a run begins with: what is simulated is as much the case's files,

@@ -451,7 +451,8 @@ int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out)
     return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, peak > 0 && bar > 0 ? bar / peak : 0, out);
 }
 
-static void summary_fill(const Sim *s, hawser_summary *out)
+/* All of the summary but the conditions. */
+static void figures_fill(const Sim *s, hawser_summary *out)
 {
     static const char *const analyses[] = {"dynamics", "static", "modes"};
     const Scene *const scene = &s->stage.scene;
@@ -503,9 +504,14 @@ static void summary_fill(const Sim *s, hawser_summary *out)
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
     other_pass_bars(&s->other, &s->stats, sim_jolt(s), out);
+}
+
+static void summary_fill(const Sim *s, hawser_summary *out)
+{
     hawser_limit limit[HAWSER_LIMITS_MAX];
+    figures_fill(s, out);
     const int limits = sim_limits(s, out, limit);
-    const TrustFacts facts = {.scene = scene,
+    const TrustFacts facts = {.scene = &s->stage.scene,
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),
                               .mesh = &s->mesh,
@@ -593,6 +599,6 @@ int hawser_sim_limits(Sim *s, hawser_limit *out)
     s = SHOWN(s);
     if (!s || !out) return 0;
     hawser_summary figures;
-    summary_fill(s, &figures);
+    figures_fill(s, &figures);
     return sim_limits(s, &figures, out);
 }

@@ -49,8 +49,9 @@ static Finding roller_finding(const Stats *stats, int steady)
     return worst;
 }
 
-/* What is allowed of tensions, and of what is one tension times or over something exact, is as uncertain as the largest
- * pull. Pressure on surfaces is not: its bar is as large as itself, and what is allowed is of T/R. */
+/* What is a tension, or one over something exact, is as uncertain as the largest pull. So is sidewall pressure here,
+ * also where it was found on a surface: what is allowed is meant for T/R, and a surface's own bar is as large as
+ * itself. */
 static void errors_of_tension(Finding f[LIMIT_KINDS], double share)
 {
     static const LimitKind of_tension[] = {LIMIT_PULL, LIMIT_ATTACHMENT, LIMIT_SIDEWALL,

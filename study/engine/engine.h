@@ -3,7 +3,7 @@
 #ifndef HAWSER_STUDY_ENGINE_ENGINE_H
 #define HAWSER_STUDY_ENGINE_ENGINE_H
 
-#include "hawser/hawser.h"
+#include "hawser/sweep.h"
 #include "study/maths/fit.h"
 #include "study/plan/study.h"
 
@@ -62,20 +62,30 @@ hawser_status quantities_check(const Study *s, hawser_error *err);
 
 /* ------------------------------------------------------------------------------------------------- workers' files */
 
-/* Reads every whole row that workers have left in dir/workers into `rows`, if they are of this study; cuts off one that
- * is not. A folder without such is fine. Errors: INPUT (they are of another study), OUTPUT, MEMORY.
+/* Reads every whole row that is in dir/workers into `rows`, if they are of this study; changes no file, so that others
+ * may append meanwhile. A folder without such is fine. Errors: INPUT (they are of another study), OUTPUT, MEMORY.
  */
 hawser_status store_read(const Study *s, const char *dir, Rows *rows, hawser_error *err);
 /* Makes dir/workers and says whose it is; `fresh`: what is there is removed. Errors: OUTPUT, MEMORY. */
 hawser_status store_begin(const Study *s, const char *dir, int fresh, hawser_error *err);
-/* Worker k's file to append to; < 0 with errno. */
-int store_open(const char *dir, int k);
+/* Which study's rows are in a folder: its file, path[OUT_PATH_MAX]. Errors: INPUT (there is none). */
+hawser_status store_study(const char *dir, char path[], hawser_error *err);
+/* A crew is the workers of one engine; its name begins those of its files. */
+enum { CREW_MAX = 40, STORE_NAME_MAX = 40 };
+/* Path of worker k's file, path[OUT_PATH_MAX]. Errors: OUTPUT (too long). */
+hawser_status store_path(char path[], const char *dir, const char *crew, int k, hawser_error *err);
+/* It, open to append to; < 0 with errno. */
+int store_open(const char *dir, const char *crew, int k);
 /* Appends a row in one write; 0 or errno. */
 int store_append(int fd, const Row *row, const double *value, int width);
-/* Cuts off a row that its worker did not finish writing; 0 or errno. */
+/* Cuts off a row that its worker did not finish writing, before another is appended; 0 or errno. */
 int store_mend(int fd, int width);
+/* Whether the last row of a file that is mended is this sample's. */
+int store_ends_with(int fd, int width, long sample);
 /* Worker k's rows, with those that came since the folder was read. Errors: OUTPUT. */
-hawser_status store_take(const char *dir, int k, Rows *rows, hawser_error *err);
+hawser_status store_take(const char *dir, const char *crew, int k, Rows *rows, hawser_error *err);
+/* A name for the study in this folder that no other has; dir as realpath has it. Errors: MEMORY. */
+hawser_status store_name(const Study *s, const char *dir, char name[STORE_NAME_MAX], hawser_error *err);
 
 /* --------------------------------------------------------------------------------------------------------- searches */
 
@@ -96,10 +106,45 @@ int fit_samples(const Study *s, const Rows *known, SampleAsk ask, void *user, in
 /* (ES3): of each limit the band about 0 within which theory is not relied on, by the pilots that are there; beyond 1e3
  * nothing is. */
 void pilots_bands(const Study *s, const Rows *rows, double band[LIMIT_KINDS]);
-/* Computes what is open on `jobs` processes, with `pilots` of these samples alone. Errors: OUTPUT, MEMORY, STOPPED;
- * rows that were written are in `rows` in any case. *efficiency: processor time of samples over wall time and workers;
- * NAN if nothing was open. */
-hawser_status engine_run(const Study *s, const char *dir, const hawser_study_options *options, int pilots, Rows *rows,
-                         double *efficiency, hawser_error *err);
+/* What is computed: samples one by one, or of a study that searches whole searches. */
+typedef struct Units {
+    long n, *unit;             /* [n], owned; rising; NULL: unit k is k */
+    hawser_study_state before; /* what is there of the others */
+} Units;
+/* What is open by `rows`, with `pilots` of these samples alone. Errors: MEMORY. */
+hawser_status units_open(const Study *s, int pilots, const Rows *rows, Units *open, hawser_error *err);
+
+/* Where the units of one engine come from, where several share them; of each look at its workers one call. */
+typedef enum Fed { FED_NOT_YET, FED_MORE, FED_NO_MORE, FED_STOP } Fed;
+typedef struct Feed {
+    /* `empty`: the workers have taken all that there was. MORE: units from .. to-1 of the list are theirs. `state` is
+     * this engine's, and may be made that of all. */
+    Fed (*more)(void *user, int empty, hawser_study_state *state, long *from, long *to);
+    void *user;
+} Feed;
+
+/* Computes units on options->jobs processes, whose files are the crew's; feed NULL: all of them. `rows` are those of
+ * earlier starts, for searches, or NULL. Errors: OUTPUT, MEMORY, STOPPED; rows that were written are in the files in
+ * any case. *efficiency: time with samples over wall time and workers; NAN if there were none. */
+hawser_status engine_run(const Study *s, const char *dir, const char *crew, const hawser_study_options *options,
+                         const Units *units, const Feed *feed, Rows *rows, double *efficiency, hawser_error *err);
+
+/* -------------------------------------------------------------------------------------------------------- clusters */
+
+/* Computes units as a Slurm array, and again what is open after it: waits until nothing is. Rows of earlier starts in
+ * `rows`, which follows what comes in. Errors: INPUT (no Slurm), OUTPUT, MEMORY, STOPPED. */
+hawser_status slurm_run(const Study *s, const char *dir, const hawser_study_options *options,
+                        const hawser_study_cluster *cluster, int pilots, Rows *rows, hawser_error *err);
+/* Errors: INPUT if an array of the study in this folder is at work. */
+hawser_status slurm_idle(const Study *s, const char *dir, hawser_error *err);
+/* One task of the array that slurm_run has submitted. Errors: INPUT, OUTPUT, MEMORY, STOPPED. */
+hawser_status slurm_task(Study *s, const char *dir, int task, const hawser_study_options *options, hawser_error *err);
+
+/* Computes what is open on all ranks; each calls it. `rows`: on rank 0 those of earlier starts, and what is new; on the
+ * others those of rows_make, untouched. Errors: of whichever rank had one, with its text where it was. */
+hawser_status ranks_run(Study *s, const char *dir, const hawser_study_options *options, const hawser_ranks *ranks,
+                        int pilots, Rows *rows, double *efficiency, hawser_error *err);
+/* Rank 0's status, if it is another than OK, on the others too. */
+hawser_status ranks_agree(const hawser_ranks *ranks, hawser_status status, hawser_error *err);
 
 #endif

@@ -1,7 +1,10 @@
 /* Workers' files: rows of one size, each with a check sum, appended by one write and never changed. A row that is cut
- * off or damaged, and what is behind it, counts as not there. */
+ * off or damaged counts as not there. */
+#define _DEFAULT_SOURCE /* scandir */
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,7 +17,7 @@
 #include "io/results/results_file.h"
 #include "study/engine/engine.h"
 
-enum { STORE_FORMAT = 2, FILES_MAX = 1024, NAME_MAX_ = 64, IDENTITY_MAX = 128, RECORD_MAX = 1 << 16 };
+enum { STORE_FORMAT = 2, IDENTITY_MAX = 128, RECORD_MAX = 1 << 16 };
 
 /* ------------------------------------------------------------------------------------------------------- identity */
 
@@ -121,11 +124,38 @@ static hawser_status workers_path(char path[OUT_PATH_MAX], const char *dir, cons
     return status ? status : out_join(path, folder, name, err);
 }
 
-static hawser_status worker_path(char path[OUT_PATH_MAX], const char *dir, int k, hawser_error *err)
+static const char ENDING[] = ".rows";
+
+hawser_status store_path(char path[], const char *dir, const char *crew, int k, hawser_error *err)
 {
-    char name[NAME_MAX_];
-    snprintf(name, sizeof name, "worker-%d.rows", k);
+    char name[CREW_MAX + 20];
+    snprintf(name, sizeof name, "%.*s-%d%s", CREW_MAX, crew, k, ENDING);
     return workers_path(path, dir, name, err);
+}
+
+static int is_rows(const struct dirent *entry)
+{
+    const size_t n = strlen(entry->d_name), end = sizeof ENDING - 1;
+    return n > end && strcmp(entry->d_name + n - end, ENDING) == 0;
+}
+
+/* Calls `with` on every file of rows in dir/workers, in the order of their names, until one returns another number than
+ * 0. Errors: OUTPUT. */
+typedef int (*RowsFile)(void *user, const char *path);
+static hawser_status files_each(const char *dir, RowsFile with, void *user, hawser_error *err)
+{
+    char folder[OUT_PATH_MAX], path[OUT_PATH_MAX];
+    struct dirent **list = NULL;
+    hawser_status status = out_join(folder, dir, "workers", err);
+    const int n = status ? 0 : scandir(folder, &list, is_rows, alphasort);
+    for (int k = 0; k < n; k++) {
+        if (!status) status = out_join(path, folder, list[k]->d_name, err);
+        const int number = status ? 0 : with(user, path);
+        if (number) status = out_error(path, number, err);
+        free(list[k]);
+    }
+    free(list);
+    return status;
 }
 
 /* ------------------------------------------------------------------------------------------------------------ rows */
@@ -160,10 +190,10 @@ void rows_free(Rows *rows)
 
 static size_t record_size(int width) { return sizeof(Row) + (size_t)width * sizeof(double) + sizeof(Hash); }
 
-int store_open(const char *dir, int k)
+int store_open(const char *dir, const char *crew, int k)
 {
     char path[OUT_PATH_MAX];
-    if (worker_path(path, dir, k, NULL)) {
+    if (store_path(path, dir, crew, k, NULL)) {
         errno = ENAMETOOLONG;
         return -1;
     }
@@ -212,15 +242,32 @@ int store_mend(int fd, int width)
     return cut && ftruncate(fd, info.st_size - cut) ? errno : 0;
 }
 
-/* All sound records of a file; one that is cut off in its end is removed. 0 or errno. */
-static int records_take(int fd, Rows *rows)
+int store_ends_with(int fd, int width, long sample)
 {
     char record[RECORD_MAX];
+    struct stat info;
+    Row row;
+    const size_t size = record_size(width);
+    if (fstat(fd, &info) || info.st_size < (off_t)size) return 0;
+    if (pread(fd, record, size, info.st_size - (off_t)size) != (ssize_t)size || !record_is_sound(record, size))
+        return 0;
+    memcpy(&row, record, sizeof row);
+    return row.sample == sample;
+}
+
+/* All sound records of a file. One that is cut off in its end may be on its way: who appends there next cuts it. */
+static int records_take(void *user, const char *path)
+{
+    Rows *const rows = user;
+    char record[RECORD_MAX];
     const size_t size = record_size(rows->width);
+    const int fd = open(path, O_RDONLY | O_CLOEXEC);
+    if (fd < 0) return errno == ENOENT ? 0 : errno;
     for (off_t at = 0; pread(fd, record, size, at) == (ssize_t)size; at += (off_t)size) {
         if (record_is_sound(record, size)) record_take(record, rows);
     }
-    return store_mend(fd, rows->width);
+    close(fd);
+    return 0;
 }
 
 /* ----------------------------------------------------------------------------------------------------- the folder */
@@ -235,9 +282,7 @@ static hawser_status owner_find(const Study *s, const char *dir, int *own, hawse
     FILE *const f = fopen(path, "r");
     *own = 0;
     if (!f) return HAWSER_OK;
-    const size_t n = fread(theirs, 1, sizeof theirs - 1, f);
-    theirs[n] = 0;
-    *own = strcmp(mine, theirs) ? -1 : 1;
+    *own = fgets(theirs, sizeof theirs, f) && strcmp(mine, theirs) == 0 ? 1 : -1;
     fclose(f);
     return HAWSER_OK;
 }
@@ -253,50 +298,59 @@ hawser_status store_read(const Study *s, const char *dir, Rows *rows, hawser_err
                          "folder, or begin anew with --fresh",
                          dir);
     }
-    for (int k = 0; k < FILES_MAX; k++) {
-        char path[OUT_PATH_MAX];
-        if (worker_path(path, dir, k, NULL)) break;
-        const int fd = open(path, O_RDWR | O_CLOEXEC);
-        if (fd < 0) continue; /* a worker that was killed before it made its own, or there were fewer */
-        records_take(fd, rows);
-        const int number = store_mend(fd, rows->width);
-        close(fd);
-        if (number) return out_error(path, number, err);
-    }
-    return HAWSER_OK;
+    return files_each(dir, records_take, rows, err);
 }
 
-hawser_status store_take(const char *dir, int k, Rows *rows, hawser_error *err)
+hawser_status store_take(const char *dir, const char *crew, int k, Rows *rows, hawser_error *err)
 {
-    const int fd = store_open(dir, k), number = fd < 0 ? errno : records_take(fd, rows);
-    if (fd >= 0) close(fd);
-    return number ? out_error(dir, number, err) : HAWSER_OK;
+    char path[OUT_PATH_MAX];
+    const hawser_status status = store_path(path, dir, crew, k, err);
+    const int number = status ? 0 : records_take(rows, path);
+    return number ? out_error(path, number, err) : status;
 }
 
-/* A small file, whole and on the disk when this returns, or what was there before. */
-static int write_whole(const char *path, const char *text)
+static int file_remove(void *user, const char *path)
 {
-    char other[OUT_PATH_MAX + 4];
-    snprintf(other, sizeof other, "%s.new", path);
-    const int fd = open(other, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (fd < 0) return errno;
-    const ssize_t n = write(fd, text, strlen(text));
-    int number = n < 0 ? errno : n < (ssize_t)strlen(text) ? ENOSPC : fsync(fd) ? errno : 0;
-    if (close(fd) && !number) number = errno;
-    return !number && rename(other, path) ? errno : number;
+    (void)user;
+    return unlink(path) ? errno : 0;
+}
+
+/* workers/study: whose rows these are, and which file that was. */
+static hawser_status owner_write(const Study *s, const char *folder, hawser_error *err)
+{
+    char text[IDENTITY_MAX], path[PATH_MAX], whole[IDENTITY_MAX + PATH_MAX];
+    if (!realpath(s->path, path)) return out_error(s->path, errno, err);
+    const hawser_status status = identity_say(s, text, err);
+    snprintf(whole, sizeof whole, "%s%s\n", text, path);
+    return status ? status : out_whole(folder, "study", whole, err);
 }
 
 hawser_status store_begin(const Study *s, const char *dir, int fresh, hawser_error *err)
 {
-    char folder[OUT_PATH_MAX], path[OUT_PATH_MAX], text[IDENTITY_MAX];
+    char folder[OUT_PATH_MAX];
     hawser_status status = out_join(folder, dir, "workers", err);
     if (!status) status = out_make_dir(folder, err);
-    for (int k = 0; fresh && !status && k < FILES_MAX; k++) {
-        status = worker_path(path, dir, k, err);
-        if (!status) unlink(path);
-    }
-    if (!status) status = workers_path(path, dir, "study", err);
-    if (!status) status = identity_say(s, text, err);
-    const int number = status ? 0 : write_whole(path, text);
-    return number ? out_error(path, number, err) : status;
+    if (!status && fresh) status = files_each(dir, file_remove, NULL, err);
+    return status ? status : owner_write(s, folder, err);
+}
+
+hawser_status store_study(const char *dir, char path[], hawser_error *err)
+{
+    char from[OUT_PATH_MAX], first[IDENTITY_MAX];
+    const hawser_status status = workers_path(from, dir, "study", err);
+    if (status) return status;
+    FILE *const f = fopen(from, "r");
+    const int found = f && fgets(first, sizeof first, f) && fgets(path, OUT_PATH_MAX, f);
+    if (f) fclose(f);
+    if (!found) return error_set(err, HAWSER_ERR_INPUT, "'%.400s' holds no study", dir);
+    path[strcspn(path, "\n")] = 0;
+    return HAWSER_OK;
+}
+
+hawser_status store_name(const Study *s, const char *dir, char name[STORE_NAME_MAX], hawser_error *err)
+{
+    Hash h = 0;
+    const hawser_status status = identity(s, &h, err);
+    snprintf(name, STORE_NAME_MAX, "hawser-%016llx", (unsigned long long)hash_text(h, dir));
+    return status;
 }

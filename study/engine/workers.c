@@ -37,17 +37,18 @@ typedef struct Slot {
 } Slot;
 
 typedef struct Board {
-    _Atomic long next; /* of the units */
-    Slot slot[];       /* [jobs] */
+    _Atomic uint64_t range; /* of the units that are to be had: the next one, shifted by 32, and the end */
+    _Atomic int closed;     /* there will be no more */
+    Slot slot[];            /* [jobs] */
 } Board;
 
 typedef struct Engine {
     const Study *study;
-    const char *dir;
+    const char *dir, *crew;
     int jobs;
     Rows *rows;
-    long n_open, *open; /* [n_open] samples to be computed; of a study that searches nothing */
-    long units;         /* samples that are open, or searches */
+    const Units *units;
+    const Feed *feed; /* NULL: all units at once */
     Board *board;
     size_t board_size;
     pid_t pid[JOBS_MAX], parent; /* 0: this worker is over */
@@ -107,6 +108,28 @@ static int sample_compute(void *user, long i, const double *x, Row *row, double 
     return 1;
 }
 
+static uint64_t range_of(long from, long to) { return (uint64_t)from << 32 | (uint64_t)to; }
+static int range_is_empty(uint64_t range) { return range >> 32 == (range & UINT32_MAX); }
+
+/* The place in the list of a unit that nobody else gets; < 0: there are no more. Waits where there may be. */
+static long unit_claim(Board *b)
+{
+    const struct timespec pause = {.tv_nsec = 1000000};
+    uint64_t range = b->range;
+    for (;;) {
+        if (!range_is_empty(range)) {
+            if (atomic_compare_exchange_weak(&b->range, &range, range + ((uint64_t)1 << 32)))
+                return (long)(range >> 32);
+            continue;
+        }
+        const int closed = b->closed; /* before the range, which may have been filled just before */
+        range = b->range;
+        if (!range_is_empty(range)) continue;
+        if (closed) return -1;
+        nanosleep(&pause, NULL);
+    }
+}
+
 /* A sample, or a search with all of its samples that are open. */
 static void unit_compute(Worker *w, long unit, double *value)
 {
@@ -115,8 +138,8 @@ static void unit_compute(Worker *w, long unit, double *value)
     Row row;
     int other = 0;
     if (!study_searches(e->study)) {
-        study_point(e->study, e->open[unit], x);
-        sample_compute(w, e->open[unit], x, &row, value);
+        study_point(e->study, unit, x);
+        sample_compute(w, unit, x, &row, value);
         return;
     }
     w->slot->unit = unit;
@@ -135,10 +158,11 @@ static _Noreturn void work(const Engine *e, int k)
     Slot *const slot = &e->board->slot[k];
     const int width = row_width(e->study);
     double *const value = malloc(((size_t)width + 1) * sizeof *value);
-    Worker w = {.engine = e, .slot = slot, .fd = value ? store_open(e->dir, k) : -1, .synced = clock_now()};
+    Worker w = {.engine = e, .slot = slot, .fd = value ? store_open(e->dir, e->crew, k) : -1, .synced = clock_now()};
     w.number = w.fd < 0 ? value ? errno : ENOMEM : store_mend(w.fd, width);
     if (!w.number && slot->unit >= 0) unit_compute(&w, slot->unit, value);
-    for (long at; !w.number && (at = atomic_fetch_add(&e->board->next, 1)) < e->units;) unit_compute(&w, at, value);
+    for (long at; !w.number && (at = unit_claim(e->board)) >= 0;)
+        unit_compute(&w, e->units->unit ? e->units->unit[at] : at, value);
     if (!w.number && fdatasync(w.fd) && errno != EINVAL) w.number = errno; /* pipes and the like know no sync */
     slot->number = w.number;
     _exit(w.number ? WORKER_OUTPUT : 0);
@@ -162,13 +186,13 @@ static hawser_status worker_start(Engine *e, int k, hawser_error *err)
     return error_set(err, HAWSER_ERR_MEMORY, "no process can be started: %s", strerror(errno));
 }
 
-/* The row of a sample that ended its worker. */
+/* The row of a sample that ended its worker, unless it has just been written. */
 static int row_for(const Engine *e, int k, int wait_status)
 {
     Slot *const slot = &e->board->slot[k];
     const int q = e->study->n_quantities, width = row_width(e->study);
     double *const value = malloc(((size_t)width + 1) * sizeof *value);
-    const int fd = value ? store_open(e->dir, k) : -1;
+    const int fd = value ? store_open(e->dir, e->crew, k) : -1;
     int number = fd < 0 ? value ? errno : ENOMEM : store_mend(fd, width);
     Row row;
     memset(&row, 0, sizeof row);
@@ -186,8 +210,9 @@ static int row_for(const Engine *e, int k, int wait_status)
     } else {
         snprintf(row.reason, sizeof row.reason, "its process ended with status %d", WEXITSTATUS(wait_status));
     }
-    if (!number) number = store_append(fd, &row, value, width);
-    if (!number) count_row(slot, &row);
+    const int there = !number && store_ends_with(fd, width, slot->sample);
+    if (!number && !there) number = store_append(fd, &row, value, width);
+    if (!number && !there) count_row(slot, &row);
     if (fd >= 0) close(fd);
     free(value);
     return number;
@@ -202,9 +227,9 @@ static hawser_status worker_over(Engine *e, int k, int wait_status, hawser_error
     const int fine = WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == 0;
     if (!number && !fine && slot->sample >= 0) number = row_for(e, k, wait_status);
     if (number) {
-        char name[OUT_PATH_MAX];
-        snprintf(name, sizeof name, "%.4000s/workers/worker-%d.rows", e->dir, k);
-        return out_error(name, number, err);
+        char path[OUT_PATH_MAX];
+        const hawser_status status = store_path(path, e->dir, e->crew, k, err);
+        return status ? status : out_error(path, number, err);
     }
     if (fine) return HAWSER_OK;
     if (WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == WORKER_MEMORY) return error_memory(err);
@@ -216,8 +241,9 @@ static hawser_status worker_over(Engine *e, int k, int wait_status, hawser_error
     }
     if (slot->sample < 0 && ++e->idle_deaths > IDLE_DEATHS_MAX)
         return error_set(err, HAWSER_ERR_MEMORY, "workers end before they begin: is 'memory' too small?");
-    if (slot->unit < 0) return e->board->next >= e->units ? HAWSER_OK : worker_start(e, k, err);
-    const hawser_status status = store_take(e->dir, k, e->rows, err);
+    const int over = e->board->closed && range_is_empty(e->board->range);
+    if (slot->unit < 0) return over ? HAWSER_OK : worker_start(e, k, err);
+    const hawser_status status = store_take(e->dir, e->crew, k, e->rows, err);
     return status ? status : worker_start(e, k, err);
 }
 
@@ -268,6 +294,18 @@ static hawser_study_state state_now(const Engine *e, const hawser_study_state *b
     return now;
 }
 
+/* What the workers may take next, where several engines share the units. */
+static hawser_status workers_feed(Engine *e, hawser_study_state *state, hawser_error *err)
+{
+    long from, to;
+    if (!e->feed) return HAWSER_OK;
+    const Fed fed =
+        e->feed->more(e->feed->user, !e->board->closed && range_is_empty(e->board->range), state, &from, &to);
+    if (fed == FED_MORE) e->board->range = range_of(from, to);
+    if (fed == FED_NO_MORE) e->board->closed = 1;
+    return fed == FED_STOP ? error_set(err, HAWSER_STOPPED, "stopped by another rank") : HAWSER_OK;
+}
+
 /* Until all workers are over, or the caller has enough. */
 static hawser_status wait_all(Engine *e, const hawser_study_options *options, const hawser_study_state *before,
                               hawser_error *err)
@@ -281,8 +319,9 @@ static hawser_status wait_all(Engine *e, const hawser_study_options *options, co
         nanosleep(&pause, NULL);
         status = workers_look(e, &running, err);
         const double now = clock_now();
+        hawser_study_state state = state_now(e, before, now - start);
+        if (!status) status = workers_feed(e, &state, err);
         if (status || !options->progress || (running && now - told < TELL)) continue;
-        const hawser_study_state state = state_now(e, before, now - start);
         told = now;
         if (options->progress(options->user, &state) && running)
             status = error_set(err, HAWSER_STOPPED, "stopped with %ld of %ld samples: the same command goes on",
@@ -292,20 +331,42 @@ static hawser_status wait_all(Engine *e, const hawser_study_options *options, co
     return status;
 }
 
-/* Which samples are open, and what the others were. */
-static hawser_status open_find(Engine *e, int pilots, Rows *rows, hawser_study_state *before, hawser_error *err)
+/* A search that asks for a sample has one open. */
+static int note_open(void *user, long i, const double *x, Row *row, double *value)
 {
-    e->open = malloc(((size_t)rows->n + 1) * sizeof *e->open);
-    if (!e->open) return error_memory(err);
-    e->rows = rows;
+    (void)i, (void)x, (void)row, (void)value;
+    *(int *)user = 1;
+    return 0;
+}
+
+/* Whether a search is not at its end, by going through the samples that are there; one that meets another's is open
+ * too, so that it is computed and complains. */
+static int search_is_open(const Study *s, long c, const Rows *rows)
+{
+    int open = 0, other = 0;
+    FitResult fit;
+    const int ok = s->kind == STUDY_CALIBRATE ? fit_samples(s, rows, note_open, &open, &other, &fit)
+                                              : search_samples(s, c, rows, note_open, &open, &other);
+    return open || other || !ok;
+}
+
+hawser_status units_open(const Study *s, int pilots, const Rows *rows, Units *open, hawser_error *err)
+{
+    const int searches = study_searches(s);
+    const long n = searches ? s->blocks : rows->n;
+    *open =
+        (Units){.unit = malloc(((size_t)n + 1) * sizeof *open->unit), .before = {.samples = rows->n, .left_s = NAN}};
+    if (!open->unit) return error_memory(err);
     for (long i = 0; i < rows->n; i++) {
-        const Row *const row = &rows->row[i];
-        if (row->state == ROW_OPEN && (!pilots || study_is_pilot(e->study, i))) e->open[e->n_open++] = i;
-        before->done += row->state != ROW_OPEN;
-        before->failed += row->state > ROW_DONE;
-        before->not_safe += row->verdict == VERDICT_NOT_SAFE;
+        open->before.done += rows->row[i].state != ROW_OPEN;
+        open->before.failed += rows->row[i].state > ROW_DONE;
+        open->before.not_safe += rows->row[i].verdict == VERDICT_NOT_SAFE;
     }
-    e->units = study_searches(e->study) ? e->study->blocks : e->n_open;
+    for (long i = 0; i < n; i++) {
+        const int is_open =
+            searches ? search_is_open(s, i, rows) : rows->row[i].state == ROW_OPEN && (!pilots || study_is_pilot(s, i));
+        if (is_open) open->unit[open->n++] = i;
+    }
     return HAWSER_OK;
 }
 
@@ -316,6 +377,9 @@ static hawser_status board_make(Engine *e, hawser_error *err)
     if (e->board == MAP_FAILED) e->board = NULL;
     if (!e->board) return error_memory(err);
     for (int k = 0; k < e->jobs; k++) e->board->slot[k].unit = -1;
+    if (e->feed) return HAWSER_OK;
+    e->board->range = range_of(0, e->units->n);
+    e->board->closed = 1;
     return HAWSER_OK;
 }
 
@@ -326,26 +390,22 @@ static int jobs_of(const hawser_study_options *options, long units)
     return (int)(jobs > units ? units : jobs);
 }
 
-hawser_status engine_run(const Study *s, const char *dir, const hawser_study_options *options, int pilots, Rows *rows,
-                         double *efficiency, hawser_error *err)
+hawser_status engine_run(const Study *s, const char *dir, const char *crew, const hawser_study_options *options,
+                         const Units *units, const Feed *feed, Rows *rows, double *efficiency, hawser_error *err)
 {
-    Engine e = {.study = s, .dir = dir, .parent = getpid()};
-    hawser_study_state before = {.samples = rows->n};
+    Engine e = {.study = s, .dir = dir, .crew = crew, .rows = rows, .units = units, .feed = feed, .parent = getpid()};
+    hawser_study_state before = units->before;
     *efficiency = NAN;
-    hawser_status status = open_find(&e, pilots, rows, &before, err);
-    before.jobs = e.jobs = status ? 0 : jobs_of(options, e.units);
-    if (!status && e.units > 0) status = board_make(&e, err);
+    if (units->n == 0) return HAWSER_OK;
+    before.jobs = e.jobs = jobs_of(options, units->n);
+    hawser_status status = board_make(&e, err);
     const double start = clock_now();
     for (int k = 0; k < e.jobs && !status; k++) status = worker_start(&e, k, err);
     if (status) workers_end(&e);
-    if (!status && e.units > 0) status = wait_all(&e, options, &before, err);
+    if (!status) status = wait_all(&e, options, &before, err);
     double busy = 0;
     for (int k = 0; k < e.jobs && e.board; k++) busy += e.board->slot[k].busy;
     if (busy > 0) *efficiency = busy / ((clock_now() - start) * e.jobs);
     if (e.board) munmap(e.board, e.board_size);
-    free(e.open);
-    hawser_error late;
-    const hawser_status read = store_read(s, dir, rows, &late);
-    if (read && !status) status = error_set(err, read, "%s", late.message);
     return status;
 }

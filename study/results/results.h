@@ -142,7 +142,8 @@ enum { ANSWER_MAX = 4096, TABLES_MAX = 12 };
 void findings_answer(const Study *s, const Findings *f, char answer[ANSWER_MAX]);
 int findings_tables(const Study *s, const Findings *f, Table table[TABLES_MAX]);
 /* dir/study.html. Errors: OUTPUT, MEMORY. */
-hawser_status study_page_write(const Study *s, const Rows *rows, const Findings *f, const char *dir, hawser_error *err);
+hawser_status study_page_write(const Study *s, const Rows *rows, const Findings *f, const char *dir, const char *name,
+                               hawser_error *err);
 /* Tornado and response curves. Errors: MEMORY. */
 hawser_status responses_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err);
 hawser_status findings_text(const Study *s, const Findings *f, hawser_format format, char **text, hawser_error *err);

@@ -183,7 +183,8 @@ static void fit_add(Text *page, const Study *s, const Rows *rows, const Findings
     free(x);
 }
 
-hawser_status study_page_write(const Study *s, const Rows *rows, const Findings *f, const char *dir, hawser_error *err)
+hawser_status study_page_write(const Study *s, const Rows *rows, const Findings *f, const char *dir, const char *name,
+                               hawser_error *err)
 {
     Text page = {0};
     char answer[ANSWER_MAX];
@@ -204,7 +205,7 @@ hawser_status study_page_write(const Study *s, const Rows *rows, const Findings 
     }
     for (int k = 0; k < tables; k++) page_table(&page, &table[k]);
     page_end(&page);
-    const hawser_status status = page.failed ? error_memory(err) : out_whole(dir, "study.html", page.at, err);
+    const hawser_status status = page.failed ? error_memory(err) : out_whole(dir, name, page.at, err);
     text_clear(&page);
     return status;
 }

@@ -45,7 +45,7 @@ done
 so=${version%%.*}
 [ "$so" -gt 0 ] || so=${version%.*}
 readelf -d "$lib/libhawser.so" | grep -qF "Library soname: [libhawser.so.${so}]" || fail "wrong soname"
-cc -E -P -I "$prefix/include" "$prefix/include/hawser/hawser.h" | grep -o 'hawser_[a-z0-9_]* *(' | tr -d ' (' | sort -u >"$work/declared"
+cc -E -P -I "$prefix/include" "$prefix/include/hawser/sweep.h" | grep -o 'hawser_[a-z0-9_]* *(' | tr -d ' (' | sort -u >"$work/declared"
 nm -D --defined-only "$lib/libhawser.so" | awk '{print $NF}' | sort -u >"$work/exported"
 diff "$work/declared" "$work/exported" >"$work/symbols" || { cat "$work/symbols"; fail "exports (>) differ from header (<)"; }
 

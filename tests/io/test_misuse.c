@@ -1,5 +1,5 @@
-/* What only a program can get wrong: NULL, wrong order, numbers that are none. A status each, with the argument's name
- * as the error's key, and no harm done. And errors as fields. */
+/* What only a program can get wrong: wrong order, numbers that are none (NULL: tests/cli/null_calls.c). A status each,
+ * with the argument's name as the error's key, and no harm done. And errors as fields. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -46,65 +46,6 @@ static void check_key(const char *argument)
         check_above(strlen(error.message), 5);                                                                         \
     } while (0)
 static const char *const nothing = NULL;
-
-static void null_is_refused(void **state)
-{
-    (void)state;
-    hawser_case *const c = case_new();
-    hawser_case *out = NULL;
-    hawser_sim *const s = sim_new_of(NULL, NULL), *made = NULL;
-    char *text = NULL;
-    const hawser_contact *contact;
-    const hawser_cable_point *joint;
-    const hawser_geometry *geometry;
-    hawser_envelope envelope;
-    hawser_route_place place;
-    double length;
-    int n;
-    REFUSED(hawser_case_load(NULL, &out, &error), "path");
-    REFUSED(hawser_case_load("x", NULL, &error), "out");
-    REFUSED(hawser_case_parse(NULL, "x", &out, &error), "text");
-    REFUSED(hawser_case_parse("a: b", NULL, &out, &error), "name");
-    REFUSED(hawser_case_parse_json(NULL, "x", &out, &error), "text");
-    REFUSED(hawser_case_set(NULL, "a", "b", &error), "c");
-    REFUSED(hawser_case_set(c, NULL, "b", &error), "key");
-    REFUSED(hawser_case_set(c, "a", NULL, &error), "value");
-    REFUSED(hawser_case_folder(c, NULL, &error), "folder");
-    REFUSED(hawser_case_check(NULL, &error), "c");
-    REFUSED(hawser_case_describe(NULL, HAWSER_JSON, &text, &error), "c");
-    REFUSED(hawser_case_theory(c, HAWSER_JSON, NULL, &error), "text");
-    REFUSED(hawser_case_equipment(NULL, HAWSER_JSON, &text, &error), "c");
-    REFUSED(hawser_sim_new(NULL, NULL, &made, &error), "c");
-    REFUSED(hawser_sim_new(c, NULL, NULL, &error), "out");
-    REFUSED(hawser_sim_relax(NULL, NULL, &error), "s");
-    REFUSED(hawser_sim_advance(NULL, 1, 0, &error), "s");
-    REFUSED(hawser_sim_run(NULL, NULL, NULL, NULL, &error), "s");
-    REFUSED(hawser_sim_summary_json(NULL, &text, &error), "s");
-    REFUSED(hawser_sim_control(NULL, HAWSER_WINCH_PAUSE, NULL, 0, 0, &error), "s");
-    REFUSED(hawser_sim_control(s, HAWSER_JAM, NULL, 0, 0, &error), "what");
-    REFUSED(hawser_sim_force(NULL, 0, NULL, 0, &error), "s");
-    REFUSED(hawser_sim_set_law(NULL, 0, 1, NULL, 0, NULL, &error), "s");
-    REFUSED(hawser_sim_contacts(s, NULL, &n, &error), "out");
-    REFUSED(hawser_sim_contacts(s, &contact, NULL, &error), "n");
-    REFUSED(hawser_sim_cable(NULL, &joint, &n, NULL, &error), "s");
-    REFUSED(hawser_sim_watch_envelope(NULL, &error), "s");
-    REFUSED(hawser_sim_envelope(NULL, 0, &envelope, &error), "s");
-    REFUSED(hawser_sim_geometry(NULL, &geometry, &error), "s");
-    REFUSED(hawser_sim_route_length(NULL, &length, &error), "s");
-    REFUSED(hawser_sim_route_at(NULL, 0, &place, &error), "s");
-    assert_null(hawser_sim_sample(NULL));
-    check_nan(hawser_sim_time(NULL));
-    hawser_sim_record(NULL);
-    hawser_sim_summary(NULL, NULL);
-    hawser_sim_on_step(NULL, NULL, NULL);
-    hawser_sim_on_event(NULL, NULL, NULL);
-    hawser_sim_on_log(NULL, HAWSER_LOG_INFO, NULL, NULL);
-    assert_int_equal(hawser_sim_events(NULL, NULL), 0);
-    assert_int_equal(hawser_sim_stations(s, NULL), 0);
-    check_nan(hawser_machine_figure(NULL, "force_N"));
-    hawser_sim_free(s);
-    hawser_case_free(c);
-}
 
 static void numbers_that_are_none(void **state)
 {
@@ -273,8 +214,8 @@ static void json_errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(null_is_refused),   cmocka_unit_test(numbers_that_are_none), cmocka_unit_test(wrong_order),
-        cmocka_unit_test(errors_are_fields), cmocka_unit_test(a_case_is_json),        cmocka_unit_test(json_errors),
+        cmocka_unit_test(numbers_that_are_none), cmocka_unit_test(wrong_order), cmocka_unit_test(errors_are_fields),
+        cmocka_unit_test(a_case_is_json),        cmocka_unit_test(json_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -58,7 +58,7 @@ static void it_snaps_taut(void **state)
 static void it_leaves_its_rollers(void **state)
 {
     (void)state;
-    expect_trap(&(Trap){"trap-off-its-rollers", "equilibrium, on_route", NAN, 40000});
+    expect_trap(&(Trap){"trap-off-its-rollers", "on_route", NAN, 40000});
 }
 
 /* 0.09 MN of peak, and 0.2 kN: a cable that its head pushes. */

@@ -54,7 +54,8 @@ def test_the_extension_was_made_from_these_headers():
 
 def test_every_function_of_the_headers_is_declared():
     """Counted in another way: by what the headers show a reader, not by what cffi reads."""
-    text = "".join(path.read_text() for path in (ROOT / "include" / "hawser").glob("*.h"))
+    headers = (ROOT / "include" / "hawser").glob("*.h")
+    text = "".join(path.read_text() for path in headers if path.name != "sweep.h")  # which hawser.h does not include
     plain = re.sub(r"/\*.*?\*/|^\s*#(?:[^\n]*\\\n)*[^\n]*$|^typedef \w+ \(\*.*?;", "", text, flags=re.S | re.M)
     shown = set(re.findall(r"\b(hawser_\w+)\(", plain))
     offered = set(re.findall(r"^#define (hawser_\w+)\(", text, re.M))

@@ -47,7 +47,8 @@ static void loads_of(Rig *r, double *between, double *rollers)
     memset(two, 0x5A, sizeof two);
     const SelfDetail last = two[2];
     for (int room = 0; room < 3; ++room) {
-        assert_int_equal(self_details(&r->scene.self, &r->scene.chain, &r->ws.kin, 1, &r->ws.self, room, two), count);
+        assert_int_equal(
+            self_details(&r->scene.self, SELF_ALONE(&r->scene.chain, &r->ws.kin), 1, &r->ws.self, room, two), count);
         assert_memory_equal(&two[2], &last, sizeof last);
         if (room < 2) assert_memory_equal(&two[room], &last, sizeof last);
     }

@@ -1,0 +1,238 @@
+#include "sim/run/tangent.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "sim/equipment/reel.h"
+#include "sim/equipment/winch.h"
+
+/* The scene with one parameter less and more. */
+typedef struct Pair {
+    Stage less, more;
+    double half;           /* of the difference between them */
+    double *now, *before;  /* [size] dy/dp at the last two steps */
+    double *slope, *rates; /* [figures] at the last step; [size] scratch */
+} Pair;
+
+struct Tangent {
+    Stage base;
+    int n, size, begun;
+    Pair *pair; /* [n] */
+    double t, h, from;
+    double *rates, *shifted, *look[2]; /* [size], [size], [figures] scratch */
+    double *value;                     /* [figures] at the last step */
+    int *at_station;                   /* [stations] the segment that is nearest */
+    TangentFigures figures;
+};
+
+/* What keeps something from step to step beside (t, y), or changes the state's length: NULL, or its name. */
+static const char *unknown_part(const Stage *st)
+{
+    const Scene *const s = &st->scene;
+    if (s->def.rod.present) return "a rod";
+    if (s->reel->present || s->winch->take_in.present) return "a reel or a winch that takes in";
+    if (s->winch->mode != WINCH_SPEED) return "a winch of set tension";
+    if (s->def.winch.trip.force > 0 || s->def.winch.trip.factor > 0) return "a winch that trips";
+    if (s->def.n_jams > 0) return "jams";
+    if (s->def.n_script > 0) return "a script";
+    if (s->chain.sliders.count > 0) return "bending with hysteresis";
+    if (s->self.present) return "cable on cable";
+    for (int k = 0; k < PARTS; ++k) {
+        if (st->ws.contact[k].sticks) return "friction that sticks";
+    }
+    return NULL;
+}
+
+static hawser_status stage_make(const SceneDef *def, Stage *st, int size, hawser_error *err)
+{
+    const hawser_status status = stage_new(st, def, NULL, err);
+    if (status || size == 0 || st->motion->size == size) return status;
+    return error_set(err, HAWSER_ERR_INPUT, "a parameter that changes the number of segments has no derivative");
+}
+
+static hawser_status arrays_make(Tangent *g, hawser_error *err)
+{
+    const Scene *const s = &g->base.scene;
+    TangentFigures *const f = &g->figures;
+    f->stations = s->def.n_stations;
+    f->rollers = s->def.n_rollers;
+    f->n = 1 + f->stations + f->rollers;
+    const size_t m = (size_t)f->n, n = (size_t)g->n;
+    f->value = calloc(m, sizeof(double));
+    f->slope = calloc(m * n + 1, sizeof(double));
+    g->value = calloc(m, sizeof(double));
+    g->look[0] = calloc(m, sizeof(double));
+    g->look[1] = calloc(m, sizeof(double));
+    g->at_station = calloc((size_t)f->stations + 1, sizeof(int));
+    g->rates = aligned_array_new(g->size);
+    g->shifted = aligned_array_new(g->size);
+    int fine = f->value && f->slope && g->value && g->look[0] && g->look[1] && g->at_station && g->rates && g->shifted;
+    for (int k = 0; k < g->n; ++k) {
+        Pair *const p = &g->pair[k];
+        p->now = aligned_array_new(g->size);
+        p->before = aligned_array_new(g->size);
+        p->rates = aligned_array_new(g->size);
+        p->slope = calloc(m, sizeof(double));
+        fine = fine && p->now && p->before && p->rates && p->slope;
+    }
+    return fine ? HAWSER_OK : error_memory(err);
+}
+
+hawser_status tangent_new(const SceneDef *base, int n, const SceneDef *less, const SceneDef *more, const double *half,
+                          double from, Tangent **out, hawser_error *err)
+{
+    Tangent *const g = calloc(1, sizeof *g);
+    *out = NULL;
+    if (!g) return error_memory(err);
+    g->from = from;
+    g->pair = calloc((size_t)n + 1, sizeof *g->pair);
+    hawser_status status = g->pair ? stage_make(base, &g->base, 0, err) : error_memory(err);
+    const char *const unknown = status ? NULL : unknown_part(&g->base);
+    if (unknown) status = error_set(err, HAWSER_ERR_INPUT, "sensitivities of a run with %s are not known", unknown);
+    g->size = status ? 0 : g->base.motion->size;
+    for (; g->n < n && !status; ++g->n) {
+        g->pair[g->n].half = half[g->n];
+        status = stage_make(&less[g->n], &g->pair[g->n].less, g->size, err);
+        if (!status) status = stage_make(&more[g->n], &g->pair[g->n].more, g->size, err);
+    }
+    if (!status) status = arrays_make(g, err);
+    if (status) tangent_free(g);
+    if (!status) *out = g;
+    return status;
+}
+
+Tangent *tangent_free(Tangent *g)
+{
+    if (!g) return NULL;
+    stage_free(&g->base);
+    for (int k = 0; k < g->n; ++k) {
+        stage_free(&g->pair[k].less);
+        stage_free(&g->pair[k].more);
+        free(g->pair[k].now);
+        free(g->pair[k].before);
+        free(g->pair[k].rates);
+        free(g->pair[k].slope);
+    }
+    free(g->pair);
+    free(g->rates);
+    free(g->shifted);
+    free(g->look[0]);
+    free(g->look[1]);
+    free(g->value);
+    free(g->at_station);
+    free(g->figures.value);
+    free(g->figures.slope);
+    free(g);
+    return NULL;
+}
+
+/* Its rates at (t, y), with contact candidates of there. */
+static hawser_status rates_at(Stage *st, double t, const double *y, double *rates, hawser_error *err)
+{
+    const MotionOps *const ops = st->motion->ops;
+    if (ops->rates(st->motion, t, y, rates))
+        return error_set(err, HAWSER_ERR_RUN, "the equations of motion have no finite rates at %g s", t);
+    const hawser_status status = ops->accept(st->motion, t, y, err);
+    if (!status) ops->rates(st->motion, t, y, rates);
+    return status;
+}
+
+/* (SN10): b = c0 s + c1 s' + gamma f_p, then the matrix of the step. gamma, c0 and c1 by (SN11). */
+static hawser_status pair_step(Tangent *g, Pair *p, double t, const double *y, double gamma, double c0, double c1,
+                               hawser_error *err)
+{
+    hawser_status status = rates_at(&p->more, t, y, p->rates, err);
+    if (!status) status = rates_at(&p->less, t, y, g->shifted, err);
+    if (status) return status;
+    double *const b = p->before;
+    for (int i = 0; i < g->size; ++i) {
+        const double by_parameter = (p->rates[i] - g->shifted[i]) / (2 * p->half);
+        b[i] = c0 * p->now[i] + c1 * b[i] + gamma * by_parameter;
+    }
+    if (g->base.motion->ops->solve(g->base.motion, b))
+        return error_set(err, HAWSER_ERR_RUN, "the matrix of the sensitivities is singular at %g s", t);
+    p->before = p->now;
+    p->now = b;
+    return HAWSER_OK;
+}
+
+/* The figures of (t, y). */
+static void figures_look(const Tangent *g, Stage *st, double t, const double *y, double *figure)
+{
+    const MotionOps *const ops = st->motion->ops;
+    ops->look(st->motion, t, y, 1);
+    for (int i = 0; i < g->figures.stations; ++i) figure[1 + i] = st->ws.law[0][g->at_station[i]];
+    for (int i = 0; i < g->figures.rollers; ++i) figure[1 + g->figures.stations + i] = v3_norm(st->ws.on_roller[i]);
+    figure[0] = ops->winch_pull(st->motion, t, y);
+}
+
+/* Which segment passes each station. */
+static void stations_find(Tangent *g, const double *y)
+{
+    const Scene *const s = &g->base.scene;
+    for (int i = 0; i < g->figures.stations; ++i) {
+        const Vec3 at = route_at(&s->route, s->def.stations[i].s).position;
+        double least = INFINITY;
+        for (int k = 0; k < s->chain.n; ++k) {
+            const double away = v3_norm(v3_sub(g->base.motion->ops->place(g->base.motion, y, k), at));
+            if (away >= least) continue;
+            least = away;
+            g->at_station[i] = k;
+        }
+    }
+}
+
+/* (SN12) */
+static void pair_look(Tangent *g, Pair *p, double t, const double *y)
+{
+    for (int side = 0; side < 2; ++side) {
+        const double by = side ? p->half : -p->half;
+        for (int i = 0; i < g->size; ++i) g->shifted[i] = y[i] + by * p->now[i];
+        figures_look(g, side ? &p->more : &p->less, t, g->shifted, g->look[side]);
+    }
+    for (int i = 0; i < g->figures.n; ++i) p->slope[i] = (g->look[1][i] - g->look[0][i]) / (2 * p->half);
+}
+
+/* Means over time: each step's figures for its own length. */
+static void figures_take(Tangent *g, double t, const double *y)
+{
+    TangentFigures *const f = &g->figures;
+    const double h = fmin(g->h, t - g->from);
+    if (!(h > 0)) return;
+    const double share = h / (f->seconds + h);
+    stations_find(g, y);
+    figures_look(g, &g->base, t, y, g->value);
+    for (int i = 0; i < f->n; ++i) f->value[i] += share * (g->value[i] - f->value[i]);
+    for (int k = 0; k < g->n; ++k) {
+        double *const slope = f->slope + (size_t)k * (size_t)f->n;
+        pair_look(g, &g->pair[k], t, y);
+        for (int i = 0; i < f->n; ++i) slope[i] += share * (g->pair[k].slope[i] - slope[i]);
+    }
+    f->seconds += h;
+}
+
+hawser_status tangent_step(Tangent *g, double t, const double *y, hawser_error *err)
+{
+    Motion *const m = g->base.motion;
+    hawser_status status = rates_at(&g->base, t, y, g->rates, err);
+    const double h = t - g->t, before = g->h;
+    if (status || !g->begun || !(h > 0)) {
+        g->begun = 1;
+        g->t = t;
+        return status;
+    }
+    const double w = before > 0 ? h / before : 0, over = 1 + 2 * w; /* the first step: w = 0, implicit Euler */
+    const double gamma = h * (1 + w) / over, c0 = (1 + w) * (1 + w) / over, c1 = -w * w / over;
+    m->ops->linearise(m, t, y, g->rates);
+    m->ops->form(m, gamma);
+    if (m->ops->factor(m))
+        return error_set(err, HAWSER_ERR_RUN, "the matrix of the sensitivities is singular at %g s", t);
+    for (int k = 0; k < g->n && !status; ++k) status = pair_step(g, &g->pair[k], t, y, gamma, c0, c1, err);
+    g->t = t;
+    g->h = h;
+    if (!status) figures_take(g, t, y);
+    return status;
+}
+
+const TangentFigures *tangent_figures(const Tangent *g) { return &g->figures; }

@@ -1,0 +1,230 @@
+/* Derivatives of the pulling theory: against central differences, closed forms, and their own adjoint. */
+#include "theory/change/plan_change.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/support/check.h"
+
+static const double PI = 3.14159265358979323846;
+
+/* Slopes, a crest and a sag in a vertical plane (where the support changes sides), a level bend and one that climbs. */
+static Route hill_route(void)
+{
+    const RoutePieceDef def[] = {
+        {.kind = ROUTE_STRAIGHT, .name = "up", .length = 60},
+        {.kind = ROUTE_BEND, .name = "crest", .radius = 10, .angle = 0.4, .plane = 3 * PI / 2},
+        {.kind = ROUTE_STRAIGHT, .name = "down", .length = 40},
+        {.kind = ROUTE_BEND, .name = "sag", .radius = 60, .angle = 0.9, .plane = PI / 2},
+        {.kind = ROUTE_BEND, .name = "turn", .radius = 8, .angle = PI / 2, .plane = 0},
+        {.kind = ROUTE_BEND, .name = "twist", .radius = 8, .angle = 0.5, .plane = 1},
+    };
+    Route route;
+    assert_int_equal(route_build(&route, 6, def, v3(0, 0, 0), 0, 0.2, NULL), HAWSER_OK);
+    return route;
+}
+
+enum { STRETCHES = 2, PUSHES = 2, CAUSES = CHANGE_OTHERS + STRETCHES + PUSHES };
+
+/* All that a scene may vary. */
+typedef struct Case {
+    Route route;
+    PullStretch stretch[STRETCHES];
+    PullStep push[PUSHES], step[2];
+    PlanWear wear[1];
+    PlanDef def;
+} Case;
+
+static void case_make(Case *c, int separate, PullLaw law)
+{
+    c->route = hill_route();
+    c->stretch[0] = (PullStretch){.weight = 200, .mu = 0.25, .separate = separate};
+    c->stretch[1] = (PullStretch){.from = 75, .weight = 150, .mu = 0.15, .separate = separate};
+    c->push[0] = (PullStep){.at = 30, .force = 700};
+    c->push[1] = (PullStep){.at = c->route.piece[4].s0, .force = -300};
+    c->wear[0] = (PlanWear){50, 1.3};
+    c->def = (PlanDef){.route = &c->route,
+                       .law = law,
+                       .n_stretches = STRETCHES,
+                       .stretch = c->stretch,
+                       .reel_length = 15,
+                       .rope_length = 5,
+                       .back_tension = 900,
+                       .n_pushes = PUSHES,
+                       .push = c->push,
+                       .step = c->step,
+                       .n_wear = 1,
+                       .wear = c->wear,
+                       .wear_by = WEAR_CABLE};
+}
+
+/* A cause of a change by so much. */
+static void change(Case *c, int k, double by)
+{
+    if (k == CHANGE_START) c->def.back_tension += by;
+    for (int j = 0; j < STRETCHES; j++) {
+        if (k == CHANGE_FRICTION || k == CHANGE_OTHERS + j) c->stretch[j].mu += by;
+        if (k == CHANGE_WEIGHT) c->stretch[j].weight += by;
+    }
+    if (k >= CHANGE_OTHERS + STRETCHES) c->push[k - CHANGE_OTHERS - STRETCHES].force += by;
+}
+
+/* Winch's force, tension and support at places. */
+enum { PLACES = 9 };
+typedef struct Seen {
+    double force, tension[PLACES], support[PLACES];
+} Seen;
+
+/* Away from corners of the route, where the support's force jumps. */
+static double place(const Case *c, int i) { return c->route.length * (0.07 + i * 0.11); }
+
+static Seen see(const Case *c, int way)
+{
+    Plan plan;
+    Seen seen;
+    assert_int_equal(plan_build(&c->def, &plan, NULL), HAWSER_OK);
+    seen.force = plan.way[way].force;
+    for (int i = 0; i < PLACES; i++) {
+        const PullPoint at = pull_at(&plan.way[way].pull, place(c, i));
+        seen.tension[i] = at.tension;
+        seen.support[i] = at.normal;
+    }
+    plan_clear(&plan);
+    return seen;
+}
+
+static double slope(double before, double after, double by) { return (after - before) / (2 * by); }
+
+static void central_differences(void **state)
+{
+    (void)state;
+    const struct {
+        int separate, steps;
+        PullLaw law;
+    } scene[] = {{0, 0, PULL_REFERENCE}, {1, 0, PULL_REFERENCE}, {0, 0, PULL_NO_CAPSTAN}, {0, 2, PULL_REFERENCE}};
+    for (size_t m = 0; m < sizeof scene / sizeof *scene; m++) {
+        for (int way = 0; way < PLAN_WAYS; way++) {
+            Case c;
+            Plan plan;
+            PlanChange d;
+            case_make(&c, scene[m].separate, scene[m].law);
+            c.step[0] = (PullStep){.at = 50, .force = 1000, .kind = STEP_TAKE};
+            c.step[1] = (PullStep){.at = 120, .force = 1500, .kind = STEP_ANEW};
+            c.def.n_steps = scene[m].steps;
+            assert_int_equal(plan_build(&c.def, &plan, NULL), HAWSER_OK);
+            assert_int_equal(plan_change(&c.def, &plan, way, &d, NULL), HAWSER_OK);
+            assert_int_equal(d.n, CAUSES);
+            assert_false(d.one_sided);
+            for (int k = 0; k < CAUSES; k++) {
+                /* so small that no corner moves over a place, so large that rounding is 1e-8 of the result */
+                const double by =
+                    k == CHANGE_FRICTION || (k >= CHANGE_OTHERS && k < CHANGE_OTHERS + STRETCHES) ? 1e-5 : 0.1;
+                change(&c, k, -by);
+                const Seen before = see(&c, way);
+                change(&c, k, 2 * by);
+                const Seen after = see(&c, way);
+                change(&c, k, -by);
+                const double force = slope(before.force, after.force, by);
+                check_close(d.force[k], force, 3e-8 * fmax(1, fabs(force)));
+                for (int i = 0; i < PLACES; i++) {
+                    double tension[CAUSES], support[CAUSES], reach;
+                    plan_change_at(&d, place(&c, i), tension, support, &reach);
+                    const double t = slope(before.tension[i], after.tension[i], by),
+                                 s = slope(before.support[i], after.support[i], by);
+                    check_close(tension[k], t, 3e-8 * fmax(1, fabs(t)));
+                    check_close(support[k], s, 3e-8 * fmax(1, fabs(s)));
+                }
+            }
+            plan_change_free(&d);
+            plan_clear(&plan);
+            route_clear(&c.route);
+        }
+    }
+}
+
+/* The adjoint: a newton more at a place. A push there of so much takes off what the sweep from the end says, and the
+ * sweep over all of the route gives the derivative by the start. */
+static void both_ways_round(void **state)
+{
+    (void)state;
+    for (int way = 0; way < PLAN_WAYS; way++) {
+        Case c;
+        Plan plan;
+        PlanChange d;
+        case_make(&c, 0, PULL_REFERENCE);
+        assert_int_equal(plan_build(&c.def, &plan, NULL), HAWSER_OK);
+        assert_int_equal(plan_change(&c.def, &plan, way, &d, NULL), HAWSER_OK);
+        check_close(d.reach[0], d.force[CHANGE_START], 1e-12);
+        double tension[CAUSES], support[CAUSES], reach;
+        for (int i = 0; i < PLACES; i++) {
+            plan_change_at(&d, place(&c, i), tension, support, &reach);
+            /* the start's change here, carried on to the winch, is its change at the winch */
+            check_close(reach * tension[CHANGE_START], d.force[CHANGE_START], 1e-10);
+        }
+        /* a push takes off what a newton there adds */
+        plan_change_at(&d, c.push[0].at, tension, support, &reach);
+        check_close(-reach, d.force[CHANGE_OTHERS + STRETCHES], 1e-9);
+        plan_change_free(&d);
+        plan_clear(&plan);
+        route_clear(&c.route);
+    }
+}
+
+/* A level bend without weight: F = T exp(mu angle). */
+static void capstan(void **state)
+{
+    (void)state;
+    const double mu = 0.3, angle = 1.1;
+    const RoutePieceDef piece[] = {{.kind = ROUTE_BEND, .name = "turn", .radius = 5, .angle = angle, .plane = 0}};
+    Route route;
+    assert_int_equal(route_build(&route, 1, piece, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
+    const PullStretch rope = {.weight = 0, .mu = mu};
+    const PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &rope, .back_tension = 1000};
+    Plan plan;
+    PlanChange d;
+    assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
+    assert_int_equal(plan_change(&def, &plan, PLAN_FORWARD, &d, NULL), HAWSER_OK);
+    check_close(d.force[CHANGE_START], exp(mu * angle), 1e-11);
+    check_close(d.force[CHANGE_FRICTION], 1000 * angle * exp(mu * angle), 1e-8);
+    check_close(d.reach[0], exp(mu * angle), 1e-11);
+    plan_change_free(&d);
+    plan_clear(&plan);
+    route_clear(&route);
+}
+
+/* A machine that takes just what arrives: its values are for less tension, and that is said. With a little less or
+ * more the derivative is 0 or that of the rest of the way. */
+static void at_a_corner(void **state)
+{
+    (void)state;
+    const RoutePieceDef piece[] = {{.kind = ROUTE_STRAIGHT, .name = "level", .length = 100}};
+    Route route;
+    assert_int_equal(route_build(&route, 1, piece, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
+    const PullStretch cable = {.weight = 100, .mu = 0.25};
+    const double arrives = 1000 + 50 * 100 * 0.25;
+    const struct {
+        double takes, by_start;
+        int one_sided;
+    } row[] = {{arrives - 1, 1, 0}, {arrives, 0, 1}, {arrives + 1, 0, 0}};
+    for (int i = 0; i < 3; i++) {
+        const PullStep machine = {.at = 50, .force = row[i].takes, .kind = STEP_TAKE};
+        const PlanDef def = {
+            .route = &route, .n_stretches = 1, .stretch = &cable, .back_tension = 1000, .n_steps = 1, .step = &machine};
+        Plan plan;
+        PlanChange d;
+        assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
+        assert_int_equal(plan_change(&def, &plan, PLAN_FORWARD, &d, NULL), HAWSER_OK);
+        check_close(d.force[CHANGE_START], row[i].by_start, 1e-12);
+        assert_int_equal(d.one_sided, row[i].one_sided);
+        plan_change_free(&d);
+        plan_clear(&plan);
+    }
+    route_clear(&route);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences), cmocka_unit_test(both_ways_round),
+                                       cmocka_unit_test(capstan), cmocka_unit_test(at_a_corner)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
