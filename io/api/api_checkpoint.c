@@ -15,7 +15,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FORMAT = 2 };
+enum { FORMAT = 3 };
 
 typedef struct FileHead {
     char magic[16];
@@ -51,7 +51,7 @@ typedef struct Preface {
     const char *text;              /* the case */
 } Preface;
 
-static Preface preface_of(const hawser_sim *s)
+static Preface preface_of(hawser_sim *s)
 {
     return (Preface){.version = hawser_version(),
                      .kernels = isa_name(isa_best()),

@@ -48,7 +48,7 @@ hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err);
 typedef struct RunKept {
     long rows, states;           /* beats so far */
     double last_row, last_state; /* s */
-    ResultsPosition files;
+    ResultsPosition files[STRANDS_MAX]; /* of each chain */
     long over; /* not 0: the pass has ended, and the files are not asked for any more */
 } RunKept;
 

@@ -85,7 +85,9 @@ static hawser_status keep_now(Run *run, hawser_error *err)
     const double start = clock_now();
     RunKept kept = {
         .rows = run->row.count, .states = run->state.count, .last_row = run->last_row, .last_state = run->last_state};
-    hawser_status status = results_position(run->results[0], &kept.files, err);
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; !status && k < sim_chains(run->s); ++k)
+        status = results_position(run->results[k], &kept.files[k], err);
     if (!status) status = checkpoint_write(run->s, &kept, &c, err);
     if (!status) status = results_checkpoint(run->dir, c.bytes, c.size, err);
     checkpoint_free(&c);
@@ -109,7 +111,7 @@ hawser_status pass_keep(hawser_sim *s, const char *dir, hawser_error *err)
 static hawser_status keep_due(Run *run, hawser_error *err)
 {
     const double interval = run->s->stage.scene.def.output.checkpoint;
-    if (!run->results[0] || !(interval > 0) || run->s->together) return HAWSER_OK;
+    if (!run->results[0] || !(interval > 0)) return HAWSER_OK;
     return clock_now() - run->last_kept < fmax(interval, run->kept_cost / KEPT_SHARE) ? HAWSER_OK : keep_now(run, err);
 }
 
@@ -118,7 +120,6 @@ static hawser_status keep_due(Run *run, hawser_error *err)
 static void keep_last(Run *run)
 {
     hawser_error unused;
-    if (run->s->together) return;
     if (run->results[0] && run->s->stage.scene.def.output.checkpoint > 0 && run->s->stage.t > 0) keep_now(run, &unused);
 }
 
@@ -238,7 +239,8 @@ static hawser_status results_of(hawser_sim *s, Results **out, const char *dir, c
     return status;
 }
 
-/* The first chain's in the folder itself, those of the others in folders of their names within. */
+/* The first chain's in the folder itself, those of the others in folders of their names within. at [chains]: as
+ * results_of. */
 static hawser_status open_results(Run *run, const char *dir, const ResultsPosition *at, hawser_error *err)
 {
     run->dir = dir;
@@ -248,7 +250,7 @@ static hawser_status open_results(Run *run, const char *dir, const ResultsPositi
         char path[OUT_PATH_MAX];
         status = out_join(path, dir, each->stage.scene.def.strand.name, err);
         if (!status) hawser_sim_sample(each);
-        if (!status) status = results_of(each, &run->results[k], path, at, err);
+        if (!status) status = results_of(each, &run->results[k], path, at ? &at[k] : NULL, err);
     }
     return status;
 }
@@ -401,6 +403,6 @@ hawser_status pass_resume(hawser_sim *s, const char *dir, hawser_progress progre
     run.state.count = kept.states;
     run.last_row = kept.last_row;
     run.last_state = kept.last_state;
-    status = open_results(&run, dir, &kept.files, err);
+    status = open_results(&run, dir, kept.files, err);
     return status ? settle(s, status, err) : run_all(&run, 1, err);
 }

@@ -298,6 +298,21 @@ static void lin_stats(const Motion *m, LinStats *stats)
     }
 }
 
+/* Of a coupled bunch what is between the chains, and the matrix of all; else each chain's own. */
+static void checkpoint(Checkpoint *c, Motion *m)
+{
+    Bunch *const b = bunch_of(m);
+    if (!b->coupled) {
+        EACH_CHAIN(each, b) each->motion->ops->checkpoint(c, each->motion);
+        return;
+    }
+    const SelfLines lines = bunch_lines(b);
+    self_pairs_checkpoint(c, &lines, &b->pairs);
+    CHECKPOINT(c, b->refreshes);
+    newton_checkpoint(c, &b->whole, NULL);
+    for (int k = 0; k < b->n; ++k) b->part[k].gamma = b->whole.gamma;
+}
+
 const MotionOps *bunch_ops(void)
 {
     static const MotionOps ops = {.rates = rates,
@@ -322,6 +337,7 @@ const MotionOps *bunch_ops(void)
                                   .relax = relax,
                                   .pack = pack,
                                   .unpack = unpack,
+                                  .checkpoint = checkpoint,
                                   .lin_stats = lin_stats};
     return &ops;
 }

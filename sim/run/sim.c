@@ -143,45 +143,6 @@ Sim *sim_free(Sim *s)
 static Motion *moved(const Sim *s) { return s->together ? &s->together->bunch.motion : s->stage.motion; }
 static const double *moved_state(const Sim *s) { return s->together ? s->together->y : s->stage.y; }
 
-/* Relaxation begins at rest; the motion that the case begins with comes after it. */
-static void chain_stop(Stage *st)
-{
-    const size_t n = (size_t)st->scene.chain.n;
-    if (st->scene.def.launch.present) memset(st->y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof *st->y);
-}
-
-hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
-{
-    const double start = clock_now();
-    const Scene *const scene = &s->stage.scene;
-    hawser_status status;
-    for (int k = 0; k < sim_chains(s); ++k) {
-        Sim *const each = sim_chain(s, k);
-        Stage *const st = &each->stage;
-        chain_stop(st);
-        st->motion->ops->look(st->motion, st->t, st->y, 0);
-        passing_look(&each->passing, &st->scene, &st->ws, 0, st->t); /* what is there to be kept */
-    }
-    if (s->together) {
-        status = together_relax(s->together, &s->relaxation, err);
-    } else if (scene->rod->present) {
-        const double share = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? scene->def.solver.relax_tolerance
-                                                                           : scene->def.analysis.tolerance;
-        s->relaxation = (hawser_relaxation){0};
-        status = statics_settle(&s->stage, share, &s->relaxation, err);
-    } else {
-        status = s->stage.motion->ops->relax(s->stage.motion, s->stage.t, s->stage.y, &s->relaxation, err);
-    }
-    for (int k = 0; k < sim_chains(s); ++k) {
-        Sim *const each = sim_chain(s, k);
-        each->relaxation = s->relaxation;
-        if (!status && each->stage.t <= 0) scene_launch(&each->stage.scene, each->stage.y);
-    }
-    s->relax_s += clock_now() - start;
-    if (out) *out = s->relaxation;
-    return status;
-}
-
 /* Where the integrator must stop next: where a room is not smooth, or at `stop`. */
 static double next_stop_of(const Sim *s, double stop)
 {
@@ -445,12 +406,6 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
     return shares;
 }
 
-int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out)
-{
-    const double bar = figures->pull_peak_error.total, peak = figures->pull_peak_N;
-    return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, peak > 0 && bar > 0 ? bar / peak : 0, out);
-}
-
 /* All of the summary but the conditions. */
 static void figures_fill(const Sim *s, hawser_summary *out)
 {
@@ -504,6 +459,23 @@ static void figures_fill(const Sim *s, hawser_summary *out)
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
     other_pass_bars(&s->other, &s->stats, sim_jolt(s), out);
+    /* theory's tensions along the route are a cable's, and none of a rope that draws others behind it */
+    if (scene->def.strand.rope)
+        out->error_max_pct = out->error_mean_pct = out->error_max_paper_pct = out->error_mean_paper_pct = NAN;
+}
+
+int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out)
+{
+    const double bar = figures->pull_peak_error.total, peak = figures->pull_peak_N;
+    int n = peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, peak > 0 && bar > 0 ? bar / peak : 0, out);
+    for (int k = 1; k < sim_chains(s); ++k) {
+        const Sim *const each = s->together->sim[k];
+        hawser_summary own;
+        hawser_limit limit[HAWSER_LIMITS_MAX];
+        figures_fill(each, &own);
+        n = together_limits(n, out, sim_limits(each, &own, limit), limit, each->stage.scene.def.strand.name);
+    }
+    return n;
 }
 
 static void summary_fill(const Sim *s, hawser_summary *out)
@@ -528,6 +500,13 @@ static void summary_fill(const Sim *s, hawser_summary *out)
                               .passing = &s->passing};
     out->n_conditions = trust_judge(&facts, s->condition);
     out->conditions = s->condition;
+    for (int k = 1; k < sim_chains(s); ++k) {
+        const Sim *const each = s->together->sim[k];
+        hawser_summary own;
+        summary_fill(each, &own);
+        out->n_conditions = together_conditions(out->n_conditions, s->condition, own.n_conditions, own.conditions,
+                                                each->stage.scene.def.strand.name);
+    }
 }
 
 void hawser_sim_summary_sized(const Sim *s, hawser_summary *out, size_t size)

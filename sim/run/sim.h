@@ -31,7 +31,7 @@ hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err);
 /* The largest pull of the first moments, N, where it can be a jolt, or NAN. */
 double sim_jolt(const Sim *s);
 /* A number that another case has not. */
-uint64_t sim_identity(const Sim *s);
+uint64_t sim_identity(Sim *s);
 /* What was found so far against the case's limits, with the error bars of these figures, which are the simulation's; as
  * hawser_sim_limits. */
 int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out);

@@ -44,8 +44,12 @@ static hawser_status bunch_make(Together *all, hawser_error *err)
     free(chain);
     if (!status) all->y = aligned_array_new(all->bunch.motion.size);
     all->state = calloc((size_t)all->n, sizeof *all->state);
-    if (!status && (!all->y || !all->state)) status = error_memory(err);
-    for (int k = 0; !status && k < all->n; ++k) all->state[k] = all->sim[k]->stage.y;
+    all->ws = calloc((size_t)all->n, sizeof *all->ws);
+    if (!status && (!all->y || !all->state || !all->ws)) status = error_memory(err);
+    for (int k = 0; !status && k < all->n; ++k) {
+        all->state[k] = all->sim[k]->stage.y;
+        all->ws[k] = &all->sim[k]->stage.ws;
+    }
     return status ? status : apart_check(all, err);
 }
 
@@ -76,6 +80,7 @@ struct Together *together_free(struct Together *all)
     free(all->sim);
     free(all->y);
     free(all->state);
+    free(all->ws);
     free(all);
     return NULL;
 }
@@ -121,15 +126,34 @@ static hawser_status step_failed(const Together *all, hawser_status status, haws
                      all->bunch.chain[k].scene->def.strand.name);
 }
 
+/* What is stepped is all of them, with the first one's integrator and books. */
+static Steps steps_of(Together *all)
+{
+    Stage *const st = &all->sim[0]->stage;
+    return (Steps){&all->bunch.motion, all->y, &st->integrator, &st->balance, &st->balance_s};
+}
+
 hawser_status together_step(struct Together *all, double stop, hawser_error *err)
 {
     Stage *const st = &all->sim[0]->stage;
     if (!st->integrator) bunch_gather(&all->bunch, all->state, all->y);
-    const Steps steps = {&all->bunch.motion, all->y, &st->integrator, &st->balance, &st->balance_s};
+    const Steps steps = steps_of(all);
     const hawser_status status = steps_take(&steps, stop, &st->t, err);
     bunch_scatter(&all->bunch, all->y, all->state);
     for (int k = 1; k < all->n; ++k) all->sim[k]->stage.t = st->t;
     return status ? step_failed(all, status, err) : HAWSER_OK;
+}
+
+hawser_status together_checkpoint(Checkpoint *c, struct Together *all, hawser_error *err)
+{
+    const Steps steps = steps_of(all);
+    Stage *const first = &all->sim[0]->stage;
+    hawser_status status = HAWSER_OK;
+    if (!c->reading && !first->integrator) bunch_gather(&all->bunch, all->state, all->y);
+    if (!c->reading) status = steps_ready(&steps, first->t, err);
+    for (int k = 0; !status && k < all->n; ++k) status = stage_state_checkpoint(c, &all->sim[k]->stage, err);
+    if (!status && c->reading && !c->status) bunch_gather(&all->bunch, all->state, all->y);
+    return status ? status : steps_checkpoint(c, &steps, first->t, all->n, all->ws, err);
 }
 
 /* A chain whose head is joined to a rope goes as that does. */
@@ -159,4 +183,43 @@ void together_look(struct Together *all, const Sim *of)
             look->chain[k].factor = fmax(look->chain[k].factor, def->surfaces[s].weight_factor);
     }
     bunch_sum(look);
+}
+
+/* ------------------------------------------------------------------------------------------- what is judged of all */
+
+/* How much of what is allowed a condition has taken; what does not hold comes first. */
+static double taken(const hawser_condition *c)
+{
+    if (!c->holds || isnan(c->value)) return INFINITY;
+    return c->allowed > 0 ? c->value / c->allowed : 0;
+}
+
+int together_conditions(int n, hawser_condition *out, int more, const hawser_condition *theirs, const char *chain)
+{
+    for (int i = 0; i < more; ++i) {
+        int at = 0;
+        while (at < n && strcmp(out[at].name, theirs[i].name) != 0) ++at;
+        if (at == HAWSER_CONDITIONS_MAX || (at < n && taken(&theirs[i]) <= taken(&out[at]))) continue;
+        out[at] = theirs[i];
+        snprintf(out[at].remedy, sizeof out[at].remedy, "chain '%s': %.*s", chain,
+                 (int)(sizeof out[at].remedy - NAME_MAX_LENGTH - 12), theirs[i].remedy);
+        n += at == n;
+    }
+    return n;
+}
+
+int together_limits(int n, hawser_limit *out, int more, const hawser_limit *theirs, const char *chain)
+{
+    for (int i = 0; i < more; ++i) {
+        int at = 0;
+        while (at < n && strcmp(out[at].name, theirs[i].name) != 0) ++at;
+        const int worse = at == n || !out[at].judged || theirs[i].margin < out[at].margin;
+        if (at == HAWSER_LIMITS_MAX || (at < n && !(theirs[i].judged && worse))) continue;
+        out[at] = theirs[i];
+        const char *const where = theirs[i].where;
+        snprintf(out[at].where, sizeof out[at].where, *where ? "chain '%s', %.*s" : "chain '%s'%.*s", chain,
+                 (int)(sizeof out[at].where - NAME_MAX_LENGTH - 12), where);
+        n += at == n;
+    }
+    return n;
 }

@@ -236,7 +236,7 @@ static void test_handles(void **state)
     assert_ptr_equal(hawser_sim_chain(s, 0), s);
     assert_int_equal(hawser_sim_advance(two, 1, 0, &err), HAWSER_ERR_INPUT);
     assert_int_equal(hawser_sim_run(two, NULL, NULL, NULL, &err), HAWSER_ERR_INPUT);
-    assert_int_equal(hawser_sim_save_memory(s, &bytes, &size, &err), HAWSER_ERR_INPUT);
+    assert_int_equal(hawser_sim_save_memory(two, &bytes, &size, &err), HAWSER_ERR_INPUT);
     assert_int_equal(hawser_sim_advance(s, 0.1, 0, &err), HAWSER_OK);
     check_equal(hawser_sim_time(two), hawser_sim_time(s));
     hawser_sim_free(s);

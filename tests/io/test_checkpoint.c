@@ -49,6 +49,8 @@ static const Scene scenes[] = {
     {"tests/data/rod-column.yaml", 0.6, NULL, NULL},
     {"tests/data/reel-payout.yaml", 2, NULL, NULL},
     {"tests/data/passing-floor.yaml", 0.5, NULL, NULL},
+    {"tests/data/chains.yaml", 0.5, NULL, NULL},
+    {"tests/data/chains-rope.yaml", 0.4, NULL, NULL},
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 /* Under the sanitizers, where they take ten times as long, some of them. */
