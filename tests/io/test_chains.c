@@ -1,6 +1,11 @@
 /* Several chains from the case to the figures: three that do nothing to each other are three runs, bit for bit; what
  * holds them together balances and closes the books; how cables lie in a duct gives the formulas' weight correction;
  * what cannot be computed is refused. */
+#define _GNU_SOURCE /* nftw */
+#include <ftw.h>
+#include <stdio.h>
+#include <unistd.h>
+
 #include "tests/io/case_fixture.h"
 
 #include "hawser/hawser.h"
@@ -243,11 +248,73 @@ static void test_handles(void **state)
     hawser_case_free(c);
 }
 
+static int stop_halfway(void *user, hawser_sim *s, double t)
+{
+    (void)user;
+    return t >= hawser_sim_end_time(s) / 2;
+}
+
+static int remove_entry(const char *path, const struct stat *info, int kind, struct FTW *ftw)
+{
+    (void)info, (void)kind, (void)ftw;
+    return remove(path);
+}
+
+/* All of a file of a results folder; free() frees it. */
+static char *text_of(const char *dir, const char *name)
+{
+    char path[512];
+    snprintf(path, sizeof path, "%s/%s", dir, name);
+    FILE *const f = fopen(path, "rb");
+    if (!f) fail_msg("cannot read %s", path);
+    char *const text = calloc(1, 1 << 20);
+    assert_in_range(fread(text, 1, 1 << 20, f), 1, (1 << 20) - 1);
+    fclose(f);
+    return text;
+}
+
+/* A run that is stopped halfway and gone on with writes what one that is not writes, of every chain. */
+static void test_resumed(void **state)
+{
+    (void)state;
+    static const char *const files[] = {"series.csv", "one/series.csv", "three/series.csv"};
+    char whole[] = "/tmp/hawser_chains_XXXXXX", halves[] = "/tmp/hawser_chains_XXXXXX";
+    /* as often as it is no burden: the first after the first step */
+    const char *const settings[] = {"run.checkpoint", "1 us", NULL};
+    hawser_error err;
+    hawser_sim *s;
+    assert_non_null(mkdtemp(whole));
+    assert_non_null(mkdtemp(halves));
+    hawser_case *c = load(FOLDER "chains-rope.yaml", settings);
+    assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_run(s, whole, NULL, NULL, &err), HAWSER_OK);
+    hawser_sim_free(s);
+    assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_OK);
+    hawser_sim_on_step(s, stop_halfway, NULL);
+    assert_int_equal(hawser_sim_run(s, halves, NULL, NULL, &err), HAWSER_STOPPED);
+    hawser_sim_free(s);
+    hawser_case_free(c);
+    if (hawser_case_resume(halves, &c, &err)) fail_msg("%s", err.message);
+    assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_OK);
+    if (hawser_sim_resume(s, halves, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim_free(s);
+    hawser_case_free(c);
+    for (int k = 0; k < 3; ++k) {
+        char *const one = text_of(whole, files[k]), *const two = text_of(halves, files[k]);
+        assert_string_equal(one, two);
+        free(one);
+        free(two);
+    }
+    nftw(whole, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
+    nftw(halves, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_three_runs), cmocka_unit_test(test_books),   cmocka_unit_test(test_weight_correction),
         cmocka_unit_test(test_places),     cmocka_unit_test(test_refused), cmocka_unit_test(test_handles),
+        cmocka_unit_test(test_resumed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
