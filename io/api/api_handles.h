@@ -46,10 +46,10 @@ hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err);
 
 /* How far a run with results has come, beside its simulation; plain numbers. */
 typedef struct RunKept {
-    long rows, states;           /* beats so far */
-    double last_row, last_state; /* s */
+    long rows, states;                  /* beats so far */
+    double last_row, last_state;        /* s */
     ResultsPosition files[STRANDS_MAX]; /* of each chain */
-    long over; /* not 0: the pass has ended, and the files are not asked for any more */
+    long over;                          /* not 0: the pass has ended, and the files are not asked for any more */
 } RunKept;
 
 /* The state of now, with run's (NULL: there is none), as the bytes of a file; checkpoint_free follows either way.

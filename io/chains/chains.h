@@ -7,10 +7,13 @@
 
 extern const CaseSection case_strand, case_lay;
 
-/* Reads a case with one chain; as case_read. */
+/* Reads a case with one chain; as case_read. Sections that all share, the route and what stands along it, are read once
+ * for each chain: their definitions are whole, and none knows of the others but by its StrandDef. */
 typedef hawser_status CaseReadOne(const CaseTree *tree, SceneDef *def, hawser_error *err);
 
-/* The first chain's definition, with those of the others beside it. Errors: INPUT, MEMORY; *def is cleared then. */
+/* The first chain's definition, with those of the others beside it: where they lie by `lay`, whose head is joined to
+ * whom, theory's weight factors of the ducts that they share. What several chains cannot be computed with is an error.
+ * Errors: INPUT, MEMORY; *def is cleared then. */
 hawser_status chains_read(const CaseTree *tree, CaseReadOne *read, SceneDef *def, hawser_error *err);
 
 /* ---- The tree of one chain's own case: the case's, with what the chain says in its place (chains_tree.c). */

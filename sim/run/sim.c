@@ -60,6 +60,10 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     return status ? status : start_fit(s, err);
 }
 
+/* What the integrator moves, and its state. */
+static Motion *moved(const Sim *s) { return s->together ? &s->together->bunch.motion : s->stage.motion; }
+static const double *moved_state(const Sim *s) { return s->together ? s->together->y : s->stage.y; }
+
 /* The simulations of the chains beside this one, in the order of the case, and what moves them all. */
 static hawser_status beside_new(Sim *s, const SceneDef *def, hawser_error *err)
 {
@@ -71,7 +75,11 @@ static hawser_status beside_new(Sim *s, const SceneDef *def, hawser_error *err)
         status = sim_new(&def->beside[k], 1, &sim[n], err);
         n += !status;
     }
-    if (!status) return together_new(sim, n, err);
+    if (!status) {
+        status = together_new(sim, n, err);
+        if (!status) moved(s)->ops->lin_stats(moved(s), &s->lin);
+        return status;
+    }
     for (int k = 1; k < n; ++k) sim_free(sim[k]);
     free(sim);
     return status;
@@ -138,10 +146,6 @@ Sim *sim_free(Sim *s)
     free(s);
     return NULL;
 }
-
-/* What the integrator moves, and its state. */
-static Motion *moved(const Sim *s) { return s->together ? &s->together->bunch.motion : s->stage.motion; }
-static const double *moved_state(const Sim *s) { return s->together ? s->together->y : s->stage.y; }
 
 /* Where the integrator must stop next: where a room is not smooth, or at `stop`. */
 static double next_stop_of(const Sim *s, double stop)
