@@ -20,8 +20,7 @@ static hawser_status case_make(const Model *m, const double *value, hawser_case 
         status = hawser_case_set(*out, row->name, text, err);
     }
     if (!status) status = case_ensure_read(*out, err);
-    if (!status && (*out)->def.n_beside > 0)
-        status = error_set(err, HAWSER_ERR_INPUT, "key 'chains': a mock-up unit has one chain");
+    if (!status) status = case_alone(*out, "a mock-up unit", err);
     return status;
 }
 

@@ -23,6 +23,8 @@ hawser_status error_inside(hawser_error *err);
 hawser_status error_led(hawser_error *err);
 /* Makes c->def hold what the case says now. Errors: INPUT, MEMORY. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err);
+/* Of a case that was read: an error with the line of `chains` if it has several, of which `what` cannot be asked. */
+hawser_status case_alone(const hawser_case *c, const char *what, hawser_error *err);
 /* A copy of the case as it is set, to be set further; `c` must outlive it. Errors: MEMORY. */
 hawser_status case_copy(const hawser_case *c, hawser_case **out, hawser_error *err);
 /* For errors found while building from c->def, which no longer knows the file: puts the case's name before an INPUT

@@ -324,12 +324,8 @@ static hawser_status theory_new(hawser_case *c, const TheoryWish *wish, Theory *
     if (c->def.rod.present) {
         return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': the pulling theory needs a route", c->name);
     }
-    if (c->def.n_beside > 0) {
-        return error_set(err, HAWSER_ERR_INPUT,
-                         "%.200s: key 'chains': what asks for the pulling calculation here is of one cable: give the "
-                         "section 'bundle' in place of 'chains' and 'lay', or take 'hawser theory'",
-                         c->name);
-    }
+    const hawser_status alone = case_alone(c, "this pulling calculation", err);
+    if (alone) return alone;
     *out = calloc(1, sizeof **out);
     return *out ? case_name_error(c, build_and_solve(*out, &c->def, wish, err), err) : error_memory(err);
 }

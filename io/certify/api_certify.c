@@ -391,11 +391,10 @@ hawser_status hawser_certify(hawser_case *c, hawser_sim *run, const hawser_certi
     *out = NULL;
     const hawser_sim *const second = run->second;
     run = SHOWN(run);
-    if (run->together || run->leader)
-        return error_set(err, HAWSER_ERR_INPUT, "a run of several chains cannot be certified");
     Certifier *const z = calloc(1, sizeof *z);
     hawser_certificate *const certificate = calloc(1, sizeof *certificate);
     hawser_status status = z && certificate ? case_ensure_read(c, err) : error_memory(err);
+    if (!status) status = case_alone(c, "a certificate", err);
     if (!status) status = options_fill(options, &z->options, err);
     if (!status) {
         z->def = second ? second->plan : &c->def;

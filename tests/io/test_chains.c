@@ -9,6 +9,7 @@
 #include "tests/io/case_fixture.h"
 
 #include "hawser/hawser.h"
+#include "hawser/sweep.h"
 #include "theory/cables/duct.h"
 
 #define FOLDER HAWSER_SOURCE_DIR "/tests/data/"
@@ -303,6 +304,24 @@ static void test_refused(void **state)
     hawser_case_free(c);
 }
 
+/* What needs one chain says so, with the line at which there are several. */
+static void test_alone(void **state)
+{
+    (void)state;
+    hawser_case *const c = load(FOLDER "chains.yaml", NULL);
+    hawser_error err = {.status = HAWSER_OK};
+    hawser_certificate *certificate;
+    hawser_sim *s;
+    char *text;
+    assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_OK);
+    assert_int_equal(hawser_certify(c, s, NULL, &certificate, &err), HAWSER_ERR_INPUT);
+    assert_non_null(strstr(err.message, "chains.yaml:6: key 'chains': a certificate"));
+    assert_int_equal(hawser_case_sensitivities(c, HAWSER_TABLE, &text, &err), HAWSER_ERR_INPUT);
+    assert_non_null(strstr(err.message, "chains.yaml:6: key 'chains': sensitivities"));
+    hawser_sim_free(s);
+    hawser_case_free(c);
+}
+
 /* The simulation of one chain is looked at through the first's; it is not moved alone. */
 static void test_handles(void **state)
 {
@@ -392,8 +411,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_three_runs), cmocka_unit_test(test_books),   cmocka_unit_test(test_weight_correction),
         cmocka_unit_test(test_places),     cmocka_unit_test(test_refused), cmocka_unit_test(test_handles),
-        cmocka_unit_test(test_resumed),    cmocka_unit_test(test_theory),  cmocka_unit_test(test_judged),
-        cmocka_unit_test(test_fallen),
+        cmocka_unit_test(test_resumed),    cmocka_unit_test(test_alone),   cmocka_unit_test(test_theory),
+        cmocka_unit_test(test_judged),     cmocka_unit_test(test_fallen),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

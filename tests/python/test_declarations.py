@@ -27,6 +27,9 @@ NOT_WRAPPED = {
     "hawser_validate": "a check of hawser itself, by the command",
     "hawser_certificate_write": "Certificate.data is the same JSON",
     "hawser_routes_describe": "Route has the figures",
+    "hawser_sim_chains": "results of each chain are in a folder of its own name, which Result reads",
+    "hawser_sim_chain": "the same",
+    "hawser_sim_chain_name": "the same",
 }
 # Members of a sample that Python has under another name.
 ELSEWHERE = {"machines", "machine", "figures", "figure", "probes", "probe", "field", "pass"}
