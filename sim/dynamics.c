@@ -177,22 +177,41 @@ static int loads_heavy(const Scene *scene)
     return scene->chain.n >= MIDDLE_CHAIN;
 }
 
-void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y, double friction, double *ydot)
+/* Jobs of a few nanoseconds a segment pay on two threads. */
+static int is_long(const Scene *scene) { return scene->chain.n >= HALVES_LONG; }
+
+void dynamics_pose(const Scene *scene, Workspace *ws, double t, const double *y, double friction)
 {
-    Evaluation e = {.m = {scene, ws, t, friction}, .y = y, .ydot = ydot};
-    const int is_long = scene->chain.n >= HALVES_LONG; /* jobs of a few nanoseconds a segment */
+    Evaluation e = {.m = {scene, ws, t, friction}, .y = y};
     EACH_ROOM(room, scene, begin) room->kind->begin(room, &e.m);
-    halves_run(ws->team, is_long, kinematics_job, &e);
+    halves_run(ws->team, is_long(scene), kinematics_job, &e);
     rooms_pose(&e.m, y); /* after the kinematics, whose last lane reaches beyond the chain */
     if (friction <= 0) ghosts_stand(&scene->chain, &ws->kin);
+}
+
+void dynamics_loads(const Scene *scene, Workspace *ws, double t, double friction)
+{
+    Evaluation e = {.m = {scene, ws, t, friction}};
     halves_run(ws->team, loads_heavy(scene), loads_job, &e);
     EACH_ROOM(room, scene, after_loads) room->kind->after_loads(room, &e.m);
-    halves_run(ws->team, is_long, motion_job, &e);
+}
+
+void dynamics_motion(const Scene *scene, Workspace *ws, double t, const double *y, double friction, double *ydot)
+{
+    Evaluation e = {.m = {scene, ws, t, friction}, .y = y, .ydot = ydot};
+    halves_run(ws->team, is_long(scene), motion_job, &e);
     int own = STATE_SIZE * scene->chain.n;
     for (const Room *room = scene->room; room < scene->room + scene->n_rooms; own += room++->states) {
         if (room->present && room->kind->rates) room->kind->rates(room, &e.m, y + own, ydot + own);
     }
     ++ws->rhs_evals;
+}
+
+void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y, double friction, double *ydot)
+{
+    dynamics_pose(scene, ws, t, y, friction);
+    dynamics_loads(scene, ws, t, friction);
+    dynamics_motion(scene, ws, t, y, friction, ydot);
 }
 
 /* --------------------------------------------------------------------------------------------------------- blocks */

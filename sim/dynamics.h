@@ -27,6 +27,12 @@ typedef struct StopCheck {
 } StopCheck;
 int stop_wanted(const StopCheck *check);
 
+/* How a head goes that is joined to another chain (sim/bunch): with that one's winch. */
+typedef struct Led {
+    int present;
+    double travel, speed; /* m, m/s */
+} Led;
+
 /* Scratch of one evaluation, grouped by what computes it; discardable but for what rooms carry over and kin.slip. */
 struct Workspace {
     const Scene *scene;    /* borrowed */
@@ -44,6 +50,7 @@ struct Workspace {
     SurfaceModel surfaces;           /* the scene's; the relaxation softens it */
     SurfaceTally *on_surface;        /* [surfaces] their room's look */
     double head_pull;                /* N, on the chain's head, of the last look */
+    Led led;                         /* of the last look */
     /* what the last evaluation found to be done to the motion, beside the sums of the contacts */
     JointPower joint_power[PARTS];
     Push lead_in[PARTS];
@@ -66,6 +73,11 @@ void workspace_checkpoint(Checkpoint *c, Workspace *ws);
 void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const double *y);
 /* ydot [scene_state_size] from (t, y); friction scales every friction and drag force (1, or 0 for the relaxation). */
 void dynamics_rates(const Scene *scene, Workspace *ws, double t, const double *y, double friction, double *ydot);
+/* Its three strides, for chains that act on each other: where everything is; what acts on the chain, into ws->loads,
+ * to which others may add; and the rates. */
+void dynamics_pose(const Scene *scene, Workspace *ws, double t, const double *y, double friction);
+void dynamics_loads(const Scene *scene, Workspace *ws, double t, double friction);
+void dynamics_motion(const Scene *scene, Workspace *ws, double t, const double *y, double friction, double *ydot);
 /* k and d (6x6 blocks, and those off their diagonals in ws->self.extras) at (t, y): the derivatives of force and moment
  * minus inertia times ydot, see body_blocks. Leaves the kinematics of y in the workspace. */
 void dynamics_blocks(const Scene *scene, Workspace *ws, double t, const double *y, const double *ydot, double friction,

@@ -1,6 +1,7 @@
 #include "sim/joints.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "core/base/error.h"
 
@@ -78,10 +79,29 @@ void joints_springs(Scene *scene)
         const Side a = side_of(scene, j - 1), b = side_of(scene, j);
         const int pa = scene->piece[j - 1], pb = scene->piece[j];
         Bushing both = series(&a, &b);
-        if (pa != pb && scene->def.pieces[pb].swivel)
-            both.stiffness[TORSION] = both.damping[TORSION] = both.preload[TORSION] = 0;
+        const int swivel = (pa != pb && scene->def.pieces[pb].swivel) || (j == 1 && scene->def.strand.swivel);
+        if (swivel) both.stiffness[TORSION] = both.damping[TORSION] = both.preload[TORSION] = 0;
         joint_set(c, j, &both, 0, COMPONENTS);
     }
+}
+
+hawser_status joints_rest(Scene *scene, int end, hawser_error *err)
+{
+    Chain *const c = &scene->chain;
+    const int n = c->n;
+    double *const y = malloc((size_t)(STATE_SIZE * n) * sizeof *y);
+    if (!y) return error_memory(err);
+    scene_initial_chain(scene, y);
+    for (int j = 1; j < end; ++j) {
+        const double *const a = y + STATE_Q * n + j - 1, *const b = a + 1;
+        const Quat before = {a[0], a[n], a[2 * n], a[3 * n]}, behind = {b[0], b[n], b[2 * n], b[3 * n]};
+        const Vec3 turn = quat_log(quat_mul(quat_conj(before), behind));
+        const double by[3] = {turn.x, turn.y, turn.z};
+        for (int k = 0; k < 3; ++k) c->preload[3 + k][j] -= c->stiffness[3 + k][j] * by[k];
+    }
+    chain_find_lacks(c);
+    free(y);
+    return HAWSER_OK;
 }
 
 /* First loading of joint j, 1 <= j <= n (HY2). */

@@ -23,6 +23,9 @@ void joints_springs(Scene *scene);
  * MEMORY. */
 hawser_status joints_sliders(Scene *scene, hawser_error *err);
 
+/* The joints before `end` rest as they lie at the start: preloads -K theta of torsion and bending. Errors: MEMORY. */
+hawser_status joints_rest(Scene *scene, int end, hawser_error *err);
+
 /* ---- First-loading curves of bending (sim/loading_curve.c): moment by rotation, concave, in straight pieces, for half
  * a segment or for a joint of two, and the sliders that such a curve is made of. docs/model.md, "Bending with
  * hysteresis". */

@@ -41,7 +41,7 @@ typedef struct Pusher {
 typedef struct Moment Moment;
 
 /* What a run keeps of each machine of a kind. */
-enum { MACHINE_KEPT_MAX = 4, MACHINE_FIGURES_MAX = 12 };
+enum { MACHINE_KEPT_MAX = 8, MACHINE_FIGURES_MAX = 12 };
 typedef struct MachineKind {
     const char *key; /* of their list in summary.json: "conveyors" */
     int (*count)(const Room *room);

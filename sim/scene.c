@@ -11,10 +11,29 @@ static Quat first_attitude(const Scene *scene, Vec3 axis, double s)
     return quat_from_axes(axis, left, v3_cross(axis, left));
 }
 
+/* (SC1) */
+void scene_place(const Scene *scene, double s, double place[2])
+{
+    const StrandDef *const strand = &scene->def.strand;
+    const double turn = strand->lay > 0 ? 2 * M_PI * s / strand->lay : 0, c = cos(turn), d = sin(turn);
+    place[0] = c * strand->place[0] + d * strand->place[1];
+    place[1] = c * strand->place[1] - d * strand->place[0];
+}
+
+Vec3 scene_line_at(const Scene *scene, double s)
+{
+    const RoutePoint at = route_at(&scene->route, s);
+    if (!scene->def.strand.present) return at.position;
+    double place[2];
+    scene_place(scene, s, place);
+    const Vec3 left = v3_unit(v3_reject(route_left(&scene->route, s), at.tangent));
+    return v3_axpy(v3_axpy(at.position, place[0], left), place[1], v3_cross(at.tangent, left));
+}
+
 /* Where joint j is when the chain has moved on by `travel`. */
 static Vec3 joint_place(const Scene *scene, int j, double travel)
 {
-    return j < scene->joints_off ? scene->joint_start[j] : route_at(&scene->route, scene->joint_s[j] + travel).position;
+    return j < scene->joints_off ? scene->joint_start[j] : scene_line_at(scene, scene->joint_s[j] + travel);
 }
 
 void scene_lay(const Scene *scene, double travel, int first, int n, double *y)
@@ -53,7 +72,7 @@ double scene_way(const Scene *scene)
         way = fmin(way, fmin(shape->radius, shape->half_width) + cable);
     }
     for (int p = 0; p < n_patches; ++p) way = fmin(way, (scene->surfaces.patch[p].depth + cable) / 2);
-    return scene->self.present ? fmin(way, cable) : way;
+    return fmin(scene->beside_way, scene->self.present ? fmin(way, cable) : way);
 }
 
 int scene_state_size(const Scene *scene)

@@ -42,6 +42,26 @@ typedef struct Surfaces {
     SurfacePoints points;
 } Surfaces;
 
+/* What each of several chains does to the others, as it is looked at: filled by sim/bunch, read by the room of their
+ * figures. docs/model.md, "Several chains" (SC11)-(SC15). */
+typedef struct ChainLook {
+    double pull;      /* N, at its head: of its winch, or what joins it to its rope */
+    double share;     /* of the pull of all that are no ropes */
+    double between;   /* N/m, the most with which another chain presses on it */
+    double walls;     /* N, normal forces of rollers and surfaces on it, their sizes summed */
+    double weight;    /* N, of what the route bears of it: behind the start the lead-in does */
+    double crossings; /* how often others pass from one side of it to the other along its length */
+    double reference; /* N, what theory says of the pull now, with the weight correction of ducts */
+    double factor;    /* w_c of the duct in which that is largest; 1 without ducts */
+    double twist;     /* rad, by which the others turn about it from tail to head, their mean */
+} ChainLook;
+
+typedef struct ChainsLook {
+    int n; /* 0: nothing has been looked at */
+    ChainLook chain[STRANDS_MAX],
+        all; /* all: sums, the largest, the mean of twists; ropes count with what bears them */
+} ChainsLook;
+
 /* Numbers: segments and joints of the whole chain are 0..total from the tail. What is simulated may be a part of it
  * (sim/run/stage.h): chain holds segments first..first+chain.n-1 and counts its own from 0. */
 struct Scene {
@@ -52,6 +72,7 @@ struct Scene {
     int eye;              /* joint of the pulling eye: first joint of the last piece, total if there is one piece */
     double cable_weight;  /* N/m, of the piece before the eye: of all cables together */
     double largest_speed; /* m/s, of the winch; 0.1 if it never moves or has no limit */
+    double beside_way;    /* m, that a step may move it by for the sake of chains beside it; INFINITY: any */
     double grip_speed;    /* m/s, over which the sharpest grip of a conveyor comes in; INFINITY: none grips */
     Route route;
     Weight weight;
@@ -72,13 +93,19 @@ struct Scene {
     ContactRoller *rollers; /* owned by their room; the contact model borrows them */
     ContactModel contact;
     Surfaces surfaces;
-    SelfModel self; /* cable on cable */
-    SceneDef def;   /* a deep copy of what this was built from */
+    SelfModel self;    /* cable on cable */
+    ChainsLook chains; /* of the first of several chains: what they do to each other, as of the last look */
+    SceneDef def;      /* a deep copy of what this was built from */
 };
 
 /* Builds the scene. Errors: INPUT with the key to change, MEMORY. */
 hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err);
 void scene_clear(Scene *scene);
+
+/* How far the chain's line is from the route at s (m), to the left and up: that of a chain among several. */
+void scene_place(const Scene *scene, double s, double place[2]);
+/* The point of that line at s, m. */
+Vec3 scene_line_at(const Scene *scene, double s);
 
 /* Entries of the state: 13 a segment, then the rooms' own. */
 int scene_state_size(const Scene *scene);

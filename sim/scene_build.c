@@ -69,32 +69,29 @@ static void segments_fill(Scene *scene)
     }
 }
 
-/* The route coordinate at distance `chord` from the point at s, ahead or behind (sign), by Newton's method. */
-static double chord_step(const Route *route, double s, double chord, int sign)
+/* The route coordinate at distance `chord` from the point of the chain's line at s, ahead or behind (sign), by Newton's
+ * method with the route's own tangent: beside it the line is hardly longer. */
+static double chord_step(const Scene *scene, double s, double chord, int sign)
 {
-    const Vec3 from = route_at(route, s).position;
+    const Vec3 from = scene_line_at(scene, s);
     double next = s + sign * chord;
     for (int it = 0; it < 20; ++it) {
-        const RoutePoint at = route_at(route, next);
-        const Vec3 link = v3_sub(at.position, from);
+        const Vec3 link = v3_sub(scene_line_at(scene, next), from), tangent = route_at(&scene->route, next).tangent;
         const double length = v3_norm(link), error = length - chord;
-        next -= error * length / v3_dot(link, at.tangent);
+        next -= error * length / v3_dot(link, tangent);
         if (fabs(error) < 1e-15 * (1 + fabs(next))) break;
     }
     return next;
 }
 
-/* Route coordinates of the joints, from the eye outward. */
+/* Route coordinates of the joints, from the eye outward; of a rope to which heads are joined, from its tail. */
 static void joints_place(Scene *scene)
 {
     const Chain *const c = &scene->chain;
-    scene->joint_s[scene->eye] = scene->def.head_at;
-    for (int j = scene->eye; j > 0; --j) {
-        scene->joint_s[j - 1] = chord_step(&scene->route, scene->joint_s[j], 2 * c->half[j - 1], -1);
-    }
-    for (int j = scene->eye; j < c->n; ++j) {
-        scene->joint_s[j + 1] = chord_step(&scene->route, scene->joint_s[j], 2 * c->half[j], +1);
-    }
+    const int from = scene->def.strand.rope ? 0 : scene->eye;
+    scene->joint_s[from] = scene->def.head_at + scene->def.strand.eye;
+    for (int j = from; j > 0; --j) scene->joint_s[j - 1] = chord_step(scene, scene->joint_s[j], 2 * c->half[j - 1], -1);
+    for (int j = from; j < c->n; ++j) scene->joint_s[j + 1] = chord_step(scene, scene->joint_s[j], 2 * c->half[j], +1);
 }
 
 static void weight_fill(Scene *scene)
@@ -104,11 +101,11 @@ static void weight_fill(Scene *scene)
     const Vec3 g = scene->def.gravity;
     scene->weight = (Weight){.gravity = g,
                              .lead_in = lead->present || scene->def.reel.model == REEL_PAYOUT,
-                             .origin = start.position,
+                             .origin = scene_line_at(scene, 0),
                              .direction = start.tangent,
                              .blend = lead->blend};
     /* The lead-in gives way by 1 mm under the cable's weight, half critically damped. */
-    scene->weight.hold = v3_norm(g) / 1e-3;
+    scene->weight.hold = scene->def.strand.lay > 0 ? 0 : v3_norm(g) / 1e-3; /* a lay winds round that line */
     scene->weight.hold_damping = sqrt(scene->weight.hold);
     if (!lead->carries_weight) {
         scene->weight.behind = v3_scale(v3_dot(g, start.tangent), start.tangent);
@@ -140,7 +137,9 @@ static hawser_status springs_build(Scene *scene, hawser_error *err)
         if (room->present && room->kind->join) room->kind->join(room, scene);
     }
     chain_find_lacks(&scene->chain);
-    return joints_sliders(scene, err);
+    const hawser_status status = joints_sliders(scene, err);
+    const int laid = scene->def.strand.lay > 0; /* cables that are laid up have taken that shape (SC3) */
+    return status || !laid ? status : joints_rest(scene, scene->chain.n, err);
 }
 
 static hawser_status scene_fill(Scene *scene, hawser_error *err)
@@ -150,7 +149,7 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     scene->eye = def->n_pieces > 1 ? scene->chain.n - def->pieces[def->n_pieces - 1].segments : scene->chain.n;
     scene->cable_weight = cable_of(def, scene->piece[scene->eye - 1])->mass * v3_norm(def->gravity);
     scene->largest_speed = 0.1;
-    scene->grip_speed = INFINITY;
+    scene->grip_speed = scene->beside_way = INFINITY;
     joints_place(scene);
     weight_fill(scene);
     hawser_status status = rooms_build(scene, err);

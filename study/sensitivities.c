@@ -200,6 +200,7 @@ hawser_status hawser_case_run_sensitivities(hawser_case *c, size_t n, const char
     *text = NULL;
     if (json) *json = NULL;
     hawser_status status = case_ensure_read(c, err);
+    if (!status) status = case_alone(c, "sensitivities", err);
     if (!status) status = varied_make(c, &v, err);
     if (!status) {
         status = tangent_new(&c->def, (int)n, v.less_def, v.more_def, v.half, c->def.output.steady_from, &g, err);

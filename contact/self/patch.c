@@ -3,29 +3,29 @@
 #include "contact/self/patch.h"
 
 /* The slot of a segment on a side, a new one if it has none yet. */
-static PatchSlot *slot_of(Patch *patch, const Chain *chain, const Kinematics *kin, int body, int side)
+static PatchSlot *slot_of(Patch *patch, const SelfLine *line, int body, int side)
 {
     for (int s = 0; s < patch->slots; ++s) {
         if (patch->slot[s].body == body && patch->slot[s].side == side) return &patch->slot[s];
     }
     PatchSlot *const slot = &patch->slot[patch->slots++];
     *slot = (PatchSlot){.body = body, .side = side};
-    slot->r = v3_scale(chain->half[body], v3_load(kin->a, body));
-    slot->w = v3_load(kin->w, body);
+    slot->r = v3_scale(line->chain->half[body], v3_load(line->kin->a, body));
+    slot->w = v3_load(line->kin->w, body);
     return slot;
 }
 
 /* One spot's segments become slots; its velocity, with that of the parameter, and its angular velocity come out. */
-static void spot_take(Patch *patch, const Chain *chain, const Kinematics *kin, const LineSpot *spot, int side, int a)
+static void spot_take(Patch *patch, const SelfLine *line, const LineSpot *spot, int side, int a)
 {
     const double sign = side ? -1 : 1;
     for (int b = 0; b < 2; ++b) {
         const int i = spot->body[b];
-        if (i < 0 || i >= chain->n) continue;
-        PatchSlot *const slot = slot_of(patch, chain, kin, i, side);
+        if (i < 0 || i >= line->chain->n) continue;
+        PatchSlot *const slot = slot_of(patch, line, i, side);
         slot->alpha[a] = spot->weight.alpha[b];
         slot->beta[a] = spot->weight.beta[b];
-        const Vec3 v = v3_load(kin->v, i), turned = v3_cross(slot->w, slot->r);
+        const Vec3 v = v3_load(line->kin->v, i), turned = v3_cross(slot->w, slot->r);
         patch->speed[a] = v3_axpy(v3_axpy(patch->speed[a], sign * slot->alpha[a], v), sign * slot->beta[a], turned);
         patch->omega[side][a] = v3_axpy(patch->omega[side][a], slot->alpha[a], slot->w);
         if (side == 0) continue;
@@ -68,17 +68,19 @@ static void laws_apply(Patch *p, const PatchLaw *law, double friction_scale)
     p->couple = v3_cross(p->friction, p->arm);
 }
 
-int patch_at(const Chain *chain, const Kinematics *kin, const PatchLaw *law, double friction_scale, int e,
-             const double u[2], double length, const int foot[2], const double v[2], Patch *patch)
+int patch_at(const SelfLine *const side[2], const PatchLaw *law, double friction_scale, int e, const double u[2],
+             double length, const int foot[2], const double v[2], Patch *patch)
 {
+    const SelfLine *const mine = side[0], *const other = side[1];
     *patch = (Patch){.length = length};
     double radius[2] = {0, 0};
     for (int a = 0; a < 2; ++a) {
-        const LineSpot here = line_spot(chain, kin, e, u[a]), there = line_spot(chain, kin, foot[a], v[a]);
+        const LineSpot here = line_spot(mine->chain, mine->kin, e, u[a]);
+        const LineSpot there = line_spot(other->chain, other->kin, foot[a], v[a]);
         const int held = v[a] <= 0 && foot[a] == 0;
-        const int held_head = v[a] >= 1 && foot[a] == chain->n;
-        spot_take(patch, chain, kin, &here, 0, a);
-        spot_take(patch, chain, kin, &there, 1, a);
+        const int held_head = v[a] >= 1 && foot[a] == other->chain->n;
+        spot_take(patch, mine, &here, 0, a);
+        spot_take(patch, other, &there, 1, a);
         patch->w[a] = v3_sub(here.p, there.p);
         patch->foot1[a] = there.p1;
         patch->curvature[a] = held || held_head ? 0 : v3_dot(there.p1, there.p1) - v3_dot(patch->w[a], there.p2);
@@ -87,7 +89,7 @@ int patch_at(const Chain *chain, const Kinematics *kin, const PatchLaw *law, dou
         radius[1] += there.radius / 2;
     }
     patch->radius = radius[0] + radius[1];
-    for (int side = 0; side < 2; ++side) patch->share[side] = radius[side] / patch->radius;
+    for (int s = 0; s < 2; ++s) patch->share[s] = radius[s] / patch->radius;
     if (!bed_integrate(patch, law)) return 0;
     laws_apply(patch, law, friction_scale);
     return patch->force > 0;

@@ -6,6 +6,14 @@
 #include "contact/law/contact_law.h"
 #include "contact/shape/element.h"
 
+/* A line that may touch others: a chain, and where it is now. Several lines have their blocks in one matrix, where the
+ * first segment of this one has this row. */
+typedef struct SelfLine {
+    const Chain *chain;
+    const Kinematics *kin;
+    int row;
+} SelfLine;
+
 /* The law of cable on cable. */
 typedef struct PatchLaw {
     double bed;         /* N/m^1.5: the bed's modulus k_b is bed / sqrt(R) (CC5) */
@@ -18,7 +26,7 @@ enum { PATCH_SLOTS = 6 };
 /* One segment's share in a patch: at both ends of the piece its weights and, where the foot moves (side 1), their
  * derivatives. */
 typedef struct PatchSlot {
-    int body;
+    int body;  /* segment of its side's line */
     int side;  /* 0: carries the piece, 1: carries the feet */
     Vec3 r, w; /* arm to the front end, m; angular velocity, rad/s */
     double alpha[2], beta[2], alpha1[2], beta1[2];
@@ -71,10 +79,10 @@ typedef struct PatchWrench {
     Vec3 force, moment; /* N, N m */
 } PatchWrench;
 
-/* The piece of element e between u_0 and u_1 (length m at rest) over the feet at v of the elements foot. Returns 0 if
- * nothing is pressed: then only the geometry is filled in. */
-int patch_at(const Chain *chain, const Kinematics *kin, const PatchLaw *law, double friction_scale, int e,
-             const double u[2], double length, const int foot[2], const double v[2], Patch *patch);
+/* The piece of element e of the line side[0] between u_0 and u_1 (length m at rest) over the feet at v of the elements
+ * foot of side[1], which may be the same line. Returns 0 if nothing is pressed: then only the geometry is filled in. */
+int patch_at(const SelfLine *const side[2], const PatchLaw *law, double friction_scale, int e, const double u[2],
+             double length, const int foot[2], const double v[2], Patch *patch);
 
 /* What the patch does to slot s (CC12). */
 PatchWrench patch_wrench(const Patch *patch, int s);

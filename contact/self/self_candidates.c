@@ -33,19 +33,25 @@ int self_pieces(const Chain *chain, int e)
     return pieces > PIECES_MAX ? PIECES_MAX : pieces < 1 ? 1 : (int)pieces;
 }
 
-int self_pairs_alloc(SelfPairs *pairs, int n)
+int self_pairs_alloc(SelfPairs *pairs, int lines, const int *segments)
 {
     memset(pairs, 0, sizeof *pairs);
-    pairs->n = n;
-    int ok = sphere_tree_alloc(&pairs->tree, n) & block_extras_alloc(&pairs->extras, n);
-    ok &= chain_arrays_new(pairs->at_p, 3, n, 0) & chain_arrays_new(pairs->at_a, 3, n, 0);
+    pairs->tree = calloc((size_t)lines, sizeof *pairs->tree);
+    int ok = pairs->tree != NULL;
+    for (int l = 0; ok && l < lines; ++l) {
+        pairs->n += segments[l];
+        ok = sphere_tree_alloc(&pairs->tree[pairs->n_trees++], segments[l]);
+    }
+    ok &= block_extras_alloc(&pairs->extras, pairs->n);
+    ok &= chain_arrays_new(pairs->at_p, 3, pairs->n, 0) & chain_arrays_new(pairs->at_a, 3, pairs->n, 0);
     if (!ok) self_pairs_free(pairs);
     return ok;
 }
 
 void self_pairs_free(SelfPairs *pairs)
 {
-    sphere_tree_free(&pairs->tree);
+    for (int l = 0; l < pairs->n_trees; ++l) sphere_tree_free(&pairs->tree[l]);
+    free(pairs->tree);
     block_extras_free(&pairs->extras);
     chain_arrays_free(pairs->at_p, 3);
     chain_arrays_free(pairs->at_a, 3);
@@ -54,18 +60,28 @@ void self_pairs_free(SelfPairs *pairs)
     memset(pairs, 0, sizeof *pairs);
 }
 
+/* Where a line's part of what was taken down begins: three centres, three axes. */
+static void places_of(const SelfPairs *pairs, const SelfLine *line, double *at[6])
+{
+    for (int c = 0; c < 3; ++c) {
+        at[c] = pairs->at_p[c] + line->row;
+        at[3 + c] = pairs->at_a[c] + line->row;
+    }
+}
+
 double self_piece_length(const Chain *chain, int e)
 {
     const double before = e > 0 ? chain->half[e - 1] : 0, behind = e < chain->n ? chain->half[e] : 0;
     return (before + behind) / self_pieces(chain, e);
 }
 
-/* Element f is a candidate of element e: it lengthens the last range or begins a new one. A hole of one element is
- * filled, so that the feet of neighbouring ends find each other. 0 if there is no memory. */
-static int candidate_add(SelfPairs *pairs, int e, int f)
+/* Element f of line `other` is a candidate of element e: it lengthens the last range or begins a new one. A hole of one
+ * element is filled, so that the feet of neighbouring ends find each other. 0 if there is no memory. */
+static int candidate_add(SelfPairs *pairs, int line, int e, int other, int f)
 {
     SelfRange *const last = pairs->n_ranges ? &pairs->range[pairs->n_ranges - 1] : NULL;
-    if (last && last->element == e && f <= last->first + last->count + 1) {
+    const int same = last && last->line == line && last->element == e && last->other == other;
+    if (same && f <= last->first + last->count + 1) {
         last->count = f - last->first + 1;
         return 1;
     }
@@ -76,7 +92,7 @@ static int candidate_add(SelfPairs *pairs, int e, int f)
         pairs->range = grown;
         pairs->ranges_allocated = more;
     }
-    pairs->range[pairs->n_ranges++] = (SelfRange){e, f, 1};
+    pairs->range[pairs->n_ranges++] = (SelfRange){line, e, other, f, 1};
     return 1;
 }
 
@@ -109,12 +125,11 @@ static double chords_apart(const Chord *p, const Chord *q)
     return v3_norm(apart);
 }
 
-/* What one walk through the tree asks for: elements from `from` on near element e. */
+/* What one walk through a line's tree asks for: its elements from `from` on near an element of a line. */
 typedef struct Walk {
     SelfPairs *pairs;
-    const Chain *chain;
-    const Kinematics *kin;
-    int element, from;
+    const SelfLine *onto; /* whose tree it is */
+    int line, element, other, from;
     double reach;
     Chord chord;   /* of the element */
     double radius; /* m, its contact radius, the larger */
@@ -129,25 +144,25 @@ static double element_radius_most(const Chain *chain, int e)
 /* Whether the surfaces of the walk's element and of f may be nearer than the reach. */
 static int element_near(const Walk *w, int f)
 {
-    const Chord other = chord_of(w->chain, w->kin, f);
-    const double bulges = w->chord.bulge + other.bulge, radii = w->radius + element_radius_most(w->chain, f);
+    const Chord other = chord_of(w->onto->chain, w->onto->kin, f);
+    const double bulges = w->chord.bulge + other.bulge, radii = w->radius + element_radius_most(w->onto->chain, f);
     return chords_apart(&w->chord, &other) - bulges - radii <= w->reach;
 }
 
 /* Visits the tree below `node`, which holds `width` leaves from `first` on; 0 if there is no memory. */
 static int walk(const Walk *w, int node, int first, int width)
 {
-    const SphereTree *const tree = &w->pairs->tree;
-    const Sphere *const sphere = &tree->node[node], *const mine = &tree->node[tree->leaves + w->element];
+    const SphereTree *const tree = &w->pairs->tree[w->other], *const own = &w->pairs->tree[w->line];
+    const Sphere *const sphere = &tree->node[node], *const mine = &own->node[own->leaves + w->element];
     if (first + width <= w->from || sphere->radius < 0) return 1;
     const double apart = v3_norm(v3_sub(sphere->centre, mine->centre)) - sphere->radius - mine->radius;
     if (apart > w->reach) return 1;
-    if (width == 1) return !element_near(w, first) || candidate_add(w->pairs, w->element, first);
+    if (width == 1) return !element_near(w, first) || candidate_add(w->pairs, w->line, w->element, w->other, first);
     return walk(w, 2 * node, first, width / 2) && walk(w, 2 * node + 1, first + width / 2, width / 2);
 }
 
 /* Rooms for the hits of either half: a node of a piece has at most one foot on an element. */
-static int hits_reserve(const Chain *chain, SelfPairs *pairs)
+static int hits_reserve(const SelfLines *lines, SelfPairs *pairs)
 {
     int most[SELF_PARTS] = {0, 0}, seen = 0;
     pairs->candidates = 0;
@@ -157,7 +172,7 @@ static int hits_reserve(const Chain *chain, SelfPairs *pairs)
         const SelfRange *const range = &pairs->range[r];
         const int first = 2 * seen < pairs->candidates;
         if (first) pairs->half = r + 1;
-        most[!first] += range->count * self_pieces(chain, range->element);
+        most[!first] += range->count * self_pieces(lines->line[range->line].chain, range->element);
         seen += range->count;
     }
     const int needed = most[0] > most[1] ? most[0] : most[1];
@@ -172,27 +187,30 @@ static int hits_reserve(const Chain *chain, SelfPairs *pairs)
     return 1;
 }
 
-/* One coupling of two segments, if both exist and are not neighbours; returns the new count. */
-static int pair_add(BlockPair *pair, int count, int n, int i, int j)
+/* One coupling of segment i of a line with segment j of the same or a later one, if both exist and are no neighbours in
+ * it; returns the new count. */
+static int pair_add(BlockPair *pair, int count, const SelfLine *line, int i, const SelfLine *other, int j)
 {
-    if (i < 0 || j >= n || j - i < 2) return count;
-    pair[count] = (BlockPair){i, j};
+    const int neighbours = line == other && j - i < 2;
+    if (i < 0 || i >= line->chain->n || j < 0 || j >= other->chain->n || neighbours) return count;
+    pair[count] = (BlockPair){line->row + i, other->row + j};
     return count + 1;
 }
 
 /* All blocks that the candidates may fill: piece against feet, and one end's foot against the other's (CC19). */
-static int pattern_set(SelfPairs *pairs)
+static int pattern_set(const SelfLines *lines, SelfPairs *pairs)
 {
-    BlockPair *const pair = malloc(((size_t)pairs->candidates * 5 + 1) * sizeof *pair);
+    BlockPair *const pair = malloc(((size_t)pairs->candidates * 5 + (size_t)pairs->n_beside + 1) * sizeof *pair);
     if (!pair) return 0;
-    int count = 0;
+    int count = pairs->n_beside;
+    if (count > 0) memcpy(pair, pairs->beside, (size_t)count * sizeof *pair);
     for (int r = 0; r < pairs->n_ranges; ++r) {
         const SelfRange *const range = &pairs->range[r];
+        const SelfLine *const mine = &lines->line[range->line], *const other = &lines->line[range->other];
         for (int f = range->first; f < range->first + range->count; ++f) {
-            for (int b = 0; b < 4; ++b) {
-                count = pair_add(pair, count, pairs->n, range->element - 1 + b % 2, f - 1 + b / 2);
-            }
-            if (f > range->first) count = pair_add(pair, count, pairs->n, f - 2, f);
+            for (int b = 0; b < 4; ++b)
+                count = pair_add(pair, count, mine, range->element - 1 + b % 2, other, f - 1 + b / 2);
+            if (f > range->first) count = pair_add(pair, count, other, f - 2, other, f);
         }
     }
     const int ok = block_extras_set(&pairs->extras, count, pair);
@@ -200,31 +218,59 @@ static int pattern_set(SelfPairs *pairs)
     return ok;
 }
 
-hawser_status self_refresh(const SelfModel *model, const Chain *chain, const Kinematics *kin, SelfPairs *pairs,
-                           hawser_error *err)
+/* What comes near the elements of a line: farther along itself, and of the lines after it; 0 if there is no memory. */
+static int line_walk(const SelfModel *model, const SelfLines *lines, int line, SelfPairs *pairs)
 {
-    assert(chain->n == pairs->n);
-    const int skip = self_skip(chain), elements = element_count(GEOMETRY_SMOOTH, chain->n);
-    sphere_tree_build(&pairs->tree, GEOMETRY_SMOOTH, chain, kin);
-    pairs->n_ranges = 0;
-    for (int e = 0; e + skip < elements; ++e) {
+    const SelfLine *const mine = &lines->line[line];
+    const Chain *const chain = mine->chain;
+    const int elements = element_count(GEOMETRY_SMOOTH, chain->n);
+    const int skip = lines->within ? self_skip(chain) : elements;
+    for (int e = 0; e < elements; ++e) {
+        if (e + skip >= elements && line + 1 == lines->n) break;
         /* the far end of a pressed piece has its foot within the piece's length of it */
-        const double reach = model->reach + 1.25 * self_piece_length(chain, e);
-        const Walk w = {pairs, chain, kin, e, e + skip, reach, chord_of(chain, kin, e), element_radius_most(chain, e)};
-        if (!walk(&w, 1, 0, pairs->tree.leaves)) return error_memory(err);
+        Walk w = {.pairs = pairs, .line = line, .element = e, .radius = element_radius_most(chain, e)};
+        w.reach = model->reach + 1.25 * self_piece_length(chain, e);
+        w.chord = chord_of(chain, mine->kin, e);
+        for (w.other = line; w.other < lines->n; ++w.other) {
+            w.onto = &lines->line[w.other];
+            w.from = w.other == line ? e + skip : 0;
+            if (w.other == line && w.from >= elements) continue;
+            if (!walk(&w, 1, 0, pairs->tree[w.other].leaves)) return 0;
+        }
     }
-    if (!hits_reserve(chain, pairs) || !pattern_set(pairs)) return error_memory(err);
-    line_stand(kin, pairs->n, pairs->at_p, pairs->at_a);
+    return 1;
+}
+
+hawser_status self_refresh(const SelfModel *model, const SelfLines *lines, SelfPairs *pairs, hawser_error *err)
+{
+    int ok = 1;
+    assert(lines->n == pairs->n_trees);
+    for (int l = 0; l < lines->n; ++l)
+        sphere_tree_build(&pairs->tree[l], GEOMETRY_SMOOTH, lines->line[l].chain, lines->line[l].kin);
+    pairs->n_ranges = 0;
+    for (int l = 0; model->present && ok && l < lines->n; ++l) ok = line_walk(model, lines, l, pairs);
+    if (!ok || !hits_reserve(lines, pairs) || !pattern_set(lines, pairs)) return error_memory(err);
+    for (int l = 0; l < lines->n; ++l) {
+        double *at[6];
+        places_of(pairs, &lines->line[l], at);
+        line_stand(lines->line[l].kin, lines->line[l].chain->n, at, at + 3);
+    }
     return HAWSER_OK;
 }
 
 /* Both lines may have moved, so each has half of the reach; a quarter is kept in hand for the motion within a step. */
-int self_moved_too_far(const SelfModel *model, const Chain *chain, const Kinematics *kin, const SelfPairs *pairs)
+int self_moved_too_far(const SelfModel *model, const SelfLines *lines, const SelfPairs *pairs)
 {
-    return line_moved(chain, kin, pairs->at_p, pairs->at_a, 0.75 * model->reach / 2);
+    int far = 0;
+    for (int l = 0; l < lines->n; ++l) {
+        double *at[6];
+        places_of(pairs, &lines->line[l], at);
+        far |= line_moved(lines->line[l].chain, lines->line[l].kin, at, at + 3, 0.75 * model->reach / 2);
+    }
+    return far;
 }
 
-void self_pairs_checkpoint(Checkpoint *c, const Chain *chain, SelfPairs *pairs)
+void self_pairs_checkpoint(Checkpoint *c, const SelfLines *lines, SelfPairs *pairs)
 {
     checkpoint_list(c, "pairs->range", (void **)&pairs->range, &pairs->n_ranges, &pairs->ranges_allocated,
                     sizeof *pairs->range);
@@ -233,5 +279,5 @@ void self_pairs_checkpoint(Checkpoint *c, const Chain *chain, SelfPairs *pairs)
     chain_arrays_checkpoint(c, "pairs->at_p", pairs->at_p, 3, pairs->n);
     chain_arrays_checkpoint(c, "pairs->at_a", pairs->at_a, 3, pairs->n);
     block_extras_checkpoint(c, &pairs->extras);
-    if (c->reading && !c->status && !hits_reserve(chain, pairs)) checkpoint_lack(c); /* and the halves */
+    if (c->reading && !c->status && !hits_reserve(lines, pairs)) checkpoint_lack(c); /* and the halves */
 }

@@ -92,58 +92,62 @@ static double radius_most(const Chain *chain, int from, int to)
 }
 
 /* Whether the spheres of element e and of some element of its range meet now. */
-static int range_near(const Chain *chain, const Kinematics *kin, const SelfRange *range)
+static int range_near(const SelfLine *mine, const SelfLine *other, const SelfRange *range)
 {
-    const Element mine = element_at(GEOMETRY_SMOOTH, chain->n, range->element);
-    const Sphere a = element_sphere(&mine, chain, kin);
+    const Element here = element_at(GEOMETRY_SMOOTH, mine->chain->n, range->element);
+    const Sphere a = element_sphere(&here, mine->chain, mine->kin);
     for (int f = range->first; f < range->first + range->count; ++f) {
-        const Element other = element_at(GEOMETRY_SMOOTH, chain->n, f);
-        const Sphere b = element_sphere(&other, chain, kin);
+        const Element there = element_at(GEOMETRY_SMOOTH, other->chain->n, f);
+        const Sphere b = element_sphere(&there, other->chain, other->kin);
         if (v3_norm(v3_sub(a.centre, b.centre)) < a.radius + b.radius) return 1;
     }
     return 0;
 }
 
 /* The pressed pieces of one element over one range. Returns the new count. */
-static int range_hits(const Chain *chain, const Kinematics *kin, const SelfRange *range, int count, SelfHit *hit)
+static int range_hits(const SelfLine *mine, const SelfLine *other, const SelfRange *range, int count, SelfHit *hit)
 {
-    const int e = range->element, pieces = self_pieces(chain, e), end = range->first + range->count;
-    const double length = self_piece_length(chain, e);
-    const double radius = radius_most(chain, e - 1, e) + radius_most(chain, range->first - 1, end);
+    const int e = range->element, pieces = self_pieces(mine->chain, e), end = range->first + range->count;
+    const double length = self_piece_length(mine->chain, e);
+    const double radius = radius_most(mine->chain, e - 1, e) + radius_most(other->chain, range->first - 1, end);
     Feet feet[2];
     for (int m = 0; m <= pieces; ++m) {
         Feet *const now = &feet[m % 2], *const before = &feet[(m + 1) % 2];
         /* an end that is farther belongs to no pressed piece: separations change no faster than the piece is long */
-        feet_find(chain, kin, range, line_spot(chain, kin, e, (double)m / pieces).p, radius + 1.25 * length, now);
+        const Vec3 p = line_spot(mine->chain, mine->kin, e, (double)m / pieces).p;
+        feet_find(other->chain, other->kin, range, p, radius + 1.25 * length, now);
         for (int k = 0; m > 0 && k < before->count; ++k) {
             const Foot *const a = &before->foot[k], *const b = foot_beside(now, a);
             if (!b || !may_press(a->w, b->w, radius)) continue;
-            hit[count++] = (SelfHit){e, m - 1, {a->element, b->element}, {a->v, b->v}};
+            hit[count++] = (SelfHit){range->line, e, m - 1, range->other, {a->element, b->element}, {a->v, b->v}};
         }
     }
     return count;
 }
 
 /* All hits of one half; returns how many. */
-static int hits_find(const Chain *chain, const Kinematics *kin, int part, SelfPairs *pairs)
+static int hits_find(const SelfLines *lines, int part, SelfPairs *pairs)
 {
     const int from = part == 0 ? 0 : pairs->half, to = part == 0 ? pairs->half : pairs->n_ranges;
     int count = 0;
     for (int r = from; r < to; ++r) {
-        if (!range_near(chain, kin, &pairs->range[r])) continue;
-        count = range_hits(chain, kin, &pairs->range[r], count, pairs->hit[part]);
+        const SelfRange *const range = &pairs->range[r];
+        const SelfLine *const mine = &lines->line[range->line], *const other = &lines->line[range->other];
+        if (!range_near(mine, other, range)) continue;
+        count = range_hits(mine, other, range, count, pairs->hit[part]);
         assert(count <= pairs->hits_allocated);
     }
     return count;
 }
 
 /* The patch of one hit; 0 if it carries no force. */
-static int patch_of(const SelfModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
-                    const SelfHit *hit, Patch *patch)
+static int patch_of(const SelfModel *model, const SelfLines *lines, double friction_scale, const SelfHit *hit,
+                    Patch *patch)
 {
-    const double pieces = self_pieces(chain, hit->element);
+    const SelfLine *const side[2] = {&lines->line[hit->line], &lines->line[hit->other]};
+    const double pieces = self_pieces(side[0]->chain, hit->element);
     const double u[2] = {hit->piece / pieces, (hit->piece + 1) / pieces};
-    return patch_at(chain, kin, &model->law, friction_scale, hit->element, u, self_piece_length(chain, hit->element),
+    return patch_at(side, &model->law, friction_scale, hit->element, u, self_piece_length(side[0]->chain, hit->element),
                     hit->foot, hit->v, patch);
 }
 
@@ -156,45 +160,50 @@ static void work_add(const Patch *patch, ContactTally *work)
     work->energy += patch->energy;
 }
 
-void self_forces(const SelfModel *model, const Chain *chain, const Kinematics *kin, double friction_scale, int part,
-                 SelfPairs *pairs, Loads *loads)
+void self_forces(const SelfModel *model, const SelfLines *lines, double friction_scale, int part, SelfPairs *pairs,
+                 Loads *const loads[])
 {
-    const int hits = hits_find(chain, kin, part, pairs);
+    const int hits = hits_find(lines, part, pairs);
     pairs->active[part] = 0;
     pairs->work[part] = (ContactTally){0};
     for (int h = 0; h < hits; ++h) {
         Patch patch;
-        const int presses = patch_of(model, chain, kin, friction_scale, &pairs->hit[part][h], &patch);
+        const SelfHit *const hit = &pairs->hit[part][h];
+        const int presses = patch_of(model, lines, friction_scale, hit, &patch);
         work_add(&patch, &pairs->work[part]);
         if (!presses) continue;
         ++pairs->active[part];
         for (int s = 0; s < patch.slots; ++s) {
             const PatchWrench wrench = patch_wrench(&patch, s);
-            loads_add(loads, patch.slot[s].body, wrench.force, wrench.moment);
+            Loads *const on = loads[patch.slot[s].side ? hit->other : hit->line];
+            loads_add(on, patch.slot[s].body, wrench.force, wrench.moment);
         }
     }
 }
 
-/* Where block (row, col) is: in a chain of blocks, or off its diagonals in `extra`. */
-static double *block_at(const SelfPairs *pairs, BlockChain *chain, double *extra, int row, int col)
+/* Where block (row, col) is: in a chain of blocks, or off its diagonals in `extra`; so are blocks between neighbours in
+ * the matrix of which each is another line's. */
+static double *block_at(const SelfPairs *pairs, BlockChain *chain, double *extra, int one_line, int row, int col)
 {
     if (row == col) return chain->diag + 36 * row;
-    if (row == col + 1) return chain->lower + 36 * row;
-    if (row == col - 1) return chain->upper + 36 * row;
+    if (one_line && row == col + 1) return chain->lower + 36 * row;
+    if (one_line && row == col - 1) return chain->upper + 36 * row;
     const int e = block_extras_find(&pairs->extras, row, col);
     assert(e >= 0);
     return extra + 36 * e;
 }
 
 /* All twelve columns of one slot. */
-static void slot_blocks(const SelfModel *model, const Patch *patch, int s, const SelfPairs *pairs, BlockChain *k,
-                        BlockChain *d)
+static void slot_blocks(const SelfModel *model, const Patch *patch, const int first[2], int s, const SelfPairs *pairs,
+                        BlockChain *k, BlockChain *d)
 {
     double *block[2][PATCH_SLOTS];
-    const int col = patch->slot[s].body;
+    const int side = patch->slot[s].side, col = first[side] + patch->slot[s].body;
     for (int t = 0; t < patch->slots; ++t) {
-        block[0][t] = block_at(pairs, k, pairs->extras.k, patch->slot[t].body, col);
-        block[1][t] = block_at(pairs, d, pairs->extras.d, patch->slot[t].body, col);
+        const int beside = patch->slot[t].side, row = first[beside] + patch->slot[t].body;
+        const int one_line = first[beside] == first[side];
+        block[0][t] = block_at(pairs, k, pairs->extras.k, one_line, row, col);
+        block[1][t] = block_at(pairs, d, pairs->extras.d, one_line, row, col);
     }
     for (int c = 0; c < 12; ++c) {
         PatchWrench out[PATCH_SLOTS];
@@ -208,26 +217,33 @@ static void slot_blocks(const SelfModel *model, const Patch *patch, int s, const
     }
 }
 
-void self_blocks(const SelfModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
-                 SelfPairs *pairs, BlockChain *k, BlockChain *d)
+void self_blocks(const SelfModel *model, const SelfLines *lines, double friction_scale, SelfPairs *pairs, BlockChain *k,
+                 BlockChain *d)
 {
     for (int part = 0; part < SELF_PARTS; ++part) {
-        const int hits = hits_find(chain, kin, part, pairs);
+        const int hits = hits_find(lines, part, pairs);
         for (int h = 0; h < hits; ++h) {
             Patch patch;
-            if (!patch_of(model, chain, kin, friction_scale, &pairs->hit[part][h], &patch)) continue;
-            for (int s = 0; s < patch.slots; ++s) slot_blocks(model, &patch, s, pairs, k, d);
+            const SelfHit *const hit = &pairs->hit[part][h];
+            if (!patch_of(model, lines, friction_scale, hit, &patch)) continue;
+            const int first[2] = {lines->line[hit->line].row, lines->line[hit->other].row};
+            for (int s = 0; s < patch.slots; ++s) slot_blocks(model, &patch, first, s, pairs, k, d);
         }
     }
 }
 
 /* A patch for the outside; what carries no force has a depth and a place only. */
-static SelfDetail detail_of(const Chain *chain, const Kinematics *kin, const SelfHit *hit, const Patch *patch)
+static SelfDetail detail_of(const SelfLines *lines, const SelfHit *hit, const Patch *patch)
 {
-    const double pieces = self_pieces(chain, hit->element);
-    const Vec3 p0 = line_spot(chain, kin, hit->element, hit->piece / pieces).p;
-    const Vec3 p1 = line_spot(chain, kin, hit->element, (hit->piece + 1) / pieces).p;
-    return (SelfDetail){.element = hit->element,
+    const SelfLine *const line = &lines->line[hit->line];
+    const double pieces = self_pieces(line->chain, hit->element);
+    const Vec3 p0 = line_spot(line->chain, line->kin, hit->element, hit->piece / pieces).p;
+    const Vec3 p1 = line_spot(line->chain, line->kin, hit->element, (hit->piece + 1) / pieces).p;
+    return (SelfDetail){.line = hit->line,
+                        .element = hit->element,
+                        .other = hit->other,
+                        .arm = patch->distance,
+                        .length = patch->length,
                         .foot = hit->foot[0],
                         .depth = patch_depth(patch),
                         .normal = patch->force,
@@ -236,30 +252,30 @@ static SelfDetail detail_of(const Chain *chain, const Kinematics *kin, const Sel
                         .point = v3_axpy(v3_scale(1 - patch->centre, p0), patch->centre, p1)};
 }
 
-int self_details(const SelfModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
-                 SelfPairs *pairs, int room, SelfDetail *out)
+int self_details(const SelfModel *model, const SelfLines *lines, double friction_scale, SelfPairs *pairs, int room,
+                 SelfDetail *out)
 {
     int count = 0;
     for (int part = 0; part < SELF_PARTS; ++part) {
-        const int hits = hits_find(chain, kin, part, pairs);
+        const int hits = hits_find(lines, part, pairs);
         for (int h = 0; h < hits; ++h, ++count) {
             Patch patch;
-            patch_of(model, chain, kin, friction_scale, &pairs->hit[part][h], &patch);
-            if (count < room) out[count] = detail_of(chain, kin, &pairs->hit[part][h], &patch);
+            patch_of(model, lines, friction_scale, &pairs->hit[part][h], &patch);
+            if (count < room) out[count] = detail_of(lines, &pairs->hit[part][h], &patch);
         }
     }
     return count;
 }
 
-SelfDetail self_deepest(const SelfModel *model, const Chain *chain, const Kinematics *kin, SelfPairs *pairs)
+SelfDetail self_deepest(const SelfModel *model, const SelfLines *lines, SelfPairs *pairs)
 {
     SelfDetail deepest = {.depth = -INFINITY};
     for (int part = 0; part < SELF_PARTS; ++part) {
-        const int hits = hits_find(chain, kin, part, pairs);
+        const int hits = hits_find(lines, part, pairs);
         for (int h = 0; h < hits; ++h) {
             Patch patch;
-            patch_of(model, chain, kin, 0, &pairs->hit[part][h], &patch);
-            const SelfDetail now = detail_of(chain, kin, &pairs->hit[part][h], &patch);
+            patch_of(model, lines, 0, &pairs->hit[part][h], &patch);
+            const SelfDetail now = detail_of(lines, &pairs->hit[part][h], &patch);
             if (now.depth > deepest.depth) deepest = now;
         }
     }

@@ -20,6 +20,7 @@ static hawser_status case_make(const Model *m, const double *value, hawser_case 
         status = hawser_case_set(*out, row->name, text, err);
     }
     if (!status) status = case_ensure_read(*out, err);
+    if (!status) status = case_alone(*out, "a mock-up unit", err);
     return status;
 }
 

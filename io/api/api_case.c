@@ -111,6 +111,15 @@ hawser_status case_ensure_read(hawser_case *c, hawser_error *err)
     return status;
 }
 
+hawser_status case_alone(const hawser_case *c, const char *what, hawser_error *err)
+{
+    if (c->def.n_beside == 0) return HAWSER_OK;
+    return case_key_error(err, case_node_key(c->tree->root, "chains"), NULL,
+                          "%s cannot be had of several chains: give one 'chain', with the section 'bundle' for cables "
+                          "that are pulled together",
+                          what);
+}
+
 /* Errors of the reader carry file and line themselves; those of the scene only know the key. */
 hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err)
 {

@@ -74,6 +74,26 @@ static const Column bundle_column[] = {
     {COLUMN("room_m", NUMBER, hawser_bundle_duct, room_m), .label = "room, m", .decimals = 4},
 };
 
+/* One of several chains. */
+typedef struct ChainRow {
+    const char *name, *pulled; /* pulled: by what */
+    int segments;
+    double length, mass, diameter, y, z, lay, factor; /* m, kg, mm, mm, mm, m, 1 */
+} ChainRow;
+
+static const Column chain_column[] = {
+    {COLUMN("name", TEXT, ChainRow, name), .label = "chain"},
+    {COLUMN("pulled_by", TEXT, ChainRow, pulled), .label = "pulled by"},
+    {COLUMN("segments", COUNT, ChainRow, segments), .label = "segments"},
+    {COLUMN("length_m", NUMBER, ChainRow, length), .label = "length, m", .decimals = -1},
+    {COLUMN("mass_kg", NUMBER, ChainRow, mass), .label = "mass, kg", .decimals = 1},
+    {COLUMN("diameter_mm", NUMBER, ChainRow, diameter), .label = "diameter, mm", .decimals = -1},
+    {COLUMN("left_mm", NUMBER, ChainRow, y), .label = "to the left, mm", .decimals = 1},
+    {COLUMN("up_mm", NUMBER, ChainRow, z), .label = "up, mm", .decimals = 1},
+    {COLUMN("lay_m", NUMBER, ChainRow, lay), .label = "lay, m", .decimals = -1},
+    {COLUMN("weight_factor", NUMBER, ChainRow, factor), .label = "weight factor", .decimals = 4},
+};
+
 /* What the case did not say itself. */
 /* Nothing of a layer that is not in the map, or of what is not read. */
 static const Column drawn_column[] = {
@@ -116,7 +136,9 @@ typedef struct Description {
     RouteRow *leg;       /* [n_route] */
     SurfaceRow *surface; /* [n_surfaces] */
     Mesh mesh;
-    MeshRow *demand; /* [n_demands] places that ask for less than the usual length */
+    int n_chains;
+    ChainRow chain[STRANDS_MAX]; /* [n_chains] of several; none of one */
+    MeshRow *demand;             /* [n_demands] places that ask for less than the usual length */
     int n_demands;
     char grades[480]; /* what bends to the side do to the route's grade, in words */
     char advice[160]; /* what the lengths of the segments are worth, in words */
@@ -195,6 +217,34 @@ static void sum_chain(const SceneDef *def, double *mass, double *length)
     }
 }
 
+/* Whom a chain is pulled by. */
+static const char *puller_of(const SceneDef *first, const SceneDef *def)
+{
+    const int rope = def->strand.joined;
+    if (rope >= 0) return (rope > 0 ? first->beside[rope - 1].strand : first->strand).name;
+    return def->winch.present ? "its winch" : "nothing";
+}
+
+static void fill_chains(Description *d)
+{
+    for (int k = 0; d->def->n_beside > 0 && k <= d->def->n_beside; ++k) {
+        const SceneDef *const def = k > 0 ? &d->def->beside[k - 1] : d->def;
+        ChainRow *const row = &d->chain[d->n_chains++];
+        *row = (ChainRow){.name = def->strand.name,
+                          .pulled = puller_of(d->def, def),
+                          .y = 1e3 * def->strand.place[0] + 0.0,
+                          .z = 1e3 * def->strand.place[1],
+                          .lay = def->strand.lay > 0 ? def->strand.lay : NAN,
+                          .factor = 1};
+        sum_chain(def, &row->mass, &row->length);
+        for (int i = 0; i < def->n_pieces; ++i) {
+            row->segments += def->pieces[i].segments;
+            row->diameter = fmax(row->diameter, 1e3 * def->cables[def->pieces[i].cable].diameter);
+        }
+        for (int i = 0; i < def->n_surfaces; ++i) row->factor = fmax(row->factor, def->surfaces[i].weight_factor);
+    }
+}
+
 /* Keys carry their unit, so that JSON and CSV need no other place for it. */
 static hawser_status write_description(Description *d, const char *title, hawser_format format, char **text,
                                        hawser_error *err)
@@ -207,7 +257,8 @@ static hawser_status write_description(Description *d, const char *title, hawser
     const int turns = def->winch.present && def->winch.mode == WINCH_SPEED;
     const int pulls = def->winch.present && def->winch.mode == WINCH_TENSION;
     double mass, length;
-    int worst;
+    int worst, several = 0; /* chains but ropes; the measured cost is of one */
+    for (int k = 0; k < d->n_chains; ++k) several += !(k > 0 ? def->beside[k - 1].strand : def->strand).rope;
     sum_chain(def, &mass, &length);
     const CostCounts counts = cost_counts(def, s->planar);
     const Cost cost = cost_of(&counts);
@@ -234,18 +285,20 @@ static hawser_status write_description(Description *d, const char *title, hawser
          cell_number(pulls ? profile_value(&def->winch.tension, end) : NAN)},
         {"tail_tension_N", "tail tension at the end", "N", cell_number(profile_value(&def->tail.tension, end))},
         {"friction", "friction coefficient", "", cell_number(def->friction.mu_d)},
-        {"cables", "cables pulled together", "", cell_number(def->bundle.shape.cables)},
+        {"cables", "cables pulled together", "", cell_number(several ? several : def->bundle.shape.cables)},
         {"paper_total_N", "winch force, paper's formulas", "N", cell_number(s->paper_total_N)},
         {"reference_total_N", "winch force, reference", "N", cell_number(s->reference_total_N)},
         {"analysis", "analysis", "", cell_text(analyses[def->analysis.kind])},
         {"duration_s", placed ? "the winch has pulled for" : "to be simulated", "s", cell_number(end)},
         {"steady_from_s", "steady window from", "s", cell_number(def->output.steady_from)},
         {"linear_solver", "linear solver", "", cell_text(s->linear_solver)},
-        {"memory_MB", "memory at most, about", "MB", cell_number(cost.memory / 1e6)},
-        {"disk_MB", "results, about", "MB", cell_number(cost.disk / 1e6)},
-        {"time_s", "computing, about", "s", cell_number(placed ? NAN : cost.time)},
+        {"memory_MB", "memory at most, about", "MB", cell_number(several ? NAN : cost.memory / 1e6)},
+        {"disk_MB", "results, about", "MB", cell_number(several ? NAN : cost.disk / 1e6)},
+        {"time_s", "computing, about", "s", cell_number(several || placed ? NAN : cost.time)},
     };
     const Table all[] = {
+        {"chains", "Chains that are pulled together, from the first", COLUMNS(ChainRow, chain_column), d->n_chains,
+         d->chain},
         {"chain", "Cable and rope, from the tail to the winch", COLUMNS(PieceRow, piece_column), def->n_pieces,
          d->piece},
         {"route", "Route", COLUMNS(RouteRow, route_column), def->rod.present ? 0 : d->route.n, d->leg},
@@ -262,7 +315,7 @@ static hawser_status write_description(Description *d, const char *title, hawser
     Table tables[sizeof all / sizeof *all];
     int n = 0;
     for (size_t k = 0; k < sizeof all / sizeof *all; ++k) {
-        if (k < 2 || all[k].n > 0) tables[n++] = all[k]; /* chain and route always */
+        if (k == 1 || k == 2 || all[k].n > 0) tables[n++] = all[k]; /* chain and route always */
     }
     const Document doc = {
         .title = title, .n_facts = sizeof facts / sizeof *facts, .n_tables = n, .fact = facts, .table = tables};
@@ -281,6 +334,7 @@ static hawser_status gather(Description *d, hawser_error *err)
     d->surface = calloc((size_t)def->n_surfaces + 1, sizeof *d->surface);
     if (!d->piece || !d->leg || !d->surface) return error_memory(err);
     fill_rows(d);
+    fill_chains(d);
     fill_grades(d);
     const hawser_status found = mesh_find(def, &d->route, &d->mesh, err);
     if (found) return found;

@@ -19,8 +19,12 @@ struct hawser_case {
 
 /* A simulation is told to move from inside one of its call-backs. */
 hawser_status error_inside(hawser_error *err);
+/* One of several chains is told to move by itself. */
+hawser_status error_led(hawser_error *err);
 /* Makes c->def hold what the case says now. Errors: INPUT, MEMORY. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err);
+/* Of a case that was read: an error with the line of `chains` if it has several, of which `what` cannot be asked. */
+hawser_status case_alone(const hawser_case *c, const char *what, hawser_error *err);
 /* A copy of the case as it is set, to be set further; `c` must outlive it. Errors: MEMORY. */
 hawser_status case_copy(const hawser_case *c, hawser_case **out, hawser_error *err);
 /* For errors found while building from c->def, which no longer knows the file: puts the case's name before an INPUT
@@ -51,10 +55,10 @@ void run_identity(const hawser_sim *s, char run[SUM_SIZE]);
 
 /* How far a run with results has come, beside its simulation; plain numbers. */
 typedef struct RunKept {
-    long rows, states;           /* beats so far */
-    double last_row, last_state; /* s */
-    ResultsPosition files;
-    long over; /* not 0: the pass has ended, and the files are not asked for any more */
+    long rows, states;                  /* beats so far */
+    double last_row, last_state;        /* s */
+    ResultsPosition files[STRANDS_MAX]; /* of each chain */
+    long over;                          /* not 0: the pass has ended, and the files are not asked for any more */
 } RunKept;
 
 /* The state of now, with run's (NULL: there is none), as the bytes of a file; checkpoint_free follows either way.

@@ -508,6 +508,7 @@ hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress pro
     s = SHOWN(s);
     if (!s) return error_argument(e, "s");
     if (s->inside || s->running) return error_inside(e);
+    if (s->leader) return error_led(e);
     const int whole = is_whole(s);
     return go_on(s, dir, whole, 0, pass_run(s, dir, progress, user, e), progress, user, e);
 }
@@ -519,6 +520,7 @@ hawser_status hawser_sim_resume(hawser_sim *s, const char *dir, hawser_progress 
     s = SHOWN(s);
     if (!s || !dir) return error_argument(e, s ? "dir" : "s");
     if (s->inside || s->running) return error_inside(e);
+    if (s->leader) return error_led(e);
     const int whole = is_whole(s);
     int over = 0;
     const hawser_status status = pass_resume(s, dir, progress, user, &over, e);

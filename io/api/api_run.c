@@ -28,9 +28,9 @@ typedef struct Beat {
 
 typedef struct Run {
     hawser_sim *s;
-    Results *results;         /* NULL: nothing is written */
-    const char *dir;          /* where they go */
-    hawser_progress progress; /* may be NULL */
+    Results *results[STRANDS_MAX]; /* of each chain; the first NULL: nothing is written */
+    const char *dir;               /* where they go */
+    hawser_progress progress;      /* may be NULL */
     void *user;
     double started, last_progress; /* clock_now() */
     Beat row, state;
@@ -62,11 +62,15 @@ static hawser_status write_now(Run *run, int row, int state, hawser_error *err)
     if (state) run->last_state = hawser_sim_time(sim);
     if (row && state) hawser_sim_record(sim);
     if (row && !state) sim_record_row(sim);
-    if (!run->results) return HAWSER_OK;
+    if (!run->results[0]) return HAWSER_OK;
     const double start = clock_now();
-    hawser_status status = row ? results_row(run->results, run->look, err) : HAWSER_OK;
-    if (!status && state) status = results_state(run->results, run->look, err);
-    if (!status) status = results_tick(run->results, err);
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; k < sim_chains(sim); ++k) {
+        const hawser_sample *const look = &sim_chain(sim, k)->look.sample;
+        if (!status && row) status = results_row(run->results[k], look, err);
+        if (!status && state) status = results_state(run->results[k], look, err);
+        if (!status) status = results_tick(run->results[k], err);
+    }
     sim->output_s += clock_now() - start;
     return status;
 }
@@ -90,7 +94,9 @@ static hawser_status keep_now(Run *run, hawser_error *err)
     const double start = clock_now();
     RunKept kept = {
         .rows = run->row.count, .states = run->state.count, .last_row = run->last_row, .last_state = run->last_state};
-    hawser_status status = results_position(run->results, &kept.files, err);
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; !status && k < sim_chains(run->s); ++k)
+        status = results_position(run->results[k], &kept.files[k], err);
     if (!status) status = checkpoint_write(run->s, &kept, &c, err);
     if (!status) status = results_checkpoint(run->dir, c.bytes, c.size, err);
     checkpoint_free(&c);
@@ -114,7 +120,7 @@ hawser_status pass_keep(hawser_sim *s, const char *dir, hawser_error *err)
 static hawser_status keep_due(Run *run, hawser_error *err)
 {
     const double interval = run->s->stage.scene.def.output.checkpoint;
-    if (!run->results || !(interval > 0)) return HAWSER_OK;
+    if (!run->results[0] || !(interval > 0)) return HAWSER_OK;
     return clock_now() - run->last_kept < fmax(interval, run->kept_cost / KEPT_SHARE) ? HAWSER_OK : keep_now(run, err);
 }
 
@@ -123,7 +129,7 @@ static hawser_status keep_due(Run *run, hawser_error *err)
 static void keep_last(Run *run)
 {
     hawser_error unused;
-    if (run->results && run->s->stage.scene.def.output.checkpoint > 0 && run->s->stage.t > 0) keep_now(run, &unused);
+    if (run->results[0] && run->s->stage.scene.def.output.checkpoint > 0 && run->s->stage.t > 0) keep_now(run, &unused);
 }
 
 /* The state in which a run ends, so far as the beats have not just written it. */
@@ -224,9 +230,10 @@ static hawser_status run_steps(Run *run, int resumed, hawser_error *err)
 
 /* Sizes, names and wishes for the results folder. at: where the files of a run that is resumed were; NULL: it is new.
  */
-static hawser_status open_results(Run *run, const char *dir, const ResultsPosition *at, hawser_error *err)
+static hawser_status results_of(hawser_sim *s, Results **out, const char *dir, const ResultsPosition *at,
+                                hawser_error *err)
 {
-    hawser_sim *s = run->s;
+    const hawser_sample *const look = &s->look.sample;
     const OutputDef *output = &s->stage.scene.def.output;
     char identity[SUM_SIZE];
     run_identity(s, identity);
@@ -234,25 +241,24 @@ static hawser_status open_results(Run *run, const char *dir, const ResultsPositi
                       .run = identity,
                       .origin = {s->stage.scene.def.route_origin.x, s->stage.scene.def.route_origin.y,
                                  s->stage.scene.def.route_origin.z},
-                      .segments = run->look->segments,
-                      .reel = !isnan(run->look->paid_out),
-                      .front = !isnan(run->look->head_at),
+                      .segments = look->segments,
+                      .reel = !isnan(look->paid_out),
+                      .front = !isnan(look->head_at),
                       .n_watched = output->n_speed_segments,
                       .watched = output->speed_segments,
                       .n_loads = output->n_load_rollers,
                       .loads = output->load_rollers,
                       .states = output->state_interval > 0 ? hawser_sim_end_time(s) / output->state_interval + 1 : 0};
-    def.probes = run->look->probes;
-    def.probe = run->look->probe;
+    def.probes = look->probes;
+    def.probe = look->probe;
     def.rollers = hawser_sim_rollers(s, &def.roller);
-    def.figures = run->look->figures;
-    def.machine = run->look->machine;
+    def.figures = look->figures;
+    def.machine = look->machine;
     def.n_inputs = s->stage.scene.def.n_inputs;
     def.inputs = s->stage.scene.def.inputs;
     Geometry geometry = {0};
     AlongRow *route;
     char *summary = NULL;
-    run->dir = dir;
     hawser_status status = along_rows(s, &route, &def.n_route, err);
     if (!status) status = sim_summary_text(s, NULL, &summary, err);
     if (!status && def.states > 0) status = geometry_make(&s->stage.scene, &geometry, err);
@@ -261,12 +267,36 @@ static hawser_status open_results(Run *run, const char *dir, const ResultsPositi
     if (!at) envelope_free(&s->envelope); /* of a run before */
     if (!status && !at && def.states > 0) status = envelope_new(&s->envelope, &s->stage.scene, err);
     if (!status) {
-        status = at ? results_resume(&run->results, dir, &def, at, summary, err)
-                    : results_open(&run->results, dir, &def, summary, err);
+        status = at ? results_resume(out, dir, &def, at, summary, err) : results_open(out, dir, &def, summary, err);
     }
     geometry_free(&geometry);
     hawser_text_free(summary);
     free(route);
+    return status;
+}
+
+/* Where the files of chain k go: those of the first are the run's. Errors: OUTPUT. */
+static hawser_status chain_folder(const Run *run, int k, char path[OUT_PATH_MAX], hawser_error *err)
+{
+    if (k > 0) return out_join(path, run->dir, sim_chain(run->s, k)->stage.scene.def.strand.name, err);
+    return snprintf(path, OUT_PATH_MAX, "%s", run->dir) < OUT_PATH_MAX
+               ? HAWSER_OK
+               : error_set(err, HAWSER_ERR_OUTPUT, "the results folder's name is too long");
+}
+
+/* The first chain's in the folder itself, those of the others in folders of their names within. at [chains]: as
+ * results_of. */
+static hawser_status open_results(Run *run, const char *dir, const ResultsPosition *at, hawser_error *err)
+{
+    run->dir = dir;
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; !status && k < sim_chains(run->s); ++k) {
+        hawser_sim *const each = sim_chain(run->s, k);
+        char path[OUT_PATH_MAX];
+        status = chain_folder(run, k, path, err);
+        if (!status && k > 0) hawser_sim_sample(each);
+        if (!status) status = results_of(each, &run->results[k], path, at ? &at[k] : NULL, err);
+    }
     return status;
 }
 
@@ -286,8 +316,13 @@ static ResultsTables tables_of(hawser_sim *s)
 /* The tables, whatever the outcome. */
 static hawser_status finish_tables(Run *run, hawser_error *err)
 {
-    const ResultsTables tables = tables_of(run->s);
-    return results_finish(run->results, &tables, err);
+    hawser_status first = HAWSER_OK;
+    for (int k = 0; k < sim_chains(run->s); ++k) {
+        const ResultsTables tables = tables_of(sim_chain(run->s, k));
+        const hawser_status status = results_finish(run->results[k], &tables, first ? NULL : err);
+        if (!first) first = status;
+    }
+    return first;
 }
 
 hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err)
@@ -305,11 +340,14 @@ hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err)
 /* After the tables: it says how they went, too. */
 static hawser_status finish_summary(Run *run, hawser_error *err)
 {
-    char *summary;
-    hawser_status status = sim_summary_text(run->s, run->dir, &summary, err);
-    if (status) return status;
-    status = results_summary(run->results, summary, run->s->outcome == HAWSER_OK, err);
-    hawser_text_free(summary);
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; !status && k < sim_chains(run->s); ++k) {
+        char *summary = NULL, dir[OUT_PATH_MAX];
+        status = chain_folder(run, k, dir, err);
+        if (!status) status = sim_summary_text(sim_chain(run->s, k), dir, &summary, err);
+        if (!status) status = results_summary(run->results[k], summary, run->s->outcome == HAWSER_OK, err);
+        hawser_text_free(summary);
+    }
     return status;
 }
 
@@ -329,9 +367,12 @@ static void start_beats(Run *run, double t)
  */
 static hawser_status settle(hawser_sim *s, hawser_status status, hawser_error *err)
 {
-    s->running = 0;
-    s->outcome = status;
-    if (status) memcpy(s->message, err->message, sizeof s->message);
+    for (int k = 0; k < sim_chains(s); ++k) {
+        hawser_sim *const each = sim_chain(s, k);
+        each->running = 0;
+        each->outcome = status;
+        if (status) memcpy(each->message, err->message, sizeof each->message);
+    }
     return status;
 }
 
@@ -352,14 +393,14 @@ static hawser_status run_all(Run *run, int resumed, hawser_error *err)
     hawser_status status = run_steps(run, resumed, err);
     hawser_status written = write_last(run, &late);
     settle(s, status, err);
-    if (run->results) {
+    if (run->results[0]) {
         const hawser_status finished = finish_tables(run, written ? NULL : &late);
         if (!written) written = finished;
     }
     status = weigh(s, status, written, &late, err);
-    if (run->results) {
+    if (run->results[0]) {
         status = weigh(s, status, finish_summary(run, &late), &late, err);
-        results_free(run->results);
+        for (int k = 0; k < sim_chains(s); ++k) results_free(run->results[k]);
     }
     return status;
 }
@@ -380,8 +421,10 @@ static Run run_new(hawser_sim *s, hawser_progress progress, void *user)
 /* Its beats begin at the state of now. */
 static void run_begin(Run *run)
 {
-    run->s->running = 1;
-    run->s->outcome = HAWSER_OK;
+    for (int k = 0; k < sim_chains(run->s); ++k) {
+        sim_chain(run->s, k)->running = 1;
+        sim_chain(run->s, k)->outcome = HAWSER_OK;
+    }
     start_beats(run, hawser_sim_time(run->s));
 }
 
@@ -390,7 +433,9 @@ hawser_status pass_run(hawser_sim *s, const char *dir, hawser_progress progress,
     Run run = run_new(s, progress, user);
     run_begin(&run);
     const hawser_status status = dir ? open_results(&run, dir, NULL, err) : HAWSER_OK;
-    return status ? settle(s, status, err) : run_all(&run, 0, err);
+    if (!status) return run_all(&run, 0, err);
+    for (int k = 0; k < sim_chains(s); ++k) results_free(run.results[k]);
+    return settle(s, status, err);
 }
 
 /* The simulation first: nothing is touched in the folder of a run that cannot be gone on with. */
@@ -407,6 +452,6 @@ hawser_status pass_resume(hawser_sim *s, const char *dir, hawser_progress progre
     run.state.count = kept.states;
     run.last_row = kept.last_row;
     run.last_state = kept.last_state;
-    status = open_results(&run, dir, &kept.files, err);
+    status = open_results(&run, dir, kept.files, err);
     return status ? settle(s, status, err) : run_all(&run, 1, err);
 }

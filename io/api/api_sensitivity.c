@@ -206,6 +206,7 @@ hawser_status hawser_case_sensitivities(hawser_case *c, hawser_format format, ch
     if (!c || !text) return error_argument(err, c ? "text" : "c");
     *text = NULL;
     hawser_status status = case_ensure_read(c, err);
+    if (!status) status = case_alone(c, "sensitivities", err);
     if (status) return status;
     if (c->def.rod.present)
         return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': the pulling theory needs a route", c->name);

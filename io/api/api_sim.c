@@ -7,6 +7,7 @@
 #include "sim/run/commands.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,12 +15,24 @@
 static int plan_keep(hawser_sim *s, const SceneDef *def)
 {
     const int pulled = def->winch.present && !def->rod.present && def->analysis.kind == ANALYSIS_DYNAMICS;
-    if (!pulled || def->solver.passes == PASSES_ONE) return 1;
+    if (!pulled || def->n_beside > 0 || def->solver.passes == PASSES_ONE) return 1;
     s->plan = calloc(1, sizeof *s->plan);
     if (s->plan && !scene_def_copy(def, s->plan, NULL)) return 1;
     free(s->plan);
     s->plan = NULL;
     return 0;
+}
+
+/* What the results are called: of a chain among several its own name, too. Returns 0 without memory. */
+static int name_give(hawser_sim *s, const hawser_case *c)
+{
+    const StrandDef *const strand = &s->stage.scene.def.strand;
+    const char *const title = c->def.title[0] ? c->def.title : c->name;
+    const size_t room = strlen(title) + sizeof strand->name + 3;
+    s->case_name = strdup(c->name);
+    s->title = malloc(room);
+    if (s->title) snprintf(s->title, room, strand->present ? "%s: %s" : "%s", title, strand->name);
+    return s->case_name && s->title;
 }
 
 /* Options come from a program or a command line, so they are checked like a case. */
@@ -46,12 +59,11 @@ hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options
     if (status) return case_name_error(c, status, err);
     hawser_sim *const s = *out; /* the case may be gone soon */
     if (s->team) team_pin(s->team, mine.pin);
-    s->case_name = strdup(c->name);
-    s->title = strdup(c->def.title[0] ? c->def.title : c->name);
+    int named = 1;
+    for (int k = 0; k < sim_chains(s); ++k) named &= name_give(sim_chain(s, k), c);
     s->case_folder = c->tree->folder ? realpath(c->tree->folder, NULL) : NULL;
     if (!s->case_folder && c->tree->folder) s->case_folder = strdup(c->tree->folder);
-    status = s->case_name && s->title && plan_keep(s, &c->def) ? case_tree_text(c->tree, &s->case_text, err)
-                                                               : error_memory(err);
+    status = named && plan_keep(s, &c->def) ? case_tree_text(c->tree, &s->case_text, err) : error_memory(err);
     if (status) *out = sim_free(s);
     return status;
 }
@@ -71,6 +83,26 @@ hawser_status error_inside(hawser_error *err)
     return error_set(err, HAWSER_ERR_INPUT, "a call-back of the simulation may look and tell, but not make it move");
 }
 
+hawser_status error_led(hawser_error *err)
+{
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "this is one of several chains, which move together: the simulation they belong to moves them");
+}
+
+int hawser_sim_chains(const hawser_sim *s)
+{
+    s = SHOWN(s);
+    return s ? sim_chains(s) : 0;
+}
+
+hawser_sim *hawser_sim_chain(hawser_sim *s, int k)
+{
+    s = SHOWN(s);
+    return s && k >= 0 && k < sim_chains(s) ? sim_chain(s, k) : NULL;
+}
+
+const char *hawser_sim_chain_name(const hawser_sim *s) { return s ? SHOWN(s)->stage.scene.def.strand.name : ""; }
+
 /* The statistics and the integrator start from here; later the state is theirs. */
 hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_error *err)
 {
@@ -79,6 +111,7 @@ hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_err
     s = SHOWN(s);
     if (!s) return error_argument(err, "s");
     if (s->inside) return error_inside(err);
+    if (s->leader) return error_led(err);
     if (hawser_sim_time(s) > 0) {
         return error_set(e, HAWSER_ERR_INPUT, "only a simulation that has not moved on from t = 0 can be relaxed");
     }
@@ -96,6 +129,7 @@ hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_e
     s = SHOWN(s);
     if (!s) return error_argument(err, "s");
     if (s->inside || s->running) return error_inside(err);
+    if (s->leader) return error_led(err);
     if (!(t < INFINITY) || t > TIME_MOST)
         return error_set(e, HAWSER_ERR_INPUT, "advance to t = %g s: a time of at most %g s is expected", t, TIME_MOST);
     s->inside = 1;

@@ -292,9 +292,9 @@ static hawser_status list_theory(Theory *t, const char *title, const TheoryWish 
 }
 
 /* Everything from a definition that was read; the theory's memory is the caller's to free. */
-static hawser_status build_and_solve(Theory *t, const hawser_case *c, const TheoryWish *wish, hawser_error *err)
+static hawser_status build_and_solve(Theory *t, const SceneDef *def, const TheoryWish *wish, hawser_error *err)
 {
-    hawser_status status = scene_build(&c->def, &t->scene, err);
+    hawser_status status = scene_build(def, &t->scene, err);
     if (status) return status;
     t->built = 1;
     return solve(t, wish, err);
@@ -324,11 +324,121 @@ static hawser_status theory_new(hawser_case *c, const TheoryWish *wish, Theory *
     if (c->def.rod.present) {
         return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': the pulling theory needs a route", c->name);
     }
+    const hawser_status alone = case_alone(c, "this pulling calculation", err);
+    if (alone) return alone;
     *out = calloc(1, sizeof **out);
-    return *out ? case_name_error(c, build_and_solve(*out, c, wish, err), err) : error_memory(err);
+    return *out ? case_name_error(c, build_and_solve(*out, &c->def, wish, err), err) : error_memory(err);
 }
 
 static const char *title_of(const hawser_case *c) { return c->def.title[0] ? c->def.title : c->name; }
+
+/* ------------------------------------------------------------------------------------------------ several chains */
+
+/* What theory says of one of them, pulled forward. */
+typedef struct ChainRow {
+    const char *name, *pulled;  /* pulled: by what */
+    double factor, pull, share; /* 1, N, 1: of all that are no rope */
+} ChainRow;
+
+static const Column chain_column[] = {
+    {COLUMN("name", TEXT, ChainRow, name), .label = "chain"},
+    {COLUMN("pulled_by", TEXT, ChainRow, pulled), .label = "pulled by"},
+    {COLUMN("weight_factor", NUMBER, ChainRow, factor), .label = "weight factor", .decimals = 4},
+    {COLUMN("pull_N", NUMBER, ChainRow, pull), .label = "pull, N", .decimals = 2},
+    {COLUMN("share", NUMBER, ChainRow, share), .label = "share", .decimals = 4},
+};
+
+static const SceneDef *chain_def(const SceneDef *def, int k) { return k > 0 ? &def->beside[k - 1] : def; }
+
+/* A rope bears what it draws beside its own (SC15). */
+static void chain_rows(const SceneDef *def, Theory *const t[], ChainRow row[])
+{
+    double sum = 0;
+    for (int k = 0; k <= def->n_beside; ++k) {
+        const SceneDef *const own = chain_def(def, k);
+        const int rope = own->strand.joined;
+        row[k].name = own->strand.name;
+        row[k].pulled = rope >= 0 ? chain_def(def, rope)->strand.name : own->winch.present ? "its winch" : "nothing";
+        row[k].factor = 1;
+        for (int s = 0; s < own->n_surfaces; ++s) row[k].factor = fmax(row[k].factor, own->surfaces[s].weight_factor);
+        const double pull = rope >= 0 || own->winch.present ? t[k]->calculator.plan.way[PLAN_FORWARD].force : 0;
+        row[k].pull += pull;
+        if (rope >= 0) row[rope].pull += pull;
+        if (!own->strand.rope) sum += pull;
+    }
+    for (int k = 0; k <= def->n_beside; ++k)
+        row[k].share = chain_def(def, k)->strand.rope || !(sum > 0) ? NAN : row[k].pull / sum;
+}
+
+/* The table of all as an object, with each one's own under its name in `theory`. */
+static hawser_status chains_json(const Document *all, int n, const ChainRow row[], char *const own[], char **text,
+                                 hawser_error *err)
+{
+    json_t *const doc = document_json(all, NULL), *const theory = json_object();
+    int ok = doc && theory;
+    for (int k = 0; ok && k < n; ++k) ok = !json_object_set_new(theory, row[k].name, json_loads(own[k], 0, NULL));
+    ok = ok && !json_object_set(doc, "theory", theory);
+    *text = ok ? json_dumps(doc, JSON_INDENT(2)) : NULL;
+    json_decref(theory);
+    json_decref(doc);
+    return *text ? HAWSER_OK : error_memory(err);
+}
+
+/* For people: the table, and each one's own behind it. */
+static hawser_status chains_print(char *table, int n, char *const own[], char **text, hawser_error *err)
+{
+    size_t size = strlen(table) + 1;
+    for (int k = 0; k < n; ++k) size += strlen(own[k]) + 1;
+    char *const all = malloc(size), *at = all;
+    if (!all) return error_memory(err);
+    at = stpcpy(at, table);
+    for (int k = 0; k < n; ++k) {
+        *at++ = '\n';
+        at = stpcpy(at, own[k]);
+    }
+    *text = all;
+    return HAWSER_OK;
+}
+
+/* All of them solved: the table of all, alone as CSV, else with each one's own. */
+static hawser_status chains_write(const hawser_case *c, Theory *const t[], hawser_format format, char **text,
+                                  hawser_error *err)
+{
+    const SceneDef *const def = &c->def;
+    const int n = def->n_beside + 1;
+    ChainRow row[STRANDS_MAX] = {{.name = NULL}};
+    char *own[STRANDS_MAX] = {NULL}, *table = NULL;
+    chain_rows(def, t, row);
+    const Table rows = {"chains", "What the chains pull by theory", COLUMNS(ChainRow, chain_column), n, row};
+    const Document all = {.title = title_of(c), .n_tables = 1, .table = &rows, .csv = &rows};
+    if (format == HAWSER_CSV) return document_write(&all, format, text, err);
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; !status && k < n; ++k) status = write_theory(t[k], row[k].name, format, &own[k], err);
+    if (!status && format == HAWSER_JSON) {
+        status = chains_json(&all, n, row, own, text, err);
+    } else if (!status) {
+        status = document_write(&all, format, &table, err);
+        if (!status) status = chains_print(table, n, own, text, err);
+    }
+    free(table);
+    for (int k = 0; k < n; ++k) free(own[k]);
+    return status;
+}
+
+static hawser_status chains_theory(const hawser_case *c, hawser_format format, char **text, hawser_error *err)
+{
+    const TheoryWish wish = {0};
+    Theory *t[STRANDS_MAX] = {NULL};
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; !status && k <= c->def.n_beside; ++k) {
+        t[k] = calloc(1, sizeof *t[k]);
+        status = t[k] ? case_name_error(c, build_and_solve(t[k], chain_def(&c->def, k), &wish, err), err)
+                      : error_memory(err);
+    }
+    if (!status) status = chains_write(c, t, format, text, err);
+    for (int k = 0; k <= c->def.n_beside; ++k) theory_free(t[k]);
+    return status;
+}
 
 hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **text, hawser_error *err)
 {
@@ -336,7 +446,10 @@ hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **te
     Theory *t;
     if (!c || !text) return error_argument(err, c ? "text" : "c");
     *text = NULL;
-    hawser_status status = theory_new(c, &all, &t, err);
+    hawser_status status = case_ensure_read(c, err);
+    if (status) return status;
+    if (c->def.n_beside > 0) return chains_theory(c, format, text, err);
+    status = theory_new(c, &all, &t, err);
     if (!status) status = write_theory(t, title_of(c), format, text, err);
     theory_free(t);
     return status;

@@ -244,9 +244,10 @@ hawser_status theory_tables_make(const Scene *scene, const Calculator *c, const 
                                  hawser_error *err)
 {
     *out = (TheoryTables){0};
-    const int fine = pieces_add(scene, c, out) && ways_add(c, out) && ducts_add(c, out) && pushes_add(c, out) &&
-                     theory_planner_add(scene, c, inverse, out) && theory_limits_add(c, PLAN_WAYS, out) &&
-                     notes_add(scene, c, out);
+    const int fine = pieces_add(scene, c, out) && ways_add(c, out) &&
+                     (scene->def.strand.present || ducts_add(c, out)) && /* with others it does not lie alone */
+                     pushes_add(c, out) && theory_planner_add(scene, c, inverse, out) &&
+                     theory_limits_add(c, PLAN_WAYS, out) && notes_add(scene, c, out);
     if (fine && out->table[out->n - 1].n == 0) free(out->rows[--out->n]); /* no closed form was refused */
     if (fine) return HAWSER_OK;
     theory_tables_free(out);

@@ -15,6 +15,7 @@ static const CaseKey contact_keys[] = {
     {"d", KEY_NUMBER, DIM_LENGTH, .fallback = "0.1 mm", ABOVE(0, 1), AT(SceneDef, impact.d)},
     {"reach", KEY_NUMBER, DIM_LENGTH, .fallback = "1 m", ABOVE(0, 1e4), AT(SceneDef, contact_reach)},
     {"cable_on_cable", KEY_FLAG, .fallback = "false", AT(SceneDef, cable_on_cable)},
+    {"between_chains", KEY_FLAG, .fallback = "true", AT(SceneDef, between_chains)},
     {"cable_friction", KEY_MAP, .otherwise = "the case's", .form = "section `friction`"},
 };
 SECTION(case_contact, "contact", contact_keys);
@@ -57,8 +58,8 @@ hawser_status case_contact_read(CaseReader *r, const CaseNode *node)
     const CaseNode *const k = case_node_key(node, "k"), *const friction = case_node_key(node, "cable_friction");
     hawser_status status = case_section_read(r, node, &case_contact, def);
     if (!status && k) status = case_stiffness_read(r, k, def->impact.e, &def->impact.k);
-    if (status || !friction || def->cable_on_cable) return status;
-    return case_key_error(r->err, friction, NULL, "not allowed without 'cable_on_cable: true'");
+    if (status || !friction || def->cable_on_cable || case_node_key(r->root, "chains")) return status;
+    return case_key_error(r->err, friction, NULL, "not allowed without 'cable_on_cable: true' or several chains");
 }
 
 /* Neither side of such a contact stays where it is: there is no place to remember, so that it cannot stick. */

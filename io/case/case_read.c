@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
+#include "io/chains/chains.h"
 #include "io/library/library.h"
 #include "io/place/place.h"
 
@@ -24,6 +25,9 @@ static const CaseKey top_keys[] = {
      .section = &case_cable},
     {"chain", KEY_LIST, .otherwise = "the only cable, as long as the route",
      .form = "the pieces, from the tail to the winch", .section = &case_chain_piece},
+    {"chains", KEY_MAP, .otherwise = "one alone", .form = "a name and its keys for each of several chains",
+     .section = &case_strand},
+    {"lay", KEY_MAP, .otherwise = "`flat`", .section = &case_lay},
     {"bundle", KEY_MAP, .otherwise = "one cable", .section = &case_bundle},
     {"route", KEY_MAP, .otherwise = "none: it is needed without a `rod`", .section = &case_route},
     {"rod", KEY_MAP, .otherwise = "none", .section = &case_rod},
@@ -155,7 +159,7 @@ static const struct {
 
 /* The reader's own things are given back on every way out; so is the definition, if there is an error. What the
  * catalogue brings is in a copy of the tree, so that a later setting finds the case as it was written. */
-hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
+static hawser_status case_read_one(const CaseTree *tree, SceneDef *def, hawser_error *err)
 {
     CaseReader r = {.units = units_new(), .def = def, .root = tree->root, .folder = tree->folder, .err = err};
     CaseNode *typed = NULL;
@@ -178,4 +182,10 @@ hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
     library_free(library);
     if (status) scene_def_clear(def);
     return status;
+}
+
+hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
+{
+    if (case_node_key(tree->root, "chains")) return chains_read(tree, case_read_one, def, err);
+    return case_read_one(tree, def, err);
 }

@@ -394,6 +394,7 @@ hawser_status hawser_certify(hawser_case *c, hawser_sim *run, const hawser_certi
     Certifier *const z = calloc(1, sizeof *z);
     hawser_certificate *const certificate = calloc(1, sizeof *certificate);
     hawser_status status = z && certificate ? case_ensure_read(c, err) : error_memory(err);
+    if (!status) status = case_alone(c, "a certificate", err);
     if (!status) status = options_fill(options, &z->options, err);
     if (!status) {
         z->def = finer ? finer->plan : &c->def;

@@ -45,6 +45,11 @@ typedef struct DrawnDef {
     double farthest;                                   /* m, of those placed from the route; NAN: none */
 } DrawnDef;
 
+typedef struct StationDef {
+    char name[NAME_MAX_LENGTH];
+    double s; /* m along the route */
+} StationDef;
+
 typedef struct OutputDef {
     double interval;       /* s between rows of series.csv and samples of statistics */
     double state_interval; /* s between states in results.h5; 0: none */

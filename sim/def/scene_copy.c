@@ -129,15 +129,30 @@ static void tables_visit(SceneDef *def, TableVisit *visit, int *ok)
 
 void scene_def_clear(SceneDef *def)
 {
+    for (int k = 0; k < def->n_beside; ++k) scene_def_clear(&def->beside[k]);
+    free(def->beside);
     tables_visit(def, table_clear, NULL);
     for (int i = 0; i < OWNED_ARRAYS; ++i) free(array_of(def, &owned[i]));
     memset(def, 0, sizeof *def);
+}
+
+/* The other chains' definitions; what could be copied stays for the clear. */
+static void beside_copy(const SceneDef *def, SceneDef *out, int *ok)
+{
+    out->n_beside = 0;
+    out->beside = def->n_beside > 0 ? calloc((size_t)def->n_beside, sizeof *out->beside) : NULL;
+    *ok = *ok && (out->beside || def->n_beside == 0);
+    for (int k = 0; *ok && k < def->n_beside; ++k) {
+        *ok = !scene_def_copy(&def->beside[k], &out->beside[k], NULL);
+        out->n_beside += *ok;
+    }
 }
 
 hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err)
 {
     int ok = 1;
     *out = *def;
+    beside_copy(def, out, &ok);
     for (int i = 0; i < OWNED_ARRAYS; ++i) {
         int count;
         memcpy(&count, (const char *)def + owned[i].count, sizeof count);

@@ -14,6 +14,7 @@ static void contact_defaults(SceneDef *def)
     def->friction = (FrictionLaw){.mu_s = 0.2, .mu_d = 0.2, .v_s = 1e-3, .v_d = 2e-3};
     def->cable_friction = def->friction;
     def->contact_reach = 1;
+    def->between_chains = 1;
 }
 
 static void drive_defaults(SceneDef *def)
@@ -54,6 +55,7 @@ void scene_def_defaults(SceneDef *def)
     def->analysis = (AnalysisDef){.load_steps = 10, .tolerance = 1e-10, .modes = 6};
     def->medium = (MediumDef){.normal = 1.2, .tangential = 0.01, .buoyancy = 1};
     def->rod.stress_free = 1;
+    def->strand.joined = -1;
     def->output = (OutputDef){.interval = 0.05, .state_interval = 0.5};
 }
 
@@ -75,7 +77,8 @@ int surface_along_route(const SurfaceDef *surface) { return surface->shape.kind 
 /* (DU15), (BU7). */
 double surface_theory_friction(const SceneDef *def, const SurfaceDef *surface, int in_bend)
 {
-    const double mu = surface->friction.mu_d * bundle_friction(def, surface, in_bend);
+    const double loose = surface->weight_factor > 0 ? surface->weight_factor : 1;
+    const double mu = surface->friction.mu_d * loose * bundle_friction(def, surface, in_bend);
     return surface->shape.kind == SURFACE_V ? mu / sin(surface->shape.angle / 2) : mu;
 }
 

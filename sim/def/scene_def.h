@@ -20,6 +20,7 @@
 #include "sim/def/reel_def.h"
 #include "sim/def/rod_def.h"
 #include "sim/def/solver_def.h"
+#include "sim/def/strand_def.h"
 
 /* The drive of a roller that spins. Speeds are those of its surface; torques and speeds are with the pull. */
 typedef enum MotorKind { MOTOR_NONE, MOTOR_TORQUE, MOTOR_SPEED } MotorKind;
@@ -72,6 +73,7 @@ typedef struct SurfaceDef {
     FrictionLaw friction;
     double bore; /* m, inside radius of a duct in which shape.radius is that of the room for the bundle's middle and the
                   * equivalent cable (BU8); 0: they are the same */
+    double weight_factor; /* of a duct in which several chains lie: w_c, for theory alone (SC15); 0: none */
 } SurfaceDef;
 
 typedef struct LeadInDef {
@@ -142,11 +144,6 @@ typedef struct JamDef {
     double friction; /* coefficient with which the cable drags over a roller that stands; NAN: the usual */
 } JamDef;
 
-typedef struct StationDef {
-    char name[NAME_MAX_LENGTH];
-    double s; /* m along the route */
-} StationDef;
-
 typedef struct SceneDef {
     char title[256];
     Vec3 gravity; /* m/s2 */
@@ -206,6 +203,11 @@ typedef struct SceneDef {
     OutputDef output;
     double duration;   /* s */
     int duration_open; /* neither the case nor its winch says how long: it can be calculated, but not run */
+
+    StrandDef strand; /* of several chains: this one, */
+    TiesDef ties;     /* what ties them together, */
+    int n_beside, between_chains;
+    struct SceneDef *beside; /* [n_beside] the others, whose own of this are empty; they touch if between_chains */
 
     int n_drawn;
     DrawnDef *drawn;

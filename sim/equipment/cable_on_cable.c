@@ -22,7 +22,7 @@ static hawser_status self_build(Room *room, Scene *scene, hawser_error *err)
 static int self_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
 {
     (void)room;
-    return self_pairs_alloc(&ws->self, scene->chain.n);
+    return self_pairs_alloc(&ws->self, 1, &scene->chain.n);
 }
 
 static void self_work_free(const Room *room, Workspace *ws)
@@ -34,26 +34,27 @@ static void self_work_free(const Room *room, Workspace *ws)
 static void self_loads(const Room *room, const Moment *m, int part)
 {
     (void)room;
-    self_forces(&m->scene->self, &m->scene->chain, &m->ws->kin, m->friction, part, &m->ws->self, &m->ws->loads[part]);
+    Loads *const loads = &m->ws->loads[part];
+    self_forces(&m->scene->self, SELF_ALONE(&m->scene->chain, &m->ws->kin), m->friction, part, &m->ws->self, &loads);
 }
 
 static void self_extra_blocks(const Room *room, const Moment *m, BlockChain *k, BlockChain *d)
 {
     (void)room;
     block_extras_zero(&m->ws->self.extras);
-    self_blocks(&m->scene->self, &m->scene->chain, &m->ws->kin, m->friction, &m->ws->self, k, d);
+    self_blocks(&m->scene->self, SELF_ALONE(&m->scene->chain, &m->ws->kin), m->friction, &m->ws->self, k, d);
 }
 
 static int self_stale(const Room *room, const Moment *m)
 {
     (void)room;
-    return self_moved_too_far(&m->scene->self, &m->scene->chain, &m->ws->kin, &m->ws->self);
+    return self_moved_too_far(&m->scene->self, SELF_ALONE(&m->scene->chain, &m->ws->kin), &m->ws->self);
 }
 
 static hawser_status self_renew(const Room *room, const Moment *m, hawser_error *err)
 {
     (void)room;
-    return self_refresh(&m->scene->self, &m->scene->chain, &m->ws->kin, &m->ws->self, err);
+    return self_refresh(&m->scene->self, SELF_ALONE(&m->scene->chain, &m->ws->kin), &m->ws->self, err);
 }
 
 static int self_candidates(const Room *room, const Workspace *ws)
@@ -65,7 +66,7 @@ static int self_candidates(const Room *room, const Workspace *ws)
 static void self_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
 {
     (void)room;
-    self_pairs_checkpoint(c, &scene->chain, &ws->self);
+    self_pairs_checkpoint(c, SELF_ALONE(&scene->chain, &ws->kin), &ws->self);
 }
 
 static void self_work(const Room *room, const Moment *m, BalanceRates *out)

@@ -9,6 +9,7 @@
 #include "sim/dynamics.h"
 #include "sim/equipment/roller_motion.h"
 #include "sim/equipment/rooms.h"
+#include "sim/joints.h"
 
 static const double HOLD = 1e7;     /* N s/m: 1 kN drags the cable's end along by 0.1 mm/s */
 static const double HOLD_ARM = 0.1; /* m: lever at which turning is held as moving is */
@@ -243,22 +244,7 @@ static hawser_status drum_build(Room *room, Scene *scene, hawser_error *err)
 /* The wound cable has taken the drum's shape: its joints rest as they lie (CC25). */
 static hawser_status drum_finish(Room *room, Scene *scene, hawser_error *err)
 {
-    const Drum *const drum = room->self;
-    Chain *const c = &scene->chain;
-    const int n = c->n;
-    double *const y = malloc((size_t)(STATE_SIZE * n) * sizeof *y);
-    if (!y) return error_memory(err);
-    scene_initial_chain(scene, y);
-    for (int j = 1; j < drum->joints; ++j) {
-        const double *const a = y + STATE_Q * n + j - 1, *const b = a + 1;
-        const Quat before = {a[0], a[n], a[2 * n], a[3 * n]}, behind = {b[0], b[n], b[2 * n], b[3 * n]};
-        const Vec3 turn = quat_log(quat_mul(quat_conj(before), behind));
-        const double by[3] = {turn.x, turn.y, turn.z};
-        for (int k = 0; k < 3; ++k) c->preload[3 + k][j] -= c->stiffness[3 + k][j] * by[k];
-    }
-    chain_find_lacks(c);
-    free(y);
-    return HAWSER_OK;
+    return joints_rest(scene, ((const Drum *)room->self)->joints, err);
 }
 
 static void drum_clear(Room *room)

@@ -17,6 +17,7 @@
     ROOM(JAM_ROOM)                                                                                                     \
     ROOM(ROLLERS_ROOM)                                                                                                 \
     ROOM(MOTORS_ROOM)                                                                                                  \
+    ROOM(CHAINS_ROOM)                                                                                                  \
     ROOM(SELF_ROOM)                                                                                                    \
     ROOM(SURFACES_ROOM)                                                                                                \
     ROOM(DRUM_ROOM)

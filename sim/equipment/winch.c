@@ -284,7 +284,7 @@ static hawser_status winch_stand(Winch *w, const Scene *scene, hawser_error *err
 {
     const int n = scene->chain.n;
     const double end = fmax(scene->joint_s[n], scene->route.length);
-    w->origin = route_at(&scene->route, scene->joint_s[n]).position;
+    w->origin = scene_line_at(scene, scene->joint_s[n]);
     w->direction = route_at(&scene->route, end).tangent;
     if (scene->def.winch.take_in) {
         const RoutePoint at = route_at(&scene->route, winch_place(scene));

@@ -50,6 +50,45 @@ hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *optio
     return status;
 }
 
+hawser_status newton_rows_new(Newton *nw, int rows, const LinOptions *options, hawser_error *err)
+{
+    memset(nw, 0, sizeof *nw);
+    nw->n = rows;
+    nw->team = options->team;
+    nw->middle = halves_middle(rows);
+    nw->options = *options;
+    hawser_status status = newton_parts_new(nw, 0) ? HAWSER_OK : error_memory(err);
+    nw->matrix.chain = nw->a;
+    if (!status) status = solver_new(nw, err);
+    if (status) newton_free(nw);
+    return status;
+}
+
+/* The blocks of the rows from `row` on. */
+static BlockChain rows_of(const BlockChain *whole, int row, int n)
+{
+    const size_t at = 36 * (size_t)row;
+    return (BlockChain){n, 6, whole->lower + at, whole->diag + at, whole->upper + at};
+}
+
+void newton_part(const Newton *whole, int row, const Chain *chain, Newton *part)
+{
+    const int n = chain->n;
+    *part = (Newton){.n = n,
+                     .middle = halves_middle(n),
+                     .k = rows_of(&whole->k, row, n),
+                     .d = rows_of(&whole->d, row, n),
+                     .a = rows_of(&whole->a, row, n),
+                     .mass = whole->mass + row,
+                     .z = whole->z + 6 * (size_t)row,
+                     .x = whole->x + 6 * (size_t)row,
+                     .team = whole->team};
+    for (int c = 0; c < 9; ++c) part->inertia[c] = whole->inertia[c] + row;
+    for (int c = 0; c < 4; ++c) part->q[c] = whole->q[c] + row;
+    for (int c = 0; c < 3; ++c) part->w[c] = whole->w[c] + row;
+    for (int i = 0; i < n; ++i) part->mass[i] = chain->mass[i];
+}
+
 void newton_free(Newton *nw)
 {
     newton_parts_free(nw);
@@ -86,7 +125,7 @@ void newton_swell(Newton *nw, double radius)
 /* A loop over segments and the half of it that one of two threads does. */
 typedef struct Split {
     Newton *nw;
-    double *b;
+    double *b; /* only read on the way in */
 } Split;
 
 static int split_from(const Newton *nw, int rank) { return rank == 0 ? 0 : nw->middle; }
@@ -157,17 +196,28 @@ void newton_stats(const Newton *nw, LinStats *stats)
     if (nw->extra) newton_extra_stats(nw->extra, stats);
 }
 
+void newton_reduce(Newton *nw, const double *b)
+{
+    Split split = {.nw = nw, .b = (double *)(uintptr_t)b};
+    both(reduce_job, &split);
+    newton_kernels()->couple(nw, nw->middle > 0 ? nw->middle - 1 : 0, nw->middle < nw->n ? nw->middle + 1 : nw->n);
+}
+
+void newton_expand(Newton *nw, double *b)
+{
+    Split split = {.nw = nw, .b = b};
+    both(expand_job, &split);
+}
+
 int newton_solve(Newton *nw, double *b)
 {
     if (nw->full) return newton_full_solve(nw->full, nw, b);
-    Split split = {.nw = nw, .b = b};
-    both(reduce_job, &split);
-    newton_kernels()->couple(nw, nw->middle > 0 ? nw->middle - 1 : 0, nw->middle < nw->n ? nw->middle + 1 : nw->n);
+    newton_reduce(nw, b);
     if (nw->extra) newton_extra_couple(nw);
     double *const equipment = b + STATE_SIZE * nw->n;
     if (nw->leaves) newton_leaves_reduce(nw, equipment);
     const int status = linsolver_solve(nw->solver, nw->x);
-    if (!status) both(expand_job, &split);
+    if (!status) newton_expand(nw, b);
     if (!status && nw->leaves) newton_leaves_expand(nw, equipment);
     return status;
 }

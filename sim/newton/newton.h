@@ -10,6 +10,12 @@
 
 hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *options, hawser_error *err);
 void newton_free(Newton *nw);
+/* A matrix of `rows` segments of several chains, whose parts fill it; newton_extra_attach adds what couples them.
+ * Errors: INPUT, MEMORY. */
+hawser_status newton_rows_new(Newton *nw, int rows, const LinOptions *options, hawser_error *err);
+/* One chain's part of it, from block row `row` on, to be given to newton_point, newton_form, newton_reduce and
+ * newton_expand: it owns nothing. */
+void newton_part(const Newton *whole, int row, const Chain *chain, Newton *part);
 
 /* Takes over the linearisation point: inertias, quaternions and spins. k and d are filled by dynamics_blocks. */
 void newton_point(Newton *nw, const Scene *scene, const Kinematics *kin, const double *y);
@@ -32,6 +38,10 @@ int newton_factor(Newton *nw);
 void newton_stats(const Newton *nw, LinStats *stats);
 /* b [scene_state_size] becomes the solution of (1 - gamma J) x = b (N6)-(N8); returns as linsolver_solve. */
 int newton_solve(Newton *nw, double *b);
+/* Its two ends, of the chain's rows alone: from b to the right-hand side x (N6), (N7), and back to b from the
+ * velocities in x (N8). */
+void newton_reduce(Newton *nw, const double *b);
+void newton_expand(Newton *nw, double *b);
 
 /* The linearisation point, its matrix for gamma, and what its solver has learned. */
 void newton_checkpoint(Checkpoint *c, Newton *nw, EquipmentWork *w);

@@ -8,10 +8,15 @@
 double space_residual(void *self, int *where)
 {
     Relaxation *const r = self;
+    dynamics_rates(r->scene, r->ws, r->t, r->y, r->friction, r->rate);
+    return space_unbalanced(r, where);
+}
+
+double space_unbalanced(const Relaxation *r, int *where)
+{
     const Chain *const chain = &r->scene->chain;
     const int n = chain->n;
     double largest = 0;
-    dynamics_rates(r->scene, r->ws, r->t, r->y, r->friction, r->rate);
     for (int i = 0; i < n; ++i) {
         const Vec3 a = v3(r->rate[7 * n + i], r->rate[8 * n + i], r->rate[9 * n + i]);
         const Vec3 spin = v3(r->rate[10 * n + i], r->rate[11 * n + i], r->rate[12 * n + i]);
@@ -34,16 +39,21 @@ void space_blocks(Relaxation *r)
     newton_point_equipment(r->newton, r->ws->equipment, r->y, r->friction);
 }
 
-int space_solve(Relaxation *r, double dt)
+void space_from_rest(Relaxation *r, double dt)
 {
     const int n = r->scene->chain.n;
-    const int status = newton_factor(r->newton);
-    if (status) return status;
     memset(r->rate, 0, (size_t)(STATE_V * n) * sizeof(double));
     for (int k = STATE_V * n; k < r->size; ++k) r->rate[k] *= dt;
     /* the mounts' positions and quaternions have no residual either */
     const int mounts = STATE_SIZE * n + r->scene->equipment->spins;
     memset(r->rate + mounts, 0, (size_t)(STATE_V * r->scene->equipment->mounts) * sizeof(double));
+}
+
+int space_solve(Relaxation *r, double dt)
+{
+    const int status = newton_factor(r->newton);
+    if (status) return status;
+    space_from_rest(r, dt);
     return newton_solve(r->newton, r->rate);
 }
 
@@ -125,7 +135,7 @@ int space_begin(Relaxation *r)
 {
     const size_t n = (size_t)r->scene->chain.n;
     r->size = scene_state_size(r->scene);
-    r->rate = malloc((size_t)r->size * sizeof(double));
+    if (!r->rate) r->rate = malloc((size_t)r->size * sizeof(double)); /* unless somebody lends it */
     r->start = malloc(3 * n * sizeof(double));
     if (!r->rate || !r->start) return 0;
     memcpy(r->start, r->y, 3 * n * sizeof(double));

@@ -31,12 +31,16 @@ void space_end(Relaxation *r);
 /* Largest unbalanced force, N; moments count over half a segment. *where gets the segment. Leaves the accelerations in
  * `rate`. self: a Relaxation, here and below, for RelaxOps. */
 double space_residual(void *self, int *where);
+/* The same from the accelerations that are there. */
+double space_unbalanced(const Relaxation *r, int *where);
 /* One linearly implicit Euler step of length dt (s) from rest: (M - dt D - dt^2 K) u = dt F (E1), for the accelerations
  * in `rate`, in whose velocity part the velocities u land. Returns the solver's status. */
 int space_step(void *self, double dt);
 /* Its parts: K and D of y; then, once newton_form has made the matrix for dt, its factors and the velocities. */
 void space_blocks(Relaxation *r);
 int space_solve(Relaxation *r, double dt);
+/* The right-hand side of that: what has rates but is to begin from rest. */
+void space_from_rest(Relaxation *r, double dt);
 /* What a move of dt times the velocities found is shortened by (E2). */
 double space_move_scale(void *self, double dt);
 /* Moves the state by dt times the velocities found. */

@@ -173,10 +173,10 @@ static int self_contact(Closeup *c, const Scene *scene, const Kinematics *kin, c
 static int self_look_close(Closeup *c, const Scene *scene, Workspace *ws)
 {
     if (!scene->self.present) return 1;
-    const int n = self_details(&scene->self, &scene->chain, &ws->kin, 1, &ws->self, 0, NULL);
+    const int n = self_details(&scene->self, SELF_ALONE(&scene->chain, &ws->kin), 1, &ws->self, 0, NULL);
     SelfDetail *const detail = calloc((size_t)n + 1, sizeof *detail);
     int ok = detail != NULL;
-    if (ok) self_details(&scene->self, &scene->chain, &ws->kin, 1, &ws->self, n, detail);
+    if (ok) self_details(&scene->self, SELF_ALONE(&scene->chain, &ws->kin), 1, &ws->self, n, detail);
     for (int k = 0; k < n && ok; ++k) ok = self_contact(c, scene, &ws->kin, &detail[k]);
     free(detail);
     return ok;

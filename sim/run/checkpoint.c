@@ -1,11 +1,13 @@
 /* Everything that a simulation keeps, in one list. What belongs to what is watched stands here, so that it can be read
  * in one go; what the steps keep is with those who keep it (stage_checkpoint). */
 #include <stdlib.h>
+#include <string.h>
 
 #include "sim/control/forces.h"
 #include "sim/equipment/reel.h"
 #include "sim/run/commands.h"
 #include "sim/run/sim.h"
+#include "sim/run/together.h"
 
 /* Of a table's row, what is neither a name nor known from the case. */
 #define ROW(c, row, type, member) CHECKPOINT_FROM(c, row, type, member)
@@ -160,18 +162,16 @@ static hawser_status calls_go_on(Sim *s, hawser_error *err)
     return stage_to_space(&s->stage, "a law of force acts on segments", err);
 }
 
-hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
+/* What is watched of one chain. */
+static hawser_status watched_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
 {
     const Scene *const scene = &s->stage.scene;
-    hawser_status status = controls_checkpoint(c, s, err);
-    if (!status) status = stage_checkpoint(c, &s->stage, err);
-    if (status || c->status) return status;
     stats_checkpoint(c, &s->stats);
     machines_checkpoint(c, &s->machines);
     peaks_checkpoint(c, &s->peaks);
     passing_checkpoint(c, &s->passing, scene);
     places_checkpoint(c, &s->by_position);
-    status = envelope_checkpoint(c, &s->envelope, scene, err);
+    const hawser_status status = envelope_checkpoint(c, &s->envelope, scene, err);
     if (status) return status;
     events_checkpoint(c, &s->events);
     modes_checkpoint(c, &s->modes, scene->chain.n);
@@ -186,14 +186,27 @@ hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, s->relax_s);
     CHECKPOINT(c, s->output_s);
     CHECKPOINT(c, s->record_s);
-    if (!c->reading || c->status) return HAWSER_OK;
+    return HAWSER_OK;
+}
+
+hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    if (s->leader)
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "this is one of several chains: a checkpoint is of the simulation that moves them all");
+    for (int k = 0; !status && k < sim_chains(s); ++k) status = controls_checkpoint(c, sim_chain(s, k), err);
+    if (!status) status = s->together ? together_checkpoint(c, s->together, err) : stage_checkpoint(c, &s->stage, err);
+    if (c->status) return status;
+    for (int k = 0; !status && k < sim_chains(s); ++k) status = watched_checkpoint(c, sim_chain(s, k), err);
+    if (status || !c->reading || c->status) return status;
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin); /* what solves now is not what the beginning asked for */
     return calls_go_on(s, err);
 }
 
 /* The chain as the case makes it, and the state that a run begins with: what is simulated is as much the case's files,
  * the catalogue and this program's defaults as its own text. */
-uint64_t sim_identity(const Sim *s)
+static uint64_t chain_identity(const Sim *s)
 {
     const Scene *const scene = &s->stage.scene;
     const Chain *const chain = s->stage.whole.n > 0 ? &s->stage.whole : &scene->chain;
@@ -214,4 +227,17 @@ uint64_t sim_identity(const Sim *s)
         sum[n] = checkpoint_hash(both, sizeof both);
     }
     return checkpoint_hash(sum, sizeof sum);
+}
+
+/* Of several chains also how they lie and what joins them, which is in their states and in the case's text. */
+uint64_t sim_identity(const Sim *s)
+{
+    if (!s->together) return chain_identity(s);
+    const char *const text = s->case_text ? s->case_text : "";
+    uint64_t both[2] = {checkpoint_hash(text, strlen(text)), 0};
+    for (int k = 0; k < sim_chains(s); ++k) {
+        both[1] = chain_identity(s->together->sim[k]);
+        both[0] = checkpoint_hash(both, sizeof both);
+    }
+    return both[0];
 }

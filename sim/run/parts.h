@@ -71,16 +71,23 @@ typedef struct hawser_sim {
     int inside;                    /* it moves now: who is called must not have it move */
     char message[HAWSER_MESSAGE_MAX];
     /* of a whole run's passes (io/api/api_passes.c) */
-    SceneDef *plan;           /* the definition as the case has it; NULL: one pass is enough. Owned */
-    int pass;                 /* 0; 1 and 2 of the second and third one */
-    double work_most;         /* evaluations times segments of a pass that is begun unasked; 0: ten minutes */
-    int led;                  /* the caller has told it what to do: it cannot be computed again by itself */
-    OtherPasses others;       /* what it knows of the others */
-    PassesSaid *passes;       /* what is said of them; NULL: there is nothing to be said. Owned */
-    struct hawser_sim *finer; /* whose results have replaced this one's: SHOWN; owned */
+    SceneDef *plan;     /* the definition as the case has it; NULL: one pass is enough. Owned */
+    int pass;           /* 0; 1 and 2 of the second and third one */
+    double work_most;   /* evaluations times segments of a pass that is begun unasked; 0: ten minutes */
+    int led;            /* the caller has told it what to do: it cannot be computed again by itself */
+    OtherPasses others; /* what it knows of the others */
+    PassesSaid *passes; /* what is said of them; NULL: there is nothing to be said. Owned */
+    /* of several chains (sim/run/together.h) */
+    struct Together *together; /* what moves them all, where this is the first; owned. NULL: it is alone, or led */
+    struct hawser_sim *leader; /* the first, where this is another; NULL */
+    struct hawser_sim *finer;  /* whose results have replaced this one's: SHOWN; owned */
 } Sim;
 
 /* The simulation whose results a handle stands for. */
 #define SHOWN(s) ((s) && (s)->finer ? (s)->finer : (s))
+
+/* The simulations of all chains: this one alone, or those that it leads (sim/run/together.c). */
+int sim_chains(const Sim *s);
+Sim *sim_chain(Sim *s, int k);
 
 #endif

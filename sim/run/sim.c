@@ -17,6 +17,7 @@
 #include "sim/run/commands.h"
 #include "sim/run/modes.h"
 #include "sim/run/statics.h"
+#include "sim/run/together.h"
 #include "sim/watch/events.h"
 
 /* A trip at a factor of what theory expects needs an expectation. */
@@ -60,6 +61,31 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     return status ? status : start_fit(s, err);
 }
 
+/* What the integrator moves, and its state. */
+static Motion *moved(const Sim *s) { return s->together ? &s->together->bunch.motion : s->stage.motion; }
+static const double *moved_state(const Sim *s) { return s->together ? s->together->y : s->stage.y; }
+
+/* The simulations of the chains beside this one, in the order of the case, and what moves them all. */
+static hawser_status beside_new(Sim *s, const SceneDef *def, hawser_error *err)
+{
+    Sim **const sim = calloc((size_t)def->n_beside + 1, sizeof(Sim *));
+    hawser_status status = sim ? HAWSER_OK : error_memory(err);
+    int n = 0;
+    if (sim) sim[n++] = s;
+    for (int k = 0; !status && k < def->n_beside; ++k) {
+        status = sim_new(&def->beside[k], 1, &sim[n], err);
+        n += !status;
+    }
+    if (!status) {
+        status = together_new(sim, n, err);
+        if (!status) moved(s)->ops->lin_stats(moved(s), &s->lin);
+        return status;
+    }
+    for (int k = 1; k < n; ++k) sim_free(sim[k]);
+    free(sim);
+    return status;
+}
+
 hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error *err)
 {
     const double start = clock_now();
@@ -71,9 +97,11 @@ hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error 
         return error_set(err, HAWSER_ERR_INPUT, "%s", isa_complaint());
     }
     SceneDef mine = *def; /* the scene makes its own deep copy */
+    if (mine.strand.present) mine.solver.planar = PLANAR_OFF;
     if (threads > 0) mine.solver.threads = mine.solver.linear.threads = threads;
     s->threads = mine.solver.threads;
-    const hawser_status status = parts_new(s, &mine, err);
+    hawser_status status = parts_new(s, &mine, err);
+    if (!status && mine.n_beside > 0) status = beside_new(s, &mine, err);
     if (status) {
         sim_free(s);
         return status;
@@ -86,6 +114,8 @@ hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error 
 Sim *sim_free(Sim *s)
 {
     if (!s) return NULL;
+    for (int k = 1; k < sim_chains(s); ++k) sim_free(sim_chain(s, k));
+    s->together = together_free(s->together);
     mesh_free(&s->mesh);
     stats_free(&s->stats);
     machines_free(&s->machines);
@@ -121,13 +151,6 @@ Sim *sim_free(Sim *s)
 
 static const hawser_sample *look_now(Sim *s, SampleParts parts);
 
-/* Relaxation begins at rest; the motion that the case begins with comes after it. */
-static void chain_stop(Stage *st)
-{
-    const size_t n = (size_t)st->scene.chain.n;
-    if (st->scene.def.launch.present) memset(st->y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof *st->y);
-}
-
 /* The worst equilibrium so far is the run's. */
 static void relaxation_take(Sim *s, const hawser_relaxation *found)
 {
@@ -155,32 +178,8 @@ static hawser_status advance_positions(Sim *s, double t, int one_step, hawser_er
     return status;
 }
 
-hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
-{
-    const double start = clock_now();
-    const Scene *const scene = &s->stage.scene;
-    hawser_status status;
-    chain_stop(&s->stage);
-    s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, 0);
-    passing_look(&s->passing, scene, &s->stage.ws, 0, s->stage.t); /* what is there to be kept */
-    if (scene->rod->present) {
-        const double share = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? scene->def.solver.relax_tolerance
-                                                                           : scene->def.analysis.tolerance;
-        s->relaxation = (hawser_relaxation){0};
-        status = statics_settle(&s->stage, share, &s->relaxation, err);
-    } else if (scene->def.analysis.kind == ANALYSIS_POSITIONS) {
-        status = s->positions.done > 0 ? HAWSER_OK : advance_positions(s, s->positions.time[0], 1, err);
-    } else {
-        status = s->stage.motion->ops->relax(s->stage.motion, s->stage.t, s->stage.y, &s->relaxation, err);
-    }
-    if (!status && s->stage.t <= 0) scene_launch(scene, s->stage.y);
-    s->relax_s += clock_now() - start;
-    if (out) *out = s->relaxation;
-    return status;
-}
-
 /* Where the integrator must stop next: where a room is not smooth, or at `stop`. */
-static double next_stop(const Sim *s, double stop)
+static double next_stop_of(const Sim *s, double stop)
 {
     const Scene *const scene = &s->stage.scene;
     for (int r = 0; r < scene->n_rooms; ++r) {
@@ -189,6 +188,12 @@ static double next_stop(const Sim *s, double stop)
             stop = fmin(stop, room->kind->next_stop(room, scene, s->stage.t + 1e-9));
     }
     return fmin(stop, script_next(s));
+}
+
+static double next_stop(Sim *s, double stop)
+{
+    for (int k = 0; k < sim_chains(s); ++k) stop = next_stop_of(sim_chain(s, k), stop);
+    return stop;
 }
 
 /* Where the cable's front is, m along the route; NAN if it is not simulated, or in the plane. Brings the kinematics of
@@ -244,7 +249,7 @@ static void peak_watch(Sim *s)
     const double start = clock_now(), pull = st->motion->ops->winch_pull(st->motion, st->t, st->y);
     st->motion->ops->glance(st->motion);
     const int due = stats_step(&s->stats, &st->scene, st->t, pull, st->ws.law[0], st->ws.on_roller);
-    integrator_bound(st->integrator, s->stats.swings.bound);
+    if (st->integrator) integrator_bound(st->integrator, s->stats.swings.bound); /* chains have one: the first's */
     s->record_s += clock_now() - start;
     if (!due) return;
     const hawser_sample *const look = look_now(s, SAMPLE_ROW);
@@ -298,22 +303,32 @@ static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error
     return status;
 }
 
+/* What is due after a step, or before the first. */
+static hawser_status step_watch(Sim *s, hawser_error *err)
+{
+    hawser_status status = events_watch(s, err);
+    if (!status) peak_watch(s);
+    if (!status && s->stage.scene.rod->present) rod_watch(s);
+    return status ? status : script_due(s, err);
+}
+
 hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     if (s->stage.scene.def.analysis.kind == ANALYSIS_POSITIONS) return advance_positions(s, t, one_step, err);
     if (s->stage.scene.def.analysis.kind != ANALYSIS_DYNAMICS) return advance_static(s, t, one_step, err);
-    WinchPhase *const winch = &s->stage.scene.winch->phase;
-    if (winch->held == HELD_FIRST) winch->held = 0; /* the brake that held a winch of set tension is let off */
-    status = script_due(s, err);                    /* what is due at the very beginning */
+    for (int k = 0; !status && k < sim_chains(s); ++k) {
+        Sim *const each = sim_chain(s, k);
+        WinchPhase *const winch = &each->stage.scene.winch->phase;
+        if (winch->held == HELD_FIRST) winch->held = 0; /* the brake that held a winch of set tension is let off */
+        status = script_due(each, err);                 /* what is due at the very beginning */
+    }
     while (s->stage.t < t && !status) {
-        status = stage_step(&s->stage, next_stop(s, t), err);
+        const double stop = next_stop(s, t);
+        status = s->together ? together_step(s->together, stop, err) : stage_step(&s->stage, stop, err);
         if (status == HAWSER_ERR_RUN) failure_explain(s, err);
         if (!status) stall_watch(s);
-        if (!status) status = events_watch(s, err);
-        if (!status) peak_watch(s);
-        if (!status && s->stage.scene.rod->present) rod_watch(s);
-        if (!status) status = script_due(s, err);
+        for (int k = 0; !status && k < sim_chains(s); ++k) status = step_watch(sim_chain(s, k), err);
         if (!status && (s->calls.step || s->calls.law || s->calls.stop)) status = sim_call(s, err);
         if (one_step) break;
     }
@@ -333,12 +348,15 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     const double start = clock_now();
     const int active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, parts >= SAMPLE_FIELDS);
     if (s->stage.scene.reel->present) dynamics_tail_pull(&s->stage.scene, &s->stage.ws);
+    if (s->together || s->leader) together_look(s->together ? s->together : s->leader->together, s);
     const hawser_sample *const look = sample_take(&s->look, &s->stage.scene, &s->stage.ws, s->stage.t, active, parts);
     if (s->by_position.n_grid > 0) {
         s->look.sample.head_at = along_eye(&s->stage.scene, &s->stage.ws.kin, look->winch_travel);
         s->look.sample.reference =
             by_position_reference(&s->by_position, look->head_at, expected_back(&s->stage.scene, s->stage.t));
     }
+    if (s->by_position.n_grid > 0 && (s->together || s->leader))
+        s->look.sample.reference += together_expected(s->together ? s->together : s->leader->together, s);
     machines_look(&s->machines, &s->stage.scene, &s->stage.ws, s->stage.t);
     s->look.sample.machines = s->machines.n;
     s->look.sample.machine = s->machines.out;
@@ -353,7 +371,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
         integrator_stats(s->stage.integrator, &stats);
         s->look.sample.step_size = stats.last_step;
     }
-    s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin); /* the ordering is known after the first factorisation */
+    moved(s)->ops->lin_stats(moved(s), &s->lin); /* the ordering is known after the first factorisation */
     s->record_s += clock_now() - start;
     return look;
 }
@@ -371,7 +389,7 @@ static void turned_watch(Sim *s, const hawser_sample *look)
     s->overturned |= now;
 }
 
-static void record_now(Sim *s, SampleParts parts)
+static void record_one(Sim *s, SampleParts parts)
 {
     const hawser_sample *const look = look_now(s, s->envelope.present && parts < SAMPLE_FIELDS ? SAMPLE_FIELDS : parts);
     const double start = clock_now();
@@ -392,6 +410,12 @@ static void record_now(Sim *s, SampleParts parts)
     peaks_record(&s->peaks, &s->stage.scene, &s->stage.ws.kin, look);
     if (s->envelope.present) envelope_record(&s->envelope, &s->stage.scene, &s->stage.ws.kin, look);
     s->record_s += clock_now() - start;
+}
+
+/* The first last, whose look is at all of them. */
+static void record_now(Sim *s, SampleParts parts)
+{
+    for (int k = sim_chains(s) - 1; k >= 0; --k) record_one(sim_chain(s, k), parts);
 }
 
 void hawser_sim_record(Sim *s)
@@ -423,7 +447,7 @@ static void integration_fill(const Sim *s, hawser_summary *out)
                                   .vector = fmax(0, i.total + balance - other)};
     out->wall_time_s = i.total + balance;
     out->steps_per_second = i.total > 0 ? (double)i.steps / (i.total + balance) : 0;
-    out->balance = balance_close(s->stage.balance, s->stage.motion, s->stage.t, s->stage.y);
+    out->balance = balance_close(s->stage.balance, moved(s), s->stage.t, moved_state(s));
 }
 
 static int came_to_rest(const Sim *s) { return s->stage.scene.def.solver.relax && s->relaxation.reached; }
@@ -442,12 +466,6 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
     shares.stands_out = refused.stands_out;
     shares.start = scene->def.solver.relax ? 0 : s->passing.start.force;
     return shares;
-}
-
-int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out)
-{
-    const double bar = figures->pull_peak_error.total, peak = figures->pull_peak_N;
-    return peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, peak > 0 && bar > 0 ? bar / peak : 0, out);
 }
 
 /* Whether equilibria of loads that come in by steps are found, whose stability is counted. */
@@ -503,7 +521,7 @@ static void figures_fill(const Sim *s, hawser_summary *out)
                          .worst_place = s->positions.worst < 0 ? NULL : &s->positions.out[s->positions.worst],
                          .method = scene->def.solver.method == METHOD_ESDIRK ? "esdirk" : "bdf"};
     const double mean = by_position_mean(&s->by_position);
-    if (expected_follows(scene) && !isnan(mean)) out->reference_total_N = mean;
+    if ((expected_follows(scene) || scene->def.strand.rope) && !isnan(mean)) out->reference_total_N = mean;
     integration_fill(s, out);
     out->phases.other = s->build_s;
     out->phases.relax = s->relax_s;
@@ -514,6 +532,23 @@ static void figures_fill(const Sim *s, hawser_summary *out)
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
     other_passes_bars(&s->others, &s->stats, sim_jolt(s), out);
+    /* theory's tensions along the route are a cable's, and none of a rope that draws others behind it */
+    if (scene->def.strand.rope)
+        out->error_max_pct = out->error_mean_pct = out->error_max_paper_pct = out->error_mean_paper_pct = NAN;
+}
+
+int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out)
+{
+    const double bar = figures->pull_peak_error.total, peak = figures->pull_peak_N;
+    int n = peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, peak > 0 && bar > 0 ? bar / peak : 0, out);
+    for (int k = 1; k < sim_chains(s); ++k) {
+        const Sim *const each = s->together->sim[k];
+        hawser_summary own;
+        hawser_limit limit[HAWSER_LIMITS_MAX];
+        figures_fill(each, &own);
+        n = together_limits(n, out, sim_limits(each, &own, limit), limit, each->stage.scene.def.strand.name);
+    }
+    return n;
 }
 
 static void summary_fill(const Sim *s, hawser_summary *out)
@@ -539,6 +574,13 @@ static void summary_fill(const Sim *s, hawser_summary *out)
                               .passing = &s->passing};
     out->n_conditions = trust_judge(&facts, s->condition);
     out->conditions = s->condition;
+    for (int k = 1; k < sim_chains(s); ++k) {
+        const Sim *const each = s->together->sim[k];
+        hawser_summary own;
+        summary_fill(each, &own);
+        out->n_conditions = together_conditions(out->n_conditions, s->condition, own.n_conditions, own.conditions,
+                                                each->stage.scene.def.strand.name);
+    }
 }
 
 void hawser_sim_summary_sized(const Sim *s, hawser_summary *out, size_t size)

@@ -398,23 +398,29 @@ hawser_status stage_to_space(Stage *st, const char *why, hawser_error *err)
     return st->balance ? balance_enter(st->balance, st->motion, st->t, st->y, err) : HAWSER_OK;
 }
 
-hawser_status stage_integrate(Stage *st, double stop, hawser_error *err)
+hawser_status steps_take(const Steps *s, double stop, double *t, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
-    if (!st->integrator) {
+    if (!*s->integrator) {
         /* the relaxation bends the cable for the first time */
-        status = st->motion->ops->accept(st->motion, st->t, st->y, err);
-        if (!status) status = integrator_new(st->motion, st->t, st->y, &st->integrator, err);
-        if (!status) status = balance_new(st->motion, st->t, st->y, &st->balance, err);
+        status = s->motion->ops->accept(s->motion, *t, s->y, err);
+        if (!status) status = integrator_new(s->motion, *t, s->y, s->integrator, err);
+        if (!status) status = balance_new(s->motion, *t, s->y, s->balance, err);
     }
-    if (!status) status = integrator_step(st->integrator, stop, &st->t, err);
+    if (!status) status = integrator_step(*s->integrator, stop, t, err);
     if (status) return status;
     const double start = clock_now();
     double h = 0;
-    const double *const rates = integrator_rates(st->integrator, &h);
-    balance_step(st->balance, st->motion, st->t, st->y, rates, h);
-    st->balance_s += clock_now() - start;
+    const double *const rates = integrator_rates(*s->integrator, &h);
+    balance_step(*s->balance, s->motion, *t, s->y, rates, h);
+    *s->balance_s += clock_now() - start;
     return HAWSER_OK;
+}
+
+hawser_status stage_integrate(Stage *st, double stop, hawser_error *err)
+{
+    const Steps steps = {st->motion, st->y, &st->integrator, &st->balance, &st->balance_s};
+    return steps_take(&steps, stop, &st->t, err);
 }
 
 hawser_status stage_step(Stage *st, double stop, hawser_error *err)
@@ -499,8 +505,7 @@ static void stability_checkpoint(Checkpoint *c, Stability *s, int n)
     for (int k = 0; !c->status && k < count; ++k) critical_checkpoint(c, &s->critical[k], n);
 }
 
-/* Which part of the chain it is, and where. */
-static hawser_status state_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
+hawser_status stage_state_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
 {
     Scene *const scene = &st->scene;
     const int chain = scene->chain.n, moves = st->whole.n > 0;
@@ -526,42 +531,58 @@ static hawser_status state_checkpoint(Checkpoint *c, Stage *st, hawser_error *er
 }
 
 /* An integrator to be read into. What sets it up may round the state, which is put back. */
-static hawser_status steps_prepare(Stage *st, hawser_error *err)
+static hawser_status steps_prepare(const Steps *s, double t, hawser_error *err)
 {
-    const size_t bytes = (size_t)st->motion->size * sizeof *st->y;
+    const size_t bytes = (size_t)s->motion->size * sizeof *s->y;
     double *const y = malloc(bytes);
     if (!y) return error_memory(err);
-    memcpy(y, st->y, bytes);
+    memcpy(y, s->y, bytes);
     hawser_status status = HAWSER_OK;
-    if (!st->integrator) status = integrator_new(st->motion, st->t, st->y, &st->integrator, err);
-    if (!status) status = integrator_prepare(st->integrator, st->t, err);
-    memcpy(st->y, y, bytes);
+    if (!*s->integrator) status = integrator_new(s->motion, t, s->y, s->integrator, err);
+    if (!status) status = integrator_prepare(*s->integrator, t, err);
+    memcpy(s->y, y, bytes);
     free(y);
     return status;
 }
 
-hawser_status stage_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
+hawser_status steps_checkpoint(Checkpoint *c, const Steps *s, double t, int n, Workspace *const *ws, hawser_error *err)
 {
-    int steps = st->integrator != NULL;
-    const char *why;
-    if (!c->reading && steps && !integrator_known(st->integrator, &why))
-        return error_set(err, HAWSER_ERR_RUN, "%s", why);
-    /* before its first step a motion asks for the candidates of the last evaluation: that of the state, both ways */
-    if (!c->reading && !steps) st->motion->ops->look(st->motion, st->t, st->y, 0);
-    hawser_status status = state_checkpoint(c, st, err);
-    CHECKPOINT(c, steps);
-    if (!status && c->reading && !c->status && steps) status = steps_prepare(st, err);
+    int made = *s->integrator != NULL;
+    hawser_status status = HAWSER_OK;
+    CHECKPOINT(c, made);
+    if (c->reading && !c->status && made) status = steps_prepare(s, t, err);
     if (status || c->status) return status;
-    workspace_checkpoint(c, &st->ws);
-    st->motion->ops->checkpoint(c, st->motion);
-    if (steps) integrator_checkpoint(c, st->integrator);
-    if (steps) balance_checkpoint(c, &st->balance, st->motion);
-    CHECKPOINT(c, st->balance_s);
-    stability_checkpoint(c, &st->stability, st->scene.chain.n);
-    if (c->reading && !c->status && !steps) {
-        st->integrator = integrator_free(st->integrator);
-        st->balance = balance_free(st->balance);
-        st->motion->ops->look(st->motion, st->t, st->y, 0);
+    for (int k = 0; k < n; ++k) workspace_checkpoint(c, ws[k]);
+    s->motion->ops->checkpoint(c, s->motion);
+    if (made) integrator_checkpoint(c, *s->integrator);
+    if (made) balance_checkpoint(c, s->balance, s->motion);
+    checkpoint_put(c, "st->balance_s", s->balance_s, sizeof *s->balance_s);
+    if (c->reading && !c->status && !made) {
+        *s->integrator = integrator_free(*s->integrator);
+        *s->balance = balance_free(*s->balance);
+        s->motion->ops->look(s->motion, t, s->y, 0);
     }
     return HAWSER_OK;
+}
+
+hawser_status steps_ready(const Steps *s, double t, hawser_error *err)
+{
+    const char *why;
+    if (*s->integrator && !integrator_known(*s->integrator, &why)) return error_set(err, HAWSER_ERR_RUN, "%s", why);
+    /* before its first step a motion asks for the candidates of the last evaluation: that of the state, both ways */
+    if (!*s->integrator) s->motion->ops->look(s->motion, t, s->y, 0);
+    return HAWSER_OK;
+}
+
+hawser_status stage_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
+{
+    Workspace *const ws = &st->ws;
+    Steps steps = {st->motion, st->y, &st->integrator, &st->balance, &st->balance_s};
+    hawser_status status = c->reading ? HAWSER_OK : steps_ready(&steps, st->t, err);
+    if (!status) status = stage_state_checkpoint(c, st, err);
+    steps.motion = st->motion; /* what was read may be of another one */
+    steps.y = st->y;
+    if (!status) status = steps_checkpoint(c, &steps, st->t, 1, &ws, err);
+    if (!status && !c->status) stability_checkpoint(c, &st->stability, st->scene.chain.n);
+    return status;
 }

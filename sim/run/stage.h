@@ -48,6 +48,23 @@ void stage_free(Stage *stage);
  * moves by it; the method starts anew. Errors: MEMORY, RUN. */
 hawser_status stage_to_space(Stage *stage, const char *why, hawser_error *err);
 
+/* What is stepped: a motion with its state, and the integrator and the books that are made at the first step. */
+typedef struct Steps {
+    Motion *motion;
+    double *y;
+    Integrator **integrator;
+    Balance **balance;
+    double *balance_s;
+} Steps;
+/* One step of that to *t, not beyond `stop`. Errors: MEMORY, RUN. */
+hawser_status steps_take(const Steps *s, double stop, double *t, hawser_error *err);
+/* Before these are written: whether they can be (RUN), and the evaluation that they go on from before the first step.
+ */
+hawser_status steps_ready(const Steps *s, double t, hawser_error *err);
+/* What they go on from beside the state, which has been read before: integrator, books, the motion's matrix and the n
+ * workspaces that it moves. Errors: MEMORY, RUN (with the integrator's state); of the checkpoint's own: in c. */
+hawser_status steps_checkpoint(Checkpoint *c, const Steps *s, double t, int n, Workspace *const *ws, hawser_error *err);
+
 /* One step of the integrator's, not beyond `stop`, and what is due after it. Errors: MEMORY, RUN. */
 hawser_status stage_step(Stage *stage, double stop, hawser_error *err);
 /* The two parts of that. */
@@ -61,5 +78,7 @@ hawser_status stage_window(Stage *stage, int first, int n, hawser_error *err);
 /* Everything that the stage's steps go on from. Read into a stage of the same case at any time of its run: what is made
  * for another window is made anew. Errors: MEMORY, RUN (with the integrator's state); of the checkpoint's own: in c. */
 hawser_status stage_checkpoint(Checkpoint *c, Stage *stage, hawser_error *err);
+/* Of that, which part of the chain it is, and where. */
+hawser_status stage_state_checkpoint(Checkpoint *c, Stage *stage, hawser_error *err);
 
 #endif

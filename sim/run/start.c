@@ -1,12 +1,17 @@
-/* Where the chain begins: outside itself, and outside of what it is pulled over. */
+/* Where the chain begins: outside itself, outside of what it is pulled over, and at rest. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/base/clock.h"
 #include "core/base/error.h"
+#include "core/state.h"
+#include "sim/equipment/rod.h"
 #include "sim/run/commands.h"
 #include "sim/run/sim.h"
+#include "sim/run/statics.h"
+#include "sim/run/together.h"
 
 static const double GRADE_LOST = M_PI / 180; /* rad, in one bend, that nobody should be surprised by */
 
@@ -15,7 +20,8 @@ hawser_status start_check(Sim *s, hawser_error *err)
 {
     const Scene *const scene = &s->stage.scene;
     if (!scene->self.present) return HAWSER_OK;
-    const SelfDetail deepest = self_deepest(&scene->self, &scene->chain, &s->stage.ws.kin, &s->stage.ws.self);
+    const SelfDetail deepest =
+        self_deepest(&scene->self, SELF_ALONE(&scene->chain, &s->stage.ws.kin), &s->stage.ws.self);
     const double radius = scene->chain.radius[deepest.element < scene->chain.n ? deepest.element : scene->chain.n - 1];
     if (!(deepest.depth > radius / 4)) return HAWSER_OK;
     return error_set(err, HAWSER_ERR_INPUT,
@@ -81,5 +87,46 @@ hawser_status start_fit(Sim *s, hawser_error *err)
     memcpy(laid, st->y, bytes);
     const hawser_status status = move_out(s, laid, err);
     free(laid);
+    return status;
+}
+
+/* Relaxation begins at rest; the motion that the case begins with comes after it. */
+static void chain_stop(Stage *st)
+{
+    const size_t n = (size_t)st->scene.chain.n;
+    if (st->scene.def.launch.present) memset(st->y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof *st->y);
+}
+
+hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
+{
+    const double start = clock_now();
+    const Scene *const scene = &s->stage.scene;
+    hawser_status status;
+    for (int k = 0; k < sim_chains(s); ++k) {
+        Sim *const each = sim_chain(s, k);
+        Stage *const st = &each->stage;
+        chain_stop(st);
+        st->motion->ops->look(st->motion, st->t, st->y, 0);
+        passing_look(&each->passing, &st->scene, &st->ws, 0, st->t); /* what is there to be kept */
+    }
+    if (s->together) {
+        status = together_relax(s->together, &s->relaxation, err);
+    } else if (scene->rod->present) {
+        const double share = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? scene->def.solver.relax_tolerance
+                                                                           : scene->def.analysis.tolerance;
+        s->relaxation = (hawser_relaxation){0};
+        status = statics_settle(&s->stage, share, &s->relaxation, err);
+    } else if (scene->def.analysis.kind == ANALYSIS_POSITIONS) {
+        status = s->positions.done > 0 ? HAWSER_OK : sim_advance(s, s->positions.time[0], 1, err);
+    } else {
+        status = s->stage.motion->ops->relax(s->stage.motion, s->stage.t, s->stage.y, &s->relaxation, err);
+    }
+    for (int k = 0; k < sim_chains(s); ++k) {
+        Sim *const each = sim_chain(s, k);
+        each->relaxation = s->relaxation;
+        if (!status && each->stage.t <= 0) scene_launch(&each->stage.scene, each->stage.y);
+    }
+    s->relax_s += clock_now() - start;
+    if (out) *out = s->relaxation;
     return status;
 }

@@ -11,8 +11,7 @@ enum { GRID_MOST = 400, BINS_MOST = 200 };
 static const double GRID = 0.5, BIN = 2; /* m, at least */
 static const double SHIFT = 100;         /* N, of the back tension for its gain */
 
-/* The pull with the front at s; NAN if theory has none, or no memory, which *no_memory keeps. */
-static double theory_at(const Scene *scene, double s, double back, int *no_memory)
+double by_position_theory(const Scene *scene, double s, double back, int *no_memory)
 {
     Expected e;
     Pull pull;
@@ -53,8 +52,8 @@ hawser_status by_position_new(ByPosition *b, const Scene *scene, hawser_error *e
     int no_memory = 0;
     for (int i = 0; i < b->n_grid; ++i) {
         const double s = b->from + (b->to - b->from) * i / (b->n_grid - 1);
-        b->theory[i] = theory_at(scene, s, b->back, &no_memory);
-        b->gain[i] = (theory_at(scene, s, b->back + SHIFT, &no_memory) - b->theory[i]) / SHIFT;
+        b->theory[i] = by_position_theory(scene, s, b->back, &no_memory);
+        b->gain[i] = (by_position_theory(scene, s, b->back + SHIFT, &no_memory) - b->theory[i]) / SHIFT;
     }
     if (!no_memory) return HAWSER_OK;
     by_position_free(b);

@@ -100,7 +100,7 @@ static void tension_take(SampleBuffers *b, const Scene *scene, const Workspace *
     double *const tension = b->tension + first;
     memcpy(tension, ws->law[0], (size_t)(n + 1) * sizeof(double));
     if (!scene->rod->present) tension[0] = s->tail_tension;
-    if (scene->winch->mode == WINCH_TENSION) tension[n] = s->winch_force; /* no bushing carries it */
+    if (scene->winch->mode == WINCH_TENSION || ws->led.present) tension[n] = s->winch_force; /* no bushing carries it */
     s->max_tension_joint = first;
     for (int j = 1; j <= n; ++j) {
         if (tension[j] > b->tension[s->max_tension_joint]) s->max_tension_joint = first + j;
@@ -143,6 +143,11 @@ static void fields_take(SampleBuffers *b, const Scene *scene, const Workspace *w
 static void winch_take(hawser_sample *s, const Scene *scene, const Workspace *ws, double t)
 {
     const Winch *const w = scene->winch;
+    if (ws->led.present) {
+        s->winch_force = ws->head_pull;
+        s->winch_speed = ws->led.speed;
+        s->winch_travel = ws->led.travel;
+    }
     if (!w->present) return;
     const WinchMotion motion = winch_motion(w, &scene->chain, &ws->kin, t);
     s->winch_force = ws->head_pull;

@@ -99,6 +99,9 @@ static void motion(void)
     hawser_sim_on_event(NULL, NULL, NULL);
     hawser_sim_on_log(NULL, HAWSER_LOG_INFO, NULL, NULL);
     hawser_sim_record(NULL);
+    assert_int_equal(hawser_sim_chains(NULL), 0);
+    assert_null(hawser_sim_chain(NULL, 0));
+    assert_string_equal(hawser_sim_chain_name(NULL), "");
     hawser_sim_free(NULL);
     hawser_bytes_free(NULL);
 }

@@ -43,7 +43,7 @@ static void compare(SelfScene *s, const char *what, int least)
     self_load(s, 1);
     check_at_least(s->pairs.active[0] + s->pairs.active[1], least);
     block_extras_zero(&s->pairs.extras);
-    self_blocks(&s->model, &s->chain, &s->kin, 1, &s->pairs, &k, &d);
+    self_blocks(&s->model, SELF_ALONE(&s->chain, &s->kin), 1, &s->pairs, &k, &d);
     assert_true(self_blocks_fd(&s->model, &s->chain, &s->kin, 1, &s->pairs, 1e-7, 1e-7, dense[0], dense[1]));
     const double stiffness = difference(s, &k, s->pairs.extras.k, dense[0]);
     const double damping = difference(s, &d, s->pairs.extras.d, dense[1]);

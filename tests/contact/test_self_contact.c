@@ -278,9 +278,9 @@ static void test_candidates(void **state)
     }
     assert_int_equal(found, s.pairs.candidates);
     /* half of the reach may be used up by either line */
-    assert_false(self_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
+    assert_false(self_moved_too_far(&s.model, SELF_ALONE(&s.chain, &s.kin), &s.pairs));
     s.kin.p[1][40] += 0.8 * s.model.reach / 2;
-    assert_true(self_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
+    assert_true(self_moved_too_far(&s.model, SELF_ALONE(&s.chain, &s.kin), &s.pairs));
     self_free(&s);
 }
 

@@ -5,7 +5,7 @@
 #include "io/case/case_parts.h"
 #include "io/yaml/yaml_tree.h"
 
-enum { TEXT_MAX = 16384, VALUE_MAX = 64, KEYS_MAX = 1000 };
+enum { TEXT_MAX = 16384, VALUE_MAX = 64, KEYS_MAX = 1200 };
 
 /* The keys that were met in some text, and how many mistakes were made. */
 typedef struct Coverage {
@@ -162,6 +162,7 @@ static void wrong_any(const Site *site, Coverage *coverage)
         {"gravity", {"5 kg", "nan", "-1", "inf", "9.8x", "[0, 0]", "[0, 0, nan]", "{a: 1}", "", "1e9"}},
         {"origin",
          {"7", "aut", "[1, 2]", "[1, 2, nan]", "[1, 2, 3x]", "{a: 1}", "[1, 2, 5 kg]", "''", "[[1], 2, 3]", "nan"}},
+        {"place", {"7", "aut", "[1]", "[1, 2, 3]", "[1, nan]", "[1, 5 kg]", "{a: 1}", "''", "[[1], 2]", "nan"}},
         {"plane", {"upp", "5 kg", "nan", "inf", "[1]", "{a: 1}", "", "30x", "1000 deg", "-7"}},
         {"along",
          {"7", "[7]", "[[1]]", "{a: 1}", "[{from: 1}, {}]", "''", "{spacing: 1, count: 2}", "{}", "[~]", "nan"}},
@@ -258,6 +259,8 @@ static const CaseSection *section_of(const CaseNode *map)
     if (strcmp(general, "output.stations.N") == 0) known = "output.stations.list.N";
     /* what a layer repeats of other sections is read, and its mistakes are named, where the marks put it */
     if (strncmp(path, "drawing.layers.", 15) == 0) known = strchr(path + 15, '.') ? "elsewhere" : "drawing.layers.NAME";
+    /* likewise what a chain among several has in place of the case's */
+    if (strncmp(path, "chains.", 7) == 0) known = strchr(path + 7, '.') ? "elsewhere" : "chains.NAME";
     const CaseSection *all[CASE_SECTIONS_MAX];
     const int sections = case_sections(&case_top, all, 0);
     for (int k = 0; k < sections; k++) {
@@ -296,10 +299,10 @@ static void every_key_wrong_in_every_way(void **state)
 {
     (void)state;
     static const char *const names[] = {
-        "full-ramps",        "full-tables",      "full-tension",      "full-tension-table", "full-reel",
-        "full-reel-table",   "full-reel-weight", "full-rod",          "full-rod-polyline",  "full-bundle",
-        "full-library",      "full-route",       "full-route-points", "full-route-plan",    "full-drawing",
-        "full-drawing-file", "full-route-file"};
+        "full-ramps",      "full-tables",       "full-tension",   "full-tension-table", "full-reel",
+        "full-reel-table", "full-reel-weight",  "full-rod",       "full-rod-polyline",  "full-bundle",
+        "full-chains",     "full-library",      "full-route",     "full-route-points",  "full-route-plan",
+        "full-drawing",    "full-drawing-file", "full-route-file"};
     Coverage coverage = {.n = 0};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         const char *const text = data_text(names[k]);

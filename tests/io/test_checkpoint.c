@@ -52,6 +52,8 @@ static const Scene scenes[] = {
     {"cases/huangjiahu.yaml", 2, "solver.method", "esdirk"},
     {"cases/reel.yaml", 12, "solver.method", "esdirk"},
     {"cases/rollers-mounted.yaml", 2, "solver.method", "esdirk"},
+    {"tests/data/chains.yaml", 0.5, NULL, NULL},
+    {"tests/data/chains-rope.yaml", 0.4, NULL, NULL},
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 /* Under the sanitizers, where they take ten times as long, some of them. */

@@ -31,6 +31,9 @@ NOT_WRAPPED = {
     "hawser_ranks_close": "likewise",
     "hawser_study_run_on": "likewise; hawser study --slurm",
     "hawser_study_task": "the array's tasks are the command's",
+    "hawser_sim_chains": "results of each chain are in a folder of its own name, which Result reads",
+    "hawser_sim_chain": "the same",
+    "hawser_sim_chain_name": "the same",
 }
 # Members of a sample that Python has under another name.
 ELSEWHERE = {"machines", "machine", "figures", "figure", "probes", "probe", "field", "pass", "held_up"}

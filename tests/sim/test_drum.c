@@ -20,7 +20,7 @@ static void test_lay(void **state)
         assert_true(workspace_alloc(&ws, &scene, NULL));
         scene_initial_state(&scene, y);
         assert_int_equal(dynamics_refresh(&scene, &ws, 0, y, 1, NULL), HAWSER_OK);
-        const SelfDetail deepest = self_deepest(&scene.self, &scene.chain, &ws.kin, &ws.self);
+        const SelfDetail deepest = self_deepest(&scene.self, SELF_ALONE(&scene.chain, &ws.kin), &ws.self);
         print_message("%d turns a layer, %.2f in all: deepest %.3g mm\n", turns, scene.drum->turns,
                       1e3 * deepest.depth);
         check_above(scene.drum->turns, 1.5 * turns);

@@ -40,13 +40,15 @@ static void loads_of(Rig *r, double *between, double *rollers)
     enum { ROOM = 16 };
     SelfDetail detail[ROOM];
     dynamics_kinematics(&r->scene, &r->ws, 0, r->y);
-    const int count = self_details(&r->scene.self, &r->scene.chain, &r->ws.kin, 1, &r->ws.self, ROOM, detail);
+    const int count =
+        self_details(&r->scene.self, SELF_ALONE(&r->scene.chain, &r->ws.kin), 1, &r->ws.self, ROOM, detail);
     assert_in_range(count, 2, ROOM);
     SelfDetail two[3]; /* more than there is room for: counted, not written */
     memset(two, 0x5A, sizeof two);
     const SelfDetail last = two[2];
     for (int room = 0; room < 3; ++room) {
-        assert_int_equal(self_details(&r->scene.self, &r->scene.chain, &r->ws.kin, 1, &r->ws.self, room, two), count);
+        assert_int_equal(
+            self_details(&r->scene.self, SELF_ALONE(&r->scene.chain, &r->ws.kin), 1, &r->ws.self, room, two), count);
         assert_memory_equal(&two[2], &last, sizeof last);
         if (room < 2) assert_memory_equal(&two[room], &last, sizeof last);
     }

@@ -101,7 +101,7 @@ double surface_blocks_fd(const SurfaceModel *model, const Chain *chain, Kinemati
 static void own_forces(const Call *call, const Kinematics *kin, Loads *loads)
 {
     for (int part = 0; part < SELF_PARTS; ++part) {
-        self_forces(call->model, call->chain, kin, call->friction_scale, part, call->pairs, loads);
+        self_forces(call->model, SELF_ALONE(call->chain, kin), call->friction_scale, part, call->pairs, &loads);
     }
 }
 

@@ -75,7 +75,7 @@ void self_new(SelfScene *s, int n, double h)
 {
     memset(s, 0, sizeof *s);
     assert_true(chain_alloc(&s->chain, n) && kinematics_alloc(&s->kin, n) && chain_struct_alloc(&s->loads, n));
-    assert_true(self_pairs_alloc(&s->pairs, n));
+    assert_true(self_pairs_alloc(&s->pairs, 1, &n));
     for (int i = 0; i < n; ++i) {
         s->chain.half[i] = h / 2;
         s->chain.radius[i] = SELF_RADIUS;
@@ -95,15 +95,15 @@ void self_free(SelfScene *s)
 
 void self_fresh(SelfScene *s)
 {
-    assert_int_equal(self_refresh(&s->model, &s->chain, &s->kin, &s->pairs, NULL), HAWSER_OK);
+    assert_int_equal(self_refresh(&s->model, SELF_ALONE(&s->chain, &s->kin), &s->pairs, NULL), HAWSER_OK);
 }
 
 void self_load(SelfScene *s, double friction)
 {
     loads_zero(&s->loads, s->chain.n);
-    for (int part = 0; part < SELF_PARTS; ++part) {
-        self_forces(&s->model, &s->chain, &s->kin, friction, part, &s->pairs, &s->loads);
-    }
+    Loads *const loads = &s->loads;
+    for (int part = 0; part < SELF_PARTS; ++part)
+        self_forces(&s->model, SELF_ALONE(&s->chain, &s->kin), friction, part, &s->pairs, &loads);
 }
 
 void self_place(SelfScene *s, int i, Vec3 a, Vec3 b)

@@ -1,0 +1,225 @@
+#include "sim/run/together.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "sim/equipment/winch.h"
+#include "sim/expected/expected.h"
+
+typedef struct Together Together;
+
+int sim_chains(const Sim *s) { return s->together ? s->together->n : 1; }
+Sim *sim_chain(Sim *s, int k) { return s->together ? s->together->sim[k] : s; }
+
+/* Where lines meet no contact can tell on which side of each other they are. */
+static hawser_status apart_check(Together *all, hawser_error *err)
+{
+    const Bunch *const b = &all->bunch;
+    if (!b->contact.present) return HAWSER_OK;
+    const SelfLines lines = bunch_lines(b);
+    const SelfDetail deepest = self_deepest(&b->contact, &lines, &all->bunch.pairs);
+    const Chain *const chain = deepest.depth > 0 ? b->line[deepest.line].chain : NULL;
+    if (!chain) return HAWSER_OK;
+    const double radius = chain->radius[deepest.element < chain->n ? deepest.element : chain->n - 1];
+    if (!(deepest.depth > radius / 4)) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "chains '%s' and '%s' begin %.1f mm inside each other near (%.3f, %.3f, %.3f) m: set them a "
+                     "cable's diameter apart ('lay', or 'chains.NAME.place')",
+                     b->chain[deepest.line].scene->def.strand.name, b->chain[deepest.other].scene->def.strand.name,
+                     1e3 * deepest.depth, deepest.point.x, deepest.point.y, deepest.point.z);
+}
+
+static hawser_status bunch_make(Together *all, hawser_error *err)
+{
+    BunchChain *const chain = calloc((size_t)all->n, sizeof *chain);
+    if (!chain) return error_memory(err);
+    for (int k = 0; k < all->n; ++k) {
+        Stage *const st = &all->sim[k]->stage;
+        st->motion->ops->look(st->motion, st->t, st->y, 0);
+        chain[k] = (BunchChain){.scene = &st->scene, .ws = &st->ws, .motion = st->motion};
+    }
+    hawser_status status = bunch_new(&all->bunch, all->n, chain, &all->sim[0]->stage.options, err);
+    free(chain);
+    if (!status) all->y = aligned_array_new(all->bunch.motion.size);
+    all->state = calloc((size_t)all->n, sizeof *all->state);
+    all->ws = calloc((size_t)all->n, sizeof *all->ws);
+    if (!status && (!all->y || !all->state || !all->ws)) status = error_memory(err);
+    for (int k = 0; !status && k < all->n; ++k) {
+        all->state[k] = all->sim[k]->stage.y;
+        all->ws[k] = &all->sim[k]->stage.ws;
+    }
+    return status ? status : apart_check(all, err);
+}
+
+hawser_status together_new(Sim **sim, int n, hawser_error *err)
+{
+    Together *const all = sim[0]->together = calloc(1, sizeof *all);
+    if (!all) {
+        free(sim);
+        return error_memory(err);
+    }
+    all->sim = sim;
+    all->n = n;
+    for (int k = 1; k < n; ++k) sim[k]->leader = sim[0];
+    const hawser_status status = bunch_make(all, err);
+    if (status) return status;
+    for (int k = 0; k < all->n; ++k) {
+        const int rope = all->sim[k]->stage.scene.def.strand.joined;
+        if (rope >= 0) all->sim[rope]->expected.reference_total += all->sim[k]->expected.reference_total;
+        if (rope >= 0) all->sim[rope]->expected.paper_total += all->sim[k]->expected.paper_total;
+    }
+    return status;
+}
+
+struct Together *together_free(struct Together *all)
+{
+    if (!all) return NULL;
+    bunch_free(&all->bunch);
+    free(all->sim);
+    free(all->y);
+    free(all->state);
+    free(all->ws);
+    free(all);
+    return NULL;
+}
+
+hawser_status together_relax(struct Together *all, hawser_relaxation *out, hawser_error *err)
+{
+    Motion *const m = &all->bunch.motion;
+    bunch_gather(&all->bunch, all->state, all->y);
+    const hawser_status status = m->ops->relax(m, all->sim[0]->stage.t, all->y, out, err);
+    bunch_scatter(&all->bunch, all->y, all->state);
+    return status;
+}
+
+/* What theory says of a chain now, N, wherever its front is. */
+static double expected_of(const Sim *s)
+{
+    const Scene *const scene = &s->stage.scene;
+    const Led *const led = &s->stage.ws.led;
+    int no_memory = 0;
+    if (s->by_position.n_grid > 0 && !led->present) return s->look.sample.reference;
+    const double front = scene->joint_s[scene->eye] + led->travel;
+    return by_position_theory(scene, front, expected_back(scene, s->stage.t), &no_memory);
+}
+
+double together_expected(const struct Together *all, const Sim *rope)
+{
+    double sum = 0;
+    for (int k = 0; k < all->n; ++k) {
+        const int joined = all->sim[k]->stage.scene.def.strand.joined;
+        if (joined >= 0 && all->sim[joined] == rope) sum += expected_of(all->sim[k]);
+    }
+    return sum;
+}
+
+/* A failure's segment is counted through all chains: says whose it is. */
+static hawser_status step_failed(const Together *all, hawser_status status, hawser_error *err)
+{
+    hawser_error why = *err;
+    int segment;
+    const int k = bunch_chain_of(&all->bunch, all->bunch.worst, &segment);
+    if (status != HAWSER_ERR_RUN) return status;
+    return error_set(err, status, "%.900s; that is segment %d of chain '%s'", why.message, segment,
+                     all->bunch.chain[k].scene->def.strand.name);
+}
+
+/* What is stepped is all of them, with the first one's integrator and books. */
+static Steps steps_of(Together *all)
+{
+    Stage *const st = &all->sim[0]->stage;
+    return (Steps){&all->bunch.motion, all->y, &st->integrator, &st->balance, &st->balance_s};
+}
+
+hawser_status together_step(struct Together *all, double stop, hawser_error *err)
+{
+    Stage *const st = &all->sim[0]->stage;
+    if (!st->integrator) bunch_gather(&all->bunch, all->state, all->y);
+    const Steps steps = steps_of(all);
+    const hawser_status status = steps_take(&steps, stop, &st->t, err);
+    bunch_scatter(&all->bunch, all->y, all->state);
+    for (int k = 1; k < all->n; ++k) all->sim[k]->stage.t = st->t;
+    return status ? step_failed(all, status, err) : HAWSER_OK;
+}
+
+hawser_status together_checkpoint(Checkpoint *c, struct Together *all, hawser_error *err)
+{
+    const Steps steps = steps_of(all);
+    Stage *const first = &all->sim[0]->stage;
+    hawser_status status = HAWSER_OK;
+    if (!c->reading && !first->integrator) bunch_gather(&all->bunch, all->state, all->y);
+    if (!c->reading) status = steps_ready(&steps, first->t, err);
+    for (int k = 0; !status && k < all->n; ++k) status = stage_state_checkpoint(c, &all->sim[k]->stage, err);
+    if (!status && c->reading && !c->status) bunch_gather(&all->bunch, all->state, all->y);
+    return status ? status : steps_checkpoint(c, &steps, first->t, all->n, all->ws, err);
+}
+
+/* A chain whose head is joined to a rope goes as that does. */
+static void led_set(Together *all, int k)
+{
+    Workspace *const ws = &all->sim[k]->stage.ws;
+    int rope = all->sim[k]->stage.scene.def.strand.joined;
+    if (rope < 0) return;
+    const Stage *const st = &all->sim[rope]->stage;
+    const WinchMotion motion = winch_motion(st->scene.winch, &st->scene.chain, &st->ws.kin, st->t);
+    ws->led = (Led){.present = 1, .travel = motion.travel, .speed = motion.speed};
+    ws->head_pull = bunch_pull(&all->bunch, k);
+}
+
+void together_look(struct Together *all, const Sim *of)
+{
+    for (int k = 0; k < all->n; ++k)
+        if (all->sim[k] == of) led_set(all, k);
+    if (of != all->sim[0]) return;
+    ChainsLook *const look = &all->sim[0]->stage.scene.chains;
+    bunch_look(&all->bunch, look);
+    for (int k = 0; k < all->n; ++k) {
+        const SceneDef *const def = &all->sim[k]->stage.scene.def;
+        look->chain[k].reference = expected_of(all->sim[k]);
+        look->chain[k].factor = 1;
+        for (int s = 0; s < def->n_surfaces; ++s)
+            look->chain[k].factor = fmax(look->chain[k].factor, def->surfaces[s].weight_factor);
+    }
+    bunch_sum(look);
+}
+
+/* ------------------------------------------------------------------------------------------- what is judged of all */
+
+/* How much of what is allowed a condition has taken; what does not hold comes first. */
+static double taken(const hawser_condition *c)
+{
+    if (!c->holds || isnan(c->value)) return INFINITY;
+    return c->allowed > 0 ? c->value / c->allowed : 0;
+}
+
+int together_conditions(int n, hawser_condition *out, int more, const hawser_condition *theirs, const char *chain)
+{
+    for (int i = 0; i < more; ++i) {
+        int at = 0;
+        while (at < n && strcmp(out[at].name, theirs[i].name) != 0) ++at;
+        if (at == HAWSER_CONDITIONS_MAX || (at < n && taken(&theirs[i]) <= taken(&out[at]))) continue;
+        out[at] = theirs[i];
+        snprintf(out[at].remedy, sizeof out[at].remedy, "chain '%s': %.*s", chain,
+                 (int)(sizeof out[at].remedy - NAME_MAX_LENGTH - 12), theirs[i].remedy);
+        n += at == n;
+    }
+    return n;
+}
+
+int together_limits(int n, hawser_limit *out, int more, const hawser_limit *theirs, const char *chain)
+{
+    for (int i = 0; i < more; ++i) {
+        int at = 0;
+        while (at < n && strcmp(out[at].name, theirs[i].name) != 0) ++at;
+        const int worse = at == n || !out[at].judged || theirs[i].margin < out[at].margin;
+        if (at == HAWSER_LIMITS_MAX || (at < n && !(theirs[i].judged && worse))) continue;
+        out[at] = theirs[i];
+        const char *const where = theirs[i].where;
+        snprintf(out[at].where, sizeof out[at].where, *where ? "chain '%s', %.*s" : "chain '%s'%.*s", chain,
+                 (int)(sizeof out[at].where - NAME_MAX_LENGTH - 12), where);
+        n += at == n;
+    }
+    return n;
+}

@@ -1,0 +1,42 @@
+/* Several chains as one simulation: each has its own, with its scene and all that is watched of it; the first leads and
+ * has what moves them all. docs/model.md, "Several chains". */
+#ifndef HAWSER_SIM_RUN_TOGETHER_H
+#define HAWSER_SIM_RUN_TOGETHER_H
+
+#include "sim/bunch/bunch.h"
+#include "sim/run/parts.h"
+
+struct Together {
+    int n;
+    Sim **sim; /* [n] the first is who leads and owns this; the others are owned by it */
+    Bunch bunch;
+    double *y;      /* [bunch.motion.size] the state of all */
+    double **state; /* [n] each one's own, which stays where it is */
+    Workspace **ws; /* [n] */
+};
+
+/* What moves n simulations together, of which the first leads: takes over the list, not what is in it. Errors: INPUT,
+ * MEMORY; together_free follows either way. */
+hawser_status together_new(Sim **sim, int n, hawser_error *err);
+struct Together *together_free(struct Together *all);
+
+/* All to equilibrium; what sim_relax asks of each is done. Errors: MEMORY, STOPPED. */
+hawser_status together_relax(struct Together *all, hawser_relaxation *out, hawser_error *err);
+/* One step of all. Errors: MEMORY, RUN. */
+hawser_status together_step(struct Together *all, double stop, hawser_error *err);
+/* What all go on from, as stage_checkpoint of one. */
+hawser_status together_checkpoint(Checkpoint *c, struct Together *all, hawser_error *err);
+/* After a look at the state of now: what pulls chain k, if that is another one, into its workspace; and, with the
+ * first, what the chains do to each other into its scene. */
+void together_look(struct Together *all, const Sim *of);
+
+/* Adds the `more` conditions of another chain, or its limits, to the n of those before; of what both have the worse
+ * stays, with the name of its chain: a bundle of which one cable has fallen off its rollers is no better for the
+ * others. Returns how many there are. */
+int together_conditions(int n, hawser_condition *out, int more, const hawser_condition *theirs, const char *chain);
+int together_limits(int n, hawser_limit *out, int more, const hawser_limit *theirs, const char *chain);
+
+/* N, what theory says now of the chains whose heads are joined to a rope, by their last looks. */
+double together_expected(const struct Together *all, const Sim *rope);
+
+#endif

@@ -1,0 +1,418 @@
+/* Several chains from the case to the figures: three that do nothing to each other are three runs, bit for bit; what
+ * holds them together balances and closes the books; how cables lie in a duct gives the formulas' weight correction;
+ * what cannot be computed is refused. */
+#define _GNU_SOURCE /* nftw */
+#include <ftw.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include "tests/io/case_fixture.h"
+
+#include "hawser/hawser.h"
+#include "hawser/sweep.h"
+#include "theory/cables/duct.h"
+
+#define FOLDER HAWSER_SOURCE_DIR "/tests/data/"
+
+/* A case of tests/data with settings, NULL behind the last. */
+static hawser_case *load(const char *file, const char *const *settings)
+{
+    hawser_case *c;
+    hawser_error err;
+    if (hawser_case_load(file, &c, &err)) fail_msg("%s", err.message);
+    for (int i = 0; settings && settings[i]; i += 2)
+        if (hawser_case_set(c, settings[i], settings[i + 1], &err)) fail_msg("%s", err.message);
+    return c;
+}
+
+static hawser_sim *run(hawser_case *c)
+{
+    hawser_sim *s;
+    hawser_error err;
+    if (hawser_sim_new(c, NULL, &s, &err) || hawser_sim_run(s, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    return s;
+}
+
+/* The figure of a chain by name. */
+static double figure_of(const hawser_sim *s, const char *name, const char *key)
+{
+    const hawser_machine *m;
+    const int n = hawser_sim_machines(s, &m);
+    for (int i = 0; i < n; ++i)
+        if (strcmp(m[i].name, name) == 0) return hawser_machine_figure(&m[i], key);
+    fail_msg("there is no chain '%s'", name);
+    return NAN;
+}
+
+/* Like chains take the steps that one takes alone, and come to the same bits; shifted aside, to the same but for
+ * rounding. */
+static void test_three_runs(void **state)
+{
+    (void)state;
+    const char *const same_place[] = {
+        "chains.one.place", "[0 m, 0 m]", "chains.two.place", "[0 m, 0 m]", "chains.three.place", "[0 m, 0 m]", NULL};
+    hawser_case *alone =
+        case_with("cables: {power: {d: 41 mm, mass: 3 kg/m, EA: 27 MN, GA: 9 MN, GJ: 100 N m2, EI: "
+                  "200 N m2, damping: 2 ms}}\n"
+                  "chain: [{cable: power, length: 4 m, segment: 250 mm}]\n"
+                  "route: {head_at: 4 m, pieces: [{straight: 8 m}]}\n"
+                  "surfaces: {planes: [{name: floor, point: [0 m, 0 m, -20.5 mm], normal: [0, 0, 1]}]}\n"
+                  "friction: {mu: 0.3}\n"
+                  "drive: {winch: {speed: 0.1 m/s, to: 1 s}, tail: {tension: 100 N}}\n"
+                  "run: {duration: 2 s, steady_from: 1.5 s}\n"
+                  "solver: {passes: 1, planar: off}\n",
+                  NULL);
+    hawser_sim *const one = run(alone);
+    hawser_summary expected, found;
+    hawser_sim_summary(one, &expected);
+    for (int aside = 0; aside < 2; ++aside) {
+        hawser_sim *const three = run(load(FOLDER "chains.yaml", aside ? NULL : same_place));
+        assert_int_equal(hawser_sim_chains(three), 3);
+        for (int k = 0; k < 3; ++k) {
+            hawser_sim_summary(hawser_sim_chain(three, k), &found);
+            if (!aside) check_equal(found.pull_mean_N, expected.pull_mean_N);
+            if (!aside) check_equal(found.pull_peak_N, expected.pull_peak_N);
+            check_below(fabs(found.pull_mean_N / expected.pull_mean_N - 1), 1e-9);
+            check_below(fabs(found.pull_peak_N / expected.pull_peak_N - 1), 1e-9);
+        }
+        hawser_sim_summary(three, &found);
+        assert_int_equal(found.steps, expected.steps);
+        check_below(fabs(figure_of(three, "two", "share") - 1.0 / 3), 1e-9);
+        hawser_sim_free(three);
+    }
+    hawser_sim_free(one);
+}
+
+/* Forces between chains cancel, and what a pull of three by one rope does goes where the books say. */
+static void test_books(void **state)
+{
+    (void)state;
+    hawser_sim *const s = run(load(FOLDER "chains-rope.yaml", NULL));
+    hawser_summary sum;
+    hawser_sim_summary(s, &sum);
+    assert_non_null(sum.balance);
+    print_message("energy %.1e of %.3g J, momentum %.1e\n", sum.balance->residual_share, sum.balance->turnover_J,
+                  sum.balance->impulse_residual_share);
+    check_below(sum.balance->residual_share, 1e-3);
+    check_below(sum.balance->impulse_residual_share, 4e-4);
+    /* the rope pulls with what the three hold it back by, and its own weight's friction; shares add up */
+    const double three =
+        figure_of(s, "one", "pull_mean_N") + figure_of(s, "two", "pull_mean_N") + figure_of(s, "three", "pull_mean_N");
+    check_between(figure_of(s, "rope", "pull_mean_N") - three, -2, 8);
+    check_below(fabs(figure_of(s, "all", "pull_mean_N") / three - 1), 1e-9);
+    check_below(fabs(figure_of(s, "one", "share") + figure_of(s, "two", "share") + figure_of(s, "three", "share") - 1),
+                1e-9);
+    /* theory of the three with the triangle's weight factor beside it */
+    const double x = 41.0 / (90 - 41);
+    check_below(fabs(figure_of(s, "one", "weight_factor") - 1 / sqrt(1 - x * x)), 1e-9);
+    check_below(fabs(figure_of(s, "all", "pull_mean_N") / figure_of(s, "all", "reference_N") - 1), 0.03);
+    hawser_sim_free(s);
+}
+
+/* walls/weight of three that lie at rest in a duct of D/d, at `k` times the usual stiffness of the contacts. */
+static double lying(const char *pattern, double ratio, const char *k)
+{
+    char radius[32];
+    snprintf(radius, sizeof radius, "%.6f mm", 41 * ratio / 2);
+    const char *const settings[] = {"lay.pattern",
+                                    pattern,
+                                    "surfaces.ducts.0.radius",
+                                    radius,
+                                    "contact.k",
+                                    k,
+                                    "friction.mu",
+                                    "0",
+                                    "run.duration",
+                                    "20 ms",
+                                    "run.steady_from",
+                                    "0 s",
+                                    "chains",
+                                    "{one: {still: true}, two: {still: true}, three: {still: true}}",
+                                    "solver.relax_iterations",
+                                    "1000",
+                                    "chain.0.length",
+                                    "2 m",
+                                    NULL};
+    hawser_sim *const s = run(load(FOLDER "chains-rope.yaml", settings));
+    const double found = figure_of(s, "all", "weight_correction");
+    hawser_sim_free(s);
+    return found;
+}
+
+/* (T20): the factors are the geometry of the section, and contacts that give way less come nearer to it: by the power
+ * 2/3 of their stiffness, ten times as stiff 4.6 times as near. */
+static void test_weight_correction(void **state)
+{
+    (void)state;
+    const struct {
+        const char *pattern;
+        double ratio;
+    } cases[] = {{"triangular", 2.2}, {"triangular", 2.5}, {"cradled", 3}};
+    for (int i = 0; i < 3; ++i) {
+        const double x = 1 / (cases[i].ratio - 1);
+        const double formula = strcmp(cases[i].pattern, "cradled") ? 1 / sqrt(1 - x * x) : 1 + 4.0 / 3 * x * x;
+        const double soft = lying(cases[i].pattern, cases[i].ratio, "3.4e8 N/m^1.5") / formula - 1;
+        const double stiff = lying(cases[i].pattern, cases[i].ratio, "3.4e9 N/m^1.5") / formula - 1;
+        print_message("%s %.1f: %.2g, %.2g\n", cases[i].pattern, cases[i].ratio, soft, stiff);
+        check_below(fabs(soft), 5e-3);
+        check_between(fabs(soft) / fabs(stiff), 3.5, 6);
+    }
+}
+
+/* The calculation of each, and a rope's the sum of what it draws and of its own; what is there to be built. */
+static void test_theory(void **state)
+{
+    (void)state;
+    const double x = 41.0 / (90 - 41), factor = 1 / sqrt(1 - x * x);
+    hawser_case *const c = load(FOLDER "chains-rope.yaml", NULL);
+    hawser_error err;
+    char *text;
+    double found[4][3];
+    if (hawser_case_theory(c, HAWSER_CSV, &text, &err)) fail_msg("%s", err.message);
+    const char *const starts[] = {"rope,its winch,", "one,rope,", "two,rope,", "three,rope,"};
+    for (int k = 0; k < 4; ++k) {
+        const char *const row = strstr(text, starts[k]);
+        assert_non_null(row);
+        found[k][2] = NAN;
+        assert_in_range(sscanf(row + strlen(starts[k]), "%lf,%lf,%lf", &found[k][0], &found[k][1], &found[k][2]), 2, 3);
+    }
+    hawser_text_free(text);
+    /* 9 m of 3 kg/m over the wall with the triangle's factor, behind 100 N; the rope's 0.5 kg/m without it */
+    const double cable = 100 + 0.3 * factor * 3 * 9.80665 * 9, rope = 0.3 * 0.5 * 9.80665 * 9;
+    for (int k = 1; k < 4; ++k) {
+        check_below(fabs(found[k][0] / factor - 1), 1e-8);
+        check_below(fabs(found[k][1] / cable - 1), 1e-3);
+        check_below(fabs(found[k][2] - 1.0 / 3), 1e-9);
+    }
+    check_below(fabs(found[0][1] / (3 * cable + rope) - 1), 1e-3);
+    if (hawser_case_theory(c, HAWSER_JSON, &text, &err)) fail_msg("%s", err.message);
+    assert_non_null(strstr(text, "\"theory\""));
+    hawser_text_free(text);
+    if (hawser_case_theory(c, HAWSER_TABLE, &text, &err)) fail_msg("%s", err.message);
+    assert_non_null(strstr(text, "What the chains pull by theory"));
+    hawser_text_free(text);
+    if (hawser_case_describe(c, HAWSER_TABLE, &text, &err)) fail_msg("%s", err.message);
+    assert_non_null(strstr(text, "Chains that are pulled together"));
+    assert_non_null(strstr(text, "three"));
+    hawser_text_free(text);
+    hawser_case_free(c);
+}
+
+/* What one of them has broken is said of all: here the middle one, by its tail. */
+static void test_judged(void **state)
+{
+    (void)state;
+    const char *const settings[] = {"limits", "{pull: 2 kN}", "chains.two", "{drive: {tail: {tension: 3 kN}}}", NULL};
+    hawser_sim *const s = run(load(FOLDER "chains.yaml", settings));
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    const int n = hawser_sim_limits(s, limit);
+    int broken = 0;
+    for (int i = 0; i < n; ++i) {
+        if (strcmp(limit[i].name, "pull") != 0) continue;
+        broken = limit[i].judged && !limit[i].ok;
+        assert_non_null(strstr(limit[i].where, "chain 'two'"));
+        check_above(limit[i].value, 3000);
+    }
+    assert_true(broken);
+    hawser_sim_free(s);
+}
+
+/* One lies beside the rollers and falls: the figures of all are not to be trusted, and whose fault it is stands there.
+ */
+static void test_fallen(void **state)
+{
+    (void)state;
+    const char *const settings[] = {"surfaces",
+                                    "{}",
+                                    "rollers",
+                                    "{along: {from: 0.25 m, to: 7.75 m, spacing: 500 mm}}",
+                                    "chains.three",
+                                    "{place: [-1 m, 0 m]}",
+                                    "solver.relax",
+                                    "false",
+                                    NULL};
+    hawser_sim *const s = run(load(FOLDER "chains.yaml", settings));
+    hawser_summary sum;
+    int told = 0;
+    hawser_sim_summary(s, &sum);
+    for (int i = 0; i < sum.n_conditions; ++i)
+        told += !sum.conditions[i].holds && strstr(sum.conditions[i].remedy, "chain 'three'") != NULL;
+    check_above(told, 0);
+    hawser_sim_free(s);
+}
+
+/* Places are as far apart as they are to be, and within what the duct leaves. */
+static void test_places(void **state)
+{
+    (void)state;
+    double place[8][2];
+    for (int pattern = LAY_FLAT; pattern <= LAY_TRIPLEXED; ++pattern) {
+        for (int n = 2; n <= 4; ++n) {
+            const LayDef lay = {.pattern = (LayPattern)pattern, .spacing = 0.04, .radius = 0.07, .seed = 5};
+            assert_true(lay_places(&lay, n, place));
+            double nearest = INFINITY;
+            for (int i = 0; i < n; ++i) {
+                check_below(hypot(place[i][0], place[i][1]), 0.07 + 1e-12);
+                for (int j = 0; j < i; ++j)
+                    nearest = fmin(nearest, hypot(place[i][0] - place[j][0], place[i][1] - place[j][1]));
+            }
+            if (pattern == LAY_RANDOM) check_at_least(nearest, 0.04 - 1e-12);
+            if (pattern != LAY_RANDOM) check_below(fabs(nearest - 0.04), 1e-12);
+        }
+    }
+    const LayDef narrow = {.pattern = LAY_CRADLED, .spacing = 0.04, .radius = 0.024};
+    assert_false(lay_places(&narrow, 3, place)); /* the outer ones would lie above the middle of the duct */
+}
+
+/* What several chains cannot be beside, and what does not fit together, is said with its key. */
+static void test_refused(void **state)
+{
+    (void)state;
+    const struct {
+        const char *key, *value, *part;
+    } bad[] = {
+        {"drive.winch.take_in", "true", "several chains cannot be computed with drive.winch.take_in"},
+        {"contact.cable_on_cable", "true", "a chain that touches itself"},
+        {"medium", "{density: 1000 kg/m3}", "cannot be computed with medium"},
+        {"solver.linear_solver", "block", "several chains cannot be computed with solver.linear_solver"},
+        {"chains.one", "{join: nobody}", "is not the name of a chain"},
+        {"chains.one", "{join: one}", "cannot be joined to itself"},
+        {"chains.one", "{swivel: true}", "no head is joined"},
+        {"chains.one", "{join: two, drive: {winch: {speed: 1 m/s}}}", "pulled by 'two'"},
+        {"chains.two words", "{}", "a name of letters"},
+        {"chains.all", "{}", "a name of letters"},
+        {"chains", "{one: {}}", "two chains or more"},
+        {"lay", "{pattern: triplexed, length: 1 m}", "needs segments of at most"},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        hawser_error err;
+        hawser_case *const c = load(FOLDER "chains.yaml", NULL);
+        hawser_status status = hawser_case_set(c, bad[i].key, bad[i].value, &err);
+        if (!status) status = hawser_case_check(c, &err);
+        assert_int_equal(status, HAWSER_ERR_INPUT);
+        if (!strstr(err.message, bad[i].part)) fail_msg("'%s' is not in: %s", bad[i].part, err.message);
+        hawser_case_free(c);
+    }
+    /* chains that begin inside each other */
+    const char *const inside[] = {"lay.spacing", "20 mm", "contact.between_chains", "true", NULL};
+    hawser_case *const c = load(FOLDER "chains.yaml", inside);
+    hawser_error err;
+    hawser_sim *s;
+    assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_ERR_INPUT);
+    assert_non_null(strstr(err.message, "inside each other"));
+    hawser_case_free(c);
+}
+
+/* What needs one chain says so, with the line at which there are several. */
+static void test_alone(void **state)
+{
+    (void)state;
+    hawser_case *const c = load(FOLDER "chains.yaml", NULL);
+    hawser_error err = {.status = HAWSER_OK};
+    hawser_certificate *certificate;
+    hawser_sim *s;
+    char *text;
+    assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_OK);
+    assert_int_equal(hawser_certify(c, s, NULL, &certificate, &err), HAWSER_ERR_INPUT);
+    assert_non_null(strstr(err.message, "chains.yaml:6: key 'chains': a certificate"));
+    assert_int_equal(hawser_case_sensitivities(c, HAWSER_TABLE, &text, &err), HAWSER_ERR_INPUT);
+    assert_non_null(strstr(err.message, "chains.yaml:6: key 'chains': sensitivities"));
+    hawser_sim_free(s);
+    hawser_case_free(c);
+}
+
+/* The simulation of one chain is looked at through the first's; it is not moved alone. */
+static void test_handles(void **state)
+{
+    (void)state;
+    hawser_case *const c = load(FOLDER "chains.yaml", NULL);
+    hawser_sim *s;
+    hawser_error err;
+    void *bytes;
+    size_t size;
+    if (hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
+    hawser_sim *const two = hawser_sim_chain(s, 1);
+    assert_string_equal(hawser_sim_chain_name(two), "two");
+    assert_null(hawser_sim_chain(s, 3));
+    assert_ptr_equal(hawser_sim_chain(s, 0), s);
+    assert_int_equal(hawser_sim_advance(two, 1, 0, &err), HAWSER_ERR_INPUT);
+    assert_int_equal(hawser_sim_run(two, NULL, NULL, NULL, &err), HAWSER_ERR_INPUT);
+    assert_int_equal(hawser_sim_save_memory(two, &bytes, &size, &err), HAWSER_ERR_INPUT);
+    assert_int_equal(hawser_sim_advance(s, 0.1, 0, &err), HAWSER_OK);
+    check_equal(hawser_sim_time(two), hawser_sim_time(s));
+    hawser_sim_free(s);
+    hawser_case_free(c);
+}
+
+static int stop_halfway(void *user, hawser_sim *s, double t)
+{
+    (void)user;
+    return t >= hawser_sim_end_time(s) / 2;
+}
+
+static int remove_entry(const char *path, const struct stat *info, int kind, struct FTW *ftw)
+{
+    (void)info, (void)kind, (void)ftw;
+    return remove(path);
+}
+
+/* All of a file of a results folder; free() frees it. */
+static char *text_of(const char *dir, const char *name)
+{
+    char path[512];
+    snprintf(path, sizeof path, "%s/%s", dir, name);
+    FILE *const f = fopen(path, "rb");
+    if (!f) fail_msg("cannot read %s", path);
+    char *const text = calloc(1, 1 << 20);
+    assert_in_range(fread(text, 1, 1 << 20, f), 1, (1 << 20) - 1);
+    fclose(f);
+    return text;
+}
+
+/* A run that is stopped halfway and gone on with writes what one that is not writes, of every chain. */
+static void test_resumed(void **state)
+{
+    (void)state;
+    static const char *const files[] = {"series.csv", "one/series.csv", "three/series.csv"};
+    char whole[] = "/tmp/hawser_chains_XXXXXX", halves[] = "/tmp/hawser_chains_XXXXXX";
+    /* as often as it is no burden: the first after the first step */
+    const char *const settings[] = {"run.checkpoint", "1 us", NULL};
+    hawser_error err;
+    hawser_sim *s;
+    assert_non_null(mkdtemp(whole));
+    assert_non_null(mkdtemp(halves));
+    hawser_case *c = load(FOLDER "chains-rope.yaml", settings);
+    assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_run(s, whole, NULL, NULL, &err), HAWSER_OK);
+    hawser_sim_free(s);
+    assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_OK);
+    hawser_sim_on_step(s, stop_halfway, NULL);
+    assert_int_equal(hawser_sim_run(s, halves, NULL, NULL, &err), HAWSER_STOPPED);
+    hawser_sim_free(s);
+    hawser_case_free(c);
+    if (hawser_case_resume(halves, &c, &err)) fail_msg("%s", err.message);
+    assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_OK);
+    if (hawser_sim_resume(s, halves, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim_free(s);
+    hawser_case_free(c);
+    for (int k = 0; k < 3; ++k) {
+        char *const one = text_of(whole, files[k]), *const two = text_of(halves, files[k]);
+        assert_string_equal(one, two);
+        free(one);
+        free(two);
+    }
+    nftw(whole, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
+    nftw(halves, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_three_runs), cmocka_unit_test(test_books),   cmocka_unit_test(test_weight_correction),
+        cmocka_unit_test(test_places),     cmocka_unit_test(test_refused), cmocka_unit_test(test_handles),
+        cmocka_unit_test(test_resumed),    cmocka_unit_test(test_alone),   cmocka_unit_test(test_theory),
+        cmocka_unit_test(test_judged),     cmocka_unit_test(test_fallen),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
