@@ -63,7 +63,7 @@ typedef struct ChainsLook {
 } ChainsLook;
 
 /* Numbers: segments and joints of the whole chain are 0..total from the tail. What is simulated may be a part of it
- * (sim/run/stage.h): chain holds segments first..first+chain.n-1 and counts its own from 0. */
+ * (sim/stage/stage.h): chain holds segments first..first+chain.n-1 and counts its own from 0. */
 struct Scene {
     Chain chain;
     int first, total;     /* 0 and chain.n if nothing is on a reel or past the winch */

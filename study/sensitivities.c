@@ -1,6 +1,6 @@
 /* A run with the derivatives of its figures, `hawser run --sensitivities`, and those of the position that it ends at by
  * every number of the case. The case is read three times a parameter, as it is and with a little less and more of it;
- * sim/run/tangent.h does the rest. */
+ * sim/stage/tangent.h does the rest. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 #include "io/api/api_handles.h"
 #include "io/results/column.h"
 #include "io/yaml/units.h"
-#include "sim/run/tangent.h"
+#include "sim/stage/tangent.h"
 #include "study/plan/study.h"
 
 /* Half of the difference that stands for a derivative of the equations' right-hand side by a parameter, as a share of

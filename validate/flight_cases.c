@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
-#include "sim/run/statics.h"
+#include "sim/stage/statics.h"
 #include "validate/build.h"
 #include "validate/motion.h"
 #include "validate/validate.h"

@@ -4,8 +4,8 @@
 #include <math.h>
 
 #include "core/base/worst.h"
-#include "sim/run/modes.h"
-#include "sim/run/statics.h"
+#include "sim/stage/modes.h"
+#include "sim/stage/statics.h"
 #include "validate/build.h"
 #include "validate/motion.h"
 #include "validate/validate.h"

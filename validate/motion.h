@@ -4,7 +4,7 @@
 
 #include "core/base/vec3.h"
 #include "core/state.h"
-#include "sim/run/stage.h"
+#include "sim/stage/stage.h"
 
 /* Builds the stage of t = 0 in space; the definition is taken apart. stage_free must follow if it returns OK. */
 hawser_status motion_start(SceneDef *def, Stage *stage, hawser_error *err);

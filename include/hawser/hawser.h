@@ -140,10 +140,10 @@ const hawser_sample *hawser_sim_sample(hawser_sim *s);
 void hawser_sim_record(hawser_sim *s);
 
 /* Runs the case: relaxes, advances to the end, samples, writes results into directory `dir` (NULL: writes nothing).
- * Where that leaves nothing open but numerical errors it is done once or twice more with finer settings, unless
- * solver.passes forbids it (hawser_summary, `passes`); where those results replace the first ones, all calls speak of
- * the last pass from then on. `progress` (may be NULL) is called a few times a second; a value other than 0 stops the
- * run cleanly (HAWSER_STOPPED, with what was computed written; in a finer pass the results are those before it). */
+ * Where that leaves numerical errors alone open it is done once or twice more with finer settings, unless solver.passes
+ * forbids it (hawser_summary, `passes`); where those results replace the first, all calls speak of the last pass then.
+ * `progress` (may be NULL) is called a few times a second; a value other than 0 stops the run cleanly (HAWSER_STOPPED,
+ * with what was computed written; in a finer pass the results are those before it). */
 typedef int (*hawser_progress)(void *user, const hawser_sample *sample, double wall_s, double end_s);
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
 
@@ -210,9 +210,9 @@ typedef struct hawser_summary {
     const hawser_bundle *bundle;    /* what the cable stands for; NULL: itself */
     const hawser_passes *passes;    /* of hawser_sim_run; NULL: one was enough, or no other was wanted */
     const hawser_hold *slowest;     /* where its steps were shortest, over 500 in a row; NULL: there were fewer */
-    int n_places; /* positions, as hawser_sim_places gives them; of them that with the largest pull, or NULL: */
-    const hawser_place *places, *worst_place;
-    const char *method;             /* of integration in time: "bdf" or "esdirk" */
+    int n_places;
+    const hawser_place *places, *worst_place; /* as hawser_sim_places gives them; that with the largest pull, or NULL */
+    const char *method;                       /* of integration in time: "bdf" or "esdirk" */
 } hawser_summary;
 
 /* Fills as much of it as the caller knows. */
@@ -223,14 +223,11 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
 
 /* The stations, from the route's start on; *out stays the simulation's. Returns how many. */
 int hawser_sim_stations(const hawser_sim *s, const hawser_station **out);
-
-/* The rollers in the case's order; *out stays the simulation's and is brought up to date by every call. Returns how
- * many. */
+/* The rollers in the case's order; *out stays the simulation's, brought up to date by every call. Returns how many. */
 int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out);
 /* The surfaces in the case's order: ducts, trays, planes; as above. */
 int hawser_sim_surfaces(hawser_sim *s, const hawser_surface **out);
-
-/* The case's title, or its file's name if it has none. */
+/* The case's title, or its file's name. */
 const char *hawser_sim_title(const hawser_sim *s);
 
 #ifdef __cplusplus

@@ -142,15 +142,13 @@ typedef struct hawser_position {
 
 /* Steady motion with the cable's front at one place of the route, of a run with `analysis: positions`. */
 typedef struct hawser_place {
-    double head_m;                          /* m along the route, of the front */
-    double time_s;                          /* when the winch has hauled it there */
-    double pull_N;                          /* of the winch */
-    double reference_N;                     /* by the reference theory; NAN: it has none */
+    double head_m, time_s;                  /* along the route, of the front; when the winch has hauled it there */
+    double pull_N, reference_N;             /* of the winch; by the reference theory, NAN: it has none */
     double front_N;                         /* tension at the front */
     double tension_N, tension_at_m;         /* the largest of cable and rope, and where */
     double push_N, push_at_m;               /* the largest compression, 0: none; and where */
-    double roller_N;                        /* the largest load on a roller */
-    const char *roller;                     /* which; lives as long as the simulation; NULL: none is loaded */
+    double roller_N;                        /* the largest load on a roller, ... */
+    const char *roller;                     /* ... which lives as long as the simulation; NULL: none is loaded */
     double sidewall_N_per_m, sidewall_at_m; /* the largest, T/R of the route's bends; where */
     double residual_N, tolerance_N;         /* what is left unbalanced, at one segment; what is allowed of it */
     int iterations;                         /* of Newton's method */
@@ -205,8 +203,7 @@ typedef struct hawser_fields {
 typedef struct hawser_station {
     const char *name;
     double s;                          /* m along the route */
-    double paper_N;                    /* the paper's formulas */
-    double reference_N;                /* the bend ODE */
+    double paper_N, reference_N;       /* the paper's formulas; the bend ODE */
     double mean_N, peak_N;             /* simulated: mean of the steady window, peak of the run */
     double mean_error_N, peak_error_N; /* what these may be off by: the total of their error bars */
 } hawser_station;
@@ -217,8 +214,7 @@ typedef struct hawser_roller {
     double s;                     /* m along the route; NAN if it was placed by coordinates */
     double rating_N;              /* what it may carry; 0: not given */
     double initial_N;             /* load at equilibrium before t = 0 */
-    double steady_N;              /* mean of the steady window; NAN until the run reached it */
-    double peak_N;                /* largest of the run */
+    double steady_N, peak_N;      /* mean of the steady window, NAN until the run reached it; largest of the run */
     double spin_rad_per_s;        /* about its axis, mean of the steady window; NAN: it does not spin */
     double shift_m, peak_shift_m; /* from its place, mean of that window and largest; NAN: it is not on a mount */
     double steady_error_N, peak_error_N; /* what steady_N and peak_N may be off by: their error bars' totals */
@@ -226,23 +222,20 @@ typedef struct hawser_roller {
 
 /* One duct, tray, floor or wall. */
 typedef struct hawser_surface {
-    const char *name;
-    const char *kind;         /* "duct", "flat", "v", "u" (trays) or "plane" */
-    double from_m, to_m;      /* along the route; NAN for planes */
-    double clearance_m;       /* ducts: from the cable lying in it straight up to the duct; NAN for others */
-    double jam_ratio;         /* ducts: 1.05 times duct over cable diameter; it tells something for three cables */
-    double normal_N;          /* sum of the normal forces, mean of the steady window */
-    double friction_N;        /* sum of the friction forces, likewise */
-    double line_load_N_per_m; /* the largest normal force per length of cable (sidewall pressure) of the run */
-    double line_load_at_m;    /* m along the route, where that was; NAN: nowhere, or not along the route */
-    double line_load_error;   /* N/m, what line_load_N_per_m may be off by */
+    const char *name, *kind;     /* kind: "duct", "flat", "v", "u" (trays) or "plane" */
+    double from_m, to_m;         /* along the route; NAN for planes */
+    double clearance_m;          /* ducts: from the cable lying in it straight up to the duct; NAN for others */
+    double jam_ratio;            /* ducts: 1.05 times duct over cable diameter; it tells something for three cables */
+    double normal_N, friction_N; /* sums of the normal and of the friction forces, means of the steady window */
+    double line_load_N_per_m;    /* the largest normal force per length of cable (sidewall pressure) of the run */
+    double line_load_at_m;       /* m along the route, where that was; NAN: nowhere, or not along the route */
+    double line_load_error;      /* N/m, what line_load_N_per_m may be off by */
 } hawser_surface;
 
 /* What held a run up over some steps in a row: why they were no longer, and where. */
 enum { HAWSER_WHERE_MAX = 64, HAWSER_HOLD_MAX = 320 };
 typedef struct hawser_hold {
-    double from_s, to_s;                            /* s of simulated time */
-    double step_s;                                  /* s, mean step */
+    double from_s, to_s, step_s;                    /* of simulated time; the mean step */
     long steps, error_fails, newton_fails, strides; /* strides: steps cut so that nothing moves too far in one */
     char cause[16];                                 /* "newton", "error test", "stride", "longest step", "accuracy" */
     int segment;                                    /* where the local error is largest; of "stride": the fastest */

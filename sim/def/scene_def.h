@@ -238,11 +238,9 @@ const char *scene_def_can_jam(const SceneDef *def, int i);
 /* A deep copy into *out. Errors: MEMORY (then *out is cleared). */
 hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err);
 
-/* Makes the numerical settings finer, level[s] times by source s (hawser/certify.h), coarser below 0: docs/model.md,
- * "Certificates". */
+/* Makes the numerical settings finer, level[s] times by source s (hawser/certify.h), coarser below 0 (CE1). */
 void scene_def_refine(SceneDef *def, const int level[HAWSER_SOURCES]);
-/* The same by one level of each source for the next pass of a run, of which the rows are those of the one before;
- * slower: v_s too. */
+/* The same by a level of each source for a run's next pass, whose rows are those of the last; slower: v_s too. */
 void scene_def_finer_pass(SceneDef *def, int slower);
 /* How many times finer one level is: of time in accuracy. */
 double refinement_ratio(hawser_source source);

@@ -6,11 +6,11 @@
 #include "sim/expected/mesh.h"
 #include "sim/picture/closeup.h"
 #include "sim/picture/envelope.h"
-#include "sim/run/modes.h"
 #include "sim/run/passes.h"
-#include "sim/run/positions.h"
-#include "sim/run/stage.h"
-#include "sim/step/stall.h"
+#include "sim/run/stall.h"
+#include "sim/stage/modes.h"
+#include "sim/stage/positions.h"
+#include "sim/stage/stage.h"
 #include "sim/watch/events.h"
 #include "sim/watch/machines.h"
 #include "sim/watch/peaks.h"
@@ -89,5 +89,8 @@ typedef struct hawser_sim {
 /* The simulations of all chains: this one alone, or those that it leads (sim/run/together.c). */
 int sim_chains(const Sim *s);
 Sim *sim_chain(Sim *s, int k);
+/* What is integrated, and its state: of all chains together, or of this one. */
+Motion *sim_motion(const Sim *s);
+const double *sim_state(const Sim *s);
 
 #endif

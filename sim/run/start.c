@@ -10,8 +10,8 @@
 #include "sim/equipment/rod.h"
 #include "sim/run/commands.h"
 #include "sim/run/sim.h"
-#include "sim/run/statics.h"
 #include "sim/run/together.h"
+#include "sim/stage/statics.h"
 
 static const double GRADE_LOST = M_PI / 180; /* rad, in one bend, that nobody should be surprised by */
 

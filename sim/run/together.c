@@ -11,6 +11,8 @@
 typedef struct Together Together;
 
 int sim_chains(const Sim *s) { return s->together ? s->together->n : 1; }
+Motion *sim_motion(const Sim *s) { return s->together ? &s->together->bunch.motion : s->stage.motion; }
+const double *sim_state(const Sim *s) { return s->together ? s->together->y : s->stage.y; }
 Sim *sim_chain(Sim *s, int k) { return s->together ? s->together->sim[k] : s; }
 
 /* Where lines meet no contact can tell on which side of each other they are. */

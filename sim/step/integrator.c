@@ -22,13 +22,6 @@
 #include "sim/step/sundials.h"
 
 enum { STALLED_MOST = 20 };
-/* What Newton's iteration may leave is noise in the tensions, because the axial stiffness multiplies it; docs/model.md,
- * "Integration", has the figures. It is a share of the error test's tolerance, of at least NEWTON_SHARE, that grows as
- * the tolerance falls, so that NEWTON_LEFT of the scales of (N10) are left at any accuracy, up to CVODE's default. */
-static const double NEWTON_SHARE = 1e-3, NEWTON_SHARE_MOST = 0.1, NEWTON_LEFT = 3e-7;
-/* The same in a conveyor's force, times the accuracy, as a share of its grip (N16). */
-static const double GRIP_LEFT = 0.01;
-
 /* The change of gamma that calls for a new matrix (CVODE's default: 0.3). A contact that slides at its full force lets
  * Newton's iteration converge so well that CVODE takes a single iteration for enough long after the matrix has become a
  * poor one. Steps that grow by a few per cent are rare (up to the longest that is allowed): a matrix for each costs
@@ -163,13 +156,6 @@ static int solvers_attach(Integrator *in)
 
 /* ------------------------------------------------------------------------------------------------- life */
 
-/* (N13), and (N16) where something grips. */
-static double newton_share(const Scene *scene)
-{
-    const double share = fmax(NEWTON_SHARE, fmin(NEWTON_LEFT / scene->def.solver.accuracy, NEWTON_SHARE_MOST));
-    return fmin(share, GRIP_LEFT * scene->grip_speed / (1.5 * scene->largest_speed));
-}
-
 /* s; 0: as long as it likes, as CVODE says that too. */
 static double longest_step(const Integrator *in)
 {
@@ -186,7 +172,7 @@ static int cvode_set(Integrator *in)
     bad |= CVodeWFtolerances(c, call_weights);
     bad |= CVodeSetMaxOrd(c, def->max_order);
     bad |= CVodeSetMaxNumSteps(c, -1);
-    bad |= CVodeSetNonlinConvCoef(c, newton_share(in->motion->scene));
+    bad |= CVodeSetNonlinConvCoef(c, scales_newton_share(in->motion->scene));
     bad |= CVodeSetDeltaGammaMaxLSetup(c, GAMMA_CHANGE);
     if (in->motion->ops->project) bad |= CVodeSetProjFn(c, call_projection);
     bad |= CVodeSetMaxStep(c, longest_step(in));
@@ -273,7 +259,7 @@ static hawser_status method_start(Integrator *in, double t, hawser_error *err)
     in->motion->ops->weights(in->motion, in->weight);
     if (scene->def.solver.method != METHOD_ESDIRK)
         return integrator_start(in, t) ? history_check(in, err) : error_memory(err);
-    in->esdirk = esdirk_new(in->motion, in->y, in->weight, newton_share(scene), longest_step(in), &in->stats);
+    in->esdirk = esdirk_new(in->motion, in->y, in->weight, scales_newton_share(scene), longest_step(in), &in->stats);
     return in->esdirk ? HAWSER_OK : error_memory(err);
 }
 

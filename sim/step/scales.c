@@ -99,6 +99,19 @@ int scales_worst_segment(int n, int pitch, int components, const double *x, cons
     return worst;
 }
 
+/* What Newton's iteration may leave is noise in the tensions, because the axial stiffness multiplies it; docs/model.md,
+ * "Integration", has the figures. It is a share of the error test's tolerance, of at least NEWTON_SHARE, that grows as
+ * the tolerance falls, so that NEWTON_LEFT of the scales of (N10) are left at any accuracy, up to CVODE's default. */
+static const double NEWTON_SHARE = 1e-3, NEWTON_SHARE_MOST = 0.1, NEWTON_LEFT = 3e-7;
+/* The same in a conveyor's force, times the accuracy, as a share of its grip (N16). */
+static const double GRIP_LEFT = 0.01;
+
+double scales_newton_share(const Scene *scene)
+{
+    const double share = fmax(NEWTON_SHARE, fmin(NEWTON_LEFT / scene->def.solver.accuracy, NEWTON_SHARE_MOST));
+    return fmin(share, GRIP_LEFT * scene->grip_speed / (1.5 * scene->largest_speed));
+}
+
 double stride_most(const Scene *scene)
 {
     const int touches = scene->contact.n_rollers > 0 || scene->surfaces.model.n_patches > 0 || scene->self.present;

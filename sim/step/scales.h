@@ -36,6 +36,10 @@ int scales_worst_segment(int n, int pitch, int components, const double *x, cons
 double scales_equipment_norm(const Equipment *q, const double *x, const double *weight);
 void scales_equipment_project(const Equipment *q, const double *e, double *correction, double *error);
 
+/* What Newton's iteration may leave of a correction, as a share of the tolerances (N13), and (N16) where something
+ * grips. */
+double scales_newton_share(const Scene *scene);
+
 /* W of (N14): how far the chain may move in one step, m; INFINITY where there is nothing to touch. */
 double stride_most(const Scene *scene);
 /* Largest speed of a point of the chain, or up to sqrt(2) of it, m/s: sqrt(|v|^2 + (half |w|)^2) of n segments. v is

@@ -175,6 +175,8 @@ static void wrong_any(const Site *site, Coverage *coverage)
         {"k", {"5 kg", "nan", "inf", "-1", "0", "1e8 N/m^9", "1e8 N/m", "[1]", "1e8x", ""}},
         {"include", {"7", "{a: 1}", "''", "", "[7]", "[{a: 1}]", "nan", "[[a]]", "[~]", "/dev/null"}},
         {"type", {"bogus", "5 kg", "nan", "[a]", "{a: 1}", "''", "", "7", "[7]", "Straight"}},
+        {"positions",
+         {"7", "[]", "[aut]", "[nan]", "{step: 0}", "{step: 5 kg}", "{a: 1}", "''", "[[1], 2]", "{from: nan}"}},
         {"profile", {"7", "[7]", "[]", "''", "nan", "{a: 1}", "{}", "{file: []}", "[{station: 1}]", "[~]"}},
         {"stations",
          {"7", "[7]", "{a: 1}", "{spacing: nan}", "{spacing: 0}", "[{name: A}]", "[{at: 1}]", "''", "nan",

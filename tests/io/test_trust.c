@@ -294,7 +294,8 @@ static void a_winch_that_stands(void **state)
 static void joints_in_step(void **state)
 {
     (void)state;
-    expect_failing(data_text("trust-in-step"), NULL, HAWSER_OK, "numerical_peak", "a shorter chain.segment");
+    static const char *const twice[] = {"solver.passes", "2", NULL}; /* a third pass settles it */
+    expect_failing(data_text("trust-in-step"), twice, HAWSER_OK, "numerical_peak", "a shorter chain.segment");
 }
 
 /* 374 N +- 20 N by its rows, 680 N by its steps, and 750 N on segments a quarter as long. */

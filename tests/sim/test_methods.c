@@ -2,7 +2,7 @@
  * with steps far below its limit of stability, on a pull over a slope, rollers and a bend, in space and in a plane. */
 #include "core/chain.h"
 #include "sim/planar/plane.h"
-#include "sim/run/stage.h"
+#include "sim/stage/stage.h"
 #include "tests/support/scene.h"
 
 /* The winch is in the middle of its ramp, and friction has turned over on some of the rollers; s. */

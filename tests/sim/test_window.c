@@ -1,6 +1,6 @@
 /* The part of a chain that is simulated: arrays copied out of the whole chain's, and vectors mapped as segments come
  * and go. */
-#include "sim/run/window.h"
+#include "sim/stage/window.h"
 #include "sim/step/sundials.h"
 
 #include "tests/support/chain.h"

@@ -8,7 +8,7 @@
 #include "core/base/worst.h"
 #include "hawser/hawser.h"
 #include "io/api/api_handles.h"
-#include "sim/run/tangent.h"
+#include "sim/stage/tangent.h"
 #include "tests/study/study_fixture.h"
 
 #define FLAT   HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml"

@@ -8,7 +8,7 @@
 
 #include "core/base/worst.h"
 #include "io/api/api_handles.h"
-#include "sim/run/tangent.h"
+#include "sim/stage/tangent.h"
 
 /* A short pull on rollers that begins from where it is laid, with steps so small that their errors do not count. */
 static hawser_case *pull_case(const char *accuracy, const char *key, double value, const char *unit)

@@ -5,7 +5,7 @@
 
 #include "sim/newton/newton_extra.h"
 #include "sim/run/sim.h"
-#include "sim/run/statics.h"
+#include "sim/stage/statics.h"
 #include "sim/step/integrator.h"
 #include "sim/step/spatial.h"
 #include "tests/support/scene.h"

@@ -1,4 +1,4 @@
-#include "sim/run/window.h"
+#include "sim/stage/window.h"
 
 #include <string.h>
 

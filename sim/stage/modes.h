@@ -1,9 +1,9 @@
 /* Linear vibrations about an equilibrium: the lowest modes, by subspace iteration with Newton's own matrix.
  * docs/model.md, "Rods" (RD10)-(RD14). */
-#ifndef HAWSER_SIM_RUN_MODES_H
-#define HAWSER_SIM_RUN_MODES_H
+#ifndef HAWSER_SIM_STAGE_MODES_H
+#define HAWSER_SIM_STAGE_MODES_H
 
-#include "sim/run/stage.h"
+#include "sim/stage/stage.h"
 
 typedef struct Modes {
     int n, segments;  /* of modes found; of the chain */

@@ -1,7 +1,7 @@
 /* The part of a chain that is simulated: segments first..first+n-1 of the whole, in arrays of their own. docs/model.md,
  * "Reel and take-in". */
-#ifndef HAWSER_SIM_RUN_WINDOW_H
-#define HAWSER_SIM_RUN_WINDOW_H
+#ifndef HAWSER_SIM_STAGE_WINDOW_H
+#define HAWSER_SIM_STAGE_WINDOW_H
 
 #include "core/chain.h"
 #include "core/state.h"

@@ -1,4 +1,4 @@
-#include "sim/run/positions.h"
+#include "sim/stage/positions.h"
 
 #include <math.h>
 #include <stdlib.h>

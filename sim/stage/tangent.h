@@ -1,9 +1,9 @@
 /* How a run follows small changes of its parameters: the equations of motion linearised along it, with the Newton
  * matrix of each of its steps. docs/model.md, "Changes of a run". */
-#ifndef HAWSER_SIM_RUN_TANGENT_H
-#define HAWSER_SIM_RUN_TANGENT_H
+#ifndef HAWSER_SIM_STAGE_TANGENT_H
+#define HAWSER_SIM_STAGE_TANGENT_H
 
-#include "sim/run/stage.h"
+#include "sim/stage/stage.h"
 
 /* Of the run: the winch's pull, the tension at each station, the load of each roller, N; in this order. */
 typedef struct TangentFigures {

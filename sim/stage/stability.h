@@ -1,9 +1,9 @@
 /* Whether equilibria are stable, and the loads at which they stop being so. docs/model.md, "Rods" (RD16)-(RD19),
  * (RD24). */
-#ifndef HAWSER_SIM_RUN_STABILITY_H
-#define HAWSER_SIM_RUN_STABILITY_H
+#ifndef HAWSER_SIM_STAGE_STABILITY_H
+#define HAWSER_SIM_STAGE_STABILITY_H
 
-#include "sim/run/stage.h"
+#include "sim/stage/stage.h"
 
 /* The radius of inertia of segments with which signs are counted, m: a tenth of the rod (RD16). */
 double stability_radius(const Chain *chain);

@@ -1,4 +1,4 @@
-#include "sim/run/modes.h"
+#include "sim/stage/modes.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "sim/run/modes.h"
-#include "sim/run/tangent.h"
+#include "sim/stage/modes.h"
+#include "sim/stage/tangent.h"
 
 /* s, at most: the step that stands for infinity in the matrix of an equilibrium (RD8), (RD23). */
 static const double LONG = 1e5;

@@ -1,9 +1,9 @@
 /* Steady motion of a pull at positions of the cable's front, without the motion that leads there: at each the chain is
  * laid along the route and brought to equilibrium with friction fully developed. docs/model/44-positions.md. */
-#ifndef HAWSER_SIM_RUN_POSITIONS_H
-#define HAWSER_SIM_RUN_POSITIONS_H
+#ifndef HAWSER_SIM_STAGE_POSITIONS_H
+#define HAWSER_SIM_STAGE_POSITIONS_H
 
-#include "sim/run/stage.h"
+#include "sim/stage/stage.h"
 
 /* How the last position's chain lies beside the route, from which the next one's begins (PS8). */
 typedef struct Lie {

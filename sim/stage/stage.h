@@ -1,16 +1,16 @@
 /* What is simulated now: the scene's chain as far as it has left the reel and not yet been taken in, with everything
  * that is made for it. Between two steps segments join behind the tail and leave at the head; the integrator goes on
  * from where it was. docs/model.md, "Reel and take-in" (RL10)-(RL17). */
-#ifndef HAWSER_SIM_RUN_STAGE_H
-#define HAWSER_SIM_RUN_STAGE_H
+#ifndef HAWSER_SIM_STAGE_STAGE_H
+#define HAWSER_SIM_STAGE_STAGE_H
 
 #include "sim/planar/planar.h"
-#include "sim/run/window.h"
+#include "sim/stage/window.h"
 #include "sim/step/integrator.h"
 #include "sim/step/spatial.h"
 #include "sim/watch/balance.h"
 
-/* What is known of a run's equilibria so far; see sim/run/stability.h. */
+/* What is known of a run's equilibria so far; see sim/stage/stability.h. */
 typedef struct Stability {
     int unstable; /* motions that grow from the last one; -1: not counted */
     int swings;   /* they swing while they grow: flutter, from which no way leads down */

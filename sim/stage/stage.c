@@ -1,4 +1,4 @@
-#include "sim/run/stage.h"
+#include "sim/stage/stage.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "sim/step/stall.h"
+#include "sim/run/stall.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* What holds a run up: why its steps are short, and where. Looked at over windows of so many steps, so that it is the
  * same of every run of a case, whatever the clock says. */
-#ifndef HAWSER_SIM_STEP_STALL_H
-#define HAWSER_SIM_STEP_STALL_H
+#ifndef HAWSER_SIM_RUN_STALL_H
+#define HAWSER_SIM_RUN_STALL_H
 
 #include "hawser/hawser.h"
 #include "sim/scene.h"

@@ -1,4 +1,4 @@
-#include "sim/run/tangent.h"
+#include "sim/stage/tangent.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "sim/equipment/reel.h"
 #include "sim/equipment/winch.h"
-#include "sim/run/modes.h"
+#include "sim/stage/modes.h"
 
 /* The scene with one parameter less and more. */
 typedef struct Pair {

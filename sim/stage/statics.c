@@ -1,5 +1,5 @@
-#include "sim/run/statics.h"
-#include "sim/run/modes.h"
+#include "sim/stage/statics.h"
+#include "sim/stage/modes.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "sim/equipment/rod.h"
 #include "sim/newton/relax_static.h"
-#include "sim/run/stability.h"
+#include "sim/stage/stability.h"
 #include "sim/watch/events.h"
 
 /* A load step may become this many times smaller than was asked for. */

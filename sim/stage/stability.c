@@ -1,4 +1,4 @@
-#include "sim/run/stability.h"
+#include "sim/stage/stability.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/body.h"
 #include "sim/equipment/rod.h"
-#include "sim/run/modes.h"
+#include "sim/stage/modes.h"
 
 /* A motion that grows so slowly beside its swing that a damping ratio of as much would hold it does not count: round
  * sections under a dead torque flutter at any load if nothing damps them. */

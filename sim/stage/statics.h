@@ -1,9 +1,9 @@
 /* Static equilibria one after the other while the loads change with time. docs/model.md, "Rods" (RD8), (RD16)-(RD20),
  * (RD23). */
-#ifndef HAWSER_SIM_RUN_STATICS_H
-#define HAWSER_SIM_RUN_STATICS_H
+#ifndef HAWSER_SIM_STAGE_STATICS_H
+#define HAWSER_SIM_STAGE_STATICS_H
 
-#include "sim/run/stage.h"
+#include "sim/stage/stage.h"
 
 /* Moves the stage on to equilibrium under the loads of time `target` (s), by as many smaller load steps as it takes.
  * Where equilibria stop being stable stage->stability gets the load; the definition's analysis.stability says what
