@@ -2,7 +2,6 @@
  * machine and event, and of the pull by position. Strings stay the library's. */
 #ifndef HAWSER_TABLES_H
 #define HAWSER_TABLES_H
-
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -77,8 +76,8 @@ typedef struct hawser_pass {
 
 /* Why a run was computed again with finer settings, or not (docs/limits.md, "Finer passes"). */
 typedef struct hawser_passes {
-    /* "replaced": all figures are those of the last pass; "compared": of the first, with error bars from all, because
-     * the case gives settings that would have to be others; "failed", "declined": of the first alone */
+    /* "replaced": figures are the last pass's; "compared": the first's, as the case gives settings, with error bars
+     * from all; "failed", "declined": the first's alone */
     const char *outcome;
     char why[256];           /* what the first pass alone left open */
     char says[512];          /* what became of it, in a sentence */
@@ -203,7 +202,8 @@ typedef struct hawser_fields {
 typedef struct hawser_station {
     const char *name;
     double s;                          /* m along the route */
-    double paper_N, reference_N;       /* the paper's formulas; the bend ODE */
+    double paper_N;                    /* the paper's formulas */
+    double reference_N;                /* the bend ODE */
     double mean_N, peak_N;             /* simulated: mean of the steady window, peak of the run */
     double mean_error_N, peak_error_N; /* what these may be off by: the total of their error bars */
 } hawser_station;
@@ -232,8 +232,8 @@ typedef struct hawser_surface {
     double line_load_error;      /* N/m, what line_load_N_per_m may be off by */
 } hawser_surface;
 
-/* What held a run up over some steps in a row: why they were no longer, and where. */
 enum { HAWSER_WHERE_MAX = 64, HAWSER_HOLD_MAX = 320 };
+/* What held a run up over some steps in a row: why they were no longer, and where. */
 typedef struct hawser_hold {
     double from_s, to_s, step_s;                    /* of simulated time; the mean step */
     long steps, error_fails, newton_fails, strides; /* strides: steps cut so that nothing moves too far in one */

@@ -2,7 +2,8 @@
  * cable that is just leaving it, moves on the straight line from the drum to the route's start, and carries the drum's
  * inertia and the forces of brake, bearing and back tension. docs/model.md, "Reel and take-in" (RL6)-(RL15).
  *
- * Segments join behind the tail between two steps (sim/stage/stage.h); within a step all here is a function of (t, y). */
+ * Segments join behind the tail between two steps (sim/stage/stage.h); within a step all here is a function of (t, y).
+ */
 #ifndef HAWSER_SIM_EQUIPMENT_REEL_H
 #define HAWSER_SIM_EQUIPMENT_REEL_H
 
