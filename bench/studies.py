@@ -33,11 +33,12 @@ def measure(hawser: str, folder: pathlib.Path, fidelity: str, samples: int, jobs
     file = folder / f"{fidelity}.yaml"
     file.write_text(STUDY.format(case=CASES / "huangjiahu.yaml", fidelity=fidelity, samples=samples))
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-    subprocess.run([hawser, "study", file, "--quiet", "--jobs", str(jobs), "-o", folder / fidelity], check=True)
+    said = subprocess.run([hawser, "study", file, "--jobs", str(jobs), "-o", folder / fidelity], check=True, capture_output=True,
+                          text=True).stdout
     wall, after = time.monotonic() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
     spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    found = re.search(r'"efficiency\w*": ([0-9.]+)', (folder / fidelity / "summary.json").read_text())
-    busy = f"{100 * float(found[1]):.0f} %" if found else "-"
+    found = re.search(r"Workers were busy for (\d+) % of the time", said)
+    busy = f"{found[1]} %" if found else "-"
     return (f"| {fidelity} | {samples} | {wall:.1f} s | {spent:.1f} s | {1e3 * spent / samples:.3f} ms | {busy} | "
             f"{after.ru_maxrss / 1024:.0f} MB |")
 
