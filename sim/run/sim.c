@@ -267,7 +267,7 @@ void sim_held_up(Sim *s, const StallFrom *from, hawser_hold *out)
 static void stall_watch(Sim *s)
 {
     const double t = s->stage.t;
-    if (!stall_step(&s->stall, s->stage.integrator, t)) return;
+    if (s->together || !stall_step(&s->stall, s->stage.integrator, t)) return; /* several chains: segments are of all */
     sim_held_up(s, &s->stall.from, &s->stall.slowest);
     stall_begin(&s->stall, s->stage.integrator, t);
 }

@@ -100,7 +100,7 @@ static void hanging_samples(void **state)
     (void)state;
     study_compute("fidelity: run\ntime_limit: 1 s\n"
                   "parameters: {run.duration: {values: [100000 s, 300 ms, 350 ms]}, "
-                  "friction.mu: {whole: {from: 0, to: 1}}}\n"
+                  "drive.tail.tension: {values: [0 N, 100 N]}}\n"
                   "quantities: [pull_force.peak_N]\n"
                   "optimise: {least: pull_force.peak_N, limits: false, searches: 1, evaluations: 6}\n",
                   "hanging", 1);

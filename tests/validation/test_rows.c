@@ -87,7 +87,8 @@ static void test_slope_up(void **state)
 
 /* While the winch speeds up by STEP, v (3 x^2 - 2 x^3) over 1 s, the pull is largest half-way: all the friction, and
  * the mass times 1.5 v / s. Looked at where the steps end: between steps the stiff springs feel how far the method's
- * polynomial is from the winch's motion. */
+ * polynomial is from the winch's motion; and held by two steps, as peaks are (EB14): a single one that is cut short has
+ * its error in speed as a force. */
 static void test_ramp_peak(void **state)
 {
     (void)state;
@@ -96,15 +97,18 @@ static void test_ramp_peak(void **state)
     SceneDef def;
     Sim *s = NULL;
     hawser_error err = {0};
-    double peak = 0;
+    double peak = 0, before = 0;
     row_scene(&def, &row);
     def.duration = 1.5;
+    def.solver.accuracy = 1e-4;
     if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
     scene_def_clear(&def);
     assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
     while (hawser_sim_time(s) < 1.5) {
         if (sim_advance(s, 1.5, 1, &err)) fail_msg("%s", err.message);
-        peak = larger_of(peak, hawser_sim_sample(s)->winch_force);
+        const double now = hawser_sim_sample(s)->winch_force;
+        peak = larger_of(peak, fmin(before, now));
+        before = now;
     }
     print_message("peak %.2f N, exact %.2f N\n", peak, exact);
     check_share(peak, exact, 0.01);
