@@ -119,11 +119,11 @@ static double difference(const char *file, double until, const char *key, double
 static void central_differences(void **state)
 {
     (void)state;
-    check_at_most(difference(FLAT, 1.5, "friction.mu", 0.2, ""), 3e-4);
-    check_at_most(difference(FLAT, 1.5, "cables.power.mass", 20, "kg/m"), 3e-4);
-    check_at_most(difference(FLAT, 1.5, "cables.power.EI", 10, "kN m2"), 3e-4);
-    check_at_most(difference(TUNNEL, 16, "friction.mu", 0.1, ""), 3e-4);
-    check_at_most(difference(TUNNEL, 16, "drive.tail.tension", 6860.643, "N"), 3e-4);
+    check_at_most(difference(FLAT, 1.5, "friction.mu", 0.2, ""), 5e-6);
+    check_at_most(difference(FLAT, 1.5, "cables.power.mass", 20, "kg/m"), 5e-6);
+    check_at_most(difference(FLAT, 1.5, "cables.power.EI", 10, "kN m2"), 5e-6);
+    check_at_most(difference(TUNNEL, 16, "friction.mu", 0.1, ""), 5e-6);
+    check_at_most(difference(TUNNEL, 16, "drive.tail.tension", 6860.643, "N"), 5e-6);
 }
 
 int main(void)
