@@ -13,6 +13,7 @@ enum {
     OPTION_STRICT = 'S',
     OPTION_CERTIFY = 'C',
     OPTION_TOLERANCE = 'T',
+    OPTION_EFFORT = 'O',
     OPTION_CREW = 'W',
     OPTION_NAME = 'n',
     OPTION_LAYER = 'L',
@@ -59,6 +60,7 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"strict", no_argument, NULL, OPTION_STRICT},
                                             {"certify", no_argument, NULL, OPTION_CERTIFY},
                                             {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
+                                            {"effort", required_argument, NULL, OPTION_EFFORT},
                                             {"fast", no_argument, NULL, 'x'},
                                             {"name", required_argument, NULL, OPTION_NAME},
                                             {"layer", required_argument, NULL, OPTION_LAYER},
@@ -224,6 +226,16 @@ static int parse_tolerance(const char *text, Arguments *args)
     return EXIT_USAGE;
 }
 
+/* --effort: in runs of the case. */
+static int parse_effort(const char *text, Arguments *args)
+{
+    char *end;
+    args->effort = strtod(text, &end);
+    if (*text && !*end && args->effort >= 1 && args->effort <= 1e6) return ARGUMENTS_GO_ON;
+    complain("--effort %s: must be a number from 1 to 1000000, as in --effort 20", text);
+    return EXIT_USAGE;
+}
+
 /* A length in metres, "10" or "10 m"; mm for what is small. */
 static int parse_length(const char *option, const char *text, double *metres)
 {
@@ -370,6 +382,9 @@ static int take_option(const Command *command, int letter, Arguments *args)
     case OPTION_TOLERANCE:
         args->certify = 1;
         return parse_tolerance(optarg, args);
+    case OPTION_EFFORT:
+        args->certify = 1;
+        return parse_effort(optarg, args);
     case OPTION_SENSITIVITIES:
         args->sensitivities = 1;
         return ARGUMENTS_GO_ON;

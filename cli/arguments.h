@@ -37,6 +37,7 @@ typedef struct Arguments {
     char *sensitive;   /* keys of a run, with commas between; NULL: none */
     int report, pdf;   /* a page about the results; the same printed */
     double tolerance;  /* share; 0: the library's choice */
+    double effort;     /* runs of the case; 0: the library's choice */
     int verbose;       /* what it cost to compute is shown too */
     hawser_format format;
     const char *kind;   /* of the catalogue; NULL: all */

@@ -21,8 +21,11 @@ int certify_run(const Arguments *args, hawser_case *c, hawser_sim *sim, const ch
 {
     Progress progress;
     Watch watch = {.progress = &progress, .stopped = stopped};
-    const hawser_certify_options options = {
-        .tolerance = args->tolerance, .threads = args->threads, .progress = show_certify, .user = &watch};
+    const hawser_certify_options options = {.tolerance = args->tolerance,
+                                            .effort = args->effort,
+                                            .threads = args->threads,
+                                            .progress = show_certify,
+                                            .user = &watch};
     hawser_certificate *certificate = NULL;
     char *text = NULL;
     progress_start(&progress, args->quiet);

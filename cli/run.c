@@ -24,9 +24,9 @@ static const char help[] =
     "      --resume DIR        goes on with the run in DIR, whose program was killed or interrupted, from its last\n"
     "                            checkpoint (run.checkpoint: every minute); results are those of a run that was not\n"
     "      --certify           computes the case again with finer settings until its figures hold to the\n"
-    "                            tolerance, or says which do not; writes certificate.json. Costs 5 to 8 times\n"
-    "                            a run, more where figures do not hold at once\n"
+    "                            tolerance, or says which do not; writes certificate.json\n"
     "      --tolerance SHARE   that of --certify, which it implies (default: 1%)\n"
+    "      --effort N          what --certify may take, which it implies: N times the run (default: 6)\n"
     "      --sensitivities KEYS  computes the run once more with what its pull, tensions at stations and roller loads\n"
     "                            change by with each of these keys, as in friction.mu,drive.tail.tension; `all`:\n"
     "                            the position at its end by every number of the case; also as sensitivities.json\n"
@@ -218,4 +218,4 @@ static int run(const Arguments *args)
     return result;
 }
 
-const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvuSCTePGI", help, run};
+const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvuSCTOePGI", help, run};

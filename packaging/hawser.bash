@@ -33,8 +33,9 @@ _hawser() {
         --threads) _hawser_offer '1 2' ;;
         --linear-solver) _hawser_offer 'auto block bordered klu klu-full band dense' ;;
         --tolerance) _hawser_offer '1% 0.5% 2%' ;;
+        --effort) _hawser_offer '6 20 60' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--output --set --threads --linear-solver --resume --certify --tolerance --sensitivities --report --pdf --strict --units --verbose --quiet --help --version' '*.yaml' ;;
+        *) _hawser_word '--output --set --threads --linear-solver --resume --certify --tolerance --effort --sensitivities --report --pdf --strict --units --verbose --quiet --help --version' '*.yaml' ;;
         esac
         ;;
     check)

@@ -26,7 +26,8 @@ class Option:
 
     def words(self):
         """What may follow it."""
-        return "2 3" if self.name == "--fmi" else VALUES.get(self.value, "")
+        own = {"--fmi": "2 3", "--effort": "6 20 60"}
+        return own[self.name] if self.name in own else VALUES.get(self.value, "")
 
 
 class Help:

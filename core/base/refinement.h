@@ -42,4 +42,11 @@ static inline Refinement refinement_of(double coarse, double value, double fine,
     return out;
 }
 
+/* The same where finer is not to be had: of a value that is `ratio` times finer than the coarse one. Two values show no
+ * order, so that half of the assumed one is taken. (CE9) */
+static inline Refinement refinement_from_coarser(double coarse, double value, double ratio, double assumed)
+{
+    return (Refinement){.error = fabs(coarse - value) / (pow(ratio, assumed / 2) - 1), .order = NAN};
+}
+
 #endif

@@ -49,7 +49,7 @@ typedef struct hawser_certificate {
     double tolerance;                 /* share */
     int certified;                    /* the run's own figures hold */
     char verdict[HAWSER_VERDICT_MAX]; /* "CERTIFIED: ..." or "NOT CERTIFIED: ..." */
-    double work;                      /* of all runs, over that of the case as it is */
+    double work;                      /* of the finer runs, over that of the case as it is */
     int n_figures, n_runs;
     hawser_certified *figure; /* [n_figures] */
     hawser_certify_run *run;  /* [n_runs], in the order in which they were made */
@@ -69,8 +69,8 @@ typedef int (*hawser_certify_progress)(void *user, const hawser_certify_state *s
 typedef struct hawser_certify_options {
     double tolerance; /* share, above 0 and below 1; 0: 0.01 */
     int rounds;       /* at most so many; 0: 4 */
-    double effort;    /* no round begins that would bring the work over so many runs of the case, and no run
-                       * goes on that takes a quarter of it; 0: 60 */
+    double effort;    /* the finer runs take no more than so many runs of the case: no round begins, and no run
+                       * goes on, that would; 0: 6 */
     int threads;      /* runs side by side, 1 or 2; 0: 2 where there are two processors */
     hawser_certify_progress progress; /* may be NULL */
     void *user;

@@ -13,9 +13,8 @@
 #include "io/certify/certify.h"
 
 enum { RUNS_MAX = 32, ROUND_MAX = HAWSER_SOURCES + 2, SAID_MAX = 3 };
-static const double TOLERANCE = 0.01, EFFORT = 60;
+static const double TOLERANCE = 0.01, EFFORT = 6;
 static const int ROUNDS = 4;
-static const double RUN_SHARE = 0.25; /* of the effort, that a single run may take */
 /* Orders that are taken for granted before there are three values (CE3): of the error in accuracy and in segments. */
 static const double ASSUMED[HAWSER_SOURCES] = {[HAWSER_TIME] = 0.5, [HAWSER_LENGTH] = 1};
 static const char *const source_name[HAWSER_SOURCES] = {"time", "length"};
@@ -24,6 +23,7 @@ typedef struct Certifier {
     hawser_certify_options options; /* filled in */
     const SceneDef *def; /* of the run whose figures are judged: of a second pass, if that replaced the first */
     double slower;       /* its v_s over the case's */
+    double asks;         /* work with which another round would have begun; 0: none was wanting */
     int n_runs;
     Companion run[RUNS_MAX]; /* the case's own comes first */
     hawser_certificate *out;
@@ -49,6 +49,14 @@ static double figure_at(Certifier *z, const int base[HAWSER_SOURCES], int source
     return c && figure < c->figures.n ? c->figures.figure[figure].value : NAN;
 }
 
+/* Of the finer runs so far, in runs of the case. */
+static double work_of_all(const Certifier *z)
+{
+    double work = 0;
+    for (int r = 1; r < z->n_runs; ++r) work += z->run[r].evaluations / z->run[0].evaluations;
+    return work;
+}
+
 /* What a run at these levels will cost, in runs of the case: each level as many times more as the first one did (or
  * will do: then 1). */
 static double cost_of(Certifier *z, const int level[HAWSER_SOURCES])
@@ -63,14 +71,17 @@ static double cost_of(Certifier *z, const int level[HAWSER_SOURCES])
     return cost;
 }
 
-/* The runs of a round that are not there yet: the base itself, one level further along each source, and one back in
- * length, which costs little and shows two values that agree by luck. Returns what they will cost; adds nothing, and
- * returns INFINITY, where there is no room for them. */
+/* The runs of a round that are not there yet: the base itself, one level further in time, one back in length, which
+ * costs little and shows two values that agree by luck, and, behind them, one further in length. Each may take a share
+ * of what is left of the effort, that one the rest. Returns what they will cost; adds nothing, and returns INFINITY,
+ * where there is no room for them. */
 static double plan_round(Certifier *z, const int base[HAWSER_SOURCES], int *n, Companion **wanted)
 {
     static const struct {
         int source, by;
-    } steps[ROUND_MAX] = {{-1, 0}, {HAWSER_TIME, 1}, {HAWSER_LENGTH, 1}, {HAWSER_LENGTH, -1}};
+        double share;
+    } steps[ROUND_MAX] = {{-1, 0, 0.2}, {HAWSER_TIME, 1, 0.55}, {HAWSER_LENGTH, -1, 0.25}, {HAWSER_LENGTH, 1, 0}};
+    const double left = z->options.effort - work_of_all(z);
     double cost = 0;
     *n = 0;
     if (z->n_runs + ROUND_MAX > RUNS_MAX) return INFINITY;
@@ -81,6 +92,7 @@ static double plan_round(Certifier *z, const int base[HAWSER_SOURCES], int *n, C
         *c = (Companion){0};
         memcpy(c->about.level, base, sizeof c->about.level);
         if (s >= 0) c->about.level[s] += by;
+        c->most = steps[k].share * left * z->run[0].evaluations;
         cost += cost_of(z, c->about.level);
         wanted[(*n)++] = c;
     }
@@ -99,8 +111,11 @@ static void judge_figure(Certifier *z, const int base[HAWSER_SOURCES], int i)
     f->best = figure_at(z, base, -1, 0, i);
     for (int s = 0; s < HAWSER_SOURCES; ++s) {
         f->refined[s] = figure_at(z, base, s, 1, i);
-        const Refinement r = refinement_of(figure_at(z, base, s, -1, i), f->best, f->refined[s],
-                                           refinement_ratio((hawser_source)s), ASSUMED[s]);
+        const Companion *const finer = run_at(z, base, s, 1);
+        const double coarser = figure_at(z, base, s, -1, i), ratio = refinement_ratio((hawser_source)s);
+        const Refinement r = finer && finer->given_up && !isnan(coarser)
+                                 ? refinement_from_coarser(coarser, f->best, ratio, ASSUMED[s])
+                                 : refinement_of(coarser, f->best, f->refined[s], ratio, ASSUMED[s]);
         f->error[s] = r.error;
         f->order[s] = r.order;
         f->diverges[s] = r.diverges;
@@ -283,27 +298,30 @@ static void verdict(Certifier *z, const hawser_summary *sum)
         say_failing(&w, z);
         if (failed) say(&w, "; a run with finer settings failed: %s", failed->about.message);
         say_tried(&w, z);
+        if (z->asks > 0 && z->asks < INFINITY)
+            say(&w, "; finer ones would take about %.3g times the run: --effort %.0f", z->asks, ceil(1.1 * z->asks));
     }
 }
 
 /* ------------------------------------------------------------------------------------------------------ rounds */
 
-/* In runs of the case. */
-static double work_of_all(const Certifier *z)
+/* One round; what is finest in length comes last and takes what the others leave. */
+static hawser_status round_run(Certifier *z, CertifyRound *round, int n, Companion *const *wanted, hawser_error *err)
 {
-    double work = 0;
-    for (int r = 0; r < z->n_runs; ++r) work += z->run[r].evaluations / z->run[0].evaluations;
-    return work;
+    round->runs = n;
+    round->over = 0;
+    const hawser_status status = n > 1 ? companions_run(round, n - 1, wanted, err) : HAWSER_OK;
+    if (status || n == 0) return status;
+    wanted[n - 1]->most = (z->options.effort - work_of_all(z)) * z->run[0].evaluations;
+    round->over = n - 1;
+    return companions_run(round, 1, wanted + n - 1, err);
 }
 
 /* Rounds until all figures hold, a run fails, or it would cost too much. */
 static hawser_status rounds(Certifier *z, hawser_error *err)
 {
-    CertifyRound round = {.def = z->def,
-                          .threads = z->options.threads,
-                          .evaluations_max = RUN_SHARE * z->options.effort * z->run[0].evaluations,
-                          .progress = z->options.progress,
-                          .user = z->options.user};
+    CertifyRound round = {
+        .def = z->def, .threads = z->options.threads, .progress = z->options.progress, .user = z->options.user};
     int base[HAWSER_SOURCES] = {0}, next[HAWSER_SOURCES] = {0}, n;
     Companion *wanted[ROUND_MAX];
     for (int k = 0; k < z->options.rounds; ++k) {
@@ -311,10 +329,11 @@ static hawser_status rounds(Certifier *z, hawser_error *err)
         const double spent = work_of_all(z), cost = plan_round(z, next, &n, wanted);
         if (k > 0 && spent + cost > z->options.effort) {
             z->n_runs = before;
+            z->asks = spent + cost;
             break;
         }
         round.state = (hawser_certify_state){.round = k + 1};
-        const hawser_status status = companions_run(&round, n, wanted, err);
+        const hawser_status status = round_run(z, &round, n, wanted, err);
         if (status) return status;
         for (int r = 0; r < n; ++r) figures_follow(&z->run[0].figures, &wanted[r]->figures);
         const int all = judge(z, next);

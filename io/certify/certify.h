@@ -31,13 +31,15 @@ typedef struct Companion {
     double evaluations;       /* of the rates, times segments */
     double share;             /* of its way, while it runs; 1: over */
     double seconds;           /* it has taken */
+    double most;              /* of evaluations: where it needs more it is given up */
+    int given_up;             /* it did */
 } Companion;
 
 /* What a round of runs needs to know. */
 typedef struct CertifyRound {
     const SceneDef *def;
     int threads;
-    double evaluations_max;     /* of the rates, times segments: a run that needs more is given up */
+    int runs, over;             /* of the whole round; those of it that had ended before these began */
     hawser_certify_state state; /* round is set by the caller */
     hawser_certify_progress progress;
     void *user;

@@ -18,10 +18,9 @@ typedef struct Pool {
     const SceneDef *def;
     int n, next, over; /* runs; the next to be taken; those that have ended */
     Companion *const *companion;
-    double evaluations_max; /* of one run */
-    int stop;               /* the caller wants no more */
-    hawser_status status;   /* MEMORY is the round's; all else is the run's own */
-    pthread_mutex_t lock;   /* around what changes: the above, `share` and `seconds` of the companions */
+    int stop;             /* the caller wants no more */
+    hawser_status status; /* MEMORY is the round's; all else is the run's own */
+    pthread_mutex_t lock; /* around what changes: the above, `share` and `seconds` of the companions */
     pthread_cond_t ended;
 } Pool;
 
@@ -44,29 +43,30 @@ void companion_describe(const hawser_sim *s, Companion *out)
 typedef struct Note {
     Pool *pool;
     Companion *companion;
-    const hawser_sim *sim;
     double started; /* clock_now() */
     int too_much;   /* it was given up */
 } Note;
 
-/* Whether a run has done more than all that it may: finer settings can make a scene endless. */
-static int is_too_much(const Note *note)
+/* After each step: whether the run has done more than all that it may, so that it ends at the same one however fast the
+ * machine is. Finer settings can make a scene endless. */
+static int too_much(void *user, hawser_sim *sim, double t)
 {
-    const Stage *const stage = &note->sim->stage;
+    Note *const note = user;
     IntegratorStats now = {0};
-    if (stage->integrator) integrator_stats(stage->integrator, &now);
-    return (double)now.rhs_evals * stage->scene.total > note->pool->evaluations_max;
+    (void)t;
+    integrator_stats(sim->stage.integrator, &now);
+    note->too_much = (double)now.rhs_evals * sim->stage.scene.total > note->companion->most;
+    return note->too_much;
 }
 
 static int note_progress(void *user, const hawser_sample *sample, double wall_s, double end_s)
 {
-    Note *const note = user;
+    const Note *const note = user;
     (void)wall_s;
-    note->too_much = is_too_much(note);
     pthread_mutex_lock(&note->pool->lock);
     note->companion->share = end_s > 0 ? fmin(sample->t / end_s, 1) : 0;
     note->companion->seconds = clock_now() - note->started;
-    const int stop = note->pool->stop || note->too_much;
+    const int stop = note->pool->stop;
     pthread_mutex_unlock(&note->pool->lock);
     return stop;
 }
@@ -81,10 +81,12 @@ static hawser_status run_one(const SceneDef *def, Companion *c, Note *note, haws
     scene_def_refine(&finer, c->about.level);
     status = sim_new(&finer, 1, &sim, err);
     scene_def_clear(&finer);
-    note->sim = sim;
+    if (!status) hawser_sim_on_step(sim, too_much, note);
     if (!status) status = hawser_sim_run(sim, NULL, note_progress, note, err);
-    if (note->too_much && status == HAWSER_STOPPED)
-        status = error_set(err, HAWSER_ERR_RUN, "given up at t = %.4g s: it was taking too long", hawser_sim_time(sim));
+    c->given_up = note->too_much && status == HAWSER_STOPPED;
+    if (c->given_up)
+        status = error_set(err, HAWSER_ERR_RUN, "given up at t = %.4g s: it was taking too long (see --effort)",
+                           hawser_sim_time(sim));
     if (sim) companion_describe(sim, c);
     if (!status) status = figures_take(sim, &c->figures, err);
     sim_free(sim);
@@ -117,8 +119,9 @@ static void *work(void *arg)
 
 /* What is being computed, and when the round will be over: runs that have not begun will take as long as the others on
  * average. The lock is held. */
-static void state_fill(const Pool *pool, int threads, hawser_certify_state *state, char *what, size_t size)
+static void state_fill(const Pool *pool, int threads, CertifyRound *round, char *what, size_t size)
 {
+    hawser_certify_state *const state = &round->state;
     double whole = 0, left = 0, known = 0, share = 0;
     what[0] = 0;
     for (int i = 0; i < pool->n; ++i) {
@@ -135,11 +138,11 @@ static void state_fill(const Pool *pool, int threads, hawser_certify_state *stat
         left += c->seconds / c->share - c->seconds;
         known++;
     }
-    left += (pool->n - known) * whole / fmax(known, 1);
+    left += (round->runs - round->over - known) * whole / fmax(known, 1);
     state->what = what;
-    state->runs = pool->n;
-    state->over = pool->over;
-    state->done = share / pool->n;
+    state->runs = round->runs;
+    state->over = round->over + pool->over;
+    state->done = (round->over + share) / round->runs;
     state->left_s = known > 0 ? left / threads : NAN;
 }
 
@@ -155,7 +158,7 @@ static void wait_for_all(Pool *pool, CertifyRound *round, int threads)
         until.tv_sec += ns / 1000000000L;
         until.tv_nsec = ns % 1000000000L;
         pthread_cond_timedwait(&pool->ended, &pool->lock, &until);
-        state_fill(pool, threads, &round->state, what, sizeof what);
+        state_fill(pool, threads, round, what, sizeof what);
         if (!round->progress) continue;
         pthread_mutex_unlock(&pool->lock);
         const int stop = round->progress(round->user, &round->state);
@@ -168,7 +171,6 @@ static void wait_for_all(Pool *pool, CertifyRound *round, int threads)
 hawser_status companions_run(CertifyRound *round, int n, Companion *const *companion, hawser_error *err)
 {
     Pool pool = {.def = round->def,
-                 .evaluations_max = round->evaluations_max,
                  .n = n,
                  .companion = companion,
                  .lock = PTHREAD_MUTEX_INITIALIZER,

@@ -120,7 +120,7 @@ hawser_status hawser_certificate_text(const hawser_certificate *certificate, haw
     const Table few = {"figures", "Errors by source, the worst stations only", shown_columns, n, shown};
     const Fact facts[] = {{"tolerance", "tolerance", "", cell_number(c->tolerance)},
                           {"runs_made", "runs", "", cell_number(c->n_runs)},
-                          {"work", "work of all, in runs of the case", "", cell_number(c->work)},
+                          {"work", "work of the finer runs, in runs of the case", "", cell_number(c->work)},
                           {"certified", "certified", "", cell_number(c->certified)},
                           {"verdict", "", "", cell_text(c->verdict)}};
     Document doc = {.title = "Certificate", .n_facts = 5, .fact = facts, .n_tables = 2, .table = tables, .csv = &all};

@@ -65,11 +65,11 @@ def _progress(user: Any, state: Any) -> int:
 def certify(case: Source | Case, *, set: Settings | None = None, tolerance: float = 0.01, rounds: int = 0, effort: float = 0,
             threads: int = 0, progress: Callable[[Certified], Any] | None = None) -> Certificate:
     """Runs a case, then again with finer settings, until its figures hold to the tolerance or there is no more to be tried.
-    That costs 5 to 8 times a run, and more where figures do not hold at once.
+    That costs up to `effort` times the run.
 
     tolerance: share, above 0 and below 1
     rounds:    at most so many; 0: 4
-    effort:    work in runs of the case beyond which no round begins; 0: 60
+    effort:    work of the finer runs, in runs of the case, which they do not exceed; 0: 6
     threads:   runs side by side, 1 or 2; 0: 2 where there are two processors
     progress:  is called with a Certified a few times a second, and stops it (hawser.Stopped) by returning True
     """

@@ -35,10 +35,15 @@ for wrong in 0% 60% x 1e9 ''; do
     run_hawser 2 run certify.yaml -o wrong --tolerance "$wrong"
     says err "must be a share from 0.0001% to 50%"
 done
+for wrong in 0 -1 x ''; do
+    run_hawser 2 run certify.yaml -o wrong --effort "$wrong"
+    says err "--effort $wrong: must be a number from 1 to 1000000"
+done
+run_hawser 0 run certify.yaml -o more --effort 30 --tolerance 0.2% --quiet
 run_hawser 2 theory certify.yaml --certify
 missing wrong
 run_hawser 0 run --help
-says out "--certify" "--tolerance SHARE" "7 not certified"
+says out "--certify" "--tolerance SHARE" "--effort N" "7 not certified"
 
 # Ctrl-C while the case is computed again: the results of the run are there, a certificate is not
 (cd "$work" && exec "$hawser" run certify.yaml -o cut --tolerance 0.0001% >cut.out 2>cut.err) &

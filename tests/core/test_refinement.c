@@ -56,6 +56,22 @@ static void no_order(void **state)
     check_share(swings.error, 2 * 0.4 / pow(2, 1.5), 1e-12);
 }
 
+/* Of a coarser value alone: too large by what half an order is less, never too small for a whole one. */
+static void from_coarser(void **state)
+{
+    (void)state;
+    const double error = 0.3 / 2;
+    for (int p = 1; p <= 2; ++p) {
+        const double e = refinement_from_coarser(figure(0.3, p, 2, 0), figure(0.3, p, 2, 1), 2, 1).error;
+        check_at_least(e, error / p);
+        check_share(e, 0.3 * (1 - pow(2, -p)) / (sqrt(2) - 1), 1e-12);
+    }
+    check_share(refinement_from_coarser(figure(0.3, 0.5, 2, 0), figure(0.3, 0.5, 2, 1), 2, 1).error, 0.3 / sqrt(2),
+                1e-12);
+    check_nan(refinement_from_coarser(NAN, 1, 2, 1).error);
+    check_nan(refinement_from_coarser(1, 1, 2, 1).order);
+}
+
 /* Nothing changed: no error. What is not known stays so. */
 static void ends(void **state)
 {
@@ -73,10 +89,9 @@ static void ends(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(order_as_assumed),
-        cmocka_unit_test(other_orders),
-        cmocka_unit_test(no_order),
-        cmocka_unit_test(ends),
+        cmocka_unit_test(order_as_assumed), cmocka_unit_test(other_orders),
+        cmocka_unit_test(no_order),         cmocka_unit_test(ends),
+        cmocka_unit_test(from_coarser),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

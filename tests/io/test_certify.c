@@ -52,7 +52,7 @@ static void consistent(const hawser_certificate *cert)
         assert_int_equal(f->holds, f->bar <= f->allowed);
         all &= f->run_holds;
     }
-    for (int r = 0; r < cert->n_runs; r++) work += cert->run[r].work;
+    for (int r = 1; r < cert->n_runs; r++) work += cert->run[r].work;
     check_share(cert->work, work, 1e-12);
     if (cert->certified) assert_true(all);
     assert_int_equal(cert->certified, strncmp(cert->verdict, "CERTIFIED: ", 11) == 0);
@@ -113,13 +113,35 @@ static void too_much_is_asked(void **state)
     certified_free(&z);
 }
 
+/* However much is asked, the finer runs take no more than they may, and it is said what going on would take; where
+ * finer segments would take too much the coarser ones speak for them, and the bar still holds what is finer. */
+static void effort_is_kept(void **state)
+{
+    (void)state;
+    const hawser_certify_options usual = {.tolerance = 1e-6}, little = {.effort = 3};
+    Certified z = certify(data_text("certify"), NULL, &usual), few = certify(data_text("certify"), NULL, &little);
+    consistent(z.cert);
+    check_at_most(z.cert->work, 6);
+    check_has(z.cert->verdict, "; finer ones would take about ");
+    check_has(z.cert->verdict, " times the run: --effort ");
+    check_at_most(few.cert->work, 3.05); /* up to the end of a step */
+    const hawser_certify_run *const last = &few.cert->run[few.cert->n_runs - 1];
+    assert_int_equal(last->level[HAWSER_LENGTH], 1);
+    check_has(last->message, "(see --effort)");
+    const hawser_certified *const rough = figure(few.cert, "pull, mean"), *const whole = figure(z.cert, "pull, mean");
+    check_nan(rough->refined[HAWSER_LENGTH]);
+    check_at_most(whole->error[HAWSER_LENGTH], rough->error[HAWSER_LENGTH]);
+    certified_free(&z);
+    certified_free(&few);
+}
+
 /* A stiff grip at a loose accuracy pulls many times what it should: finer settings find it. */
 static void a_stiff_grip(void **state)
 {
     (void)state;
     const char *const loose[] = {"conveyors", "[{from: 6, to: 8, clamp: 9 kN, mu: 0.5, v_s: 0.1 mm/s}]",
                                  "solver.accuracy", "1e-1", NULL};
-    const hawser_certify_options two = {.rounds = 2};
+    const hawser_certify_options two = {.rounds = 2, .effort = 60};
     Certified z = certify(data_text("certify"), loose, &two);
     consistent(z.cert);
     const hawser_certified *const pull = figure(z.cert, "pull, mean");
@@ -161,7 +183,7 @@ static void not_trusted(void **state)
 static void a_rod(void **state)
 {
     (void)state;
-    const hawser_certify_options options = {.tolerance = 1e-3, .rounds = 3};
+    const hawser_certify_options options = {.tolerance = 1e-3, .rounds = 3, .effort = 60};
     Certified z = certify(data_text("certify-rod"), NULL, &options);
     consistent(z.cert);
     const hawser_certified *const tip = figure(z.cert, "displacement of tip, z");
@@ -310,6 +332,7 @@ int main(void)
         cmocka_unit_test(a_good_run),
         cmocka_unit_test(bars_hold_the_truth),
         cmocka_unit_test(too_much_is_asked),
+        cmocka_unit_test(effort_is_kept),
         cmocka_unit_test(a_stiff_grip),
         cmocka_unit_test(one_thread_or_two),
         cmocka_unit_test(not_trusted),
