@@ -1,6 +1,7 @@
 #include "sim/step/cvode_memory.h"
 
 #include <cvode/cvode.h>
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 #include <sundials/sundials_types.h>
@@ -10,7 +11,9 @@
 enum {
     AT_HISTORY = 96, /* pointers to its 13 vectors */
     AT_ORDER = 288,  /* int: of the next step's prediction */
+    AT_TRIED = 292,  /* int: of the step that is tried */
     AT_NEXT_ORDER = 296,
+    AT_LENGTH = 304, /* int: of its coefficients, order + 1 */
     AT_NEXT_STEP = 336,
     AT_TIME = 360,
     AT_GAMMA = 648,
@@ -162,17 +165,47 @@ static void stretches(Checkpoint *c, const char *name, void *memory, int n, cons
         checkpoint_put(c, name, (char *)memory + stretch[k].from, (size_t)(stretch[k].to - stretch[k].from));
 }
 
+static int int_at(const void *memory, int at)
+{
+    int value;
+    memcpy(&value, (const char *)memory + at, sizeof value);
+    return value;
+}
+
+/* Orders and places that CVODE finds vectors and coefficients by: there are as many vectors as it may have orders. */
+static int orders_fit(const void *cvode)
+{
+    int most = 0;
+    while (most + 1 < CVODE_HISTORY_MAX && pointer_at(cvode, AT_HISTORY + (most + 1) * (int)sizeof(void *))) ++most;
+    const int order = int_at(cvode, AT_ORDER), tried = int_at(cvode, AT_TRIED), next = int_at(cvode, AT_NEXT_ORDER),
+              last = int_at(cvode, AT_LAST_ORDER), kept = int_at(cvode, AT_KEPT);
+    return order >= 1 && order <= most && tried >= 1 && tried <= most && next >= 0 && next <= most && last >= 0 &&
+           last <= most && int_at(cvode, AT_LENGTH) == order + 1 && kept >= 0 && kept <= most;
+}
+
+static int steps_fit(const void *cvode)
+{
+    const int at[] = {AT_TIME, AT_NEXT_STEP, AT_LAST_STEP, AT_GAMMA};
+    int ok = 1;
+    for (size_t k = 0; k < sizeof at / sizeof *at; ++k) {
+        realtype value;
+        memcpy(&value, (const char *)cvode + at[k], sizeof value);
+        ok = ok && isfinite(value);
+    }
+    return ok;
+}
+
 void cvode_memory_checkpoint(Checkpoint *c, void *cvode)
 {
-    int order = 0, projects = pointer_at(cvode, AT_PROJECTION) != NULL;
+    int projects = pointer_at(cvode, AT_PROJECTION) != NULL;
     const int had = projects;
     CHECKPOINT(c, projects);
     if (!checkpoint_check(c, projects == had, "it was integrated with other constraints")) return;
     stretches(c, "cvode", cvode, OWN, own);
     stretches(c, "cvode's linear solver", pointer_at(cvode, AT_LINEAR), LINEAR, linear);
     if (projects) stretches(c, "cvode's projection", pointer_at(cvode, AT_PROJECTION), PROJECTION, projection);
-    memcpy(&order, (char *)cvode + AT_ORDER, sizeof order);
-    checkpoint_check(c, order >= 1 && order < CVODE_HISTORY_MAX, "its order of integration is impossible");
+    if (!c->status) checkpoint_check(c, orders_fit(cvode), "its order of integration is impossible");
+    if (!c->status) checkpoint_check(c, steps_fit(cvode), "its steps are impossible");
 }
 
 int cvode_memory_history(void *cvode, N_Vector history[CVODE_HISTORY_MAX])

@@ -68,8 +68,7 @@ static hawser_sim *sim_of(hawser_case *c)
 {
     hawser_error err = {HAWSER_OK, ""};
     hawser_sim *s = NULL;
-    if (hawser_sim_new(c, &(hawser_options){.threads = 1}, &s, &err))
-        fuzz_failed(err.message, __FILE__, __LINE__);
+    if (hawser_sim_new(c, &(hawser_options){.threads = 1}, &s, &err)) fuzz_failed(err.message, __FILE__, __LINE__);
     return s;
 }
 

@@ -14,8 +14,8 @@ uint32_t draws_take(Draws *d, int bytes)
 
 static void patch_real(Draws *d, unsigned char *at)
 {
-    static const double edges[] = {0,        -0.0,      1,         -1,        1e-300, 1e9,   -1e9, 1e300,
-                                   -DBL_MAX, INFINITY,  -INFINITY, NAN,       1e-9,   0.5,   2,    1e5};
+    static const double edges[] = {0,        -0.0,     1,         -1,  1e-300, 1e9, -1e9, 1e300,
+                                   -DBL_MAX, INFINITY, -INFINITY, NAN, 1e-9,   0.5, 2,    1e5};
     const uint32_t what = draws_take(d, 1);
     double x;
     memcpy(&x, at, sizeof x);
