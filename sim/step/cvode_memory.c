@@ -29,6 +29,8 @@ enum {
     AT_FIRST_STEP = 1080,
     AT_LAST_STEP = 1088,
     AT_TOO_MUCH = 1112,  /* factor by which the tolerance should be larger */
+    AT_MOST = 848,       /* int: the highest order that it may take */
+    AT_VECTORS = 1120,   /* int: the highest order that it has vectors for */
     AT_KEPT = 1124,      /* int: the vector that holds the last correction, for a higher order */
     AT_PROJECTION = 1528 /* pointer to what its projection keeps; NULL: there is none */
 };
@@ -172,15 +174,20 @@ static int int_at(const void *memory, int at)
     return value;
 }
 
-/* Orders and places that CVODE finds vectors and coefficients by: there are as many vectors as it may have orders. */
-static int orders_fit(const void *cvode)
+/* Orders and places that CVODE finds vectors and coefficients by: it has vectors up to order `most`, also to free. */
+static int orders_fit(void *cvode, int most)
 {
-    int most = 0;
-    while (most + 1 < CVODE_HISTORY_MAX && pointer_at(cvode, AT_HISTORY + (most + 1) * (int)sizeof(void *))) ++most;
-    const int order = int_at(cvode, AT_ORDER), tried = int_at(cvode, AT_TRIED), next = int_at(cvode, AT_NEXT_ORDER),
-              last = int_at(cvode, AT_LAST_ORDER), kept = int_at(cvode, AT_KEPT);
-    return order >= 1 && order <= most && tried >= 1 && tried <= most && next >= 0 && next <= most && last >= 0 &&
-           last <= most && int_at(cvode, AT_LENGTH) == order + 1 && kept >= 0 && kept <= most;
+    static const struct {
+        int at, least, more; /* more than the highest order */
+    } number[] = {{AT_MOST, 1, 0},       {AT_ORDER, 1, 0},  {AT_TRIED, 1, 0}, {AT_NEXT_ORDER, 0, 0},
+                  {AT_LAST_ORDER, 0, 0}, {AT_LENGTH, 2, 1}, {AT_KEPT, 0, 0}};
+    int ok = int_at(cvode, AT_VECTORS) == most && int_at(cvode, AT_LENGTH) == int_at(cvode, AT_ORDER) + 1;
+    memcpy((char *)cvode + AT_VECTORS, &most, sizeof most);
+    for (size_t k = 0; k < sizeof number / sizeof *number; ++k) {
+        const int n = int_at(cvode, number[k].at);
+        ok = ok && n >= number[k].least && n <= most + number[k].more;
+    }
+    return ok;
 }
 
 static int steps_fit(const void *cvode)
@@ -198,13 +205,14 @@ static int steps_fit(const void *cvode)
 void cvode_memory_checkpoint(Checkpoint *c, void *cvode)
 {
     int projects = pointer_at(cvode, AT_PROJECTION) != NULL;
-    const int had = projects;
+    const int had = projects, vectors = int_at(cvode, AT_VECTORS);
     CHECKPOINT(c, projects);
     if (!checkpoint_check(c, projects == had, "it was integrated with other constraints")) return;
     stretches(c, "cvode", cvode, OWN, own);
     stretches(c, "cvode's linear solver", pointer_at(cvode, AT_LINEAR), LINEAR, linear);
     if (projects) stretches(c, "cvode's projection", pointer_at(cvode, AT_PROJECTION), PROJECTION, projection);
-    if (!c->status) checkpoint_check(c, orders_fit(cvode), "its order of integration is impossible");
+    const int fits = orders_fit(cvode, vectors);
+    if (!c->status) checkpoint_check(c, fits, "its order of integration is impossible");
     if (!c->status) checkpoint_check(c, steps_fit(cvode), "its steps are impossible");
 }
 
