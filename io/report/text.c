@@ -146,9 +146,9 @@ void text_base64(Text *t, const unsigned char *bytes, size_t size)
     t->size = (size_t)(to - t->at);
 }
 
-/* Without memory jansson finds fault with some word of the text. So it is asked before whether there is any (a value and
- * its key are some hundred bytes, of which a text has one in eight letters or fewer), and what it finds is looked for
- * twice. */
+/* Without memory jansson finds fault with some word of the text. So it is asked before whether there is any (a value
+ * and its key are some hundred bytes, of which a text has one in eight letters or fewer), and what it finds is looked
+ * for twice. */
 struct json_t *text_as_json(const char *json, struct json_error_t *wrong, int *lack)
 {
     enum { BYTES_A_LETTER = 24, ROOM = 1 << 16 };

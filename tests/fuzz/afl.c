@@ -1,5 +1,5 @@
-/* A target as AFL++ runs it: in one process for some thousand inputs, each out of memory that it shares with the fuzzer.
- * scripts/fuzz.sh --engine afl. */
+/* A target as AFL++ runs it: in one process for some thousand inputs, each out of memory that it shares with the
+ * fuzzer. scripts/fuzz.sh --engine afl. */
 #include <unistd.h>
 
 #include "tests/fuzz/fuzz.h"
