@@ -38,7 +38,9 @@ static hawser_hold hold_of(hawser_sim *s, long newton, long error, long strides,
     from.newton_fails -= newton;
     from.error_fails -= error;
     from.strides -= strides;
-    stall_say(&from, in, &s->stage.scene, now, roller, surface, &hold);
+    stall_cause(&from, in, now->t, 1, &hold);
+    assert_int_equal(stall_by_speed(&hold), strcmp(hold.cause, "stride") == 0);
+    stall_place(&s->stage.scene, 0, now, roller, surface, &hold);
     assert_int_equal(hold.steps, STALL_STEPS);
     assert_int_equal(hold.newton_fails, newton);
     assert_int_equal(hold.error_fails, error);
