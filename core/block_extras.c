@@ -141,6 +141,23 @@ void block_extras_gemv(const BlockExtras *x, double s, const double *z, double *
     }
 }
 
+/* Whether rows and columns rise within the matrix, row by row as `start` says, and every pair stands twice. */
+static int pattern_fits(const BlockExtras *x)
+{
+    if (x->start[0] != 0 || x->start[x->n] != x->count) return 0;
+    for (int i = 0; i < x->n; ++i) {
+        if (x->start[i + 1] < x->start[i] || x->start[i + 1] > x->count) return 0;
+        for (int e = x->start[i]; e < x->start[i + 1]; ++e) {
+            if (x->row[e] != i || x->col[e] < 0 || x->col[e] >= x->n) return 0;
+            if (e > x->start[i] && x->col[e] <= x->col[e - 1]) return 0;
+        }
+    }
+    for (int e = 0; e < x->count; ++e) {
+        if (block_extras_find(x, x->col[e], x->row[e]) < 0) return 0;
+    }
+    return 1;
+}
+
 void block_extras_checkpoint(Checkpoint *c, BlockExtras *x)
 {
     int count = x->count;
@@ -155,9 +172,13 @@ void block_extras_checkpoint(Checkpoint *c, BlockExtras *x)
     x->count = count;
     CHECKPOINT(c, x->version);
     checkpoint_put(c, "x->start", x->start, ((size_t)x->n + 1) * sizeof *x->start);
-    if (count == 0) return;
+    if (count == 0) { /* whose rows nobody asks for */
+        if (c->reading && !c->status) memset(x->start, 0, ((size_t)x->n + 1) * sizeof *x->start);
+        return;
+    }
     checkpoint_put(c, "x->row", x->row, (size_t)count * sizeof *x->row);
     checkpoint_put(c, "x->col", x->col, (size_t)count * sizeof *x->col);
+    if (!c->status && !checkpoint_check(c, pattern_fits(x), "blocks off the diagonals are impossible")) return;
     checkpoint_put(c, "x->k", x->k, (size_t)count * BLOCK * sizeof *x->k);
     checkpoint_put(c, "x->d", x->d, (size_t)count * BLOCK * sizeof *x->d);
 }

@@ -116,7 +116,7 @@ static RoutePoint curve_point(const RoutePiece *p, double u, double slope, const
 RoutePoint route_curve_at(const Route *route, const RoutePiece *p, double x)
 {
     const RouteCurve *const c = &p->curve;
-    const RouteKnot *const knot = route->knot + c->first;
+    const RouteKnot *const knot = route->knot ? route->knot + c->first : NULL; /* NULL: no piece is timed */
     if (p->kind == ROUTE_CUBIC) return cubic_at(p, parameter_at(p, knot_before(knot, c->n, x), x));
     double u, slope, height;
     if (c->profile == PROFILE_PARABOLA) { /* (RO5), (RO7) */

@@ -308,4 +308,6 @@ void linsolver_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a, co
     if (s->backend->checkpoint) s->backend->checkpoint(c, s->self, &m, s->ready && !s->use_backup);
     factors_renew(c, s, &m);
     if (a) backup_checkpoint(c, s, a);
+    if (!c->status)
+        checkpoint_check(c, !s->use_backup || (s->backup && s->backup->ready), "nothing solves its Newton matrix");
 }

@@ -237,6 +237,8 @@ static void klu_checkpoint(Checkpoint *c, void *self, const LinMatrix *a, int re
     if (factored && !s->full) checkpoint_lack(c);
     if (factored) checkpoint_put(c, "s->full", s->full, bytes);
     if (!checkpoint_check(c, (int)s->candidate >= 0 && s->candidate < CANDIDATES, "no such ordering")) return;
+    if (!checkpoint_check(c, s->decided || !factored, "it has factors without an ordering")) return;
+    if (!checkpoint_check(c, factored || !ready, "its Newton matrix has no factors")) return;
     if (c->reading && factored) factors_again(c, s, a, ready);
     CHECKPOINT(c, s->rcond);
     CHECKPOINT_FROM(c, &s->stats, LinStats, analyses);

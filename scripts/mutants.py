@@ -5,6 +5,8 @@ A first run of every test tells which mistakes it reaches; each mistake is then 
 
 Usage: mutants.py make   [--count N] [--seed S] [--folders F ...]     a tree with N mistakes in build/mutants, built
        mutants.py run    [--jobs J] [--minutes M]                     tries them; goes on where it was stopped
+                         [--labels L ...] [--longest S] [--again]     with the tests of these labels that take less than S seconds; the
+                                                                      survivors of what was tried before alone
        mutants.py report                                              shares by folder, and what survived
 Needs python3-clang-14 (installed by scripts/setup.sh --mutants); run it with /usr/bin/python3.
 """
@@ -23,7 +25,7 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 WORK = ROOT / "build" / "mutants"
-TREE, BUILD, MISTAKES, RESULTS = WORK / "tree", WORK / "build", WORK / "mistakes.json", WORK / "results.jsonl"
+TREE, BUILD, MISTAKES, RESULTS, MET = (WORK / name for name in ("tree", "build", "mistakes.json", "results.jsonl", "met.json"))
 FOLDERS = ["core", "contact", "linsolve", "theory"]
 LABELS = ["core", "contact", "linsolve", "theory", "sim", "study", "io"]
 OTHER = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+", "*": "/", "/": "*",
@@ -263,14 +265,14 @@ def make(args):
 # ------------------------------------------------------------------------------------------------ trying them
 
 
-def tests_of_build():
+def tests_of_build(wanted):
     listed = json.loads(subprocess.run(["ctest", "--test-dir", BUILD, "--show-only=json-v1"], check=True, capture_output=True,
                                        text=True).stdout)
     tests = []
     for test in listed["tests"]:
         properties = {p["name"]: p["value"] for p in test["properties"]}
         labels = properties.get("LABELS", [])
-        if "command" in test and any(l in LABELS for l in labels) and "long" not in labels:
+        if "command" in test and any(l in wanted for l in labels) and "long" not in labels:
             tests.append({"name": test["name"], "command": test["command"], "folder": labels[0],
                           "cwd": properties.get("WORKING_DIRECTORY", str(BUILD))})
     return tests
@@ -288,18 +290,23 @@ def attempt(test, environment, limit):
     return passed, time.monotonic() - start
 
 
-def reached(tests, count):
-    """Times of the tests that pass without a mistake, and the mistakes that each meets."""
-    met_file, kept = WORK / "met", []
+def reached(tests, count, longest):
+    """Times of the tests that pass without a mistake, and the mistakes that each meets; what was found out once is kept."""
+    met_file = WORK / "met"
+    known = json.loads(MET.read_text()) if MET.exists() else {}
     for test in tests:
-        met_file.write_bytes(bytes(count))
-        passed, test["seconds"] = attempt(test, {"HAWSER_MISTAKES_MET": str(met_file)}, 300)
-        if passed and test["seconds"] < 30:
-            test["meets"] = {k for k, byte in enumerate(met_file.read_bytes()) if byte}
-            kept.append(test)
-        else:
-            print(f"{test['name']}: left out ({'takes too long' if passed else 'fails without a mistake'})")
-    return kept
+        if test["name"] not in known:
+            met_file.write_bytes(bytes(count))
+            passed, seconds = attempt(test, {"HAWSER_MISTAKES_MET": str(met_file)}, 300)
+            met = [k for k, byte in enumerate(met_file.read_bytes()) if byte]
+            known[test["name"]] = {"passed": passed, "seconds": seconds, "meets": met}
+            MET.write_text(json.dumps(known))
+        found = known[test["name"]]
+        test["seconds"], test["meets"] = found["seconds"], set(found["meets"])
+        if not found["passed"] or found["seconds"] >= longest:
+            print(f"{test['name']}: left out ({'takes too long' if found['passed'] else 'fails without a mistake'})")
+            test["meets"] = set()
+    return [t for t in tests if t["meets"]]
 
 
 def try_one(mistake, tests):
@@ -312,25 +319,31 @@ def try_one(mistake, tests):
     return {**mistake, "outcome": "survived" if meeting else "not met"}
 
 
+def latest():
+    """The last that is known of each mistake that was tried."""
+    lines = RESULTS.read_text().splitlines() if RESULTS.exists() else []
+    return {result["number"]: result for result in map(json.loads, lines)}
+
+
 def run(args):
-    mistakes = json.loads(MISTAKES.read_text())
-    known = {json.loads(line)["number"] for line in RESULTS.read_text().splitlines()} if RESULTS.exists() else set()
-    tests = reached(tests_of_build(), max(m["number"] for m in mistakes) + 1)
+    mistakes, known = json.loads(MISTAKES.read_text()), latest()
+    tests = reached(tests_of_build(args.labels), max(m["number"] for m in mistakes) + 1, args.longest)
     end = time.monotonic() + 60 * args.minutes
-    todo = [m for m in sorted(mistakes, key=lambda m: m["number"]) if m["number"] not in known]
-    print(f"{len(tests)} tests, {len(todo)} mistakes to try")
+    todo = [m for m in sorted(mistakes, key=lambda m: m["number"])
+            if (m["number"] not in known if not args.again else known.get(m["number"], {}).get("outcome") in ("survived", "not met"))]
+    print(f"{len(tests)} tests, {len(todo)} mistakes to try", flush=True)
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool, RESULTS.open("a") as file:
         def guarded(mistake):
             return try_one(mistake, tests) if time.monotonic() < end else None
         for result in pool.map(guarded, todo):
-            if result:
+            if result and (result["outcome"] == "killed" or not args.again):
                 file.write(json.dumps(result) + "\n")
                 file.flush()
     report(args)
 
 
 def report(_):
-    results = [json.loads(line) for line in RESULTS.read_text().splitlines()]
+    results = list(latest().values())
     print("| folder | tried | killed | survived | not met | killed of those met |\n|---|---|---|---|---|---|")
     for folder in sorted({r["file"].split("/")[0] for r in results}) + [""]:
         of = [r["outcome"] for r in results if r["file"].startswith(folder)]
@@ -350,6 +363,9 @@ def main():
     parser.add_argument("--folders", nargs="*", default=FOLDERS)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--minutes", type=float, default=600)
+    parser.add_argument("--labels", nargs="*", default=LABELS)
+    parser.add_argument("--longest", type=float, default=30)
+    parser.add_argument("--again", action="store_true")
     args = parser.parse_args()
     {"make": make, "run": run, "report": report}[args.what](args)
 

@@ -18,7 +18,7 @@ packages="build-essential cmake ninja-build pkg-config clang-format
     libsundials-dev libsuitesparse-dev libmetis-dev libyaml-dev libexpat1-dev libjansson-dev libhdf5-dev zlib1g-dev libzip-dev
     libnlopt-dev libcmocka-dev liblapacke-dev python3 valgrind cmark-gfm abigail-tools"
 lint_packages="clang clang-tidy"
-fuzz_packages="clang libclang-rt-dev"
+fuzz_packages="clang libclang-rt-dev afl++"
 mutants_packages="python3-clang-14"
 coverage_packages="gcovr"
 python_packages="python3-dev python3-cffi python3-setuptools python3-wheel python3-pip python3-numpy python3-pandas python3-h5py

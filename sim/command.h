@@ -21,12 +21,15 @@ typedef struct ControlsVisit {
     unsigned char *at; /* where the next byte goes or comes from */
     size_t size;       /* bytes so far */
     int load;
+    size_t room; /* bytes that there are to load */
+    int wrong;   /* what was loaded cannot be: nothing more is */
 } ControlsVisit;
 
 static inline void controls_bytes(ControlsVisit *visit, void *bytes, size_t size)
 {
     visit->size += size;
-    if (!visit->at) return;
+    if (visit->load && (visit->size > visit->room || visit->wrong)) visit->wrong = 1;
+    if (!visit->at || visit->wrong) return;
     if (visit->load) {
         memcpy(bytes, visit->at, size);
     } else {
@@ -35,11 +38,28 @@ static inline void controls_bytes(ControlsVisit *visit, void *bytes, size_t size
     visit->at += size;
 }
 
+/* A number of 0 .. most: of something's items, or of an enumeration; what is loaded and is none of these is 0. */
+static inline void controls_count(ControlsVisit *visit, int *n, int most)
+{
+    controls_bytes(visit, n, sizeof *n);
+    if (visit->load && (*n < 0 || *n > most)) visit->wrong = 1;
+    if (visit->wrong) *n = 0;
+}
+
+/* What was loaded as a profile, with the case's table if it has one. */
+static inline void controls_profile_mend(ControlsVisit *visit, Profile *profile, const Profile *of_case)
+{
+    if (!visit->load) return;
+    if ((int)profile->kind < 0 || profile->kind > PROFILE_TABLE) visit->wrong = 1;
+    if (profile->kind == PROFILE_TABLE && of_case->kind != PROFILE_TABLE) visit->wrong = 1;
+    if (visit->wrong || profile->kind == PROFILE_TABLE) *profile = *of_case;
+}
+
 /* A profile whose table, if it has one, is the case's. */
 static inline void controls_profile(ControlsVisit *visit, Profile *profile, const Profile *of_case)
 {
     controls_bytes(visit, profile, sizeof *profile);
-    if (visit->load && profile->kind == PROFILE_TABLE) *profile = *of_case;
+    controls_profile_mend(visit, profile, of_case);
 }
 
 #endif

@@ -91,6 +91,13 @@ typedef struct Seizure {
 /* A command to jam or to release something: into the seizure that commands have, `by` being what holds it now (NULL:
  * nothing). Returns as RoomKind.command. */
 int seizure_command(Seizure *told, const Seizure *by, const Command *c, double t, hawser_error *err);
+/* One that commands have: saved or loaded. */
+static inline void controls_seizure(ControlsVisit *visit, Seizure *told)
+{
+    const Profile level = profile_level(0);
+    controls_bytes(visit, told, sizeof *told);
+    controls_profile_mend(visit, &told->share, &level);
+}
 
 struct RoomKind {
     const char *name;

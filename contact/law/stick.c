@@ -79,4 +79,11 @@ void stick_checkpoint(Checkpoint *c, StickStore *store, int rollers, int room)
     store->n = n;
     checkpoint_put(c, "store->record", store->record, (size_t)n * sizeof *store->record);
     checkpoint_put(c, "store->first", store->first, (size_t)store->n_faces * sizeof *store->first);
+    for (int i = 0; !c->status && i < n; ++i) {
+        const StickRecord *const r = &store->record[i];
+        checkpoint_check(c, r->roller >= 0 && r->roller < rollers && r->face >= 0 && r->face < 2 && r->element >= 0,
+                         "what sticks is impossible");
+    }
+    for (int f = 0; !c->status && f < store->n_faces; ++f)
+        checkpoint_check(c, store->first[f] >= -1 && store->first[f] < n, "what sticks is impossible");
 }

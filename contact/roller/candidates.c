@@ -144,6 +144,23 @@ int contact_moved_too_far(const ContactModel *model, const Chain *chain, const K
     return line_moved(chain, kin, pairs->at_p, pairs->at_a, CONTACT_USABLE * model->reach);
 }
 
+/* Whether all of a list are ranges of the model's rollers over the chain; *pairs counts their elements. */
+static int ranges_are(const ContactModel *model, const ContactRange *range, int n, int segments, long *pairs)
+{
+    const int elements = element_count(model->geometry, segments);
+    *pairs = 0;
+    for (int i = 0; i < n; ++i) {
+        const ContactRange *const r = &range[i];
+        if (r->roller < 0 || r->roller >= model->n_rollers) return 0;
+        const ContactRoller *const roller = &model->roller[r->roller];
+        if (r->face < 0 || r->face >= shape_faces(roller->shape.kind)) return 0;
+        if (r->kind != contact_kind(roller->shape.kind, friction_kind(&roller->friction))) return 0;
+        if (r->first < 0 || r->count < 0 || r->first > elements - r->count) return 0;
+        *pairs += r->count;
+    }
+    return 1;
+}
+
 /* Both lists of ranges have room for as many. */
 static void ranges_checkpoint(Checkpoint *c, ContactPairs *pairs)
 {
@@ -169,6 +186,11 @@ void contact_pairs_checkpoint(Checkpoint *c, const ContactModel *model, ContactP
     chain_arrays_checkpoint(c, "pairs->at_p", pairs->at_p, 3, pairs->n);
     chain_arrays_checkpoint(c, "pairs->at_a", pairs->at_a, 3, pairs->n);
     if (c->status) return;
+    long pairs_all, pairs_near;
+    const int ok = ranges_are(model, pairs->range, pairs->n_ranges, pairs->n, &pairs_all) &&
+                   ranges_are(model, pairs->near, pairs->n_near, pairs->n, &pairs_near) && pairs_near <= pairs_all &&
+                   pairs->candidates == pairs_all;
+    if (!checkpoint_check(c, ok, "candidates for contact are impossible")) return;
     if (c->reading && !hits_reserve(pairs)) checkpoint_lack(c);
     if (contact_sticks(model)) stick_checkpoint(c, &pairs->stick, model->n_rollers, pairs->hits_allocated);
 }

@@ -270,10 +270,20 @@ int self_moved_too_far(const SelfModel *model, const SelfLines *lines, const Sel
     return far;
 }
 
+static int range_is(const SelfLines *lines, const SelfRange *r)
+{
+    if (r->line < 0 || r->line >= lines->n || r->other < 0 || r->other >= lines->n) return 0;
+    const int n = element_count(GEOMETRY_SMOOTH, lines->line[r->line].chain->n),
+              m = element_count(GEOMETRY_SMOOTH, lines->line[r->other].chain->n);
+    return r->element >= 0 && r->element < n && r->first >= 0 && r->count >= 0 && r->first <= m - r->count;
+}
+
 void self_pairs_checkpoint(Checkpoint *c, const SelfLines *lines, SelfPairs *pairs)
 {
     checkpoint_list(c, "pairs->range", (void **)&pairs->range, &pairs->n_ranges, &pairs->ranges_allocated,
                     sizeof *pairs->range);
+    for (int i = 0; !c->status && i < pairs->n_ranges; ++i)
+        checkpoint_check(c, range_is(lines, &pairs->range[i]), "candidates of cable on cable are impossible");
     CHECKPOINT(c, pairs->active);
     CHECKPOINT(c, pairs->work);
     chain_arrays_checkpoint(c, "pairs->at_p", pairs->at_p, 3, pairs->n);

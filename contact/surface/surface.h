@@ -58,7 +58,7 @@ void surface_accept(const SurfaceModel *model, const Chain *chain, const Kinemat
                     SurfacePairs *pairs);
 
 /* The candidates, and what sticks; n: segments. */
-void surface_pairs_checkpoint(Checkpoint *c, SurfacePairs *pairs, int n);
+void surface_pairs_checkpoint(Checkpoint *c, SurfacePairs *pairs, int patches, int n);
 
 /* Adds the derivatives of these forces to k and d, as contact_blocks does (DU11), (DU12), of elements from .. to-1
  * only. */

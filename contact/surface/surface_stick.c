@@ -49,11 +49,17 @@ void surface_stick_accept(SurfaceStick *stick, double t)
     stick->elapsed = 0;
 }
 
-void surface_pairs_checkpoint(Checkpoint *c, SurfacePairs *pairs, int n)
+void surface_pairs_checkpoint(Checkpoint *c, SurfacePairs *pairs, int patches, int n)
 {
     SurfaceStick *const stick = &pairs->stick;
     checkpoint_list(c, "pairs->range", (void **)&pairs->range, &pairs->n_ranges, &pairs->ranges_allocated,
                     sizeof *pairs->range);
+    for (int i = 0; !c->status && i < pairs->n_ranges; ++i) {
+        const SurfaceRange *const r = &pairs->range[i];
+        const int ok = r->patch >= 0 && r->patch < patches && r->first >= pairs->from && r->count >= 0 &&
+                       r->first <= pairs->to - r->count;
+        checkpoint_check(c, ok, "candidates for contact with surfaces are impossible");
+    }
     CHECKPOINT(c, pairs->candidates);
     CHECKPOINT(c, pairs->active);
     CHECKPOINT(c, pairs->work);

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
 #include "io/case/case_read.h"
+#include "io/report/text.h"
 
 #include <jansson.h>
 #include <stdlib.h>
@@ -51,7 +52,9 @@ hawser_status hawser_case_parse_json(const char *text, const char *name, hawser_
     hawser_error local;
     if (!text || !name || !out) return error_argument(err, !text ? "text" : !name ? "name" : "out");
     *out = NULL;
-    json_t *const json = json_loads(text, JSON_REJECT_DUPLICATES, &wrong);
+    int lack;
+    json_t *const json = text_as_json(text, &wrong, &lack);
+    if (lack) return error_memory(err);
     if (!json) {
         error_set(err, HAWSER_ERR_INPUT, "%.200s:%d: not JSON: %s", name, wrong.line, wrong.text);
         error_place(err, name, wrong.line);

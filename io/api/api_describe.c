@@ -221,7 +221,7 @@ static void sum_chain(const SceneDef *def, double *mass, double *length)
 static const char *puller_of(const SceneDef *first, const SceneDef *def)
 {
     const int rope = def->strand.joined;
-    if (rope >= 0) return (rope > 0 ? first->beside[rope - 1].strand : first->strand).name;
+    if (rope >= 0) return (rope > 0 ? &first->beside[rope - 1].strand : &first->strand)->name;
     return def->winch.present ? "its winch" : "nothing";
 }
 

@@ -91,6 +91,7 @@ static hawser_status table_read(Folder *folder, const char *name, Sheet *sheet, 
 static hawser_status summary_read(Folder *folder, hawser_error *err)
 {
     json_error_t where;
+    int lack = 0;
     struct stat info;
     const char *const dir = folder->dir;
     if (stat(dir, &info)) return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': %s", dir, strerror(errno));
@@ -102,7 +103,8 @@ static hawser_status summary_read(Folder *folder, hawser_error *err)
     if (!status && !folder->summary_text)
         status = error_set(err, HAWSER_ERR_INPUT,
                            "'%.700s' holds no results: there is no summary.json, which hawser run writes", dir);
-    if (!status) folder->summary = json_loads(folder->summary_text, JSON_REJECT_DUPLICATES, &where);
+    if (!status) folder->summary = text_as_json(folder->summary_text, &where, &lack);
+    if (lack) status = error_memory(err);
     if (!status && !json_is_object(folder->summary))
         status = error_set(err, HAWSER_ERR_INPUT, "%.500s:%d: not a summary of a run: %.200s", path, where.line,
                            folder->summary ? "no object" : where.text);

@@ -1,5 +1,8 @@
 #include "io/report/text.h"
 
+#include "core/base/error.h"
+
+#include <jansson.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -141,4 +144,16 @@ void text_base64(Text *t, const unsigned char *bytes, size_t size)
     }
     *to = 0;
     t->size = (size_t)(to - t->at);
+}
+
+/* Without memory jansson finds fault with some word of the text. So it is asked before whether there is any (a value
+ * and its key are some hundred bytes, of which a text has one in eight letters or fewer), and what it finds is looked
+ * for twice. */
+struct json_t *text_as_json(const char *json, struct json_error_t *wrong, int *lack)
+{
+    enum { BYTES_A_LETTER = 24, ROOM = 1 << 16 };
+    *lack = !memory_room(ROOM + BYTES_A_LETTER * strlen(json));
+    if (*lack) return NULL;
+    json_t *const found = json_loads(json, JSON_REJECT_DUPLICATES, wrong);
+    return found ? found : json_loads(json, JSON_REJECT_DUPLICATES, wrong);
 }

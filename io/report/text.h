@@ -5,6 +5,9 @@
 
 #include <stddef.h>
 
+struct json_t;
+struct json_error_t;
+
 /* Zeroed: empty. */
 typedef struct Text {
     char *at; /* owned; with a NUL behind; NULL: nothing yet */
@@ -27,5 +30,8 @@ void text_html(Text *t, const char *words, size_t most);
 void text_base64(Text *t, const unsigned char *bytes, size_t size);
 /* Frees it and leaves it empty. */
 void text_clear(Text *t);
+
+/* A text as JSON, read back; NULL: it is none, *wrong says where, or *lack: there was no memory. */
+struct json_t *text_as_json(const char *json, struct json_error_t *wrong, int *lack);
 
 #endif

@@ -285,8 +285,10 @@ void outside_attend(Scene *scene, int law)
 static void forces_controls(Room *room, ControlsVisit *visit)
 {
     Outside *const all = room->self;
-    controls_bytes(visit, &all->n, sizeof all->n);
+    const Profile none = profile_level(0);
+    controls_count(visit, &all->n, OUTSIDE_MAX);
     controls_bytes(visit, all->force, (size_t)all->n * sizeof *all->force);
+    for (int i = 0; i < all->n; ++i) controls_profile_mend(visit, &all->force[i].share, &none);
     if (visit->load) room->present = all->n > 0 || all->law.call;
 }
 

@@ -124,8 +124,10 @@ static void jams_controls(Room *room, ControlsVisit *visit)
 {
     const Jams *const all = room->self;
     for (int i = 0; i < all->n; ++i) {
-        controls_bytes(visit, &all->item[i].doing, sizeof all->item[i].doing);
-        controls_bytes(visit, &all->item[i].seizure, sizeof all->item[i].seizure);
+        int doing = (int)all->item[i].doing;
+        controls_count(visit, &doing, JAM_IS_OVER);
+        all->item[i].doing = (JamDoing)doing;
+        controls_seizure(visit, &all->item[i].seizure);
     }
 }
 

@@ -474,16 +474,17 @@ static int conveyors_command(Room *room, const Scene *scene, const Command *c, d
 
 static void conveyors_controls(Room *room, ControlsVisit *visit)
 {
+    const Profile level = profile_level(0);
     const Conveyors *const all = room->self;
     for (int i = 0; i < all->n; ++i) {
         Conveyor *const c = &all->item[i];
         int told = all->seized[i] == &all->told[i];
         controls_bytes(visit, &c->sync, sizeof c->sync);
         controls_profile(visit, &c->speed, &c->def->speed);
-        controls_bytes(visit, &c->clamp, sizeof c->clamp);
+        controls_profile(visit, &c->clamp, &level);
         controls_bytes(visit, &c->told, sizeof c->told);
-        controls_bytes(visit, &all->told[i], sizeof all->told[i]);
-        controls_bytes(visit, &told, sizeof told);
+        controls_seizure(visit, &all->told[i]);
+        controls_count(visit, &told, 1);
         controls_bytes(visit, &all->filled[i], offsetof(Filled, says));
         if (told) all->seized[i] = &all->told[i];
     }

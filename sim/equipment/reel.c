@@ -262,8 +262,9 @@ static int reel_command(Room *room, const Scene *scene, const Command *c, double
 static void reel_controls(Room *room, ControlsVisit *visit)
 {
     Reel *const r = room->self;
-    controls_bytes(visit, &r->present, sizeof r->present);
-    controls_bytes(visit, &r->braked, sizeof r->braked);
+    const Profile level = profile_level(0);
+    controls_count(visit, &r->present, r->winding.pitch > 0); /* where there is none, none comes */
+    controls_profile(visit, &r->braked, &level);
 }
 
 /* It stands behind the route's start, on the lead-in's line, and brings the back tension. */

@@ -20,6 +20,7 @@ typedef struct HeldRoller {
 } HeldRoller;
 
 typedef struct Rollers {
+    int n;
     ContactRoller *roller; /* [n], as the case puts them */
     Equipment equipment;   /* those that move */
     int n_held;
@@ -42,6 +43,7 @@ static hawser_status rollers_build(Room *room, Scene *scene, hawser_error *err)
     if (!all) return error_memory(err);
     scene->equipment = &all->equipment;
     scene->rollers = all->roller = calloc((size_t)def->n_rollers + 1, sizeof *all->roller);
+    all->n = def->n_rollers;
     all->held = calloc((size_t)def->n_rollers + 1, sizeof *all->held);
     if (!all->roller || !all->held) return error_memory(err);
     for (int r = 0; r < def->n_rollers; ++r) {
@@ -388,11 +390,16 @@ static int rollers_command(Room *room, const Scene *scene, const Command *c, dou
 static void rollers_controls(Room *room, ControlsVisit *visit)
 {
     Rollers *const all = room->self;
-    controls_bytes(visit, &all->n_held, sizeof all->n_held);
+    const Profile level = profile_level(1);
+    controls_count(visit, &all->n_held, all->n);
     for (int h = 0; h < all->n_held; ++h) {
         HeldRoller *const held = &all->held[h];
         const Seizure *const by = held->by;
         controls_bytes(visit, held, sizeof *held);
+        controls_profile_mend(visit, &held->told.share, &level);
+        controls_profile_mend(visit, &held->friction, &level);
+        if (visit->load && (held->roller < 0 || held->roller >= all->n)) visit->wrong = 1;
+        if (visit->wrong) held->roller = 0;
         held->by = by;
     }
 }

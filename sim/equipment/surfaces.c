@@ -199,7 +199,8 @@ static void surfaces_accept(const Room *room, const Moment *m)
 static void surfaces_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
 {
     (void)room;
-    for (int p = 0; p < PARTS; ++p) surface_pairs_checkpoint(c, &ws->contact[p].surface, scene->chain.n);
+    for (int p = 0; p < PARTS; ++p)
+        surface_pairs_checkpoint(c, &ws->contact[p].surface, scene->surfaces.model.n_patches, scene->chain.n);
 }
 
 static double surfaces_next_stop(const Room *room, const Scene *scene, double t)

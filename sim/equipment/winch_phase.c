@@ -246,9 +246,12 @@ int winch_command(Room *room, const Scene *scene, const Command *c, double t, ha
 
 void winch_controls(Room *room, ControlsVisit *visit)
 {
+    const Profile level = profile_level(0);
     Winch *const w = room->self;
     controls_bytes(visit, &w->phase, sizeof w->phase);
-    if (!visit->load) return;
-    if (w->phase.speed.kind == PROFILE_TABLE) w->phase.speed = w->speed;
-    if (w->phase.tension.kind == PROFILE_TABLE) w->phase.tension = w->tension;
+    controls_profile_mend(visit, &w->phase.speed, &w->speed);
+    controls_profile_mend(visit, &w->phase.tension, &w->tension);
+    controls_profile_mend(visit, &w->phase.hold, &level);
+    if (visit->load && ((int)w->phase.doing < 0 || w->phase.doing > WINCH_OBEYS)) visit->wrong = 1;
+    if (visit->wrong) w->phase.doing = WINCH_FOLLOWS;
 }

@@ -289,7 +289,7 @@ int newton_leaves_widen(Newton *nw, EquipmentWork *w)
 }
 
 /* One roller's place and blocks; the solver's order follows from who is in the border. */
-static void item_checkpoint(Checkpoint *c, RollerLeaf *item, EquipmentWork *w, int k)
+static void item_checkpoint(Checkpoint *c, RollerLeaf *item, EquipmentWork *w, int k, int segments)
 {
     int room = item->room;
     CHECKPOINT(c, room);
@@ -303,6 +303,10 @@ static void item_checkpoint(Checkpoint *c, RollerLeaf *item, EquipmentWork *w, i
     CHECKPOINT(c, item->touched);
     if (!checkpoint_check(c, item->touched >= 0 && item->touched <= item->room, "a roller touches too much")) return;
     checkpoint_put(c, "item->touch", item->touch, (size_t)item->touched * sizeof *item->touch);
+    for (int t = 0; !c->status && t < item->touched; ++t) {
+        const int at = item->touch[t].block;
+        checkpoint_check(c, at >= 0 && at < segments, "a roller touches what is not there");
+    }
 }
 
 void newton_leaves_checkpoint(Checkpoint *c, Newton *nw, EquipmentWork *w)
@@ -311,7 +315,7 @@ void newton_leaves_checkpoint(Checkpoint *c, Newton *nw, EquipmentWork *w)
     const int m = l->q->mounts, before = l->matrix->border;
     if (m) chain_arrays_checkpoint(c, "mounts.q", l->mounts.q, 4, m);
     if (m) chain_arrays_checkpoint(c, "mounts.w", l->mounts.w, 3, m);
-    for (int k = 0; !c->status && k < l->q->n; ++k) item_checkpoint(c, &l->item[k], w, k);
+    for (int k = 0; !c->status && k < l->q->n; ++k) item_checkpoint(c, &l->item[k], w, k, nw->n);
     if (c->status || !c->reading) return;
     order_fill(l, nw->n);
     if (l->matrix->border == before) return;

@@ -159,8 +159,8 @@ hawser_status script_due(Sim *s, hawser_error *err)
 static size_t controls_go(Sim *s, ControlsVisit *visit, int *in_space)
 {
     Scene *const scene = &s->stage.scene;
-    controls_bytes(visit, &s->script_done, sizeof s->script_done);
-    controls_bytes(visit, in_space, sizeof *in_space);
+    controls_count(visit, &s->script_done, scene->def.n_script);
+    controls_count(visit, in_space, 1);
     for (int r = 0; r < scene->n_rooms; ++r) {
         Room *const room = &scene->room[r];
         if (room->kind->controls && room->self) room->kind->controls(room, visit);
@@ -184,9 +184,10 @@ void controls_save(Sim *s, void *to)
 
 hawser_status controls_load(Sim *s, const void *from, size_t size, hawser_error *err)
 {
-    ControlsVisit visit = {.at = (unsigned char *)(uintptr_t)from, .load = 1};
+    ControlsVisit visit = {.at = (unsigned char *)(uintptr_t)from, .load = 1, .room = size};
     int in_space = 0;
     const size_t read = controls_go(s, &visit, &in_space);
+    if (visit.wrong) return error_set(err, HAWSER_ERR_INPUT, "what has become of commands cannot be");
     if (read != size)
         return error_set(err, HAWSER_ERR_INPUT, "%zu bytes of controls where the case has %zu", size, read);
     outside_attend(&s->stage.scene, in_space); /* what lay in a plane is read as that, whatever acts on it now */

@@ -142,7 +142,7 @@ hawser_status together_checkpoint(Checkpoint *c, struct Together *all, hawser_er
     hawser_status status = HAWSER_OK;
     if (!c->reading && !first->integrator) bunch_gather(&all->bunch, all->state, all->y);
     if (!c->reading) status = steps_ready(&steps, first->t, err);
-    for (int k = 0; !status && k < all->n; ++k) status = stage_state_checkpoint(c, &all->sim[k]->stage, err);
+    for (int k = 0; !status && k < all->n; ++k) status = stage_state_checkpoint(c, &all->sim[k]->stage, 1, err);
     if (!status && c->reading && !c->status) bunch_gather(&all->bunch, all->state, all->y);
     return status ? status : steps_checkpoint(c, &steps, first->t, all->n, all->ws, err);
 }

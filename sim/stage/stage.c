@@ -505,7 +505,7 @@ static void stability_checkpoint(Checkpoint *c, Stability *s, int n)
     for (int k = 0; !c->status && k < count; ++k) critical_checkpoint(c, &s->critical[k], n);
 }
 
-hawser_status stage_state_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
+hawser_status stage_state_checkpoint(Checkpoint *c, Stage *st, int beside, hawser_error *err)
 {
     Scene *const scene = &st->scene;
     const int chain = scene->chain.n, moves = st->whole.n > 0;
@@ -521,12 +521,18 @@ hawser_status stage_state_checkpoint(Checkpoint *c, Stage *st, hawser_error *err
     CHECKPOINT(c, planar);
     CHECKPOINT(c, st->plane_why);
     const int fits = moves ? first >= 0 && n >= 2 && n <= scene->total - first : first == scene->first && n == chain;
-    if (!checkpoint_check(c, fits, "another part of the chain is simulated")) return HAWSER_OK;
+    const int reeled = reel == 0 || (reel == 1 && scene->reel->winding.pitch > 0);
+    if (!checkpoint_check(c, fits && reeled, "another part of the chain is simulated")) return HAWSER_OK;
     const int differs = c->reading && (planar != was || window_differs(st, first, n, reel));
+    if (!checkpoint_check(c, !(differs && beside), "one of several chains is simulated in another way"))
+        return HAWSER_OK;
     scene->reel->present = reel;
     if (differs && planar != was) status = motion_again(st, planar, err);
     if (differs && !status) status = stage_window(st, first, n, err);
     if (!status) checkpoint_put(c, "y", st->y, (size_t)st->motion->size * sizeof *st->y);
+    int finite = isfinite(st->t);
+    for (int i = 0; !status && !c->status && i < st->motion->size; ++i) finite &= isfinite(st->y[i]);
+    if (!status) checkpoint_check(c, finite, "its state is not finite");
     return status;
 }
 
@@ -579,7 +585,7 @@ hawser_status stage_checkpoint(Checkpoint *c, Stage *st, hawser_error *err)
     Workspace *const ws = &st->ws;
     Steps steps = {st->motion, st->y, &st->integrator, &st->balance, &st->balance_s};
     hawser_status status = c->reading ? HAWSER_OK : steps_ready(&steps, st->t, err);
-    if (!status) status = stage_state_checkpoint(c, st, err);
+    if (!status) status = stage_state_checkpoint(c, st, 0, err);
     steps.motion = st->motion; /* what was read may be of another one */
     steps.y = st->y;
     if (!status) status = steps_checkpoint(c, &steps, st->t, 1, &ws, err);

@@ -78,7 +78,8 @@ hawser_status stage_window(Stage *stage, int first, int n, hawser_error *err);
 /* Everything that the stage's steps go on from. Read into a stage of the same case at any time of its run: what is made
  * for another window is made anew. Errors: MEMORY, RUN (with the integrator's state); of the checkpoint's own: in c. */
 hawser_status stage_checkpoint(Checkpoint *c, Stage *stage, hawser_error *err);
-/* Of that, which part of the chain it is, and where. */
-hawser_status stage_state_checkpoint(Checkpoint *c, Stage *stage, hawser_error *err);
+/* Of that, which part of the chain it is, and where. beside: of one of several chains, which are simulated as they
+ * began. */
+hawser_status stage_state_checkpoint(Checkpoint *c, Stage *stage, int beside, hawser_error *err);
 
 #endif

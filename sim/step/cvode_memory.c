@@ -1,6 +1,7 @@
 #include "sim/step/cvode_memory.h"
 
 #include <cvode/cvode.h>
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 #include <sundials/sundials_types.h>
@@ -10,7 +11,9 @@
 enum {
     AT_HISTORY = 96, /* pointers to its 13 vectors */
     AT_ORDER = 288,  /* int: of the next step's prediction */
+    AT_TRIED = 292,  /* int: of the step that is tried */
     AT_NEXT_ORDER = 296,
+    AT_LENGTH = 304, /* int: of its coefficients, order + 1 */
     AT_NEXT_STEP = 336,
     AT_TIME = 360,
     AT_GAMMA = 648,
@@ -26,6 +29,8 @@ enum {
     AT_FIRST_STEP = 1080,
     AT_LAST_STEP = 1088,
     AT_TOO_MUCH = 1112,  /* factor by which the tolerance should be larger */
+    AT_MOST = 848,       /* int: the highest order that it may take */
+    AT_VECTORS = 1120,   /* int: the highest order that it has vectors for */
     AT_KEPT = 1124,      /* int: the vector that holds the last correction, for a higher order */
     AT_PROJECTION = 1528 /* pointer to what its projection keeps; NULL: there is none */
 };
@@ -162,17 +167,53 @@ static void stretches(Checkpoint *c, const char *name, void *memory, int n, cons
         checkpoint_put(c, name, (char *)memory + stretch[k].from, (size_t)(stretch[k].to - stretch[k].from));
 }
 
+static int int_at(const void *memory, int at)
+{
+    int value;
+    memcpy(&value, (const char *)memory + at, sizeof value);
+    return value;
+}
+
+/* Orders and places that CVODE finds vectors and coefficients by: it has vectors up to order `most`, also to free. */
+static int orders_fit(void *cvode, int most)
+{
+    static const struct {
+        int at, least, more; /* more than the highest order */
+    } number[] = {{AT_MOST, 1, 0},       {AT_ORDER, 1, 0},  {AT_TRIED, 1, 0}, {AT_NEXT_ORDER, 0, 0},
+                  {AT_LAST_ORDER, 0, 0}, {AT_LENGTH, 2, 1}, {AT_KEPT, 0, 0}};
+    int ok = int_at(cvode, AT_VECTORS) == most && int_at(cvode, AT_LENGTH) == int_at(cvode, AT_ORDER) + 1;
+    memcpy((char *)cvode + AT_VECTORS, &most, sizeof most);
+    for (size_t k = 0; k < sizeof number / sizeof *number; ++k) {
+        const int n = int_at(cvode, number[k].at);
+        ok = ok && n >= number[k].least && n <= most + number[k].more;
+    }
+    return ok;
+}
+
+static int steps_fit(const void *cvode)
+{
+    const int at[] = {AT_TIME, AT_NEXT_STEP, AT_LAST_STEP, AT_GAMMA};
+    int ok = 1;
+    for (size_t k = 0; k < sizeof at / sizeof *at; ++k) {
+        realtype value;
+        memcpy(&value, (const char *)cvode + at[k], sizeof value);
+        ok = ok && isfinite(value);
+    }
+    return ok;
+}
+
 void cvode_memory_checkpoint(Checkpoint *c, void *cvode)
 {
-    int order = 0, projects = pointer_at(cvode, AT_PROJECTION) != NULL;
-    const int had = projects;
+    int projects = pointer_at(cvode, AT_PROJECTION) != NULL;
+    const int had = projects, vectors = int_at(cvode, AT_VECTORS);
     CHECKPOINT(c, projects);
     if (!checkpoint_check(c, projects == had, "it was integrated with other constraints")) return;
     stretches(c, "cvode", cvode, OWN, own);
     stretches(c, "cvode's linear solver", pointer_at(cvode, AT_LINEAR), LINEAR, linear);
     if (projects) stretches(c, "cvode's projection", pointer_at(cvode, AT_PROJECTION), PROJECTION, projection);
-    memcpy(&order, (char *)cvode + AT_ORDER, sizeof order);
-    checkpoint_check(c, order >= 1 && order < CVODE_HISTORY_MAX, "its order of integration is impossible");
+    const int fits = orders_fit(cvode, vectors);
+    if (!c->status) checkpoint_check(c, fits, "its order of integration is impossible");
+    if (!c->status) checkpoint_check(c, steps_fit(cvode), "its steps are impossible");
 }
 
 int cvode_memory_history(void *cvode, N_Vector history[CVODE_HISTORY_MAX])

@@ -221,12 +221,22 @@ static int record_is_sound(const char *record, size_t size)
     return h == hash_bytes(HASH_BEGIN, record, size - sizeof h);
 }
 
+static int within(int32_t value, int least, int most) { return value >= least && value <= most; }
+
+/* Whether it says what a row can say: its sum only tells that it is as somebody wrote it. */
+static int row_is_one(const Row *row)
+{
+    return within(row->state, ROW_OPEN, ROW_DIED) && within(row->verdict, VERDICT_NONE, VERDICT_NOT_TRUSTED) &&
+           within(row->theory_verdict, VERDICT_NONE, VERDICT_NOT_TRUSTED) && within(row->answered, BY_THEORY, BY_RUN) &&
+           within(row->limited_by, -1, LIMIT_KINDS - 1) && memchr(row->reason, 0, sizeof row->reason);
+}
+
 /* Takes a record in; an answer weighs more than none, else the first counts. */
 static void record_take(const char *record, Rows *rows)
 {
     Row row;
     memcpy(&row, record, sizeof row);
-    if (row.sample < 0 || row.sample >= rows->n) return; /* of a longer study */
+    if (row.sample < 0 || row.sample >= rows->n || !row_is_one(&row)) return; /* of a longer study */
     Row *const to = &rows->row[row.sample];
     if (to->state == ROW_DONE || (to->state != ROW_OPEN && row.state != ROW_DONE)) return;
     *to = row;
@@ -287,6 +297,19 @@ static hawser_status owner_find(const Study *s, const char *dir, int *own, hawse
     return HAWSER_OK;
 }
 
+/* A row of a search at a point that the study does not have is not computed yet: a choice is one of its choices. */
+static void points_look(const Study *s, Rows *rows)
+{
+    for (long i = 0; i < rows->n; i++) {
+        const double *const x = rows->value + (size_t)i * (size_t)rows->width + s->n_quantities;
+        for (int k = 0; rows->row[i].state != ROW_OPEN && k < s->n_parameters; k++) {
+            const Parameter *const p = &s->parameter[k];
+            const int ok = isfinite(x[k]) && (!p->chosen || (x[k] >= 0 && x[k] < p->n_choices));
+            if (!ok) rows->row[i].state = ROW_OPEN;
+        }
+    }
+}
+
 hawser_status store_read(const Study *s, const char *dir, Rows *rows, hawser_error *err)
 {
     int own;
@@ -298,7 +321,9 @@ hawser_status store_read(const Study *s, const char *dir, Rows *rows, hawser_err
                          "folder, or begin anew with --fresh",
                          dir);
     }
-    return files_each(dir, records_take, rows, err);
+    status = files_each(dir, records_take, rows, err);
+    if (!status && study_searches(s)) points_look(s, rows);
+    return status;
 }
 
 hawser_status store_take(const char *dir, const char *crew, int k, Rows *rows, hawser_error *err)

@@ -27,6 +27,29 @@ for signal in INT TERM; do
     tail -1 "$work/$signal/series.csv" | awk -F, 'NF != 15 { exit 1 }' || fail "$what: series.csv is cut off"
 done
 
+# signals while results are written: a row and a state every millisecond, so that there is always something on
+# its way; what is left can be read, by who reads results
+for after in 0 0.03 0.1 0.17 0.31; do
+    what="hawser run that writes all the time, then SIGTERM after $after s"
+    (cd "$work" && exec "$hawser" run pull.yaml -q -o writes --set run.duration='10000 s' --set output.interval='1 ms' \
+        --set output.states='1 ms' >out 2>err) &
+    pid=$!
+    tries=0
+    while [ "$(wc -l 2>/dev/null <"$work/writes/series.csv" || echo 0)" -lt 3 ] && [ $tries -lt 600 ]; do
+        sleep 0.1
+        tries=$((tries + 1))
+    done
+    sleep $after
+    kill -TERM $pid
+    wait $pid
+    status=$?
+    [ $status = 130 ] || fail "$what: exit status $status, not 130"
+    grep -q '"outcome": "stopped"' "$work/writes/summary.json" || fail "$what: not stopped in summary.json"
+    run_hawser 0 report writes -o writes.html
+    grep -q 'no view' "$work/writes.html" && fail "$what: no states in the page"
+    rm -rf "$work/writes" "$work/writes.html"
+done
+
 # a relaxation that takes many seconds is left at once; the folder is there before it begins
 what="hawser run, then SIGTERM while the cable comes to rest"
 (cd "$work" && exec "$hawser" run "$source/tests/data/passing-slow.yaml" -o slow >out 2>err) &

@@ -60,20 +60,30 @@ static void overrides(void **state)
     def.area = 500e-6, def.stress = 55e6;
     check_close(limits_pull(&def, 1, source), 27500, 1e-8);
     check_has(source, "limits.stress");
+    check_has(source, "S = 500 mm2");
+    def.area = NAN;
+    assert_true(isnan(limits_pull(&def, 1, source)));
+    check_has(source, "needs limits.conductor.area or limits.pull");
     def.pull = 12e3;
     check_close(limits_pull(&def, 2, source), 24e3, 1e-9);
+    assert_string_equal(source, "limits.pull");
     /* by the code, Chinese, Fujikura, AEIC's least of 300 lbf/ft, rollers */
     static const double sidewall[] = {3000, 3000, 4900, 300 * LBF / FOOT, 500}, factor[] = {20, 20, 12, 20, 20};
     for (int k = 0; k < 5; k++) {
         def.practice = k;
         check_share(limits_sidewall(&def, source), sidewall[k], 1e-12);
+        check_above(strlen(source), 0);
         check_close(limits_radius(&def, 0.1, source), factor[k] * 0.1, 1e-12);
+        check_has(source, factor[k] > 15 ? "20 D, D = 100 mm (" : "12 D, D = 100 mm (");
     }
     def.sidewall = 1234, def.bend_factor = 15;
     check_close(limits_sidewall(&def, source), 1234, 0);
+    assert_string_equal(source, "limits.sidewall");
     check_close(limits_radius(&def, 0.1, source), 1.5, 1e-12);
+    assert_string_equal(source, "15 D, D = 100 mm (limits.bend_factor)");
     def.bend_radius = 2.5;
     check_close(limits_radius(&def, 0.1, source), 2.5, 0);
+    assert_string_equal(source, "limits.bend_radius");
 }
 
 /* ICEA S-68-516 in makers' manuals (IEWC, Southwire), in pounds by hand: T = 0.008 n cmil of copper, 0.006 of

@@ -262,6 +262,16 @@ static void stretches_and_steps(void **state)
     check_close(pull.span[pull.n - 1].t1, 1050 + 0.2 * 200 * 30, 1e-9);
     check_close(pull.end_tension, 1050 + 0.2 * 200 * 30 - 900, 1e-9);
     check_close(pull.max_tension, 1050 + 0.2 * 200 * 30, 1e-9);
+    check_close(pull.min_tension, 1000, 0);
+    pull_clear(&pull);
+
+    /* what the last step makes of the tension counts among the extremes */
+    const PullStep ends[] = {{.at = 40, .force = 700}, {.at = 30, .force = -2000}};
+    def.n_steps = 1, def.step = ends;
+    assert_int_equal(pull_solve(&def, &pull, NULL), HAWSER_OK);
+    check_close(pull.max_tension, 1000 + 0.2 * 200 * 30 + 700, 1e-9);
+    check_close(pull.max_at, 40, 0);
+    assert_int_equal(pull.max_piece, 0);
     pull_clear(&pull);
     route_clear(&route);
 }
@@ -293,6 +303,10 @@ static void extremes(void **state)
     check_close(pull.max_tension, 3000, 0);
     check_close(pull.max_at, 0, 0);
     check_close(pull.max_sidewall, sidewall, 1e-8);
+    assert_int_equal(pull.max_piece, 0);
+    assert_int_equal(pull.min_piece, 1);
+    assert_int_equal(pull.sidewall_piece, 1);
+    check_close(pull_at(&pull, 25).support, 100 * cos(0.3), 1e-9); /* on the straight slope: the weight across it */
     const PieceExtremes most = pull_piece_extremes(&pull, 1);
     check_close(most.sidewall, pull.max_sidewall, 0);
     check_close(most.sidewall, most.tension / 20, 1e-12);

@@ -1,0 +1,198 @@
+/* Pieces of a checkpoint one by one: what is written is read, and what is damaged behind a right sum is refused with a
+ * reason before it is used. */
+#include "core/base/checkpoint.h"
+#include "core/block_chain.h"
+#include "core/profile.h"
+#include "tests/support/check.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct Things {
+    double number;
+    int n, room, *list;
+    const char *text, *none;
+} Things;
+
+static void things_checkpoint(Checkpoint *c, Things *t)
+{
+    CHECKPOINT(c, t->number);
+    checkpoint_list(c, "list", (void **)&t->list, &t->n, &t->room, sizeof *t->list);
+    checkpoint_text(c, "text", &t->text);
+    checkpoint_text(c, "none", &t->none);
+}
+
+/* Counted and written. */
+static Checkpoint things_written(Things *t)
+{
+    Checkpoint c = checkpoint_new(0);
+    things_checkpoint(&c, t);
+    c = checkpoint_new(c.size);
+    things_checkpoint(&c, t);
+    assert_int_equal(c.status, HAWSER_OK);
+    assert_int_equal(c.size, c.room);
+    return c;
+}
+
+static Checkpoint things_read(const void *bytes, size_t size, Things *t, TextPool *pool)
+{
+    Checkpoint c = checkpoint_over(bytes, size, pool);
+    things_checkpoint(&c, t);
+    checkpoint_end(&c);
+    free(t->list);
+    text_pool_free(pool);
+    return c;
+}
+
+static void both_ways(void **state)
+{
+    (void)state;
+    int list[] = {3, 1, 4, 1, 5};
+    Things from = {1.5, 5, 5, list, "words", NULL}, to = {.text = "before", .none = "before"};
+    TextPool pool = {0};
+    Checkpoint written = things_written(&from);
+    Checkpoint c = checkpoint_over(written.bytes, written.size, &pool);
+    things_checkpoint(&c, &to);
+    checkpoint_end(&c);
+    assert_int_equal(c.status, HAWSER_OK);
+    check_equal(to.number, 1.5);
+    assert_int_equal(to.n, 5);
+    assert_memory_equal(to.list, list, sizeof list);
+    assert_string_equal(to.text, "words");
+    assert_null(to.none);
+    free(to.list);
+    text_pool_free(&pool);
+    checkpoint_free(&written);
+}
+
+/* Heads are two words: of the name, of the size. Every word of them is damaged in turn, and every end is cut. */
+static void damaged(void **state)
+{
+    (void)state;
+    int list[] = {3, 1, 4, 1};
+    Things from = {1.5, 4, 4, list, "words", NULL};
+    TextPool pool = {0};
+    Checkpoint written = things_written(&from);
+    const size_t head[] = {0, 24, 56, 80};
+    for (size_t k = 0; k < sizeof head / sizeof *head; ++k) {
+        static const uint64_t sizes[] = {1, 3, 1 << 20, UINT64_MAX};
+        for (size_t n = 0; n < sizeof sizes / sizeof *sizes; ++n) {
+            Things to = {0};
+            unsigned char *const bytes = malloc(written.size);
+            memcpy(bytes, written.bytes, written.size);
+            memcpy(bytes + head[k] + 8, &sizes[n], sizeof *sizes);
+            assert_int_equal(things_read(bytes, written.size, &to, &pool).status, HAWSER_ERR_INPUT);
+            free(bytes);
+        }
+        Things to = {0};
+        unsigned char *const bytes = malloc(written.size);
+        memcpy(bytes, written.bytes, written.size);
+        bytes[head[k]] ^= 1;
+        const Checkpoint c = things_read(bytes, written.size, &to, &pool);
+        assert_int_equal(c.status, HAWSER_ERR_INPUT);
+        check_has(c.fault, "it has no piece");
+        free(bytes);
+    }
+    for (size_t size = 0; size < written.size; size += 8) {
+        Things to = {0};
+        assert_int_equal(things_read(written.bytes, size, &to, &pool).status, HAWSER_ERR_INPUT);
+    }
+    checkpoint_free(&written);
+}
+
+/* One that is longer than it should be, or grows while it is written. */
+static void lengths(void **state)
+{
+    (void)state;
+    double numbers[2] = {1, 2};
+    Checkpoint c = checkpoint_new(24);
+    checkpoint_put(&c, "one", numbers, sizeof *numbers);
+    assert_int_equal(c.status, HAWSER_OK);
+    Checkpoint read = checkpoint_over(c.bytes, c.size, NULL);
+    checkpoint_end(&read);
+    check_has(read.fault, "more pieces");
+    checkpoint_put(&c, "two", numbers, sizeof *numbers);
+    check_has(c.fault, "grown");
+    checkpoint_lack(&c); /* the first fault counts */
+    assert_int_equal(c.status, HAWSER_ERR_INPUT);
+    checkpoint_free(&c);
+}
+
+static hawser_status profile_back(Profile profile, const Profile *table)
+{
+    Checkpoint c = checkpoint_new(1 << 10);
+    profile_checkpoint(&c, &profile, table);
+    assert_int_equal(c.status, HAWSER_OK);
+    Profile read = {.time = (const double *)1};
+    Checkpoint back = checkpoint_over(c.bytes, c.size, NULL);
+    profile_checkpoint(&back, &read, table);
+    if (!back.status) assert_true(read.time == (profile.kind == PROFILE_TABLE ? table->time : NULL));
+    checkpoint_free(&c);
+    return back.status;
+}
+
+static void profiles(void **state)
+{
+    (void)state;
+    const double time[] = {0, 1}, value[] = {2, 3};
+    const Profile table = {.kind = PROFILE_TABLE, .n = 2, .time = time, .value = value}, level = {.v1 = 1};
+    assert_int_equal(profile_back(table, &table), HAWSER_OK);
+    assert_int_equal(profile_back(level, &table), HAWSER_OK);
+    assert_int_equal(profile_back(table, &level), HAWSER_ERR_INPUT);
+    assert_int_equal(profile_back((Profile){.kind = PROFILE_TABLE, .n = 3}, &table), HAWSER_ERR_INPUT);
+    assert_int_equal(profile_back((Profile){.kind = (ProfileKind)7}, &table), HAWSER_ERR_INPUT);
+    assert_int_equal(profile_back((Profile){.kind = (ProfileKind)-1}, &table), HAWSER_ERR_INPUT);
+}
+
+/* A pattern of blocks, there and back; its numbers are changed one by one, each to what cannot be. */
+static void patterns(void **state)
+{
+    (void)state;
+    BlockPair pair[] = {{0, 2}, {1, 4}};
+    BlockExtras x = {0}, read = {0};
+    assert_true(block_extras_alloc(&x, 5) && block_extras_alloc(&read, 5));
+    assert_true(block_extras_set(&x, 2, pair));
+    assert_int_equal(x.count, 4);
+    Checkpoint c = checkpoint_new(1 << 14);
+    block_extras_checkpoint(&c, &x);
+    assert_int_equal(c.status, HAWSER_OK);
+    Checkpoint back = checkpoint_over(c.bytes, c.size, NULL);
+    block_extras_checkpoint(&back, &read);
+    assert_int_equal(back.status, HAWSER_OK);
+    assert_int_equal(read.count, 4);
+    assert_memory_equal(read.col, x.col, 4 * sizeof *x.col);
+    assert_int_equal(block_extras_find(&read, 4, 1), block_extras_find(&x, 4, 1));
+    checkpoint_free(&c);
+    for (int k = 0; k < 6 + 4 + 4; ++k) {
+        static const int wrong[] = {-1, 5, 99, INT_MAX};
+        for (size_t w = 0; w < sizeof wrong / sizeof *wrong; ++w) {
+            int *const at = k < 6 ? &x.start[k] : k < 10 ? &x.row[k - 6] : &x.col[k - 10];
+            const int was = *at;
+            *at = wrong[w];
+            c = checkpoint_new(1 << 14);
+            block_extras_checkpoint(&c, &x);
+            assert_int_equal(c.status, HAWSER_ERR_INPUT);
+            check_has(c.fault, "blocks off the diagonals");
+            checkpoint_free(&c);
+            *at = was;
+        }
+    }
+    int none = 3; /* an odd number of blocks */
+    c = checkpoint_new(64);
+    checkpoint_put(&c, "count", &none, sizeof none);
+    back = checkpoint_over(c.bytes, c.size, NULL);
+    block_extras_checkpoint(&back, &read);
+    assert_int_equal(back.status, HAWSER_ERR_INPUT);
+    checkpoint_free(&c);
+    block_extras_free(&x);
+    block_extras_free(&read);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(both_ways), cmocka_unit_test(damaged),
+                                       cmocka_unit_test(lengths), cmocka_unit_test(profiles),
+                                       cmocka_unit_test(patterns)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
