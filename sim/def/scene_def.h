@@ -74,6 +74,8 @@ typedef struct SurfaceDef {
     double bore; /* m, inside radius of a duct in which shape.radius is that of the room for the bundle's middle and the
                   * equivalent cable (BU8); 0: they are the same */
     double weight_factor; /* of a duct in which several chains lie: w_c, for theory alone (SC15); 0: none */
+    DuctDef
+        several; /* how these lie in it, for its jam ratio and room; cables 0: one lies there, or no formula knows */
 } SurfaceDef;
 
 typedef struct LeadInDef {

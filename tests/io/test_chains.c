@@ -195,7 +195,57 @@ static void test_theory(void **state)
     if (hawser_case_describe(c, HAWSER_TABLE, &text, &err)) fail_msg("%s", err.message);
     assert_non_null(strstr(text, "Chains that are pulled together"));
     assert_non_null(strstr(text, "three"));
+    assert_non_null(strstr(text, "2.305")); /* jam ratio, 1.05 D/d of the three and not of the rope */
     hawser_text_free(text);
+    hawser_case_free(c);
+}
+
+/* A rope begins with the pulls of all that it draws and takes them round its own bends (SC15): without weight the
+ * capstan formula, 300 N exp(mu theta), and beyond the end of the route nothing is added. */
+static void test_rope_theory(void **state)
+{
+    (void)state;
+    for (int beyond = 0; beyond < 2; ++beyond) {
+        const char *const settings[] = {"gravity",
+                                        "0 m/s2",
+                                        "route.pieces",
+                                        "[{straight: 5 m}, {bend: 60 deg, radius: 2 m, plane: left}, {straight: 1 m}]",
+                                        "chains.rope.chain.0.length",
+                                        beyond ? "6 m" : "3.6 m",
+                                        "surfaces.ducts",
+                                        "[{name: duct, radius: 45 mm}]",
+                                        NULL};
+        hawser_case *const c = load(FOLDER "chains-rope.yaml", settings);
+        hawser_sim *s;
+        hawser_error err;
+        hawser_summary sum;
+        if (hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
+        hawser_sim_summary(s, &sum);
+        /* in mid window the winch has come 0.1 m: the rope ends 7.7 m along, behind the bend's end at 7.094 m */
+        check_below(fabs(sum.reference_total_N / (300 * exp(0.3 * M_PI / 3)) - 1), 1e-6);
+        for (int k = 1; k < 4; ++k) {
+            hawser_sim_summary(hawser_sim_chain(s, k), &sum);
+            check_below(fabs(sum.reference_total_N / 100 - 1), 1e-9);
+        }
+        hawser_sim_free(s);
+        hawser_case_free(c);
+    }
+}
+
+/* What they press on each other with is soft at first, as walls are (E5): cables that drop onto each other in a duct
+ * come to rest. */
+static void test_rest(void **state)
+{
+    (void)state;
+    const char *const settings[] = {"surfaces.ducts.0.radius", "48 mm", "friction.mu", "0", NULL};
+    hawser_case *const c = load(FOLDER "chains-rope.yaml", settings);
+    hawser_relaxation rest;
+    hawser_sim *s;
+    hawser_error err;
+    if (hawser_sim_new(c, NULL, &s, &err) || hawser_sim_relax(s, &rest, &err)) fail_msg("%s", err.message);
+    assert_true(rest.reached);
+    check_at_most(rest.iterations, 300);
+    hawser_sim_free(s);
     hawser_case_free(c);
 }
 
@@ -412,7 +462,8 @@ int main(void)
         cmocka_unit_test(test_three_runs), cmocka_unit_test(test_books),   cmocka_unit_test(test_weight_correction),
         cmocka_unit_test(test_places),     cmocka_unit_test(test_refused), cmocka_unit_test(test_handles),
         cmocka_unit_test(test_resumed),    cmocka_unit_test(test_alone),   cmocka_unit_test(test_theory),
-        cmocka_unit_test(test_judged),     cmocka_unit_test(test_fallen),
+        cmocka_unit_test(test_judged),     cmocka_unit_test(test_fallen),  cmocka_unit_test(test_rope_theory),
+        cmocka_unit_test(test_rest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
