@@ -43,9 +43,12 @@ double sim_jolt(const Sim *s) { return steadiness_jolt(&s->steadiness, came_to_r
 static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
 {
     const Scene *const scene = &s->stage.scene;
-    const BalanceWindow books = out->balance ? balance_window(s->stage.balance) : (BalanceWindow){0};
+    /* the books of several chains are kept by the first, and what they leave open is a share of each one's pull */
+    const Sim *const keeper = s->leader ? s->leader : s;
+    const int kept = s->leader ? keeper->stage.balance != NULL : out->balance != NULL;
+    const BalanceWindow books = kept ? balance_window(keeper->stage.balance) : (BalanceWindow){0};
     ErrorShares shares =
-        error_shares(scene, &s->mesh, out->balance ? &books : NULL, fmin(out->pull_mean_N, out->reference_total_N));
+        error_shares(scene, &s->mesh, kept ? &books : NULL, fmin(out->pull_mean_N, out->reference_total_N));
     const Unsettled refused = steadiness_refused(&s->steadiness, came_to_rest(s));
     shares.drift = refused.drift;
     shares.stands_out = refused.stands_out;

@@ -160,6 +160,71 @@ static void test_weight_correction(void **state)
     }
 }
 
+/* walls/weight of three in a duct of D/d, of which two lie at the ends of its level diameter and the third on them like
+ * the keystone of an arch, 1.5 s after they were let go. */
+static double arch(double ratio, double mu)
+{
+    const double d = 41, rho = d * (ratio - 1) / 2, apart = 1.0005 * d;
+    const double up = rho < apart ? sqrt(apart * apart - rho * rho) : 0.02 * d;
+    char text[1200];
+    snprintf(
+        text, sizeof text,
+        "cables: {power: {d: 41 mm, mass: 3 kg/m, EA: 27 MN, GA: 9 MN, GJ: 100 N m2, EI: 60 N m2, damping: 2 ms}}\n"
+        "chain: [{cable: power, length: 600 mm, segment: 200 mm}]\n"
+        "chains:\n"
+        "  left: {still: true, place: [%.6f mm, 0 mm]}\n"
+        "  right: {still: true, place: [-%.6f mm, 0 mm]}\n"
+        "  middle: {still: true, place: [0 mm, %.6f mm]}\n"
+        "route: {head_at: 700 mm, pieces: [{straight: 1 m}]}\n"
+        "surfaces: {ducts: [{name: duct, radius: %.6f mm}]}\n"
+        "friction: {mu: %g}\n"
+        "solver: {relax: false}\n"
+        "run: {duration: 2 s, steady_from: 1.5 s}\n",
+        rho - 0.01, rho - 0.01, up, d * ratio / 2, mu);
+    hawser_sim *const s = run(case_with(text, NULL));
+    const double found = figure_of(s, "all", "weight_correction");
+    hawser_sim_free(s);
+    return found;
+}
+
+/* The smallest D/d at which such an arch stands (SC16). */
+static double arch_stands(double mu)
+{
+    double low = 0, high = M_PI / 2; /* 3 sin a = mu (1 + 3 cos a) */
+    while (high - low > 1e-12) {
+        const double a = (low + high) / 2;
+        *(3 * sin(a) < mu * (1 + 3 * cos(a)) ? &low : &high) = a;
+    }
+    return 1 + 2 * cos(low);
+}
+
+/* Jamming: without friction the arch becomes a triangle below D/d = 3 and a cradle above it, and presses as their
+ * formulas say; with friction it stands from where (SC16) says on up to 3 and beyond, and presses on the duct several
+ * times as hard. */
+static void test_jam(void **state)
+{
+    (void)state;
+    double most = 0;
+    const double limp[] = {2.7, 2.95, 3.2};
+    for (int i = 0; i < 3; ++i) {
+        const double x = 1 / (limp[i] - 1), formula = limp[i] < 3 ? 1 / sqrt(1 - x * x) : 1 + 4.0 / 3 * x * x;
+        check_below(fabs(arch(limp[i], 0) / formula - 1), 2e-3);
+    }
+    const double mu[] = {0.2, 0.3};
+    for (int i = 0; i < 2; ++i) {
+        const double edge = arch_stands(mu[i]);
+        for (int beyond = 0; beyond < 2; ++beyond) {
+            const double ratio = edge + (beyond ? 0.03 : -0.04), x = 1 / (ratio - 1);
+            const double pressed = arch(ratio, mu[i]) * sqrt(1 - x * x);
+            print_message("mu %.1f: stands from %.3f; at %.3f %.3f times the triangle\n", mu[i], edge, ratio, pressed);
+            if (beyond) check_between(pressed, 1.4, 4);
+            if (!beyond) check_below(fabs(pressed - 1), 2e-3);
+        }
+        most = fmax(most, arch(3, mu[i]));
+    }
+    check_above(most, 5); /* of three in one line */
+}
+
 /* The calculation of each, and a rope's the sum of what it draws and of its own; what is there to be built. */
 static void test_theory(void **state)
 {
@@ -463,7 +528,7 @@ int main(void)
         cmocka_unit_test(test_places),     cmocka_unit_test(test_refused), cmocka_unit_test(test_handles),
         cmocka_unit_test(test_resumed),    cmocka_unit_test(test_alone),   cmocka_unit_test(test_theory),
         cmocka_unit_test(test_judged),     cmocka_unit_test(test_fallen),  cmocka_unit_test(test_rope_theory),
-        cmocka_unit_test(test_rest),
+        cmocka_unit_test(test_rest),       cmocka_unit_test(test_jam),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
