@@ -62,6 +62,25 @@ static int is_stepped(const Scene *scene)
     return scene->def.analysis.kind == ANALYSIS_STATIC || scene->def.analysis.kind == ANALYSIS_MODES;
 }
 
+static void figures_fill(const Sim *s, hawser_summary *out);
+
+/* What the meshes of the cables that a rope draws make of their pulls, it pulls too (SC17). */
+static void drawn_errors_add(const Sim *rope, hawser_summary *out)
+{
+    const struct Together *const all = rope->leader ? rope->leader->together : rope->together;
+    for (int k = 0; k < all->n; ++k) {
+        const int joined = all->sim[k]->stage.scene.def.strand.joined;
+        hawser_summary own;
+        if (joined < 0 || all->sim[joined] != rope) continue;
+        figures_fill(all->sim[k], &own);
+        hawser_error_bar *const bars[] = {&out->pull_mean_error, &out->pull_peak_error};
+        for (int b = 0; b < 2; ++b) {
+            bars[b]->mesh += own.pull_mean_error.mesh;
+            bars[b]->total += own.pull_mean_error.mesh;
+        }
+    }
+}
+
 /* All of the summary but the conditions. */
 static void figures_fill(const Sim *s, hawser_summary *out)
 {
@@ -121,6 +140,7 @@ static void figures_fill(const Sim *s, hawser_summary *out)
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
     other_passes_bars(&s->others, &s->stats, sim_jolt(s), out);
+    if (scene->def.strand.rope) drawn_errors_add(s, out);
     /* theory's tensions along the route are a cable's, and none of a rope that draws others behind it */
     if (scene->def.strand.rope)
         out->error_max_pct = out->error_mean_pct = out->error_max_paper_pct = out->error_mean_paper_pct = NAN;

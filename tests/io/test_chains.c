@@ -103,6 +103,16 @@ static void test_books(void **state)
     check_below(fabs(figure_of(s, "all", "pull_mean_N") / three - 1), 1e-9);
     check_below(fabs(figure_of(s, "one", "share") + figure_of(s, "two", "share") + figure_of(s, "three", "share") - 1),
                 1e-9);
+    /* what the cables' meshes make of it is in the rope's bar (SC17), and books are everybody's (EB2) */
+    double meshes = 0, time = sum.pull_mean_error.time / sum.pull_mean_N;
+    const double own = sum.pull_mean_error.mesh;
+    for (int k = 1; k < 4; ++k) {
+        hawser_sim_summary(hawser_sim_chain(s, k), &sum);
+        meshes += sum.pull_mean_error.mesh;
+        check_at_least(sum.pull_mean_error.time / sum.pull_mean_N, 0.999 * time);
+    }
+    check_above(own, meshes);
+    check_below(own, 2 * meshes);
     /* theory of the three with the triangle's weight factor beside it */
     const double x = 41.0 / (90 - 41);
     check_below(fabs(figure_of(s, "one", "weight_factor") - 1 / sqrt(1 - x * x)), 1e-9);
