@@ -71,7 +71,7 @@ typedef struct SurfaceDef {
     char name[NAME_MAX_LENGTH];
     SurfaceShape shape;
     FrictionLaw friction;
-    double bore;          /* m, a duct's inside radius where shape.radius is that of a bundle's room (BU8); 0: it is that */
+    double bore; /* m, a duct's inside radius where shape.radius is that of a bundle's room (BU8); 0: it is that */
     double weight_factor; /* of a duct with several chains in it: w_c, for theory alone (SC15); 0: none */
     DuctDef several;      /* how these lie in it; cables 0: one lies there, or no formula knows */
 } SurfaceDef;
