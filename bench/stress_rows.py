@@ -10,6 +10,8 @@ import math
 from dataclasses import dataclass, field
 from typing import Callable
 
+from stress_bundles import bundle_rows
+
 GRAVITY, MASS, MU = 9.81, 22.0, 0.2
 DIAMETER, AREA, MODULUS = 87.3e-3, 5982.7e-6, 115e9
 BAR = math.pi * DIAMETER**4 / 64  # second moment of area
@@ -466,4 +468,4 @@ ROWS = (
     Row("drum, smooth", "m", (2, 1, 0.5, 0.3, 0.2), drum_case, DRUM_PEAK, "tension below twice Euler's",
         known={v: WRAP for v in (2, 1, 0.5, 0.3, 0.2)}),
     Row("drum, cylinder", "m", (2, 1, 0.5, 0.3, 0.2), lambda v: drum_case(v, "cylinder"), DRUM_PEAK, "tension below twice Euler's"),
-)
+) + bundle_rows(Row)

@@ -80,10 +80,11 @@ static hawser_status build_sim(const Arguments *args, hawser_case **c, hawser_si
     hawser_status status = args->resume ? hawser_case_resume(args->resume, c, err) : load_case(args, c, err);
     if (!status) status = hawser_sim_new(*c, &options, out, err);
     if (!status && hawser_sim_chains(*out) > 1 && (args->certify || args->sensitive)) {
-        /* before the run, not after it */
-        *err = (hawser_error){.status = status = HAWSER_ERR_INPUT};
-        snprintf(err->message, sizeof err->message, "%s: key 'chains': --%s cannot be had of several chains",
-                 args->case_path ? args->case_path : args->resume, args->certify ? "certify" : "sensitivities");
+        /* both refuse them, with the line that has them: before the run, not after it */
+        hawser_certificate *none;
+        char *text;
+        status = args->certify ? hawser_certify(*c, *out, NULL, &none, err)
+                               : hawser_case_sensitivities(*c, HAWSER_TABLE, &text, err);
         hawser_sim_free(*out);
         *out = NULL;
     }

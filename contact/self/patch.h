@@ -12,6 +12,8 @@ typedef struct SelfLine {
     const Chain *chain;
     const Kinematics *kin;
     int row;
+    int eye; /* from 1: lines of the same number have their heads held apart by one eye, and do not press there; 0: none
+              */
 } SelfLine;
 
 /* The law of cable on cable. */

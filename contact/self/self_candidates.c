@@ -130,6 +130,7 @@ typedef struct Walk {
     SelfPairs *pairs;
     const SelfLine *onto; /* whose tree it is */
     int line, element, other, from;
+    int eye, last; /* of the element's line: its eye, its last element */
     double reach;
     Chord chord;   /* of the element */
     double radius; /* m, its contact radius, the larger */
@@ -149,6 +150,12 @@ static int element_near(const Walk *w, int f)
     return chords_apart(&w->chord, &other) - bulges - radii <= w->reach;
 }
 
+/* Whether the walk's element and f are the heads' ends that one eye holds (SC9). */
+static int held_apart(const Walk *w, int f)
+{
+    return w->onto->eye > 0 && w->eye == w->onto->eye && w->element == w->last && f == w->onto->chain->n;
+}
+
 /* Visits the tree below `node`, which holds `width` leaves from `first` on; 0 if there is no memory. */
 static int walk(const Walk *w, int node, int first, int width)
 {
@@ -157,6 +164,7 @@ static int walk(const Walk *w, int node, int first, int width)
     if (first + width <= w->from || sphere->radius < 0) return 1;
     const double apart = v3_norm(v3_sub(sphere->centre, mine->centre)) - sphere->radius - mine->radius;
     if (apart > w->reach) return 1;
+    if (width == 1 && held_apart(w, first)) return 1;
     if (width == 1) return !element_near(w, first) || candidate_add(w->pairs, w->line, w->element, w->other, first);
     return walk(w, 2 * node, first, width / 2) && walk(w, 2 * node + 1, first + width / 2, width / 2);
 }
@@ -228,7 +236,8 @@ static int line_walk(const SelfModel *model, const SelfLines *lines, int line, S
     for (int e = 0; e < elements; ++e) {
         if (e + skip >= elements && line + 1 == lines->n) break;
         /* the far end of a pressed piece has its foot within the piece's length of it */
-        Walk w = {.pairs = pairs, .line = line, .element = e, .radius = element_radius_most(chain, e)};
+        Walk w = {.pairs = pairs, .line = line, .element = e, .eye = mine->eye, .last = chain->n};
+        w.radius = element_radius_most(chain, e);
         w.reach = model->reach + 1.25 * self_piece_length(chain, e);
         w.chord = chord_of(chain, mine->kin, e);
         for (w.other = line; w.other < lines->n; ++w.other) {

@@ -48,6 +48,7 @@ static const Column route_column[] = {
 typedef struct SurfaceRow {
     hawser_surface surface;
     double friction, clearance; /* 1, mm */
+    double jam_ratio;           /* of several chains in a duct; NAN: elsewhere */
 } SurfaceRow;
 
 static const Column surface_column[] = {
@@ -57,6 +58,7 @@ static const Column surface_column[] = {
     {COLUMN("to_m", NUMBER, SurfaceRow, surface.to_m), .label = "to s, m", .decimals = 3},
     {COLUMN("friction", NUMBER, SurfaceRow, friction), .label = "friction", .decimals = -1},
     {COLUMN("clearance_mm", NUMBER, SurfaceRow, clearance), .label = "clearance, mm", .decimals = 1},
+    {COLUMN("jam_ratio", NUMBER, SurfaceRow, jam_ratio), .label = "jam ratio", .decimals = 3},
 };
 
 /* How several cables lie in a duct. */
@@ -203,7 +205,9 @@ static void fill_rows(Description *d)
     }
     for (int i = 0; i < def->n_surfaces; i++) {
         const hawser_surface s = d->surfaces[i];
-        d->surface[i] = (SurfaceRow){s, def->surfaces[i].friction.mu_d, 1e3 * s.clearance_m};
+        const SurfaceDef *const surface = &def->surfaces[i];
+        const double jam_ratio = surface->several.cables > 0 ? s.jam_ratio : NAN;
+        d->surface[i] = (SurfaceRow){s, surface->friction.mu_d, 1e3 * s.clearance_m, jam_ratio};
     }
 }
 

@@ -169,14 +169,14 @@ static const Column duct_column[] = {
 };
 static const Columns duct_columns = COLUMNS(DuctRow, duct_column);
 
-static int ducts_add(const Calculator *c, TheoryTables *t)
+static int ducts_add(const Scene *scene, const Calculator *c, TheoryTables *t)
 {
     if (c->n_ducts == 0) return 1;
     DuctRow *const row = theory_table_add(t, "ducts", "Ducts", duct_columns, c->n_ducts);
     for (int i = 0; row && i < c->n_ducts; ++i) {
         const DuctLoad *const load = &c->duct[i].load;
         row[i] = (DuctRow){c->duct[i].surface->name, duct_layout_name(load->layout), jam_risk_name(load->jam_risk),
-                           c->cables, *load};
+                           bundle_cables_in(&scene->def, c->duct[i].surface), *load};
     }
     return row != NULL;
 }
@@ -244,10 +244,9 @@ hawser_status theory_tables_make(const Scene *scene, const Calculator *c, const 
                                  hawser_error *err)
 {
     *out = (TheoryTables){0};
-    const int fine = pieces_add(scene, c, out) && ways_add(c, out) &&
-                     (scene->def.strand.present || ducts_add(c, out)) && /* with others it does not lie alone */
-                     pushes_add(c, out) && theory_planner_add(scene, c, inverse, out) &&
-                     theory_limits_add(c, PLAN_WAYS, out) && notes_add(scene, c, out);
+    const int fine = pieces_add(scene, c, out) && ways_add(c, out) && ducts_add(scene, c, out) && pushes_add(c, out) &&
+                     theory_planner_add(scene, c, inverse, out) && theory_limits_add(c, PLAN_WAYS, out) &&
+                     notes_add(scene, c, out);
     if (fine && out->table[out->n - 1].n == 0) free(out->rows[--out->n]); /* no closed form was refused */
     if (fine) return HAWSER_OK;
     theory_tables_free(out);

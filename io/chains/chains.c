@@ -173,22 +173,47 @@ static hawser_status lay_check(Reading *all, const CaseNode *node, double length
     return HAWSER_OK;
 }
 
-/* What theory says of each duct with that many cables in it (SC15); where it knows no layout of so many, 1.4. */
-static void factors_set(Reading *all, const LayDef *lay, int cables, double diameter)
+/* All cables as one set: the thickest, and those that are thinner (BU6). */
+static DuctDef set_of(const Reading *all, const LayDef *lay, double thickest)
+{
+    static const double ALIKE = 0.999;
+    DuctDef set = {.cable_diameter = thickest, .twisted = lay->pattern == LAY_TRIPLEXED};
+    double three[3] = {0}; /* m, the thickest, by falling diameter */
+    for (int k = 0; k < all->n; ++k) {
+        double d = diameter_of(&all->def[k]);
+        if (all->record[k].def.rope) continue;
+        const int thinner = d < ALIKE * thickest;
+        set.cables += !thinner;
+        set.thinner += thinner;
+        if (thinner) set.thinner_square += d * d;
+        for (int i = 0; i < 3; ++i) {
+            const double before = three[i];
+            three[i] = fmax(before, d);
+            d = fmin(before, d);
+        }
+    }
+    if (three[2] > 0) set.jam_diameter = (three[0] + three[1] + three[2]) / 3;
+    if (set.cables == 3 && lay->pattern == LAY_CRADLED) set.layout = DUCT_CRADLE;
+    if (set.cables == 3 && (lay->pattern == LAY_TRIANGULAR || set.twisted)) set.layout = DUCT_TRIANGLE;
+    return set;
+}
+
+/* What theory says of each duct with all cables in it (SC15); where it knows no layout of so many, 1.4. */
+static void factors_set(Reading *all, const LayDef *lay, int cables, double thickest)
 {
     static const double UNKNOWN = 1.4; /* of arrangements without a formula, as for bundles */
+    DuctDef set = set_of(all, lay, thickest);
     for (int s = 0; s < all->def[0].n_surfaces; ++s) {
-        const SurfaceDef *const surface = &all->def[0].surfaces[s];
-        DuctDef duct = {.duct_diameter = 2 * surface->shape.radius, .cable_diameter = diameter, .cables = cables};
+        const SurfaceShape *const shape = &all->def[0].surfaces[s].shape;
         DuctLoad load;
-        if (surface->shape.kind != SURFACE_DUCT || cables < 2) continue;
-        if (cables == 3 && lay->pattern == LAY_CRADLED) duct.layout = DUCT_CRADLE;
-        if (cables == 3 && (lay->pattern == LAY_TRIANGULAR || lay->pattern == LAY_TRIPLEXED))
-            duct.layout = DUCT_TRIANGLE;
-        duct.twisted = lay->pattern == LAY_TRIPLEXED;
-        const double factor = duct_load(&duct, &load, NULL) ? UNKNOWN : load.weight_factor;
-        for (int k = 0; k < all->n; ++k)
-            if (!all->record[k].def.rope) all->def[k].surfaces[s].weight_factor = factor;
+        if (shape->kind != SURFACE_DUCT || cables < 2) continue;
+        set.duct_diameter = 2 * shape->radius;
+        const int known = !duct_load(&set, &load, NULL);
+        for (int k = 0; k < all->n; ++k) {
+            SurfaceDef *const duct = &all->def[k].surfaces[s];
+            if (known) duct->several = set;
+            if (!all->record[k].def.rope) duct->weight_factor = known ? load.weight_factor : UNKNOWN;
+        }
     }
 }
 

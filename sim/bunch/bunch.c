@@ -221,7 +221,7 @@ hawser_status bunch_new(Bunch *b, int n, const BunchChain *chain, const LinOptio
         b->chain[k] = chain[k];
         b->chain[k].at = at;
         b->chain[k].row = row;
-        b->line[k] = (SelfLine){&chain[k].scene->chain, &chain[k].ws->kin, row};
+        b->line[k] = (SelfLine){&chain[k].scene->chain, &chain[k].ws->kin, row, chain[k].scene->def.strand.joined + 1};
         row += chain[k].scene->chain.n;
         at += (chain[k].motion->size + LANES - 1) / LANES * LANES + (k + 1 < n ? APART : 0);
     }

@@ -12,6 +12,7 @@ typedef struct Together {
     Bunch *bunch;
     double t;
     double *y, *rate; /* [motion.size] */
+    double bed;       /* N/m^1.5, of the contact between them when it is not softened */
     Relaxation *own;  /* [bunch->n] */
 } Together;
 
@@ -69,6 +70,7 @@ static void soften(void *self, double share)
 {
     Together *const r = self;
     for (int k = 0; k < r->bunch->n; ++k) dynamics_soften(r->own[k].scene, r->own[k].ws, share);
+    r->bunch->contact.law.bed = share * r->bed;
 }
 
 /* Everyone's share, at rest; 0 if there is no memory. */
@@ -101,7 +103,7 @@ static void together_end(Together *r)
 hawser_status bunch_relax(Bunch *b, double t, double *y, hawser_relaxation *out, hawser_error *err)
 {
     static const RelaxOps ops = {residual, implicit_step, move_scale, move, refresh, soften};
-    Together r = {.bunch = b, .t = t, .y = y};
+    Together r = {.bunch = b, .t = t, .y = y, .bed = b->contact.law.bed};
     *out = (hawser_relaxation){0};
     hawser_status status = together_begin(&r) ? HAWSER_OK : error_memory(err);
     if (!status) {

@@ -115,7 +115,14 @@ hawser_status bundle_in(const SceneDef *def, const SurfaceDef *duct, DuctLoad *o
     const double inside = 2 * (duct->bore > 0 ? duct->bore : duct->shape.radius);
     const DuctDef alone = {.duct_diameter = inside, .cable_diameter = bundle_diameter(def), .cables = 1};
     const DuctDef set = bundle_in_duct(&b->set, &b->shape, inside);
+    if (duct->several.cables > 0) return duct_load(&duct->several, out, err);
     return duct_load(bundle_present(b) ? &set : &alone, out, err);
+}
+
+int bundle_cables_in(const SceneDef *def, const SurfaceDef *duct)
+{
+    const DuctDef *const several = &duct->several;
+    return several->cables > 0 ? several->cables + several->thinner : def->bundle.shape.cables;
 }
 
 /* The load where it counts: several cables in a duct. 0: elsewhere. */

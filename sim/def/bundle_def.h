@@ -27,8 +27,10 @@ hawser_status bundle_make(struct SceneDef *def, hawser_error *err);
 
 /* Outer diameter of the cable, m; of several the thickest's. */
 double bundle_diameter(const struct SceneDef *def);
-/* How the cables lie in a duct; also one alone. Errors: as duct_load. */
+/* How the cables lie in a duct; also one alone, or several chains. Errors: as duct_load. */
 hawser_status bundle_in(const struct SceneDef *def, const struct SurfaceDef *duct, DuctLoad *out, hawser_error *err);
+/* How many they are. */
+int bundle_cables_in(const struct SceneDef *def, const struct SurfaceDef *duct);
 /* By how much friction on a surface (NULL: on rollers) is larger for the cables' layout, on a straight or in a bend
  * (BU7). */
 double bundle_friction(const struct SceneDef *def, const struct SurfaceDef *surface, int in_bend);

@@ -71,9 +71,9 @@ typedef struct SurfaceDef {
     char name[NAME_MAX_LENGTH];
     SurfaceShape shape;
     FrictionLaw friction;
-    double bore; /* m, inside radius of a duct in which shape.radius is that of the room for the bundle's middle and the
-                  * equivalent cable (BU8); 0: they are the same */
-    double weight_factor; /* of a duct in which several chains lie: w_c, for theory alone (SC15); 0: none */
+    double bore; /* m, a duct's inside radius where shape.radius is that of a bundle's room (BU8); 0: it is that */
+    double weight_factor; /* of a duct with several chains in it: w_c, for theory alone (SC15); 0: none */
+    DuctDef several;      /* how these lie in it; cables 0: one lies there, or no formula knows */
 } SurfaceDef;
 
 typedef struct LeadInDef {

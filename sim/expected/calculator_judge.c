@@ -53,7 +53,8 @@ static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error 
         if (status) return status;
         limits_duct(&scene->def.limits, c->cables, NULL, NULL, f);
         for (int i = 0; i < c->n_ducts; ++i)
-            limits_duct(&scene->def.limits, c->cables, c->duct[i].surface->name, &c->duct[i].load, f);
+            limits_duct(&scene->def.limits, bundle_cables_in(&scene->def, c->duct[i].surface), c->duct[i].surface->name,
+                        &c->duct[i].load, f);
         c->n_limits = limits_judge(&scene->def.limits, bundle_diameter(&scene->def), scene->def.bundle.shape.thickest,
                                    f, c->limit[k]);
     }

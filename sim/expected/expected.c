@@ -11,8 +11,7 @@
 #include "sim/expected/stretches.h"
 #include "theory/paper.h"
 
-/* The winch's travel at time t, m; with a set tension, if it moves at its limit. */
-static double travel_at(const Scene *scene, double t)
+double expected_travel(const Scene *scene, double t)
 {
     if (!scene->winch->present) return 0;
     return scene->winch->mode == WINCH_TENSION ? t * winch_largest_speed(scene->winch) : winch_travel(scene->winch, t);
@@ -49,13 +48,19 @@ static double drum_tension(const Scene *scene)
     return def->drum.torque / radius + def->cables[def->pieces[0].cable].ei_z / (2 * radius * radius);
 }
 
-/* The cable from the route's start (behind it the lead-in is frictionless) or the tail to its front, and the rope. */
+/* The cable from the route's start (behind it the lead-in is frictionless) or the tail to its front, and the rope. A
+ * rope that draws others lies between them and the route's end, at most: nothing carries it beyond. */
 static void front_set(const Scene *scene, double front, double back, Expected *out)
 {
-    const double moved = front - scene->joint_s[scene->eye];
-    out->from = scene->weight.lead_in ? 0 : scene->joint_s[0] + moved;
+    const double moved = front - scene->joint_s[scene->eye], tail = scene->joint_s[0] + moved;
+    const StrandDef *const strand = &scene->def.strand;
+    out->from = scene->weight.lead_in ? (strand->present ? fmax(0, tail) : 0) : tail;
     out->to = front;
     out->rope_to = fmax(front, rope_end(scene, moved));
+    if (strand->rope) {
+        out->to = out->rope_to = fmin(front, scene->route.length);
+        out->from = fmin(tail, out->to);
+    }
     out->start_tension = scene->reel->winding.turns > 0 ? reel_tension(scene, front, back) : back;
 }
 
@@ -64,11 +69,12 @@ static void front_set(const Scene *scene, double front, double back, Expected *o
 static void stretch_of(const Scene *scene, Expected *out)
 {
     const double from = scene->def.output.steady_from, to = scene->def.duration;
-    const double moved = (travel_at(scene, from) + travel_at(scene, to)) / 2, front = scene->joint_s[scene->eye];
+    const double moved = (expected_travel(scene, from) + expected_travel(scene, to)) / 2,
+                 front = scene->joint_s[scene->eye];
     if (expected_follows(scene)) {
         const double end = scene->winch->take_in.present ? winch_place(scene) : scene->route.length;
         front_set(scene, fmin(front + moved, end), expected_back(scene, (from + to) / 2), out);
-        out->passed = fmin(front + travel_at(scene, from), end);
+        out->passed = fmin(front + expected_travel(scene, from), end);
         return;
     }
     const double shift = scene->weight.lead_in ? 0 : moved;
@@ -166,7 +172,7 @@ int expected_range(const Scene *scene, double *from, double *to)
 {
     const double end = scene->winch->take_in.present ? winch_place(scene) : scene->route.length;
     *from = scene->joint_s[scene->eye];
-    *to = fmin(*from + travel_at(scene, scene->def.duration), end);
+    *to = fmin(*from + expected_travel(scene, scene->def.duration), end);
     return *to > *from;
 }
 

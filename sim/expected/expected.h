@@ -31,6 +31,8 @@ hawser_status expected_at(const Scene *scene, double front, double back, Expecte
 int expected_follows(const Scene *scene);
 /* The case's back tension at time t, N. */
 double expected_back(const Scene *scene, double t);
+/* The winch's travel at time t, m; with a set tension, if it moves at its limit. */
+double expected_travel(const Scene *scene, double t);
 /* Where the front may be for that, as far as the definition goes: from..to m; 0 if it does not move along the route. */
 int expected_range(const Scene *scene, double *from, double *to);
 

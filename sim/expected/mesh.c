@@ -342,7 +342,7 @@ static MeshPlace place_make(const Walk *w, int piece, int leg, const RoutePiece 
                    .weight = cable->mass * v3_norm(def->gravity),
                    .mu = friction_on(def, bend),
                    .impact = surface ? def->line_impact : def->impact};
-    if (!def->winch.present) { /* nothing is pulled: only the shape counts */
+    if (!def->winch.present && def->strand.joined < 0) { /* nothing is pulled: only the shape counts */
         p.wrapped = WRAPPED;
         return p;
     }
@@ -353,7 +353,9 @@ static MeshPlace place_make(const Walk *w, int piece, int leg, const RoutePiece 
         p.wrapped = p.pitch > 0 ? 0 : WRAPPED;
         return p;
     }
+    DuctLoad load;
     if (surface->shape.kind == SURFACE_DUCT) p.room = surface->shape.radius - cable->diameter / 2;
+    if (surface->several.cables > 0 && !def->strand.rope && !bundle_in(def, surface, &load, NULL)) p.room = load.room;
     if (surface->shape.kind == SURFACE_FLAT && surface->shape.height > 0 && surface->shape.width > 0)
         p.room = surface->shape.width / 2 - cable->diameter / 2;
     return p;

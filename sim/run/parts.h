@@ -93,4 +93,8 @@ Sim *sim_chain(Sim *s, int k);
 Motion *sim_motion(const Sim *s);
 const double *sim_state(const Sim *s);
 
+/* A trip at a factor of what theory expects needs an expectation; of several chains they have one when all are built.
+ * Errors: INPUT. */
+hawser_status sim_trip_set(Sim *s, hawser_error *err);
+
 #endif

@@ -20,8 +20,7 @@
 #include "sim/stage/statics.h"
 #include "sim/watch/events.h"
 
-/* A trip at a factor of what theory expects needs an expectation. */
-static hawser_status trip_set(Sim *s, hawser_error *err)
+hawser_status sim_trip_set(Sim *s, hawser_error *err)
 {
     Winch *const w = s->stage.scene.winch;
     if (!(w->trip.factor > 0) || w->trip_force > 0) return HAWSER_OK;
@@ -55,7 +54,7 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     }
     if (!status && !scene->rod->present) status = by_position_new(&s->by_position, scene, err);
     if (!status) status = machines_new(&s->machines, scene, &s->expected, err);
-    if (!status) status = trip_set(s, err);
+    if (!status && !scene->def.strand.present) status = sim_trip_set(s, err);
     if (!status) status = start_check(s, err);
     if (!status) status = start_grades(s, err);
     return status ? status : start_fit(s, err);
@@ -382,8 +381,8 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
         s->look.sample.reference =
             by_position_reference(&s->by_position, look->head_at, expected_back(&s->stage.scene, s->stage.t));
     }
-    if (s->by_position.n_grid > 0 && (s->together || s->leader))
-        s->look.sample.reference += together_expected(s->together ? s->together : s->leader->together, s);
+    if (s->together || s->leader)
+        s->look.sample.reference = together_expected(s->together ? s->together : s->leader->together, s);
     machines_look(&s->machines, &s->stage.scene, &s->stage.ws, s->stage.t);
     s->look.sample.machines = s->machines.n;
     s->look.sample.machine = s->machines.out;

@@ -43,9 +43,12 @@ double sim_jolt(const Sim *s) { return steadiness_jolt(&s->steadiness, came_to_r
 static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
 {
     const Scene *const scene = &s->stage.scene;
-    const BalanceWindow books = out->balance ? balance_window(s->stage.balance) : (BalanceWindow){0};
+    /* the books of several chains are kept by the first, and what they leave open is a share of each one's pull */
+    const Sim *const keeper = s->leader ? s->leader : s;
+    const int kept = s->leader ? keeper->stage.balance != NULL : out->balance != NULL;
+    const BalanceWindow books = kept ? balance_window(keeper->stage.balance) : (BalanceWindow){0};
     ErrorShares shares =
-        error_shares(scene, &s->mesh, out->balance ? &books : NULL, fmin(out->pull_mean_N, out->reference_total_N));
+        error_shares(scene, &s->mesh, kept ? &books : NULL, fmin(out->pull_mean_N, out->reference_total_N));
     const Unsettled refused = steadiness_refused(&s->steadiness, came_to_rest(s));
     shares.drift = refused.drift;
     shares.stands_out = refused.stands_out;
@@ -57,6 +60,25 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
 static int is_stepped(const Scene *scene)
 {
     return scene->def.analysis.kind == ANALYSIS_STATIC || scene->def.analysis.kind == ANALYSIS_MODES;
+}
+
+static void figures_fill(const Sim *s, hawser_summary *out);
+
+/* What the meshes of the cables that a rope draws make of their pulls, it pulls too (SC17). */
+static void drawn_errors_add(const Sim *rope, hawser_summary *out)
+{
+    const struct Together *const all = rope->leader ? rope->leader->together : rope->together;
+    for (int k = 0; k < all->n; ++k) {
+        const int joined = all->sim[k]->stage.scene.def.strand.joined;
+        hawser_summary own;
+        if (joined < 0 || all->sim[joined] != rope) continue;
+        figures_fill(all->sim[k], &own);
+        hawser_error_bar *const bars[] = {&out->pull_mean_error, &out->pull_peak_error};
+        for (int b = 0; b < 2; ++b) {
+            bars[b]->mesh += own.pull_mean_error.mesh;
+            bars[b]->total += own.pull_mean_error.mesh;
+        }
+    }
 }
 
 /* All of the summary but the conditions. */
@@ -106,7 +128,8 @@ static void figures_fill(const Sim *s, hawser_summary *out)
                          .worst_place = s->positions.worst < 0 ? NULL : &s->positions.out[s->positions.worst],
                          .method = scene->def.solver.method == METHOD_ESDIRK ? "esdirk" : "bdf"};
     const double mean = by_position_mean(&s->by_position);
-    if ((expected_follows(scene) || scene->def.strand.rope) && !isnan(mean)) out->reference_total_N = mean;
+    if ((expected_follows(scene) || scene->def.strand.rope || scene->def.strand.joined >= 0) && !isnan(mean))
+        out->reference_total_N = mean;
     integration_fill(s, out);
     out->phases.other = s->build_s;
     out->phases.relax = s->relax_s;
@@ -117,6 +140,7 @@ static void figures_fill(const Sim *s, hawser_summary *out)
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
     other_passes_bars(&s->others, &s->stats, sim_jolt(s), out);
+    if (scene->def.strand.rope) drawn_errors_add(s, out);
     /* theory's tensions along the route are a cable's, and none of a rope that draws others behind it */
     if (scene->def.strand.rope)
         out->error_max_pct = out->error_mean_pct = out->error_max_paper_pct = out->error_mean_paper_pct = NAN;

@@ -55,6 +55,34 @@ static hawser_status bunch_make(Together *all, hawser_error *err)
     return status ? status : apart_check(all, err);
 }
 
+/* N, what theory says of chain k when its winch, or that of the rope that draws it, has come so far: a rope begins with
+ * the pulls of all that it draws (SC15). */
+static double theory_at(const Together *all, int k, PullLaw law, double travel, double t)
+{
+    const Scene *const scene = &all->sim[k]->stage.scene;
+    double back = expected_back(scene, t);
+    int no_memory = 0; /* there is no figure then */
+    for (int j = 0; j < all->n; ++j)
+        if (all->sim[j]->stage.scene.def.strand.joined == k) back += theory_at(all, j, law, travel, t);
+    return by_position_theory(scene, law, scene->joint_s[scene->eye] + travel, back, &no_memory);
+}
+
+/* The pulls of ropes and of what they draw in mid steady window. */
+static void totals_set(Together *all)
+{
+    for (int k = 0; k < all->n; ++k) {
+        Sim *const s = all->sim[k];
+        const StrandDef *const strand = &s->stage.scene.def.strand;
+        const SceneDef *const def = &s->stage.scene.def;
+        if (!strand->rope && strand->joined < 0) continue;
+        const Scene *const rope = &all->sim[strand->rope ? k : strand->joined]->stage.scene;
+        const double from = def->output.steady_from, to = def->duration;
+        const double travel = (expected_travel(rope, from) + expected_travel(rope, to)) / 2;
+        s->expected.reference_total = theory_at(all, k, PULL_REFERENCE, travel, (from + to) / 2);
+        s->expected.paper_total = theory_at(all, k, PULL_NO_CAPSTAN, travel, (from + to) / 2);
+    }
+}
+
 hawser_status together_new(Sim **sim, int n, hawser_error *err)
 {
     Together *const all = sim[0]->together = calloc(1, sizeof *all);
@@ -65,13 +93,10 @@ hawser_status together_new(Sim **sim, int n, hawser_error *err)
     all->sim = sim;
     all->n = n;
     for (int k = 1; k < n; ++k) sim[k]->leader = sim[0];
-    const hawser_status status = bunch_make(all, err);
+    hawser_status status = bunch_make(all, err);
     if (status) return status;
-    for (int k = 0; k < all->n; ++k) {
-        const int rope = all->sim[k]->stage.scene.def.strand.joined;
-        if (rope >= 0) all->sim[rope]->expected.reference_total += all->sim[k]->expected.reference_total;
-        if (rope >= 0) all->sim[rope]->expected.paper_total += all->sim[k]->expected.paper_total;
-    }
+    totals_set(all);
+    for (int k = 0; !status && k < n; ++k) status = sim_trip_set(sim[k], err);
     return status;
 }
 
@@ -96,25 +121,17 @@ hawser_status together_relax(struct Together *all, hawser_relaxation *out, hawse
     return status;
 }
 
-/* What theory says of a chain now, N, wherever its front is. */
-static double expected_of(const Sim *s)
+double together_expected(const struct Together *all, const Sim *of)
 {
-    const Scene *const scene = &s->stage.scene;
-    const Led *const led = &s->stage.ws.led;
-    int no_memory = 0;
-    if (s->by_position.n_grid > 0 && !led->present) return s->look.sample.reference;
-    const double front = scene->joint_s[scene->eye] + led->travel;
-    return by_position_theory(scene, front, expected_back(scene, s->stage.t), &no_memory);
-}
-
-double together_expected(const struct Together *all, const Sim *rope)
-{
-    double sum = 0;
-    for (int k = 0; k < all->n; ++k) {
-        const int joined = all->sim[k]->stage.scene.def.strand.joined;
-        if (joined >= 0 && all->sim[joined] == rope) sum += expected_of(all->sim[k]);
-    }
-    return sum;
+    const StrandDef *const strand = &of->stage.scene.def.strand;
+    const Sim *const rope = strand->joined >= 0 ? all->sim[strand->joined] : of;
+    const Stage *const st = &rope->stage;
+    if (!strand->rope && strand->joined < 0) return of->look.sample.reference;
+    for (int k = 0; k < all->n; ++k)
+        if (all->sim[k] == of)
+            return theory_at(all, k, PULL_REFERENCE,
+                             winch_motion(st->scene.winch, &st->scene.chain, &st->ws.kin, st->t).travel, st->t);
+    return NAN;
 }
 
 /* What is stepped is all of them, with the first one's integrator and books. */
@@ -168,7 +185,7 @@ void together_look(struct Together *all, const Sim *of)
     bunch_look(&all->bunch, look);
     for (int k = 0; k < all->n; ++k) {
         const SceneDef *const def = &all->sim[k]->stage.scene.def;
-        look->chain[k].reference = expected_of(all->sim[k]);
+        look->chain[k].reference = together_expected(all, all->sim[k]);
         look->chain[k].factor = 1;
         for (int s = 0; s < def->n_surfaces; ++s)
             look->chain[k].factor = fmax(look->chain[k].factor, def->surfaces[s].weight_factor);

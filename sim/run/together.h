@@ -36,7 +36,7 @@ void together_look(struct Together *all, const Sim *of);
 int together_conditions(int n, hawser_condition *out, int more, const hawser_condition *theirs, const char *chain);
 int together_limits(int n, hawser_limit *out, int more, const hawser_limit *theirs, const char *chain);
 
-/* N, what theory says now of the chains whose heads are joined to a rope, by their last looks. */
-double together_expected(const struct Together *all, const Sim *rope);
+/* N, what theory says now of a chain: of a rope with all that it draws. */
+double together_expected(const struct Together *all, const Sim *of);
 
 #endif

@@ -110,7 +110,7 @@ static void duct_findings(const SceneDef *def, Finding f[LIMIT_KINDS])
         const SurfaceDef *const surface = &def->surfaces[i];
         DuctLoad load;
         if (surface->shape.kind == SURFACE_DUCT && !bundle_in(def, surface, &load, NULL))
-            limits_duct(&def->limits, cables, surface->name, &load, f);
+            limits_duct(&def->limits, bundle_cables_in(def, surface), surface->name, &load, f);
     }
 }
 

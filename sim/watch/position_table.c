@@ -11,13 +11,16 @@ enum { GRID_MOST = 400, BINS_MOST = 200 };
 static const double GRID = 0.5, BIN = 2; /* m, at least */
 static const double SHIFT = 100;         /* N, of the back tension for its gain */
 
-double by_position_theory(const Scene *scene, double s, double back, int *no_memory)
+double by_position_theory(const Scene *scene, PullLaw law, double s, double back, int *no_memory)
 {
     Expected e;
     Pull pull;
     hawser_error quiet = {0};
     double force = NAN;
-    if (!expected_at(scene, s, back, &e, &quiet) && !expected_pull(scene, &e, PULL_REFERENCE, &pull, &quiet)) {
+    const hawser_status status = expected_at(scene, s, back, &e, &quiet);
+    if (!status && !(e.rope_to > e.from)) { /* a rope that has left the route */
+        force = e.start_tension + scene->def.drag.force;
+    } else if (!status && !expected_pull(scene, &e, law, &pull, &quiet)) {
         force = pull.end_tension + scene->def.drag.force;
         pull_clear(&pull);
     }
@@ -52,8 +55,8 @@ hawser_status by_position_new(ByPosition *b, const Scene *scene, hawser_error *e
     int no_memory = 0;
     for (int i = 0; i < b->n_grid; ++i) {
         const double s = b->from + (b->to - b->from) * i / (b->n_grid - 1);
-        b->theory[i] = by_position_theory(scene, s, b->back, &no_memory);
-        b->gain[i] = (by_position_theory(scene, s, b->back + SHIFT, &no_memory) - b->theory[i]) / SHIFT;
+        b->theory[i] = by_position_theory(scene, PULL_REFERENCE, s, b->back, &no_memory);
+        b->gain[i] = (by_position_theory(scene, PULL_REFERENCE, s, b->back + SHIFT, &no_memory) - b->theory[i]) / SHIFT;
     }
     if (!no_memory) return HAWSER_OK;
     by_position_free(b);
@@ -82,7 +85,7 @@ void by_position_record(ByPosition *b, double t, double s, double force, double 
 {
     const double dt = b->last_t >= 0 ? t - b->last_t : 0;
     b->last_t = t;
-    if (!steady || !(dt > 0) || isnan(reference)) return;
+    if (b->n_bins == 0 || !steady || !(dt > 0) || isnan(reference)) return;
     const double x = (s - b->from) / (b->to - b->from) * b->n_bins;
     const int i = x < 0 ? 0 : x < b->n_bins ? (int)x : b->n_bins - 1;
     PositionBin *const bin = &b->bin[i];

@@ -4,6 +4,7 @@
 #define HAWSER_SIM_WATCH_POSITION_TABLE_H
 
 #include "sim/scene.h"
+#include "theory/pulling.h"
 
 /* A stretch of the front's way: the time spent there, s, and the integrals over it. */
 typedef struct PositionBin {
@@ -38,8 +39,8 @@ void by_position_window(ByPosition *b, double reference, double dt);
 /* The bins that have something in them, in order, into b->out; returns how many. */
 int by_position_table(const ByPosition *b);
 
-/* The pull with the front at s, m, by theory, for a back tension (N); NAN if theory has none, or no memory, which
- * *no_memory keeps. */
-double by_position_theory(const Scene *scene, double s, double back, int *no_memory);
+/* The pull with the front at s, m, by a law of theory, for a back tension (N); NAN if theory has none, or no memory,
+ * which *no_memory keeps. */
+double by_position_theory(const Scene *scene, PullLaw law, double s, double back, int *no_memory);
 
 #endif

@@ -102,6 +102,16 @@ static void test_books(void **state)
     check_below(fabs(figure_of(s, "all", "pull_mean_N") / three - 1), 1e-9);
     check_below(fabs(figure_of(s, "one", "share") + figure_of(s, "two", "share") + figure_of(s, "three", "share") - 1),
                 1e-9);
+    /* what the cables' meshes make of it is in the rope's bar (SC17), and books are everybody's (EB2) */
+    double meshes = 0, time = sum.pull_mean_error.time / sum.pull_mean_N;
+    const double own = sum.pull_mean_error.mesh;
+    for (int k = 1; k < 4; ++k) {
+        hawser_sim_summary(hawser_sim_chain(s, k), &sum);
+        meshes += sum.pull_mean_error.mesh;
+        check_at_least(sum.pull_mean_error.time / sum.pull_mean_N, 0.999 * time);
+    }
+    check_above(own, meshes);
+    check_below(own, 2 * meshes);
     /* theory of the three with the triangle's weight factor beside it */
     const double x = 41.0 / (90 - 41);
     check_below(fabs(figure_of(s, "one", "weight_factor") - 1 / sqrt(1 - x * x)), 1e-9);
@@ -159,6 +169,71 @@ static void test_weight_correction(void **state)
     }
 }
 
+/* walls/weight of three in a duct of D/d, of which two lie at the ends of its level diameter and the third on them like
+ * the keystone of an arch, 1.5 s after they were let go. */
+static double arch(double ratio, double mu)
+{
+    const double d = 41, rho = d * (ratio - 1) / 2, apart = 1.0005 * d;
+    const double up = rho < apart ? sqrt(apart * apart - rho * rho) : 0.02 * d;
+    char text[1200];
+    snprintf(
+        text, sizeof text,
+        "cables: {power: {d: 41 mm, mass: 3 kg/m, EA: 27 MN, GA: 9 MN, GJ: 100 N m2, EI: 60 N m2, damping: 2 ms}}\n"
+        "chain: [{cable: power, length: 600 mm, segment: 200 mm}]\n"
+        "chains:\n"
+        "  left: {still: true, place: [%.6f mm, 0 mm]}\n"
+        "  right: {still: true, place: [-%.6f mm, 0 mm]}\n"
+        "  middle: {still: true, place: [0 mm, %.6f mm]}\n"
+        "route: {head_at: 700 mm, pieces: [{straight: 1 m}]}\n"
+        "surfaces: {ducts: [{name: duct, radius: %.6f mm}]}\n"
+        "friction: {mu: %g}\n"
+        "solver: {relax: false}\n"
+        "run: {duration: 2 s, steady_from: 1.5 s}\n",
+        rho - 0.01, rho - 0.01, up, d * ratio / 2, mu);
+    hawser_sim *const s = run(case_with(text, NULL));
+    const double found = figure_of(s, "all", "weight_correction");
+    hawser_sim_free(s);
+    return found;
+}
+
+/* The smallest D/d at which such an arch stands (SC16). */
+static double arch_stands(double mu)
+{
+    double low = 0, high = M_PI / 2; /* 3 sin a = mu (1 + 3 cos a) */
+    while (high - low > 1e-12) {
+        const double a = (low + high) / 2;
+        *(3 * sin(a) < mu * (1 + 3 * cos(a)) ? &low : &high) = a;
+    }
+    return 1 + 2 * cos(low);
+}
+
+/* Jamming: without friction the arch becomes a triangle below D/d = 3 and a cradle above it, and presses as their
+ * formulas say; with friction it stands from where (SC16) says on up to 3 and beyond, and presses on the duct several
+ * times as hard. */
+static void test_jam(void **state)
+{
+    (void)state;
+    double most = 0;
+    const double limp[] = {2.7, 2.95, 3.2};
+    for (int i = 0; i < 3; ++i) {
+        const double x = 1 / (limp[i] - 1), formula = limp[i] < 3 ? 1 / sqrt(1 - x * x) : 1 + 4.0 / 3 * x * x;
+        check_below(fabs(arch(limp[i], 0) / formula - 1), 2e-3);
+    }
+    const double mu[] = {0.2, 0.3};
+    for (int i = 0; i < 2; ++i) {
+        const double edge = arch_stands(mu[i]);
+        for (int beyond = 0; beyond < 2; ++beyond) {
+            const double ratio = edge + (beyond ? 0.03 : -0.04), x = 1 / (ratio - 1);
+            const double pressed = arch(ratio, mu[i]) * sqrt(1 - x * x);
+            print_message("mu %.1f: stands from %.3f; at %.3f %.3f times the triangle\n", mu[i], edge, ratio, pressed);
+            if (beyond) check_between(pressed, 1.4, 4);
+            if (!beyond) check_below(fabs(pressed - 1), 2e-3);
+        }
+        most = fmax(most, arch(3, mu[i]));
+    }
+    check_above(most, 5); /* of three in one line */
+}
+
 /* The calculation of each, and a rope's the sum of what it draws and of its own; what is there to be built. */
 static void test_theory(void **state)
 {
@@ -194,7 +269,57 @@ static void test_theory(void **state)
     if (hawser_case_describe(c, HAWSER_TABLE, &text, &err)) fail_msg("%s", err.message);
     assert_non_null(strstr(text, "Chains that are pulled together"));
     assert_non_null(strstr(text, "three"));
+    assert_non_null(strstr(text, "2.305")); /* jam ratio, 1.05 D/d of the three and not of the rope */
     hawser_text_free(text);
+    hawser_case_free(c);
+}
+
+/* A rope begins with the pulls of all that it draws and takes them round its own bends (SC15): without weight the
+ * capstan formula, 300 N exp(mu theta), and beyond the end of the route nothing is added. */
+static void test_rope_theory(void **state)
+{
+    (void)state;
+    for (int beyond = 0; beyond < 2; ++beyond) {
+        const char *const settings[] = {"gravity",
+                                        "0 m/s2",
+                                        "route.pieces",
+                                        "[{straight: 5 m}, {bend: 60 deg, radius: 2 m, plane: left}, {straight: 1 m}]",
+                                        "chains.rope.chain.0.length",
+                                        beyond ? "6 m" : "3.6 m",
+                                        "surfaces.ducts",
+                                        "[{name: duct, radius: 45 mm}]",
+                                        NULL};
+        hawser_case *const c = load(FOLDER "chains-rope.yaml", settings);
+        hawser_sim *s;
+        hawser_error err;
+        hawser_summary sum;
+        if (hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
+        hawser_sim_summary(s, &sum);
+        /* in mid window the winch has come 0.1 m: the rope ends 7.7 m along, behind the bend's end at 7.094 m */
+        check_below(fabs(sum.reference_total_N / (300 * exp(0.3 * M_PI / 3)) - 1), 1e-6);
+        for (int k = 1; k < 4; ++k) {
+            hawser_sim_summary(hawser_sim_chain(s, k), &sum);
+            check_below(fabs(sum.reference_total_N / 100 - 1), 1e-9);
+        }
+        hawser_sim_free(s);
+        hawser_case_free(c);
+    }
+}
+
+/* What they press on each other with is soft at first, as walls are (E5): cables that drop onto each other in a duct
+ * come to rest. */
+static void test_rest(void **state)
+{
+    (void)state;
+    const char *const settings[] = {"surfaces.ducts.0.radius", "48 mm", "friction.mu", "0", NULL};
+    hawser_case *const c = load(FOLDER "chains-rope.yaml", settings);
+    hawser_relaxation rest;
+    hawser_sim *s;
+    hawser_error err;
+    if (hawser_sim_new(c, NULL, &s, &err) || hawser_sim_relax(s, &rest, &err)) fail_msg("%s", err.message);
+    assert_true(rest.reached);
+    check_at_most(rest.iterations, 300);
+    hawser_sim_free(s);
     hawser_case_free(c);
 }
 
@@ -389,7 +514,8 @@ int main(void)
         cmocka_unit_test(test_three_runs), cmocka_unit_test(test_books),   cmocka_unit_test(test_weight_correction),
         cmocka_unit_test(test_places),     cmocka_unit_test(test_refused), cmocka_unit_test(test_handles),
         cmocka_unit_test(test_resumed),    cmocka_unit_test(test_alone),   cmocka_unit_test(test_theory),
-        cmocka_unit_test(test_judged),     cmocka_unit_test(test_fallen),
+        cmocka_unit_test(test_judged),     cmocka_unit_test(test_fallen),  cmocka_unit_test(test_rope_theory),
+        cmocka_unit_test(test_rest),       cmocka_unit_test(test_jam),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

@@ -249,12 +249,54 @@ static void test_link_power(void **state)
     threefold_free(&t);
 }
 
+/* Heads that one eye holds do not press on each other at their ends (SC9); everything else presses as before. */
+static void test_heads(void **state)
+{
+    (void)state;
+    uint64_t seed = 14;
+    Threefold t;
+    threefold_new(&t, &seed);
+    for (int i = 0; i < EACH; ++i) { /* one as long as the other, so that the ends lie side by side */
+        Vec3 p = v3_load(t.kin[1].p, i);
+        t.chain[1].half[i] = 0.1;
+        p.x = 0.1 + 0.2 * i;
+        v3_store(t.kin[1].p, i, p);
+        p = v3_load(t.kin[0].p, i);
+        p.x = 0.1 + 0.2 * i;
+        v3_store(t.kin[0].p, i, p);
+    }
+    const SelfLines lines = lines_of(&t);
+    double ends[3] = {0}, others[3] = {0};
+    const int eye[3][2] = {{0, 0}, {1, 2}, {1, 1}};
+    for (int k = 0; k < 3; ++k) {
+        SelfDetail detail[400];
+        for (int l = 0; l < 2; ++l) t.line[l].eye = eye[k][l];
+        assert_int_equal(self_refresh(&t.model, &lines, &t.pairs, NULL), HAWSER_OK);
+        const int n = self_details(&t.model, &lines, 1, &t.pairs, 400, detail);
+        assert_in_range(n, 1, 400);
+        for (int i = 0; i < n; ++i) {
+            const SelfDetail *const d = &detail[i];
+            const int pair = d->line == 0 && d->other == 1, end = pair && d->element == EACH && d->foot == EACH;
+            /* a piece whose feet are on either side of where the ends begin belongs to neither */
+            if (end) ends[k] += d->normal;
+            if (!pair || d->element < EACH - 1) others[k] += d->normal;
+        }
+    }
+    check_above(ends[0], 1);
+    check_equal(ends[1], ends[0]);
+    check_equal(ends[2], 0);
+    check_equal(others[1], others[0]);
+    check_equal(others[2], others[0]);
+    threefold_free(&t);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_twins),
         cmocka_unit_test(test_momentum),
         cmocka_unit_test(test_link_power),
+        cmocka_unit_test(test_heads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
