@@ -48,6 +48,7 @@ typedef struct BlockExtras {
     int *row;      /* [count] */
     int *col;      /* [count] */
     double *k, *d; /* [count][36] 6x6 blocks, column-major, as in BlockChain */
+    unsigned char *live; /* [count] 0: nothing has been added to the block since it was zeroed */
 } BlockExtras;
 
 /* Two segments that may couple, low + 1 < high. */
@@ -66,7 +67,9 @@ void block_extras_zero(BlockExtras *x);
 void block_extras_checkpoint(Checkpoint *c, BlockExtras *x);
 /* The number of block (row, col), -1 if it is not in the pattern. O(log blocks of the row). */
 int block_extras_find(const BlockExtras *x, int row, int col);
-/* y = y + s K z for vectors of 6n. */
+/* The same of a block that is in the pattern, to add to: it lives from then on. */
+int block_extras_touch(BlockExtras *x, int row, int col);
+/* y = y + s K z for vectors of 6n, of the blocks that live. */
 void block_extras_gemv(const BlockExtras *x, double s, const double *z, double *y);
 
 #endif

@@ -34,7 +34,8 @@ static const struct {
              [LIN_KLU] = {"klu", &klu_backend},
              [LIN_KLU_FULL] = {"klu-full", &klu_backend},
              [LIN_BAND] = {"band", &lapack_backend},
-             [LIN_DENSE] = {"dense", &lapack_backend}};
+             [LIN_DENSE] = {"dense", &lapack_backend},
+             [LIN_BLOCK_SPARSE] = {"block-sparse", &block_sparse_backend}};
 
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -69,10 +70,12 @@ static int kind_settle(LinSolver *s, const LinMatrix *a, hawser_error *err)
     }
     const LinKind kind = s->options.kind;
     const NewtonMatrix *const m = a->newton;
-    const int fits = !m                     ? kind != LIN_BLOCK && kind != LIN_BORDERED
-                     : kind == LIN_BLOCK    ? !m->extras && !m->leaves && !m->border
-                     : kind == LIN_BORDERED ? !m->extras
-                                            : kind != LIN_KLU_FULL;
+    const int bare = m && !m->leaves && !m->border;
+    const int fits = !m                         ? kind != LIN_BLOCK && kind != LIN_BORDERED && kind != LIN_BLOCK_SPARSE
+                     : kind == LIN_BLOCK        ? bare && !m->extras
+                     : kind == LIN_BORDERED     ? !m->extras
+                     : kind == LIN_BLOCK_SPARSE ? bare && (m->chain.b == 6 || !m->extras)
+                                                : kind != LIN_KLU_FULL;
     if (fits) return 1;
     error_set(err, HAWSER_ERR_INPUT, "the linear solver '%s' cannot hold this system; 'auto' or 'klu' can",
               kinds[kind].name);

@@ -183,18 +183,16 @@ void self_forces(const SelfModel *model, const SelfLines *lines, double friction
 
 /* Where block (row, col) is: in a chain of blocks, or off its diagonals in `extra`; so are blocks between neighbours in
  * the matrix of which each is another line's. */
-static double *block_at(const SelfPairs *pairs, BlockChain *chain, double *extra, int one_line, int row, int col)
+static double *block_at(SelfPairs *pairs, BlockChain *chain, double *extra, int one_line, int row, int col)
 {
     if (row == col) return chain->diag + 36 * row;
     if (one_line && row == col + 1) return chain->lower + 36 * row;
     if (one_line && row == col - 1) return chain->upper + 36 * row;
-    const int e = block_extras_find(&pairs->extras, row, col);
-    assert(e >= 0);
-    return extra + 36 * e;
+    return extra + 36 * block_extras_touch(&pairs->extras, row, col);
 }
 
 /* All twelve columns of one slot. */
-static void slot_blocks(const SelfModel *model, const Patch *patch, const int first[2], int s, const SelfPairs *pairs,
+static void slot_blocks(const SelfModel *model, const Patch *patch, const int first[2], int s, SelfPairs *pairs,
                         BlockChain *k, BlockChain *d)
 {
     double *block[2][PATCH_SLOTS];

@@ -13,7 +13,8 @@ typedef struct NewtonExtra {
     long version;      /* of the pattern that block, a and the solver are made for; -1: none yet */
     int count;         /* blocks */
     double *a;         /* [count][36] their part of A */
-    ExtraBlock *block; /* [count] */
+    unsigned char *filled; /* [count] 0: zero, since its block of K and D does not live */
+    ExtraBlock *block;     /* [count] */
     int failed;        /* there was no memory for a new pattern */
     int stale;         /* the solver's pattern is not that of `block` */
     LinStats retired;  /* counts of solvers that were given up with their patterns */
