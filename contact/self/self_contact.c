@@ -83,14 +83,6 @@ static int may_press(Vec3 w0, Vec3 w1, double radius)
     return v3_norm(v3_axpy(w0, xi, along)) < radius;
 }
 
-/* The largest contact radius of a run of segments, as far as they exist. */
-static double radius_most(const Chain *chain, int from, int to)
-{
-    double radius = 0;
-    for (int i = from < 0 ? 0 : from; i <= to && i < chain->n; ++i) radius = fmax(radius, chain->radius[i]);
-    return radius;
-}
-
 /* Whether the spheres of element e and of some element of its range meet now. */
 static int range_near(const SelfLine *mine, const SelfLine *other, const SelfRange *range)
 {
@@ -109,7 +101,7 @@ static int range_hits(const SelfLine *mine, const SelfLine *other, const SelfRan
 {
     const int e = range->element, pieces = self_pieces(mine->chain, e), end = range->first + range->count;
     const double length = self_piece_length(mine->chain, e);
-    const double radius = radius_most(mine->chain, e - 1, e) + radius_most(other->chain, range->first - 1, end);
+    const double radius = self_radius_most(mine->chain, e - 1, e) + self_radius_most(other->chain, range->first - 1, end);
     Feet feet[2];
     for (int m = 0; m <= pieces; ++m) {
         Feet *const now = &feet[m % 2], *const before = &feet[(m + 1) % 2];
@@ -130,11 +122,14 @@ static int hits_find(const SelfLines *lines, int part, SelfPairs *pairs)
 {
     const int from = part == 0 ? 0 : pairs->half, to = part == 0 ? pairs->half : pairs->n_ranges;
     int count = 0;
+    self_clear_look(lines, part, pairs);
     for (int r = from; r < to; ++r) {
         const SelfRange *const range = &pairs->range[r];
         const SelfLine *const mine = &lines->line[range->line], *const other = &lines->line[range->other];
-        if (!range_near(mine, other, range)) continue;
+        if (self_clear_apart(lines, part, pairs, r) || !range_near(mine, other, range)) continue;
+        const int before = count;
         count = range_hits(mine, other, range, count, pairs->hit[part]);
+        pairs->clear[part].vain += count == before;
         assert(count <= pairs->hits_allocated);
     }
     return count;
