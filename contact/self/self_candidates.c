@@ -189,22 +189,21 @@ static int clear_reserve(SelfPairs *pairs)
     return 1;
 }
 
-/* Rooms for the hits of either half: a node of a piece has at most one foot on an element. */
+/* The halves, and rooms for the hits of a range: a node of a piece has at most one foot on an element. */
 static int hits_reserve(const SelfLines *lines, SelfPairs *pairs)
 {
-    int most[SELF_PARTS] = {0, 0}, seen = 0;
+    int needed = 0, seen = 0;
     pairs->candidates = 0;
     for (int r = 0; r < pairs->n_ranges; ++r) pairs->candidates += pairs->range[r].count;
     pairs->half = 0;
     for (int r = 0; r < pairs->n_ranges; ++r) {
         const SelfRange *const range = &pairs->range[r];
-        const int first = 2 * seen < pairs->candidates;
-        if (first) pairs->half = r + 1;
-        most[!first] += range->count * self_pieces(lines->line[range->line].chain, range->element);
+        const int most = range->count * self_pieces(lines->line[range->line].chain, range->element);
+        if (2 * seen < pairs->candidates) pairs->half = r + 1;
+        needed = most > needed ? most : needed;
         seen += range->count;
     }
     if (!clear_reserve(pairs)) return 0;
-    const int needed = most[0] > most[1] ? most[0] : most[1];
     if (needed <= pairs->hits_allocated) return 1;
     assert(needed > 0);
     for (int p = 0; p < SELF_PARTS; ++p) {

@@ -41,10 +41,10 @@ typedef struct SelfRange {
     int line, element, other, first, count;
 } SelfRange;
 
-/* A piece that may be pressed: piece `piece` of an element over two feet. */
+/* A piece of an element that may be pressed. */
 typedef struct SelfHit {
-    int line, element, piece, other, foot[2];
-    double v[2];
+    int line, element, other;
+    PatchEnd end[2];
 } SelfHit;
 
 /* How far apart the two sides of every range of a half were at some moment, and where all segments were. What has not
@@ -69,7 +69,7 @@ typedef struct SelfPairs {
     int n_trees;
     SphereTree *tree; /* [n_trees] of each line */
     int hits_allocated;
-    SelfHit *hit[SELF_PARTS];      /* [hits_allocated] each, by self_forces and self_blocks */
+    SelfHit *hit[SELF_PARTS];      /* [hits_allocated] each, of one range at a time */
     int active[SELF_PARTS];        /* pieces that carried force in the last call of self_forces */
     ContactTally work[SELF_PARTS]; /* of the last call of self_forces; no force: the cable's own */
     SelfClear clear[SELF_PARTS];
