@@ -146,8 +146,7 @@ static void slow_look(Run *run, double wall)
 {
     Sim *const sim = run->s;
     hawser_hold hold;
-    if (!sim->stage.integrator || sim_chains(sim) > 1 || (run->slow_wall > 0 && wall - run->slow_wall < slow_interval))
-        return;
+    if (!sim->stage.integrator || (run->slow_wall > 0 && wall - run->slow_wall < slow_interval)) return;
     const double t = hawser_sim_time(sim), gone = t - run->slow_from.t, spent = wall - run->slow_wall;
     const double left = (hawser_sim_end_time(sim) - t) * spent / gone; /* s of wall time */
     const StallFrom from = run->slow_from, now = stall_from(sim->stage.integrator, t);

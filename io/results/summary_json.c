@@ -246,6 +246,7 @@ static const Column hold_column[] = {
     {COLUMN("strides", LONG, hawser_hold, strides)},
     {COLUMN("cause", CHARS, hawser_hold, cause)},
     {COLUMN("segment", COUNT, hawser_hold, segment)},
+    {COLUMN("chain", CHARS, hawser_hold, chain)},
     {COLUMN("where", CHARS, hawser_hold, where)},
     {COLUMN("says", CHARS, hawser_hold, says)},
 };

@@ -35,7 +35,6 @@ typedef struct Bunch {
     /* of a coupled bunch: the matrix of all, and each chain's part of it */
     Newton whole;
     Newton *part; /* [n] views */
-    int worst;    /* the row that was asked for last by Motion.worst */
 } Bunch;
 
 /* From n chains that are built, with the contact and the links of the first one's definition; their scenes learn who is

@@ -143,17 +143,24 @@ static void project(const Motion *m, const double *y, double *correction, double
 /* The worst segment of the chain whose norm is largest, as its row. */
 static int worst(const Motion *m, const double *error, const double *weight)
 {
-    Bunch *const b = bunch_of(m);
+    const Bunch *const b = bunch_of(m);
     double largest = -1;
+    int row = 0;
     EACH_CHAIN(c, b)
     {
         const double own = c->motion->ops->norm(c->motion, error + c->at, weight + c->at);
         if (!(own > largest) && !isnan(own)) continue;
         largest = own;
-        b->worst = c->row + c->motion->ops->worst(c->motion, error + c->at, weight + c->at);
+        row = c->row + c->motion->ops->worst(c->motion, error + c->at, weight + c->at);
         if (isnan(own)) break;
     }
-    return b->worst;
+    return row;
+}
+
+static const Scene *whose(const Motion *m, int *segment)
+{
+    const Bunch *const b = bunch_of(m);
+    return b->chain[bunch_chain_of(b, *segment, segment)].scene;
 }
 
 static Vec3 place(const Motion *m, const double *y, int row)
@@ -327,6 +334,7 @@ const MotionOps *bunch_ops(void)
                                   .accept = accept,
                                   .renew = renew,
                                   .worst = worst,
+                                  .whose = whose,
                                   .place = place,
                                   .look = look,
                                   .glance = glance,

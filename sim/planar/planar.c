@@ -260,6 +260,7 @@ hawser_status planar_new(Planar *p, const Scene *scene, const Plane *plane, Work
                                   .accept = planar_accept,
                                   .renew = motion_renew,
                                   .worst = motion_worst,
+                                  .whose = motion_whose,
                                   .place = motion_place,
                                   .look = planar_look,
                                   .glance = planar_glance,

@@ -257,17 +257,46 @@ static void peak_watch(Sim *s)
     peaks_record(&s->peaks, &st->scene, &st->ws.kin, &held);
 }
 
+/* Of several chains the one with the fastest point. */
+static Sim *fastest_chain(Sim *s)
+{
+    Sim *fastest = s;
+    double most = -1;
+    for (int k = 0; k < sim_chains(s); ++k) {
+        Sim *const each = sim_chain(s, k);
+        const double speed = each->stage.motion->ops->speed(each->stage.motion, each->stage.y);
+        if (speed > most) fastest = each;
+        most = fmax(most, speed);
+    }
+    return fastest;
+}
+
+/* The one whose scene that is. */
+static Sim *chain_with(Sim *s, const Scene *scene)
+{
+    int k = 0;
+    while (k + 1 < sim_chains(s) && &sim_chain(s, k)->stage.scene != scene) ++k;
+    return sim_chain(s, k);
+}
+
 void sim_held_up(Sim *s, const StallFrom *from, hawser_hold *out)
 {
-    stall_say(from, s->stage.integrator, &s->stage.scene, look_now(s, SAMPLE_ALL), s->stats.roller_out,
-              s->stats.surface_out, out);
+    const SceneDef *const def = &s->stage.scene.def;
+    const Motion *const m = sim_motion(s);
+    Integrator *const in = s->stage.integrator;
+    const double longest = def->solver.max_step > 0 ? def->solver.max_step : def->output.interval;
+    stall_cause(from, in, s->stage.t, longest, out);
+    int segment = stall_by_speed(out) ? 0 : integrator_worst(in);
+    Sim *const each = stall_by_speed(out) ? fastest_chain(s) : chain_with(s, m->ops->whose(m, &segment));
+    stall_place(&each->stage.scene, segment, look_now(each, SAMPLE_ALL), each->stats.roller_out,
+                each->stats.surface_out, out);
 }
 
 /* The window whose steps were shortest stays in mind. */
 static void stall_watch(Sim *s)
 {
     const double t = s->stage.t;
-    if (s->together || !stall_step(&s->stall, s->stage.integrator, t)) return; /* several chains: segments are of all */
+    if (!stall_step(&s->stall, s->stage.integrator, t)) return;
     sim_held_up(s, &s->stall.from, &s->stall.slowest);
     stall_begin(&s->stall, s->stage.integrator, t);
 }

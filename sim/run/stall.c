@@ -59,38 +59,37 @@ static void contact_at(const Scene *scene, const hawser_sample *sample, const ha
     }
 }
 
-/* Which of them, and in words. */
-static const char *cause_of(const hawser_hold *h, double longest, char *says, size_t size)
+static const char *cause_of(const hawser_hold *h, double longest)
 {
     const double steps = fmax(1, (double)h->steps), newton = (double)h->newton_fails / steps,
                  error = (double)h->error_fails / steps;
-    if (newton > FAILS_MANY && newton >= error) {
-        snprintf(says, size, "Newton's iteration did not converge in %ld of %ld", h->newton_fails, h->steps);
-        return "newton";
-    }
-    if (error > FAILS_MANY) {
-        snprintf(says, size, "the error test was failed %ld times in %ld", h->error_fails, h->steps);
-        return "error test";
-    }
-    if ((double)h->strides > STRIDES_MANY * steps) {
-        snprintf(says, size, "a point of the chain may not move farther in one (N14): %ld of %ld", h->strides,
-                 h->steps);
-        return "stride";
-    }
-    if (longest > 0 && h->step_s > LONGEST_NEAR * longest) {
-        snprintf(says, size, "no step may be longer than %.3g s (solver.max_step, or output.interval)", longest);
-        return "longest step";
-    }
-    snprintf(says, size, "longer ones would be less exact than solver.accuracy");
-    return "accuracy";
+    if (newton > FAILS_MANY && newton >= error) return "newton";
+    if (error > FAILS_MANY) return "error test";
+    if ((double)h->strides > STRIDES_MANY * steps) return "stride";
+    return longest > 0 && h->step_s > LONGEST_NEAR * longest ? "longest step" : "accuracy";
 }
 
-void stall_say(const StallFrom *from, Integrator *in, const Scene *scene, const hawser_sample *sample,
-               const hawser_roller *roller, const hawser_surface *surface, hawser_hold *out)
+/* The cause in words. */
+static void cause_say(const hawser_hold *h, double longest, char *says, size_t size)
 {
-    const StallFrom now = stall_from(in, sample->t);
-    const SolverDef *const def = &scene->def.solver;
-    char why[128];
+    if (!strcmp(h->cause, "newton"))
+        snprintf(says, size, "Newton's iteration did not converge in %ld of %ld", h->newton_fails, h->steps);
+    else if (!strcmp(h->cause, "error test"))
+        snprintf(says, size, "the error test was failed %ld times in %ld", h->error_fails, h->steps);
+    else if (stall_by_speed(h))
+        snprintf(says, size, "a point of the chain may not move farther in one (N14): %ld of %ld", h->strides,
+                 h->steps);
+    else if (!strcmp(h->cause, "longest step"))
+        snprintf(says, size, "no step may be longer than %.3g s (solver.max_step, or output.interval)", longest);
+    else
+        snprintf(says, size, "longer ones would be less exact than solver.accuracy");
+}
+
+int stall_by_speed(const hawser_hold *hold) { return !strcmp(hold->cause, "stride"); }
+
+void stall_cause(const StallFrom *from, const Integrator *in, double t, double longest, hawser_hold *out)
+{
+    const StallFrom now = stall_from(in, t);
     *out = (hawser_hold){.from_s = from->t,
                          .to_s = now.t,
                          .steps = now.steps - from->steps,
@@ -98,14 +97,23 @@ void stall_say(const StallFrom *from, Integrator *in, const Scene *scene, const 
                          .newton_fails = now.newton_fails - from->newton_fails,
                          .strides = now.strides - from->strides};
     out->step_s = (now.t - from->t) / fmax(1, (double)out->steps);
-    const char *const cause =
-        cause_of(out, def->max_step > 0 ? def->max_step : scene->def.output.interval, why, sizeof why);
-    snprintf(out->cause, sizeof out->cause, "%s", cause);
-    out->segment = strcmp(cause, "stride") ? scene->first + integrator_worst(in) : fastest_segment(sample);
+    snprintf(out->cause, sizeof out->cause, "%s", cause_of(out, longest));
+    cause_say(out, longest, out->says, sizeof out->says);
+}
+
+void stall_place(const Scene *scene, int segment, const hawser_sample *sample, const hawser_roller *roller,
+                 const hawser_surface *surface, hawser_hold *out)
+{
+    const char *const chain = scene->def.strand.name;
+    char why[128];
+    snprintf(why, sizeof why, "%.127s", out->says);
+    out->segment = stall_by_speed(out) ? fastest_segment(sample) : scene->first + segment;
     contact_at(scene, sample, roller, surface, out->segment, out->where);
-    snprintf(out->says, sizeof out->says, "steps of %.3g s at t = %.6g s: %s; %s at segment %d of %d%s%s%s",
-             out->step_s, now.t, why, strcmp(cause, "stride") ? "worst" : "fastest", out->segment, scene->total,
-             *out->where ? ", on '" : "", out->where, *out->where ? "'" : "");
+    snprintf(out->chain, sizeof out->chain, "%s", chain);
+    snprintf(out->says, sizeof out->says, "steps of %.3g s at t = %.6g s: %s; %s at segment %d of %d%s%s%s%s%s%s",
+             out->step_s, out->to_s, why, stall_by_speed(out) ? "fastest" : "worst", out->segment, scene->total,
+             *chain ? " of chain '" : "", chain, *chain ? "'" : "", *out->where ? ", on '" : "", out->where,
+             *out->where ? "'" : "");
 }
 
 void stall_begin(Stall *stall, const Integrator *in, double t)

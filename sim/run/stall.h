@@ -23,12 +23,18 @@ typedef struct Stall {
 } Stall;
 
 StallFrom stall_from(const Integrator *in, double t);
-/* What has held the steps up since then. sample: of now, with all segments; roller, surface: names, [sample->rollers],
+/* What has held the steps up since then, until t (s), where `longest` (s) is the longest that is allowed: counts and
+ * cause. */
+void stall_cause(const StallFrom *from, const Integrator *in, double t, double longest, hawser_hold *out);
+/* Where: at out->cause "stride" the fastest segment of the scene's chain, else the one given, of those that are
+ * simulated; and all of it in words. sample: of now, with all segments; roller, surface: names, [sample->rollers],
  * [sample->surfaces]. */
-void stall_say(const StallFrom *from, Integrator *in, const Scene *scene, const hawser_sample *sample,
-               const hawser_roller *roller, const hawser_surface *surface, hawser_hold *out);
+void stall_place(const Scene *scene, int segment, const hawser_sample *sample, const hawser_roller *roller,
+                 const hawser_surface *surface, hawser_hold *out);
+/* Whether it is where something moves fastest, not where the error is largest. */
+int stall_by_speed(const hawser_hold *hold);
 /* After each step. Whether a window has ended whose steps were at most half as long as those of the slowest one, which
- * is to be asked for then: stall_say from stall->from, and stall_begin. */
+ * is to be asked for then: what held it up from stall->from on; and stall_begin. */
 int stall_step(Stall *stall, const Integrator *in, double t);
 /* The window that begins now. */
 void stall_begin(Stall *stall, const Integrator *in, double t);

@@ -117,17 +117,6 @@ double together_expected(const struct Together *all, const Sim *rope)
     return sum;
 }
 
-/* A failure's segment is counted through all chains: says whose it is. */
-static hawser_status step_failed(const Together *all, hawser_status status, hawser_error *err)
-{
-    hawser_error why = *err;
-    int segment;
-    const int k = bunch_chain_of(&all->bunch, all->bunch.worst, &segment);
-    if (status != HAWSER_ERR_RUN) return status;
-    return error_set(err, status, "%.900s; that is segment %d of chain '%s'", why.message, segment,
-                     all->bunch.chain[k].scene->def.strand.name);
-}
-
 /* What is stepped is all of them, with the first one's integrator and books. */
 static Steps steps_of(Together *all)
 {
@@ -143,7 +132,7 @@ hawser_status together_step(struct Together *all, double stop, hawser_error *err
     const hawser_status status = steps_take(&steps, stop, &st->t, err);
     bunch_scatter(&all->bunch, all->y, all->state);
     for (int k = 1; k < all->n; ++k) all->sim[k]->stage.t = st->t;
-    return status ? step_failed(all, status, err) : HAWSER_OK;
+    return status;
 }
 
 hawser_status together_checkpoint(Checkpoint *c, struct Together *all, hawser_error *err)

@@ -2,6 +2,7 @@
 
 #include <cvode/cvode.h>
 #include <math.h>
+#include <stdio.h>
 
 #include "core/base/error.h"
 #include "sim/equipment/winch.h"
@@ -44,27 +45,44 @@ static const char *advice_for(int flag)
     }
 }
 
+/* Where it was worst: which segment of the whole chain, and of which chain of several. */
+typedef struct Worst {
+    const Scene *scene;
+    int among, segment; /* of the simulated ones, of all */
+    char says[64 + NAME_MAX_LENGTH];
+} Worst;
+
+static Worst worst_of(const StepFailure *f)
+{
+    Worst w = {.among = f->segment};
+    w.scene = f->motion->ops->whose(f->motion, &w.among);
+    w.segment = w.scene->first + w.among;
+    const char *const chain = w.scene->def.strand.name;
+    snprintf(w.says, sizeof w.says, "segment %d of %d%s%s%s", w.segment, w.scene->total, *chain ? " of chain '" : "",
+             chain, *chain ? "'" : "");
+    return w;
+}
+
 hawser_status failure_tell(const StepFailure *f, int flag, hawser_error *err)
 {
-    const Scene *const scene = f->motion->scene;
+    const Worst w = worst_of(f);
     const Vec3 p = f->motion->ops->place(f->motion, f->y, f->segment);
     error_set(err, HAWSER_ERR_RUN,
-              "integration failed at t = %.6g s (step %.3g s), worst at segment %d of %d near (%.3f, %.3f, %.3f) m: "
-              "%s%s (%s flag %d: %s)",
-              f->t, f->step, scene->first + f->segment, scene->total, p.x, p.y, p.z, advice_for(flag),
-              hint_for(scene, f->segment), f->method, flag, f->complaint);
-    error_moment(err, f->t, scene->first + f->segment);
+              "integration failed at t = %.6g s (step %.3g s), worst at %s near (%.3f, %.3f, %.3f) m: %s%s (%s flag "
+              "%d: %s)",
+              f->t, f->step, w.says, p.x, p.y, p.z, advice_for(flag), hint_for(w.scene, w.among), f->method, flag,
+              f->complaint);
+    error_moment(err, f->t, w.segment);
     return HAWSER_ERR_RUN;
 }
 
 hawser_status failure_steps_spent(const StepFailure *f, hawser_error *err)
 {
-    const Scene *const scene = f->motion->scene;
+    const Worst w = worst_of(f);
     error_set(err, HAWSER_ERR_RUN,
-              "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is segment %d of %d: "
-              "raise it or solver.accuracy, or soften what is stiff there%s",
-              scene->def.solver.max_steps, f->t, f->step, scene->first + f->segment, scene->total,
-              hint_for(scene, f->segment));
-    error_moment(err, f->t, scene->first + f->segment);
+              "solver.max_steps = %ld is used up at t = %.6g s (step %.3g s), the hardest part is %s: raise it or "
+              "solver.accuracy, or soften what is stiff there%s",
+              w.scene->def.solver.max_steps, f->t, f->step, w.says, hint_for(w.scene, w.among));
+    error_moment(err, f->t, w.segment);
     return HAWSER_ERR_RUN;
 }

@@ -10,7 +10,7 @@ typedef struct StepFailure {
     const double *y; /* [motion->size] the latest state, from which the step did not come further; read as it is told,
                         so that it may still be put back after this was filled in */
     double t, step;  /* s; the length of the step that was to come */
-    int segment;     /* whose error is largest, of those that are simulated */
+    int segment;     /* whose error is largest, of those that are simulated (of all chains) */
     const char *method, *complaint; /* who integrates, and what it said */
 } StepFailure;
 
@@ -26,6 +26,6 @@ hawser_status failure_tell(const StepFailure *f, int flag, hawser_error *err);
 /* solver.max_steps are used up. Returns RUN. */
 hawser_status failure_steps_spent(const StepFailure *f, hawser_error *err);
 
-/* Both say with error_moment when and at which segment of the whole chain it was. */
+/* Both say with error_moment when and at which segment of its whole chain it was. */
 
 #endif

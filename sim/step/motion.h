@@ -42,6 +42,9 @@ typedef struct MotionOps {
     /* The segment whose weighted error is largest, and where it is, m. */
     int (*worst)(const Motion *m, const double *error, const double *weight);
     Vec3 (*place)(const Motion *m, const double *y, int segment);
+    /* Whose such a segment is, where several chains are counted through: its scene; *segment becomes its number there.
+     */
+    const Scene *(*whose)(const Motion *m, int *segment);
     /* Puts what a sample of (t, y) reads into the workspace: kinematics, tensions (law[0]), the winch's pull, forces on
      * the rollers and, where asked for, those of all contacts on the chain. Returns how many contacts carry force. */
     int (*look)(Motion *m, double t, const double *y, int on_chain);
@@ -74,6 +77,13 @@ struct Motion {
     int size;           /* of y */
     Team *team;         /* borrowed; NULL: one thread */
 };
+
+/* MotionOps.whose of a motion that is one chain's. */
+static inline const Scene *motion_whose(const Motion *m, int *segment)
+{
+    (void)segment;
+    return m->scene;
+}
 
 /* Room for what method_loss keeps: no more than two numbers for each of y, lanes filled up. */
 static inline int motion_past(const Motion *m) { return 2 * m->size + BODY_PAST * LANES; }

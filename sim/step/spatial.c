@@ -182,6 +182,7 @@ Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newt
                                   .accept = spatial_accept,
                                   .renew = spatial_renew,
                                   .worst = spatial_worst,
+                                  .whose = motion_whose,
                                   .place = spatial_place,
                                   .look = spatial_look,
                                   .glance = spatial_glance,

@@ -24,7 +24,7 @@ run install.log cmake --install "$build_dir" --prefix "$work/first"
 mv "$work/first" "$prefix"
 lib=$(dirname "$(find "$prefix" -name libhawser.a)")
 version=$(sed -n 's/^project(hawser VERSION \([0-9.]*\).*/\1/p' "$source_dir/CMakeLists.txt")
-for file in "$prefix/bin/hawser" "$prefix/include/hawser/hawser.h" "$prefix/include/hawser/tables.h" "$lib/libhawser.so" "$lib/pkgconfig/hawser.pc" \
+for file in "$prefix/bin/hawser" "$prefix/include/hawser/hawser.h" "$prefix/include/hawser/tables.h" "$prefix/include/hawser/numerics.h" "$lib/libhawser.so" "$lib/pkgconfig/hawser.pc" \
     "$lib/cmake/hawser/hawserConfig.cmake" "$prefix/share/doc/hawser/LICENSE" "$prefix/share/doc/hawser/CHANGELOG.md" "$prefix/share/hawser/library/cables-by-makers.yaml" \
     "$prefix/include/hawser/library.h" "$prefix/include/hawser/report.h" \
     "$prefix/include/hawser/route.h"; do

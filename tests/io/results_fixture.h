@@ -2,11 +2,9 @@
 #ifndef HAWSER_TESTS_RESULTS_FIXTURE_H
 #define HAWSER_TESTS_RESULTS_FIXTURE_H
 
-#define _GNU_SOURCE /* nftw */
-
 #include "io/results/results.h"
+#include "tests/support/scratch.h"
 
-#include <ftw.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -90,16 +88,10 @@ static int fixture_new(void **state)
     return 0;
 }
 
-static int remove_entry(const char *path, const struct stat *info, int kind, struct FTW *ftw)
-{
-    (void)info, (void)kind, (void)ftw;
-    return remove(path);
-}
-
 static int fixture_free(void **state)
 {
     Fixture *f = *state;
-    nftw(f->dir, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
+    folder_remove(f->dir);
     free(f);
     return 0;
 }

@@ -1,6 +1,4 @@
 /* Files of two runs in one folder: none of them is taken for another's, and who reads the folder says which is not. */
-#define _GNU_SOURCE /* nftw */
-#include <ftw.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,35 +8,7 @@
 #include "hawser/hawser.h"
 #include "tests/support/check.h"
 #include "tests/support/data.h"
-
-static char dir[64];
-
-static int remove_entry(const char *path, const struct stat *info, int flag, struct FTW *at)
-{
-    (void)info, (void)flag, (void)at;
-    return remove(path);
-}
-static int folder_new(void **state)
-{
-    (void)state;
-    strcpy(dir, "/tmp/hawser_belong_XXXXXX");
-    return mkdtemp(dir) ? 0 : -1;
-}
-static int folder_remove(void **state)
-{
-    (void)state;
-    return nftw(dir, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
-}
-
-/* A folder within the scratch folder, or a file in it; good for four calls. */
-static const char *in(const char *folder, const char *name)
-{
-    static char path[4][256];
-    static int next;
-    char *const to = path[next++ % 4];
-    snprintf(to, sizeof path[0], "%s/%s%s%s", dir, folder, name ? "/" : "", name ? name : "");
-    return to;
-}
+#include "tests/support/scratch.h"
 
 static int stop_first(void *user, const hawser_sample *sample, double wall, double end)
 {
@@ -55,7 +25,7 @@ static void run_into(const char *folder, const char *key, const char *value, int
     if (hawser_case_parse(data_text("cli-pull"), "pull.yaml", &c, &err)) fail_msg("%s", err.message);
     if (key && hawser_case_set(c, key, value, &err)) fail_msg("%s", err.message);
     if (hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
-    assert_int_equal(hawser_sim_run(s, in(folder, NULL), stop ? stop_first : NULL, NULL, &err),
+    assert_int_equal(hawser_sim_run(s, scratch_path(folder), stop ? stop_first : NULL, NULL, &err),
                      stop ? HAWSER_STOPPED : HAWSER_OK);
     hawser_sim_free(s);
     hawser_case_free(c);
@@ -76,7 +46,7 @@ static void copy(const char *from, const char *to)
 static void run_of(const char *folder, char run[17])
 {
     char text[1024];
-    FILE *const f = fopen(in(folder, "summary.json"), "r");
+    FILE *const f = fopen(scratch_path_in(folder, "summary.json"), "r");
     assert_non_null(f);
     text[fread(text, 1, sizeof text - 1, f)] = 0;
     fclose(f);
@@ -91,14 +61,14 @@ static void expect_refused(const char *file)
     hawser_error err = {0};
     char path[256];
     snprintf(path, sizeof path, "%s' does not belong to the summary beside it", file);
-    assert_int_equal(hawser_results_check(in("a", NULL), &err), HAWSER_ERR_INPUT);
+    assert_int_equal(hawser_results_check(scratch_path("a"), &err), HAWSER_ERR_INPUT);
     check_has(err.message, path);
-    const char *const folder = in("a", NULL);
+    const char *const folder = scratch_path("a");
     int drawn = 0;
-    assert_int_equal(hawser_report_write(&folder, 1, in("page.html", NULL), &err), HAWSER_ERR_INPUT);
+    assert_int_equal(hawser_report_write(&folder, 1, scratch_path("page.html"), &err), HAWSER_ERR_INPUT);
     check_has(err.message, path);
-    assert_int_equal(access(in("page.html", NULL), F_OK), -1);
-    assert_int_equal(hawser_plot_write(in("a", NULL), in("plots", NULL), 0, NULL, HAWSER_SI, &drawn, &err),
+    assert_int_equal(access(scratch_path("page.html"), F_OK), -1);
+    assert_int_equal(hawser_plot_write(scratch_path("a"), scratch_path("plots"), 0, NULL, HAWSER_SI, &drawn, &err),
                      HAWSER_ERR_INPUT);
     check_has(err.message, path);
 }
@@ -117,13 +87,13 @@ static void a_file_of_another_run_is_refused(void **state)
     run_of("b", other);
     assert_string_not_equal(one, other);
     for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
-        copy(in("a", files[k]), in("kept", NULL));
-        copy(in("b", files[k]), in("a", files[k]));
+        copy(scratch_path_in("a", files[k]), scratch_path("kept"));
+        copy(scratch_path_in("b", files[k]), scratch_path_in("a", files[k]));
         expect_refused(files[k]);
-        copy(in("kept", NULL), in("a", files[k]));
-        if (hawser_results_check(in("a", NULL), &err)) fail_msg("%s", err.message);
+        copy(scratch_path("kept"), scratch_path_in("a", files[k]));
+        if (hawser_results_check(scratch_path("a"), &err)) fail_msg("%s", err.message);
     }
-    copy(in("b", "summary.json"), in("a", "summary.json"));
+    copy(scratch_path_in("b", "summary.json"), scratch_path_in("a", "summary.json"));
     expect_refused("series.csv");
 }
 
@@ -133,15 +103,15 @@ static void a_file_too_many_or_cut_off_is_refused(void **state)
     (void)state;
     hawser_error err = {0};
     run_into("a", NULL, NULL, 0);
-    copy(in("a", "rollers.csv"), in("a", "modes.csv"));
+    copy(scratch_path_in("a", "rollers.csv"), scratch_path_in("a", "modes.csv"));
     expect_refused("modes.csv");
-    unlink(in("a", "modes.csv"));
+    unlink(scratch_path_in("a", "modes.csv"));
     struct stat info;
-    assert_int_equal(stat(in("a", "series.csv"), &info), 0);
-    assert_int_equal(truncate(in("a", "series.csv"), info.st_size - 1), 0);
+    assert_int_equal(stat(scratch_path_in("a", "series.csv"), &info), 0);
+    assert_int_equal(truncate(scratch_path_in("a", "series.csv"), info.st_size - 1), 0);
     expect_refused("series.csv");
-    unlink(in("a", "series.csv")); /* what is missing is none of another run */
-    if (hawser_results_check(in("a", NULL), &err)) fail_msg("%s", err.message);
+    unlink(scratch_path_in("a", "series.csv")); /* what is missing is none of another run */
+    if (hawser_results_check(scratch_path("a"), &err)) fail_msg("%s", err.message);
 }
 
 /* The same case has the same identity; what was stopped has another series, and its states are not these. */
@@ -155,8 +125,8 @@ static void states_of_another_series_are_refused(void **state)
     run_of("a", one);
     run_of("b", other);
     assert_string_equal(one, other);
-    if (hawser_results_check(in("b", NULL), &err)) fail_msg("%s", err.message);
-    copy(in("b", "results.h5"), in("a", "results.h5"));
+    if (hawser_results_check(scratch_path("b"), &err)) fail_msg("%s", err.message);
+    copy(scratch_path_in("b", "results.h5"), scratch_path_in("a", "results.h5"));
     expect_refused("results.h5");
 }
 
@@ -165,18 +135,18 @@ static void sensitivities_go_with_their_run(void **state)
 {
     (void)state;
     run_into("a", NULL, NULL, 0);
-    copy(in("a", "summary.json"), in("a", "sensitivities.json"));
+    copy(scratch_path_in("a", "summary.json"), scratch_path_in("a", "sensitivities.json"));
     run_into("a", "friction.mu", "0.31", 0);
-    assert_int_equal(access(in("a", "sensitivities.json"), F_OK), -1);
+    assert_int_equal(access(scratch_path_in("a", "sensitivities.json"), F_OK), -1);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(a_file_of_another_run_is_refused, folder_new, folder_remove),
-        cmocka_unit_test_setup_teardown(a_file_too_many_or_cut_off_is_refused, folder_new, folder_remove),
-        cmocka_unit_test_setup_teardown(states_of_another_series_are_refused, folder_new, folder_remove),
-        cmocka_unit_test_setup_teardown(sensitivities_go_with_their_run, folder_new, folder_remove),
+        cmocka_unit_test_setup_teardown(a_file_of_another_run_is_refused, scratch_make, scratch_remove),
+        cmocka_unit_test_setup_teardown(a_file_too_many_or_cut_off_is_refused, scratch_make, scratch_remove),
+        cmocka_unit_test_setup_teardown(states_of_another_series_are_refused, scratch_make, scratch_remove),
+        cmocka_unit_test_setup_teardown(sensitivities_go_with_their_run, scratch_make, scratch_remove),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

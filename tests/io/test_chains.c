@@ -1,8 +1,6 @@
 /* Several chains from the case to the figures: three that do nothing to each other are three runs, bit for bit; what
  * holds them together balances and closes the books; how cables lie in a duct gives the formulas' weight correction;
  * what cannot be computed is refused. */
-#define _GNU_SOURCE /* nftw */
-#include <ftw.h>
 #include <stdio.h>
 #include <unistd.h>
 
@@ -10,6 +8,7 @@
 
 #include "hawser/hawser.h"
 #include "hawser/sweep.h"
+#include "tests/support/scratch.h"
 #include "theory/cables/duct.h"
 
 #define FOLDER HAWSER_SOURCE_DIR "/tests/data/"
@@ -351,37 +350,16 @@ static int stop_halfway(void *user, hawser_sim *s, double t)
     return t >= hawser_sim_end_time(s) / 2;
 }
 
-static int remove_entry(const char *path, const struct stat *info, int kind, struct FTW *ftw)
-{
-    (void)info, (void)kind, (void)ftw;
-    return remove(path);
-}
-
-/* All of a file of a results folder; free() frees it. */
-static char *text_of(const char *dir, const char *name)
-{
-    char path[512];
-    snprintf(path, sizeof path, "%s/%s", dir, name);
-    FILE *const f = fopen(path, "rb");
-    if (!f) fail_msg("cannot read %s", path);
-    char *const text = calloc(1, 1 << 20);
-    assert_in_range(fread(text, 1, 1 << 20, f), 1, (1 << 20) - 1);
-    fclose(f);
-    return text;
-}
-
 /* A run that is stopped halfway and gone on with writes what one that is not writes, of every chain. */
 static void test_resumed(void **state)
 {
     (void)state;
     static const char *const files[] = {"series.csv", "one/series.csv", "three/series.csv"};
-    char whole[] = "/tmp/hawser_chains_XXXXXX", halves[] = "/tmp/hawser_chains_XXXXXX";
+    const char *const whole = scratch_path("whole"), *const halves = scratch_path("halves");
     /* as often as it is no burden: the first after the first step */
     const char *const settings[] = {"run.checkpoint", "1 us", NULL};
     hawser_error err;
     hawser_sim *s;
-    assert_non_null(mkdtemp(whole));
-    assert_non_null(mkdtemp(halves));
     hawser_case *c = load(FOLDER "chains-rope.yaml", settings);
     assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_OK);
     assert_int_equal(hawser_sim_run(s, whole, NULL, NULL, &err), HAWSER_OK);
@@ -397,13 +375,12 @@ static void test_resumed(void **state)
     hawser_sim_free(s);
     hawser_case_free(c);
     for (int k = 0; k < 3; ++k) {
-        char *const one = text_of(whole, files[k]), *const two = text_of(halves, files[k]);
+        char *const one = file_text(scratch_path_in("whole", files[k]));
+        char *const two = file_text(scratch_path_in("halves", files[k]));
         assert_string_equal(one, two);
         free(one);
         free(two);
     }
-    nftw(whole, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
-    nftw(halves, remove_entry, 8, FTW_DEPTH | FTW_PHYS);
 }
 
 int main(void)
@@ -414,5 +391,5 @@ int main(void)
         cmocka_unit_test(test_resumed),    cmocka_unit_test(test_alone),   cmocka_unit_test(test_theory),
         cmocka_unit_test(test_judged),     cmocka_unit_test(test_fallen),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

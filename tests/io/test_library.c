@@ -7,8 +7,9 @@
 
 #include "io/library/library.h"
 #include "io/yaml/units.h"
+#include "tests/support/scratch.h"
 
-enum { TEXT_MAX = 4000, PATH_ROOM = 200 };
+enum { TEXT_MAX = 4000 };
 
 static const char HEAD[] =
     "chain: [{cable: c, length: 10 m}]\nroute: {pieces: [{straight: 20 m}]}\nrun: {duration: 1 s}\n";
@@ -186,27 +187,13 @@ static void unknown_types(void **state)
 
 /* --------------------------------------------------------------------------------------------------------- includes */
 
-static char folder[] = "/tmp/hawser-library-XXXXXX";
-
-static void file_write(const char *name, const char *text)
-{
-    char path[PATH_ROOM];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *f = fopen(path, "w");
-    assert_non_null(f);
-    fputs(text, f);
-    fclose(f);
-}
-
 /* Reads the folder's case.yaml with this include and this type. */
 static hawser_status included(const char *include, const char *type, SceneDef *def, hawser_error *err)
 {
-    char text[TEXT_MAX], path[PATH_ROOM];
+    char text[TEXT_MAX];
     CaseTree *tree;
     snprintf(text, sizeof text, "%sinclude: %s\ncables: {c: {type: %s}}\n", HEAD, include, type);
-    file_write("case.yaml", text);
-    snprintf(path, sizeof path, "%s/case.yaml", folder);
-    assert_int_equal(case_tree_load(path, &tree, err), HAWSER_OK);
+    assert_int_equal(case_tree_load(scratch_write("case.yaml", text), &tree, err), HAWSER_OK);
     const hawser_status status = case_read(tree, def, err);
     case_tree_free(tree);
     return status;
@@ -228,10 +215,10 @@ static void includes_are_read(void **state)
     (void)state;
     SceneDef def;
     hawser_error err;
-    file_write("mine.yaml", "include: [deeper.yaml, both.yaml]\ncables:\n  mine: {d: 50 mm, mass: 4 kg/m}\n");
-    file_write("deeper.yaml",
-               "include: both.yaml\nropes:\n  steel-6x36-14: {d: 15 mm, mass: 1 kg/m, strength: 99 kN}\n");
-    file_write(
+    scratch_write("mine.yaml", "include: [deeper.yaml, both.yaml]\ncables:\n  mine: {d: 50 mm, mass: 4 kg/m}\n");
+    scratch_write("deeper.yaml",
+                  "include: both.yaml\nropes:\n  steel-6x36-14: {d: 15 mm, mass: 1 kg/m, strength: 99 kN}\n");
+    scratch_write(
         "both.yaml",
         "sources: {sheet: a data sheet of our own}\ncables:\n  other: {d: 60 mm, mass: 5 kg/m, source: sheet}\n");
     assert_int_equal(included("mine.yaml", "mine", &def, &err), HAWSER_OK);
@@ -251,41 +238,39 @@ static void includes_are_read(void **state)
 static void includes_are_refused(void **state)
 {
     (void)state;
-    char path[PATH_ROOM], text[100], name[20];
+    char text[100], name[20];
     include_refused("nix.yaml", "case.yaml:4: key 'include': value 'nix.yaml'", "cannot be read: No such file");
     include_refused("[case.yaml]", "case.yaml:", "unknown key");
     include_refused("[.]", "case.yaml:4: key 'include.0'", "is not a file");
     include_refused("/dev/zero", "case.yaml:4: key 'include'", "is not a file");
     include_refused("{a: b}", "case.yaml:4: key 'include'", "expected a list of files");
-    file_write("a.yaml", "include: [b.yaml]\n");
-    file_write("b.yaml", "cables: {}\ninclude: [a.yaml]\n");
+    scratch_write("a.yaml", "include: [b.yaml]\n");
+    scratch_write("b.yaml", "cables: {}\ninclude: [a.yaml]\n");
     include_refused("a.yaml", "b.yaml:2: key 'include.0': value 'a.yaml'", "a circle");
     for (int k = 0; k < 10; k++) {
         snprintf(name, sizeof name, "deep%d.yaml", k % 10);
         snprintf(text, sizeof text, "include: deep%d.yaml\n", (k + 1) % 100);
-        file_write(name, text);
+        scratch_write(name, text);
     }
     include_refused("deep0.yaml", "deep7.yaml:1: key 'include'", "too deep");
-    file_write("bad.yaml", "cables:\n  mine:\n    d: 50 mm\n    mass: 5 kN\n");
+    scratch_write("bad.yaml", "cables:\n  mine:\n    d: 50 mm\n    mass: 5 kN\n");
     include_refused("bad.yaml", "bad.yaml:4: key 'cables.c.mass': value '5 kN'", "expected a mass per length");
-    file_write("bad.yaml", "cables:\n  mine:\n    densty: 5\n");
+    scratch_write("bad.yaml", "cables:\n  mine:\n    densty: 5\n");
     include_refused("bad.yaml", "bad.yaml:3: key 'cables.c.densty'", "unknown key: did you mean 'density'?");
-    file_write("bad.yaml", "cabels: {}\n");
+    scratch_write("bad.yaml", "cabels: {}\n");
     include_refused("bad.yaml", "bad.yaml:1: key 'cabels'", "did you mean 'cables'?");
-    file_write("bad.yaml", "cables: {x: 7}\n");
+    scratch_write("bad.yaml", "cables: {x: 7}\n");
     include_refused("bad.yaml", "bad.yaml:1: key 'cables.x'", "expected a map of keys and values");
-    file_write("bad.yaml", "cables: {x: {mark: sure}}\n");
+    scratch_write("bad.yaml", "cables: {x: {mark: sure}}\n");
     include_refused("bad.yaml", "key 'cables.x.mark'", "expected typical or estimated");
-    file_write("bad.yaml", "cables: {x: {range: {d: {a: 1}}}}\n");
+    scratch_write("bad.yaml", "cables: {x: {range: {d: {a: 1}}}}\n");
     include_refused("bad.yaml", "key 'cables.x.range.d'", "expected [from, to]");
-    file_write("bad.yaml", "ropes: {x: {}}\n");
-    file_write("same.yaml", "cables: {x: {}}\n");
+    scratch_write("bad.yaml", "ropes: {x: {}}\n");
+    scratch_write("same.yaml", "cables: {x: {}}\n");
     include_refused("[bad.yaml, same.yaml]", "same.yaml:1: key 'cables.x': this name is taken", "bad.yaml:1");
-    file_write("bad.yaml", "cables: [\n");
+    scratch_write("bad.yaml", "cables: [\n");
     include_refused("bad.yaml", "bad.yaml:", "YAML");
-    snprintf(path, sizeof path, "%s/large.yaml", folder);
-    file_write("large.yaml", "#");
-    assert_int_equal(truncate(path, LIBRARY_FILE_BYTES + 1), 0);
+    assert_int_equal(truncate(scratch_write("large.yaml", "#"), LIBRARY_FILE_BYTES + 1), 0);
     include_refused("large.yaml", "case.yaml:4: key 'include'", "too large");
 }
 
@@ -297,11 +282,11 @@ static void texts_include_nothing(void **state)
     hawser_case *c = NULL;
     hawser_error err;
     snprintf(text, sizeof text, "%sinclude: own.yaml\ncables: {c: {type: mine}}\n", HEAD);
-    file_write("own.yaml", "cables:\n  mine: {d: 50 mm, mass: 4 kg/m}\n");
+    scratch_write("own.yaml", "cables:\n  mine: {d: 50 mm, mass: 4 kg/m}\n");
     assert_int_equal(hawser_case_parse(text, NAME, &c, &err), HAWSER_OK);
     assert_int_equal(hawser_case_check(c, &err), HAWSER_ERR_INPUT);
     check_has(err.message, NAME ":4: key 'include': value 'own.yaml': a case that is a text has no folder");
-    assert_int_equal(hawser_case_folder(c, folder, &err), HAWSER_OK);
+    assert_int_equal(hawser_case_folder(c, scratch_folder(), &err), HAWSER_OK);
     if (hawser_case_check(c, &err)) fail_msg("%s", err.message);
     assert_int_equal(hawser_case_set(c, "include", "/dev/null", &err), HAWSER_OK);
     assert_int_equal(hawser_case_check(c, &err), HAWSER_ERR_INPUT);
@@ -314,10 +299,10 @@ static void environment_names_another(void **state)
     (void)state;
     SceneDef def;
     hawser_error err;
-    char path[PATH_ROOM], *text = NULL;
-    snprintf(path, sizeof path, "%s/catalogue", folder);
+    char *text = NULL;
+    const char *const path = scratch_path("catalogue");
     assert_int_equal(mkdir(path, 0700), 0);
-    file_write("catalogue/only.yaml", "cables:\n  only: {d: 50 mm, mass: 4 kg/m}\n");
+    scratch_write("catalogue/only.yaml", "cables:\n  only: {d: 50 mm, mass: 4 kg/m}\n");
     setenv("HAWSER_LIBRARY", path, 1);
     cable_good("{type: only}", &def);
     scene_def_clear(&def);
@@ -431,20 +416,6 @@ static void catalogue_is_listed(void **state)
     check_has(err.message, "near are 'hmpe-1");
 }
 
-static int folder_make(void **state)
-{
-    (void)state;
-    return mkdtemp(folder) ? 0 : 1;
-}
-
-static int folder_remove(void **state)
-{
-    (void)state;
-    char command[PATH_ROOM];
-    snprintf(command, sizeof command, "rm -r '%s'", folder);
-    return system(command);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -461,5 +432,5 @@ int main(void)
         cmocka_unit_test(limits_from_cables),
         cmocka_unit_test(catalogue_is_listed),
     };
-    return cmocka_run_group_tests(tests, folder_make, folder_remove);
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

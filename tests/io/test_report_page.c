@@ -1,71 +1,19 @@
 /* The page about a run: what stands in it is what the results say, whatever the run is called. */
-#define _GNU_SOURCE /* nftw */
+#define _GNU_SOURCE /* memmem */
 #include "hawser/hawser.h"
 #include "tests/support/check.h"
 #include "tests/support/data.h"
+#include "tests/support/scratch.h"
 
-#include <ftw.h>
 #include <jansson.h>
 #include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 /* A title that would end the script, the page and the line, turn the text around and fill the page. */
 static const char evil[] = "</script><script>alert(1)</script><!-- ' &amp; \xe2\x80\xae backwards \xe2\x80\xa8 end";
-
-static char dir[64];
-
-static int remove_entry(const char *path, const struct stat *info, int flag, struct FTW *at)
-{
-    (void)info, (void)flag, (void)at;
-    return remove(path);
-}
-
-static int folder_new(void **state)
-{
-    (void)state;
-    strcpy(dir, "/tmp/hawser_page_XXXXXX");
-    return mkdtemp(dir) ? 0 : -1;
-}
-
-static int folder_remove(void **state)
-{
-    (void)state;
-    return nftw(dir, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
-}
-
-static const char *in_dir(const char *name)
-{
-    static char path[4][256];
-    static int next;
-    char *const to = path[next++ % 4];
-    snprintf(to, sizeof path[0], "%s/%s", dir, name);
-    return to;
-}
-
-static char *read_all(const char *path)
-{
-    FILE *const f = fopen(path, "rb");
-    if (!f) return NULL;
-    fseek(f, 0, SEEK_END);
-    const long size = ftell(f);
-    rewind(f);
-    char *const text = calloc((size_t)size + 1, 1);
-    assert_int_equal(fread(text, 1, (size_t)size, f), size);
-    fclose(f);
-    return text;
-}
-
-static void write_all(const char *path, const char *text)
-{
-    FILE *const f = fopen(path, "wb");
-    assert_non_null(f);
-    assert_int_equal(fwrite(text, 1, strlen(text), f), strlen(text));
-    fclose(f);
-}
 
 /* Runs the short pull under a title into the folder. stop: after so many calls; 0: never. */
 static int calls_left;
@@ -106,8 +54,8 @@ static json_t *page_data(const char *page)
 static json_t *report_on(const char *folder)
 {
     hawser_error err = {0};
-    if (hawser_report_write(&folder, 1, in_dir("page.html"), &err)) fail_msg("%s", err.message);
-    char *const page = read_all(in_dir("page.html"));
+    if (hawser_report_write(&folder, 1, scratch_path("page.html"), &err)) fail_msg("%s", err.message);
+    char *const page = file_text(scratch_path("page.html"));
     json_t *const all = page_data(page);
     free(page);
     return all;
@@ -118,7 +66,7 @@ static json_t *first_run(json_t *all) { return json_array_get(json_object_get(al
 /* A column of the page's table is a column of the file, number for number and letter for letter. */
 static void compare_table(const json_t *table, const char *file)
 {
-    char *const text = read_all(in_dir(file)), *save, *rest = text;
+    char *const text = file_text(scratch_path(file)), *save, *rest = text;
     char *names[200], *head = strtok_r(text, "\n", &rest);
     int n = 0, row = 0;
     for (char *name = strtok_r(head, ",", &save); name; name = strtok_r(NULL, ",", &save)) names[n++] = name;
@@ -141,9 +89,9 @@ static void compare_table(const json_t *table, const char *file)
 static void figures_are_the_results(void **state)
 {
     (void)state;
-    run_pull(NULL, dir, 0);
-    json_t *const all = report_on(dir), *const run = first_run(all);
-    char *const text = read_all(in_dir("summary.json"));
+    run_pull(NULL, scratch_folder(), 0);
+    json_t *const all = report_on(scratch_folder()), *const run = first_run(all);
+    char *const text = file_text(scratch_path("summary.json"));
     json_t *const summary = json_loads(text, 0, NULL);
     assert_int_equal(json_integer_value(json_object_get(all, "format")), 1);
     assert_string_equal(json_string_value(json_object_get(all, "hawser")), hawser_version());
@@ -167,8 +115,8 @@ static void figures_are_the_results(void **state)
 static void inputs_are_listed(void **state)
 {
     (void)state;
-    run_pull(NULL, dir, 0);
-    json_t *const all = report_on(dir);
+    run_pull(NULL, scratch_folder(), 0);
+    json_t *const all = report_on(scratch_folder());
     const json_t *const inputs = json_object_get(first_run(all), "inputs");
     int given = 0, defaults = 0;
     for (size_t i = 0; i < json_array_size(inputs); i++) {
@@ -198,10 +146,10 @@ static void hostile_titles_do_no_harm(void **state)
     strcpy(quoted, "\"");
     strcat(quoted, "</script><script>alert(1)</script><!-- ' &amp; \xe2\x80\xae backwards \\u2028 end");
     strcat(quoted, "\"");
-    run_pull(quoted, dir, 0);
-    json_t *const all = report_on(dir);
+    run_pull(quoted, scratch_folder(), 0);
+    json_t *const all = report_on(scratch_folder());
     assert_string_equal(json_string_value(json_object_get(json_object_get(first_run(all), "summary"), "title")), evil);
-    char *const page = read_all(in_dir("page.html"));
+    char *const page = file_text(scratch_path("page.html"));
     int scripts = 0, ends = 0;
     for (const char *at = page; (at = strstr(at, "<script")); at++) scripts++;
     for (const char *at = page; (at = strstr(at, "</script")); at++) ends++;
@@ -212,15 +160,15 @@ static void hostile_titles_do_no_harm(void **state)
     assert_true(!alert || strncmp(alert - 9, "&#62;alert", 5) == 0 || alert > bundle - 100000);
     assert_null(strstr(page, "<!--"));
     /* ten thousand letters, straight into the summary: only the library's own keys are short */
-    char *summary = read_all(in_dir("summary.json")), *const title = strstr(summary, "\"title\"");
+    char *summary = file_text(scratch_path("summary.json")), *const title = strstr(summary, "\"title\"");
     char *const longer = malloc(strlen(summary) + 11000);
     const size_t before = (size_t)(title - summary);
     memcpy(longer, summary, before);
     memset(longer + before + sprintf(longer + before, "\"title\": \"%s", ""), 'x', 10000);
     strcpy(longer + before + strlen("\"title\": \"") + 10000, "\"");
     strcat(longer, strstr(title, ",\n"));
-    write_all(in_dir("summary.json"), longer);
-    json_t *const again = report_on(dir);
+    file_write(scratch_path("summary.json"), longer);
+    json_t *const again = report_on(scratch_folder());
     assert_int_equal(strlen(json_string_value(json_object_get(json_object_get(first_run(again), "summary"), "title"))),
                      10000);
     json_decref(all);
@@ -235,9 +183,9 @@ static void hostile_titles_do_no_harm(void **state)
 static void the_policy_is_strict(void **state)
 {
     (void)state;
-    run_pull(NULL, dir, 0);
-    json_decref(report_on(dir));
-    char *const page = read_all(in_dir("page.html"));
+    run_pull(NULL, scratch_folder(), 0);
+    json_decref(report_on(scratch_folder()));
+    char *const page = file_text(scratch_path("page.html"));
     check_has(page, "content=\"default-src 'none'; script-src 'sha256-");
     const char *const policy = strstr(page, "script-src");
     assert_null(memmem(policy, (size_t)(strchr(policy, ';') - policy), "unsafe", 6));
@@ -249,11 +197,11 @@ static void the_policy_is_strict(void **state)
 static void a_run_that_was_stopped_has_a_page(void **state)
 {
     (void)state;
-    run_pull(NULL, dir, 1);
-    json_t *const all = report_on(dir);
+    run_pull(NULL, scratch_folder(), 1);
+    json_t *const all = report_on(scratch_folder());
     assert_string_equal(json_string_value(json_object_get(json_object_get(first_run(all), "summary"), "outcome")),
                         "stopped");
-    char *const page = read_all(in_dir("page.html"));
+    char *const page = file_text(scratch_path("page.html"));
     check_has(page, "<tr><th>ended</th><td><bdi>stopped</bdi></td></tr>");
     free(page);
     json_decref(all);
@@ -263,20 +211,20 @@ static void a_run_that_was_stopped_has_a_page(void **state)
 static void missing_files_are_notes(void **state)
 {
     (void)state;
-    run_pull(NULL, dir, 0);
-    unlink(in_dir("results.h5"));
-    unlink(in_dir("inputs.csv"));
-    write_all(in_dir("stations.csv"), "name,s_m\n\"open\n");
-    const char *const folder = dir;
+    run_pull(NULL, scratch_folder(), 0);
+    unlink(scratch_path("results.h5"));
+    unlink(scratch_path("inputs.csv"));
+    file_write(scratch_path("stations.csv"), "name,s_m\n\"open\n");
+    const char *const folder = scratch_folder();
     hawser_error err = {0};
-    assert_int_equal(hawser_report_write(&folder, 1, in_dir("page.html"), &err), HAWSER_ERR_INPUT);
+    assert_int_equal(hawser_report_write(&folder, 1, scratch_path("page.html"), &err), HAWSER_ERR_INPUT);
     check_has(err.message, "stations.csv' does not belong to the summary");
     /* as an older hawser wrote it, which did not say what belongs together */
-    char *const summary = read_all(in_dir("summary.json")), *const run = strstr(summary, "\"run\"");
+    char *const summary = file_text(scratch_path("summary.json")), *const run = strstr(summary, "\"run\"");
     memcpy(run, "\"ran\"", 5);
-    write_all(in_dir("summary.json"), summary);
+    file_write(scratch_path("summary.json"), summary);
     free(summary);
-    json_t *const all = report_on(dir), *const said = first_run(all);
+    json_t *const all = report_on(scratch_folder()), *const said = first_run(all);
     assert_true(json_is_null(json_object_get(said, "stations")));
     assert_true(json_is_null(json_object_get(said, "inputs")));
     assert_null(json_object_get(said, "states"));
@@ -289,9 +237,9 @@ static void missing_files_are_notes(void **state)
 static void results_h5_may_be_anything(void **state)
 {
     (void)state;
-    run_pull(NULL, dir, 0);
-    write_all(in_dir("results.h5"), "\211HDF\r\n\032\n and then nothing that is any use");
-    json_t *const all = report_on(dir);
+    run_pull(NULL, scratch_folder(), 0);
+    file_write(scratch_path("results.h5"), "\211HDF\r\n\032\n and then nothing that is any use");
+    json_t *const all = report_on(scratch_folder());
     assert_null(json_object_get(first_run(all), "states"));
     json_decref(all);
 }
@@ -300,22 +248,24 @@ static void folders_without_results_are_errors(void **state)
 {
     (void)state;
     hawser_error err = {0};
-    const char *folder = dir, *const nowhere = "/nowhere/at/all", *many[7] = {dir, dir, dir, dir, dir, dir, dir};
-    assert_int_equal(hawser_report_write(&folder, 1, in_dir("page.html"), &err), HAWSER_ERR_INPUT);
+    const char *folder = scratch_folder(), *const nowhere = "/nowhere/at/all",
+               *many[7] = {scratch_folder(), scratch_folder(), scratch_folder(), scratch_folder(),
+                           scratch_folder(), scratch_folder(), scratch_folder()};
+    assert_int_equal(hawser_report_write(&folder, 1, scratch_path("page.html"), &err), HAWSER_ERR_INPUT);
     check_has(err.message, "there is no summary.json");
-    assert_int_equal(hawser_report_write(&nowhere, 1, in_dir("page.html"), &err), HAWSER_ERR_INPUT);
+    assert_int_equal(hawser_report_write(&nowhere, 1, scratch_path("page.html"), &err), HAWSER_ERR_INPUT);
     check_has(err.message, "No such file");
-    write_all(in_dir("summary.json"), "{\"title\": ");
-    assert_int_equal(hawser_report_write(&folder, 1, in_dir("page.html"), &err), HAWSER_ERR_INPUT);
+    file_write(scratch_path("summary.json"), "{\"title\": ");
+    assert_int_equal(hawser_report_write(&folder, 1, scratch_path("page.html"), &err), HAWSER_ERR_INPUT);
     check_has(err.message, "summary.json:1: not a summary");
-    write_all(in_dir("summary.json"), "[1]");
-    assert_int_equal(hawser_report_write(&folder, 1, in_dir("page.html"), &err), HAWSER_ERR_INPUT);
-    assert_int_equal(hawser_report_write(many, 7, in_dir("page.html"), &err), HAWSER_ERR_INPUT);
+    file_write(scratch_path("summary.json"), "[1]");
+    assert_int_equal(hawser_report_write(&folder, 1, scratch_path("page.html"), &err), HAWSER_ERR_INPUT);
+    assert_int_equal(hawser_report_write(many, 7, scratch_path("page.html"), &err), HAWSER_ERR_INPUT);
     check_has(err.message, "1 to 6");
-    assert_int_equal(access(in_dir("page.html"), F_OK), -1);
-    write_all(in_dir("summary.json"), "{}");
+    assert_int_equal(access(scratch_path("page.html"), F_OK), -1);
+    file_write(scratch_path("summary.json"), "{}");
     assert_int_equal(hawser_report_write(&folder, 1, "/nowhere/page.html", &err), HAWSER_ERR_OUTPUT);
-    assert_int_equal(hawser_report_write(&folder, 1, in_dir("page.html"), &err), HAWSER_OK);
+    assert_int_equal(hawser_report_write(&folder, 1, scratch_path("page.html"), &err), HAWSER_OK);
 }
 
 /* Six runs share the room for their states. */
@@ -323,11 +273,11 @@ static void runs_are_compared(void **state)
 {
     (void)state;
     hawser_error err = {0};
-    run_pull(NULL, in_dir("a"), 0);
-    run_pull("another", in_dir("b"), 0);
-    const char *const folders[2] = {in_dir("a"), in_dir("b")};
-    assert_int_equal(hawser_report_write(folders, 2, in_dir("page.html"), &err), HAWSER_OK);
-    char *const page = read_all(in_dir("page.html"));
+    run_pull(NULL, scratch_path("a"), 0);
+    run_pull("another", scratch_path("b"), 0);
+    const char *const folders[2] = {scratch_path("a"), scratch_path("b")};
+    assert_int_equal(hawser_report_write(folders, 2, scratch_path("page.html"), &err), HAWSER_OK);
+    char *const page = file_text(scratch_path("page.html"));
     json_t *const all = page_data(page);
     assert_int_equal(json_array_size(json_object_get(all, "runs")), 2);
     check_has(page, "<title>A short pull and 1 more</title>");
@@ -339,13 +289,13 @@ static void runs_are_compared(void **state)
 static void locales_change_nothing(void **state)
 {
     (void)state;
-    run_pull(NULL, dir, 0);
+    run_pull(NULL, scratch_folder(), 0);
     setenv("SOURCE_DATE_EPOCH", "0", 1);
-    json_decref(report_on(dir));
-    char *const plain = read_all(in_dir("page.html"));
+    json_decref(report_on(scratch_folder()));
+    char *const plain = file_text(scratch_path("page.html"));
     if (setlocale(LC_ALL, "de_DE.UTF-8")) {
-        json_decref(report_on(dir));
-        char *const german = read_all(in_dir("page.html"));
+        json_decref(report_on(scratch_folder()));
+        char *const german = file_text(scratch_path("page.html"));
         assert_string_equal(plain, german);
         free(german);
         setlocale(LC_ALL, "C");
@@ -361,27 +311,31 @@ static void figures_are_drawn(void **state)
     hawser_error err = {0};
     int drawn = 0;
     const char *const one[] = {"tension"}, *const none[] = {"tensions"};
-    run_pull(NULL, dir, 0);
-    assert_int_equal(hawser_plot_write(dir, in_dir("svg"), 0, NULL, HAWSER_SI, &drawn, &err), HAWSER_OK);
+    run_pull(NULL, scratch_folder(), 0);
+    assert_int_equal(hawser_plot_write(scratch_folder(), scratch_path("svg"), 0, NULL, HAWSER_SI, &drawn, &err),
+                     HAWSER_OK);
     assert_int_equal(drawn, 4);
-    char *const si = read_all(in_dir("svg/tension.svg"));
+    char *const si = file_text(scratch_path("svg/tension.svg"));
     check_has(si, "tension, N");
     check_has(si, "</svg>");
-    assert_int_equal(hawser_plot_write(dir, in_dir("us"), 1, one, HAWSER_US, &drawn, &err), HAWSER_OK);
+    assert_int_equal(hawser_plot_write(scratch_folder(), scratch_path("us"), 1, one, HAWSER_US, &drawn, &err),
+                     HAWSER_OK);
     assert_int_equal(drawn, 1);
-    char *const us = read_all(in_dir("us/tension.svg"));
+    char *const us = file_text(scratch_path("us/tension.svg"));
     check_has(us, "along the route, ft");
-    assert_int_equal(access(in_dir("us/plan.svg"), F_OK), -1);
-    assert_int_equal(hawser_plot_write(dir, in_dir("us"), 1, none, HAWSER_US, &drawn, &err), HAWSER_ERR_INPUT);
+    assert_int_equal(access(scratch_path("us/plan.svg"), F_OK), -1);
+    assert_int_equal(hawser_plot_write(scratch_folder(), scratch_path("us"), 1, none, HAWSER_US, &drawn, &err),
+                     HAWSER_ERR_INPUT);
     check_has(err.message, "is no figure");
-    unlink(in_dir("stations.csv"));
-    assert_int_equal(hawser_plot_write(dir, in_dir("us"), 1, one, HAWSER_US, &drawn, &err), HAWSER_ERR_INPUT);
+    unlink(scratch_path("stations.csv"));
+    assert_int_equal(hawser_plot_write(scratch_folder(), scratch_path("us"), 1, one, HAWSER_US, &drawn, &err),
+                     HAWSER_ERR_INPUT);
     check_has(err.message, "it needs tension at stations");
     free(si);
     free(us);
 }
 
-#define TEST(function) cmocka_unit_test_setup_teardown(function, folder_new, folder_remove)
+#define TEST(function) cmocka_unit_test_setup_teardown(function, scratch_make, scratch_remove)
 
 int main(void)
 {

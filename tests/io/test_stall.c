@@ -88,6 +88,30 @@ static void a_failure_says_what_held_up_before_it(void **state)
     hawser_sim_free(s);
 }
 
+/* Of several chains a segment is one of a chain's, which is named; whichever is asked. */
+static void of_several_chains(void **state)
+{
+    (void)state;
+    const Set short_steps[] = {{"solver.max_step", "1 ms"}};
+    const hawser_hold hold = slowest_of("chains", 1, short_steps);
+    assert_string_equal(hold.cause, "longest step");
+    assert_true(!strcmp(hold.chain, "one") || !strcmp(hold.chain, "two") || !strcmp(hold.chain, "three"));
+    check_has(hold.says, " of 16 of chain '");
+    /* the second is much faster than the others */
+    const Set jerk[] = {{"solver.max_step", "1 ms"},
+                        {"solver.max_steps", "700"},
+                        {"chains.two.drive", "{winch: {speed: 2 m/s, to: 1 s}}"}};
+    hawser_error err = {0};
+    hawser_sim *const s = sim_with("chains", 3, jerk);
+    assert_int_equal(hawser_sim_run(s, NULL, NULL, NULL, &err), HAWSER_ERR_RUN);
+    print_message("%s\n", err.message);
+    check_has(err.message, "the hardest part is segment ");
+    check_has(err.message, " of 16 of chain 'two'");
+    check_has(err.message, "; before it steps of 0.001 s");
+    assert_in_range(err.segment, 0, 15);
+    hawser_sim_free(s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -95,6 +119,7 @@ int main(void)
         cmocka_unit_test(accuracy),
         cmocka_unit_test(few_steps_are_no_window),
         cmocka_unit_test(a_failure_says_what_held_up_before_it),
+        cmocka_unit_test(of_several_chains),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

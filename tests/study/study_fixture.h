@@ -10,43 +10,7 @@
 #include "study/engine/engine.h"
 #include "study/results/results.h"
 #include "tests/support/check.h"
-
-static char folder[64];
-
-static inline int folder_make(void **state)
-{
-    (void)state;
-    strcpy(folder, "/tmp/hawser-study-XXXXXX");
-    return mkdtemp(folder) ? 0 : -1;
-}
-
-static inline int folder_remove(void **state)
-{
-    char command[128];
-    (void)state;
-    snprintf(command, sizeof command, "rm -rf %s", folder);
-    return system(command);
-}
-
-/* folder/NAME, in a place that the next four calls leave alone. */
-static inline const char *path_of(const char *name)
-{
-    static char path[4][160];
-    static int turn;
-    turn = (turn + 1) % 4;
-    snprintf(path[turn], sizeof path[turn], "%s/%s", folder, name);
-    return path[turn];
-}
-
-static inline const char *file_write(const char *name, const char *text)
-{
-    const char *const path = path_of(name);
-    FILE *const f = fopen(path, "w");
-    assert_non_null(f);
-    fputs(text, f);
-    fclose(f);
-    return path;
-}
+#include "tests/support/scratch.h"
 
 /* folder/study.yaml: a study of tests/data/cli-pull.yaml with limits, and these lines. */
 static inline const char *study_write(const char *lines)
@@ -57,7 +21,7 @@ static inline const char *study_write(const char *lines)
              "set: {run.steady_from: 200 ms, limits.winch_capacity: 600 N, limits.conductor: \"{material: copper, "
              "area: 800 mm2}\"}\n%s",
              lines);
-    return file_write("study.yaml", text);
+    return scratch_write("study.yaml", text);
 }
 
 static inline hawser_study *study_open(const char *path)
@@ -74,17 +38,17 @@ static inline void study_compute(const char *lines, const char *dir, int jobs)
     hawser_error err;
     hawser_study *const s = study_open(study_write(lines));
     const hawser_study_options options = {.jobs = jobs};
-    if (hawser_study_run(s, path_of(dir), &options, &err)) fail_msg("%s", err.message);
+    if (hawser_study_run(s, scratch_path(dir), &options, &err)) fail_msg("%s", err.message);
     hawser_study_free(s);
 }
 
 /* All of a file; malloc'ed. */
-static inline char *file_text(const char *dir, const char *name, size_t *size)
+static inline char *bytes_of(const char *dir, const char *name, size_t *size)
 {
     char *text;
     hawser_error err;
     char path[200];
-    snprintf(path, sizeof path, "%s/%s", path_of(dir), name);
+    snprintf(path, sizeof path, "%s/%s", scratch_path(dir), name);
     if (case_file_read(path, &text, size, &err)) fail_msg("%s", err.message);
     return text;
 }
@@ -95,7 +59,7 @@ static inline void expect_alike(const char *one, const char *other)
     const char *const names[] = {"samples.csv", "summary.json", "study.h5", "study.html"};
     for (int k = 0; k < 4; k++) {
         size_t n, m;
-        char *const a = file_text(one, names[k], &n), *const b = file_text(other, names[k], &m);
+        char *const a = bytes_of(one, names[k], &n), *const b = bytes_of(other, names[k], &m);
         if (n != m || memcmp(a, b, n) != 0) fail_msg("%s/%s and %s/%s differ", one, names[k], other, names[k]);
         free(a);
         free(b);
@@ -106,9 +70,9 @@ static inline void expect_alike(const char *one, const char *other)
 static inline void rows_of(const char *dir, Study **s, Rows *rows)
 {
     hawser_error err;
-    if (study_read(path_of("study.yaml"), s, &err)) fail_msg("%s", err.message);
+    if (study_read(scratch_path("study.yaml"), s, &err)) fail_msg("%s", err.message);
     assert_int_equal(rows_make(*s, rows, &err), HAWSER_OK);
-    if (store_read(*s, path_of(dir), rows, &err)) fail_msg("%s", err.message);
+    if (store_read(*s, scratch_path(dir), rows, &err)) fail_msg("%s", err.message);
 }
 
 #endif

@@ -15,19 +15,27 @@ typedef struct Truth {
     double at[1400], force[1400], restart[1400];
 } Truth;
 
+/* A case with n settings. */
+static hawser_case *case_with(const char *file, const char *const (*set)[2], int n)
+{
+    hawser_case *c;
+    hawser_error err;
+    if (hawser_case_load(file, &c, &err)) fail_msg("%s", err.message);
+    for (int k = 0; k < n; k++) {
+        if (hawser_case_set(c, set[k][0], set[k][1], &err)) fail_msg("%s", err.message);
+    }
+    return c;
+}
+
 static Truth truth_of(const char *const (*set)[2], int n)
 {
     static const char *const heads[] = {"heads", NULL};
     const TheoryWish wish = {.table = heads, .no_inverse = 1};
     Truth t = {0};
-    hawser_case *c;
     hawser_error err;
     json_t *answer, *row;
     size_t i;
-    if (hawser_case_load(CASE, &c, &err)) fail_msg("%s", err.message);
-    for (int k = 0; k < n; k++) {
-        if (hawser_case_set(c, set[k][0], set[k][1], &err)) fail_msg("%s", err.message);
-    }
+    hawser_case *const c = case_with(CASE, set, n);
     if (case_theory_values(c, &wish, &answer, &err)) fail_msg("%s", err.message);
     json_array_foreach(json_object_get(answer, "heads"), i, row)
     {
@@ -58,7 +66,7 @@ static double noise(uint64_t seed, uint64_t i)
 /* Two readings a metre and more: noise of 150 N, one in fifty without force, one in fifty empty, a rest at 25 m. */
 static void log_make(const Truth *t, uint64_t seed)
 {
-    FILE *const f = fopen(path_of("pull.csv"), "w");
+    FILE *const f = fopen(scratch_path("pull.csv"), "w");
     double time = 0;
     assert_non_null(f);
     fprintf(f, "time [s];winch pull [kN];length [m]\n");
@@ -81,9 +89,9 @@ static Findings calibrate(const char *lines, const char *dir, Study **s, Rows *r
     hawser_error err;
     Findings f;
     snprintf(text, sizeof text, "case: " CASE "\n%s", lines);
-    hawser_study *const study = study_open(file_write("study.yaml", text));
+    hawser_study *const study = study_open(scratch_write("study.yaml", text));
     const hawser_study_options options = {.jobs = 1, .fresh = 1};
-    if (hawser_study_run(study, path_of(dir), &options, &err)) fail_msg("%s", err.message);
+    if (hawser_study_run(study, scratch_path(dir), &options, &err)) fail_msg("%s", err.message);
     hawser_study_free(study);
     rows_of(dir, s, rows);
     assert_int_equal(findings_make(*s, rows, &f, &err), HAWSER_OK);
@@ -186,14 +194,14 @@ static void goes_on(void **state)
     hawser_error err;
     log_make(&t, 8);
     for (int k = 0; k < 3; k++) {
-        hawser_study *const s = study_open(file_write("study.yaml", text));
+        hawser_study *const s = study_open(scratch_write("study.yaml", text));
         const hawser_study_options options = {.jobs = k == 1 ? 4 : 1};
         const char *const dir = k == 0 ? "whole" : "again";
-        if (hawser_study_run(s, path_of(dir), &options, &err)) fail_msg("%s", err.message);
+        if (hawser_study_run(s, scratch_path(dir), &options, &err)) fail_msg("%s", err.message);
         hawser_study_free(s);
         expect_alike("whole", dir);
         char path[200];
-        snprintf(path, sizeof path, "%s/workers/worker-0.rows", path_of(dir));
+        snprintf(path, sizeof path, "%s/workers/worker-0.rows", scratch_path(dir));
         if (k == 1) assert_int_equal(truncate(path, 3000), 0);
     }
 }
@@ -211,18 +219,13 @@ static const char *const pull[][2] = {
 /* The run's force with these values, every 10 ms, by the place of the cable's head. */
 static Truth run_truth(const char *route, const char *mu, const char *mass)
 {
+    const char *const set[][2] = {{pull[0][0], pull[0][1]}, {pull[1][0], pull[1][1]}, {pull[2][0], pull[2][1]},
+                                  {"route.pieces", route},  {"friction.mu", mu},      {"cables.power.mass", mass}};
     Truth t = {0};
-    hawser_case *c;
     hawser_sim *sim;
     hawser_error err;
-    if (hawser_case_load(HILL_CASE, &c, &err)) fail_msg("%s", err.message);
-    for (size_t k = 0; k < sizeof pull / sizeof *pull; k++) {
-        if (hawser_case_set(c, pull[k][0], pull[k][1], &err)) fail_msg("%s", err.message);
-    }
-    if (hawser_case_set(c, "route.pieces", route, &err) || hawser_case_set(c, "friction.mu", mu, &err) ||
-        hawser_case_set(c, "cables.power.mass", mass, &err) || hawser_sim_new(c, NULL, &sim, &err) ||
-        hawser_sim_relax(sim, NULL, &err))
-        fail_msg("%s", err.message);
+    hawser_case *const c = case_with(HILL_CASE, set, 6);
+    if (hawser_sim_new(c, NULL, &sim, &err) || hawser_sim_relax(sim, NULL, &err)) fail_msg("%s", err.message);
     for (double time = 0.01; time < 12.99; time += 0.01) {
         if (hawser_sim_advance(sim, time, 0, &err)) fail_msg("%s", err.message);
         const hawser_sample *const now = hawser_sim_sample(sim);
@@ -237,7 +240,7 @@ static Truth run_truth(const char *route, const char *mu, const char *mass)
 /* Readings every 2 cm from a metre on, with noise of 1 %, drop-outs, gaps and a rest. */
 static void run_log(const Truth *t, uint64_t seed)
 {
-    FILE *const f = fopen(path_of("pull.csv"), "w");
+    FILE *const f = fopen(scratch_path("pull.csv"), "w");
     double time = 0;
     assert_non_null(f);
     fprintf(f, "time [s],force [N],length [m]\n");
@@ -258,9 +261,9 @@ static Findings calibrate_runs(const char *route, const char *lines, const char 
     Findings f;
     snprintf(text, sizeof text, "case: " HILL_CASE "\nset:\n  route.pieces: \"%s\"\n  %s: %s\n  %s: %s\n  %s: %s\n%s",
              route, pull[0][0], pull[0][1], pull[1][0], pull[1][1], pull[2][0], pull[2][1], lines);
-    hawser_study *const study = study_open(file_write("study.yaml", text));
+    hawser_study *const study = study_open(scratch_write("study.yaml", text));
     const hawser_study_options options = {.jobs = 1, .fresh = 1};
-    if (hawser_study_run(study, path_of(dir), &options, &err)) fail_msg("%s", err.message);
+    if (hawser_study_run(study, scratch_path(dir), &options, &err)) fail_msg("%s", err.message);
     hawser_study_free(study);
     rows_of(dir, s, rows);
     assert_int_equal(findings_make(*s, rows, &f, &err), HAWSER_OK);
@@ -353,7 +356,7 @@ static void refused(void **state)
         hawser_error err = {HAWSER_OK, ""};
         snprintf(text, sizeof text, "case: " CASE "\nparameters: {friction.mu: {range: {from: 0.1, to: 0.4}}}\n%s",
                  wrong[k][0]);
-        assert_int_equal(hawser_study_load(file_write("study.yaml", text), &s, &err), HAWSER_ERR_INPUT);
+        assert_int_equal(hawser_study_load(scratch_write("study.yaml", text), &s, &err), HAWSER_ERR_INPUT);
         check_has(err.message, wrong[k][1]);
     }
 }
@@ -367,5 +370,5 @@ int main(void)
                                        cmocka_unit_test(runs_give_them_back),
                                        cmocka_unit_test(runs_cannot_tell),
                                        cmocka_unit_test(refused)};
-    return cmocka_run_group_tests(tests, folder_make, folder_remove);
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

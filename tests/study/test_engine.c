@@ -45,7 +45,7 @@ static long bytes_in(const char *dir)
     for (int k = 0; k < 64; k++) {
         char path[200];
         struct stat info;
-        snprintf(path, sizeof path, "%s/workers/worker-%d.rows", path_of(dir), k);
+        snprintf(path, sizeof path, "%s/workers/worker-%d.rows", scratch_path(dir), k);
         if (!stat(path, &info)) sum += info.st_size;
     }
     return sum;
@@ -65,12 +65,12 @@ static void killed_and_resumed(void **state)
 {
     (void)state;
     study_compute(drawn, "whole", 2);
-    hawser_study *const s = study_open(path_of("study.yaml"));
+    hawser_study *const s = study_open(scratch_path("study.yaml"));
     const hawser_study_options options = {.jobs = 2};
     long before = 0;
     for (int k = 0; k < 20; k++) {
         const pid_t pid = fork();
-        if (pid == 0) _exit(hawser_study_run(s, path_of("killed"), &options, NULL) != HAWSER_OK);
+        if (pid == 0) _exit(hawser_study_run(s, scratch_path("killed"), &options, NULL) != HAWSER_OK);
         pause_ms(3 + 7 * k % 61);
         kill(pid, SIGKILL);
         waitpid(pid, NULL, 0);
@@ -92,7 +92,7 @@ static void damaged_files(void **state)
     study_compute(drawn, "sound", 1);
     study_compute(drawn, "hurt", 1);
     char path[200];
-    snprintf(path, sizeof path, "%s/workers/worker-0.rows", path_of("hurt"));
+    snprintf(path, sizeof path, "%s/workers/worker-0.rows", scratch_path("hurt"));
     assert_int_equal(truncate(path, 150 * record_bytes(2) + 77), 0);
     FILE *const f = fopen(path, "r+");
     fseek(f, 120 * record_bytes(2) + 100, SEEK_SET);
@@ -129,10 +129,10 @@ static void longer_and_other(void **state)
     hawser_study *const s = study_open(study_write(lines));
     hawser_study_options options = {.jobs = 1};
     hawser_error err;
-    assert_int_equal(hawser_study_run(s, path_of("longer"), &options, &err), HAWSER_ERR_INPUT);
+    assert_int_equal(hawser_study_run(s, scratch_path("longer"), &options, &err), HAWSER_ERR_INPUT);
     check_has(err.message, "holds the samples of another study");
     options.fresh = 1;
-    assert_int_equal(hawser_study_run(s, path_of("longer"), &options, &err), HAWSER_OK);
+    assert_int_equal(hawser_study_run(s, scratch_path("longer"), &options, &err), HAWSER_OK);
     assert_int_equal(bytes_in("longer"), 200 * record_bytes(2));
     hawser_study_free(s);
 }
@@ -141,7 +141,7 @@ static void longer_and_other(void **state)
 static void rows_with_reasons(void **state)
 {
     (void)state;
-    file_write("list.csv", "friction.mu,run.duration\n0.2,300 ms\n-1,300 ms\n0.2,100000 s\n0.3,300 ms\n");
+    scratch_write("list.csv", "friction.mu,run.duration\n0.2,300 ms\n-1,300 ms\n0.2,100000 s\n0.3,300 ms\n");
     study_compute("fidelity: run\nlist: {file: list.csv}\ntime_limit: 1 s\n", "slow", 2);
     Study *s;
     Rows rows;
@@ -153,7 +153,7 @@ static void rows_with_reasons(void **state)
     assert_string_equal(rows.row[2].reason, "took longer than 1 s");
     assert_int_equal(rows.row[3].state, ROW_DONE);
     size_t size;
-    char *const summary = file_text("slow", "summary.json", &size);
+    char *const summary = bytes_of("slow", "summary.json", &size);
     check_has(summary, "\"over_time\": 1.0");
     check_has(summary, "\"reason\": \"took longer than 1 s\"");
     free(summary);
@@ -167,7 +167,7 @@ static void too_much_memory(void **state)
 {
     (void)state;
 #ifndef __SANITIZE_ADDRESS__
-    file_write("list.csv", "chain.0.segment,run.duration\n500 mm,300 ms\n0.06 mm,300 ms\n");
+    scratch_write("list.csv", "chain.0.segment,run.duration\n500 mm,300 ms\n0.06 mm,300 ms\n");
     study_compute("fidelity: run\nlist: {file: list.csv}\nmemory: 400\n", "memory", 1);
     Study *s;
     Rows rows;
@@ -204,7 +204,7 @@ static void workers_that_die(void **state)
     memcpy(strstr(lines, "300 ms, 350 ms"), "300 ms, 500 s ", 14);
     hawser_study *const s = study_open(study_write(lines));
     const hawser_study_options options = {.jobs = 2, .progress = end_a_worker, .user = &ended};
-    if (hawser_study_run(s, path_of("dying"), &options, &err)) fail_msg("%s", err.message);
+    if (hawser_study_run(s, scratch_path("dying"), &options, &err)) fail_msg("%s", err.message);
     hawser_study_free(s);
     Study *study;
     Rows rows;
@@ -238,7 +238,7 @@ static void stopped(void **state)
              (int)(strstr(drawn, "monte") - drawn), drawn);
     hawser_study *s = study_open(study_write(lines));
     const hawser_study_options options = {.jobs = 2, .progress = stop_at_once, .user = &now};
-    assert_int_equal(hawser_study_run(s, path_of("stopped"), &options, &err), HAWSER_STOPPED);
+    assert_int_equal(hawser_study_run(s, scratch_path("stopped"), &options, &err), HAWSER_STOPPED);
     check_has(err.message, "of 100000 samples: the same command goes on");
     assert_int_equal(now.samples, 100000);
     assert_int_equal(now.jobs, 2);
@@ -328,15 +328,15 @@ static void ranks_alike(void **state)
     int others[RANKS];
     study_compute(drawn, "alone", 1);
     hawser_study *s = study_open(study_write(drawn));
-    assert_int_equal(on_ranks(s, path_of("ranks"), others), HAWSER_OK);
+    assert_int_equal(on_ranks(s, scratch_path("ranks"), others), HAWSER_OK);
     assert_int_equal(others[1] + others[2], 0);
     expect_alike("alone", "ranks");
     study_compute(half, "half", 2);
     study_write(drawn);
-    assert_int_equal(on_ranks(s, path_of("half"), others), HAWSER_OK);
+    assert_int_equal(on_ranks(s, scratch_path("half"), others), HAWSER_OK);
     expect_alike("alone", "half");
-    file_write("no-folder", "");
-    assert_int_equal(on_ranks(s, path_of("no-folder"), others), HAWSER_ERR_OUTPUT);
+    scratch_write("no-folder", "");
+    assert_int_equal(on_ranks(s, scratch_path("no-folder"), others), HAWSER_ERR_OUTPUT);
     assert_int_equal(others[1], HAWSER_ERR_OUTPUT);
     assert_int_equal(others[2], HAWSER_ERR_OUTPUT);
     hawser_study_free(s);
@@ -349,5 +349,5 @@ int main(void)
                                        cmocka_unit_test(rows_with_reasons), cmocka_unit_test(too_much_memory),
                                        cmocka_unit_test(workers_that_die),  cmocka_unit_test(stopped),
                                        cmocka_unit_test(ranks_alike)};
-    return cmocka_run_group_tests(tests, folder_make, folder_remove);
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

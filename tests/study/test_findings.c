@@ -43,11 +43,11 @@ static void eq_10_is_exact(void **state)
     (void)state;
     const double at_1 = total_of_paper("0.1"), at_3 = total_of_paper("0.3"), slope = (at_3 - at_1) / 0.2;
     check_share(total_of_paper("0.2"), (at_1 + at_3) / 2, 1e-9);
-    file_write("study.yaml", "case: " HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml\n"
-                             "parameters: {friction.mu: {triangular: {from: 0.1, mode: 0.15, to: 0.3}}}\n"
-                             "monte-carlo: {samples: 512}\nquantities: [paper_total_N]\n");
-    hawser_study *const run = study_open(path_of("study.yaml"));
-    assert_int_equal(hawser_study_run(run, path_of("eq10"), NULL, NULL), HAWSER_OK);
+    scratch_write("study.yaml", "case: " HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml\n"
+                                "parameters: {friction.mu: {triangular: {from: 0.1, mode: 0.15, to: 0.3}}}\n"
+                                "monte-carlo: {samples: 512}\nquantities: [paper_total_N]\n");
+    hawser_study *const run = study_open(scratch_path("study.yaml"));
+    assert_int_equal(hawser_study_run(run, scratch_path("eq10"), NULL, NULL), HAWSER_OK);
     hawser_study_free(run);
     Study *s;
     Rows rows;
@@ -96,11 +96,11 @@ static void probability_of_a_limit(void **state)
     assert_int_equal(last->n, 512);
     const double ratio = (first->share.high - first->share.low) / (last->share.high - last->share.low);
     check_between(ratio, 0.7 * sqrt(512.0 / (double)first->n), 1.3 * sqrt(512.0 / (double)first->n));
-    hawser_study *const again = study_open(path_of("study.yaml"));
+    hawser_study *const again = study_open(scratch_path("study.yaml"));
     char *text;
     hawser_error err;
     assert_int_equal(hawser_study_answer(again, HAWSER_SI, &text, &err), HAWSER_ERR_INPUT);
-    assert_int_equal(hawser_study_run(again, path_of("limit"), NULL, &err), HAWSER_OK); /* nothing is open */
+    assert_int_equal(hawser_study_run(again, scratch_path("limit"), NULL, &err), HAWSER_OK); /* nothing is open */
     assert_int_equal(hawser_study_answer(again, HAWSER_SI, &text, &err), HAWSER_OK);
     check_has(text, "P(NOT SAFE) = ");
     check_has(text, ", limited by winch in ");
@@ -119,13 +119,13 @@ static void limits_that_are_not_judged(void **state)
                                "set: {limits.winch_capacity: 15 kN}\n"
                                "parameters: {friction.mu: {uniform: {from: 0.1, to: 0.3}}}\n"
                                "monte-carlo: {samples: 64}\n";
-    hawser_study *const s = study_open(file_write("study.yaml", text));
+    hawser_study *const s = study_open(scratch_write("study.yaml", text));
     const hawser_study_options options = {.jobs = 1, .fresh = 1};
     hawser_error err;
     char *said;
     Study *read;
     Rows rows;
-    if (hawser_study_run(s, path_of("open"), &options, &err)) fail_msg("%s", err.message);
+    if (hawser_study_run(s, scratch_path("open"), &options, &err)) fail_msg("%s", err.message);
     assert_int_equal(hawser_study_answer(s, HAWSER_SI, &said, &err), HAWSER_OK);
     check_has(said, "P(NOT SAFE) is at least");
     check_has(said, "break no limit that could be judged");
@@ -161,7 +161,7 @@ static void theory_and_runs(void **state)
     assert_int_equal(rows.row[0].verdict, VERDICT_SAFE);
     assert_int_equal(rows.row[4].verdict, VERDICT_NOT_SAFE);
     size_t size;
-    char *const csv = file_text("both", "samples.csv", &size);
+    char *const csv = bytes_of("both", "samples.csv", &size);
     check_has(
         csv,
         "sample,friction.mu,answered_by,verdict,limited_by,state,theory: reference_total_N,run: pull_force.peak_N,");
@@ -200,7 +200,7 @@ static void tornado_and_responses(void **state)
         check_between(r->high - r->low, slope * 0.024, slope * 0.03);
     }
     size_t size;
-    char *const page = file_text("swings", "study.html", &size);
+    char *const page = bytes_of("swings", "study.html", &size);
     check_has(page, "<title>Tornado: mean from the lowest to the highest tenth (blue: it rises)</title>");
     check_has(page, "<title>reference_total_N over friction.mu</title>");
     check_has(page, "How the probability settles");
@@ -225,8 +225,8 @@ static void pilots_find_the_band(void **state)
     static const char *const by[] = {"fidelity: auto\npilot: 6\n", "fidelity: run\n"}, *const dir[] = {"auto", "all"};
     for (int k = 0; k < 2; k++) {
         snprintf(text, sizeof text, "%s%s", lines, by[k]);
-        hawser_study *const run = study_open(file_write("study.yaml", text));
-        assert_int_equal(hawser_study_run(run, path_of(dir[k]), NULL, NULL), HAWSER_OK);
+        hawser_study *const run = study_open(scratch_write("study.yaml", text));
+        assert_int_equal(hawser_study_run(run, scratch_path(dir[k]), NULL, NULL), HAWSER_OK);
         hawser_study_free(run);
         f[k] = findings_in(dir[k], &s[k], &rows[k]);
     }
@@ -285,5 +285,5 @@ int main(void)
                                        cmocka_unit_test(pilots_find_the_band),
                                        cmocka_unit_test(tornado_and_responses),
                                        cmocka_unit_test(indices_of_a_pull)};
-    return cmocka_run_group_tests(tests, folder_make, folder_remove);
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

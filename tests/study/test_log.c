@@ -9,7 +9,7 @@ static PullLog log_of(const char *text)
 {
     PullLog log;
     hawser_error err;
-    if (log_read(file_write("log.csv", text), &log, &err)) fail_msg("%s", err.message);
+    if (log_read(scratch_write("log.csv", text), &log, &err)) fail_msg("%s", err.message);
     return log;
 }
 
@@ -51,7 +51,7 @@ static void refused(void **state)
     for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
         PullLog log;
         hawser_error err = {HAWSER_OK, ""};
-        hawser_status status = log_read(file_write("log.csv", files[k][0]), &log, &err);
+        hawser_status status = log_read(scratch_write("log.csv", files[k][0]), &log, &err);
         if (!status) status = log_judge(&log, NAN, 0, &err);
         assert_int_equal(status, HAWSER_ERR_INPUT);
         check_has(err.message, files[k][1]);
@@ -129,13 +129,14 @@ static void agreement(void **state)
         n += (size_t)snprintf(rows + n, sizeof rows - n, "%g,%.6f,0.1,%g,%.6f\n", at / 0.1, force, at, 1.1 * force);
         m += (size_t)snprintf(log + m, sizeof log - m, "%g;%.6f;%g\n", at / 0.1 + 7, 1.04 * force / 1000, at);
     }
-    file_write("summary.json", "{\"title\": \"a line\"}");
-    file_write("series.csv", rows);
-    file_write("line.csv", log);
+    scratch_write("summary.json", "{\"title\": \"a line\"}");
+    scratch_write("series.csv", rows);
+    scratch_write("line.csv", log);
     for (int by_start = 0; by_start < 2; by_start++) {
         const hawser_compare_options options = {
-            .by_start = by_start, .band = 0.05, .format = HAWSER_JSON, .page = path_of("page.html")};
-        if (hawser_compare(folder, path_of("line.csv"), &options, &text, &err)) fail_msg("%s", err.message);
+            .by_start = by_start, .band = 0.05, .format = HAWSER_JSON, .page = scratch_path("page.html")};
+        if (hawser_compare(scratch_folder(), scratch_path("line.csv"), &options, &text, &err))
+            fail_msg("%s", err.message);
         check_close(strtod(strstr(text, "\"bias_pct\":") + 11, NULL), 100 * (1 / 1.04 - 1), 0.1);
         check_close(strtod(strstr(text, "\"correlation\":") + 14, NULL), 1, 1e-3);
         check_close(strtod(strstr(text, "\"within_pct\":") + 13, NULL), 100, 1e-9);
@@ -147,12 +148,12 @@ static void agreement(void **state)
         hawser_text_free(text);
     }
     size_t size;
-    text = file_text("", "page.html", &size);
+    text = bytes_of("", "page.html", &size);
     check_has(text, "<title>Force at the winch</title>");
     check_has(text, "default-src 'none'");
     free(text);
     const hawser_compare_options far = {.shift = 100};
-    assert_int_equal(hawser_compare(folder, path_of("line.csv"), &far, &text, &err), HAWSER_ERR_INPUT);
+    assert_int_equal(hawser_compare(scratch_folder(), scratch_path("line.csv"), &far, &text, &err), HAWSER_ERR_INPUT);
     check_has(err.message, "no stretch in common");
 }
 
@@ -161,5 +162,5 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(heads_and_units), cmocka_unit_test(refused),
                                        cmocka_unit_test(what_counts), cmocka_unit_test(lengths_by_speed),
                                        cmocka_unit_test(agreement)};
-    return cmocka_run_group_tests(tests, folder_make, folder_remove);
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

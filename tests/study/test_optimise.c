@@ -19,7 +19,7 @@ static void compute(const char *path, const char *dir, int jobs)
     hawser_error err;
     hawser_study *const s = study_open(path);
     const hawser_study_options options = {.jobs = jobs};
-    if (hawser_study_run(s, path_of(dir), &options, &err)) fail_msg("%s", err.message);
+    if (hawser_study_run(s, scratch_path(dir), &options, &err)) fail_msg("%s", err.message);
     hawser_study_free(s);
 }
 
@@ -38,14 +38,14 @@ static void planted_layout(void **state)
                  "parameters: {n: {key: rollers.along.%d.count, steps: {from: 4, to: 30, count: 27}}}\ngrid: [n]\n",
                  k);
         snprintf(dir, sizeof dir, "row%d", k);
-        compute(file_write("study.yaml", text), dir, 1);
+        compute(scratch_write("study.yaml", text), dir, 1);
         rows_of(dir, &s, &rows);
         for (long i = 26; i >= 0 && rows.row[i].verdict == VERDICT_SAFE; i--) needed[k] = 4 + (double)i;
         rows_free(&rows);
         study_free(s);
     }
     check_equal(needed[0], ceil(196.2 * 30 / (500 / 1.6)) + 1);
-    compute(file_write("study.yaml", layout), "layout", 2);
+    compute(scratch_write("study.yaml", layout), "layout", 2);
     Study *s;
     Rows rows;
     Findings f;
@@ -66,9 +66,9 @@ static void planted_layout(void **state)
 static void workers_alike(void **state)
 {
     (void)state;
-    compute(file_write("study.yaml", layout), "one", 1);
-    compute(path_of("study.yaml"), "two", 2);
-    compute(path_of("study.yaml"), "four", 4);
+    compute(scratch_write("study.yaml", layout), "one", 1);
+    compute(scratch_path("study.yaml"), "two", 2);
+    compute(scratch_path("study.yaml"), "four", 4);
     expect_alike("one", "two");
     expect_alike("one", "four");
     expect_alike("one", "layout");
@@ -78,11 +78,11 @@ static void workers_alike(void **state)
 static void killed_and_resumed(void **state)
 {
     (void)state;
-    hawser_study *const s = study_open(file_write("study.yaml", layout));
+    hawser_study *const s = study_open(scratch_write("study.yaml", layout));
     const hawser_study_options options = {.jobs = 2};
     for (int k = 0; k < 12; k++) {
         const pid_t pid = fork();
-        if (pid == 0) _exit(hawser_study_run(s, path_of("killed"), &options, NULL) != HAWSER_OK);
+        if (pid == 0) _exit(hawser_study_run(s, scratch_path("killed"), &options, NULL) != HAWSER_OK);
         const struct timespec t = {.tv_nsec = (20 + 37 * k % 101) * 1000000L};
         nanosleep(&t, NULL);
         kill(pid, SIGKILL);
@@ -90,7 +90,7 @@ static void killed_and_resumed(void **state)
         nanosleep(&(struct timespec){.tv_nsec = 2000000}, NULL); /* its workers end with it */
     }
     hawser_study_free(s);
-    compute(path_of("study.yaml"), "killed", 2);
+    compute(scratch_path("study.yaml"), "killed", 2);
     expect_alike("one", "killed");
 }
 
@@ -131,7 +131,7 @@ static void constraints_of_its_own(void **state)
                     "optimise: {most: tail, constraints: [{of: reference_total_N, at_most: 550}, {of: friction.mu, "
                     "at_least: 0.11}]}\n"));
     char *text;
-    assert_int_equal(hawser_study_run(s, path_of("own"), NULL, &err), HAWSER_OK);
+    assert_int_equal(hawser_study_run(s, scratch_path("own"), NULL, &err), HAWSER_OK);
     assert_int_equal(hawser_study_answer(s, HAWSER_SI, &text, &err), HAWSER_OK);
     /* 10 m of 20 kg/m at 0.11, and what the case's tail holds: 196.2 N/m 20 m 0.11 = 431.64 N go off */
     check_has(text, "MOST tail = 118.36");
@@ -185,5 +185,5 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(planted_layout),         cmocka_unit_test(workers_alike),
                                        cmocka_unit_test(killed_and_resumed),     cmocka_unit_test(hanging_samples),
                                        cmocka_unit_test(constraints_of_its_own), cmocka_unit_test(refused)};
-    return cmocka_run_group_tests(tests, folder_make, folder_remove);
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

@@ -188,5 +188,5 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences), cmocka_unit_test(the_start_follows),
                                        cmocka_unit_test(refused)};
-    return cmocka_run_group_tests(tests, folder_make, folder_remove);
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

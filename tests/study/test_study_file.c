@@ -84,8 +84,9 @@ static void grid(void **state)
 static void list(void **state)
 {
     (void)state;
-    file_write("variants.csv",
-               "\xef\xbb\xbfmu, \"drive.tail.tension\",run.duration\r\n\r\n0.1, 1 kN,2 s\r\n0.2,,\r\n\"0.3\",2 kN,3 s");
+    scratch_write(
+        "variants.csv",
+        "\xef\xbb\xbfmu, \"drive.tail.tension\",run.duration\r\n\r\n0.1, 1 kN,2 s\r\n0.2,,\r\n\"0.3\",2 kN,3 s");
     Study *const s = read_lines("parameters: {mu: {key: friction.mu}}\nlist: {file: variants.csv}\n");
     char text[SETTING_MAX];
     double x[3];
@@ -188,9 +189,9 @@ static void bad_quantities(void **state)
     /* near what limit? */
     hawser_study *s;
     hawser_error err;
-    file_write("study.yaml", "case: " HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml\nfidelity: both\n"
-                             "parameters: {friction.mu: {values: [0.1]}}\ngrid: [friction.mu]\n");
-    assert_int_equal(hawser_study_load(path_of("study.yaml"), &s, &err), HAWSER_ERR_INPUT);
+    scratch_write("study.yaml", "case: " HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml\nfidelity: both\n"
+                                "parameters: {friction.mu: {values: [0.1]}}\ngrid: [friction.mu]\n");
+    assert_int_equal(hawser_study_load(scratch_path("study.yaml"), &s, &err), HAWSER_ERR_INPUT);
     check_has(err.message, "study.yaml:2: key 'fidelity': with 'both' a run is made near a limit");
 }
 
@@ -207,10 +208,10 @@ static void bad_lists(void **state)
         {"friction.mu\n\"0.1\" x\n", "something stands behind a quote"},
         {"friction.my\n0.1\n", "as in the first row the case is refused"}};
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
-        file_write("variants.csv", row[k][0]);
+        scratch_write("variants.csv", row[k][0]);
         expect_bad(NULL, "list: {file: variants.csv}\n", row[k][1]);
     }
-    file_write("variants.csv", "friction.mu\n0.1\n");
+    scratch_write("variants.csv", "friction.mu\n0.1\n");
     expect_bad(NULL, "parameters: {speed: {key: drive.winch.speed}}\nlist: {file: variants.csv}\n",
                "key 'parameters.speed': no column of the list has this name");
 }
@@ -221,5 +222,5 @@ int main(void)
                                        cmocka_unit_test(grid),           cmocka_unit_test(list),
                                        cmocka_unit_test(sensitivities),  cmocka_unit_test(bad_studies),
                                        cmocka_unit_test(bad_quantities), cmocka_unit_test(bad_lists)};
-    return cmocka_run_group_tests(tests, folder_make, folder_remove);
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

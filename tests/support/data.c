@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "tests/support/check.h"
+#include "tests/support/scratch.h"
 
 /* What was read or made, newest first. */
 typedef struct Text {
@@ -43,16 +44,7 @@ const char *data_text(const char *name)
     }
     char path[512];
     snprintf(path, sizeof path, "%s/tests/data/%s.yaml", HAWSER_SOURCE_DIR, name);
-    FILE *const f = fopen(path, "rb");
-    if (!f) fail_msg("no file %s", path);
-    fseek(f, 0, SEEK_END);
-    const long size = ftell(f);
-    rewind(f);
-    char *const text = calloc((size_t)size + 1, 1);
-    assert_non_null(text);
-    assert_int_equal(fread(text, 1, (size_t)size, f), size);
-    fclose(f);
-    return keep(name, with_folder(text));
+    return keep(name, with_folder(file_text(path)));
 }
 
 const char *data_with(const char *name, const char *from, const char *to)
