@@ -1,5 +1,4 @@
-/* The blocks that elimination fills, and the order in which they are fewest. */
-#include <amd.h>
+/* The order of elimination along the chains, and the blocks that it fills. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -139,35 +138,41 @@ static int updates_set(BlockPattern *p)
     return 1;
 }
 
-/* Cuthill and McKee's order: rows by their distance from an end of the graph, so that chains beside each other go side
- * by side, and the band is as wide as there are chains. */
+static int degree(const Graph *g, int i) { return g->start[i + 1] - g->start[i]; }
+
+/* Takes the rows that row number k of the order couples with and that have no place yet, those with fewer neighbours
+ * first, to the order's end; returns its new length. */
+static int neighbours_take(BlockPattern *p, const Graph *g, int k, int count)
+{
+    const int from = count, row = p->row[k];
+    for (int e = g->start[row]; e < g->start[row + 1]; ++e) {
+        const int j = g->near[e];
+        if (p->place[j] >= 0) continue;
+        p->place[j] = 0;
+        int at = count++;
+        for (; at > from && degree(g, p->row[at - 1]) > degree(g, j); --at) p->row[at] = p->row[at - 1];
+        p->row[at] = j;
+    }
+    return count;
+}
+
+/* Cuthill and McKee's order, reversed (L15): rows by their distance from an end of what is coupled, so that chains
+ * beside each other go side by side, and the band is as wide as there are chains. */
 static void along(BlockPattern *p, const Graph *g)
 {
+    enum { PASSES = 3 }; /* from anywhere to an end, to the other end, and back through all */
     int count = 0;
     for (int i = 0; i < p->n; ++i) p->place[i] = -1;
     for (int i = 0; i < p->n; ++i) {
         if (p->place[i] >= 0) continue;
-        int root = i;
         const int first = count;
-        for (int pass = 0; pass < 3; ++pass) { /* from anywhere to an end, to the other end, and back through all */
+        int root = i;
+        for (int pass = 0; pass < PASSES; ++pass) {
             for (int k = first; k < count; ++k) p->place[p->row[k]] = -1;
-            count = first;
-            p->row[count++] = root;
-            p->place[root] = first;
-            for (int k = first; k < count; ++k) {
-                const int from = count;
-                for (int e = g->start[p->row[k]]; e < g->start[p->row[k] + 1]; ++e) {
-                    const int j = g->near[e];
-                    if (p->place[j] >= 0) continue;
-                    /* fewer neighbours first */
-                    const int degree = g->start[j + 1] - g->start[j];
-                    int at = count++;
-                    for (; at > from && g->start[p->row[at - 1] + 1] - g->start[p->row[at - 1]] > degree; --at)
-                        p->row[at] = p->row[at - 1];
-                    p->row[at] = j;
-                    p->place[j] = 0;
-                }
-            }
+            count = first + 1;
+            p->row[first] = root;
+            p->place[root] = 0;
+            for (int k = first; k < count; ++k) count = neighbours_take(p, g, k, count);
             root = p->row[count - 1];
         }
     }
@@ -183,10 +188,7 @@ int block_pattern_set(BlockPattern *p, int n, int count, const BlockPair *couple
 {
     Graph g;
     int ok = graph_make(&g, n, count, coupled) && pattern_room(p, n);
-    if (ok && getenv("HAWSER_AMD")) {
-        ok = amd_order(n, g.start, g.near, p->row, NULL, NULL) >= 0;
-        for (int k = 0; k < n; ++k) p->place[p->row[k]] = k;
-    } else if (ok) along(p, &g);
+    if (ok) along(p, &g);
     ok = ok && fill(p, &g) && updates_set(p);
     graph_free(&g);
     return ok;
