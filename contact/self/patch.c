@@ -66,6 +66,8 @@ static void laws_apply(Patch *p, const PatchLaw *law, double friction_scale)
     p->phi_over *= friction_scale;
     p->friction = v3_scale(-p->force * p->phi, p->slide);
     p->couple = v3_cross(p->friction, p->arm);
+    p->on[0] = v3_axpy(v3_scale(p->damped, p->g[0]), 1 - xi, p->friction);
+    p->on[1] = v3_axpy(v3_scale(p->damped, p->g[1]), xi, p->friction);
 }
 
 int patch_at(const SelfLine *const side[2], const PatchLaw *law, double friction_scale, double length,
@@ -101,9 +103,8 @@ PatchWrench patch_wrench(const Patch *p, int s)
     const double sign = slot->side ? -1 : 1, part[2] = {1 - p->centre, p->centre};
     PatchWrench out = {{0, 0, 0}, {0, 0, 0}};
     for (int a = 0; a < 2; ++a) {
-        const Vec3 f = v3_axpy(v3_scale(p->damped, p->g[a]), part[a], p->friction);
-        out.force = v3_axpy(out.force, sign * slot->alpha[a], f);
-        out.moment = v3_axpy(out.moment, sign * slot->beta[a], v3_cross(slot->r, f));
+        out.force = v3_axpy(out.force, sign * slot->alpha[a], p->on[a]);
+        out.moment = v3_axpy(out.moment, sign * slot->beta[a], v3_cross(slot->r, p->on[a]));
         out.moment = v3_axpy(out.moment, slot->alpha[a] * part[a] * p->share[slot->side], p->couple);
     }
     return out;

@@ -79,6 +79,7 @@ typedef struct Patch {
     double force;  /* N, normal */
     Vec3 friction; /* N, on the piece */
     Vec3 couple;   /* N m: of the friction about the two lines, before the shares */
+    Vec3 on[2];    /* f_a (CC12), N, on the piece's ends */
 } Patch;
 
 /* One segment's wrench, about its centre. */

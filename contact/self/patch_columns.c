@@ -104,21 +104,25 @@ static Forces forces_vary(const Patch *p, const PatchLaw *law, const Ends *by)
     return out;
 }
 
-/* (CC17): one slot's wrench, with what the moving feet do to its weights; arm_by: the change of its own arm, m. */
-static PatchWrench wrench_vary(const Patch *p, const PatchSlot *slot, const Ends *by, const Forces *force, Vec3 arm_by)
+/* (CC17): one slot's wrench, with what the moving feet do to its weights; arm_by: the change of its own arm, m; moves:
+ * 0: neither its weights nor its arm change. */
+static PatchWrench wrench_vary(const Patch *p, const PatchSlot *slot, const Ends *by, const Forces *force, Vec3 arm_by,
+                               int moves)
 {
     const double sign = slot->side ? -1 : 1;
     PatchWrench out = {{0, 0, 0}, {0, 0, 0}};
     for (int a = 0; a < 2; ++a) {
         const double part = a ? p->centre : 1 - p->centre, v_by = by->v[a];
         const double alpha_by = slot->alpha1[a] * v_by, beta_by = slot->beta1[a] * v_by;
-        const Vec3 f = v3_axpy(v3_scale(p->damped, p->g[a]), part, p->friction);
-        out.force = v3_axpy(v3_axpy(out.force, sign * slot->alpha[a], force->end[a]), sign * alpha_by, f);
-        const Vec3 lever_by = v3_axpy(v3_scale(slot->beta[a], arm_by), beta_by, slot->r);
-        out.moment = v3_axpy(out.moment, sign, v3_cross(lever_by, f));
+        out.force = v3_axpy(out.force, sign * slot->alpha[a], force->end[a]);
+        if (moves) {
+            const Vec3 lever_by = v3_axpy(v3_scale(slot->beta[a], arm_by), beta_by, slot->r);
+            out.force = v3_axpy(out.force, sign * alpha_by, p->on[a]);
+            out.moment = v3_axpy(out.moment, sign, v3_cross(lever_by, p->on[a]));
+        }
         out.moment = v3_axpy(out.moment, sign * slot->beta[a], v3_cross(slot->r, force->end[a]));
         out.moment = v3_axpy(out.moment, slot->alpha[a], force->couple[slot->side][a]);
-        out.moment = v3_axpy(out.moment, alpha_by * part * p->share[slot->side], p->couple);
+        if (moves) out.moment = v3_axpy(out.moment, alpha_by * part * p->share[slot->side], p->couple);
     }
     return out;
 }
@@ -165,6 +169,7 @@ void patch_column(const Patch *p, const PatchLaw *law, int s, int c, PatchWrench
     const Ends by = ends_of_place(p, &p->slot[s], c, &turned);
     const Forces force = forces_vary(p, law, &by);
     for (int t = 0; t < p->slots; ++t) {
-        out[t] = wrench_vary(p, &p->slot[t], &by, &force, t == s ? turned : v3(0, 0, 0));
+        const int moves = t == s || p->slot[t].side == 1;
+        out[t] = wrench_vary(p, &p->slot[t], &by, &force, t == s ? turned : V3_ZERO, moves);
     }
 }
