@@ -40,14 +40,14 @@ void block_chain_checkpoint(Checkpoint *c, const char *name, BlockChain *a);
 /* Blocks of K and D outside the three diagonals: what couples segments that are not neighbours (cable on cable). The
  * pattern is symmetric and changes with the contact candidates, never inside a step. */
 typedef struct BlockExtras {
-    int n;         /* block rows of the chain */
-    long version;  /* grows whenever the pattern changes */
-    int count;     /* blocks: every pair stands twice, (i, j) and (j, i) */
-    int allocated; /* blocks that the arrays below have room for */
-    int *start;    /* [n+1] blocks of row i: start[i] .. start[i+1]-1, columns rising */
-    int *row;      /* [count] */
-    int *col;      /* [count] */
-    double *k, *d; /* [count][36] 6x6 blocks, column-major, as in BlockChain */
+    int n;               /* block rows of the chain */
+    long version;        /* grows whenever the pattern changes */
+    int count;           /* blocks: every pair stands twice, (i, j) and (j, i) */
+    int allocated;       /* blocks that the arrays below have room for */
+    int *start;          /* [n+1] blocks of row i: start[i] .. start[i+1]-1, columns rising */
+    int *row;            /* [count] */
+    int *col;            /* [count] */
+    double *k, *d;       /* [count][36] 6x6 blocks, column-major, as in BlockChain */
     unsigned char *live; /* [count] 0: nothing has been added to the block since it was zeroed */
 } BlockExtras;
 

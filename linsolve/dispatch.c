@@ -60,7 +60,10 @@ static LinKind kind_choose(const NewtonMatrix *a, char *why, size_t size)
 static int kind_settle(LinSolver *s, const LinMatrix *a, hawser_error *err)
 {
     const LinKind asked = s->options.kind;
-    if (asked != LIN_AUTO) {
+    if (asked == LIN_BLOCK_SPARSE) {
+        snprintf(s->stats.why, sizeof s->stats.why, "auto: several chains, %d couplings between them at most",
+                 a->newton ? a->newton->extras : 0);
+    } else if (asked != LIN_AUTO) {
         snprintf(s->stats.why, sizeof s->stats.why, "asked for");
     } else if (a->newton) {
         s->options.kind = kind_choose(a->newton, s->stats.why, sizeof s->stats.why);

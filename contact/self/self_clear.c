@@ -36,8 +36,8 @@ static double apart_along(const SelfLine *mine, const SelfLine *other, const Sel
     return back - front;
 }
 
-/* At least the gap between the surfaces of a range's two sides (CC27): along what joins the middle of its own element to
- * the nearest point on the other side's centres. */
+/* At least the gap between the surfaces of a range's two sides (CC27): along what joins the middle of its own element
+ * to the nearest point on the other side's centres. */
 static double gap_of(const SelfLine *mine, const SelfLine *other, const SelfRange *range)
 {
     Vec3 at[CONTROLS];

@@ -1,5 +1,5 @@
-/* The corridor of a call: hits_next (feet of a range's pieces' ends, and which belong together) -> patch_at for each -> the
- * segments, in the order of the hits. Nothing here allocates. */
+/* The corridor of a call: hits_next (feet of a range's pieces' ends, and which belong together) -> patch_at for each ->
+ * the segments, in the order of the hits. Nothing here allocates. */
 #include "contact/self/self_contact.h"
 
 #include <assert.h>
@@ -103,7 +103,8 @@ static int range_hits(const SelfLine *mine, const SelfLine *other, const SelfRan
 {
     const int e = range->element, pieces = self_pieces(mine->chain, e), end = range->first + range->count;
     const double length = self_piece_length(mine->chain, e);
-    const double radius = self_radius_most(mine->chain, e - 1, e) + self_radius_most(other->chain, range->first - 1, end);
+    const double radius =
+        self_radius_most(mine->chain, e - 1, e) + self_radius_most(other->chain, range->first - 1, end);
     int count = 0;
     Feet feet[2];
     LineSpot here[2];
@@ -115,11 +116,11 @@ static int range_hits(const SelfLine *mine, const SelfLine *other, const SelfRan
         for (int k = 0; m > 0 && k < before->count; ++k) {
             const Foot *const a = &before->foot[k], *const b = foot_beside(now, a);
             if (!b || !may_press(a->w, b->w, radius)) continue;
-            hit[count++] = (SelfHit){.line = range->line,
-                                     .element = e,
-                                     .other = range->other,
-                                     .end = {{here[(m + 1) % 2], a->spot, a->element, a->v},
-                                             {here[m % 2], b->spot, b->element, b->v}}};
+            hit[count++] = (SelfHit){
+                .line = range->line,
+                .element = e,
+                .other = range->other,
+                .end = {{here[(m + 1) % 2], a->spot, a->element, a->v}, {here[m % 2], b->spot, b->element, b->v}}};
         }
     }
     return count;

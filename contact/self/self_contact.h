@@ -73,9 +73,9 @@ typedef struct SelfPairs {
     int active[SELF_PARTS];        /* pieces that carried force in the last call of self_forces */
     ContactTally work[SELF_PARTS]; /* of the last call of self_forces; no force: the cable's own */
     SelfClear clear[SELF_PARTS];
-    int n_beside;                  /* what else couples rows; borrowed */
-    const BlockPair *beside;       /* [n_beside] */
-    BlockExtras extras; /* blocks of K and D off the diagonals; pattern by self_refresh, values by self_blocks */
+    int n_beside;            /* what else couples rows; borrowed */
+    const BlockPair *beside; /* [n_beside] */
+    BlockExtras extras;      /* blocks of K and D off the diagonals; pattern by self_refresh, values by self_blocks */
 } SelfPairs;
 
 /* Elements this far apart along the chain, or farther, may touch (CC18). */

@@ -1,5 +1,5 @@
-/* The elimination of block rows, for block_lanes.h and sparse6_lanes.c only. A row is worked on in registers: its pivot block and the
- * coupling that follows. */
+/* The elimination of block rows, for block_lanes.h and sparse6_lanes.c only. A row is worked on in registers: its pivot
+ * block and the coupling that follows. */
 #ifndef HAWSER_LINSOLVE_BLOCK_BLOCK_ELIMINATE_H
 #define HAWSER_LINSOLVE_BLOCK_BLOCK_ELIMINATE_H
 

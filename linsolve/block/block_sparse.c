@@ -1,6 +1,6 @@
 /* The back end `block-sparse`: a chain, or several, with blocks anywhere off the three diagonals. The factors' pattern
- * is that of the blocks which are not zero now; without any it is the twisted block LU. docs/model.md, "Linear solvers",
- * (L15)-(L19). */
+ * is that of the blocks which are not zero now; without any it is the twisted block LU. docs/model.md, "Linear
+ * solvers", (L15)-(L19). */
 #include "linsolve/block/block_sparse.h"
 
 #include <assert.h>
@@ -16,10 +16,10 @@ typedef struct BlockSparseSolver {
     BlockSolver plain; /* of a matrix without blocks off the diagonals */
     int is_plain;      /* the present factors are those */
     BlockSparse s;
-    int coupled;       /* pairs of rows that the pattern was made for; -1: none was made */
-    int extras;        /* that there is room for */
-    BlockPair *pair;   /* [2][n + extras] those, and room for the next */
-    int value_blocks;  /* that there is room for */
+    int coupled;      /* pairs of rows that the pattern was made for; -1: none was made */
+    int extras;       /* that there is room for */
+    BlockPair *pair;  /* [2][n + extras] those, and room for the next */
+    int value_blocks; /* that there is room for */
     long analyses;
     BlockReport report;
 } BlockSparseSolver;
@@ -65,7 +65,10 @@ static int block_is_zero(const double *block)
     return 1;
 }
 
-static int extra_lives(const NewtonMatrix *m, int e) { return m->live ? m->live[e] : !block_is_zero(m->extra[e].block); }
+static int extra_lives(const NewtonMatrix *m, int e)
+{
+    return m->live ? m->live[e] : !block_is_zero(m->extra[e].block);
+}
 
 /* The pairs of rows that are coupled now; each stands once, but extras that both ways live twice. Returns how many. */
 static int pairs_now(const NewtonMatrix *m, BlockPair *pair, int *off)
@@ -157,7 +160,8 @@ static int sparse_solve(void *self, int count, double *x)
 {
     BlockSparseSolver *const s = self;
     if (s->is_plain) block_solver_solve(&s->plain, count, x);
-    for (int r = 0; !s->is_plain && r < count; ++r) s->kernels->solve(&s->s, x + (size_t)r * SPARSE_B * (size_t)s->s.pattern.n);
+    for (int r = 0; !s->is_plain && r < count; ++r)
+        s->kernels->solve(&s->s, x + (size_t)r * SPARSE_B * (size_t)s->s.pattern.n);
     return 0;
 }
 
@@ -169,13 +173,9 @@ static void sparse_stats(const void *self, LinStats *stats)
     stats->pivoted = report->pivoted;
     stats->growth = 1 / report->growth;
     stats->analyses = s->analyses;
-    stats->nonzeros =
-        s->is_plain ? block_solver_nonzeros(&s->plain) : (long)SPARSE_CELL * (t->n + 2L * t->start[t->n]);
+    stats->nonzeros = s->is_plain ? block_solver_nonzeros(&s->plain) : (long)SPARSE_CELL * (t->n + 2L * t->start[t->n]);
     if (!s->is_plain) stats->ordering = "along";
 }
 
-const LinBackend block_sparse_backend = {.make = sparse_make,
-                                         .drop = sparse_drop,
-                                         .factor = sparse_factor,
-                                         .solve = sparse_solve,
-                                         .stats = sparse_stats};
+const LinBackend block_sparse_backend = {
+    .make = sparse_make, .drop = sparse_drop, .factor = sparse_factor, .solve = sparse_solve, .stats = sparse_stats};

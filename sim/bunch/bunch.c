@@ -274,7 +274,6 @@ int bunch_chain_of(const Bunch *b, int row, int *segment)
 
 void bunch_interact(Bunch *b, double friction)
 {
-    enum { CHAINS_MOST = 64 };
     const SelfLines lines = bunch_lines(b);
     Loads *loads[STRANDS_MAX];
     for (int part = 0; part < SELF_PARTS && b->contact.present; ++part) {
