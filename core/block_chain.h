@@ -40,14 +40,15 @@ void block_chain_checkpoint(Checkpoint *c, const char *name, BlockChain *a);
 /* Blocks of K and D outside the three diagonals: what couples segments that are not neighbours (cable on cable). The
  * pattern is symmetric and changes with the contact candidates, never inside a step. */
 typedef struct BlockExtras {
-    int n;         /* block rows of the chain */
-    long version;  /* grows whenever the pattern changes */
-    int count;     /* blocks: every pair stands twice, (i, j) and (j, i) */
-    int allocated; /* blocks that the arrays below have room for */
-    int *start;    /* [n+1] blocks of row i: start[i] .. start[i+1]-1, columns rising */
-    int *row;      /* [count] */
-    int *col;      /* [count] */
-    double *k, *d; /* [count][36] 6x6 blocks, column-major, as in BlockChain */
+    int n;               /* block rows of the chain */
+    long version;        /* grows whenever the pattern changes */
+    int count;           /* blocks: every pair stands twice, (i, j) and (j, i) */
+    int allocated;       /* blocks that the arrays below have room for */
+    int *start;          /* [n+1] blocks of row i: start[i] .. start[i+1]-1, columns rising */
+    int *row;            /* [count] */
+    int *col;            /* [count] */
+    double *k, *d;       /* [count][36] 6x6 blocks, column-major, as in BlockChain */
+    unsigned char *live; /* [count] 0: nothing has been added to the block since it was zeroed */
 } BlockExtras;
 
 /* Two segments that may couple, low + 1 < high. */
@@ -66,7 +67,9 @@ void block_extras_zero(BlockExtras *x);
 void block_extras_checkpoint(Checkpoint *c, BlockExtras *x);
 /* The number of block (row, col), -1 if it is not in the pattern. O(log blocks of the row). */
 int block_extras_find(const BlockExtras *x, int row, int col);
-/* y = y + s K z for vectors of 6n. */
+/* The same of a block that is in the pattern, to add to: it lives from then on. */
+int block_extras_touch(BlockExtras *x, int row, int col);
+/* y = y + s K z for vectors of 6n, of the blocks that live. */
 void block_extras_gemv(const BlockExtras *x, double s, const double *z, double *y);
 
 #endif

@@ -21,6 +21,7 @@ void block_extras_free(BlockExtras *x)
     free(x->col);
     free(x->k);
     free(x->d);
+    free(x->live);
     memset(x, 0, sizeof *x);
 }
 
@@ -63,7 +64,8 @@ static int room_new(BlockExtras *x, int n, int count)
     /* a vector of eight may be loaded from the last column of the last block */
     x->k = calloc((size_t)count * BLOCK + 8, sizeof *x->k);
     x->d = calloc((size_t)count * BLOCK + 8, sizeof *x->d);
-    if (x->start && x->row && x->col && x->k && x->d) return 1;
+    x->live = calloc((size_t)count + 1, sizeof *x->live);
+    if (x->start && x->row && x->col && x->k && x->d && x->live) return 1;
     block_extras_free(x);
     return 0;
 }
@@ -102,6 +104,7 @@ int block_extras_set(BlockExtras *x, int count, BlockPair *pair)
         if (old < 0) continue;
         memcpy(next.k + BLOCK * e, x->k + BLOCK * old, BLOCK * sizeof(double));
         memcpy(next.d + BLOCK * e, x->d + BLOCK * old, BLOCK * sizeof(double));
+        next.live[e] = x->live[old];
     }
     block_extras_free(x);
     *x = next;
@@ -110,9 +113,12 @@ int block_extras_set(BlockExtras *x, int count, BlockPair *pair)
 
 void block_extras_zero(BlockExtras *x)
 {
-    if (x->count == 0) return;
-    memset(x->k, 0, (size_t)x->count * BLOCK * sizeof(double));
-    memset(x->d, 0, (size_t)x->count * BLOCK * sizeof(double));
+    for (int e = 0; e < x->count; ++e) {
+        if (!x->live[e]) continue;
+        memset(x->k + BLOCK * e, 0, BLOCK * sizeof(double));
+        memset(x->d + BLOCK * e, 0, BLOCK * sizeof(double));
+        x->live[e] = 0;
+    }
 }
 
 int block_extras_find(const BlockExtras *x, int row, int col)
@@ -130,9 +136,18 @@ int block_extras_find(const BlockExtras *x, int row, int col)
     return low < x->start[row + 1] && x->col[low] == col ? low : -1;
 }
 
+int block_extras_touch(BlockExtras *x, int row, int col)
+{
+    const int e = block_extras_find(x, row, col);
+    assert(e >= 0);
+    x->live[e] = 1;
+    return e;
+}
+
 void block_extras_gemv(const BlockExtras *x, double s, const double *z, double *y)
 {
     for (int e = 0; e < x->count; ++e) {
+        if (!x->live[e]) continue;
         const double *const block = x->k + BLOCK * e, *const from = z + 6 * x->col[e];
         double *const to = y + 6 * x->row[e];
         for (int c = 0; c < 6; ++c) {
@@ -181,4 +196,5 @@ void block_extras_checkpoint(Checkpoint *c, BlockExtras *x)
     if (!c->status && !checkpoint_check(c, pattern_fits(x), "blocks off the diagonals are impossible")) return;
     checkpoint_put(c, "x->k", x->k, (size_t)count * BLOCK * sizeof *x->k);
     checkpoint_put(c, "x->d", x->d, (size_t)count * BLOCK * sizeof *x->d);
+    checkpoint_put(c, "x->live", x->live, (size_t)count * sizeof *x->live);
 }

@@ -30,7 +30,7 @@ typedef struct LinBackend {
     void (*stats)(const void *self, LinStats *stats);
 } LinBackend;
 
-extern const LinBackend klu_backend, lapack_backend, block_backend, bordered_backend;
+extern const LinBackend klu_backend, lapack_backend, block_backend, bordered_backend, block_sparse_backend;
 
 /* LinOptions.growth_limit, or the default: losing more than six digits to growth is worth a better factorisation. */
 static inline double growth_limit_of(const LinOptions *options)

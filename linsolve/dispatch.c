@@ -34,7 +34,8 @@ static const struct {
              [LIN_KLU] = {"klu", &klu_backend},
              [LIN_KLU_FULL] = {"klu-full", &klu_backend},
              [LIN_BAND] = {"band", &lapack_backend},
-             [LIN_DENSE] = {"dense", &lapack_backend}};
+             [LIN_DENSE] = {"dense", &lapack_backend},
+             [LIN_BLOCK_SPARSE] = {"block-sparse", &block_sparse_backend}};
 
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -59,7 +60,10 @@ static LinKind kind_choose(const NewtonMatrix *a, char *why, size_t size)
 static int kind_settle(LinSolver *s, const LinMatrix *a, hawser_error *err)
 {
     const LinKind asked = s->options.kind;
-    if (asked != LIN_AUTO) {
+    if (asked == LIN_BLOCK_SPARSE) {
+        snprintf(s->stats.why, sizeof s->stats.why, "auto: several chains, %d couplings between them at most",
+                 a->newton ? a->newton->extras : 0);
+    } else if (asked != LIN_AUTO) {
         snprintf(s->stats.why, sizeof s->stats.why, "asked for");
     } else if (a->newton) {
         s->options.kind = kind_choose(a->newton, s->stats.why, sizeof s->stats.why);
@@ -69,10 +73,12 @@ static int kind_settle(LinSolver *s, const LinMatrix *a, hawser_error *err)
     }
     const LinKind kind = s->options.kind;
     const NewtonMatrix *const m = a->newton;
-    const int fits = !m                     ? kind != LIN_BLOCK && kind != LIN_BORDERED
-                     : kind == LIN_BLOCK    ? !m->extras && !m->leaves && !m->border
-                     : kind == LIN_BORDERED ? !m->extras
-                                            : kind != LIN_KLU_FULL;
+    const int bare = m && !m->leaves && !m->border;
+    const int fits = !m                         ? kind != LIN_BLOCK && kind != LIN_BORDERED && kind != LIN_BLOCK_SPARSE
+                     : kind == LIN_BLOCK        ? bare && !m->extras
+                     : kind == LIN_BORDERED     ? !m->extras
+                     : kind == LIN_BLOCK_SPARSE ? bare && (m->chain.b == 6 || !m->extras)
+                                                : kind != LIN_KLU_FULL;
     if (fits) return 1;
     error_set(err, HAWSER_ERR_INPUT, "the linear solver '%s' cannot hold this system; 'auto' or 'klu' can",
               kinds[kind].name);

@@ -9,7 +9,16 @@
 #include "linsolve/newton_matrix.h"
 
 /* LIN_KLU_FULL takes any sparse matrix (the unreduced system); LIN_BAND and LIN_DENSE serve tests and benchmarks. */
-typedef enum LinKind { LIN_AUTO, LIN_BLOCK, LIN_BORDERED, LIN_KLU, LIN_KLU_FULL, LIN_BAND, LIN_DENSE } LinKind;
+typedef enum LinKind {
+    LIN_AUTO,
+    LIN_BLOCK,
+    LIN_BORDERED,
+    LIN_KLU,
+    LIN_KLU_FULL,
+    LIN_BAND,
+    LIN_DENSE,
+    LIN_BLOCK_SPARSE /* of several chains; a case cannot ask for it */
+} LinKind;
 typedef enum LinOrdering { ORDER_AUTO, ORDER_AMD, ORDER_COLAMD, ORDER_METIS } LinOrdering;
 
 typedef struct LinOptions {

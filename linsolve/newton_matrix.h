@@ -27,7 +27,8 @@ typedef struct Leaf {
 typedef struct NewtonMatrix {
     BlockChain chain; /* borrowed; from block_chain_alloc: the kernels read a few doubles past the last block */
     int extras;
-    const ExtraBlock *extra; /* [extras] */
+    const ExtraBlock *extra;   /* [extras] */
+    const unsigned char *live; /* [extras] 0: a block of zeros; NULL: not known */
     int leaves;
     const Leaf *leaf;     /* [leaves] */
     int border;           /* w unknowns that couple with anything: a reel drum, shared bodies */

@@ -66,27 +66,28 @@ static void laws_apply(Patch *p, const PatchLaw *law, double friction_scale)
     p->phi_over *= friction_scale;
     p->friction = v3_scale(-p->force * p->phi, p->slide);
     p->couple = v3_cross(p->friction, p->arm);
+    p->on[0] = v3_axpy(v3_scale(p->damped, p->g[0]), 1 - xi, p->friction);
+    p->on[1] = v3_axpy(v3_scale(p->damped, p->g[1]), xi, p->friction);
 }
 
-int patch_at(const SelfLine *const side[2], const PatchLaw *law, double friction_scale, int e, const double u[2],
-             double length, const int foot[2], const double v[2], Patch *patch)
+int patch_at(const SelfLine *const side[2], const PatchLaw *law, double friction_scale, double length,
+             const PatchEnd end[2], Patch *patch)
 {
-    const SelfLine *const mine = side[0], *const other = side[1];
+    const SelfLine *const other = side[1];
     *patch = (Patch){.length = length};
     double radius[2] = {0, 0};
     for (int a = 0; a < 2; ++a) {
-        const LineSpot here = line_spot(mine->chain, mine->kin, e, u[a]);
-        const LineSpot there = line_spot(other->chain, other->kin, foot[a], v[a]);
-        const int held = v[a] <= 0 && foot[a] == 0;
-        const int held_head = v[a] >= 1 && foot[a] == other->chain->n;
-        spot_take(patch, mine, &here, 0, a);
-        spot_take(patch, other, &there, 1, a);
-        patch->w[a] = v3_sub(here.p, there.p);
-        patch->foot1[a] = there.p1;
-        patch->curvature[a] = held || held_head ? 0 : v3_dot(there.p1, there.p1) - v3_dot(patch->w[a], there.p2);
-        patch->radius1[a] = there.radius1;
-        radius[0] += here.radius / 2;
-        radius[1] += there.radius / 2;
+        const LineSpot *const here = &end[a].here, *const there = &end[a].there;
+        const int held = end[a].v <= 0 && end[a].foot == 0;
+        const int held_head = end[a].v >= 1 && end[a].foot == other->chain->n;
+        spot_take(patch, side[0], here, 0, a);
+        spot_take(patch, other, there, 1, a);
+        patch->w[a] = v3_sub(here->p, there->p);
+        patch->foot1[a] = there->p1;
+        patch->curvature[a] = held || held_head ? 0 : v3_dot(there->p1, there->p1) - v3_dot(patch->w[a], there->p2);
+        patch->radius1[a] = there->radius1;
+        radius[0] += here->radius / 2;
+        radius[1] += there->radius / 2;
     }
     patch->radius = radius[0] + radius[1];
     for (int s = 0; s < 2; ++s) patch->share[s] = radius[s] / patch->radius;
@@ -102,9 +103,8 @@ PatchWrench patch_wrench(const Patch *p, int s)
     const double sign = slot->side ? -1 : 1, part[2] = {1 - p->centre, p->centre};
     PatchWrench out = {{0, 0, 0}, {0, 0, 0}};
     for (int a = 0; a < 2; ++a) {
-        const Vec3 f = v3_axpy(v3_scale(p->damped, p->g[a]), part[a], p->friction);
-        out.force = v3_axpy(out.force, sign * slot->alpha[a], f);
-        out.moment = v3_axpy(out.moment, sign * slot->beta[a], v3_cross(slot->r, f));
+        out.force = v3_axpy(out.force, sign * slot->alpha[a], p->on[a]);
+        out.moment = v3_axpy(out.moment, sign * slot->beta[a], v3_cross(slot->r, p->on[a]));
         out.moment = v3_axpy(out.moment, slot->alpha[a] * part[a] * p->share[slot->side], p->couple);
     }
     return out;

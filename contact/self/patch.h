@@ -16,6 +16,13 @@ typedef struct SelfLine {
               */
 } SelfLine;
 
+/* One end of a piece, and its foot on the other line. */
+typedef struct PatchEnd {
+    LineSpot here, there;
+    int foot; /* the element of the other line, and the parameter there */
+    double v;
+} PatchEnd;
+
 /* The law of cable on cable. */
 typedef struct PatchLaw {
     double bed;         /* N/m^1.5: the bed's modulus k_b is bed / sqrt(R) (CC5) */
@@ -74,6 +81,7 @@ typedef struct Patch {
     double force;  /* N, normal */
     Vec3 friction; /* N, on the piece */
     Vec3 couple;   /* N m: of the friction about the two lines, before the shares */
+    Vec3 on[2];    /* f_a (CC12), N, on the piece's ends */
 } Patch;
 
 /* One segment's wrench, about its centre. */
@@ -81,10 +89,10 @@ typedef struct PatchWrench {
     Vec3 force, moment; /* N, N m */
 } PatchWrench;
 
-/* The piece of element e of the line side[0] between u_0 and u_1 (length m at rest) over the feet at v of the elements
- * foot of side[1], which may be the same line. Returns 0 if nothing is pressed: then only the geometry is filled in. */
-int patch_at(const SelfLine *const side[2], const PatchLaw *law, double friction_scale, int e, const double u[2],
-             double length, const int foot[2], const double v[2], Patch *patch);
+/* The piece (length m at rest) of the line side[0] between two ends with their feet on side[1], which may be the same
+ * line. Returns 0 if nothing is pressed: then only the geometry is filled in. */
+int patch_at(const SelfLine *const side[2], const PatchLaw *law, double friction_scale, double length,
+             const PatchEnd end[2], Patch *patch);
 
 /* What the patch does to slot s (CC12). */
 PatchWrench patch_wrench(const Patch *patch, int s);

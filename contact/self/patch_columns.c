@@ -39,19 +39,6 @@ static Ends ends_of_place(const Patch *p, const PatchSlot *slot, int c, Vec3 *tu
     return by;
 }
 
-/* A velocity or an angular velocity of slot s: nothing moves. */
-static Ends ends_of_motion(const PatchSlot *slot, int c)
-{
-    const double sign = slot->side ? -1 : 1;
-    const Vec3 axis = v3_axis(c % 3), turned = v3_cross(axis, slot->r);
-    Ends by = {.radius = 0};
-    for (int a = 0; a < 2; ++a) {
-        by.speed[a] = c < 9 ? v3_scale(sign * slot->alpha[a], axis) : v3_scale(sign * slot->beta[a], turned);
-        if (c >= 9) by.omega[slot->side][a] = v3_scale(slot->alpha[a], axis);
-    }
-    return by;
-}
-
 /* value_0 (1 - xi) + value_1 xi, varied with xi. */
 static Vec3 between(const Patch *p, const Vec3 value[2], const Vec3 by[2], double centre_by)
 {
@@ -71,6 +58,13 @@ static Vec3 spin_vary(const Patch *p, const Ends *by, double centre_by, const do
     return sum;
 }
 
+/* The change of the friction with the normal force and the sliding velocity. */
+static Vec3 friction_vary(const Patch *p, double force_by, Vec3 slide_by)
+{
+    const double phi_by = p->phi_over * v3_dot(p->slide, slide_by);
+    return v3_axpy(v3_scale(-(force_by * p->phi + p->force * phi_by), p->slide), -p->force * p->phi, slide_by);
+}
+
 /* (CC16): from the ends to the forces. */
 static Forces forces_vary(const Patch *p, const PatchLaw *law, const Ends *by)
 {
@@ -80,7 +74,7 @@ static Forces forces_vary(const Patch *p, const PatchLaw *law, const Ends *by)
     const double centre_by = (m1_by - p->centre * m0_by) / p->m0;
     const double share_by[2] = {-p->share[0] * by->radius / p->radius, p->share[0] * by->radius / p->radius};
 
-    /* normal direction, gap rate, normal force */
+    /* normal direction, gap rate */
     const Vec3 arm_by = between(p, p->w, by->w, centre_by);
     const Vec3 normal_by = v3_scale(1 / p->distance, v3_reject(arm_by, p->normal));
     const Vec3 drift_by = between(p, p->speed, by->speed, centre_by);
@@ -92,9 +86,7 @@ static Forces forces_vary(const Patch *p, const PatchLaw *law, const Ends *by)
     slip_by = v3_sub(slip_by, v3_cross(p->spin, arm_by));
     const double along_by = v3_dot(normal_by, p->slip) + v3_dot(p->normal, slip_by);
     const Vec3 slide_by = v3_axpy(v3_axpy(slip_by, -along_by, p->normal), -v3_dot(p->normal, p->slip), normal_by);
-    const double phi_by = p->phi_over * v3_dot(p->slide, slide_by);
-    const Vec3 friction_by =
-        v3_axpy(v3_scale(-(force_by * p->phi + p->force * phi_by), p->slide), -p->force * p->phi, slide_by);
+    const Vec3 friction_by = friction_vary(p, force_by, slide_by);
     const Vec3 couple_by = v3_add(v3_cross(friction_by, p->arm), v3_cross(p->friction, arm_by));
 
     /* their shares at the two ends */
@@ -112,31 +104,72 @@ static Forces forces_vary(const Patch *p, const PatchLaw *law, const Ends *by)
     return out;
 }
 
-/* (CC17): one slot's wrench, with what the moving feet do to its weights; arm_by: the change of its own arm, m. */
-static PatchWrench wrench_vary(const Patch *p, const PatchSlot *slot, const Ends *by, const Forces *force, Vec3 arm_by)
+/* (CC17): one slot's wrench, with what the moving feet do to its weights; arm_by: the change of its own arm, m; moves:
+ * 0: neither its weights nor its arm change. */
+static PatchWrench wrench_vary(const Patch *p, const PatchSlot *slot, const Ends *by, const Forces *force, Vec3 arm_by,
+                               int moves)
 {
     const double sign = slot->side ? -1 : 1;
     PatchWrench out = {{0, 0, 0}, {0, 0, 0}};
     for (int a = 0; a < 2; ++a) {
         const double part = a ? p->centre : 1 - p->centre, v_by = by->v[a];
         const double alpha_by = slot->alpha1[a] * v_by, beta_by = slot->beta1[a] * v_by;
-        const Vec3 f = v3_axpy(v3_scale(p->damped, p->g[a]), part, p->friction);
-        out.force = v3_axpy(v3_axpy(out.force, sign * slot->alpha[a], force->end[a]), sign * alpha_by, f);
-        const Vec3 lever_by = v3_axpy(v3_scale(slot->beta[a], arm_by), beta_by, slot->r);
-        out.moment = v3_axpy(out.moment, sign, v3_cross(lever_by, f));
+        out.force = v3_axpy(out.force, sign * slot->alpha[a], force->end[a]);
+        if (moves) {
+            const Vec3 lever_by = v3_axpy(v3_scale(slot->beta[a], arm_by), beta_by, slot->r);
+            out.force = v3_axpy(out.force, sign * alpha_by, p->on[a]);
+            out.moment = v3_axpy(out.moment, sign, v3_cross(lever_by, p->on[a]));
+        }
         out.moment = v3_axpy(out.moment, sign * slot->beta[a], v3_cross(slot->r, force->end[a]));
         out.moment = v3_axpy(out.moment, slot->alpha[a], force->couple[slot->side][a]);
-        out.moment = v3_axpy(out.moment, alpha_by * part * p->share[slot->side], p->couple);
+        if (moves) out.moment = v3_axpy(out.moment, alpha_by * part * p->share[slot->side], p->couple);
     }
     return out;
 }
 
+/* A velocity or an angular velocity of slot s: nothing moves, the bed stays as it is pressed, and of (CC16) and (CC17)
+ * only damping and friction are left. */
+static void column_of_motion(const Patch *p, const PatchLaw *law, const PatchSlot *slot, int c,
+                             PatchWrench out[PATCH_SLOTS])
+{
+    const double sign = slot->side ? -1 : 1, part[2] = {1 - p->centre, p->centre};
+    const Vec3 axis = v3_axis(c % 3), turned = v3_cross(axis, slot->r);
+    Vec3 drift_by = V3_ZERO, spin_by = V3_ZERO;
+    for (int a = 0; a < 2; ++a) {
+        const Vec3 speed = c < 9 ? v3_scale(sign * slot->alpha[a], axis) : v3_scale(sign * slot->beta[a], turned);
+        drift_by = v3_axpy(drift_by, part[a], speed);
+        if (c >= 9) spin_by = v3_axpy(spin_by, part[a], v3_scale(slot->alpha[a], axis));
+    }
+    spin_by = v3_scale(p->share[slot->side], spin_by);
+    const double damped_by = -law->dissipation * v3_dot(p->normal, drift_by);
+    const Vec3 slip_by = v3_sub(drift_by, v3_cross(spin_by, p->arm));
+    const Vec3 slide_by = v3_axpy(slip_by, -v3_dot(p->normal, slip_by), p->normal);
+    const Vec3 friction_by = friction_vary(p, damped_by * p->elastic, slide_by), couple = v3_cross(friction_by, p->arm);
+    Vec3 end[2];
+    for (int a = 0; a < 2; ++a) end[a] = v3_axpy(v3_scale(damped_by, p->g[a]), part[a], friction_by);
+    for (int t = 0; t < p->slots; ++t) {
+        const PatchSlot *const on = &p->slot[t];
+        const double way = on->side ? -1 : 1;
+        out[t] = (PatchWrench){V3_ZERO, V3_ZERO};
+        for (int a = 0; a < 2; ++a) {
+            out[t].force = v3_axpy(out[t].force, way * on->alpha[a], end[a]);
+            out[t].moment = v3_axpy(out[t].moment, way * on->beta[a], v3_cross(on->r, end[a]));
+            out[t].moment = v3_axpy(out[t].moment, on->alpha[a], v3_scale(part[a] * p->share[on->side], couple));
+        }
+    }
+}
+
 void patch_column(const Patch *p, const PatchLaw *law, int s, int c, PatchWrench out[PATCH_SLOTS])
 {
-    Vec3 turned = v3(0, 0, 0);
-    const Ends by = c < 6 ? ends_of_place(p, &p->slot[s], c, &turned) : ends_of_motion(&p->slot[s], c);
+    if (c >= 6) {
+        column_of_motion(p, law, &p->slot[s], c, out);
+        return;
+    }
+    Vec3 turned;
+    const Ends by = ends_of_place(p, &p->slot[s], c, &turned);
     const Forces force = forces_vary(p, law, &by);
     for (int t = 0; t < p->slots; ++t) {
-        out[t] = wrench_vary(p, &p->slot[t], &by, &force, t == s ? turned : v3(0, 0, 0));
+        const int moves = t == s || p->slot[t].side == 1;
+        out[t] = wrench_vary(p, &p->slot[t], &by, &force, t == s ? turned : V3_ZERO, moves);
     }
 }

@@ -56,7 +56,11 @@ void self_pairs_free(SelfPairs *pairs)
     chain_arrays_free(pairs->at_p, 3);
     chain_arrays_free(pairs->at_a, 3);
     free(pairs->range);
-    for (int p = 0; p < SELF_PARTS; ++p) free(pairs->hit[p]);
+    for (int p = 0; p < SELF_PARTS; ++p) {
+        free(pairs->hit[p]);
+        free(pairs->clear[p].gap);
+        free(pairs->clear[p].at);
+    }
     memset(pairs, 0, sizeof *pairs);
 }
 
@@ -67,6 +71,13 @@ static void places_of(const SelfPairs *pairs, const SelfLine *line, double *at[6
         at[c] = pairs->at_p[c] + line->row;
         at[3 + c] = pairs->at_a[c] + line->row;
     }
+}
+
+double self_radius_most(const Chain *chain, int from, int to)
+{
+    double radius = 0;
+    for (int i = from < 0 ? 0 : from; i <= to && i < chain->n; ++i) radius = fmax(radius, chain->radius[i]);
+    return radius;
 }
 
 double self_piece_length(const Chain *chain, int e)
@@ -169,21 +180,38 @@ static int walk(const Walk *w, int node, int first, int width)
     return walk(w, 2 * node, first, width / 2) && walk(w, 2 * node + 1, first + width / 2, width / 2);
 }
 
-/* Rooms for the hits of either half: a node of a piece has at most one foot on an element. */
+/* Room for what is known of gaps, of which nothing is known of new ranges. */
+static int clear_reserve(SelfPairs *pairs)
+{
+    for (int p = 0; p < SELF_PARTS; ++p) {
+        SelfClear *const clear = &pairs->clear[p];
+        clear->known = clear->vain = 0;
+        if (!clear->at) clear->at = malloc(6 * (size_t)pairs->n * sizeof *clear->at);
+        if (!clear->at) return 0;
+        if (pairs->n_ranges <= clear->allocated) continue;
+        double *const grown = realloc(clear->gap, (size_t)pairs->n_ranges * sizeof *grown);
+        if (!grown) return 0;
+        clear->gap = grown;
+        clear->allocated = pairs->n_ranges;
+    }
+    return 1;
+}
+
+/* The halves, and rooms for the hits of a range: a node of a piece has at most one foot on an element. */
 static int hits_reserve(const SelfLines *lines, SelfPairs *pairs)
 {
-    int most[SELF_PARTS] = {0, 0}, seen = 0;
+    int needed = 0, seen = 0;
     pairs->candidates = 0;
     for (int r = 0; r < pairs->n_ranges; ++r) pairs->candidates += pairs->range[r].count;
     pairs->half = 0;
     for (int r = 0; r < pairs->n_ranges; ++r) {
         const SelfRange *const range = &pairs->range[r];
-        const int first = 2 * seen < pairs->candidates;
-        if (first) pairs->half = r + 1;
-        most[!first] += range->count * self_pieces(lines->line[range->line].chain, range->element);
+        const int most = range->count * self_pieces(lines->line[range->line].chain, range->element);
+        if (2 * seen < pairs->candidates) pairs->half = r + 1;
+        needed = most > needed ? most : needed;
         seen += range->count;
     }
-    const int needed = most[0] > most[1] ? most[0] : most[1];
+    if (!clear_reserve(pairs)) return 0;
     if (needed <= pairs->hits_allocated) return 1;
     assert(needed > 0);
     for (int p = 0; p < SELF_PARTS; ++p) {

@@ -1,5 +1,5 @@
-/* The corridor of a call: hits_find (feet of the pieces' ends, and which belong together) -> patch_at for each -> the
- * segments, in the order of the hits. Nothing here allocates. */
+/* The corridor of a call: hits_next (feet of a range's pieces' ends, and which belong together) -> patch_at for each ->
+ * the segments, in the order of the hits. Nothing here allocates. */
 #include "contact/self/self_contact.h"
 
 #include <assert.h>
@@ -20,6 +20,7 @@ enum { FEET_MAX = 64 }; /* strands about one point that are looked at; two layer
 typedef struct Foot {
     int element;
     double v;
+    LineSpot spot;
     Vec3 w; /* from the foot to the point, m */
 } Foot;
 
@@ -55,8 +56,9 @@ static void feet_find(const Chain *chain, const Kinematics *kin, const SelfRange
         if (!owner || element_far(chain, kin, f, p, far) || out->count == FEET_MAX) continue;
         int inside;
         const double v = line_foot(chain, kin, f, p, &inside);
-        const Vec3 w = v3_sub(p, line_spot(chain, kin, f, v).p);
-        if (v3_norm(w) <= far) out->foot[out->count++] = (Foot){f, v, w};
+        const LineSpot spot = line_spot(chain, kin, f, v);
+        const Vec3 w = v3_sub(p, spot.p);
+        if (v3_norm(w) <= far) out->foot[out->count++] = (Foot){f, v, spot, w};
     }
 }
 
@@ -83,14 +85,6 @@ static int may_press(Vec3 w0, Vec3 w1, double radius)
     return v3_norm(v3_axpy(w0, xi, along)) < radius;
 }
 
-/* The largest contact radius of a run of segments, as far as they exist. */
-static double radius_most(const Chain *chain, int from, int to)
-{
-    double radius = 0;
-    for (int i = from < 0 ? 0 : from; i <= to && i < chain->n; ++i) radius = fmax(radius, chain->radius[i]);
-    return radius;
-}
-
 /* Whether the spheres of element e and of some element of its range meet now. */
 static int range_near(const SelfLine *mine, const SelfLine *other, const SelfRange *range)
 {
@@ -104,40 +98,60 @@ static int range_near(const SelfLine *mine, const SelfLine *other, const SelfRan
     return 0;
 }
 
-/* The pressed pieces of one element over one range. Returns the new count. */
-static int range_hits(const SelfLine *mine, const SelfLine *other, const SelfRange *range, int count, SelfHit *hit)
+/* The pressed pieces of one element over one range. Returns how many. */
+static int range_hits(const SelfLine *mine, const SelfLine *other, const SelfRange *range, SelfHit *hit)
 {
     const int e = range->element, pieces = self_pieces(mine->chain, e), end = range->first + range->count;
     const double length = self_piece_length(mine->chain, e);
-    const double radius = radius_most(mine->chain, e - 1, e) + radius_most(other->chain, range->first - 1, end);
+    const double radius =
+        self_radius_most(mine->chain, e - 1, e) + self_radius_most(other->chain, range->first - 1, end);
+    int count = 0;
     Feet feet[2];
+    LineSpot here[2];
     for (int m = 0; m <= pieces; ++m) {
         Feet *const now = &feet[m % 2], *const before = &feet[(m + 1) % 2];
         /* an end that is farther belongs to no pressed piece: separations change no faster than the piece is long */
-        const Vec3 p = line_spot(mine->chain, mine->kin, e, (double)m / pieces).p;
-        feet_find(other->chain, other->kin, range, p, radius + 1.25 * length, now);
+        here[m % 2] = line_spot(mine->chain, mine->kin, e, (double)m / pieces);
+        feet_find(other->chain, other->kin, range, here[m % 2].p, radius + 1.25 * length, now);
         for (int k = 0; m > 0 && k < before->count; ++k) {
             const Foot *const a = &before->foot[k], *const b = foot_beside(now, a);
             if (!b || !may_press(a->w, b->w, radius)) continue;
-            hit[count++] = (SelfHit){range->line, e, m - 1, range->other, {a->element, b->element}, {a->v, b->v}};
+            hit[count++] = (SelfHit){
+                .line = range->line,
+                .element = e,
+                .other = range->other,
+                .end = {{here[(m + 1) % 2], a->spot, a->element, a->v}, {here[m % 2], b->spot, b->element, b->v}}};
         }
     }
     return count;
 }
 
-/* All hits of one half; returns how many. */
-static int hits_find(const SelfLines *lines, int part, SelfPairs *pairs)
+/* Which range of a half is looked at next. */
+typedef struct SelfNext {
+    int range, part;
+} SelfNext;
+
+static SelfNext hits_begin(const SelfLines *lines, int part, SelfPairs *pairs)
 {
-    const int from = part == 0 ? 0 : pairs->half, to = part == 0 ? pairs->half : pairs->n_ranges;
-    int count = 0;
-    for (int r = from; r < to; ++r) {
+    self_clear_look(lines, part, pairs);
+    return (SelfNext){part == 0 ? 0 : pairs->half, part};
+}
+
+/* The hits of the next range that has any, in pairs->hit[part]; returns how many, 0 at the end. */
+static int hits_next(const SelfLines *lines, SelfNext *next, SelfPairs *pairs)
+{
+    const int part = next->part, to = part == 0 ? pairs->half : pairs->n_ranges;
+    while (next->range < to) {
+        const int r = next->range++;
         const SelfRange *const range = &pairs->range[r];
         const SelfLine *const mine = &lines->line[range->line], *const other = &lines->line[range->other];
-        if (!range_near(mine, other, range)) continue;
-        count = range_hits(mine, other, range, count, pairs->hit[part]);
+        if (self_clear_apart(lines, part, pairs, r) || !range_near(mine, other, range)) continue;
+        const int count = range_hits(mine, other, range, pairs->hit[part]);
         assert(count <= pairs->hits_allocated);
+        if (count > 0) return count;
+        ++pairs->clear[part].vain;
     }
-    return count;
+    return 0;
 }
 
 /* The patch of one hit; 0 if it carries no force. */
@@ -145,10 +159,8 @@ static int patch_of(const SelfModel *model, const SelfLines *lines, double frict
                     Patch *patch)
 {
     const SelfLine *const side[2] = {&lines->line[hit->line], &lines->line[hit->other]};
-    const double pieces = self_pieces(side[0]->chain, hit->element);
-    const double u[2] = {hit->piece / pieces, (hit->piece + 1) / pieces};
-    return patch_at(side, &model->law, friction_scale, hit->element, u, self_piece_length(side[0]->chain, hit->element),
-                    hit->foot, hit->v, patch);
+    const double length = self_piece_length(side[0]->chain, hit->element);
+    return patch_at(side, &model->law, friction_scale, length, hit->end, patch);
 }
 
 /* What a patch does to the motion (BA5), (BA6); the feet run along the line square to the forces, at no cost. */
@@ -163,38 +175,38 @@ static void work_add(const Patch *patch, ContactTally *work)
 void self_forces(const SelfModel *model, const SelfLines *lines, double friction_scale, int part, SelfPairs *pairs,
                  Loads *const loads[])
 {
-    const int hits = hits_find(lines, part, pairs);
+    SelfNext next = hits_begin(lines, part, pairs);
     pairs->active[part] = 0;
     pairs->work[part] = (ContactTally){0};
-    for (int h = 0; h < hits; ++h) {
-        Patch patch;
-        const SelfHit *const hit = &pairs->hit[part][h];
-        const int presses = patch_of(model, lines, friction_scale, hit, &patch);
-        work_add(&patch, &pairs->work[part]);
-        if (!presses) continue;
-        ++pairs->active[part];
-        for (int s = 0; s < patch.slots; ++s) {
-            const PatchWrench wrench = patch_wrench(&patch, s);
-            Loads *const on = loads[patch.slot[s].side ? hit->other : hit->line];
-            loads_add(on, patch.slot[s].body, wrench.force, wrench.moment);
+    for (int hits; (hits = hits_next(lines, &next, pairs)) > 0;) {
+        for (int h = 0; h < hits; ++h) {
+            Patch patch;
+            const SelfHit *const hit = &pairs->hit[part][h];
+            const int presses = patch_of(model, lines, friction_scale, hit, &patch);
+            work_add(&patch, &pairs->work[part]);
+            if (!presses) continue;
+            ++pairs->active[part];
+            for (int s = 0; s < patch.slots; ++s) {
+                const PatchWrench wrench = patch_wrench(&patch, s);
+                Loads *const on = loads[patch.slot[s].side ? hit->other : hit->line];
+                loads_add(on, patch.slot[s].body, wrench.force, wrench.moment);
+            }
         }
     }
 }
 
 /* Where block (row, col) is: in a chain of blocks, or off its diagonals in `extra`; so are blocks between neighbours in
  * the matrix of which each is another line's. */
-static double *block_at(const SelfPairs *pairs, BlockChain *chain, double *extra, int one_line, int row, int col)
+static double *block_at(SelfPairs *pairs, BlockChain *chain, double *extra, int one_line, int row, int col)
 {
     if (row == col) return chain->diag + 36 * row;
     if (one_line && row == col + 1) return chain->lower + 36 * row;
     if (one_line && row == col - 1) return chain->upper + 36 * row;
-    const int e = block_extras_find(&pairs->extras, row, col);
-    assert(e >= 0);
-    return extra + 36 * e;
+    return extra + 36 * block_extras_touch(&pairs->extras, row, col);
 }
 
 /* All twelve columns of one slot. */
-static void slot_blocks(const SelfModel *model, const Patch *patch, const int first[2], int s, const SelfPairs *pairs,
+static void slot_blocks(const SelfModel *model, const Patch *patch, const int first[2], int s, SelfPairs *pairs,
                         BlockChain *k, BlockChain *d)
 {
     double *block[2][PATCH_SLOTS];
@@ -221,30 +233,29 @@ void self_blocks(const SelfModel *model, const SelfLines *lines, double friction
                  BlockChain *d)
 {
     for (int part = 0; part < SELF_PARTS; ++part) {
-        const int hits = hits_find(lines, part, pairs);
-        for (int h = 0; h < hits; ++h) {
-            Patch patch;
-            const SelfHit *const hit = &pairs->hit[part][h];
-            if (!patch_of(model, lines, friction_scale, hit, &patch)) continue;
-            const int first[2] = {lines->line[hit->line].row, lines->line[hit->other].row};
-            for (int s = 0; s < patch.slots; ++s) slot_blocks(model, &patch, first, s, pairs, k, d);
+        SelfNext next = hits_begin(lines, part, pairs);
+        for (int hits; (hits = hits_next(lines, &next, pairs)) > 0;) {
+            for (int h = 0; h < hits; ++h) {
+                Patch patch;
+                const SelfHit *const hit = &pairs->hit[part][h];
+                if (!patch_of(model, lines, friction_scale, hit, &patch)) continue;
+                const int first[2] = {lines->line[hit->line].row, lines->line[hit->other].row};
+                for (int s = 0; s < patch.slots; ++s) slot_blocks(model, &patch, first, s, pairs, k, d);
+            }
         }
     }
 }
 
 /* A patch for the outside; what carries no force has a depth and a place only. */
-static SelfDetail detail_of(const SelfLines *lines, const SelfHit *hit, const Patch *patch)
+static SelfDetail detail_of(const SelfHit *hit, const Patch *patch)
 {
-    const SelfLine *const line = &lines->line[hit->line];
-    const double pieces = self_pieces(line->chain, hit->element);
-    const Vec3 p0 = line_spot(line->chain, line->kin, hit->element, hit->piece / pieces).p;
-    const Vec3 p1 = line_spot(line->chain, line->kin, hit->element, (hit->piece + 1) / pieces).p;
+    const Vec3 p0 = hit->end[0].here.p, p1 = hit->end[1].here.p;
     return (SelfDetail){.line = hit->line,
                         .element = hit->element,
                         .other = hit->other,
                         .arm = patch->distance,
                         .length = patch->length,
-                        .foot = hit->foot[0],
+                        .foot = hit->end[0].foot,
                         .depth = patch_depth(patch),
                         .normal = patch->force,
                         .friction = patch->friction,
@@ -257,11 +268,13 @@ int self_details(const SelfModel *model, const SelfLines *lines, double friction
 {
     int count = 0;
     for (int part = 0; part < SELF_PARTS; ++part) {
-        const int hits = hits_find(lines, part, pairs);
-        for (int h = 0; h < hits; ++h, ++count) {
-            Patch patch;
-            patch_of(model, lines, friction_scale, &pairs->hit[part][h], &patch);
-            if (count < room) out[count] = detail_of(lines, &pairs->hit[part][h], &patch);
+        SelfNext next = hits_begin(lines, part, pairs);
+        for (int hits; (hits = hits_next(lines, &next, pairs)) > 0;) {
+            for (int h = 0; h < hits; ++h, ++count) {
+                Patch patch;
+                patch_of(model, lines, friction_scale, &pairs->hit[part][h], &patch);
+                if (count < room) out[count] = detail_of(&pairs->hit[part][h], &patch);
+            }
         }
     }
     return count;
@@ -271,12 +284,14 @@ SelfDetail self_deepest(const SelfModel *model, const SelfLines *lines, SelfPair
 {
     SelfDetail deepest = {.depth = -INFINITY};
     for (int part = 0; part < SELF_PARTS; ++part) {
-        const int hits = hits_find(lines, part, pairs);
-        for (int h = 0; h < hits; ++h) {
-            Patch patch;
-            patch_of(model, lines, 0, &pairs->hit[part][h], &patch);
-            const SelfDetail now = detail_of(lines, &pairs->hit[part][h], &patch);
-            if (now.depth > deepest.depth) deepest = now;
+        SelfNext next = hits_begin(lines, part, pairs);
+        for (int hits; (hits = hits_next(lines, &next, pairs)) > 0;) {
+            for (int h = 0; h < hits; ++h) {
+                Patch patch;
+                patch_of(model, lines, 0, &pairs->hit[part][h], &patch);
+                const SelfDetail now = detail_of(&pairs->hit[part][h], &patch);
+                if (now.depth > deepest.depth) deepest = now;
+            }
         }
     }
     return deepest;

@@ -41,11 +41,21 @@ typedef struct SelfRange {
     int line, element, other, first, count;
 } SelfRange;
 
-/* A piece that may be pressed: piece `piece` of an element over two feet. */
+/* A piece of an element that may be pressed. */
 typedef struct SelfHit {
-    int line, element, piece, other, foot[2];
-    double v[2];
+    int line, element, other;
+    PatchEnd end[2];
 } SelfHit;
+
+/* How far apart the two sides of every range of a half were at some moment, and where all segments were. What has not
+ * come nearer since cannot press, and is not looked at: results are the same without. */
+typedef struct SelfClear {
+    int known;     /* 0: nothing, since the ranges are new */
+    int allocated; /* ranges that there is room for */
+    double *gap;   /* [ranges of the half] m, at least; at most 0: it may press */
+    double *at;    /* [n][6] centres and arms to the front ends, m */
+    int vain;      /* ranges that were looked at for nothing since */
+} SelfClear;
 
 typedef struct SelfPairs {
     int n; /* segments of all lines */
@@ -59,12 +69,13 @@ typedef struct SelfPairs {
     int n_trees;
     SphereTree *tree; /* [n_trees] of each line */
     int hits_allocated;
-    SelfHit *hit[SELF_PARTS];      /* [hits_allocated] each, by self_forces and self_blocks */
+    SelfHit *hit[SELF_PARTS];      /* [hits_allocated] each, of one range at a time */
     int active[SELF_PARTS];        /* pieces that carried force in the last call of self_forces */
     ContactTally work[SELF_PARTS]; /* of the last call of self_forces; no force: the cable's own */
-    int n_beside;                  /* what else couples rows; borrowed */
-    const BlockPair *beside;       /* [n_beside] */
-    BlockExtras extras; /* blocks of K and D off the diagonals; pattern by self_refresh, values by self_blocks */
+    SelfClear clear[SELF_PARTS];
+    int n_beside;            /* what else couples rows; borrowed */
+    const BlockPair *beside; /* [n_beside] */
+    BlockExtras extras;      /* blocks of K and D off the diagonals; pattern by self_refresh, values by self_blocks */
 } SelfPairs;
 
 /* Elements this far apart along the chain, or farther, may touch (CC18). */
@@ -73,6 +84,9 @@ int self_skip(const Chain *chain);
 int self_pieces(const Chain *chain, int e);
 /* Length of each of them at rest, m. */
 double self_piece_length(const Chain *chain, int e);
+
+/* The largest contact radius of segments from..to, as far as they exist, m. */
+double self_radius_most(const Chain *chain, int from, int to);
 
 /* Allocates for `lines` chains of segments[] each, one after the other. 0 if there is no memory. The free may be called
  * on a zeroed struct. */
@@ -84,6 +98,10 @@ void self_pairs_free(SelfPairs *pairs);
 hawser_status self_refresh(const SelfModel *model, const SelfLines *lines, SelfPairs *pairs, hawser_error *err);
 /* Whether two points may have come closer by more than 3/4 of the reach since the refresh (CC20). */
 int self_moved_too_far(const SelfModel *model, const SelfLines *lines, const SelfPairs *pairs);
+
+/* The ranges of one half that may press now, by what is known of it: whether range r is one of them. May look anew. */
+void self_clear_look(const SelfLines *lines, int part, SelfPairs *pairs);
+int self_clear_apart(const SelfLines *lines, int part, const SelfPairs *pairs, int r);
 
 /* Adds the forces (N) and moments (N m) of one half of the candidates to loads[line]. friction_scale: as in contact.h.
  */

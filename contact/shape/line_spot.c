@@ -38,13 +38,40 @@ double line_slope(const Chain *chain, const Kinematics *kin, int i, Vec3 p)
            (kin->p[2][i] - p.z) * kin->a[2][i];
 }
 
-/* (Q - p).Q' at u, and its derivative. */
-static double foot_slope(const Chain *chain, const Kinematics *kin, int e, double u, Vec3 p, double *derivative)
+/* What an element's place is made of, without its radius: for a foot, it is looked at many times. */
+typedef struct Curve {
+    Element element;
+    Vec3 x[2], r[2]; /* m: centres, and arms to the front ends; zero where there is no segment */
+} Curve;
+
+static Curve curve_of(const Chain *chain, const Kinematics *kin, int e)
 {
-    const LineSpot at = line_spot(chain, kin, e, u);
-    const Vec3 to = v3_sub(at.p, p);
-    *derivative = v3_dot(at.p1, at.p1) + v3_dot(to, at.p2);
-    return v3_dot(to, at.p1);
+    Curve c = {.element = element_at(GEOMETRY_SMOOTH, chain->n, e)};
+    for (int b = 0; b < 2; ++b) {
+        const int i = c.element.body[b];
+        if (i < 0 || i >= chain->n) continue;
+        c.x[b] = v3_load(kin->p, i);
+        c.r[b] = v3_scale(chain->half[i], v3_load(kin->a, i));
+    }
+    return c;
+}
+
+/* A point of it, or a derivative of the point, by its weights. */
+static inline Vec3 curve_at(const Curve *c, const LineWeights *w)
+{
+    const Vec3 one = v3_axpy(v3_scale(w->alpha[0], c->x[0]), w->beta[0], c->r[0]);
+    return v3_axpy(v3_axpy(one, w->alpha[1], c->x[1]), w->beta[1], c->r[1]);
+}
+
+/* (Q - p).Q' at u, and its derivative. */
+static inline double foot_slope(const Curve *c, double u, Vec3 p, double *derivative)
+{
+    const LineWeights w = element_weights(&c->element, u);
+    LineWeights w1, w2;
+    weights_by(&c->element, u, &w1, &w2);
+    const Vec3 to = v3_sub(curve_at(c, &w), p), along = curve_at(c, &w1);
+    *derivative = v3_dot(along, along) + v3_dot(to, curve_at(c, &w2));
+    return v3_dot(to, along);
 }
 
 /* Newton's method kept inside a shrinking bracket, with bisection where it would leave it. */
@@ -52,13 +79,14 @@ double line_foot(const Chain *chain, const Kinematics *kin, int e, Vec3 p, int *
 {
     enum { NEWTON = 20, MOST = 80 };
     double derivative;
-    const double first = foot_slope(chain, kin, e, 0, p, &derivative);
-    const double last = foot_slope(chain, kin, e, 1, p, &derivative);
+    const Curve curve = curve_of(chain, kin, e);
+    const double first = foot_slope(&curve, 0, p, &derivative);
+    const double last = foot_slope(&curve, 1, p, &derivative);
     *inside = first < 0 && last >= 0;
     if (!*inside) return first < 0 ? 1 : 0;
     double low = 0, high = 1, u = first / (first - last);
     for (int i = 0; i < MOST; ++i) {
-        const double slope = foot_slope(chain, kin, e, u, p, &derivative);
+        const double slope = foot_slope(&curve, u, p, &derivative);
         if (slope < 0) low = u;
         if (slope >= 0) high = u;
         const double newton = u - slope / derivative;

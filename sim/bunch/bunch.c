@@ -184,8 +184,8 @@ static hawser_status matrix_make(Bunch *b, const LinOptions *options, hawser_err
 {
     const BunchChain *const last = &b->chain[b->n - 1];
     LinOptions mine = *options;
-    /* rows of two chains that touch are far apart: to try the natural order alone (L12) took twenty times as long as
-     * all else of a relaxation, and minimum degree had the least fill of the others */
+    if (mine.kind == LIN_AUTO) mine.kind = LIN_BLOCK_SPARSE;
+    /* of KLU's orders: to try the natural one alone (L12) took twenty times as long as all else of a relaxation */
     if (mine.ordering == ORDER_AUTO) mine.ordering = ORDER_AMD;
     b->part = calloc((size_t)b->n, sizeof *b->part);
     if (!b->part) return error_memory(err);
@@ -274,7 +274,6 @@ int bunch_chain_of(const Bunch *b, int row, int *segment)
 
 void bunch_interact(Bunch *b, double friction)
 {
-    enum { CHAINS_MOST = 64 };
     const SelfLines lines = bunch_lines(b);
     Loads *loads[STRANDS_MAX];
     for (int part = 0; part < SELF_PARTS && b->contact.present; ++part) {

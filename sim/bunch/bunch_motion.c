@@ -213,24 +213,27 @@ static double winch_pull(Motion *m, double t, const double *y)
 
 /* --------------------------------------------------------------------------------------------------- the books */
 
-/* Both are runs of numbers. */
-enum { RATES = sizeof(BalanceRates) / sizeof(double), STOCKS = sizeof(BalanceStock) / sizeof(double) };
-
 static void add(double *sum, const double *more, int n)
 {
     for (int i = 0; i < n; ++i) sum[i] += more[i];
 }
 
+/* *out, a run of numbers of the type Type, becomes the sum of what the chains' own operation op says. */
+#define CHAINS_ADDED(b, op, t, y, Type, out)                                                                           \
+    do {                                                                                                               \
+        memset(out, 0, sizeof *(out));                                                                                 \
+        EACH_CHAIN(c, b)                                                                                               \
+        {                                                                                                              \
+            Type own;                                                                                                  \
+            c->motion->ops->op(c->motion, t, (y) + c->at, &own);                                                       \
+            add((double *)(out), (const double *)&own, (int)(sizeof own / sizeof(double)));                            \
+        }                                                                                                              \
+    } while (0)
+
 static void work(Motion *m, double t, const double *y, BalanceRates *out)
 {
     Bunch *const b = bunch_of(m);
-    memset(out, 0, sizeof *out);
-    EACH_CHAIN(c, b)
-    {
-        BalanceRates own;
-        c->motion->ops->work(c->motion, t, y + c->at, &own);
-        add((double *)out, (const double *)&own, RATES);
-    }
+    CHAINS_ADDED(b, work, t, y, BalanceRates, out);
     out->loss[LOST_JOINTS] += b->links_lost;
     for (int p = 0; p < SELF_PARTS && b->contact.present; ++p) {
         out->loss[LOST_CABLE] += b->pairs.work[p].friction;
@@ -241,13 +244,7 @@ static void work(Motion *m, double t, const double *y, BalanceRates *out)
 static void stock(Motion *m, double t, const double *y, BalanceStock *out)
 {
     Bunch *const b = bunch_of(m);
-    memset(out, 0, sizeof *out);
-    EACH_CHAIN(c, b)
-    {
-        BalanceStock own;
-        c->motion->ops->stock(c->motion, t, y + c->at, &own);
-        add((double *)out, (const double *)&own, STOCKS);
-    }
+    CHAINS_ADDED(b, stock, t, y, BalanceStock, out);
     for (int p = 0; p < SELF_PARTS && b->contact.present; ++p) out->energy[IN_CABLE] += b->pairs.work[p].energy;
     for (int i = 0; i < b->n_links; ++i) {
         const LinkNow now = link_now(&b->link[i], b->line);

@@ -67,12 +67,10 @@ static LinkChange change_by(const Link *link, const LinkNow *now, int end, int c
 }
 
 /* Where block (row, col) of two ends is. */
-static double *block_at(BlockChain *chain, const BlockExtras *extras, double *extra, int row, int col)
+static double *block_at(BlockChain *chain, BlockExtras *extras, double *extra, int row, int col)
 {
     if (row == col) return chain->diag + 36 * row;
-    const int e = block_extras_find(extras, row, col);
-    assert(e >= 0);
-    return extra + 36 * e;
+    return extra + 36 * block_extras_touch(extras, row, col);
 }
 
 /* (SC8) */

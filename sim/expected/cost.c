@@ -51,6 +51,7 @@ static double solver_memory(const CostCounts *c)
     case LIN_AUTO:
     case LIN_BLOCK:
     case LIN_BORDERED:
+    case LIN_BLOCK_SPARSE:
         break;
     }
     return 0;

@@ -8,7 +8,7 @@ enum { BLOCK = 36 };
 hawser_status newton_extra_attach(Newton *nw, const BlockExtras *from, const LinOptions *options, hawser_error *err)
 {
     const LinKind kind = options->kind;
-    if (kind != LIN_AUTO && kind != LIN_KLU && kind != LIN_DENSE) {
+    if (kind != LIN_AUTO && kind != LIN_BLOCK_SPARSE && kind != LIN_KLU && kind != LIN_DENSE) {
         return error_set(err, HAWSER_ERR_INPUT,
                          "solver.linear_solver '%s' cannot hold contact.cable_on_cable: take 'auto' or 'klu'",
                          linsolver_kind_name(kind));
@@ -26,6 +26,7 @@ NewtonExtra *newton_extra_free(NewtonExtra *extra)
 {
     if (!extra) return NULL;
     free(extra->a);
+    free(extra->filled);
     free(extra->block);
     free(extra);
     return NULL;
@@ -35,11 +36,14 @@ NewtonExtra *newton_extra_free(NewtonExtra *extra)
 static int pattern_follow(NewtonExtra *extra)
 {
     const BlockExtras *const from = extra->from;
-    double *const a = realloc(extra->a, ((size_t)from->count * BLOCK + 8) * sizeof *a);
-    if (a) extra->a = a;
+    free(extra->a);
+    double *const a = extra->a = calloc((size_t)from->count * BLOCK + 8, sizeof *a);
+    unsigned char *const filled = realloc(extra->filled, (size_t)from->count + 1);
+    if (filled) extra->filled = filled;
     ExtraBlock *const block = realloc(extra->block, ((size_t)from->count + 1) * sizeof *block);
     if (block) extra->block = block;
-    if (!a || !block) return 0;
+    if (!a || !block || !filled) return 0;
+    memset(filled, 0, (size_t)from->count + 1);
     for (int e = 0; e < from->count; ++e) {
         block[e] = (ExtraBlock){.row = from->row[e], .col = from->col[e], .block = a + BLOCK * e};
     }
@@ -56,6 +60,9 @@ void newton_extra_form(Newton *nw)
     if (from->version != extra->version) extra->failed = !pattern_follow(extra);
     if (extra->failed) return;
     for (int e = 0; e < from->count; ++e) {
+        if (!from->live[e] && extra->filled[e]) memset(extra->a + BLOCK * e, 0, BLOCK * sizeof(double));
+        extra->filled[e] = from->live[e];
+        if (!from->live[e]) continue;
         double s[9];
         newton_turn(nw->gamma, v3_load(nw->w, from->col[e]), s);
         newton_kernels()->block(6, 6, 6, from->k + BLOCK * e, from->d + BLOCK * e, s, nw->gamma, extra->a + BLOCK * e);
@@ -102,6 +109,7 @@ static NewtonMatrix matrix_of(const Newton *nw)
     NewtonMatrix m = nw->matrix;
     m.extras = nw->extra->count;
     m.extra = nw->extra->block;
+    m.live = nw->extra->filled;
     return m;
 }
 
@@ -128,12 +136,14 @@ void newton_extra_stats(const NewtonExtra *extra, LinStats *stats) { counts_add(
 static int pattern_room(NewtonExtra *extra, int count)
 {
     free(extra->a);
+    free(extra->filled);
     free(extra->block);
     extra->a = calloc((size_t)count * BLOCK + 8, sizeof *extra->a);
+    extra->filled = calloc((size_t)count + 1, sizeof *extra->filled);
     extra->block = calloc((size_t)count + 1, sizeof *extra->block);
     for (int e = 0; extra->a && extra->block && e < count; ++e) extra->block[e].block = extra->a + BLOCK * e;
     extra->count = count;
-    return extra->a && extra->block;
+    return extra->a && extra->filled && extra->block;
 }
 
 void newton_extra_checkpoint(Checkpoint *c, Newton *nw)
@@ -156,6 +166,7 @@ void newton_extra_checkpoint(Checkpoint *c, Newton *nw)
                          "a block is outside of the matrix");
     }
     if (count > 0) checkpoint_put(c, "extra->a", extra->a, (size_t)count * BLOCK * sizeof *extra->a);
+    if (count > 0) checkpoint_put(c, "extra->filled", extra->filled, (size_t)count);
     if (c->status) return;
     const NewtonMatrix m = matrix_of(nw);
     if (c->reading && !extra->stale && extra->version >= 0) {

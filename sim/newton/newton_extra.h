@@ -10,13 +10,14 @@
 typedef struct NewtonExtra {
     const BlockExtras *from; /* K and D, borrowed from the workspace */
     LinOptions options;
-    long version;      /* of the pattern that block, a and the solver are made for; -1: none yet */
-    int count;         /* blocks */
-    double *a;         /* [count][36] their part of A */
-    ExtraBlock *block; /* [count] */
-    int failed;        /* there was no memory for a new pattern */
-    int stale;         /* the solver's pattern is not that of `block` */
-    LinStats retired;  /* counts of solvers that were given up with their patterns */
+    long version;          /* of the pattern that block, a and the solver are made for; -1: none yet */
+    int count;             /* blocks */
+    double *a;             /* [count][36] their part of A */
+    unsigned char *filled; /* [count] 0: zero, since its block of K and D does not live */
+    ExtraBlock *block;     /* [count] */
+    int failed;            /* there was no memory for a new pattern */
+    int stale;             /* the solver's pattern is not that of `block` */
+    LinStats retired;      /* counts of solvers that were given up with their patterns */
 } NewtonExtra;
 
 /* From now on the matrix has the blocks of `from` too, whatever pattern that takes; it must outlive nw. Errors: INPUT

@@ -78,6 +78,10 @@ static void test_product(void **state)
     double z[6 * N], y[6 * N], expected[6 * N];
     assert_true(block_extras_set(&x, 2, pair));
     for (int c = 0; c < 36 * x.count; ++c) x.k[c] = c % 11 - 5;
+    for (int p = 0; p < 2; ++p) {
+        block_extras_touch(&x, pair[p].low, pair[p].high);
+        block_extras_touch(&x, pair[p].high, pair[p].low);
+    }
     for (int c = 0; c < 6 * N; ++c) {
         z[c] = c % 7 - 3;
         y[c] = expected[c] = c;

@@ -290,6 +290,46 @@ static void test_heads(void **state)
     threefold_free(&t);
 }
 
+/* What is known to be apart is left out, and no force with it: cables that are drawn along and come nearer by and by,
+ * with what was known and with gaps that are taken anew, bit for bit. */
+static void test_apart(void **state)
+{
+    (void)state;
+    enum { STEPS = 60 };
+    Threefold t;
+    uint64_t seed = 21;
+    double known[6 * ROWS];
+    int left_out = 0, pressed = 0;
+    threefold_new(&t, &seed);
+    const SelfLines lines = lines_of(&t);
+    hawser_error err = {0};
+    for (int i = 0; i < EACH; ++i) move(&t, 2 * EACH + i, 2, 0.012);
+    assert_int_equal(self_refresh(&t.model, &lines, &t.pairs, &err), HAWSER_OK);
+    for (int step = 0; step < STEPS; ++step) {
+        for (int row = 0; row < ROWS; ++row) {
+            move(&t, row, 0, 0.05);
+            move(&t, row, 3 + (int)(seed % 3), 1e-3 * fixture_vector(&seed, 1).x);
+            if (row >= 2 * EACH) move(&t, row, 2, -2.5e-4);
+        }
+        interact(&t, 1, 0);
+        for (int part = 0; part < SELF_PARTS; ++part) {
+            const int from = part ? t.pairs.half : 0, to = part ? t.pairs.n_ranges : t.pairs.half;
+            for (int r = from; r < to; ++r) left_out += self_clear_apart(&lines, part, &t.pairs, r);
+            pressed += t.pairs.active[part];
+        }
+        for (int r = 0; r < 6 * ROWS; ++r) known[r] = load_at(&t, r);
+        for (int part = 0; part < SELF_PARTS; ++part)
+            memset(t.pairs.clear[part].gap, 0, sizeof(double) * (size_t)t.pairs.n_ranges);
+        interact(&t, 1, 0); /* looks at all */
+        for (int r = 0; r < 6 * ROWS; ++r) check_equal(load_at(&t, r), known[r]);
+        if (step % 10 == 9)
+            for (int part = 0; part < SELF_PARTS; ++part) t.pairs.clear[part].known = 0;
+    }
+    check_above(left_out, 100);
+    check_above(pressed, 100);
+    threefold_free(&t);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -297,6 +337,7 @@ int main(void)
         cmocka_unit_test(test_momentum),
         cmocka_unit_test(test_link_power),
         cmocka_unit_test(test_heads),
+        cmocka_unit_test(test_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
