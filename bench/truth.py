@@ -13,12 +13,16 @@ Rows are appended to a file of JSON lines, and a scene that is there already is 
     python3 bench/truth.py --build build/release --rows truth.jsonl --scenes 0-199
     python3 bench/truth.py --build build/release --rows new.jsonl --scenes 0-199 --truths truth.jsonl    # oracles from there
 
+A row holds which program made it (a digest of its file, and the commit of the tree beside this script) and the processor time of its run, so
+that rows of several sittings say themselves whether they are of one program.
+
 Its status is 1 if a wrong run was trusted, or fewer than 85 % of the sensible ones were.
 """
 import argparse
 import collections
 import concurrent.futures
 import copy
+import hashlib
 import json
 import os
 import resource
@@ -116,10 +120,14 @@ def launch(program, case, seconds):
         path, out = os.path.join(folder, "case.yaml"), os.path.join(folder, "out")
         with open(path, "w", encoding="utf-8") as file:
             json.dump(case, file)
-        done = subprocess.run([program, "run", path, "-q", "-o", out], capture_output=True, text=True, preexec_fn=limit)
-        run = {"status": None if done.returncode in (-24, -9) else done.returncode,
-               "message": done.stderr.strip().replace(path, "case.yaml")[:300]}
-        if done.returncode not in (0, 3):
+        with subprocess.Popen([program, "run", path, "-q", "-o", out], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                              preexec_fn=limit) as child:
+            message = child.stderr.read()
+            _, ended, used = os.wait4(child.pid, 0)  # of this child alone: others run at the same time
+            code = child.returncode = os.waitstatus_to_exitcode(ended)
+        run = {"status": None if code in (-24, -9) else code, "message": message.strip().replace(path, "case.yaml")[:300],
+               "cpu_s": round(used.ru_utime + used.ru_stime, 3)}
+        if code not in (0, 3):
             return run
         try:
             with open(os.path.join(out, "summary.json"), encoding="utf-8") as file:
@@ -135,6 +143,12 @@ def launch(program, case, seconds):
         shown = passes["pass"][-1 if passes["outcome"] == "replaced" else 0]
         run.update(passes=passes["outcome"], why=passes["why"], accuracy=shown["accuracy"], v_s_factor=shown["v_s_factor"])
     return run
+
+
+def identity(program):
+    """Which program it is: a digest of its file, and the commit of this tree, which says of a build elsewhere nothing."""
+    with open(program, "rb") as file:
+        return {"digest": hashlib.sha256(file.read()).hexdigest()[:12], "commit": commit()}
 
 
 def complete(run):
@@ -157,13 +171,14 @@ def within(errors, part=1.0):
     return abs(errors[0]) <= part * MEAN and abs(errors[1]) <= part * PEAK
 
 
-def examine(program, family, number, seconds, known=None):
-    """A scene's row. known: an earlier row, whose oracles are taken over."""
+def examine(program, family, number, seconds, known=None, made_by=None):
+    """A scene's row. known: an earlier row, whose oracles are taken over, and with them who made them; made_by: the program's identity."""
     case = draw(family, number)
-    row = {"family": family, "number": number, "title": case["title"], "run": launch(program, case, seconds), "oracles": {},
+    row = {"program": made_by, "seconds": seconds, "family": family, "number": number, "title": case["title"], "run": launch(program, case, seconds), "oracles": {},
            "floor": scale(case)}
     if known and known.get("oracles"):
         row["oracles"] = known["oracles"]
+        row["oracles_by"] = known.get("oracles_by", known.get("program"))
     elif complete(row["run"]):
         for name, by in LEVELS.items():
             row["oracles"][name] = launch(program, better(case, row["run"], by["mesh"], by["accuracy"], by["slower"], by["step"]),
@@ -218,9 +233,24 @@ def contained(rows):
     return held, len(ratios), statistics.median(ratios) if ratios else None
 
 
+def programs(rows):
+    """Which program made how many rows, by their own word, and what its runs took: rows of several sittings may be of several programs."""
+    groups = collections.defaultdict(list)
+    for row in rows:
+        by = row.get("program") or {}
+        groups[by.get("digest", "not recorded"), by.get("commit", "not recorded"), str(row.get("seconds", "not recorded"))].append(row)
+    body = []
+    for (digest, at, seconds), ours in sorted(groups.items()):
+        numbers, cpu = [row["number"] for row in ours], [row["run"]["cpu_s"] for row in ours if "cpu_s" in row["run"]]
+        took = [f"{statistics.median(cpu):.2f}", f"{sum(cpu):.0f}"] if cpu else ["-", "-"]
+        body.append([digest, at, seconds, str(len(ours)), f"{min(numbers)} to {max(numbers)}"] + took)
+    return table(["program", "commit of the tree", "s a run may take", "scenes", "numbers", "processor time of a run, median, s", "of all, s"],
+                 body)
+
+
 def report(rows):
     """The tables as Markdown."""
-    text = []
+    text = [programs(rows)] if rows else []
     for family in ("sensible", "wild"):
         ours = [row for row in rows if row["family"] == family]
         if not ours:
@@ -286,6 +316,7 @@ def main():
     args = arguments()
     first, last = (int(word) for word in args.scenes.split("-"))
     program = os.path.join(args.build, "cli/hawser")
+    made_by = identity(program)
     rows = read_rows(args.rows)
     done = {(row["family"], row["number"]) for row in rows}
     known = {(row["family"], row["number"]): row for row in read_rows(args.truths)}
@@ -293,7 +324,7 @@ def main():
     lock = threading.Lock()
 
     def one(job):
-        row = examine(program, *job, args.seconds, known.get(job))
+        row = examine(program, *job, args.seconds, known.get(job), made_by)
         with lock:
             rows.append(row)
             if args.rows:
@@ -308,7 +339,7 @@ def main():
         list(pool.map(one, [job for job in jobs if job not in done]))
     wanted = set(jobs)
     rows = [row for row in rows if (row["family"], row["number"]) in wanted]
-    text = f"Commit {commit()}.\n\n" + report(rows)
+    text = report(rows)
     print(text)
     bad = misses(rows)
     for line in bad:

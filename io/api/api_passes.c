@@ -33,6 +33,16 @@ static int is_numerical(const hawser_condition *c)
     return found;
 }
 
+/* Conditions on what a pass shows, which the mesh may have made: a segment that passes a support. A finer pass has to
+ * meet them itself, so that its results must be those that are shown (docs/model.md, "Error bars"). */
+static int is_shown(const hawser_condition *c)
+{
+    static const char *const names[] = {"steady", "peak", "start_jolt"};
+    int found = 0;
+    for (int k = 0; k < 3; ++k) found |= !strcmp(c->name, names[k]);
+    return found;
+}
+
 /* Whether so much of the bar alone, N, is more than the condition allows it to be. */
 static int is_too_much(const hawser_condition *c, const hawser_error_bar *bar, double part)
 {
@@ -78,47 +88,6 @@ static const char *unseen(const Scene *scene)
     return has_single_pair(scene) ? "a bend has one pair of rollers, of which error bars see too little" : NULL;
 }
 
-/* The worst of the conditions that fail, if all that do are numerical ones that a finer pass may settle; NULL: none
- * fails, or there is nothing to be gained: then *hopeless is 1. */
-static const hawser_condition *worst_open(const hawser_sim *s, const hawser_summary *sum, int *hopeless)
-{
-    const hawser_condition *worst = NULL;
-    *hopeless = 0;
-    for (int i = 0; i < sum->n_conditions; ++i) {
-        const hawser_condition *const c = &sum->conditions[i];
-        if (c->holds) continue;
-        *hopeless |= !is_numerical(c) || is_beyond(s, c, sum);
-        if (!worst || c->value / c->allowed > worst->value / worst->allowed) worst = c;
-    }
-    return *hopeless ? NULL : worst;
-}
-
-/* Whether a second pass is wanted: such a condition is open, or there is what bars do not see; which, without its
- * remedy, into `why`. */
-static int is_open(const hawser_sim *s, const hawser_summary *sum, size_t size, char *why)
-{
-    int hopeless;
-    const hawser_condition *const worst = worst_open(s, sum, &hopeless);
-    const char *const blind = unseen(&s->stage.scene);
-    if (hopeless || (!worst && !blind)) return 0;
-    if (!worst) {
-        snprintf(why, size, "%s", blind);
-        return 1;
-    }
-    const char *const remedy = strstr(worst->remedy, ": use "), *const other = strstr(worst->remedy, ": set ");
-    const char *const end = remedy ? remedy : other ? other : worst->remedy + strlen(worst->remedy);
-    snprintf(why, size, "%.*s", (int)(end - worst->remedy), worst->remedy);
-    return 1;
-}
-
-/* Whether the pass has met the conditions that a level of its settings does not change. */
-static int is_sound(const hawser_summary *sum)
-{
-    int sound = 1;
-    for (int i = 0; i < sum->n_conditions; ++i) sound &= sum->conditions[i].holds || is_numerical(&sum->conditions[i]);
-    return sound;
-}
-
 /* The settings that a second pass makes finer, where the case itself gives them: with them its results would be those
  * of another case. */
 static int is_setting(const char *key, const char *value)
@@ -148,6 +117,48 @@ static const char *given(const SceneDef *def, int (*is_kind)(const char *key, co
         if (own && is_kind(input[INPUT_KEY], input[INPUT_VALUE])) return input[INPUT_KEY];
     }
     return NULL;
+}
+
+/* The worst of the conditions that fail, if all that do are ones that a finer pass may settle; NULL: none fails, or
+ * there is nothing to be gained: then *hopeless is 1. */
+static const hawser_condition *worst_open(const hawser_sim *s, const hawser_summary *sum, int *hopeless)
+{
+    const hawser_condition *worst = NULL;
+    const int replaced = !given(s->plan, is_setting);
+    *hopeless = 0;
+    for (int i = 0; i < sum->n_conditions; ++i) {
+        const hawser_condition *const c = &sum->conditions[i];
+        if (c->holds) continue;
+        *hopeless |= !(is_numerical(c) || (replaced && is_shown(c))) || is_beyond(s, c, sum);
+        if (!worst || c->value / c->allowed > worst->value / worst->allowed) worst = c;
+    }
+    return *hopeless ? NULL : worst;
+}
+
+/* Whether a second pass is wanted: such a condition is open, or there is what bars do not see; which, without its
+ * remedy, into `why`. */
+static int is_open(const hawser_sim *s, const hawser_summary *sum, size_t size, char *why)
+{
+    int hopeless;
+    const hawser_condition *const worst = worst_open(s, sum, &hopeless);
+    const char *const blind = unseen(&s->stage.scene);
+    if (hopeless || (!worst && !blind)) return 0;
+    if (!worst) {
+        snprintf(why, size, "%s", blind);
+        return 1;
+    }
+    const char *const remedy = strstr(worst->remedy, ": use "), *const other = strstr(worst->remedy, ": set ");
+    const char *const end = remedy ? remedy : other ? other : worst->remedy + strlen(worst->remedy);
+    snprintf(why, size, "%.*s", (int)(end - worst->remedy), worst->remedy);
+    return 1;
+}
+
+/* Whether the pass has met the conditions that a level of its settings does not change. */
+static int is_sound(const hawser_summary *sum)
+{
+    int sound = 1;
+    for (int i = 0; i < sum->n_conditions; ++i) sound &= sum->conditions[i].holds || is_numerical(&sum->conditions[i]);
+    return sound;
 }
 
 /* ---------------------------------------------------------------------------------------------- what is said of it */

@@ -107,6 +107,17 @@ class Judged(unittest.TestCase):
         self.assertEqual(truth.contained(rows), (2, 3, 1.0))
 
 
+class Programs(unittest.TestCase):
+    def test_rows_say_which_program_made_them(self):
+        made = [{"digest": "aaa", "commit": "1"}, {"digest": "aaa", "commit": "1"}, {"digest": "bbb", "commit": "1"}, None]
+        rows = [{"number": k, "program": by, "seconds": 8, "run": {"cpu_s": 1.0 + k}} for k, by in enumerate(made)]
+        del rows[3]["program"]
+        text = truth.programs(rows)
+        self.assertIn("| aaa | 1 | 8 | 2 | 0 to 1 | 1.50 | 3 |", text)
+        self.assertIn("| bbb | 1 | 8 | 1 | 2 to 2 | 3.00 | 3 |", text)
+        self.assertIn("| not recorded | not recorded | 8 | 1 | 3 to 3 |", text)
+
+
 class Whole(unittest.TestCase):
     def launch(self, build, folder, *words):
         return subprocess.run([sys.executable, "-B", os.path.join(ROOT, "bench/truth.py"), "--build", build, "--family", "sensible", "--rows",
@@ -130,6 +141,8 @@ class Whole(unittest.TestCase):
             again = self.launch(folder, folder, "--scenes", "0-3")
             rows = truth.read_rows(os.path.join(folder, "rows.jsonl"))
             self.assertEqual([row["number"] for row in rows], [0, 1, 2, 3], again.stderr)
+            self.assertEqual({row["program"]["digest"] for row in rows}, {truth.identity(program)["digest"]})
+            self.assertTrue(all(row["run"]["cpu_s"] > 0 for row in rows))
 
     def test_hawser(self):
         """A level floor and two ducts: the program's own pulls are the oracles'."""
