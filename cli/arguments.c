@@ -333,23 +333,34 @@ static int parse_setting(char *text, Arguments *args)
     return add_setting(text, equal + 1, args);
 }
 
+/* --certify, and what implies it. */
+static int take_certify_option(int letter, Arguments *args)
+{
+    args->certify = 1;
+    if (letter == OPTION_TOLERANCE) return parse_tolerance(optarg, args);
+    return letter == OPTION_EFFORT ? parse_effort(optarg, args) : ARGUMENTS_GO_ON;
+}
+
 /* Acts on one option that getopt has recognised; optarg is its value. --help and --version end the parsing with
  * the exit status of having printed. */
 static int take_option(const Command *command, int letter, Arguments *args)
 {
-    const int of_route[] = {OPTION_NAME, OPTION_LAYER,   OPTION_FILE_UNITS, OPTION_REVERSE, OPTION_FROM,
-                            OPTION_TO,   OPTION_PROFILE, OPTION_DEVIATION,  OPTION_RADIUS,  OPTION_JOIN};
-    for (size_t i = 0; i < sizeof of_route / sizeof *of_route; i++) {
-        if (letter == of_route[i]) return take_route_option(letter, &args->route);
-    }
-    const int of_compare[] = {OPTION_ALIGN, OPTION_SHIFT, OPTION_BAND, OPTION_RAW, OPTION_PAGE};
-    for (size_t i = 0; i < sizeof of_compare / sizeof *of_compare; i++) {
-        if (letter == of_compare[i]) return take_compare_option(letter, &args->compare);
-    }
-    const int of_study[] = {OPTION_JOBS, OPTION_FRESH, OPTION_MPI, OPTION_SLURM, OPTION_TASKS, OPTION_TASK};
-    for (size_t i = 0; i < sizeof of_study / sizeof *of_study; i++) {
-        if (letter == of_study[i]) return take_study_option(letter, args);
-    }
+    static const char of_route[] = {OPTION_NAME,
+                                    OPTION_LAYER,
+                                    OPTION_FILE_UNITS,
+                                    OPTION_REVERSE,
+                                    OPTION_FROM,
+                                    OPTION_TO,
+                                    OPTION_PROFILE,
+                                    OPTION_DEVIATION,
+                                    OPTION_RADIUS,
+                                    OPTION_JOIN,
+                                    0};
+    static const char of_compare[] = {OPTION_ALIGN, OPTION_SHIFT, OPTION_BAND, OPTION_RAW, OPTION_PAGE, 0};
+    static const char of_study[] = {OPTION_JOBS, OPTION_FRESH, OPTION_MPI, OPTION_SLURM, OPTION_TASKS, OPTION_TASK, 0};
+    if (strchr(of_route, letter)) return take_route_option(letter, &args->route);
+    if (strchr(of_compare, letter)) return take_compare_option(letter, &args->compare);
+    if (strchr(of_study, letter)) return take_study_option(letter, args);
     switch (letter) {
     case OPTION_JSON:
         args->format = HAWSER_JSON;
@@ -377,14 +388,9 @@ static int take_option(const Command *command, int letter, Arguments *args)
         args->fast = 1;
         return ARGUMENTS_GO_ON;
     case OPTION_CERTIFY:
-        args->certify = 1;
-        return ARGUMENTS_GO_ON;
     case OPTION_TOLERANCE:
-        args->certify = 1;
-        return parse_tolerance(optarg, args);
     case OPTION_EFFORT:
-        args->certify = 1;
-        return parse_effort(optarg, args);
+        return take_certify_option(letter, args);
     case OPTION_SENSITIVITIES:
         args->sensitivities = 1;
         return ARGUMENTS_GO_ON;
@@ -403,10 +409,9 @@ static int take_option(const Command *command, int letter, Arguments *args)
         args->strict = 1;
         return ARGUMENTS_GO_ON;
     case OPTION_REPORT:
-        args->report = 1;
-        return ARGUMENTS_GO_ON;
     case OPTION_PDF:
-        args->report = args->pdf = 1;
+        args->report = 1;
+        args->pdf |= letter == OPTION_PDF;
         return ARGUMENTS_GO_ON;
     case 'q':
         args->quiet = 1;

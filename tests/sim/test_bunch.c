@@ -333,11 +333,8 @@ static void test_apart(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_twins),
-        cmocka_unit_test(test_momentum),
-        cmocka_unit_test(test_link_power),
-        cmocka_unit_test(test_heads),
-        cmocka_unit_test(test_apart),
+        cmocka_unit_test(test_twins), cmocka_unit_test(test_momentum), cmocka_unit_test(test_link_power),
+        cmocka_unit_test(test_heads), cmocka_unit_test(test_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
