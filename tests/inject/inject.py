@@ -56,11 +56,15 @@ class Scene:
             return done.returncode, done.stdout.replace(folder.encode(), b""), text, files, calls
 
 
+def results_of(files):
+    """Without what a finer pass can be gone on with from: where removing fails it stays, for the next run to remove."""
+    return {name: content for name, content in files.items()
+            if name != "checkpoint.hawser" and not name.startswith(("second-pass/", "third-pass/"))}
+
+
 def is_whole(files, reference):
-    """Whether all files of a run are there, each with as many rows; what a second pass can be gone on with from
-    may be left beside them."""
-    files = {name: content for name, content in files.items()
-             if name != "checkpoint.hawser" and not name.startswith("second-pass/")}
+    """Whether all files of a run are there, each with as many rows."""
+    files = results_of(files)
     def rows(of):
         return {name: content.count(b"\n") for name, content in of.items() if name.endswith(".csv")}
     return files.keys() == reference.keys() and rows(files) == rows(reference)
@@ -84,7 +88,7 @@ def faults(kind, reference, result):
     # a page may say that it has no view, without memory for HDF5; it is never cut off
     found += [f"{name} is cut off" for name, content in files.items()
               if name.endswith(".html") and not content.rstrip().endswith(b"</html>")]
-    if not status and reference[3].keys() != files.keys():
+    if not status and reference[3].keys() != results_of(files).keys():
         found.append("other files than without a failure")
     if "summary.json" in files:
         try:
