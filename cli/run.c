@@ -105,23 +105,14 @@ static int strict_verdict(hawser_sim *sim)
     return found == -2 ? EXIT_NOT_TRUSTED : EXIT_NOT_HELD;
 }
 
-/* The page about what there is of the run, of several chains about all of them. What ended the run weighs more than a
- * page that could not be written, of which standard error says why then. */
-static void report_page(const Arguments *args, hawser_sim *sim, const char *dir, hawser_status *status,
-                        hawser_error *err)
+/* The page about what there is of the run. What ended the run weighs more than a page that could not be written, of
+ * which standard error says why then. */
+static void report_page(const Arguments *args, const char *dir, hawser_status *status, hawser_error *err)
 {
-    enum { CHAINS_SHOWN = 24 };
     hawser_error why = {HAWSER_OK, ""};
-    char path[4096], beside[CHAINS_SHOWN][4096];
-    const char *dirs[CHAINS_SHOWN] = {dir};
-    size_t n = 1;
+    char path[4096];
     if (snprintf(path, sizeof path, "%s/report.html", dir) >= (int)sizeof path) return;
-    for (int k = 1; k < hawser_sim_chains(sim) && n < CHAINS_SHOWN; k++, n++) {
-        const char *const name = hawser_sim_chain_name(hawser_sim_chain(sim, k));
-        if (snprintf(beside[n], sizeof beside[n], "%s/%s", dir, name) >= (int)sizeof beside[n]) return;
-        dirs[n] = beside[n];
-    }
-    const hawser_status written = page_make(dirs, n, path, args->pdf, args->quiet, &why);
+    const hawser_status written = page_make(&dir, 1, path, args->pdf, args->quiet, &why);
     if (!written) return;
     if (*status) complain("%s", why.message);
     if (*status) return;
@@ -181,7 +172,7 @@ static int conclude(hawser_case *c, hawser_sim *sim, const Arguments *args, cons
     int certified = 1;
     if (args->certify && !status) certified = certify_run(args, c, sim, dir, interrupt_wanted, err, &status);
     if (args->sensitive && !status) status = sensitivities(c, args, dir, err);
-    if (args->report && kept) report_page(args, sim, dir, &status, err);
+    if (args->report && kept) report_page(args, dir, &status, err);
     int result = args->strict && !status ? strict_verdict(sim) : 0;
     if (!result && args->strict && !certified) result = EXIT_NOT_CERTIFIED;
     return finish_stdout(status ? exit_status(status, err) : result);

@@ -4,10 +4,12 @@
 #include "io/report/report.h"
 #include "io/results/results_file.h"
 
+#include <jansson.h>
 #include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* Numbers are read and written with a decimal point, whatever the locale of the calling program: this thread's is
  * changed until locale_back. 0: no memory. */
@@ -37,18 +39,49 @@ static hawser_status file_write(const char *path, const char *text, hawser_error
     return out_whole(dir, name, text, err);
 }
 
+/* The chains that are pulled together with a folder's, which are in folders of their names within it, behind it; as
+ * many as a page shows. *n: how many there are then. Errors: as folder_read. */
+static hawser_status chains_read(Folder *folder, size_t *n, char **dir, hawser_error *err)
+{
+    const json_t *const chains = json_object_get(folder[0].summary, "chains");
+    const json_t *chain;
+    size_t k;
+    hawser_status status = HAWSER_OK;
+    json_array_foreach(chains, k, chain)
+    {
+        const char *const name = json_string_value(json_object_get(chain, "name"));
+        if (status || !name || strchr(name, '/') || *name == '.' || *n == REPORT_RUNS_MAX) continue;
+        dir[*n] = folder_path(&folder[0], name);
+        if (!dir[*n]) return error_memory(err);
+        if (access(dir[*n], F_OK)) { /* its own, or that of all */
+            free(dir[*n]);
+            dir[*n] = NULL;
+            continue;
+        }
+        status = folder_read(dir[*n], &folder[*n], err);
+        ++*n;
+    }
+    if (*n == REPORT_RUNS_MAX && json_array_size(chains) > REPORT_RUNS_MAX + 1)
+        folder_say(&folder[0], "A page shows %d chains; the others are in the folders of their names.",
+                   REPORT_RUNS_MAX);
+    return status;
+}
+
 static hawser_status report_make(const char *const *dirs, size_t n, const char *path, hawser_error *err)
 {
     Folder folder[REPORT_RUNS_MAX] = {0};
+    char *beside[REPORT_RUNS_MAX] = {NULL};
     Text data = {0}, page = {0};
     hawser_status status = HAWSER_OK;
     for (size_t i = 0; i < n && !status; i++) status = folder_read(dirs[i], &folder[i], err);
+    if (!status && n == 1) status = chains_read(folder, &n, beside, err);
     if (!status) status = data_write(n, folder, &data, err);
     if (!status) status = page_write(n, folder, &data, &page, err);
     text_clear(&data);
     if (!status) status = file_write(path, page.at, err);
     text_clear(&page);
     for (size_t i = 0; i < n; i++) folder_clear(&folder[i]);
+    for (size_t i = 0; i < REPORT_RUNS_MAX; i++) free(beside[i]);
     return status;
 }
 

@@ -508,14 +508,33 @@ static void test_resumed(void **state)
     }
 }
 
+/* The page about the first's folder is about all of them. */
+static void test_page(void **state)
+{
+    (void)state;
+    const char *const dir = scratch_path("page"), *const page = scratch_path("page.html");
+    static const char *const labels[] = {"/page/one\"", "/page/two\"", "/page/three\""};
+    hawser_error err;
+    hawser_sim *s;
+    hawser_case *c = load(FOLDER "chains-rope.yaml", NULL);
+    assert_int_equal(hawser_sim_new(c, NULL, &s, &err), HAWSER_OK);
+    assert_int_equal(hawser_sim_run(s, dir, NULL, NULL, &err), HAWSER_OK);
+    if (hawser_report_write(&dir, 1, page, &err)) fail_msg("%s", err.message);
+    char *const text = file_text(page);
+    for (int k = 0; k < 3; ++k) check_has(text, labels[k]);
+    free(text);
+    hawser_sim_free(s);
+    hawser_case_free(c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_three_runs), cmocka_unit_test(test_books),   cmocka_unit_test(test_weight_correction),
-        cmocka_unit_test(test_places),     cmocka_unit_test(test_refused), cmocka_unit_test(test_handles),
-        cmocka_unit_test(test_resumed),    cmocka_unit_test(test_alone),   cmocka_unit_test(test_theory),
-        cmocka_unit_test(test_judged),     cmocka_unit_test(test_fallen),  cmocka_unit_test(test_rope_theory),
-        cmocka_unit_test(test_rest),       cmocka_unit_test(test_jam),
+        cmocka_unit_test(test_three_runs),  cmocka_unit_test(test_books),   cmocka_unit_test(test_weight_correction),
+        cmocka_unit_test(test_places),      cmocka_unit_test(test_refused), cmocka_unit_test(test_handles),
+        cmocka_unit_test(test_resumed),     cmocka_unit_test(test_page),    cmocka_unit_test(test_alone),
+        cmocka_unit_test(test_theory),      cmocka_unit_test(test_judged),  cmocka_unit_test(test_fallen),
+        cmocka_unit_test(test_rope_theory), cmocka_unit_test(test_rest),    cmocka_unit_test(test_jam),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

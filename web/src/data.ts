@@ -77,6 +77,8 @@ export interface Summary {
   verdict?: string;
   remedies?: string[];
   analysis?: string;
+  /** Of several chains that are pulled together, in the first one's summary: its own name, the others', and "all". */
+  chains?: { name: string }[];
   pull_force?: {
     steady_mean_N: Value;
     peak_N: Value;
@@ -224,6 +226,17 @@ export interface ReportData {
   hawser: string;
   generated?: string;
   runs: RunData[];
+}
+
+/** The other chains that are pulled together with a run's: the first of them names all, and their folders are in its own. */
+export function pulledWith(runs: readonly RunData[], run: RunData): RunData[] {
+  const folder = (first: RunData, name: string): string => `${first.label}/${name}`;
+  for (const first of runs) {
+    const names = (first.summary.chains ?? []).map((chain) => chain.name);
+    const all = runs.filter((each) => each === first || names.some((name) => each.label === folder(first, name)));
+    if (all.length > 1 && all.includes(run)) return all.filter((each) => each !== run);
+  }
+  return [];
 }
 
 /** A rod lies along no route: its lists are empty then, not absent. */

@@ -1,6 +1,6 @@
 // The page: which sections there are, in which order, and when they are made again.
 import type { Context, Section } from './context';
-import type { ReportData } from './data';
+import { pulledWith, type ReportData } from './data';
 import { el, named } from './dom';
 import { Figure, type Memory } from './figure/figure';
 import { later } from './later';
@@ -149,7 +149,7 @@ export class Page {
       return;
     }
     try {
-      this.view = mountView(this.viewRoot, run, this.store);
+      this.view = mountView(this.viewRoot, run, this.store, pulledWith(this.data.runs, run));
     } catch (error) {
       const why = error instanceof Error ? error.message : String(error);
       this.viewRoot.replaceChildren(note(`The view could not be made here: ${why}`));

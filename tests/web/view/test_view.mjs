@@ -22,6 +22,8 @@ const view = await modules(
   'states/quantity',
   'scene/sweep',
   'states/model',
+  'states/beside',
+  '../data',
 );
 
 /** The largest distance between two lists of numbers. */
@@ -426,4 +428,42 @@ test('what is on the reel is told from what hangs beside it', () => {
   assert.ok(at([-5, 0, 0.4]));
   assert.ok(!at([-3, 0, 0.5]));
   assert.ok(!at([-5, 3, -1]));
+});
+
+test('chains that are pulled together are found by their folders, and stand where the shown one puts its middle', async () => {
+  const run = (label, names, x) => ({
+    label,
+    summary: { chains: names?.map((name) => ({ name })) },
+    geometry: {
+      route: {
+        s_m: [0, 4],
+        position_m: [
+          [x, 0, 0],
+          [x + 4, 0, 0],
+        ],
+        curvature_per_m: [0, 0],
+      },
+      rollers: [],
+    },
+  });
+  const rope = run('out/duct', ['rope', 'red', 'blue', 'all'], 100);
+  const red = run('out/duct/red', undefined, 100);
+  const blue = run('out/duct/blue', undefined, 100.04);
+  const other = run('out/other', undefined, 0);
+  const all = [other, rope, red, blue];
+  assert.deepEqual(view.pulledWith(all, rope), [red, blue]);
+  assert.deepEqual(view.pulledWith(all, blue), [rope, red]);
+  assert.deepEqual(view.pulledWith(all, other), []);
+  assert.deepEqual(view.pulledWith([rope, other], rope), []);
+  const own = view.modelOf(rope);
+  const beside = new view.Beside([red, blue], own);
+  assert.deepEqual(
+    beside.models[1].at([102.04, 0, 0]).map((x) => Math.round(100 * x)),
+    [4, 0, 0],
+  );
+  const states = packStates([0, 1], 1, [0, 0], { position: [102, 0, 0, 103, 0, 0] });
+  await view.unpackFrames(states, (frames) => beside.arrived(1, frames));
+  beside.show(0.5, 'tension');
+  assert.equal(beside.nows[0], null);
+  assert.ok(Math.abs(beside.nows[1].centre(0)[0] - 0.5) < 1e-3);
 });

@@ -49,7 +49,7 @@ function help(): HTMLElement {
 function worldIn(stage: HTMLElement, viewer: Viewer): World | null {
   const still = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
   try {
-    return new World(stage, viewer.model, still);
+    return new World(stage, viewer.model, still, viewer.beside);
   } catch (error) {
     console.info(error);
     stage.classList.add('view-stage-empty');
@@ -93,10 +93,11 @@ function usePointer(world: World, viewer: Viewer, store: Store): () => void {
   });
 }
 
-export function mountView(root: HTMLElement, run: RunData, store: Store): View {
+/** `together`: the runs of the chains that are pulled together with this one. */
+export function mountView(root: HTMLElement, run: RunData, store: Store, together: readonly RunData[] = []): View {
   const words = el('p');
   const spoken = el('p', { class: 'view-spoken', 'aria-live': 'polite' });
-  const viewer = new Viewer(run, store, new Narrator(words, spoken));
+  const viewer = new Viewer(run, store, new Narrator(words, spoken), together);
   const stage = el('div', { class: 'view-stage' });
   const shell = el(
     'div',
@@ -169,6 +170,9 @@ async function unpack(run: RunData, viewer: Viewer, words: HTMLElement): Promise
   words.textContent = 'Unpacking the states\u2026';
   try {
     await unpackFrames(run.states, (frames, name) => viewer.arrived(frames, name));
+    for (const [k, { states }] of viewer.beside.runs.entries()) {
+      if (states && states.frames > 0) await unpackFrames(states, (frames) => viewer.besideArrived(k, frames));
+    }
     viewer.forces = await rollerForces(run);
     viewer.inspectAgain();
   } catch (error) {

@@ -3,6 +3,7 @@ import type { PullEvent, RunData } from '../data';
 import type { Store } from '../state';
 import { scaleOf, show } from '../units';
 import type { CameraDesk } from './desk/camera_desk';
+import { Beside } from './states/beside';
 import { Colouring } from './states/colouring';
 import type { Frames } from './states/frames';
 import { Inspector } from './desk/inspector';
@@ -23,6 +24,7 @@ type Choice = { roller: number } | { place: number } | null;
 
 export class Viewer implements KeyActions {
   readonly model: Model;
+  readonly beside: Beside;
   readonly playback: Playback;
   readonly legend = new Legend();
   readonly inspector: Inspector;
@@ -43,8 +45,10 @@ export class Viewer implements KeyActions {
     run: RunData,
     private readonly store: Store,
     private readonly narrator: Narrator,
+    together: readonly RunData[] = [],
   ) {
     this.model = modelOf(run);
+    this.beside = new Beside(together, this.model);
     this.colouring = new Colouring(this.model);
     const time = run.states?.time_s ?? [];
     this.playback = new Playback(time[0] ?? 0, time[time.length - 1] ?? 0);
@@ -79,6 +83,12 @@ export class Viewer implements KeyActions {
     this.refresh();
   }
 
+  /** The same of a chain that is pulled together with this one. */
+  besideArrived(which: number, frames: Frames): void {
+    this.beside.arrived(which, frames);
+    this.refresh();
+  }
+
   /** Draws again, with everything taken anew from the frames. */
   refresh(): void {
     this.stale = true;
@@ -100,6 +110,7 @@ export class Viewer implements KeyActions {
       this.store.set('time', playback.time, this);
     }
     if (now && this.stale && now.show(playback.time, this.colouring.quantity.field)) this.cameras?.goWithHead(now);
+    if (this.stale) this.beside.show(playback.time, this.colouring.quantity.field);
     world?.update(this.stale ? now : null);
     if (now && this.stale) this.tell(now);
     this.stale = false;

@@ -4,6 +4,7 @@ import { ChainMesh } from './chain_mesh';
 import { Equipment, groundBelow } from './equipment';
 import { Ground } from './ground';
 import { Labels } from './labels';
+import type { Beside } from '../states/beside';
 import { axisOf, type Model } from '../states/model';
 import type { Now } from '../states/now';
 import { PALETTES } from './palette';
@@ -29,7 +30,8 @@ const LINE_PX = 12;
 export class World {
   readonly stage: Stage;
   readonly labels = new Labels();
-  readonly chain: ChainMesh | null;
+  /** The chain that is shown, and those that are pulled together with it. */
+  private readonly chains: (ChainMesh | null)[];
   readonly rollers: RollersMesh | null;
   readonly ground: Ground;
   private readonly shared = sharedUniforms();
@@ -48,6 +50,7 @@ export class World {
     root: HTMLElement,
     readonly model: Model,
     still: boolean,
+    private readonly beside: Beside,
   ) {
     this.stage = new Stage(root, this.shared, still);
     root.append(this.labels.root);
@@ -56,7 +59,7 @@ export class World {
     const low = groundBelow(extent);
     this.ground = new Ground(low, 6 * wide);
     this.equipment = new Equipment(model, this.shared, low + 1e-3);
-    this.chain = model.chain ? new ChainMesh(model.chain, this.shared) : null;
+    this.chains = [model, ...beside.models].map(({ chain }) => (chain ? new ChainMesh(chain, this.shared) : null));
     const rollers = run.geometry?.rollers ?? [];
     this.rollers = rollers.length > 0 ? new RollersMesh(rollers, model, this.shared) : null;
     const reel = run.geometry?.reel;
@@ -67,9 +70,10 @@ export class World {
     const { scene } = this.stage;
     scene.add(this.ground.mesh, this.equipment.group);
     if (this.rollers) scene.add(this.rollers.mesh);
-    if (this.chain) {
-      this.chain.mesh.visible = false;
-      scene.add(this.chain.mesh);
+    for (const chain of this.chains) {
+      if (!chain) continue;
+      chain.mesh.visible = false;
+      scene.add(chain.mesh);
     }
     this.stage.reach(6 * wide);
     this.routePoints = Float32Array.from((path?.points ?? []).flat());
@@ -98,7 +102,7 @@ export class World {
   }
 
   scale(scale: Scale | null): void {
-    this.chain?.scale(scale);
+    for (const chain of this.chains) chain?.scale(scale);
     this.stage.invalidate();
   }
 
@@ -106,18 +110,23 @@ export class World {
   update(now: Now | null): void {
     const { stage } = this;
     const pixel = this.shared.pixel.value * stage.distance;
-    const own = Math.min(LARGEST_FACTOR, Math.max(1, (THICK_PX * pixel) / this.model.diameter));
+    const thick = Math.min(LARGEST_FACTOR, Math.max(1, (THICK_PX * pixel) / this.model.diameter));
+    const own = this.beside.models.length > 0 ? 1 : thick; // cables that touch would be drawn inside each other
     this.shared.factor.value = this.asked ?? own;
     const { target } = stage.controls;
     this.ground.follow(target.x, target.y, stage.distance, this.unit);
     this.ground.mesh.position.z = this.groundHeight();
     this.equipment.shadow(stage.distance > SHADOW_FROM * this.wide);
-    this.chain?.marks(MARKS_M.find((metres) => metres / pixel > MARKS_PX) ?? 1000);
+    const marks = MARKS_M.find((metres) => metres / pixel > MARKS_PX) ?? 1000;
+    for (const chain of this.chains) chain?.marks(marks);
     if (now) this.equipment.turn(now.time);
-    if (now && this.chain) {
-      this.chain.update(now.centres, now.values);
-      this.chain.mesh.visible = true;
-    }
+    if (!now) return;
+    [now, ...this.beside.nows].forEach((each, k) => {
+      const chain = this.chains[k];
+      if (!each || !chain) return;
+      chain.update(each.centres, each.values);
+      chain.mesh.visible = true;
+    });
   }
 
   /** Below what is near the point that the camera looks at: a tunnel may climb by more than one sees of it. */
@@ -165,7 +174,7 @@ export class World {
   }
 
   dispose(): void {
-    this.chain?.dispose();
+    for (const chain of this.chains) chain?.dispose();
     this.rollers?.dispose();
     this.equipment.dispose();
     this.ground.dispose();
