@@ -46,7 +46,7 @@ async function chainMask() {
     const gl = stage.renderer.getContext();
     const [w, h] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
     const picture = (visible) => {
-      world.chain.mesh.visible = visible;
+      world.chains[0].mesh.visible = visible;
       stage.renderer.render(stage.scene, stage.camera);
       const pixels = new Uint8Array(4 * w * h);
       gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
