@@ -521,8 +521,8 @@ hawser_status stage_state_checkpoint(Checkpoint *c, Stage *st, int beside, hawse
     CHECKPOINT(c, planar);
     CHECKPOINT(c, st->plane_why);
     const int fits = moves ? first >= 0 && n >= 2 && n <= scene->total - first : first == scene->first && n == chain;
-    const int reeled = reel == 0 || (reel == 1 && scene->reel->winding.pitch > 0);
-    if (!checkpoint_check(c, fits && reeled, "another part of the chain is simulated")) return HAWSER_OK;
+    const int reeled = reel == 0 || (reel == 1 && scene->reel->winding.pitch > 0), flat = planar == 0 || planar == 1;
+    if (!checkpoint_check(c, fits && reeled && flat, "another part of the chain is simulated")) return HAWSER_OK;
     const int differs = c->reading && (planar != was || window_differs(st, first, n, reel));
     if (!checkpoint_check(c, !(differs && beside), "one of several chains is simulated in another way"))
         return HAWSER_OK;
