@@ -33,6 +33,13 @@ void positions_free(Positions *p);
 /* The first position's time after t, or `end` if that comes first. */
 double positions_next(const Positions *p, double t, double end);
 
+/* What steady motion knows nothing of in a stage's scene, in words; NULL: there is nothing of it. */
+const char *positions_unknown(const Stage *stage);
+/* For positions that nobody has listed: where the winch is as it was built. */
+void positions_of(Positions *p, const Stage *stage);
+/* The next position begins from the shape of now, which moves. Errors: MEMORY. */
+hawser_status positions_begin(Positions *p, const Stage *stage, hawser_error *err);
+
 /* Lays the chain as it lies at time t and finds its steady motion; the stage is then at t. Errors: MEMORY, STOPPED;
  * RUN: there is no steady motion there, or it was not found. */
 hawser_status positions_advance(Positions *p, Stage *stage, double t, hawser_relaxation *out, hawser_error *err);
