@@ -16,7 +16,7 @@
 static const double SWING = 0.01, APART = 0.01;
 static const double STRETCH = 3; /* windows, that a stretch of positions must last to be worth it */
 /* Longest segments between two positions: golden, so that they meet every phase of a segment's ripple (QS4). */
-static const double GOLDEN = 1.6180339887498949;
+static const double GOLDEN = 2.6180339887498949;
 enum { POSITIONS_LEAST = 40, CHECKS = 4 }; /* of a stretch: positions; of a run: how often motion is asked again */
 static const double TOLERANCE = 5e-3;      /* of the pull, that rows between positions may be off by (QS5) */
 static const double SHORTEST = 1.0 / 16;   /* of the longest step */
@@ -59,7 +59,11 @@ static void look_go(Sim *s, double *numbers, int put)
     }
 }
 
-int quasi_between(const Sim *s) { return s->quasi.stage.on && s->stage.t < s->quasi.t[QUASI_KEPT - 1]; }
+int quasi_between(const Sim *s)
+{
+    const QuasiRun *const q = &s->quasi;
+    return q->stage.on && !q->probing && s->stage.t < q->t[QUASI_KEPT - 1];
+}
 
 /* (QS6), over what the last position showed; where only it has something it is that. */
 void quasi_mix(Sim *s)
@@ -172,7 +176,7 @@ static double line_error(const QuasiRun *q)
     return h2 / (4 * (h1 + h2)) * fabs(d2 - d1 * h2 / h1) / fmax(allowed, 1e-300);
 }
 
-static hawser_status find(Sim *s, double t, hawser_relaxation *found, hawser_error *err)
+hawser_status quasi_find(Sim *s, double t, hawser_relaxation *found, hawser_error *err)
 {
     const double start = clock_now();
     *found = (hawser_relaxation){0};
@@ -214,7 +218,7 @@ static hawser_status look_ahead(Sim *s, double until, int *on, hawser_error *err
     for (int tries = 0; !status && !*on && tries < TRIES; ++tries) {
         const double rest = until - now, h = q->step < 0.7 * rest ? q->step : q->step < rest ? rest / 2 : rest;
         hawser_relaxation found;
-        status = find(s, now + h, &found, err);
+        status = quasi_find(s, now + h, &found, err);
         if (status == HAWSER_ERR_RUN) {
             status = HAWSER_OK;
             q->step = h / 4;
@@ -228,6 +232,7 @@ static hawser_status look_ahead(Sim *s, double until, int *on, hawser_error *err
         const double off = line_error(q);
         q->step = fmax(SHORTEST * longest, h * fmin(2, fmax(0.3, 0.8 / sqrt(off + 1e-9))));
     }
+    if (!status && *on && q->known > 1) status = quasi_peaks(s, err);
     if (!status && *on) state_at(s, now);
     return status;
 }
@@ -242,7 +247,7 @@ hawser_status quasi_end(Sim *s, hawser_error *err)
     if (!q->stage.on) return HAWSER_OK;
     hawser_status status = HAWSER_OK;
     hawser_relaxation found;
-    if (quasi_between(s)) status = find(s, s->stage.t, &found, err);
+    if (quasi_between(s)) status = quasi_find(s, s->stage.t, &found, err);
     if (!status) status = quasi_leave(&q->stage, &s->stage, err);
     s->stats.swings.steps = s->stats.swings.downward = 0;
     s->stats.swings.third = s->stats.swings.bound = 0;
@@ -263,7 +268,7 @@ hawser_status quasi_move(Sim *s, double t, int *arrived, hawser_error *err)
         if (until > now) status = look_ahead(s, until, &on, err);
         if (!status && !on && until > now) { /* what was tried last is not where it was */
             hawser_relaxation found;
-            status = find(s, now, &found, err);
+            status = quasi_find(s, now, &found, err);
         }
         if (status || !on) return status ? status : quasi_end(s, err);
     }
@@ -303,7 +308,7 @@ static hawser_status attempt(Sim *s, double mean, double swing, hawser_error *er
     Moving from = {0};
     hawser_relaxation found;
     hawser_status status = quasi_enter(&q->stage, &s->positions, &s->stage, &from, err);
-    if (status == HAWSER_OK) status = find(s, s->stage.t, &found, err);
+    if (status == HAWSER_OK) status = quasi_find(s, s->stage.t, &found, err);
     int fits = status == HAWSER_OK;
     if (status == HAWSER_ERR_RUN && q->stage.on) status = HAWSER_OK;
     if (!status && fits) {
@@ -394,6 +399,8 @@ hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, q->active);
     CHECKPOINT(c, q->step);
     CHECKPOINT(c, q->checked);
+    CHECKPOINT(c, q->peak_at);
+    CHECKPOINT(c, q->peak_side);
     CHECKPOINT(c, q->window);
     CHECKPOINT(c, q->waits);
     CHECKPOINT(c, q->failed);

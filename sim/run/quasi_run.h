@@ -26,9 +26,12 @@ typedef struct QuasiRun {
     int numbers;
     int known;        /* of these positions, how many there are */
     double *y;        /* [size] state of the last; owned */
+    int probing;      /* the stage is at a position that rows know nothing of */
     int size, active; /* of y; contacts that carry force there */
     double step;      /* s, to the next */
     double checked;   /* s: when the equations of motion were asked last */
+    double peak_at;   /* m, past a roller: where the front was when the one behind it was loaded most (QS9) */
+    int peak_side;    /* on which side of that the next look is: 1, -1; 0: nothing is known yet */
     PullWindow window;
     int waits, failed; /* windows to let pass before the next attempt; attempts that failed */
     hawser_quasi_static said;
@@ -47,6 +50,12 @@ hawser_status quasi_begin(struct hawser_sim *s, hawser_error *err);
 hawser_status quasi_move(struct hawser_sim *s, double t, int *arrived, hawser_error *err);
 /* Equations of motion from now on. Nothing is done where they move already. Errors: MEMORY, RUN, STOPPED. */
 hawser_status quasi_end(struct hawser_sim *s, hawser_error *err);
+
+/* Finds the position of time t, where the stage is then. Errors: as positions_advance. */
+hawser_status quasi_find(struct hawser_sim *s, double t, hawser_relaxation *found, hawser_error *err);
+/* Peaks of rollers' loads between the last two positions, (QS9): found as positions of their own, which count for
+ * nothing else. Errors: MEMORY, RUN, STOPPED. */
+hawser_status quasi_peaks(struct hawser_sim *s, hawser_error *err);
 
 /* Whether the state of now is one between two positions; what a look at it shows (QS6), once kinematics are looked at.
  */

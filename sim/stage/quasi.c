@@ -79,7 +79,7 @@ void quasi_damping(const Quasi *q, Stage *st, int present)
     }
 }
 
-static hawser_status moving_keep(Moving *m, const Stage *st, hawser_error *err)
+hawser_status moving_keep(Moving *m, const Stage *st, hawser_error *err)
 {
     const size_t bytes = (size_t)st->motion->size * sizeof *m->y;
     const Winch *const w = st->scene.winch;
@@ -126,7 +126,7 @@ hawser_status quasi_leave(Quasi *q, Stage *st, hawser_error *err)
     return st->balance ? balance_enter(st->balance, st->motion, st->t, st->y, err) : HAWSER_OK;
 }
 
-hawser_status quasi_undo(Quasi *q, Stage *st, const Moving *to, hawser_error *err)
+hawser_status moving_restore(Stage *st, const Moving *to, hawser_error *err)
 {
     Scene *const scene = &st->scene;
     hawser_status status = HAWSER_OK;
@@ -138,5 +138,11 @@ hawser_status quasi_undo(Quasi *q, Stage *st, const Moving *to, hawser_error *er
     scene->winch->origin = to->origin;
     scene->winch->attitude = to->attitude;
     scene->winch->take_in = to->take_in;
-    return quasi_leave(q, st, err);
+    return st->motion->ops->renew(st->motion, st->t, st->y, err);
+}
+
+hawser_status quasi_undo(Quasi *q, Stage *st, const Moving *to, hawser_error *err)
+{
+    const hawser_status status = moving_restore(st, to, err);
+    return status ? status : quasi_leave(q, st, err);
 }

@@ -21,7 +21,7 @@ void quasi_free(Quasi *q);
 /* Until when the winch keeps the speed that it has at t, s; at most `end`. t itself: it has none, or loses it now. */
 double quasi_steady_until(const Scene *scene, double t, double end);
 
-/* What an attempt can be taken back to: the stage as the equations of motion left it. */
+/* What an attempt can be taken back to: the stage as it was. */
 typedef struct Moving {
     int first, n, reel;
     double t, *y; /* owned */
@@ -37,6 +37,9 @@ hawser_status quasi_enter(Quasi *q, Positions *p, Stage *stage, Moving *from, ha
 hawser_status quasi_leave(Quasi *q, Stage *stage, hawser_error *err);
 /* The same from where they were left. Errors: MEMORY, RUN. */
 hawser_status quasi_undo(Quasi *q, Stage *stage, const Moving *to, hawser_error *err);
+/* Errors: MEMORY; RUN. moving_free follows either way. */
+hawser_status moving_keep(Moving *out, const Stage *stage, hawser_error *err);
+hawser_status moving_restore(Stage *stage, const Moving *to, hawser_error *err);
 void moving_free(Moving *from);
 
 /* Springs with their damping, or without. */
