@@ -27,7 +27,7 @@ static int behind(const SceneDef *def, int n)
 }
 
 /* Load of roller r with the front at `head`, N, taken in for the peaks; NAN: there is no such position. */
-static hawser_status look_at(Sim *s, double head, int r, double apart, double *load, hawser_error *err)
+static hawser_status look_at(Sim *s, double head, int r, double *load, hawser_error *err)
 {
     const QuasiRun *const q = &s->quasi;
     const Scene *const scene = &s->stage.scene;
@@ -42,27 +42,28 @@ static hawser_status look_at(Sim *s, double head, int r, double apart, double *l
     sim_relaxation_take(s, &found);
     const hawser_sample *const look = sim_look(s, SAMPLE_ROW);
     *load = look->roller_load[r];
-    stats_raise(&s->stats, look, apart);
+    stats_raise(&s->stats, look);
     return status;
 }
 
-/* Two looks where the last peak has been, of which the higher one says where to look next time. */
+/* A look where the last peak has been; at every other roller one beside it, which says where to look next time. */
 static hawser_status peak_of(Sim *s, int n, int r, hawser_error *err)
 {
     QuasiRun *const q = &s->quasi;
     const double place = s->stage.scene.def.rollers[n].s;
     double here = NAN, there = NAN;
-    hawser_status status = look_at(s, place + q->peak_at, r, 0, &here, err);
-    int moved = 0;
+    hawser_status status = look_at(s, place + q->peak_at, r, &here, err);
+    const int beside = q->peak_side == 0 || ++q->peaks % 2 == 0;
     if (q->peak_side == 0) q->peak_side = 1;
-    for (int k = 0; !status && k < 4; ++k) {
-        status = look_at(s, place + q->peak_at + q->peak_side * BESIDE, r, 0, &there, err);
-        if (!(there > here)) break;
+    for (int k = 0; !status && beside && k < 3; ++k) {
+        status = look_at(s, place + q->peak_at + q->peak_side * BESIDE, r, &there, err);
+        if (!(there > here)) {
+            if (k == 0) q->peak_side = -q->peak_side;
+            break;
+        }
         q->peak_at = fmax(-REACH, fmin(REACH, q->peak_at + q->peak_side * BESIDE));
         here = there;
-        ++moved;
     }
-    if (moved == 0) q->peak_side = -q->peak_side;
     return status;
 }
 

@@ -400,11 +400,13 @@ hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, q->step);
     CHECKPOINT(c, q->checked);
     CHECKPOINT(c, q->peak_at);
+    CHECKPOINT(c, q->peaks);
     CHECKPOINT(c, q->peak_side);
     CHECKPOINT(c, q->window);
     CHECKPOINT(c, q->waits);
     CHECKPOINT(c, q->failed);
     CHECKPOINT_UP_TO(c, &q->said, hawser_quasi_static, why);
+    CHECKPOINT(c, s->positions.lie.travel);
     CHECKPOINT(c, s->positions.back);
     CHECKPOINT(c, s->positions.push_share);
     CHECKPOINT(c, books);

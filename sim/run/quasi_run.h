@@ -31,6 +31,7 @@ typedef struct QuasiRun {
     double step;      /* s, to the next */
     double checked;   /* s: when the equations of motion were asked last */
     double peak_at;   /* m, past a roller: where the front was when the one behind it was loaded most (QS9) */
+    int peaks;        /* so far */
     int peak_side;    /* on which side of that the next look is: 1, -1; 0: nothing is known yet */
     PullWindow window;
     int waits, failed; /* windows to let pass before the next attempt; attempts that failed */

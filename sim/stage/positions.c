@@ -159,7 +159,7 @@ hawser_status positions_new(Positions *p, Stage *st, hawser_error *err)
 {
     Scene *const scene = &st->scene;
     const double end = scene->def.duration;
-    *p = (Positions){.worst = -1};
+    *p = (Positions){.worst = -1, .newton_within = INFINITY};
     if (scene->def.analysis.kind != ANALYSIS_POSITIONS) return HAWSER_OK;
     const char *const why = positions_unknown(st);
     if (why) return error_set(err, HAWSER_ERR_INPUT, "key 'run.analysis': positions: %s", why);
@@ -233,6 +233,7 @@ static hawser_status lie_keep(Lie *lie, const Stage *st, double travel, hawser_e
             lie->turn[i] = quat_log(quat_mul(to, quat_conj(from)));
         }
         lie->n = n;
+        lie->travel = travel;
     }
     free(laid);
     return lie->n > 0 ? HAWSER_OK : error_memory(err);
@@ -373,7 +374,8 @@ static hawser_status solve(Positions *p, Stage *st, int fresh, hawser_relaxation
     hawser_status status = st->motion->ops->renew(st->motion, st->t, st->y, err);
     if (!status && fresh) status = st->motion->ops->relax(st->motion, st->t, st->y, out, err);
     if (!status && fresh) spins_start(st, speed);
-    if (!status) status = relax_steady(scene, &st->ws, &st->newton, st->t, speed, fresh, st->y, out, err);
+    const int far = fresh || fabs(travel - p->lie.travel) > p->newton_within;
+    if (!status) status = relax_steady(scene, &st->ws, &st->newton, st->t, speed, far, st->y, out, err);
     return status;
 }
 

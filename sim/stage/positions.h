@@ -8,6 +8,7 @@
 /* How the last position's chain lies beside the route, from which the next one's begins (PS8). */
 typedef struct Lie {
     int n;
+    double travel;      /* m, of the winch then */
     double *s;          /* [n] m along the route, of segments' centres as they would be laid, rising */
     Vec3 *shift, *turn; /* [n] m, rad: from there */
 } Lie;
@@ -21,6 +22,7 @@ typedef struct Positions {
     int worst;         /* place with the largest pull; -1: none yet */
     double push_share; /* the largest compression over the largest tension of the same place */
     Lie lie;
+    double newton_within; /* m: farther from the last one Newton's method is not tried first */
     double back; /* m, by which its tail was behind where it was laid */
     Vec3 origin; /* of the winch as it was built */
     Quat attitude;

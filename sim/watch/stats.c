@@ -392,10 +392,10 @@ double stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const
     return fmin(now[0], stats->before[0]);
 }
 
-void stats_raise(Stats *stats, const hawser_sample *sample, double apart)
+void stats_raise(Stats *stats, const hawser_sample *sample)
 {
     for (int r = 0; r < stats->n_rollers; ++r) {
-        mean_raise(&stats->roller[r].load, sample->roller_load[r], 8 * apart); /* SHARPNESS of error_bars.c is 1/8 */
+        mean_raise(&stats->roller[r].load, sample->roller_load[r], 0);
         stats->roller_out[r].peak_N = stats->roller[r].load.peak;
     }
 }
