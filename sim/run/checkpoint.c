@@ -222,7 +222,10 @@ static uint64_t chain_identity(const Sim *s)
     sum[n++] = checkpoint_hash(chain->half, (joints - 1) * sizeof(double));
     sum[n++] = checkpoint_hash(chain->radius, (joints - 1) * sizeof(double));
     for (int k = 0; k < 6; ++k) sum[n++] = checkpoint_hash(chain->stiffness[k], joints * sizeof(double));
-    for (int k = 0; k < 6; ++k) sum[n++] = checkpoint_hash(chain->damping[k], joints * sizeof(double));
+    for (int k = 0; k < 6; ++k) { /* which springs do without while positions move the run */
+        const double *const built = s->quasi.stage.damping ? s->quasi.stage.damping + (size_t)k * joints : NULL;
+        sum[n++] = checkpoint_hash(built ? built : chain->damping[k], joints * sizeof(double));
+    }
     for (int k = 0; k < 6; ++k) sum[n++] = checkpoint_hash(chain->preload[k], joints * sizeof(double));
     for (int r = 0; r < scene->contact.n_rollers; ++r) {
         const Vec3 place[2] = {scene->rollers[r].shape.centre, scene->rollers[r].shape.axis};

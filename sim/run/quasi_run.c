@@ -340,7 +340,7 @@ static hawser_status attempt(Sim *s, double mean, double swing, hawser_error *er
 hawser_status quasi_begin(Sim *s, hawser_error *err)
 {
     QuasiRun *const q = &s->quasi;
-    if (!q->stage.damping || q->stage.on || s->calls.law) return HAWSER_OK;
+    if (!q->stage.damping || q->stage.on || q->told || s->calls.law) return HAWSER_OK;
     const double pull = s->stats.swings.pull[SWINGS_STEPS - 1];
     if (!window_step(q, &s->stage.scene, s->stage.t, pull)) return HAWSER_OK;
     const PullWindow *const w = &q->window;
@@ -403,6 +403,7 @@ hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, q->peaks);
     CHECKPOINT(c, q->peak_side);
     CHECKPOINT(c, q->window);
+    CHECKPOINT(c, q->told);
     CHECKPOINT(c, q->waits);
     CHECKPOINT(c, q->failed);
     CHECKPOINT_UP_TO(c, &q->said, hawser_quasi_static, why);

@@ -34,6 +34,7 @@ typedef struct QuasiRun {
     int peaks;        /* so far */
     int peak_side;    /* on which side of that the next look is: 1, -1; 0: nothing is known yet */
     PullWindow window;
+    int told;          /* something that positions know nothing of: they are over */
     int waits, failed; /* windows to let pass before the next attempt; attempts that failed */
     hawser_quasi_static said;
 } QuasiRun;
