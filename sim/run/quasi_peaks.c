@@ -7,6 +7,7 @@
 #include "sim/run/sim.h"
 
 static const double BESIDE = 0.04; /* m, between two looks at a peak */
+static const double SAME = 1e-6;   /* m: the last position is one of these */
 static const double REACH = 0.5;   /* m, by which a peak may be away from where the front is above the roller */
 
 /* The front as far as the winch has hauled it, m. */
@@ -52,7 +53,11 @@ static hawser_status peak_of(Sim *s, int n, int r, hawser_error *err)
     QuasiRun *const q = &s->quasi;
     const double place = s->stage.scene.def.rollers[n].s;
     double here = NAN, there = NAN;
-    hawser_status status = look_at(s, place + q->peak_at, r, &here, err);
+    const double *const last = q->look[QUASI_KEPT - 1];
+    const int there_now = fabs(place + q->peak_at - hauled(&s->stage.scene, q->t[QUASI_KEPT - 1])) < SAME;
+    hawser_status status = HAWSER_OK;
+    if (there_now) here = quasi_roller_load(s, last, r);
+    if (!there_now) status = look_at(s, place + q->peak_at, r, &here, err);
     const int beside = q->peak_side == 0 || ++q->peaks % 2 == 0;
     if (q->peak_side == 0) q->peak_side = 1;
     for (int k = 0; !status && beside && k < 3; ++k) {
@@ -67,6 +72,18 @@ static hawser_status peak_of(Sim *s, int n, int r, hawser_error *err)
     return status;
 }
 
+double quasi_next_peak(const Sim *s, double from, double end)
+{
+    const Scene *const scene = &s->stage.scene;
+    const double speed = winch_speed(scene->winch, from), first = hauled(scene, from);
+    double next = end;
+    for (int n = 0; n < scene->def.n_rollers; ++n) {
+        const double way = scene->def.rollers[n].s + s->quasi.peak_at - first;
+        if (way >= 0 && way < speed * (next - from)) next = from + way / speed;
+    }
+    return next;
+}
+
 hawser_status quasi_peaks(Sim *s, hawser_error *err)
 {
     QuasiRun *const q = &s->quasi;
@@ -76,7 +93,7 @@ hawser_status quasi_peaks(Sim *s, hawser_error *err)
     Moving last = {0};
     for (int n = 0; !status && n < scene->def.n_rollers; ++n) {
         const double place = scene->def.rollers[n].s + q->peak_at;
-        const int r = place > from && place <= to ? behind(&scene->def, n) : -1;
+        const int r = place > from + SAME && place <= to + SAME ? behind(&scene->def, n) : -1;
         if (r < 0) continue;
         if (!last.y) status = moving_keep(&last, &s->stage, err);
         q->probing = 1;

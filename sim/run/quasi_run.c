@@ -19,6 +19,7 @@ static const double STRETCH = 3; /* windows, that a stretch of positions must la
 static const double GOLDEN = 2.6180339887498949;
 enum { POSITIONS_LEAST = 40, CHECKS = 4 }; /* of a stretch: positions; of a run: how often motion is asked again */
 static const double TOLERANCE = 5e-3;      /* of the pull, that rows between positions may be off by (QS5) */
+static const double NEXT = 0.5;            /* of a step, behind which it may end at a roller's peak */
 static const double SHORTEST = 1.0 / 16;   /* of the longest step */
 static const double TRIP = 0.9;            /* of the pull at which a winch trips: motion decides from there on */
 enum { TRIES = 4, WAIT_MOST = 64 };
@@ -40,6 +41,11 @@ static int numbers_of(const Sim *s)
     return n;
 }
 
+double quasi_roller_load(const Sim *s, const double *numbers, int r)
+{
+    return numbers[SINGLE + s->stage.scene.total + 1 + r]; /* behind the tensions */
+}
+
 /* The sample of now to numbers, or numbers into it. */
 static void look_go(Sim *s, double *numbers, int put)
 {
@@ -57,6 +63,11 @@ static void look_go(Sim *s, double *numbers, int put)
         for (int k = 0; k < kind->n_kept; ++k, ++at) *(put ? &r->value[k] : at) = *(put ? at : &r->value[k]);
         for (int k = 0; k < kind->n_now; ++k) (now++)->value = r->value[k];
     }
+}
+
+double quasi_step(const QuasiRun *q)
+{
+    return q->known > 1 ? q->t[QUASI_KEPT - 1] - q->t[QUASI_KEPT - 2] : q->stage.so_far.last_step;
 }
 
 int quasi_between(const Sim *s)
@@ -216,7 +227,8 @@ static hawser_status look_ahead(Sim *s, double until, int *on, hawser_error *err
     *on = 0;
     q->step = fmin(q->step > 0 ? q->step : longest, longest);
     for (int tries = 0; !status && !*on && tries < TRIES; ++tries) {
-        const double rest = until - now, h = q->step < 0.7 * rest ? q->step : q->step < rest ? rest / 2 : rest;
+        const double rest = until - now, even = q->step < 0.7 * rest ? q->step : q->step < rest ? rest / 2 : rest;
+        const double h = quasi_next_peak(s, now + NEXT * even, now + even) - now;
         hawser_relaxation found;
         status = quasi_find(s, now + h, &found, err);
         if (status == HAWSER_ERR_RUN) {

@@ -55,10 +55,16 @@ hawser_status quasi_end(struct hawser_sim *s, hawser_error *err);
 
 /* Finds the position of time t, where the stage is then. Errors: as positions_advance. */
 hawser_status quasi_find(struct hawser_sim *s, double t, hawser_relaxation *found, hawser_error *err);
+/* Of what a position showed: the load of roller r, N. */
+double quasi_roller_load(const struct hawser_sim *s, const double *numbers, int r);
+/* When the front next is where a roller may be loaded most (QS9), s, not before `from`; at most `end`. */
+double quasi_next_peak(const struct hawser_sim *s, double from, double end);
 /* Peaks of rollers' loads between the last two positions, (QS9): found as positions of their own, which count for
  * nothing else. Errors: MEMORY, RUN, STOPPED. */
 hawser_status quasi_peaks(struct hawser_sim *s, hawser_error *err);
 
+/* Between the last two positions, s; of the first of a stretch: the last step before it. */
+double quasi_step(const QuasiRun *q);
 /* Whether the state of now is one between two positions; what a look at it shows (QS6), once kinematics are looked at.
  */
 int quasi_between(const struct hawser_sim *s);

@@ -421,6 +421,7 @@ const hawser_sample *sim_look(Sim *s, SampleParts parts)
         integrator_stats(s->stage.integrator, &stats);
         s->look.sample.step_size = stats.last_step;
     }
+    if (s->quasi.stage.on) s->look.sample.step_size = quasi_step(&s->quasi);
     sim_motion(s)->ops->lin_stats(sim_motion(s), &s->lin); /* the ordering is known after the first factorisation */
     s->record_s += clock_now() - start;
     return look;
