@@ -16,8 +16,8 @@ typedef enum PassesChoice { PASSES_AUTO, PASSES_ONE, PASSES_TWO, PASSES_THREE } 
 /* The method of integration in time: backward differences, or Runge-Kutta steps (sim/step/esdirk.h). */
 typedef enum MethodChoice { METHOD_AUTO, METHOD_BDF, METHOD_ESDIRK } MethodChoice;
 
-/* What moves the chain: the equations of motion; positions in steady motion wherever that may be (sim/stage/quasi.h); the
- * same, and a scene that cannot be is an error. */
+/* What moves the chain: the equations of motion; positions in steady motion wherever that may be (sim/stage/quasi.h);
+ * the same, and a scene that cannot be is an error. */
 typedef enum MotionChoice { MOTION_DYNAMIC, MOTION_AUTO, MOTION_QUASI_STATIC } MotionChoice;
 
 typedef struct SolverDef {

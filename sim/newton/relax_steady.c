@@ -134,7 +134,8 @@ static hawser_status slow_way(Steady *s, hawser_relaxation *out, hawser_error *e
     static const RelaxOps ops = {steady_residual, steady_step,   space_move_scale,
                                  steady_move,     space_refresh, space_soften};
     const hawser_status status = space_refresh(&s->r, 1, err);
-    return status ? status : relax_run_within(STRAIGHT, s->r.scene, &s->r.ws->stop, &ops, s, s->r.size, s->r.y, out, err);
+    return status ? status
+                  : relax_run_within(STRAIGHT, s->r.scene, &s->r.ws->stop, &ops, s, s->r.size, s->r.y, out, err);
 }
 
 hawser_status relax_steady(const Scene *scene, Workspace *ws, Newton *newton, double t, double speed, int far,

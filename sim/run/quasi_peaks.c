@@ -1,5 +1,5 @@
 /* A thick front behind a thin rope loads a roller most as it comes to the next one, within a few centimetres of way:
- * positions in between would miss that. docs/model/45-quasi-static.md (QS9). */
+ * positions farther apart would miss that. docs/model/45-quasi-static.md (QS9). */
 #include <math.h>
 
 #include "sim/equipment/winch.h"

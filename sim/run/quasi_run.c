@@ -425,8 +425,7 @@ hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, books);
     lie_checkpoint(c, &s->positions.lie, s->stage.scene.total);
     if (c->status || !q->stage.on) return HAWSER_OK;
-    for (int k = 0; k < QUASI_KEPT; ++k)
-        checkpoint_put(c, "q->look", q->look[k], (size_t)q->numbers * sizeof(double));
+    for (int k = 0; k < QUASI_KEPT; ++k) checkpoint_put(c, "q->look", q->look[k], (size_t)q->numbers * sizeof(double));
     if (!room_for(q, s->stage.motion->size)) return error_memory(err);
     checkpoint_put(c, "q->y", q->y, (size_t)q->size * sizeof *q->y);
     if (books) balance_checkpoint(c, &s->stage.balance, s->stage.motion);

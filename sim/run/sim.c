@@ -394,8 +394,7 @@ const hawser_sample *sim_look(Sim *s, SampleParts parts)
     const int between = quasi_between(s); /* where forces are those of its two sides */
     int active = 0;
     if (between) dynamics_kinematics(&s->stage.scene, &s->stage.ws, s->stage.t, s->stage.y);
-    if (!between)
-        active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, parts >= SAMPLE_FIELDS);
+    if (!between) active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, parts >= SAMPLE_FIELDS);
     if (s->stage.scene.reel->present) dynamics_tail_pull(&s->stage.scene, &s->stage.ws);
     if (s->together || s->leader) together_look(s->together ? s->together : s->leader->together, s);
     const hawser_sample *const look = sample_take(&s->look, &s->stage.scene, &s->stage.ws, s->stage.t, active, parts);

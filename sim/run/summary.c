@@ -9,6 +9,8 @@
 #include "sim/run/sim.h"
 #include "sim/run/together.h"
 
+static const double ROLLER_PEAKS = 0.6; /* of itself, that a front may have loaded a roller more between positions */
+
 static void integration_fill(const Sim *s, hawser_summary *out)
 {
     const int still = s->quasi.stage.on;
@@ -129,8 +131,7 @@ static void figures_fill(const Sim *s, hawser_summary *out)
                          .slowest = s->stall.slowest.steps > 0 ? &s->stall.slowest : NULL,
                          .n_places = s->positions.done,
                          .places = s->positions.out,
-                         .quasi_static =
-                             scene->def.solver.motion == MOTION_DYNAMIC ? NULL : &s->quasi.said,
+                         .quasi_static = scene->def.solver.motion == MOTION_DYNAMIC ? NULL : &s->quasi.said,
                          .worst_place = s->positions.worst < 0 ? NULL : &s->positions.out[s->positions.worst],
                          .method = scene->def.solver.method == METHOD_ESDIRK ? "esdirk" : "bdf"};
     const double mean = by_position_mean(&s->by_position);
@@ -145,6 +146,8 @@ static void figures_fill(const Sim *s, hawser_summary *out)
     stats_summary(&s->stats, out);
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
+    for (int r = 0; s->quasi.said.positions > 0 && r < s->stats.n_rollers; ++r) /* (QS10) */
+        s->stats.roller_out[r].peak_error_N += ROLLER_PEAKS * s->stats.roller_out[r].peak_N;
     other_passes_bars(&s->others, &s->stats, sim_jolt(s), out);
     if (scene->def.strand.rope) drawn_errors_add(s, out);
     /* theory's tensions along the route are a cable's, and none of a rope that draws others behind it */

@@ -23,8 +23,8 @@ typedef struct Positions {
     double push_share; /* the largest compression over the largest tension of the same place */
     Lie lie;
     double newton_within; /* m: farther from the last one Newton's method is not tried first */
-    double back; /* m, by which its tail was behind where it was laid */
-    Vec3 origin; /* of the winch as it was built */
+    double back;          /* m, by which its tail was behind where it was laid */
+    Vec3 origin;          /* of the winch as it was built */
     Quat attitude;
 } Positions;
 
