@@ -247,5 +247,4 @@ const char *hawser_sim_title(const hawser_sim *s);
 #include "hawser/study.h"
 #include "hawser/sweep.h"
 #include "hawser/validate.h"
-
 #endif

@@ -6,6 +6,7 @@
 #include "sim/control/forces.h"
 #include "sim/equipment/reel.h"
 #include "sim/run/commands.h"
+#include "sim/run/quasi_run.h"
 #include "sim/run/sim.h"
 #include "sim/run/together.h"
 

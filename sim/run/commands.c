@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "sim/control/forces.h"
 #include "sim/equipment/winch.h"
+#include "sim/run/quasi_run.h"
 
 /* ------------------------------------------------------------------------------------------------------- events */
 

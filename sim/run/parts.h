@@ -7,7 +7,7 @@
 #include "sim/picture/closeup.h"
 #include "sim/picture/envelope.h"
 #include "sim/run/passes.h"
-#include "sim/run/quasi_run.h"
+#include "sim/run/quasi_data.h"
 #include "sim/run/stall.h"
 #include "sim/stage/modes.h"
 #include "sim/stage/positions.h"

@@ -3,8 +3,8 @@
 #include <math.h>
 
 #include "sim/equipment/winch.h"
+#include "sim/run/look.h"
 #include "sim/run/quasi_run.h"
-#include "sim/run/sim.h"
 
 static const double BESIDE = 0.04; /* m, between two looks at a peak */
 static const double SAME = 1e-6;   /* m: the last position is one of these */

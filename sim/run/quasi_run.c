@@ -8,8 +8,7 @@
 #include "core/base/error.h"
 #include "core/state.h"
 #include "sim/equipment/winch.h"
-#include "sim/run/commands.h"
-#include "sim/run/sim.h"
+#include "sim/run/look.h"
 
 /* What the pull may swing by, and a position differ from its mean, for positions to go on: shares of it (QS2), (QS3).
  */
@@ -24,76 +23,6 @@ static const double SHORTEST = 1.0 / 16;   /* of the longest step */
 static const double TRIP = 0.9;            /* of the pull at which a winch trips: motion decides from there on */
 enum { TRIES = 4, WAIT_MOST = 64 };
 
-/* ------------------------------------------------------------------------------------------------- looks as numbers */
-
-enum { SINGLE = 5 }; /* figures that are no arrays */
-
-static size_t tail_numbers(const SampleBuffers *b, const Scene *scene)
-{
-    const size_t n = (size_t)scene->total, nr = (size_t)b->sample.rollers, ns = (size_t)b->sample.surfaces;
-    return 4 * n + 3 + 6 * nr + 4 * ns; /* from the tensions to the end: sample_alloc */
-}
-
-static int numbers_of(const Sim *s)
-{
-    int n = SINGLE + (int)tail_numbers(&s->look, &s->stage.scene);
-    for (int i = 0; i < s->machines.n; ++i) n += s->machines.record[i].room->kind->machines->n_kept;
-    return n;
-}
-
-double quasi_roller_load(const Sim *s, const double *numbers, int r)
-{
-    return numbers[SINGLE + s->stage.scene.total + 1 + r]; /* behind the tensions */
-}
-
-/* The sample of now to numbers, or numbers into it. */
-static void look_go(Sim *s, double *numbers, int put)
-{
-    hawser_sample *const look = &s->look.sample;
-    double *const single[SINGLE] = {&look->winch_force, &look->tail_tension, &look->reel_speed, &look->paid_out,
-                                    &look->wound};
-    const size_t tail = tail_numbers(&s->look, &s->stage.scene);
-    for (int k = 0; k < SINGLE; ++k) *(put ? single[k] : numbers + k) = *(put ? numbers + k : single[k]);
-    memcpy(put ? s->look.tension : numbers + SINGLE, put ? numbers + SINGLE : s->look.tension, tail * sizeof(double));
-    double *at = numbers + SINGLE + tail;
-    hawser_figure *now = s->machines.now;
-    for (int i = 0; i < s->machines.n; ++i) {
-        MachineRecord *const r = &s->machines.record[i];
-        const MachineKind *const kind = r->room->kind->machines;
-        for (int k = 0; k < kind->n_kept; ++k, ++at) *(put ? &r->value[k] : at) = *(put ? at : &r->value[k]);
-        for (int k = 0; k < kind->n_now; ++k) (now++)->value = r->value[k];
-    }
-}
-
-double quasi_step(const QuasiRun *q)
-{
-    return q->known > 1 ? q->t[QUASI_KEPT - 1] - q->t[QUASI_KEPT - 2] : q->stage.so_far.last_step;
-}
-
-int quasi_between(const Sim *s)
-{
-    const QuasiRun *const q = &s->quasi;
-    return q->stage.on && !q->probing && s->stage.t < q->t[QUASI_KEPT - 1];
-}
-
-/* (QS6), over what the last position showed; where only it has something it is that. */
-void quasi_mix(Sim *s)
-{
-    QuasiRun *const q = &s->quasi;
-    const double *const a = q->look[QUASI_KEPT - 2], *const b = q->look[QUASI_KEPT - 1];
-    const double from = q->t[QUASI_KEPT - 2], u = (s->stage.t - from) / (q->t[QUASI_KEPT - 1] - from);
-    double *const mixed = q->look[0]; /* the one before both has had its use when rows are looked at */
-    hawser_sample *const look = &s->look.sample;
-    for (int k = 0; k < q->numbers; ++k) mixed[k] = isnan(a[k]) || isnan(b[k]) ? b[k] : a[k] + u * (b[k] - a[k]);
-    look_go(s, mixed, 1);
-    look->active_contacts = q->active;
-    look->max_tension_joint = look->first;
-    for (int j = look->first; j <= look->first + look->active; ++j) {
-        if (look->tension[j] > look->tension[look->max_tension_joint]) look->max_tension_joint = j;
-    }
-    look->max_tension = look->tension[look->max_tension_joint];
-}
-
 /* ------------------------------------------------------------------------------------------------------------ life */
 
 hawser_status quasi_run_new(Sim *s, hawser_error *err)
@@ -103,7 +32,7 @@ hawser_status quasi_run_new(Sim *s, hawser_error *err)
     q->window.from = -1;
     q->said.why = q->stage.why;
     if (status || !q->stage.damping) return status;
-    q->numbers = numbers_of(s);
+    q->numbers = quasi_numbers(s);
     q->memory = calloc(QUASI_KEPT * (size_t)q->numbers, sizeof *q->memory);
     for (int k = 0; q->memory && k < QUASI_KEPT; ++k) q->look[k] = q->memory + k * (ptrdiff_t)q->numbers;
     return q->memory ? HAWSER_OK : error_memory(err);
@@ -162,7 +91,7 @@ static hawser_status keep(Sim *s, const hawser_relaxation *found, hawser_error *
     q->t[QUASI_KEPT - 1] = s->stage.t;
     q->look[QUASI_KEPT - 1] = oldest;
     const hawser_sample *const look = sim_look(s, SAMPLE_FIELDS);
-    look_go(s, oldest, 0);
+    quasi_take(s, oldest);
     q->active = look->active_contacts;
     memcpy(q->y, s->stage.y, (size_t)q->size * sizeof *q->y);
     ++q->known;
@@ -212,7 +141,7 @@ static double goes_until(Sim *s, double t)
     const double apart = (scene->def.duration - q->said.first_s) / (CHECKS + 1);
     if (s->calls.law || s->calls.stop || may_trip(s, q->look[QUASI_KEPT - 1][0])) return now;
     if (apart > STRETCH * passing_time(scene, winch_speed(scene->winch, now)) && now > q->checked + apart) return now;
-    return quasi_steady_until(scene, now, sim_next_stop(s, end));
+    return quasi_steady_until(scene, now, rooms_next_stop(s, end));
 }
 
 /* The next position, ahead of the time of now; no more than a step on. Where there is none nearer and nearer either,

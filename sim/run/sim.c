@@ -11,10 +11,11 @@
 #include "core/base/lanes.h"
 #include "core/body.h"
 #include "core/state.h"
-#include "sim/equipment/reel.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
 #include "sim/run/commands.h"
+#include "sim/run/look.h"
+#include "sim/run/quasi_run.h"
 #include "sim/run/together.h"
 #include "sim/stage/modes.h"
 #include "sim/stage/statics.h"
@@ -148,15 +149,6 @@ Sim *sim_free(Sim *s)
     return NULL;
 }
 
-void sim_relaxation_take(Sim *s, const hawser_relaxation *found)
-{
-    hawser_relaxation *const worst = &s->relaxation;
-    const int iterations = worst->iterations + found->iterations;
-    const double before = worst->tolerance_N > 0 ? worst->residual_N / worst->tolerance_N : -1;
-    if (!(found->residual_N / found->tolerance_N <= before)) *worst = *found;
-    worst->iterations = iterations;
-}
-
 /* Positions in place of time steps: each is found by itself, whatever came before. */
 static hawser_status advance_positions(Sim *s, double t, int one_step, hawser_error *err)
 {
@@ -174,21 +166,13 @@ static hawser_status advance_positions(Sim *s, double t, int one_step, hawser_er
     return status;
 }
 
-/* Where the integrator must stop next: where a room is not smooth, or at `stop`. */
-static double next_stop_of(const Sim *s, double stop)
+/* Where the integrator must stop next: where a room is not smooth, at a row of a script, or at `stop`. */
+static double next_stop(Sim *s, double stop)
 {
-    const Scene *const scene = &s->stage.scene;
-    for (int r = 0; r < scene->n_rooms; ++r) {
-        const Room *const room = &scene->room[r];
-        if (room->present && room->kind->next_stop)
-            stop = fmin(stop, room->kind->next_stop(room, scene, s->stage.t + 1e-9));
+    for (int k = 0; k < sim_chains(s); ++k) {
+        const Sim *const each = sim_chain(s, k);
+        stop = fmin(rooms_next_stop(each, stop), script_next(each));
     }
-    return fmin(stop, script_next(s));
-}
-
-double sim_next_stop(Sim *s, double stop)
-{
-    for (int k = 0; k < sim_chains(s); ++k) stop = next_stop_of(sim_chain(s, k), stop);
     return stop;
 }
 
@@ -340,7 +324,7 @@ static hawser_status step_watch(Sim *s, hawser_error *err)
 /* One step of the equations of motion. */
 static hawser_status advance_moving(Sim *s, double t, hawser_error *err)
 {
-    const double stop = sim_next_stop(s, t);
+    const double stop = next_stop(s, t);
     hawser_status status = s->together ? together_step(s->together, stop, err) : stage_step(&s->stage, stop, err);
     if (status == HAWSER_ERR_RUN) failure_explain(s, err);
     if (!status) stall_watch(s);
@@ -387,44 +371,6 @@ double hawser_sim_end_time(const Sim *s)
     return s ? fmin(s->stage.scene.def.duration, s->stage.scene.winch->phase.ended) : NAN;
 }
 const char *hawser_sim_title(const Sim *s) { return s ? SHOWN(s)->title : ""; }
-
-const hawser_sample *sim_look(Sim *s, SampleParts parts)
-{
-    const double start = clock_now();
-    const int between = quasi_between(s); /* where forces are those of its two sides */
-    int active = 0;
-    if (between) dynamics_kinematics(&s->stage.scene, &s->stage.ws, s->stage.t, s->stage.y);
-    if (!between) active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, parts >= SAMPLE_FIELDS);
-    if (s->stage.scene.reel->present) dynamics_tail_pull(&s->stage.scene, &s->stage.ws);
-    if (s->together || s->leader) together_look(s->together ? s->together : s->leader->together, s);
-    const hawser_sample *const look = sample_take(&s->look, &s->stage.scene, &s->stage.ws, s->stage.t, active, parts);
-    if (s->by_position.n_grid > 0) {
-        s->look.sample.head_at = along_eye(&s->stage.scene, &s->stage.ws.kin, look->winch_travel);
-        s->look.sample.reference =
-            by_position_reference(&s->by_position, look->head_at, expected_back(&s->stage.scene, s->stage.t));
-    }
-    if (s->together || s->leader)
-        s->look.sample.reference = together_expected(s->together ? s->together : s->leader->together, s);
-    machines_look(&s->machines, &s->stage.scene, &s->stage.ws, s->stage.t);
-    s->look.sample.machines = s->machines.n;
-    s->look.sample.machine = s->machines.out;
-    s->look.sample.figures = s->machines.n_now;
-    s->look.sample.figure = s->machines.now;
-    if (between) quasi_mix(s);
-    probes_look(&s->probes, &s->stage.scene, &s->stage.ws, s->stage.t);
-    s->look.sample.probes = s->probes.n;
-    s->look.sample.pass = s->pass + 1;
-    s->look.sample.probe = s->probes.out;
-    if (s->stage.integrator) {
-        IntegratorStats stats;
-        integrator_stats(s->stage.integrator, &stats);
-        s->look.sample.step_size = stats.last_step;
-    }
-    if (s->quasi.stage.on) s->look.sample.step_size = quasi_step(&s->quasi);
-    sim_motion(s)->ops->lin_stats(sim_motion(s), &s->lin); /* the ordering is known after the first factorisation */
-    s->record_s += clock_now() - start;
-    return look;
-}
 
 const hawser_sample *hawser_sim_sample(Sim *s) { return s ? sim_look(SHOWN(s), SAMPLE_ALL) : NULL; }
 

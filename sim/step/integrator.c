@@ -22,10 +22,8 @@
 #include "sim/step/sundials.h"
 
 enum { STALLED_MOST = 20 };
-/* The change of gamma that calls for a new matrix (CVODE's default: 0.3). A contact that slides at its full force lets
- * Newton's iteration converge so well that CVODE takes a single iteration for enough long after the matrix has become a
- * poor one. Steps that grow by a few per cent are rare (up to the longest that is allowed): a matrix for each costs
- * nothing. */
+/* The change of gamma that calls for a new matrix (CVODE's default: 0.3): with sliding contacts CVODE takes a single
+ * iteration for enough long after a matrix has become a poor one, and steps that grow by a few per cent are rare. */
 static const double GAMMA_CHANGE = 0.005;
 
 struct Integrator {

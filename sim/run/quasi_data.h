@@ -1,0 +1,56 @@
+/* What a run keeps that positions in steady motion move: docs/model/45-quasi-static.md. Who moves it is in
+ * sim/run/quasi_run.h. */
+#ifndef HAWSER_SIM_RUN_QUASI_DATA_H
+#define HAWSER_SIM_RUN_QUASI_DATA_H
+
+#include "hawser/hawser.h"
+#include "sim/stage/quasi.h"
+
+enum { QUASI_KEPT = 3 }; /* positions: two that rows lie between, and the one before */
+
+/* The pull while the equations of motion move a winch of constant speed (QS1). */
+typedef struct PullWindow {
+    double from, last; /* s; when it began (< 0: it has not), and the last step's end */
+    double speed;      /* m/s */
+    double least, most, sum;
+    double before; /* N, at `last` */
+} PullWindow;
+
+typedef struct QuasiRun {
+    Quasi stage;
+    /* by time, the last one last, which is where the run is or ahead of it */
+    double t[QUASI_KEPT];     /* s */
+    double *look[QUASI_KEPT]; /* [numbers] what rows show of them; owned, in one piece by memory */
+    double *memory;
+    int numbers;
+    int known;        /* of these positions, how many there are */
+    double *y;        /* [size] state of the last; owned */
+    int probing;      /* the stage is at a position that rows know nothing of */
+    int size, active; /* of y; contacts that carry force there */
+    double step;      /* s, to the next */
+    double checked;   /* s: when the equations of motion were asked last */
+    double peak_at;   /* m, past a roller: where the front was when the one behind it was loaded most (QS9) */
+    int peaks;        /* so far */
+    int peak_side;    /* on which side of that the next look is: 1, -1; 0: nothing is known yet */
+    PullWindow window;
+    int told;          /* something that positions know nothing of: they are over */
+    int waits, failed; /* windows to let pass before the next attempt; attempts that failed */
+    hawser_quasi_static said;
+} QuasiRun;
+
+/* ---- rows between two positions, as numbers (sim/run/quasi_rows.c) */
+struct hawser_sim;
+
+/* How many there are; those of the last look. */
+int quasi_numbers(const struct hawser_sim *s);
+void quasi_take(struct hawser_sim *s, double *numbers);
+/* Of what a position showed: the load of roller r, N. */
+double quasi_roller_load(const struct hawser_sim *s, const double *numbers, int r);
+/* Between the last two positions, s; of the first of a stretch: the last step before it. */
+double quasi_step(const QuasiRun *q);
+/* Whether the state of now is one between two positions; what a look at it shows (QS6), once kinematics are looked at.
+ */
+int quasi_between(const struct hawser_sim *s);
+void quasi_mix(struct hawser_sim *s);
+
+#endif
