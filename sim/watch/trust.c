@@ -339,8 +339,16 @@ static void add_steadiness(List *list, const TrustFacts *f)
         100 * spike, at);
 }
 
-/* Positions: each has its equilibrium, and one that is pulled: what is pushed may buckle, and stands then where nothing
- * here knows. */
+/* An equilibrium that is pulled: what is pushed may buckle, and stands then where nothing here knows. */
+static void add_taut(List *list, const TrustFacts *f)
+{
+    add(list, "taut", "1", f->push_share, PUSHED_ALONG,
+        "the cable is pushed with %.2g %% of the largest tension at a position: it may buckle there, or run away: give "
+        "it a back tension or a brake, or see 'analysis: dynamics'%s",
+        100 * f->push_share, f->still ? " with 'solver.motion: dynamic'" : "");
+}
+
+/* Positions: each has its equilibrium. */
 static void add_places_found(List *list, const TrustFacts *f)
 {
     const hawser_relaxation *const worst = f->relaxation;
@@ -348,10 +356,7 @@ static void add_places_found(List *list, const TrustFacts *f)
         "a position has no steady motion that could be found (segment %d is the worst): 'analysis: dynamics' may show "
         "why",
         worst->segment);
-    add(list, "taut", "1", f->push_share, PUSHED_ALONG,
-        "the cable is pushed with %.2g %% of the largest tension at a position: it may buckle there, or run away: give "
-        "it a back tension or a brake, or see 'analysis: dynamics'",
-        100 * f->push_share);
+    add_taut(list, f);
 }
 
 /* Where the cable or rod begins: at rest, and on a rest that it would keep. */
@@ -434,6 +439,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     }
     if (placed) add_places_found(&list, f);
     if (!placed) add_rest(&list, f);
+    if (f->still && f->still->positions > 0) add_taut(&list, f);
     if (f->balance) add_books(&list, f);
     add_places(&list, f);
     add_mesh(&list, f);

@@ -94,4 +94,12 @@ static inline Route route_of(const SceneDef *def)
     return route;
 }
 
+/* What a run says of the condition of trust; NULL: it is not asked. */
+static inline const hawser_condition *condition_of(const hawser_summary *sum, const char *name)
+{
+    for (int i = 0; i < sum->n_conditions; i++)
+        if (!strcmp(sum->conditions[i].name, name)) return &sum->conditions[i];
+    return NULL;
+}
+
 #endif

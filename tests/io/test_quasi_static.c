@@ -62,6 +62,10 @@ static void test_same_pull(void **state)
     check_below(most, 5e-3);
     check_below(said->apart, 0.01);
     check_at_most(fabs(sum[1].pull_mean_N - sum[0].pull_mean_N), sum[1].pull_mean_error.total);
+    assert_null(condition_of(&sum[0], "taut")); /* asked of positions alone: they do not know what buckles */
+    const hawser_condition *const taut = condition_of(&sum[1], "taut");
+    assert_non_null(taut);
+    check_at_most(taut->value, taut->allowed);
     const hawser_station *station[2];
     const int n = hawser_sim_stations(sim[0], &station[0]);
     hawser_sim_stations(sim[1], &station[1]);
