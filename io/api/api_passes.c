@@ -1,5 +1,6 @@
 /* A whole run: one pass, and up to two more with finer settings where nothing is left open but numerical errors.
- * docs/model.md, "Error bars" (EB19), (EB20), (EB27), (EB28); what a user needs to know of it is in docs/limits.md. */
+ * docs/model.md, "Error bars" (EB19), (EB20), (EB27) to (EB30); what a user needs to know of it is in docs/limits.md.
+ */
 #include <math.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -330,8 +331,9 @@ static hawser_status figures_of(const hawser_sim *s, PassFigures *out, hawser_er
     return pass_figures_take(out, &s->stats, &sum, sim_jolt(s), err);
 }
 
-/* What pass `s` is to know of n others, the finest first. Errors: MEMORY. */
-static hawser_status others_take(hawser_sim *s, int n, hawser_sim *const other[], hawser_error *err)
+/* What pass `s` is to know of n others, the finest first; said: of all of them. Errors: MEMORY. */
+static hawser_status others_take(hawser_sim *s, int n, hawser_sim *const other[], const hawser_passes *said,
+                                 hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     OtherPasses others = {.n = n, .finer = other[0]->pass > s->pass};
@@ -339,6 +341,7 @@ static hawser_status others_take(hawser_sim *s, int n, hawser_sim *const other[]
     hawser_sim_summary(other[0], &sum);
     others.unsound = others.finer && !is_sound(&sum);
     for (int k = 0; k < n && !status; ++k) status = figures_of(other[k], &others.other[k], err);
+    for (int k = 0; k <= n; ++k) others.peak_alone[k] = said->pass[n - k].pull_peak_bar_N;
     other_passes_free(&s->others);
     s->others = others;
     return status;
@@ -357,8 +360,8 @@ static hawser_status passes_take(Passes *z, hawser_error *err)
     said->n = z->n;
     said->outcome = z->own ? "compared" : "replaced";
     if (!say_all(said, z->own)) return error_memory(err);
-    hawser_status status = others_take(last, z->n - 1, coarser, err);
-    if (!status && z->own) status = others_take(first, z->n - 1, finer, err);
+    hawser_status status = others_take(last, z->n - 1, coarser, said, err);
+    if (!status && z->own) status = others_take(first, z->n - 1, finer, said, err);
     return status;
 }
 

@@ -1,5 +1,6 @@
 /* What the passes of one run say of each other: each is a level finer in time and length than the one before
- * (docs/model.md, "Error bars", (EB19), (EB20), (EB27), (EB28)), so that the difference of a figure measures its error.
+ * (docs/model.md, "Error bars", (EB19), (EB20), (EB27) to (EB30)), so that the difference of a figure measures its
+ * error.
  */
 #ifndef HAWSER_SIM_RUN_PASSES_H
 #define HAWSER_SIM_RUN_PASSES_H
@@ -36,6 +37,7 @@ typedef struct OtherPasses {
     int finer;                         /* they are the finer ones */
     int unsound;                       /* the last fails a condition itself: then it makes no bar narrower */
     PassFigures other[PASSES_MAX - 1]; /* the finest of them first; one is enough if they are finer */
+    double peak_alone[PASSES_MAX];     /* N: bars of the pull's peak by what each pass alone shows, the finest first */
 } OtherPasses;
 
 void other_passes_free(OtherPasses *others);

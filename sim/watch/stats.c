@@ -266,6 +266,16 @@ static double slowest(const Scene *scene, const hawser_sample *sample)
     return least;
 }
 
+/* Whether the winch has had its speed all the time from a to b, s: what rises then is none of the start's. */
+static int is_drawn_evenly(const Scene *scene, double a, double b)
+{
+    const Profile *const speed = &scene->def.winch.speed;
+    double corner;
+    if (scene->def.winch.mode != WINCH_SPEED || !(a > 0) || !(profile_value(speed, a) > 0)) return 0;
+    if (profile_next_corner(speed, a, &corner) && corner < b) return 0;
+    return !(fabs(profile_rate(speed, a)) > 0) && !(fabs(profile_rate(speed, b)) > 0);
+}
+
 /* What is asked of a peak besides its size. */
 static void peak_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
@@ -278,7 +288,7 @@ static void peak_record(Stats *stats, const Scene *scene, const Kinematics *kin,
     stats->rise = swings_rise(&stats->swings);
     stats->steepest = stats->swings.steepest;
     stats->risen_from = stats->swings.bottom;
-    stats->in_window = sample->t > stats->steady_from;
+    stats->met = sample->t > stats->steady_from || is_drawn_evenly(scene, stats->swings.risen_at, sample->t);
 }
 
 /* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). Until the first has ended it is
@@ -439,14 +449,14 @@ static double sideways(const Stats *stats, const Scene *scene)
 }
 
 /* N of the largest pull: what it rose by while a wave runs through a segment and back, the longest of the chain's: one
- * along the cable, or in the steady window, where something is met that pushes it aside, one across it (EB26). */
+ * along the cable, or where the winch draws evenly and something is met that pushes it aside, one across it (EB26). */
 static double blow_of(const Stats *stats, const SceneDef *def)
 {
     double longest = 0; /* s */
     for (int k = 0; k < def->n_pieces; ++k) {
         const ChainPieceDef *const p = &def->pieces[k];
         const CableDef *const cable = &def->cables[p->cable];
-        const double holds = stats->in_window ? fmin(cable->ea, fmax(stats->risen_from, 0)) : cable->ea;
+        const double holds = stats->met ? fmin(cable->ea, fmax(stats->risen_from, 0)) : cable->ea;
         longest = fmax(longest, p->length / p->segments * sqrt(cable->mass / holds));
     }
     return stats->rise > 0 ? fmin(stats->rise, 2 * longest * stats->steepest) : 0;
