@@ -129,7 +129,7 @@ SIDEWALL = "sidewall pressure, peak"
 
 def others(out, summary):
     """[[value, error bar], ...] of stations, rollers and surfaces, by kind."""
-    found = {SIDEWALL: [[row["peak_line_load_N_per_m"], row["peak_line_load_error"]] for row in summary["surfaces"] or []]}
+    found = {SIDEWALL: [[row["peak_line_load_N_per_m"], row["peak_line_load_error"]] for row in summary.get("surfaces") or []]}
     for kind, (name, value, bar) in OTHERS.items():
         path = os.path.join(out, name)
         if os.path.exists(path):

@@ -435,7 +435,7 @@ void stats_summary(const Stats *stats, hawser_summary *out)
 }
 
 /* What a joint takes from one roller it gives to the next: loads have wider bars than tensions (EB7). */
-static const double LOADS = 2;
+static const double STEADY_LOADS = 3, PEAK_LOADS = 2;
 /* A force at the end of a bend acts on one element, whatever its length: half of that is twice the load a metre (EB8).
  */
 static const double LINE_LOADS = 1;
@@ -490,7 +490,7 @@ void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, h
     shares->still = shares->breaks_loose = 0; /* which pull at the cable, not at a roller */
     for (int r = 0; r < stats->n_rollers; ++r) {
         hawser_roller *const row = &stats->roller_out[r];
-        row->steady_error_N = LOADS * error_of_mean(&stats->roller[r].load, shares).total;
-        row->peak_error_N = LOADS * error_of_peak(&stats->roller[r].load, shares).total;
+        row->steady_error_N = STEADY_LOADS * error_of_mean(&stats->roller[r].load, shares).total;
+        row->peak_error_N = PEAK_LOADS * error_of_peak(&stats->roller[r].load, shares).total;
     }
 }

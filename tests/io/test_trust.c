@@ -13,10 +13,11 @@
  *   a stiff grip at the default accuracy            here, energy_lost; io/test_grips, a_shared_pull
  *   energy that does not add up, and peaks of jolts here, a_jolt_at_the_start, a_spike_between_rows
  *   a pull that is too high, a cable that snaps     io/test_error_bars, loose_steps; io/test_certify, a_stiff_grip
+ *   another answer at each accuracy, and status 0    io/test_traps, it_jolts, it_snaps_taut, it_leaves_its_rollers, it_snaps_back, it_crawls
  *   a signal during the relaxation                  sim/test_relax, test_stopped; cli/test_signals.sh
  *   U rollers on which Newton does not converge     io/test_grips, a_deep_groove
  *   a run that fails before its steady window       here, not_to_the_end; cli/test_run.sh
- *   results in place of closed descriptors          cli/test_output.sh
+ *   results in place of closed descriptors          cli/test_surroundings.sh
  *   two runs in one folder, results of an older one cli/test_output.sh
  *   results.h5 of a run that was killed             cli/test_crash.sh
  *   no memory for the integrator's vectors          sim/test_allocation, test_history
