@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/worst.h"
+#include "sim/equipment/winch.h"
 
 /* Clearance and jam ratio of a duct with the cables in it; the sizes were checked when the case was read. */
 static void duct_fill(const SceneDef *scene, const SurfaceDef *def, hawser_surface *out)
@@ -276,6 +277,21 @@ static int is_drawn_evenly(const Scene *scene, double a, double b)
     return !(fabs(profile_rate(speed, a)) > 0) && !(fabs(profile_rate(speed, b)) > 0);
 }
 
+/* N, by which the tension rises over the segment that the winch's clamp holds, if rollers press on it there (EB31). */
+static double behind_the_clamp(const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+{
+    const int n = scene->chain.n;
+    if (!scene->winch->present || scene->def.winch.axial_only) return 0;
+    const double a = along_joint(scene, kin, sample->winch_travel, n - 1),
+                 b = along_joint(scene, kin, sample->winch_travel, n);
+    int pressed = 0;
+    for (int r = 0; r < scene->def.n_rollers; ++r) {
+        const double s = scene->def.rollers[r].s;
+        pressed |= s > a && s < b && sample->roller_load[r] > 0;
+    }
+    return pressed ? fmax(0, sample->winch_force - sample->tension[scene->first + n - 1]) : 0;
+}
+
 /* What is asked of a peak besides its size. */
 static void peak_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
@@ -284,6 +300,7 @@ static void peak_record(Stats *stats, const Scene *scene, const Kinematics *kin,
     stats->placed = fabs(here);
     stats->peak_speed = slowest(scene, sample);
     stats->peak_travel = sample->winch_travel;
+    stats->clamped = behind_the_clamp(scene, kin, sample);
     stats->faded = stats->swings.fades;
     stats->rise = swings_rise(&stats->swings);
     stats->steepest = stats->swings.steepest;
@@ -471,7 +488,7 @@ void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, h
     shares->slack = slack_share(scene, stats->peak_travel, stats->at_rest);
     shares->at_rest = stats->at_rest;
     shares->faded = stats->faded;
-    shares->blow = blow_of(stats, &scene->def);
+    shares->blow = fmax(blow_of(stats, &scene->def), stats->clamped);
     if (stats->pull.time > 0 && out->pull_mean_N > 0) shares->friction += sideways(stats, scene) / out->pull_mean_N;
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);

@@ -39,6 +39,7 @@ typedef struct Stats {
      * that began, and whether something was met in a steady pull (EB26) */
     double faded, rise, steepest, risen_from;
     int met;
+    double clamped; /* N, of the largest pull: what rollers under the segment that the clamp holds made of it (EB31) */
     double settled_at; /* s, last time the speed was more than 2 % off the final speed of the head */
     int n_stations, n_rollers, n_surfaces;
     TimeMean *station; /* [n_stations], N */

@@ -230,6 +230,29 @@ static void blows_after_the_start(void **state)
     hawser_sim_free(whips);
 }
 
+/* A clamped head over a roller in the winch's ramp, 1848 N for 1690 N: what the last segment's rollers hold is a matter
+ * of the mesh (EB31); the bar was 74 N. With an axial grip the head turns, and no such bar is asked. */
+static void what_a_clamp_holds(void **state)
+{
+    (void)state;
+    static const char *const turns[] = {"drive.winch.grip", "axial", "solver.passes", "1", NULL};
+    hawser_sim *const first = run_of(data_text("trust-clamp"), once),
+                      *const both = run_of(data_text("trust-clamp"), NULL),
+                      *const axial = run_of(data_text("trust-clamp"), turns);
+    const hawser_summary a = summary_of(first), b = summary_of(both), c = summary_of(axial);
+    assert_false(condition_called(&a, "numerical_peak")->holds);
+    check_at_most(a.pull_peak_N - 1690, a.pull_peak_error.total);
+    assert_int_equal(b.passes->n, 2);
+    assert_true(condition_called(&b, "numerical_peak")->holds);
+    check_at_most(b.pull_peak_N - 1690, b.pull_peak_error.total);
+    check_close(first->stats.clamped, 240, 10);
+    check_equal(axial->stats.clamped, 0);
+    check_at_most(c.pull_peak_error.mesh, 0.5 * a.pull_peak_error.mesh);
+    hawser_sim_free(first);
+    hawser_sim_free(both);
+    hawser_sim_free(axial);
+}
+
 /* What steps take of swings falls slowly: two passes that are near each other say less of it (EB23). */
 static void swings_fall_slowly(void **state)
 {
@@ -753,6 +776,7 @@ int main(void)
         cmocka_unit_test(a_swing_that_steps_take),
         cmocka_unit_test(blows_that_the_mesh_makes),
         cmocka_unit_test(blows_after_the_start),
+        cmocka_unit_test(what_a_clamp_holds),
         cmocka_unit_test(swings_fall_slowly),
         cmocka_unit_test(stopped_in_the_second),
         cmocka_unit_test(too_long_is_declined),

@@ -47,7 +47,7 @@
  *   belts that share a pull by lengths alone        io/test_grips, a_shared_pull
  *   a rope that slides to its rollers' edge         here, it_slides_to_the_edge
  *   a tip or joint that hits within a segment's wave io/test_passes, blows_that_the_mesh_makes
- *   a clamped head over a roller, a rope that whips io/test_passes, blows_after_the_start
+ *   a clamped head over a roller, a rope that whips io/test_passes, blows_after_the_start, what_a_clamp_holds
  *   passes that come near each other, and not there io/test_passes, passes_that_are_not_there_yet
  *   segments askew between the rollers of a pair    io/test_mesh, askew_between_rollers
  *   a swing that steps do not follow                io/test_passes, a_swing_that_steps_take
