@@ -281,7 +281,7 @@ static int is_drawn_evenly(const Scene *scene, double a, double b)
 static double behind_the_clamp(const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     const int n = scene->chain.n;
-    if (!scene->winch->present || scene->def.winch.axial_only) return 0;
+    if (!(scene->winch && scene->winch->present) || scene->def.winch.axial_only) return 0;
     const double a = along_joint(scene, kin, sample->winch_travel, n - 1),
                  b = along_joint(scene, kin, sample->winch_travel, n);
     int pressed = 0;
