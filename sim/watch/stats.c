@@ -267,14 +267,15 @@ static double slowest(const Scene *scene, const hawser_sample *sample)
     return least;
 }
 
-/* Whether the winch has had its speed all the time from a to b, s: what rises then is none of the start's. */
+static const double EVENLY = 0.1; /* of the winch's speed, that it changes by at most while a pull rises (EB26) */
+
+/* Whether the winch draws as fast at b as at a, s: what rises between is none of the start's (EB26). */
 static int is_drawn_evenly(const Scene *scene, double a, double b)
 {
     const Profile *const speed = &scene->def.winch.speed;
-    double corner;
-    if (scene->def.winch.mode != WINCH_SPEED || !(a > 0) || !(profile_value(speed, a) > 0)) return 0;
-    if (profile_next_corner(speed, a, &corner) && corner < b) return 0;
-    return !(fabs(profile_rate(speed, a)) > 0) && !(fabs(profile_rate(speed, b)) > 0);
+    if (scene->def.winch.mode != WINCH_SPEED || !(a > 0)) return 0;
+    const double from = profile_value(speed, a), to = profile_value(speed, b);
+    return to > 0 && fabs(to - from) <= EVENLY * to;
 }
 
 /* N, by which the tension rises over the segment that the winch's clamp holds, if rollers press on it there (EB31). */
