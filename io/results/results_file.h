@@ -66,6 +66,12 @@ extern const char *const sum_files[FILE_SUMS_MAX];
 void sum_text(char text[SUM_SIZE], uint64_t sum);
 /* A file of a folder. Errors: INPUT (it cannot be read), MEMORY. */
 hawser_status file_sum(const char *dir, const char *name, FileSum *sum, hawser_error *err);
+/* A sum of a whole file at its own end, where readers of HDF5 pass over it: file_seal puts it there, file_unseal takes it
+ * away, file_broken is 1 if there is one that is not that of the bytes before it. Errors: OUTPUT; file_broken: INPUT,
+ * MEMORY. */
+hawser_status file_seal(const char *path, hawser_error *err);
+void file_unseal(const char *path);
+hawser_status file_broken(const char *path, int *broken, hawser_error *err);
 /* The n text files of a run that are in a folder. Errors: as file_sum. */
 hawser_status folder_sums(const char *dir, int *n, FileSum sum[FILE_SUMS_MAX], hawser_error *err);
 /* Whether the files of a folder are those of its summary; that of an older hawser is not asked. Errors: INPUT (which
