@@ -310,7 +310,7 @@ static void grow(Growing *g, const char *more)
 /* The value, which is used up, on one line. */
 static void grow_json(Growing *g, const char *before, json_t *value)
 {
-    char *const text = value ? json_dumps(value, JSON_ENCODE_ANY | JSON_REAL_PRECISION(DIGITS)) : NULL;
+    char *const text = value ? json_dumped(value, JSON_ENCODE_ANY | JSON_REAL_PRECISION(DIGITS)) : NULL;
     grow(g, before);
     grow(g, text);
     free(text);

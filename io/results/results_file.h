@@ -52,6 +52,9 @@ hawser_status out_flush(OutFile *out, hawser_error *err);
 /* Flushes and closes; a closed file is left alone. Errors: OUTPUT (the file is closed all the same). */
 hawser_status out_close(OutFile *out, hawser_error *err);
 
+/* A file that was written under another name, `part`, gets its own once it is on the disk; after an error (status) it is
+ * taken away. Errors: OUTPUT. */
+hawser_status out_name(const char *part, const char *path, hawser_status status, hawser_error *err);
 /* The same for bytes, and to the disk, before they have their name. */
 hawser_status out_whole_bytes(const char *dir, const char *name, const void *bytes, size_t size, hawser_error *err);
 /* A file of one text: beside its name first ("NAME.part"), so that what stands under the name is whole at any time.
