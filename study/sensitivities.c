@@ -363,8 +363,7 @@ hawser_status hawser_case_position_sensitivities(hawser_case *c, size_t n, const
     if (!status) {
         const Fact when = {"at_s", "the position of", "s", cell_number(sim->stage.t)};
         status = slopes_write(c, sim, &v, f, slope, when, POSITION_TITLE, format, text, err);
-        if (!status && json)
-            status = slopes_write(c, sim, &v, f, slope, when, POSITION_TITLE, HAWSER_JSON, json, err);
+        if (!status && json) status = slopes_write(c, sim, &v, f, slope, when, POSITION_TITLE, HAWSER_JSON, json, err);
     }
     free(slope);
     free(key);

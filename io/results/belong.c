@@ -80,8 +80,8 @@ static hawser_status states_check(const char *dir, const char *run, const char *
     status = file_broken(path, &broken, err);
     if (status) return status;
     if (broken)
-        return error_set(err, HAWSER_ERR_INPUT,
-                         "'%.600s' is damaged: its bytes are not those that the run has written", path);
+        return error_set(err, HAWSER_ERR_INPUT, "'%.600s' is damaged: its bytes are not those that the run has written",
+                         path);
     if (!memory_room(ROOM)) return error_memory(err);
     H5E_BEGIN_TRY
     {

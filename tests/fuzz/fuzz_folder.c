@@ -1,6 +1,6 @@
 /* A results folder in which one file is not as the run has written it: numbers and words changed, cut off, parts twice,
- * or other bytes altogether; with the sums as they were, or made right again. Checked, reported on (alone and beside the
- * good one), drawn, and compared with a log: an error that says why, or a whole page.
+ * or other bytes altogether; with the sums as they were, or made right again. Checked, reported on (alone and beside
+ * the good one), drawn, and compared with a log: an error that says why, or a whole page.
  *
  * results.h5 with a wrong sum must be refused before HDF5 has seen it. One without a sum, as a run that was killed
  * leaves it, is read only where HAWSER_FUZZ_HDF5 is set: HDF5 itself does not survive every such file
@@ -97,8 +97,9 @@ static void make_run(void)
 /* The files by their names, so that an input means the same wherever it is tried. */
 static void base_make(void)
 {
-    static const char *const names[] = {"summary.json", "series.csv", "stations.csv", "rollers.csv",      "inputs.csv",
-                                        "route.csv",    "results.h5", "results.xdmf", "certificate.json", "sensitivities.json"};
+    static const char *const names[] = {"summary.json",     "series.csv",        "stations.csv", "rollers.csv",
+                                        "inputs.csv",       "route.csv",         "results.h5",   "results.xdmf",
+                                        "certificate.json", "sensitivities.json"};
     const char *const tmp = getenv("TMPDIR");
     snprintf(base, sizeof base, "%.200s/hawser-fuzz-XXXXXX", tmp && *tmp ? tmp : "/tmp");
     FUZZ_MUST(mkdtemp(base));
@@ -128,8 +129,9 @@ static void base_make(void)
 /* ----------------------------------------------------------------------------------------------------- changes */
 
 /* What a text's number or word may be instead. */
-static const char *const words[] = {"nan", "-inf", "1e999", "-1", "0",  "1e300", "99999999999999999999", "\"",
-                                    "\n",  ",",    "\\u0000", "{", "]", "null",  "<script>",              "=1+1"};
+static const char *const words[] = {"nan",      "-inf", "1e999", "-1",      "0", "1e300", "99999999999999999999",
+                                    "\"",       "\n",   ",",     "\\u0000", "{", "]",     "null",
+                                    "<script>", "=1+1"};
 
 /* A change of bytes [room], of which there are `size`; returns how many there are then. */
 static size_t change(Draws *d, unsigned char *bytes, size_t size, size_t room)
@@ -137,7 +139,7 @@ static size_t change(Draws *d, unsigned char *bytes, size_t size, size_t room)
     const uint32_t what = draws_take(d, 1) % 8;
     const size_t at = size > 0 ? draws_take(d, 3) % size : 0;
     if (size < 16) return size;
-    if (what == 0) return at; /* cut off */
+    if (what == 0) return at;         /* cut off */
     if (what == 1 && at + 1 < size) { /* so many bytes again, in another place */
         size_t n = 1 + draws_take(d, 2) % 512, to = draws_take(d, 3) % size;
         n = n < size - at ? n : size - at;

@@ -167,8 +167,8 @@ static void a_certificate_or_sensitivities_of_another_run_are_refused(void **sta
     }
 }
 
-/* A bit of results.h5 anywhere, or more behind it: HDF5 is not asked what it makes of that. Without its sum, as a run that was
- * killed leaves it, the file is read as before. */
+/* A bit of results.h5 anywhere, or more behind it: HDF5 is not asked what it makes of that. Without its sum, as a run
+ * that was killed leaves it, the file is read as before. */
 static void a_damaged_file_of_states_is_refused(void **state)
 {
     (void)state;
@@ -189,7 +189,8 @@ static void a_damaged_file_of_states_is_refused(void **state)
             fputc(back ? byte : byte ^ 4, f);
             fflush(f);
             assert_int_equal(hawser_results_check(scratch_path("a"), &err), back ? HAWSER_OK : HAWSER_ERR_INPUT);
-            if (!back) check_has(err.message, "results.h5' is damaged: its bytes are not those that the run has written");
+            if (!back)
+                check_has(err.message, "results.h5' is damaged: its bytes are not those that the run has written");
         }
     }
     fclose(f);
