@@ -88,7 +88,7 @@ static long seal_read(int fd, Seal *seal)
 
 hawser_status file_seal(const char *path, hawser_error *err)
 {
-    FileSum sum;
+    FileSum sum = {0};
     Seal seal;
     const int fd = open(path, O_RDWR | O_APPEND | O_CLOEXEC);
     if (fd < 0) return out_error(path, errno, err);
@@ -118,7 +118,7 @@ void file_unseal(const char *path)
 
 hawser_status file_broken(const char *path, int *broken, hawser_error *err)
 {
-    FileSum sum;
+    FileSum sum = {0};
     Seal seal;
     *broken = 0;
     const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
