@@ -212,7 +212,9 @@ def configure():
 def write_tree(chosen, texts):
     for path, text in texts.items():
         places = sorted((p for p in chosen.get(path, []) if p.number is not None), key=lambda p: (p.start, -p.end))
-        path.write_text(render(text, 0, len(text), places))
+        rendered = render(text, 0, len(text), places)
+        if rendered != path.read_text():  # what stays needs no building
+            path.write_text(rendered)
 
 
 def targets(labels):
