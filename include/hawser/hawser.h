@@ -213,6 +213,7 @@ typedef struct hawser_summary {
     int n_places;
     const hawser_place *places, *worst_place; /* as hawser_sim_places gives them; that with the largest pull, or NULL */
     const char *method;                       /* of integration in time: "bdf" or "esdirk" */
+    const hawser_quasi_static *quasi_static;  /* NULL: solver.motion is dynamic */
 } hawser_summary;
 
 /* Fills as much of it as the caller knows. */
@@ -223,7 +224,7 @@ hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_e
 
 /* The stations, from the route's start on; *out stays the simulation's. Returns how many. */
 int hawser_sim_stations(const hawser_sim *s, const hawser_station **out);
-/* The rollers in the case's order; *out stays the simulation's, brought up to date by every call. Returns how many. */
+/* The rollers in the case's order; *out stays the simulation's, up to date after every call. Returns how many. */
 int hawser_sim_rollers(hawser_sim *s, const hawser_roller **out);
 /* The surfaces in the case's order: ducts, trays, planes; as above. */
 int hawser_sim_surfaces(hawser_sim *s, const hawser_surface **out);

@@ -81,6 +81,16 @@ typedef struct hawser_hold {
     char chain[HAWSER_WHERE_MAX];                   /* of several chains: whose segment it is; "": it is alone */
 } hawser_hold;
 
+/* What of a run was moved by positions in steady motion, without inertia (solver.motion). */
+typedef struct hawser_quasi_static {
+    long positions, iterations; /* positions; of Newton's method for them */
+    long stretches, refused;    /* how often they began; how often they did not, for the pull was not theirs yet */
+    double first_s, time_s;     /* when they first began; for how long they moved the run */
+    double apart; /* the largest difference of a stretch's first position from the mean pull before it, of that */
+    double swing; /* the most that the pull swung by as positions began, of its mean: what they leave out of a peak */
+    const char *why; /* why there were none and cannot be; NULL: there can be */
+} hawser_quasi_static;
+
 #ifdef __cplusplus
 }
 #endif

@@ -10,6 +10,7 @@
 static const char *const frames[] = {"symmetric", "adams", NULL};
 static const char *const planar_choices[] = {"auto", "on", "off", NULL};
 static const char *const method_choices[] = {"auto", "bdf", "esdirk", NULL};
+static const char *const motion_choices[] = {"dynamic", "auto", "quasi-static", NULL};
 static const char *const passes_choices[] = {"auto", "1", "2", "3", NULL};
 static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
 static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
@@ -67,6 +68,7 @@ static const CaseKey solver_keys[] = {
     {"accuracy", KEY_ANY, .fallback = "auto", .form = "`auto` or a number", FROM(1e-12, 0.1)},
     {"passes", KEY_CHOICE, .fallback = "auto", .choices = passes_choices, AT(SolverDef, passes)},
     {"method", KEY_CHOICE, .fallback = "auto", .choices = method_choices, AT(SolverDef, method)},
+    {"motion", KEY_CHOICE, .fallback = "dynamic", .choices = motion_choices, AT(SolverDef, motion)},
     {"tolerances", KEY_SECTION, .otherwise = "from `accuracy`", .section = &tolerances},
     {"max_order", KEY_INTEGER, .fallback = "2", FROM(1, 5), AT(SolverDef, max_order)},
     {"max_step", KEY_NUMBER, DIM_TIME, .fallback = "0 s", FROM(0, LATE), AT(SolverDef, max_step)},

@@ -252,6 +252,19 @@ static const Column hold_column[] = {
 };
 static const Columns hold_columns = COLUMNS(hawser_hold, hold_column);
 
+static const Column still_column[] = {
+    {COLUMN("positions", LONG, hawser_quasi_static, positions)},
+    {COLUMN("iterations", LONG, hawser_quasi_static, iterations)},
+    {COLUMN("stretches", LONG, hawser_quasi_static, stretches)},
+    {COLUMN("refused", LONG, hawser_quasi_static, refused)},
+    {COLUMN("first_s", NUMBER, hawser_quasi_static, first_s)},
+    {COLUMN("time_s", NUMBER, hawser_quasi_static, time_s)},
+    {COLUMN("apart", NUMBER, hawser_quasi_static, apart)},
+    {COLUMN("swing", NUMBER, hawser_quasi_static, swing)},
+    {COLUMN("why", TEXT, hawser_quasi_static, why)},
+};
+static const Columns still_columns = COLUMNS(hawser_quasi_static, still_column);
+
 static const Column passes_column[] = {
     {COLUMN("outcome", TEXT, hawser_passes, outcome)},
     {COLUMN("why", CHARS, hawser_passes, why)},
@@ -298,6 +311,7 @@ static const Column summary_column[] = {
     {COLUMN("contact_refreshes", LONG, Summary, s.contact_refreshes)},
     {COLUMN("slowest", OBJECT, Summary, s.slowest), .of = &hold_columns},
     {COLUMN("method", TEXT, Summary, s.method)},
+    {COLUMN("quasi_static", OBJECT, Summary, s.quasi_static), .of = &still_columns},
     {COLUMN("linear_solver", TEXT, Summary, s.linear_solver)},
     {COLUMN("linear_solver_why", TEXT, Summary, s.linear_solver_why)},
     {COLUMN("ordering", TEXT, Summary, s.ordering)},

@@ -16,6 +16,10 @@ typedef enum PassesChoice { PASSES_AUTO, PASSES_ONE, PASSES_TWO, PASSES_THREE } 
 /* The method of integration in time: backward differences, or Runge-Kutta steps (sim/step/esdirk.h). */
 typedef enum MethodChoice { METHOD_AUTO, METHOD_BDF, METHOD_ESDIRK } MethodChoice;
 
+/* What moves the chain: the equations of motion; positions in steady motion wherever that may be (sim/stage/quasi.h);
+ * the same, and a scene that cannot be is an error. */
+typedef enum MotionChoice { MOTION_DYNAMIC, MOTION_AUTO, MOTION_QUASI_STATIC } MotionChoice;
+
 typedef struct SolverDef {
     double accuracy;                                                /* one number for all tolerances */
     double atol_position, atol_rotation, atol_velocity, atol_omega; /* 0: from accuracy and the scales */
@@ -30,6 +34,7 @@ typedef struct SolverDef {
     PlanarChoice planar;
     PassesChoice passes;
     MethodChoice method;
+    MotionChoice motion;
     int threads;
 } SolverDef;
 

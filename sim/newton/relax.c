@@ -1,6 +1,7 @@
 #include "sim/newton/relax.h"
 
 #include <float.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -168,9 +169,10 @@ static hawser_status iterate_from_soft(Relaxing *r, hawser_relaxation *out, haws
 }
 
 /* Straight away; where that does not reach equilibrium, once more from the start and from soft contacts. */
-static hawser_status attempts(Relaxing *r, hawser_relaxation *out, hawser_error *err)
+static hawser_status attempts(Relaxing *r, int straight, hawser_relaxation *out, hawser_error *err)
 {
-    hawser_status status = iterate(r, out->tolerance_N, r->def->relax_iterations, out, err);
+    const int most = r->def->relax_iterations;
+    hawser_status status = iterate(r, out->tolerance_N, straight < most ? straight : most, out, err);
     if (status || out->reached || !r->touches) return status;
     memcpy(r->y, r->start, (size_t)r->size * sizeof(double));
     status = r->ops->refresh(r->self, 1, err);
@@ -179,6 +181,12 @@ static hawser_status attempts(Relaxing *r, hawser_relaxation *out, hawser_error 
 
 hawser_status relax_run(const Scene *scene, const StopCheck *stop, const RelaxOps *ops, void *self, int size, double *y,
                         hawser_relaxation *out, hawser_error *err)
+{
+    return relax_run_within(INT_MAX, scene, stop, ops, self, size, y, out, err);
+}
+
+hawser_status relax_run_within(int straight, const Scene *scene, const StopCheck *stop, const RelaxOps *ops, void *self,
+                               int size, double *y, hawser_relaxation *out, hawser_error *err)
 {
     const size_t bytes = (size_t)size * sizeof(double);
     Relaxing r = {.ops = ops,
@@ -193,7 +201,7 @@ hawser_status relax_run(const Scene *scene, const StopCheck *stop, const RelaxOp
     hawser_status status;
     if (r.start && r.back) {
         memcpy(r.start, y, bytes);
-        status = attempts(&r, out, err);
+        status = attempts(&r, straight, out, err);
     } else {
         status = error_memory(err);
     }

@@ -27,6 +27,9 @@ typedef struct RelaxOps {
  * its way then. */
 hawser_status relax_run(const Scene *scene, const StopCheck *stop, const RelaxOps *ops, void *self, int size, double *y,
                         hawser_relaxation *out, hawser_error *err);
+/* The same with so many iterations straight away, at most, before it begins from soft contacts. */
+hawser_status relax_run_within(int straight, const Scene *scene, const StopCheck *stop, const RelaxOps *ops, void *self,
+                               int size, double *y, hawser_relaxation *out, hawser_error *err);
 /* Largest length among the n vectors of y - from, of which component c begins at c pitch; from NULL: of y. */
 double relax_farthest(int n, int pitch, int dims, const double *y, const double *from);
 /* What counts as balanced, N: the tolerance times the largest of the segments' weights and the loads of t, but never

@@ -196,8 +196,11 @@ hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
         return error_set(err, HAWSER_ERR_INPUT,
                          "this is one of several chains: a checkpoint is of the simulation that moves them all");
     for (int k = 0; !status && k < sim_chains(s); ++k) status = controls_checkpoint(c, sim_chain(s, k), err);
+    if (!status) quasi_checkpoint_before(c, s);
+    if (!status && c->status) return HAWSER_OK;
     if (!status) status = s->together ? together_checkpoint(c, s->together, err) : stage_checkpoint(c, &s->stage, err);
     if (c->status) return status;
+    if (!status) status = quasi_checkpoint(c, s, err);
     for (int k = 0; !status && k < sim_chains(s); ++k) status = watched_checkpoint(c, sim_chain(s, k), err);
     if (status || !c->reading || c->status) return status;
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin); /* what solves now is not what the beginning asked for */
@@ -219,7 +222,10 @@ static uint64_t chain_identity(const Sim *s)
     sum[n++] = checkpoint_hash(chain->half, (joints - 1) * sizeof(double));
     sum[n++] = checkpoint_hash(chain->radius, (joints - 1) * sizeof(double));
     for (int k = 0; k < 6; ++k) sum[n++] = checkpoint_hash(chain->stiffness[k], joints * sizeof(double));
-    for (int k = 0; k < 6; ++k) sum[n++] = checkpoint_hash(chain->damping[k], joints * sizeof(double));
+    for (int k = 0; k < 6; ++k) { /* which springs do without while positions move the run */
+        const double *const built = s->quasi.stage.damping ? s->quasi.stage.damping + (size_t)k * joints : NULL;
+        sum[n++] = checkpoint_hash(built ? built : chain->damping[k], joints * sizeof(double));
+    }
     for (int k = 0; k < 6; ++k) sum[n++] = checkpoint_hash(chain->preload[k], joints * sizeof(double));
     for (int r = 0; r < scene->contact.n_rollers; ++r) {
         const Vec3 place[2] = {scene->rollers[r].shape.centre, scene->rollers[r].shape.axis};

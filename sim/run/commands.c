@@ -104,6 +104,8 @@ hawser_status sim_command(Sim *s, const Command *c, hawser_error *err)
     Stage *const st = &s->stage;
     char text[256];
     hawser_status status = command_check(s, c, err);
+    if (!status) status = quasi_end(s, err);
+    s->quasi.told |= !status && c->kind > HAWSER_WINCH_RESTART;
     if (!status) status = rooms_tell(&st->scene, c, st->t, err);
     if (!status) status = motion_follow(st, c, err);
     if (status) return status;

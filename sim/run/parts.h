@@ -7,6 +7,7 @@
 #include "sim/picture/closeup.h"
 #include "sim/picture/envelope.h"
 #include "sim/run/passes.h"
+#include "sim/run/quasi_run.h"
 #include "sim/run/stall.h"
 #include "sim/stage/modes.h"
 #include "sim/stage/positions.h"
@@ -37,6 +38,7 @@ typedef struct hawser_sim {
     Probes probes;
     Modes modes;
     Positions positions; /* n 0 of other analyses */
+    QuasiRun quasi;
     Stats stats;
     Machines machines;
     Peaks peaks;

@@ -54,6 +54,7 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     }
     if (!status && !scene->rod->present) status = by_position_new(&s->by_position, scene, err);
     if (!status) status = machines_new(&s->machines, scene, &s->expected, err);
+    if (!status) status = quasi_run_new(s, err);
     if (!status && !scene->def.strand.present) status = sim_trip_set(s, err);
     if (!status) status = start_check(s, err);
     if (!status) status = start_grades(s, err);
@@ -129,6 +130,7 @@ Sim *sim_free(Sim *s)
     probes_free(&s->probes);
     modes_free(&s->modes);
     positions_free(&s->positions);
+    quasi_run_free(&s->quasi);
     stage_free(&s->stage);
     team_free(s->team);
     free(s->condition);
@@ -146,10 +148,7 @@ Sim *sim_free(Sim *s)
     return NULL;
 }
 
-static const hawser_sample *look_now(Sim *s, SampleParts parts);
-
-/* The worst equilibrium so far is the run's. */
-static void relaxation_take(Sim *s, const hawser_relaxation *found)
+void sim_relaxation_take(Sim *s, const hawser_relaxation *found)
 {
     hawser_relaxation *const worst = &s->relaxation;
     const int iterations = worst->iterations + found->iterations;
@@ -166,9 +165,9 @@ static hawser_status advance_positions(Sim *s, double t, int one_step, hawser_er
     while (s->stage.t < t && !status) {
         hawser_relaxation found = {0};
         status = positions_advance(&s->positions, &s->stage, positions_next(&s->positions, s->stage.t, t), &found, err);
-        if (!status || status == HAWSER_ERR_RUN) relaxation_take(s, &found);
+        if (!status || status == HAWSER_ERR_RUN) sim_relaxation_take(s, &found);
         if (!status) passing_look(&s->passing, &s->stage.scene, &s->stage.ws, 0, s->stage.t);
-        if (!status) status = positions_record(&s->positions, &s->stage, look_now(s, SAMPLE_ROW), &found, err);
+        if (!status) status = positions_record(&s->positions, &s->stage, sim_look(s, SAMPLE_ROW), &found, err);
         if (one_step) break;
     }
     s->relax_s += clock_now() - start;
@@ -187,7 +186,7 @@ static double next_stop_of(const Sim *s, double stop)
     return fmin(stop, script_next(s));
 }
 
-static double next_stop(Sim *s, double stop)
+double sim_next_stop(Sim *s, double stop)
 {
     for (int k = 0; k < sim_chains(s); ++k) stop = next_stop_of(sim_chain(s, k), stop);
     return stop;
@@ -249,7 +248,7 @@ static void peak_watch(Sim *s)
     if (st->integrator) integrator_bound(st->integrator, s->stats.swings.bound); /* chains have one: the first's */
     s->record_s += clock_now() - start;
     if (!due) return;
-    const hawser_sample *const look = look_now(s, SAMPLE_ROW);
+    const hawser_sample *const look = sim_look(s, SAMPLE_ROW);
     hawser_sample held = *look;
     held.winch_force = stats_peak(&s->stats, &st->scene, &st->ws.kin, look);
     steadiness_held(&s->steadiness, held.winch_force, held.t);
@@ -287,7 +286,7 @@ void sim_held_up(Sim *s, const StallFrom *from, hawser_hold *out)
     stall_cause(from, in, s->stage.t, longest, out);
     int segment = stall_by_speed(out) ? 0 : integrator_worst(in);
     Sim *const each = stall_by_speed(out) ? fastest_chain(s) : chain_with(s, m->ops->whose(m, &segment));
-    stall_place(&each->stage.scene, segment, look_now(each, SAMPLE_ALL), each->stats.roller_out,
+    stall_place(&each->stage.scene, segment, sim_look(each, SAMPLE_ALL), each->stats.roller_out,
                 each->stats.surface_out, out);
 }
 
@@ -338,6 +337,30 @@ static hawser_status step_watch(Sim *s, hawser_error *err)
     return status ? status : script_due(s, err);
 }
 
+/* One step of the equations of motion. */
+static hawser_status advance_moving(Sim *s, double t, hawser_error *err)
+{
+    const double stop = sim_next_stop(s, t);
+    hawser_status status = s->together ? together_step(s->together, stop, err) : stage_step(&s->stage, stop, err);
+    if (status == HAWSER_ERR_RUN) failure_explain(s, err);
+    if (!status) stall_watch(s);
+    for (int k = 0; !status && k < sim_chains(s); ++k) status = step_watch(sim_chain(s, k), err);
+    return status ? status : quasi_begin(s, err);
+}
+
+/* On by positions in steady motion; each of them counts, whatever rows there are. Who goes step by step is shown a step
+ * of rows: positions may be farther apart. */
+static hawser_status advance_still(Sim *s, double t, int one_step, hawser_error *err)
+{
+    const double interval = s->stage.scene.def.output.interval;
+    int arrived;
+    if (one_step && interval > 0) t = fmin(t, s->stage.t + interval);
+    hawser_status status = quasi_move(s, t, &arrived, err);
+    if (status || !arrived) return status;
+    sim_record_row(s);
+    return events_watch(s, err);
+}
+
 hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -350,11 +373,7 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
         status = script_due(each, err);                 /* what is due at the very beginning */
     }
     while (s->stage.t < t && !status) {
-        const double stop = next_stop(s, t);
-        status = s->together ? together_step(s->together, stop, err) : stage_step(&s->stage, stop, err);
-        if (status == HAWSER_ERR_RUN) failure_explain(s, err);
-        if (!status) stall_watch(s);
-        for (int k = 0; !status && k < sim_chains(s); ++k) status = step_watch(sim_chain(s, k), err);
+        status = s->quasi.stage.on ? advance_still(s, t, one_step, err) : advance_moving(s, t, err);
         if (!status && (s->calls.step || s->calls.law || s->calls.stop)) status = sim_call(s, err);
         if (one_step) break;
     }
@@ -369,10 +388,13 @@ double hawser_sim_end_time(const Sim *s)
 }
 const char *hawser_sim_title(const Sim *s) { return s ? SHOWN(s)->title : ""; }
 
-static const hawser_sample *look_now(Sim *s, SampleParts parts)
+const hawser_sample *sim_look(Sim *s, SampleParts parts)
 {
     const double start = clock_now();
-    const int active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, parts >= SAMPLE_FIELDS);
+    const int between = quasi_between(s); /* where forces are those of its two sides */
+    int active = 0;
+    if (between) dynamics_kinematics(&s->stage.scene, &s->stage.ws, s->stage.t, s->stage.y);
+    if (!between) active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, parts >= SAMPLE_FIELDS);
     if (s->stage.scene.reel->present) dynamics_tail_pull(&s->stage.scene, &s->stage.ws);
     if (s->together || s->leader) together_look(s->together ? s->together : s->leader->together, s);
     const hawser_sample *const look = sample_take(&s->look, &s->stage.scene, &s->stage.ws, s->stage.t, active, parts);
@@ -388,6 +410,7 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
     s->look.sample.machine = s->machines.out;
     s->look.sample.figures = s->machines.n_now;
     s->look.sample.figure = s->machines.now;
+    if (between) quasi_mix(s);
     probes_look(&s->probes, &s->stage.scene, &s->stage.ws, s->stage.t);
     s->look.sample.probes = s->probes.n;
     s->look.sample.pass = s->pass + 1;
@@ -397,12 +420,13 @@ static const hawser_sample *look_now(Sim *s, SampleParts parts)
         integrator_stats(s->stage.integrator, &stats);
         s->look.sample.step_size = stats.last_step;
     }
+    if (s->quasi.stage.on) s->look.sample.step_size = quasi_step(&s->quasi);
     sim_motion(s)->ops->lin_stats(sim_motion(s), &s->lin); /* the ordering is known after the first factorisation */
     s->record_s += clock_now() - start;
     return look;
 }
 
-const hawser_sample *hawser_sim_sample(Sim *s) { return s ? look_now(SHOWN(s), SAMPLE_ALL) : NULL; }
+const hawser_sample *hawser_sim_sample(Sim *s) { return s ? sim_look(SHOWN(s), SAMPLE_ALL) : NULL; }
 
 /* Says once that the run has left what its model can do. */
 static void turned_watch(Sim *s, const hawser_sample *look)
@@ -417,7 +441,7 @@ static void turned_watch(Sim *s, const hawser_sample *look)
 
 static void record_one(Sim *s, SampleParts parts)
 {
-    const hawser_sample *const look = look_now(s, s->envelope.present && parts < SAMPLE_FIELDS ? SAMPLE_FIELDS : parts);
+    const hawser_sample *const look = sim_look(s, s->envelope.present && parts < SAMPLE_FIELDS ? SAMPLE_FIELDS : parts);
     const double start = clock_now();
     if (look->active_contacts > s->active_max) s->active_max = look->active_contacts;
     turned_watch(s, look);

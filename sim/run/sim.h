@@ -37,6 +37,12 @@ uint64_t sim_identity(const Sim *s);
 int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out);
 /* hawser_sim_record without bringing the sample's position, quaternion, velocity and omega up to date. */
 void sim_record_row(Sim *s);
+/* A look at the state of now. */
+const hawser_sample *sim_look(Sim *s, SampleParts parts);
+/* The worst equilibrium so far is the run's. */
+void sim_relaxation_take(Sim *s, const hawser_relaxation *found);
+/* Where something is not smooth next, or `stop`, s. */
+double sim_next_stop(Sim *s, double stop);
 /* What has held the integrator up since then; it has made steps. */
 void sim_held_up(Sim *s, const StallFrom *from, hawser_hold *out);
 

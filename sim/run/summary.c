@@ -9,11 +9,14 @@
 #include "sim/run/sim.h"
 #include "sim/run/together.h"
 
+static const double ROLLER_PEAKS = 0.6; /* of itself, that a front may have loaded a roller more between positions */
+
 static void integration_fill(const Sim *s, hawser_summary *out)
 {
-    if (!s->stage.integrator) return;
-    IntegratorStats i;
-    integrator_stats(s->stage.integrator, &i);
+    const int still = s->quasi.stage.on;
+    if (!s->stage.integrator && !still) return;
+    IntegratorStats i = s->quasi.stage.so_far;
+    if (!still) integrator_stats(s->stage.integrator, &i);
     out->steps = i.steps;
     out->rhs_evals = i.rhs_evals;
     out->newton_iters = i.newton_iters;
@@ -32,7 +35,8 @@ static void integration_fill(const Sim *s, hawser_summary *out)
                                   .vector = fmax(0, i.total + balance - other)};
     out->wall_time_s = i.total + balance;
     out->steps_per_second = i.total > 0 ? (double)i.steps / (i.total + balance) : 0;
-    out->balance = balance_close(s->stage.balance, sim_motion(s), s->stage.t, sim_state(s));
+    if (still && s->stage.balance) out->balance = balance_left(s->stage.balance);
+    if (!still) out->balance = balance_close(s->stage.balance, sim_motion(s), s->stage.t, sim_state(s));
 }
 
 static int came_to_rest(const Sim *s) { return s->stage.scene.def.solver.relax && s->relaxation.reached; }
@@ -50,6 +54,8 @@ static ErrorShares shares_of(const Sim *s, const hawser_summary *out)
     ErrorShares shares =
         error_shares(scene, &s->mesh, kept ? &books : NULL, fmin(out->pull_mean_N, out->reference_total_N));
     const Unsettled refused = steadiness_refused(&s->steadiness, came_to_rest(s));
+    shares.time += s->quasi.said.apart; /* what positions leave out (QS8) */
+    shares.step += s->quasi.said.apart + s->quasi.said.swing;
     shares.drift = refused.drift;
     shares.stands_out = refused.stands_out;
     shares.start = scene->def.solver.relax ? 0 : s->passing.start.force;
@@ -125,6 +131,7 @@ static void figures_fill(const Sim *s, hawser_summary *out)
                          .slowest = s->stall.slowest.steps > 0 ? &s->stall.slowest : NULL,
                          .n_places = s->positions.done,
                          .places = s->positions.out,
+                         .quasi_static = scene->def.solver.motion == MOTION_DYNAMIC ? NULL : &s->quasi.said,
                          .worst_place = s->positions.worst < 0 ? NULL : &s->positions.out[s->positions.worst],
                          .method = scene->def.solver.method == METHOD_ESDIRK ? "esdirk" : "bdf"};
     const double mean = by_position_mean(&s->by_position);
@@ -139,6 +146,8 @@ static void figures_fill(const Sim *s, hawser_summary *out)
     stats_summary(&s->stats, out);
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
+    for (int r = 0; s->quasi.said.positions > 0 && r < s->stats.n_rollers; ++r) /* (QS10) */
+        s->stats.roller_out[r].peak_error_N += ROLLER_PEAKS * s->stats.roller_out[r].peak_N;
     other_passes_bars(&s->others, &s->stats, sim_jolt(s), out);
     if (scene->def.strand.rope) drawn_errors_add(s, out);
     /* theory's tensions along the route are a cable's, and none of a rope that draws others behind it */
@@ -177,6 +186,7 @@ static void summary_fill(const Sim *s, hawser_summary *out)
                               .limit = limit,
                               .turned = s->overturned | s->stage.stability.turned,
                               .unstable = out->unstable,
+                              .still = out->quasi_static,
                               .push_share = s->positions.push_share,
                               .stray = s->stray,
                               .steadiness = &s->steadiness,

@@ -29,8 +29,9 @@ static double head_at(const Scene *scene, double t)
 /* Whether the winch runs at a constant speed from t on. */
 static int at_speed(const Scene *scene, double t)
 {
-    const Profile *const speed = &scene->winch->phase.speed;
-    return profile_value(speed, t) > 0 && fabs(profile_rate(speed, t)) <= AT_SPEED * scene->largest_speed;
+    const WinchPhase *const now = &scene->winch->phase;
+    const double rate = profile_rate(&now->speed, t - now->since);
+    return winch_speed(scene->winch, t) > 0 && fabs(rate) <= AT_SPEED * scene->largest_speed;
 }
 
 /* The first time from which on it does, s; INFINITY: never before `end`. */
@@ -58,8 +59,7 @@ static double time_of(const Scene *scene, double s, double end)
     return late;
 }
 
-/* What steady motion knows nothing of, in words; NULL: there is nothing of it. */
-static const char *unknown(const Stage *st)
+const char *positions_unknown(const Stage *st)
 {
     const Scene *const scene = &st->scene;
     const SceneDef *const def = &scene->def;
@@ -149,20 +149,25 @@ static hawser_status list_given(Positions *p, const Scene *scene, double end, ha
     return status;
 }
 
+void positions_of(Positions *p, const Stage *st)
+{
+    p->origin = st->scene.winch->origin;
+    p->attitude = st->scene.winch->attitude;
+}
+
 hawser_status positions_new(Positions *p, Stage *st, hawser_error *err)
 {
     Scene *const scene = &st->scene;
     const double end = scene->def.duration;
-    *p = (Positions){.worst = -1};
+    *p = (Positions){.worst = -1, .newton_within = INFINITY};
     if (scene->def.analysis.kind != ANALYSIS_POSITIONS) return HAWSER_OK;
-    const char *const why = unknown(st);
+    const char *const why = positions_unknown(st);
     if (why) return error_set(err, HAWSER_ERR_INPUT, "key 'run.analysis': positions: %s", why);
     if (isinf(first_at_speed(scene, end))) {
         return error_set(err, HAWSER_ERR_INPUT,
                          "key 'run.analysis': positions: the winch has no constant speed within %g s", end);
     }
-    p->origin = scene->winch->origin;
-    p->attitude = scene->winch->attitude;
+    positions_of(p, st);
     p->n_stations = scene->def.n_stations;
     const hawser_status status =
         scene->def.analysis.positions.n > 0 ? list_given(p, scene, end, err) : list_even(p, scene, end, err);
@@ -228,6 +233,7 @@ static hawser_status lie_keep(Lie *lie, const Stage *st, double travel, hawser_e
             lie->turn[i] = quat_log(quat_mul(to, quat_conj(from)));
         }
         lie->n = n;
+        lie->travel = travel;
     }
     free(laid);
     return lie->n > 0 ? HAWSER_OK : error_memory(err);
@@ -309,8 +315,6 @@ static hawser_status lay(const Positions *p, Stage *st, double t, double back, h
     return status;
 }
 
-/* ------------------------------------------------------------------------------------------- one position */
-
 /* How far the tail is behind where it was laid, m. */
 static double tail_back(const Stage *st)
 {
@@ -318,6 +322,14 @@ static double tail_back(const Stage *st)
     const RoutePoint at = route_at(&scene->route, centre_at(scene, 0, winch_travel(scene->winch, st->t)));
     return v3_dot(v3_sub(at.position, state_vector(st->y, scene->chain.n, STATE_P, 0)), at.tangent);
 }
+
+hawser_status positions_begin(Positions *p, const Stage *st, hawser_error *err)
+{
+    p->back = tail_back(st);
+    return lie_keep(&p->lie, st, winch_travel(st->scene.winch, st->t), err);
+}
+
+/* ------------------------------------------------------------------------------------------- one position */
 
 /* The segment of the state that is nearest to a place. */
 static int nearest(const Stage *st, Vec3 place)
@@ -362,7 +374,8 @@ static hawser_status solve(Positions *p, Stage *st, int fresh, hawser_relaxation
     hawser_status status = st->motion->ops->renew(st->motion, st->t, st->y, err);
     if (!status && fresh) status = st->motion->ops->relax(st->motion, st->t, st->y, out, err);
     if (!status && fresh) spins_start(st, speed);
-    if (!status) status = relax_steady(scene, &st->ws, &st->newton, st->t, speed, fresh, st->y, out, err);
+    const int far = fresh || fabs(travel - p->lie.travel) > p->newton_within;
+    if (!status) status = relax_steady(scene, &st->ws, &st->newton, st->t, speed, far, st->y, out, err);
     return status;
 }
 

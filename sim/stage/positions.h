@@ -8,6 +8,7 @@
 /* How the last position's chain lies beside the route, from which the next one's begins (PS8). */
 typedef struct Lie {
     int n;
+    double travel;      /* m, of the winch then */
     double *s;          /* [n] m along the route, of segments' centres as they would be laid, rising */
     Vec3 *shift, *turn; /* [n] m, rad: from there */
 } Lie;
@@ -21,8 +22,9 @@ typedef struct Positions {
     int worst;         /* place with the largest pull; -1: none yet */
     double push_share; /* the largest compression over the largest tension of the same place */
     Lie lie;
-    double back; /* m, by which its tail was behind where it was laid */
-    Vec3 origin; /* of the winch as it was built */
+    double newton_within; /* m: farther from the last one Newton's method is not tried first */
+    double back;          /* m, by which its tail was behind where it was laid */
+    Vec3 origin;          /* of the winch as it was built */
     Quat attitude;
 } Positions;
 
@@ -32,6 +34,13 @@ hawser_status positions_new(Positions *p, Stage *stage, hawser_error *err);
 void positions_free(Positions *p);
 /* The first position's time after t, or `end` if that comes first. */
 double positions_next(const Positions *p, double t, double end);
+
+/* What steady motion knows nothing of in a stage's scene, in words; NULL: there is nothing of it. */
+const char *positions_unknown(const Stage *stage);
+/* For positions that nobody has listed: where the winch is as it was built. */
+void positions_of(Positions *p, const Stage *stage);
+/* The next position begins from the shape of now, which moves. Errors: MEMORY. */
+hawser_status positions_begin(Positions *p, const Stage *stage, hawser_error *err);
 
 /* Lays the chain as it lies at time t and finds its steady motion; the stage is then at t. Errors: MEMORY, STOPPED;
  * RUN: there is no steady motion there, or it was not found. */

@@ -147,7 +147,8 @@ static hawser_status spatial_new(Stage *st, hawser_error *err)
 static hawser_status motion_new(Stage *st, hawser_error *err)
 {
     const Scene *const scene = &st->scene;
-    const int placed = scene->def.analysis.kind == ANALYSIS_POSITIONS;
+    const int placed =
+        scene->def.analysis.kind == ANALYSIS_POSITIONS || scene->def.solver.motion == MOTION_QUASI_STATIC;
     const PlanarChoice choice = placed ? PLANAR_OFF : scene->def.solver.planar;
     Plane plane;
     if (choice == PLANAR_OFF)

@@ -519,11 +519,13 @@ hawser_status integrator_renew(Integrator **in, Motion *motion, double t, double
     const hawser_status status = integrator_new(motion, t, y, &fresh, err);
     if (status) return status;
     integrator_stats(*in, &fresh->before);
-    fresh->stats = fresh->before;
+    integrator_go_on(fresh, &fresh->before);
     integrator_free(*in);
     *in = fresh;
     return HAWSER_OK;
 }
+
+void integrator_go_on(Integrator *in, const IntegratorStats *so_far) { in->before = in->stats = *so_far; }
 
 void integrator_stats(const Integrator *in, IntegratorStats *stats)
 {

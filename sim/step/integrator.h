@@ -31,6 +31,8 @@ hawser_status integrator_renew(Integrator **in, Motion *motion, double t, double
  * BDF, 1 with others. They are those of the collocation or of the last stage, which the equations of motion meet to
  * within Newton's tolerance. Valid until the next step. */
 const double *integrator_rates(Integrator *in, double *h);
+/* Goes on counting where another one has stopped. Nothing has been stepped yet. */
+void integrator_go_on(Integrator *in, const IntegratorStats *so_far);
 void integrator_stats(const Integrator *in, IntegratorStats *stats);
 /* The segment whose weighted local error is largest, of those simulated. Takes memory for a state. */
 int integrator_worst(Integrator *in);

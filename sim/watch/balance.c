@@ -146,6 +146,7 @@ hawser_status balance_enter(Balance *b, Motion *motion, double t, const double *
     BalanceStock after;
     if (!room_renew(b, motion)) return error_memory(err);
     stock_at(b, motion, t, y, &after);
+    b->t = t; /* between leaving and entering nothing is booked */
     b->entries.carried += energy_of(&after) - energy_of(&b->here);
     b->carried_momentum = v3_add(b->carried_momentum, v3_sub(after.momentum, b->here.momentum));
     b->weight = after.weight;
@@ -276,6 +277,11 @@ static void momentum_close(Balance *b, hawser_balance *out)
 const hawser_balance *balance_close(Balance *b, Motion *motion, double t, const double *y)
 {
     stock_at(b, motion, t, y, &b->here);
+    return balance_left(b);
+}
+
+const hawser_balance *balance_left(Balance *b)
+{
     b->out = (hawser_balance){.turnover_of = ""};
     energy_close(b, &b->out);
     momentum_close(b, &b->out);

@@ -24,6 +24,9 @@ hawser_status balance_enter(Balance *b, Motion *motion, double t, const double *
 /* The balances from the beginning to (t, y), which is evaluated; *out stays the balance's. */
 const hawser_balance *balance_close(Balance *b, Motion *motion, double t, const double *y);
 
+/* The same as the books were left (balance_leave), while nothing is booked. */
+const hawser_balance *balance_left(Balance *b);
+
 /* The books of the motion; read, they are made if there are none (NULL). */
 void balance_checkpoint(Checkpoint *c, Balance **books, const Motion *motion);
 

@@ -420,6 +420,14 @@ double stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const
     return fmin(now[0], stats->before[0]);
 }
 
+void stats_raise(Stats *stats, const hawser_sample *sample)
+{
+    for (int r = 0; r < stats->n_rollers; ++r) {
+        mean_raise(&stats->roller[r].load, sample->roller_load[r], 0);
+        stats->roller_out[r].peak_N = stats->roller[r].load.peak;
+    }
+}
+
 static const double NO_TENSION = 1e-6; /* N: where theory has no more than rounding, no error can be told */
 
 /* Largest and mean error of the stations against one of the two theories, %. */

@@ -66,6 +66,8 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
  * stats_peak is to be told what a look at the step's end finds, and returns the pull that both steps held, N. */
 int stats_step(Stats *stats, const Scene *scene, double t, double pull, const double *tension, const Vec3 *on_roller);
 double stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
+/* Loads of rollers between two samples, which count for their peaks alone. */
+void stats_raise(Stats *stats, const hawser_sample *sample);
 /* Route coordinate of the simulated joint j (0..chain.n), m; travel: of the head, m. */
 double along_joint(const Scene *scene, const Kinematics *kin, double travel, int j);
 /* Where along the route the pulling eye is now, the cable's front, m; travel: of the head, m. NAN if that is not

@@ -74,8 +74,9 @@ typedef struct TrustFacts {
     const hawser_summary *figures; /* with their error bars */
     int n_limits;                  /* what the case allows, against these figures; 0: it does not say */
     const hawser_limit *limit;
-    int turned;        /* sim/watch/events.h */
-    int unstable;      /* motions that grow from an equilibrium of statics; -1: not counted */
+    int turned;                       /* sim/watch/events.h */
+    int unstable;                     /* motions that grow from an equilibrium of statics; -1: not counted */
+    const hawser_quasi_static *still; /* what positions have moved; NULL: nothing could be */
     double push_share; /* of positions: the largest compression over the largest tension of the same one */
     Stray stray;
     const Steadiness *steadiness;

@@ -52,6 +52,7 @@ static const Scene scenes[] = {
     {"cases/huangjiahu.yaml", 2, "solver.method", "esdirk"},
     {"cases/reel.yaml", 12, "solver.method", "esdirk"},
     {"cases/rollers-mounted.yaml", 2, "solver.method", "esdirk"},
+    {"tests/data/positions.yaml", 6, "solver.motion", "auto"}, /* 6 s: of positions; the next one is far */
     {"tests/data/chains.yaml", 0.5, NULL, NULL},
     {"tests/data/chains-rope.yaml", 0.4, NULL, NULL},
 };

@@ -1,0 +1,433 @@
+#include "sim/run/quasi_run.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/clock.h"
+#include "core/base/error.h"
+#include "core/state.h"
+#include "sim/equipment/winch.h"
+#include "sim/run/commands.h"
+#include "sim/run/sim.h"
+
+/* What the pull may swing by, and a position differ from its mean, for positions to go on: shares of it (QS2), (QS3).
+ */
+static const double SWING = 0.01, APART = 0.01;
+static const double STRETCH = 3; /* windows, that a stretch of positions must last to be worth it */
+/* Longest segments between two positions: golden, so that they meet every phase of a segment's ripple (QS4). */
+static const double GOLDEN = 2.6180339887498949;
+enum { POSITIONS_LEAST = 40, CHECKS = 4 }; /* of a stretch: positions; of a run: how often motion is asked again */
+static const double TOLERANCE = 5e-3;      /* of the pull, that rows between positions may be off by (QS5) */
+static const double NEXT = 0.5;            /* of a step, behind which it may end at a roller's peak */
+static const double SHORTEST = 1.0 / 16;   /* of the longest step */
+static const double TRIP = 0.9;            /* of the pull at which a winch trips: motion decides from there on */
+enum { TRIES = 4, WAIT_MOST = 64 };
+
+/* ------------------------------------------------------------------------------------------------- looks as numbers */
+
+enum { SINGLE = 5 }; /* figures that are no arrays */
+
+static size_t tail_numbers(const SampleBuffers *b, const Scene *scene)
+{
+    const size_t n = (size_t)scene->total, nr = (size_t)b->sample.rollers, ns = (size_t)b->sample.surfaces;
+    return 4 * n + 3 + 6 * nr + 4 * ns; /* from the tensions to the end: sample_alloc */
+}
+
+static int numbers_of(const Sim *s)
+{
+    int n = SINGLE + (int)tail_numbers(&s->look, &s->stage.scene);
+    for (int i = 0; i < s->machines.n; ++i) n += s->machines.record[i].room->kind->machines->n_kept;
+    return n;
+}
+
+double quasi_roller_load(const Sim *s, const double *numbers, int r)
+{
+    return numbers[SINGLE + s->stage.scene.total + 1 + r]; /* behind the tensions */
+}
+
+/* The sample of now to numbers, or numbers into it. */
+static void look_go(Sim *s, double *numbers, int put)
+{
+    hawser_sample *const look = &s->look.sample;
+    double *const single[SINGLE] = {&look->winch_force, &look->tail_tension, &look->reel_speed, &look->paid_out,
+                                    &look->wound};
+    const size_t tail = tail_numbers(&s->look, &s->stage.scene);
+    for (int k = 0; k < SINGLE; ++k) *(put ? single[k] : numbers + k) = *(put ? numbers + k : single[k]);
+    memcpy(put ? s->look.tension : numbers + SINGLE, put ? numbers + SINGLE : s->look.tension, tail * sizeof(double));
+    double *at = numbers + SINGLE + tail;
+    hawser_figure *now = s->machines.now;
+    for (int i = 0; i < s->machines.n; ++i) {
+        MachineRecord *const r = &s->machines.record[i];
+        const MachineKind *const kind = r->room->kind->machines;
+        for (int k = 0; k < kind->n_kept; ++k, ++at) *(put ? &r->value[k] : at) = *(put ? at : &r->value[k]);
+        for (int k = 0; k < kind->n_now; ++k) (now++)->value = r->value[k];
+    }
+}
+
+double quasi_step(const QuasiRun *q)
+{
+    return q->known > 1 ? q->t[QUASI_KEPT - 1] - q->t[QUASI_KEPT - 2] : q->stage.so_far.last_step;
+}
+
+int quasi_between(const Sim *s)
+{
+    const QuasiRun *const q = &s->quasi;
+    return q->stage.on && !q->probing && s->stage.t < q->t[QUASI_KEPT - 1];
+}
+
+/* (QS6), over what the last position showed; where only it has something it is that. */
+void quasi_mix(Sim *s)
+{
+    QuasiRun *const q = &s->quasi;
+    const double *const a = q->look[QUASI_KEPT - 2], *const b = q->look[QUASI_KEPT - 1];
+    const double from = q->t[QUASI_KEPT - 2], u = (s->stage.t - from) / (q->t[QUASI_KEPT - 1] - from);
+    double *const mixed = q->look[0]; /* the one before both has had its use when rows are looked at */
+    hawser_sample *const look = &s->look.sample;
+    for (int k = 0; k < q->numbers; ++k) mixed[k] = isnan(a[k]) || isnan(b[k]) ? b[k] : a[k] + u * (b[k] - a[k]);
+    look_go(s, mixed, 1);
+    look->active_contacts = q->active;
+    look->max_tension_joint = look->first;
+    for (int j = look->first; j <= look->first + look->active; ++j) {
+        if (look->tension[j] > look->tension[look->max_tension_joint]) look->max_tension_joint = j;
+    }
+    look->max_tension = look->tension[look->max_tension_joint];
+}
+
+/* ------------------------------------------------------------------------------------------------------------ life */
+
+hawser_status quasi_run_new(Sim *s, hawser_error *err)
+{
+    QuasiRun *const q = &s->quasi;
+    const hawser_status status = quasi_new(&q->stage, &s->positions, &s->stage, err);
+    q->window.from = -1;
+    q->said.why = q->stage.why;
+    if (status || !q->stage.damping) return status;
+    q->numbers = numbers_of(s);
+    q->memory = calloc(QUASI_KEPT * (size_t)q->numbers, sizeof *q->memory);
+    for (int k = 0; q->memory && k < QUASI_KEPT; ++k) q->look[k] = q->memory + k * (ptrdiff_t)q->numbers;
+    return q->memory ? HAWSER_OK : error_memory(err);
+}
+
+void quasi_run_free(QuasiRun *q)
+{
+    quasi_free(&q->stage);
+    free(q->memory);
+    free(q->y);
+    *q = (QuasiRun){0};
+}
+
+static int room_for(QuasiRun *q, int size)
+{
+    if (size == q->size) return 1;
+    double *const y = realloc(q->y, (size_t)size * sizeof *y);
+    if (!y) return 0;
+    q->y = y;
+    q->size = size;
+    return 1;
+}
+
+/* s, in which the longest segment passes a point. */
+static double passing_time(const Scene *scene, double speed)
+{
+    double longest = 0;
+    for (int i = 0; i < scene->chain.n; ++i) longest = fmax(longest, 2 * scene->chain.half[i]);
+    return longest / speed;
+}
+
+/* ------------------------------------------------------------------------------------------------------- positions */
+
+/* The last position's state as it was when the winch had hauled in less, (QS7). */
+static void state_at(Sim *s, double t)
+{
+    const QuasiRun *const q = &s->quasi;
+    Stage *const st = &s->stage;
+    const int n = st->scene.chain.n;
+    const double back = t - q->t[QUASI_KEPT - 1];
+    memcpy(st->y, q->y, (size_t)q->size * sizeof *st->y);
+    st->t = t;
+    for (int c = 0; c < 3 * n && back < 0; ++c) st->y[c] += back * st->y[STATE_V * n + c];
+}
+
+/* A position has been found: it is the last one now. */
+static hawser_status keep(Sim *s, const hawser_relaxation *found, hawser_error *err)
+{
+    QuasiRun *const q = &s->quasi;
+    double *const oldest = q->look[0];
+    if (!room_for(q, s->stage.motion->size)) return error_memory(err);
+    for (int k = 1; k < QUASI_KEPT; ++k) {
+        q->t[k - 1] = q->t[k];
+        q->look[k - 1] = q->look[k];
+    }
+    q->t[QUASI_KEPT - 1] = s->stage.t;
+    q->look[QUASI_KEPT - 1] = oldest;
+    const hawser_sample *const look = sim_look(s, SAMPLE_FIELDS);
+    look_go(s, oldest, 0);
+    q->active = look->active_contacts;
+    memcpy(q->y, s->stage.y, (size_t)q->size * sizeof *q->y);
+    ++q->known;
+    ++q->said.positions;
+    q->said.iterations += found->iterations;
+    double push = 0, most = 0;
+    for (int j = look->first; j <= look->first + look->active; ++j) {
+        push = fmax(push, -look->tension[j]);
+        most = fmax(most, look->tension[j]);
+    }
+    if (most > 0) s->positions.push_share = fmax(s->positions.push_share, push / most);
+    return HAWSER_OK;
+}
+
+/* By how much a straight line between the last two positions may miss the pull, in tolerances (QS5). */
+static double line_error(const QuasiRun *q)
+{
+    const double *const t = q->t;
+    const double h1 = t[1] - t[0], h2 = t[2] - t[1], d1 = q->look[1][0] - q->look[0][0],
+                 d2 = q->look[2][0] - q->look[1][0];
+    const double allowed = TOLERANCE * fmax(fabs(q->look[1][0]), fabs(q->look[2][0]));
+    return h2 / (4 * (h1 + h2)) * fabs(d2 - d1 * h2 / h1) / fmax(allowed, 1e-300);
+}
+
+hawser_status quasi_find(Sim *s, double t, hawser_relaxation *found, hawser_error *err)
+{
+    const double start = clock_now();
+    *found = (hawser_relaxation){0};
+    const hawser_status status = positions_advance(&s->positions, &s->stage, t, found, err);
+    s->relax_s += clock_now() - start;
+    return status;
+}
+
+/* Whether the winch might trip before the next position. */
+static int may_trip(const Sim *s, double pull)
+{
+    const double trip = s->stage.scene.winch->trip_force;
+    return trip > 0 && pull > TRIP * trip;
+}
+
+/* Until when positions may go on, s; the time of now: they end here. */
+static double goes_until(Sim *s, double t)
+{
+    const QuasiRun *const q = &s->quasi;
+    const Scene *const scene = &s->stage.scene;
+    const double now = s->stage.t, end = fmax(t, scene->def.duration);
+    const double apart = (scene->def.duration - q->said.first_s) / (CHECKS + 1);
+    if (s->calls.law || s->calls.stop || may_trip(s, q->look[QUASI_KEPT - 1][0])) return now;
+    if (apart > STRETCH * passing_time(scene, winch_speed(scene->winch, now)) && now > q->checked + apart) return now;
+    return quasi_steady_until(scene, now, sim_next_stop(s, end));
+}
+
+/* The next position, ahead of the time of now; no more than a step on. Where there is none nearer and nearer either,
+ * *on is 0. */
+static hawser_status look_ahead(Sim *s, double until, int *on, hawser_error *err)
+{
+    QuasiRun *const q = &s->quasi;
+    const double now = s->stage.t, speed = winch_speed(s->stage.scene.winch, now);
+    const double longest = fmin(GOLDEN * passing_time(&s->stage.scene, speed),
+                                (s->stage.scene.def.duration - q->said.first_s) / POSITIONS_LEAST);
+    hawser_status status = HAWSER_OK;
+    *on = 0;
+    q->step = fmin(q->step > 0 ? q->step : longest, longest);
+    for (int tries = 0; !status && !*on && tries < TRIES; ++tries) {
+        const double rest = until - now, even = q->step < 0.7 * rest ? q->step : q->step < rest ? rest / 2 : rest;
+        const double h = quasi_next_peak(s, now + NEXT * even, now + even) - now;
+        hawser_relaxation found;
+        status = quasi_find(s, now + h, &found, err);
+        if (status == HAWSER_ERR_RUN) {
+            status = HAWSER_OK;
+            q->step = h / 4;
+            continue;
+        }
+        if (status) break;
+        sim_relaxation_take(s, &found);
+        status = keep(s, &found, err);
+        *on = 1;
+        if (q->known < QUASI_KEPT) break;
+        const double off = line_error(q);
+        q->step = fmax(SHORTEST * longest, h * fmin(2, fmax(0.3, 0.8 / sqrt(off + 1e-9))));
+    }
+    if (!status && *on && q->known > 1) status = quasi_peaks(s, err);
+    if (!status && *on) state_at(s, now);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------- from one to the other */
+
+static void window_begin(QuasiRun *q) { q->window.from = -1; }
+
+hawser_status quasi_end(Sim *s, hawser_error *err)
+{
+    QuasiRun *const q = &s->quasi;
+    if (!q->stage.on) return HAWSER_OK;
+    hawser_status status = HAWSER_OK;
+    hawser_relaxation found;
+    if (quasi_between(s)) status = quasi_find(s, s->stage.t, &found, err);
+    if (!status) status = quasi_leave(&q->stage, &s->stage, err);
+    s->stats.swings.steps = s->stats.swings.downward = 0;
+    s->stats.swings.third = s->stats.swings.bound = 0;
+    q->known = 0;
+    window_begin(q);
+    return status;
+}
+
+hawser_status quasi_move(Sim *s, double t, int *arrived, hawser_error *err)
+{
+    QuasiRun *const q = &s->quasi;
+    const double now = s->stage.t;
+    hawser_status status = HAWSER_OK;
+    *arrived = 0;
+    if (!quasi_between(s)) {
+        const double until = goes_until(s, t);
+        int on = 0;
+        if (until > now) status = look_ahead(s, until, &on, err);
+        if (!status && !on && until > now) { /* what was tried last is not where it was */
+            hawser_relaxation found;
+            status = quasi_find(s, now, &found, err);
+        }
+        if (status || !on) return status ? status : quasi_end(s, err);
+    }
+    const double ahead = q->t[QUASI_KEPT - 1], to = fmin(t, ahead);
+    state_at(s, to);
+    q->said.time_s += to - now;
+    *arrived = !(to < ahead);
+    return HAWSER_OK;
+}
+
+/* Takes the last step in; 1: a window has ended (QS1). */
+static int window_step(QuasiRun *q, const Scene *scene, double t, double pull)
+{
+    PullWindow *const w = &q->window;
+    const double speed = winch_speed(scene->winch, t), until = quasi_steady_until(scene, t, scene->def.duration);
+    const double lasts = speed > 0 ? passing_time(scene, speed) : INFINITY;
+    if (!(until - t > STRETCH * lasts)) {
+        w->from = -1;
+        return 0;
+    }
+    if (w->from < 0 || !(fabs(speed - w->speed) <= 1e-6 * speed)) {
+        *w = (PullWindow){.from = t, .last = t, .speed = speed, .least = pull, .most = pull, .before = pull};
+        return 0;
+    }
+    w->sum += (t - w->last) * (w->before + pull) / 2;
+    w->last = t;
+    w->before = pull;
+    w->least = fmin(w->least, pull);
+    w->most = fmax(w->most, pull);
+    return t - w->from >= lasts;
+}
+
+/* Positions from here on, if the first of them is what the motion came to (QS3). */
+static hawser_status attempt(Sim *s, double mean, double swing, hawser_error *err)
+{
+    QuasiRun *const q = &s->quasi;
+    Moving from = {0};
+    hawser_relaxation found;
+    hawser_status status = quasi_enter(&q->stage, &s->positions, &s->stage, &from, err);
+    if (status == HAWSER_OK) status = quasi_find(s, s->stage.t, &found, err);
+    int fits = status == HAWSER_OK;
+    if (status == HAWSER_ERR_RUN && q->stage.on) status = HAWSER_OK;
+    if (!status && fits) {
+        if (!(q->said.stretches > 0)) q->said.first_s = s->stage.t;
+        status = keep(s, &found, err);
+        const double apart = fabs(q->look[QUASI_KEPT - 1][0] / mean - 1);
+        fits = apart <= APART;
+        if (fits) {
+            sim_relaxation_take(s, &found);
+            q->said.apart = fmax(q->said.apart, apart);
+            q->said.swing = fmax(q->said.swing, swing);
+            q->said.stretches++;
+            q->checked = s->stage.t;
+            q->step = 0;
+            q->known = 1;
+            q->failed = 0;
+        }
+    }
+    if (!status && !fits) {
+        status = quasi_undo(&q->stage, &s->stage, &from, err);
+        q->waits = q->failed < 6 ? 1 << q->failed : WAIT_MOST;
+        q->failed++;
+        q->said.refused++;
+    }
+    moving_free(&from);
+    return status;
+}
+
+hawser_status quasi_begin(Sim *s, hawser_error *err)
+{
+    QuasiRun *const q = &s->quasi;
+    if (!q->stage.damping || q->stage.on || q->told || s->calls.law) return HAWSER_OK;
+    const double pull = s->stats.swings.pull[SWINGS_STEPS - 1];
+    if (!window_step(q, &s->stage.scene, s->stage.t, pull)) return HAWSER_OK;
+    const PullWindow *const w = &q->window;
+    const double mean = w->sum / (w->last - w->from), swing = (w->most - w->least) / 2 / fmax(mean, 1e-300);
+    const int settled = mean > 0 && swing <= SWING && !may_trip(s, (1 + 2 * swing) * mean);
+    window_begin(q);
+    if (!settled) return HAWSER_OK;
+    if (q->waits > 0) {
+        --q->waits;
+        return HAWSER_OK;
+    }
+    return attempt(s, mean, swing, err);
+}
+
+/* ----------------------------------------------------------------------------------------------------- checkpoints */
+
+void quasi_checkpoint_before(Checkpoint *c, Sim *s)
+{
+    QuasiRun *const q = &s->quasi;
+    int on = q->stage.on;
+    CHECKPOINT(c, on);
+    if (!checkpoint_check(c, on == 0 || (on == 1 && q->stage.damping), "positions move what they cannot")) return;
+    if (c->reading && !c->status && q->stage.damping && on != q->stage.on) quasi_damping(&q->stage, &s->stage, !on);
+    q->stage.on = on;
+}
+
+static void lie_checkpoint(Checkpoint *c, Lie *lie, int most)
+{
+    int n = lie->n;
+    CHECKPOINT(c, n);
+    if (!checkpoint_check(c, n >= 0 && n <= most, "a position of another chain")) return;
+    if (c->reading) {
+        double *const s = realloc(lie->s, ((size_t)n + 1) * sizeof *s);
+        if (s) lie->s = s;
+        Vec3 *const shift = realloc(lie->shift, ((size_t)n + 1) * sizeof *shift);
+        if (shift) lie->shift = shift;
+        Vec3 *const turn = realloc(lie->turn, ((size_t)n + 1) * sizeof *turn);
+        if (turn) lie->turn = turn;
+        lie->n = n;
+        if (!s || !shift || !turn) checkpoint_lack(c);
+    }
+    if (c->status || n == 0) return;
+    checkpoint_put(c, "lie->s", lie->s, (size_t)n * sizeof *lie->s);
+    checkpoint_put(c, "lie->shift", lie->shift, (size_t)n * sizeof *lie->shift);
+    checkpoint_put(c, "lie->turn", lie->turn, (size_t)n * sizeof *lie->turn);
+}
+
+hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
+{
+    QuasiRun *const q = &s->quasi;
+    if (!q->stage.damping) return HAWSER_OK;
+    int books = q->stage.on && s->stage.balance;
+    CHECKPOINT(c, q->stage.so_far);
+    CHECKPOINT(c, q->t);
+    CHECKPOINT(c, q->known);
+    CHECKPOINT(c, q->active);
+    CHECKPOINT(c, q->step);
+    CHECKPOINT(c, q->checked);
+    CHECKPOINT(c, q->peak_at);
+    CHECKPOINT(c, q->peaks);
+    CHECKPOINT(c, q->peak_side);
+    CHECKPOINT(c, q->window);
+    CHECKPOINT(c, q->told);
+    CHECKPOINT(c, q->waits);
+    CHECKPOINT(c, q->failed);
+    CHECKPOINT_UP_TO(c, &q->said, hawser_quasi_static, why);
+    CHECKPOINT(c, s->positions.lie.travel);
+    CHECKPOINT(c, s->positions.back);
+    CHECKPOINT(c, s->positions.push_share);
+    CHECKPOINT(c, books);
+    lie_checkpoint(c, &s->positions.lie, s->stage.scene.total);
+    if (c->status || !q->stage.on) return HAWSER_OK;
+    for (int k = 0; k < QUASI_KEPT; ++k) checkpoint_put(c, "q->look", q->look[k], (size_t)q->numbers * sizeof(double));
+    if (!room_for(q, s->stage.motion->size)) return error_memory(err);
+    checkpoint_put(c, "q->y", q->y, (size_t)q->size * sizeof *q->y);
+    if (books) balance_checkpoint(c, &s->stage.balance, s->stage.motion);
+    return HAWSER_OK;
+}
