@@ -3,9 +3,9 @@
 
 Every scene is run as its case says, and twice more, strictly better each time: `fine` with segments half as long, a tenth of the accuracy
 and friction that comes in at half of the speed; `finest` with a quarter, a hundredth and a fifth, and no step longer than a fifth of
-the output interval. Where those two agree within half of what is allowed and their balances close, the finest is the truth; where not
-there is no oracle, which is counted apart, unless the run is farther off than what they differ by and what is allowed together. A run
-is wrong if its mean pull is off by more than 3 % or its peak by more than 10 %, and trusted if every condition of its summary holds.
+the output interval. Where those two agree within half of what is allowed, their balances close and they begin at rest as the run does, the
+finest is the truth; where not there is no oracle, which is counted apart, unless the run is farther off than what they differ by and
+what is allowed together. A run is wrong if its mean pull is off by more than 3 % or its peak by more than 10 %, and trusted if every condition of its summary holds.
 
 Two families: `sensible`, what an engineer could mean (truth_scenes.py), and `wild`, settings at random (stress_random.py).
 Rows are appended to a file of JSON lines, and a scene that is there already is not run again:
@@ -22,6 +22,7 @@ import argparse
 import collections
 import concurrent.futures
 import copy
+import csv
 import hashlib
 import json
 import os
@@ -42,8 +43,10 @@ TRUSTED_LEAST = 0.85     # share of the sensible scenes
 # Pulls near zero are compared with a share of what is moved, weight and back tension: a winch that can move them has no scale that
 # shows less, and a conveyor that pushes all but a rest leaves a difference of large forces.
 FLOOR = 0.02
+OF_PASS = ("steady_mean_N", "steady_mean_bar_N", "peak_N", "peak_bar_N")  # kept of each pass: what it shows itself
 GRAVITY = 9.81
 SLOW = 1e-3              # m/s: friction's v_s where a case does not say
+REST = 5000              # steps of the relaxation of an oracle: one that is not at rest begins elsewhere
 LEVELS = {"fine": {"mesh": 2, "accuracy": 10, "slower": 2, "step": 1}, "finest": {"mesh": 4, "accuracy": 100, "slower": 5, "step": 5}}
 # One cause at a time: which of them moves a wrong pull?
 CAUSES = {"time": {"mesh": 1, "accuracy": 100, "slower": 1, "step": 5}, "mesh": {"mesh": 4, "accuracy": 1, "slower": 1, "step": 1},
@@ -99,6 +102,7 @@ def better(case, run, mesh, accuracy, slower_by, step):
     solver, interval = out.setdefault("solver", {}), case.get("output", {}).get("interval", 0.05)
     solver["accuracy"] = max(1e-8, run.get("accuracy", solver.get("accuracy", 1e-3)) / accuracy)
     solver["passes"] = 1
+    solver["relax_iterations"] = REST
     if step != 1:
         solver["max_step"] = (solver.get("max_step") or interval) / step
     return out
@@ -110,6 +114,28 @@ def bars(pull):
     """Error bars of mean and peak, N: what there is of them."""
     found = {"mean": pull.get("steady_mean_error"), "peak": pull.get("peak_error")}
     return {name: bar["total_N"] for name, bar in found.items() if bar and bar.get("total_N") is not None}
+
+
+def number(text):
+    """What a field of a table says; None: nothing."""
+    return float(text) if text else None
+
+
+# What has an error bar besides the pull: the table, its columns of value and bar.
+OTHERS = {"tension at stations, mean": ("stations.csv", "mean_N", "mean_error_N"), "peak": ("stations.csv", "peak_N", "peak_error_N"),
+          "load of a roller, mean": ("rollers.csv", "steady_N", "steady_error_N"), "largest": ("rollers.csv", "peak_N", "peak_error_N")}
+SIDEWALL = "sidewall pressure, peak"
+
+
+def others(out, summary):
+    """[[value, error bar], ...] of stations, rollers and surfaces, by kind."""
+    found = {SIDEWALL: [[row["peak_line_load_N_per_m"], row["peak_line_load_error"]] for row in summary.get("surfaces") or []]}
+    for kind, (name, value, bar) in OTHERS.items():
+        path = os.path.join(out, name)
+        if os.path.exists(path):
+            with open(path, encoding="utf-8", newline="") as file:
+                found[kind] = [[number(row[value]), number(row[bar])] for row in csv.DictReader(file)]
+    return found
 
 
 def launch(program, case, seconds):
@@ -134,6 +160,7 @@ def launch(program, case, seconds):
                 summary = json.load(file)
         except (OSError, ValueError):
             return run
+        run["others"] = others(out, summary)
     pull = summary["pull_force"]
     run.update(segments=summary["segments"], steps=summary["steps"], mean=pull["steady_mean_N"], peak=pull["peak_N"],
                theory=summary["theory"]["reference_total_N"], failing={c["name"]: c["value"] for c in summary["trust"] if not c["holds"]},
@@ -141,7 +168,8 @@ def launch(program, case, seconds):
     passes = summary.get("passes")
     if passes:
         shown = passes["pass"][-1 if passes["outcome"] == "replaced" else 0]
-        run.update(passes=passes["outcome"], why=passes["why"], accuracy=shown["accuracy"], v_s_factor=shown["v_s_factor"])
+        run.update(passes=passes["outcome"], why=passes["why"], accuracy=shown["accuracy"], v_s_factor=shown["v_s_factor"],
+                   each=[[one[key] for key in OF_PASS] for one in passes["pass"]])
     return run
 
 
@@ -193,6 +221,12 @@ def examine(program, family, number, seconds, known=None, made_by=None):
     return row
 
 
+def is_sound(oracle, run):
+    """Whether an oracle's books close, and it begins at rest where the run did."""
+    return complete(oracle) and not {"energy", "momentum"} & set(oracle["failing"]) and ("equilibrium" not in oracle["failing"] or
+                                                                                        "equilibrium" in run["failing"])
+
+
 def judge(row):
     """How a scene ended: `refused`, `unfinished`, `no oracle`, `right` or `wrong`; and whether it is trusted."""
     run, fine, finest = row["run"], row["oracles"].get("fine"), row["oracles"].get("finest")
@@ -201,7 +235,7 @@ def judge(row):
         row["ended"] = "refused"
     elif not complete(run):
         row["ended"] = "unfinished"
-    elif not all(complete(oracle) and not {"energy", "momentum"} & set(oracle["failing"]) for oracle in (fine, finest)):
+    elif not all(is_sound(oracle, run) for oracle in (fine, finest)):
         row["ended"] = "no oracle"
     else:
         row["off"] = off(run, finest, row["floor"])
@@ -231,6 +265,28 @@ def contained(rows):
             held += error <= bar + doubt
             ratios.append(bar / max(error, 1e-9 * row["floor"]))
     return held, len(ratios), statistics.median(ratios) if ratios else None
+
+
+def contained_others(rows):
+    """Lines of a table: bars of what is not the pull, in runs whose own conditions hold. What weighs less than a thousandth of the
+    largest of its kind is left out, as it is nothing."""
+    body = []
+    for kind in (*OTHERS, SIDEWALL):
+        held, ratios = 0, []
+        for row in rows:
+            figures = [run.get("others", {}).get(kind, []) for run in (row["run"], row["oracles"].get("fine") or {},
+                                                                       row["oracles"].get("finest") or {})]
+            if row["ended"] not in ("right", "wrong") or not row["trusted"] or not all(figures):
+                continue
+            least = 1e-3 * max(abs(value or 0) for value, _ in figures[2])
+            for (value, bar), (fine, _), (truth, _) in zip(*figures):
+                if None in (value, bar, fine, truth) or abs(truth) <= least:
+                    continue
+                held += abs(value - truth) <= bar + abs(fine - truth)
+                ratios.append(bar / max(abs(value - truth), 1e-9 * row["floor"]))
+        if ratios:
+            body.append([kind, str(len(ratios)), f"{100 * held / len(ratios):.1f} %", f"{statistics.median(ratios):.1f}"])
+    return body
 
 
 def programs(rows):
@@ -268,6 +324,9 @@ def report(rows):
         if bars_n:
             text.append(f"Error bars hold the truth in {held} of {bars_n} ({100 * held / bars_n:.1f} %); "
                         f"median of width over error: {width:.1f}.")
+        body = contained_others(ours)
+        if body:
+            text.append("Of trusted runs:\n\n" + table(["figure", "bars", "hold the truth", "width over error, median"], body))
     return "\n\n".join(text)
 
 

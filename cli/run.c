@@ -131,7 +131,7 @@ static hawser_status sensitivities(hawser_case *c, const Arguments *args, const 
 {
     enum { KEYS_MAX = 64 };
     const char *key[KEYS_MAX];
-    char path[4096], *text = NULL, *json = NULL;
+    char *text = NULL, *json = NULL;
     size_t n = 0;
     const int every = strcmp(args->sensitive, "all") == 0;
     for (char *at = every ? NULL : strtok(args->sensitive, ","); at; at = strtok(NULL, ",")) {
@@ -146,15 +146,7 @@ static hawser_status sensitivities(hawser_case *c, const Arguments *args, const 
     hawser_status status =
         every ? hawser_case_position_sensitivities(c, 0, NULL, shown, sensitivities_stop, NULL, &text, &json, err)
               : hawser_case_run_sensitivities(c, n, key, shown, sensitivities_stop, NULL, &text, &json, err);
-    snprintf(path, sizeof path, "%.4000s/sensitivities.json", dir);
-    FILE *const f = status ? NULL : fopen(path, "w");
-    const int written = f && fputs(json, f) >= 0;
-    const int closed = f && fclose(f) == 0;
-    if (!status && !(written && closed)) {
-        *err = (hawser_error){HAWSER_ERR_OUTPUT, ""};
-        snprintf(err->message, sizeof err->message, "cannot write '%.700s'", path);
-        status = HAWSER_ERR_OUTPUT;
-    }
+    if (!status) status = hawser_sensitivities_write(json, dir, err);
     if (!status && !args->quiet) printf("\n%s", text);
     hawser_text_free(text);
     hawser_text_free(json);

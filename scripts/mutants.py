@@ -4,6 +4,7 @@ All mistakes of a sample are compiled in at once, each behind a switch that the 
 A first run of every test tells which mistakes it reaches; each mistake is then tried with those tests alone.
 
 Usage: mutants.py make   [--count N] [--seed S] [--folders F ...]     a tree with N mistakes in build/mutants, built
+                         [--labels L ...]                             only the tests of these labels
        mutants.py run    [--jobs J] [--minutes M]                     tries them; goes on where it was stopped
                          [--labels L ...] [--longest S] [--again]     with the tests of these labels that take less than S seconds; the
                                                                       survivors of what was tried before alone
@@ -211,13 +212,21 @@ def configure():
 def write_tree(chosen, texts):
     for path, text in texts.items():
         places = sorted((p for p in chosen.get(path, []) if p.number is not None), key=lambda p: (p.start, -p.end))
-        path.write_text(render(text, 0, len(text), places))
+        rendered = render(text, 0, len(text), places)
+        if rendered != path.read_text():  # what stays needs no building
+            path.write_text(rendered)
 
 
-def build_without(chosen, texts):
+def targets(labels):
+    """What has to be built for the tests of these labels; everything for those that all of them are."""
+    names = [path.stem for label in labels for path in sorted((TREE / "tests" / label).glob("test_*.c"))]
+    return ["--target", *names] if set(labels) != set(LABELS) and names else []
+
+
+def build_without(chosen, texts, labels):
     """Builds; what does not compile is no mistake that anybody could make, and is dropped with its line."""
     for _ in range(40):
-        done = subprocess.run(["cmake", "--build", BUILD, "-j2", "--", "-k", "0"], capture_output=True, text=True)
+        done = subprocess.run(["cmake", "--build", BUILD, "-j2", *targets(labels), "--", "-k", "0"], capture_output=True, text=True)
         if done.returncode == 0:
             return
         bad = {(pathlib.Path(m[1]), int(m[2])) for m in re.finditer(r"^(/\S+?):(\d+):\d+: error", done.stdout, re.M)}
@@ -254,7 +263,7 @@ def make(args):
         chosen[path].append(place)
     texts = {path: path.read_text() for path in chosen}
     write_tree(chosen, texts)
-    build_without(chosen, texts)
+    build_without(chosen, texts, args.labels)
     mistakes = [{"number": p.number, "file": str(path.relative_to(TREE)), "line": texts[path].count("\n", 0, p.start) + 1,
                  "kind": p.kind, "say": p.say, "text": texts[path][p.start:p.end].split("\n")[0][:100]}
                 for path, found in chosen.items() for p in found if p.number is not None]

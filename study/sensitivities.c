@@ -10,6 +10,7 @@
 #include "hawser/hawser.h"
 #include "io/api/api_handles.h"
 #include "io/results/column.h"
+#include "io/results/results_file.h"
 #include "io/yaml/units.h"
 #include "sim/stage/tangent.h"
 #include "study/plan/study.h"
@@ -157,12 +158,13 @@ static int is_shown(const TangentFigures *f, int i)
     return i <= f->stations || i == most;
 }
 
-/* slope[v->n][f->n]. */
-static hawser_status slopes_write(const hawser_case *c, const Scene *scene, const Varied *v, const TangentFigures *f,
+/* slope[v->n][f->n]; for programs with the identity of the run. */
+static hawser_status slopes_write(const hawser_case *c, const hawser_sim *sim, const Varied *v, const TangentFigures *f,
                                   const double *slopes, Fact fact, const char *title, hawser_format format, char **text,
                                   hawser_error *err)
 {
     SlopeRow *const row = calloc(v->n * (size_t)f->n + 1, sizeof *row);
+    char run[SUM_SIZE];
     int n = 0;
     if (!row) return error_memory(err);
     for (int i = 0; i < f->n; i++) {
@@ -171,14 +173,16 @@ static hawser_status slopes_write(const hawser_case *c, const Scene *scene, cons
             const double slope = slopes[k * (size_t)f->n + (size_t)i];
             row[n] = (SlopeRow){.key = v->key[k], .unit = v->unit[k], .value = f->value[i], .slope = slope};
             row[n].share = slope * v->value[k] / f->value[i];
-            figure_name(scene, f, i, row[n++].figure);
+            figure_name(&sim->stage.scene, f, i, row[n++].figure);
         }
     }
     const Table table[] = {{"sensitivities", title, COLUMNS(SlopeRow, slope_column), n, row}};
+    run_identity(sim, run);
+    const Fact facts[] = {fact, {"run", "", "", cell_text(run)}};
     const Document doc = {.title = c->def.title[0] ? c->def.title : c->name,
-                          .n_facts = 1,
+                          .n_facts = format == HAWSER_JSON ? 2 : 1,
                           .n_tables = 1,
-                          .fact = &fact,
+                          .fact = facts,
                           .table = table,
                           .csv = table};
     const hawser_status status = document_write(&doc, format, text, err);
@@ -211,9 +215,8 @@ hawser_status hawser_case_run_sensitivities(hawser_case *c, size_t n, const char
     if (!status) {
         const TangentFigures *const f = tangent_figures(g);
         const Fact mean = {"mean_over_s", "means over the last", "s", cell_number(f->seconds)};
-        const Scene *const scene = &sim->stage.scene;
-        status = slopes_write(c, scene, &v, f, f->slope, mean, RUN_TITLE, format, text, err);
-        if (!status && json) status = slopes_write(c, scene, &v, f, f->slope, mean, RUN_TITLE, HAWSER_JSON, json, err);
+        status = slopes_write(c, sim, &v, f, f->slope, mean, RUN_TITLE, format, text, err);
+        if (!status && json) status = slopes_write(c, sim, &v, f, f->slope, mean, RUN_TITLE, HAWSER_JSON, json, err);
     }
     hawser_sim_free(sim);
     tangent_free(g);
@@ -359,10 +362,8 @@ hawser_status hawser_case_position_sensitivities(hawser_case *c, size_t n, const
     if (!status) status = position_slopes(c, at, n == 0, key, &v, slope, stop, user, err);
     if (!status) {
         const Fact when = {"at_s", "the position of", "s", cell_number(sim->stage.t)};
-        const Scene *const scene = &sim->stage.scene;
-        status = slopes_write(c, scene, &v, f, slope, when, POSITION_TITLE, format, text, err);
-        if (!status && json)
-            status = slopes_write(c, scene, &v, f, slope, when, POSITION_TITLE, HAWSER_JSON, json, err);
+        status = slopes_write(c, sim, &v, f, slope, when, POSITION_TITLE, format, text, err);
+        if (!status && json) status = slopes_write(c, sim, &v, f, slope, when, POSITION_TITLE, HAWSER_JSON, json, err);
     }
     free(slope);
     free(key);
@@ -372,4 +373,11 @@ hawser_status hawser_case_position_sensitivities(hawser_case *c, size_t n, const
     keys_free(&every);
     units_free(units);
     return status;
+}
+
+hawser_status hawser_sensitivities_write(const char *json, const char *dir, hawser_error *err)
+{
+    if (!json || !dir) return error_argument(err, json ? "dir" : "json");
+    const hawser_status status = out_make_dir(dir, err);
+    return status ? status : out_whole(dir, "sensitivities.json", json, err);
 }

@@ -55,16 +55,9 @@ void hawser_study_free(hawser_study *s)
 /* summary.json, whole. */
 static hawser_status summary_write(const hawser_study *s, const char *dir, hawser_error *err)
 {
-    OutFile out;
-    char *text;
+    char *text = NULL;
     hawser_status status = findings_text(s->study, &s->findings, HAWSER_JSON, &text, err);
-    if (status) return status;
-    status = out_open(&out, dir, "summary.json", err);
-    if (!status) {
-        status = out_print(&out, err, "%s", text);
-        const hawser_status closed = out_close(&out, status ? NULL : err);
-        if (!status) status = closed;
-    }
+    if (!status) status = out_whole(dir, "summary.json", text, err);
     hawser_text_free(text);
     return status;
 }

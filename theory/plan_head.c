@@ -71,7 +71,8 @@ static int compare_places(const void *a, const void *b)
 }
 
 /* Where the force has corners: ends of pieces, of stretches, machines. Ahead of a machine, as it has not begun to push
- * yet, the force is as large as anywhere near: that place too, by this much of the route. */
+ * yet, the force is as large as anywhere near, and just behind a pit, from which the cable is pulled anew, it may be:
+ * these places too, by this much of the route. */
 static const double JUST_AHEAD = 1e-9;
 
 static int corners_collect(const PlanDef *def, int way, double *s)
@@ -85,8 +86,9 @@ static int corners_collect(const PlanDef *def, int way, double *s)
     for (int i = 0; i < def->n_stretches; i++) s[n++] = def->stretch[i].from;
     for (int i = 0; i < def->n_pushes + def->n_steps; i++) {
         const double at = i < def->n_pushes ? def->push[i].at : def->step[i - def->n_pushes].at;
+        const int pit = i >= def->n_pushes && def->step[i - def->n_pushes].kind == STEP_ANEW;
         s[n++] = at;
-        if (i < def->n_pushes || def->step[i - def->n_pushes].kind == STEP_TAKE) s[n++] = at - before;
+        s[n++] = pit ? at + before : at - before;
     }
     return n;
 }

@@ -29,9 +29,13 @@ static int next_pit(const PlanDef *def, int way, double s)
     return next;
 }
 
-/* (T24) less the push: of what lies where the pull begins, which is what the reel pays out. */
+/* (T24) less the push: of what lies where the pull begins, which is what the reel pays out; that of a pit that is there
+ * (PN3). */
 static double start_tension(const PlanDef *def, int way)
 {
+    for (int i = def->n_steps - 1; i >= 0; i--) {
+        if (def->step[i].kind == STEP_ANEW && def->step[i].at == plan_first(def, way)) return def->step[i].force;
+    }
     const double weight = stretch_at(def->n_stretches, def->stretch, plan_first(def, way))->weight;
     return weight * def->reel_length + def->back_tension - def->feed;
 }

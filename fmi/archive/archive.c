@@ -71,16 +71,19 @@ typedef struct Packing {
     hawser_status status;
 } Packing;
 
-/* A source under a name; two archives of the same case are the same, so that all have the same date. */
+/* A source under a name; two archives of the same case are the same, so that all have the same date. libzip packs as small as it can
+ * where nobody says how: a sixth of the time makes them 7 % larger. */
 static void source_add(Packing *p, const char *name, zip_source_t *source)
 {
     static const time_t date = 631152000; /* 1990-01-01 */
+    static const zip_uint32_t effort = 3; /* of 9 */
     if (p->status) {
         zip_source_free(source);
         return;
     }
     const zip_int64_t at = source ? zip_file_add(p->zip, name, source, ZIP_FL_ENC_UTF_8) : -1;
-    if (at >= 0 && zip_file_set_mtime(p->zip, (zip_uint64_t)at, date, 0) == 0) return;
+    const zip_uint64_t entry = (zip_uint64_t)at;
+    if (at >= 0 && !zip_file_set_mtime(p->zip, entry, date, 0) && !zip_set_file_compression(p->zip, entry, ZIP_CM_DEFLATE, effort)) return;
     if (at < 0) zip_source_free(source);
     p->status = error_set(p->err, HAWSER_ERR_OUTPUT, "cannot pack %s: %s", name, zip_strerror(p->zip));
 }

@@ -54,6 +54,7 @@ typedef struct hawser_certificate {
     hawser_certified *figure; /* [n_figures] */
     hawser_certify_run *run;  /* [n_runs], in the order in which they were made */
     int base[HAWSER_SOURCES]; /* the settings of `best` */
+    char run_id[20];          /* identity of the run that is judged, as in its summary.json; "": none */
 } hawser_certificate;
 
 /* What is going on; good during the call of the progress function only. */
@@ -87,7 +88,8 @@ void hawser_certificate_free(hawser_certificate *certificate);
  * malloc'ed: hawser_text_free. Errors: MEMORY. */
 hawser_status hawser_certificate_text(const hawser_certificate *certificate, hawser_format format, char **text,
                                       hawser_error *err);
-/* The same JSON as the file certificate.json of a folder, which is made if need be. Errors: OUTPUT, MEMORY. */
+/* The same JSON as the file certificate.json of a folder, which is made if need be; readers of the folder refuse it
+ * beside another run's summary. Errors: OUTPUT, MEMORY. */
 hawser_status hawser_certificate_write(const hawser_certificate *certificate, const char *dir, hawser_error *err);
 
 #ifdef __cplusplus

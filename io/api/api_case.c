@@ -62,7 +62,7 @@ hawser_status hawser_case_parse_json(const char *text, const char *name, hawser_
     }
     hawser_status status = hawser_case_parse(text, name, out, err ? err : &local);
     if (status == HAWSER_ERR_INPUT) {
-        char *const plain = json_dumps(json, JSON_INDENT(1) | JSON_ENCODE_ANY);
+        char *const plain = json_dumped(json, JSON_INDENT(1) | JSON_ENCODE_ANY);
         status = plain ? hawser_case_parse(plain, name, out, err) : error_memory(err);
         free(plain);
     }

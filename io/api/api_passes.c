@@ -1,5 +1,6 @@
 /* A whole run: one pass, and up to two more with finer settings where nothing is left open but numerical errors.
- * docs/model.md, "Error bars" (EB19), (EB20), (EB27), (EB28); what a user needs to know of it is in docs/limits.md. */
+ * docs/model.md, "Error bars" (EB19), (EB20), (EB27) to (EB30); what a user needs to know of it is in docs/limits.md.
+ */
 #include <math.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -164,17 +165,18 @@ static int is_sound(const hawser_summary *sum)
 /* ---------------------------------------------------------------------------------------------- what is said of it */
 
 /* What a pass found by itself: before it knows of another one. */
-static hawser_pass pass_describe(const hawser_sim *s, const hawser_summary *sum, double friction)
+static void pass_describe(PassesSaid *said, const hawser_sim *s, const hawser_summary *sum, double friction)
 {
-    return (hawser_pass){.accuracy = s->stage.scene.def.solver.accuracy,
-                         .segments = sum->segments,
-                         .friction = friction,
-                         .pull_mean_N = sum->pull_mean_N,
-                         .pull_peak_N = sum->pull_peak_N,
-                         .pull_mean_bar_N = sum->pull_mean_error.total,
-                         .pull_peak_bar_N = sum->pull_peak_error.total,
-                         .steps = sum->steps,
-                         .wall_time_s = sum->wall_time_s};
+    said->peak_alone[s->pass] = sum->pull_peak_error.time + sum->pull_peak_error.mesh;
+    said->pass[s->pass] = (hawser_pass){.accuracy = s->stage.scene.def.solver.accuracy,
+                                        .segments = sum->segments,
+                                        .friction = friction,
+                                        .pull_mean_N = sum->pull_mean_N,
+                                        .pull_peak_N = sum->pull_peak_N,
+                                        .pull_mean_bar_N = sum->pull_mean_error.total,
+                                        .pull_peak_bar_N = sum->pull_peak_error.total,
+                                        .steps = sum->steps,
+                                        .wall_time_s = sum->wall_time_s};
 }
 
 static void say_time(double seconds, size_t size, char *text)
@@ -330,8 +332,9 @@ static hawser_status figures_of(const hawser_sim *s, PassFigures *out, hawser_er
     return pass_figures_take(out, &s->stats, &sum, sim_jolt(s), err);
 }
 
-/* What pass `s` is to know of n others, the finest first. Errors: MEMORY. */
-static hawser_status others_take(hawser_sim *s, int n, hawser_sim *const other[], hawser_error *err)
+/* What pass `s` is to know of n others, the finest first; said: of all of them. Errors: MEMORY. */
+static hawser_status others_take(hawser_sim *s, int n, hawser_sim *const other[], const PassesSaid *said,
+                                 hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     OtherPasses others = {.n = n, .finer = other[0]->pass > s->pass};
@@ -339,6 +342,7 @@ static hawser_status others_take(hawser_sim *s, int n, hawser_sim *const other[]
     hawser_sim_summary(other[0], &sum);
     others.unsound = others.finer && !is_sound(&sum);
     for (int k = 0; k < n && !status; ++k) status = figures_of(other[k], &others.other[k], err);
+    for (int k = 0; k <= n; ++k) others.peak_alone[k] = said->peak_alone[n - k];
     other_passes_free(&s->others);
     s->others = others;
     return status;
@@ -353,12 +357,12 @@ static hawser_status passes_take(Passes *z, hawser_error *err)
     hawser_passes *const said = &z->says->said;
     hawser_summary sum;
     hawser_sim_summary(last, &sum);
-    z->says->pass[last->pass] = pass_describe(last, &sum, slower);
+    pass_describe(z->says, last, &sum, slower);
     said->n = z->n;
     said->outcome = z->own ? "compared" : "replaced";
     if (!say_all(said, z->own)) return error_memory(err);
-    hawser_status status = others_take(last, z->n - 1, coarser, err);
-    if (!status && z->own) status = others_take(first, z->n - 1, finer, err);
+    hawser_status status = others_take(last, z->n - 1, coarser, z->says, err);
+    if (!status && z->own) status = others_take(first, z->n - 1, finer, z->says, err);
     return status;
 }
 
@@ -460,7 +464,7 @@ static hawser_status second_ask(hawser_sim *s, int *wanted, hawser_error *err)
     memcpy(said->why, why, sizeof why);
     said->n = 1;
     said->pass = s->passes->pass;
-    s->passes->pass[0] = pass_describe(s, &sum, 1);
+    pass_describe(s->passes, s, &sum, 1);
     *wanted = !is_too_long(s, PASSES_TWO, sizeof about, about);
     if (*wanted) return HAWSER_OK;
     said->outcome = "declined";

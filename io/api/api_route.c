@@ -95,7 +95,13 @@ static hawser_status row_use(const hawser_routes *r, int i, hawser_error *err)
     if (!use) return error_memory(err);
     const UsedLine *const line = &use->line;
     hawser_route_figures *const f = &row->figures;
-    if (line_use(&r->survey.alignment[i], &r->options, &use->line, &use->problem)) {
+    const hawser_status used = line_use(&r->survey.alignment[i], &r->options, &use->line, &use->problem);
+    if (used == HAWSER_ERR_MEMORY) { /* no fault of the line's: it may be tried again */
+        free(use);
+        row->use = NULL;
+        return error_memory(err);
+    }
+    if (used) {
         f->problem = use->problem.message;
         return HAWSER_OK;
     }
@@ -213,62 +219,67 @@ static json_t *json_number(double value) { return isfinite(value) ? json_real(va
 
 static json_t *json_place(const double at[3]) { return json_pack("[fff]", at[0], at[1], at[2]); }
 
+/* What was built; NULL, which fails wherever it is put, if there was no memory for a part of it. */
+static json_t *json_whole(json_t *value, int bad)
+{
+    if (!bad) return value;
+    json_decref(value);
+    return NULL;
+}
+
+static json_t *json_or_null(const char *text) { return text ? json_string(text) : json_null(); }
+
 /* "cant, 12 times": of the whole file. */
 static json_t *json_ignored(const Survey *s)
 {
     json_t *const list = json_array();
     char text[SURVEY_NAME_MAX + 40];
-    for (int i = 0; i < s->n_ignored; ++i) {
+    int bad = !list;
+    for (int i = 0; i < s->n_ignored && !bad; ++i) {
         snprintf(text, sizeof text, "%s, %ld times", s->ignored[i].what, s->ignored[i].times);
-        json_t *const item = json_string(s->ignored[i].times > 1 ? text : s->ignored[i].what);
-        json_array_append_new(list, item ? item : json_null());
+        bad = json_array_append_new(list, json_string(s->ignored[i].times > 1 ? text : s->ignored[i].what));
     }
-    return list;
-}
-
-static json_t *json_or_null(const char *text)
-{
-    json_t *const value = text ? json_string(text) : NULL;
-    return value ? value : json_null();
+    return json_whole(list, bad);
 }
 
 static json_t *json_bends(const RouteRow *row)
 {
     json_t *const list = json_array();
     hawser_route_bend *const bend = calloc((size_t)bends_list(row, NULL) + 1, sizeof *bend);
-    for (int i = 0, n = bend ? bends_list(row, bend) : 0; i < n; ++i) {
+    int bad = !list || !bend;
+    for (int i = 0, n = bad ? 0 : bends_list(row, bend); i < n && !bad; ++i) {
         json_t *const o = json_object();
-        json_object_set_new(o, "station_m", json_number(bend[i].station_m));
-        json_object_set_new(o, "length_m", json_number(bend[i].length_m));
-        json_object_set_new(o, "turn_deg", json_number(bend[i].turn * DEGREES));
-        json_object_set_new(o, "radius_m", json_number(bend[i].radius_m));
-        json_object_set_new(o, "radius_sd_m", json_number(bend[i].radius_sd_m));
-        json_array_append_new(list, o);
+        bad = json_object_set_new(o, "station_m", json_number(bend[i].station_m)) ||
+              json_object_set_new(o, "length_m", json_number(bend[i].length_m)) ||
+              json_object_set_new(o, "turn_deg", json_number(bend[i].turn * DEGREES)) ||
+              json_object_set_new(o, "radius_m", json_number(bend[i].radius_m)) ||
+              json_object_set_new(o, "radius_sd_m", json_number(bend[i].radius_sd_m));
+        bad |= json_array_append_new(list, o);
     }
     free(bend);
-    return list;
+    return json_whole(list, bad);
 }
 
 static json_t *json_line(const hawser_routes *r, int i)
 {
     const hawser_route_figures *const f = &r->row[i].figures;
     json_t *const o = json_object();
-    json_object_set_new(o, "name", json_or_null(f->name));
-    json_object_set_new(o, "layer", json_or_null(f->layer));
-    json_object_set_new(o, "length_m", json_number(f->length_m));
-    json_object_set_new(o, "horizontal_length_m", json_number(f->horizontal_length_m));
-    json_object_set_new(o, "station_m", json_number(f->station_m));
-    json_object_set_new(o, "start", json_place(f->start_m));
-    json_object_set_new(o, "end", json_place(f->end_m));
-    json_object_set_new(o, "pieces", json_integer(f->pieces));
-    json_object_set_new(o, "fitted", json_boolean(f->fitted));
-    json_object_set_new(o, "least_radius_m", json_number(f->least_radius_m));
-    json_object_set_new(o, "deviation_max_m", json_number(f->deviation_max_m));
-    json_object_set_new(o, "deviation_rms_m", json_number(f->rms_m));
-    json_object_set_new(o, "bends", json_bends(&r->row[i]));
-    if (f->problem) json_object_set_new(o, "problem", json_or_null(f->problem));
-    if (r->survey.n <= IGNORED_WITH_EACH) json_object_set_new(o, "ignored", json_ignored(&r->survey));
-    return o;
+    int bad = json_object_set_new(o, "name", json_or_null(f->name)) ||
+              json_object_set_new(o, "layer", json_or_null(f->layer)) ||
+              json_object_set_new(o, "length_m", json_number(f->length_m)) ||
+              json_object_set_new(o, "horizontal_length_m", json_number(f->horizontal_length_m)) ||
+              json_object_set_new(o, "station_m", json_number(f->station_m)) ||
+              json_object_set_new(o, "start", json_place(f->start_m)) ||
+              json_object_set_new(o, "end", json_place(f->end_m)) ||
+              json_object_set_new(o, "pieces", json_integer(f->pieces)) ||
+              json_object_set_new(o, "fitted", json_boolean(f->fitted)) ||
+              json_object_set_new(o, "least_radius_m", json_number(f->least_radius_m)) ||
+              json_object_set_new(o, "deviation_max_m", json_number(f->deviation_max_m)) ||
+              json_object_set_new(o, "deviation_rms_m", json_number(f->rms_m)) ||
+              json_object_set_new(o, "bends", json_bends(&r->row[i]));
+    if (f->problem) bad = bad || json_object_set_new(o, "problem", json_or_null(f->problem));
+    if (r->survey.n <= IGNORED_WITH_EACH) bad = bad || json_object_set_new(o, "ignored", json_ignored(&r->survey));
+    return json_whole(o, bad);
 }
 
 /* A text that grows; bad: there was no memory. */
@@ -299,7 +310,7 @@ static void grow(Growing *g, const char *more)
 /* The value, which is used up, on one line. */
 static void grow_json(Growing *g, const char *before, json_t *value)
 {
-    char *const text = value ? json_dumps(value, JSON_ENCODE_ANY | JSON_REAL_PRECISION(DIGITS)) : NULL;
+    char *const text = value ? json_dumped(value, JSON_ENCODE_ANY | JSON_REAL_PRECISION(DIGITS)) : NULL;
     grow(g, before);
     grow(g, text);
     free(text);

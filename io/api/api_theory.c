@@ -378,7 +378,7 @@ static hawser_status chains_json(const Document *all, int n, const ChainRow row[
     int ok = doc && theory;
     for (int k = 0; ok && k < n; ++k) ok = !json_object_set_new(theory, row[k].name, json_loads(own[k], 0, NULL));
     ok = ok && !json_object_set(doc, "theory", theory);
-    *text = ok ? json_dumps(doc, JSON_INDENT(2)) : NULL;
+    *text = ok ? json_dumped(doc, JSON_INDENT(2)) : NULL;
     json_decref(theory);
     json_decref(doc);
     return *text ? HAWSER_OK : error_memory(err);

@@ -409,6 +409,8 @@ hawser_status hawser_certify(hawser_case *c, hawser_sim *run, const hawser_certi
     if (!c || !run || !out) return error_argument(err, !c ? "c" : !run ? "run" : "out");
     *out = NULL;
     const hawser_sim *const finer = run->finer;
+    char identity[SUM_SIZE];
+    run_identity(run, identity);
     run = SHOWN(run);
     Certifier *const z = calloc(1, sizeof *z);
     hawser_certificate *const certificate = calloc(1, sizeof *certificate);
@@ -424,6 +426,7 @@ hawser_status hawser_certify(hawser_case *c, hawser_sim *run, const hawser_certi
     }
     if (!status) status = rounds(z, err);
     if (!status) status = describe_runs(z, err);
+    if (!status) snprintf(certificate->run_id, sizeof certificate->run_id, "%s", identity);
     if (!status) {
         hawser_sim_summary(run, &sum);
         verdict(z, &sum);

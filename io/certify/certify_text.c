@@ -122,8 +122,9 @@ hawser_status hawser_certificate_text(const hawser_certificate *certificate, haw
                           {"runs_made", "runs", "", cell_number(c->n_runs)},
                           {"work", "work of the finer runs, in runs of the case", "", cell_number(c->work)},
                           {"certified", "certified", "", cell_number(c->certified)},
-                          {"verdict", "", "", cell_text(c->verdict)}};
-    Document doc = {.title = "Certificate", .n_facts = 5, .fact = facts, .n_tables = 2, .table = tables, .csv = &all};
+                          {"verdict", "", "", cell_text(c->verdict)},
+                          {"run", "", "", cell_text(c->run_id)}};
+    Document doc = {.title = "Certificate", .n_facts = 6, .fact = facts, .n_tables = 2, .table = tables, .csv = &all};
     if (format == HAWSER_TABLE || format == HAWSER_TABLE_US) {
         doc.n_facts = 3;
         doc.n_tables = 1;
@@ -135,14 +136,11 @@ hawser_status hawser_certificate_text(const hawser_certificate *certificate, haw
 hawser_status hawser_certificate_write(const hawser_certificate *certificate, const char *dir, hawser_error *err)
 {
     char *text;
-    OutFile out = {.f = NULL};
     if (!certificate || !dir) return error_argument(err, certificate ? "dir" : "certificate");
     hawser_status status = hawser_certificate_text(certificate, HAWSER_JSON, &text, err);
     if (status) return status;
     status = out_make_dir(dir, err);
-    if (!status) status = out_open(&out, dir, "certificate.json", err);
-    if (!status) status = out_print(&out, err, "%s", text);
-    const hawser_status closed = out_close(&out, status ? NULL : err);
+    if (!status) status = out_whole(dir, "certificate.json", text, err);
     hawser_text_free(text);
-    return status ? status : closed;
+    return status;
 }

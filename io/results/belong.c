@@ -5,8 +5,11 @@
 #include "core/base/error.h"
 #include "io/results/results_h5.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <jansson.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 /* What HDF5 may take to open a file and read two attributes, bytes. */
@@ -71,8 +74,14 @@ static hawser_status states_check(const char *dir, const char *run, const char *
 {
     char path[OUT_PATH_MAX];
     hid_t file = -1;
-    const hawser_status status = out_join(path, dir, "results.h5", err);
+    int broken = 0;
+    hawser_status status = out_join(path, dir, "results.h5", err);
     if (status || access(path, R_OK)) return status;
+    status = file_broken(path, &broken, err);
+    if (status) return status;
+    if (broken)
+        return error_set(err, HAWSER_ERR_INPUT, "'%.600s' is damaged: its bytes are not those that the run has written",
+                         path);
     if (!memory_room(ROOM)) return error_memory(err);
     H5E_BEGIN_TRY
     {
@@ -90,6 +99,41 @@ static hawser_status states_check(const char *dir, const char *run, const char *
                      path);
 }
 
+/* A file of JSON; *json NULL: it is not there. Without memory jansson finds fault with some word of it, so that it is
+ * asked before whether there is any . Errors: INPUT, MEMORY. */
+static hawser_status json_read(const char *path, json_t **json, hawser_error *err)
+{
+    enum { MORE = 1 << 16, TIMES = 24, MOST = 1 << 28 };
+    struct stat info;
+    json_error_t where;
+    *json = NULL;
+    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (fd < 0 && errno == ENOENT) return HAWSER_OK;
+    if (fd < 0) return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': %s", path, strerror(errno));
+    const int regular = !fstat(fd, &info) && S_ISREG(info.st_mode) && info.st_size < MOST;
+    const int room = regular && memory_room(MORE + TIMES * (size_t)info.st_size);
+    if (room) *json = json_loadfd(fd, JSON_REJECT_DUPLICATES, &where);
+    close(fd);
+    if (*json) return HAWSER_OK;
+    if (regular && !room) return error_memory(err);
+    return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.600s': %.200s", path, regular ? where.text : "not a file");
+}
+
+/* What was computed of a run says of which. */
+static hawser_status companion_check(const char *dir, const char *run, const char *name, hawser_error *err)
+{
+    char path[OUT_PATH_MAX];
+    json_t *json = NULL;
+    hawser_status status = out_join(path, dir, name, err);
+    if (!status) status = json_read(path, &json, err);
+    const char *const said = json_string_value(json_object_get(json, "run"));
+    if (json && (!said || strcmp(said, run) != 0))
+        status = error_set(err, HAWSER_ERR_INPUT, "'%.600s' does not belong to the summary beside it: %s", path,
+                           said ? "it is of another run" : "it does not say of which run it is");
+    json_decref(json);
+    return status;
+}
+
 hawser_status belong_check(const char *dir, const json_t *summary, hawser_error *err)
 {
     const json_t *const files = json_object_get(summary, "files");
@@ -98,6 +142,8 @@ hawser_status belong_check(const char *dir, const json_t *summary, hawser_error 
     if (!run) return HAWSER_OK; /* of a hawser that did not say it yet */
     for (int k = 0; k < FILE_SUMS_MAX && !status && json_is_array(files); k++)
         status = table_check(dir, files, sum_files[k], err);
+    if (!status) status = companion_check(dir, run, "certificate.json", err);
+    if (!status) status = companion_check(dir, run, "sensitivities.json", err);
     if (status) return status;
     return states_check(dir, run, json_string_value(json_object_get(said_of(files, "series.csv"), "sum")), err);
 }

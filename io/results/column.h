@@ -122,6 +122,8 @@ typedef struct Document {
 /* JSON as text, malloc'ed; NULL without memory. */
 struct json_t;
 char *json_text(const struct json_t *o);
+/* The same with jansson's flags: json_dumps itself leaves out what it has no memory for. */
+char *json_dumped(const struct json_t *o, size_t flags);
 /* The document as one JSON object, of its tables only those that `wanted` (NULL-ended; NULL: all) names; NULL without
  * memory. */
 struct json_t *document_json(const Document *doc, const char *const *wanted);

@@ -135,12 +135,14 @@ static char *grown(Growing *g)
     return NULL;
 }
 
-char *json_text(const struct json_t *o)
+char *json_dumped(const struct json_t *o, size_t flags)
 {
     Growing g = {0};
-    g.bad |= json_dump_callback(o, grow_json, &g, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) != 0;
+    g.bad |= json_dump_callback(o, grow_json, &g, flags) != 0;
     return grown(&g);
 }
+
+char *json_text(const struct json_t *o) { return json_dumped(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10)); }
 
 /* A table is a list of objects, one a row; NULL without memory. */
 static json_t *json_table(const Table *t)

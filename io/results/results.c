@@ -327,7 +327,11 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
     if (r->h5 && t->envelope) keep_first(&s, h5_envelope(r->h5, t->envelope, s ? NULL : err));
     keep_first(&s, out_close(&r->series, s ? NULL : err));
     if (!s && r->h5) keep_first(&s, states_tie(r, err));
+    const int states = r->h5 != NULL;
+    char path[OUT_PATH_MAX];
     keep_first(&s, h5_close(&r->h5, s ? NULL : err));
+    if (!s && states) s = out_join(path, r->dir, "results.h5", err);
+    if (!s && states) s = file_seal(path, err);
     keep_first(&s, xdmf_close(&r->xdmf, s ? NULL : err));
     for (int k = 0; k < TABLES; k++) {
         keep_first(&s, csv_rows(&r->tables[k], tables[k].columns, n[k], rows[k], s ? NULL : err));

@@ -339,6 +339,7 @@ static herr_t disk_close(H5FD_t *file)
 {
     DiskFile *f = (DiskFile *)file;
     disk_flush(file, H5P_DEFAULT, 1);
+    if (*f->journal && !*f->error) unlink(f->journal); /* if that failed before */
     if (close(f->fd)) keep_error(f);
     free(f->page);
     free(f);

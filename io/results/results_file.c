@@ -226,15 +226,18 @@ hawser_status out_close(OutFile *out, hawser_error *err)
 
 /* What is written under "NAME.part" gets its name once it is on the disk: a loss of power leaves the old file or the
  * new one, never an empty one. */
+hawser_status out_name(const char *part, const char *path, hawser_status status, hawser_error *err)
+{
+    if (!status) status = out_sync(part, err);
+    if (!status && rename(part, path)) status = out_error(path, errno, err);
+    if (status) unlink(part);
+    return status;
+}
+
 static hawser_status part_name(OutFile *out, const char *path, hawser_status status, hawser_error *err)
 {
-    if (!status) status = out_flush(out, err);
-    if (!status) status = out_sync(out->path, err);
     const hawser_status closed = out_close(out, status ? NULL : err);
-    if (!status) status = closed;
-    if (!status && rename(out->path, path)) status = out_error(path, errno, err);
-    if (status) unlink(out->path);
-    return status;
+    return out_name(out->path, path, status ? status : closed, err);
 }
 
 static hawser_status part_open(OutFile *out, const char *dir, const char *name, char *path, hawser_error *err)

@@ -270,6 +270,7 @@ static int frames_resume(H5File *h)
 static int file_resume(H5File *h, const char *run)
 {
     disk_recover(h->path);
+    file_unseal(h->path);
     h->file = driven_file(h, 1);
     int ok = h->file >= 0 && states_belong(h->file, run, NULL) && frames_resume(h);
     for (int k = 0; k < sample_columns && ok; k++) ok = set_resume(h, k);

@@ -32,8 +32,8 @@ static ssize_t block_read(int fd, unsigned char *block)
     return (ssize_t)done;
 }
 
-/* The sum of each block goes into that of all. Errors: INPUT, MEMORY. */
-static hawser_status descriptor_sum(int fd, const char *path, FileSum *sum, hawser_error *err)
+/* The sum of each block goes into that of all, up to so many bytes (< 0: all). Errors: INPUT, MEMORY. */
+static hawser_status descriptor_sum(int fd, const char *path, long most, FileSum *sum, hawser_error *err)
 {
     uint64_t all = 0;
     unsigned char *const block = malloc(BLOCK);
@@ -42,6 +42,7 @@ static hawser_status descriptor_sum(int fd, const char *path, FileSum *sum, haws
     sum->bytes = 0;
     while (n == BLOCK) {
         n = block_read(fd, block);
+        if (most >= 0 && n > most - sum->bytes) n = (ssize_t)(most - sum->bytes);
         if (n <= 0) break;
         const uint64_t both[2] = {all, checkpoint_hash(block, (size_t)n)};
         all = checkpoint_hash(both, sizeof both);
@@ -64,10 +65,69 @@ hawser_status file_sum(const char *dir, const char *name, FileSum *sum, hawser_e
     if (fd < 0 && errno == ENOENT) return HAWSER_OK;
     if (fd < 0) return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': %s", path, strerror(errno));
     const int regular = !fstat(fd, &info) && S_ISREG(info.st_mode);
-    const hawser_status read = regular ? descriptor_sum(fd, path, sum, err)
+    const hawser_status read = regular ? descriptor_sum(fd, path, -1, sum, err)
                                        : error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': not a file", path);
     close(fd);
     return read;
+}
+
+/* What stands behind a file's own bytes: a mark, and their sum. */
+typedef struct Seal {
+    char mark[16], sum[SUM_SIZE - 1];
+} Seal;
+static const char seal_mark[16] = "hawser: sum of\n";
+
+/* The bytes before a file's seal; < 0: it has none. */
+static long seal_read(int fd, Seal *seal)
+{
+    struct stat info;
+    const off_t size = fstat(fd, &info) ? 0 : info.st_size - (off_t)sizeof *seal;
+    if (size <= 0 || pread(fd, seal, sizeof *seal, size) != (ssize_t)sizeof *seal) return -1;
+    return memcmp(seal->mark, seal_mark, sizeof seal->mark) ? -1 : (long)size;
+}
+
+hawser_status file_seal(const char *path, hawser_error *err)
+{
+    FileSum sum = {0};
+    Seal seal;
+    const int fd = open(path, O_RDWR | O_APPEND | O_CLOEXEC);
+    if (fd < 0) return out_error(path, errno, err);
+    hawser_status status = descriptor_sum(fd, path, -1, &sum, err);
+    if (status == HAWSER_ERR_INPUT) status = out_error(path, errno, err);
+    memcpy(seal.mark, seal_mark, sizeof seal.mark);
+    memcpy(seal.sum, sum.sum, sizeof seal.sum);
+    for (size_t done = 0; !status && done < sizeof seal;) {
+        errno = 0;
+        const ssize_t n = write(fd, (const char *)&seal + done, sizeof seal - done);
+        if (n > 0) done += (size_t)n;
+        if (n <= 0 && errno != EINTR) status = out_error(path, errno, err);
+    }
+    if (close(fd) && !status) status = out_error(path, errno, err);
+    return status;
+}
+
+void file_unseal(const char *path)
+{
+    Seal seal;
+    const int fd = open(path, O_RDWR | O_CLOEXEC);
+    const long size = fd < 0 ? -1 : seal_read(fd, &seal);
+    /* where that fails the bytes are passed over as before, and the next seal is behind them */
+    if (size >= 0 && ftruncate(fd, size)) errno = 0;
+    if (fd >= 0) close(fd);
+}
+
+hawser_status file_broken(const char *path, int *broken, hawser_error *err)
+{
+    FileSum sum = {0};
+    Seal seal;
+    *broken = 0;
+    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (fd < 0) return HAWSER_OK;
+    const long size = seal_read(fd, &seal);
+    const hawser_status status = size < 0 ? HAWSER_OK : descriptor_sum(fd, path, size, &sum, err);
+    close(fd);
+    *broken = size >= 0 && !status && memcmp(sum.sum, seal.sum, sizeof seal.sum) != 0;
+    return status;
 }
 
 hawser_status folder_sums(const char *dir, int *n, FileSum sum[FILE_SUMS_MAX], hawser_error *err)

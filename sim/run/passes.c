@@ -81,9 +81,26 @@ static double most_of(const OtherPasses *o, int i, double value)
     return isnan(before + difference) ? NAN : fmax(SECOND * difference, SECOND_LEAST * before);
 }
 
+/* Whether the figure is farther from that of the coarser pass than that one's bar: then such bars say too little here
+ * (EB29). */
+static int is_refuted(const OtherPasses *o, int i, double value)
+{
+    return !o->finer && apart(o, i, value) > o->other[0].bar[i];
+}
+
 static double least_of(const OtherPasses *o, int i, double value)
 {
-    return (o->finer ? FIRST : SECOND_LEAST) * apart(o, i, value);
+    return (o->finer ? FIRST : is_refuted(o, i, value) ? SECOND : SECOND_LEAST) * apart(o, i, value);
+}
+
+/* How many others make a bar narrower by agreeing: of a peak those before which its own bar was wider, the coarser pass
+ * before the finer one. What does not fall is of something that no mesh has resolved yet (EB30). */
+static int agree(const OtherPasses *o, int i)
+{
+    int falls = 0;
+    if (i != OF_PEAK || o->finer) return o->n;
+    for (int k = 0; k < o->n; ++k) falls += o->peak_alone[k] < o->peak_alone[k + 1];
+    return falls;
 }
 
 /* An error bar by what the pass shows itself and by what the others differ. */
@@ -93,7 +110,7 @@ static double seen(const OtherPasses *o, int i, double bar, double value)
     if (isnan(most) || isnan(bar)) return bar;
     if (o->unsound) return fmax(bar, least_of(o, i, value));
     if (is_first_of_three(o)) return most;
-    return fmin(fmax(bar, least_of(o, i, value)), fmax(most, bar / pow(TOO_MUCH, o->n)));
+    return fmin(fmax(bar, least_of(o, i, value)), fmax(most, bar / pow(TOO_MUCH, agree(o, i))));
 }
 
 /* In its parts, each as much as it was of the whole; swings: what of it steps took of them, N, which falls slowly

@@ -1,5 +1,6 @@
 /* What the passes of one run say of each other: each is a level finer in time and length than the one before
- * (docs/model.md, "Error bars", (EB19), (EB20), (EB27), (EB28)), so that the difference of a figure measures its error.
+ * (docs/model.md, "Error bars", (EB19), (EB20), (EB27) to (EB30)), so that the difference of a figure measures its
+ * error.
  */
 #ifndef HAWSER_SIM_RUN_PASSES_H
 #define HAWSER_SIM_RUN_PASSES_H
@@ -13,6 +14,7 @@ enum { PASSES_MAX = 3 };
 typedef struct PassesSaid {
     hawser_passes said;
     hawser_pass pass[PASSES_MAX];
+    double peak_alone[PASSES_MAX]; /* N: of each one's own bar of the pull's peak the part of time and mesh */
 } PassesSaid;
 
 /* The figures of a pass that is over, and what they may be off by: mean and peak of the pull (N; of their bars the part
@@ -36,6 +38,7 @@ typedef struct OtherPasses {
     int finer;                         /* they are the finer ones */
     int unsound;                       /* the last fails a condition itself: then it makes no bar narrower */
     PassFigures other[PASSES_MAX - 1]; /* the finest of them first; one is enough if they are finer */
+    double peak_alone[PASSES_MAX];     /* N: the same as of PassesSaid, the finest first */
 } OtherPasses;
 
 void other_passes_free(OtherPasses *others);

@@ -21,10 +21,12 @@ static void fall_record(Swings *s, double before, double pull)
     s->fades = fmax(s->fades, fmin(1, HALF / (n * n * n)) * (s->top - pull));
 }
 
-static void rise_record(Swings *s, double before, double pull, double h)
+/* h: the last step, s, that ended at t. */
+static void rise_record(Swings *s, double before, double pull, double h, double t)
 {
     if (s->downward > 0 || s->steps == 1) {
         s->bottom = before;
+        s->risen_at = t - h;
         s->steepest = 0;
     }
     s->downward = 0;
@@ -75,7 +77,7 @@ void swings_step(Swings *s, const Scene *scene, double t, double pull)
     if (pull < before) {
         fall_record(s, before, pull);
     } else {
-        rise_record(s, before, pull, h);
+        rise_record(s, before, pull, h, t);
     }
     if (++s->steps > SWINGS_STEPS && longest > 0 && h > 0) bound_set(s, solver, longest, h);
 }

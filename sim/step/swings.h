@@ -13,6 +13,7 @@ typedef struct Swings {
     int steps;                                  /* that were seen */
     int downward;                               /* steps in a row in which the pull has fallen */
     double top, bottom;                         /* N: where it began to fall, and to rise, last */
+    double risen_at;                            /* s: when it began to rise */
     double largest;                             /* N, of all steps */
     /* N: the most that the method takes of a fall so far (EB23) */
     double fades;

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/worst.h"
+#include "sim/equipment/winch.h"
 
 /* Clearance and jam ratio of a duct with the cables in it; the sizes were checked when the case was read. */
 static void duct_fill(const SceneDef *scene, const SurfaceDef *def, hawser_surface *out)
@@ -266,6 +267,32 @@ static double slowest(const Scene *scene, const hawser_sample *sample)
     return least;
 }
 
+static const double EVENLY = 0.1; /* of the winch's speed, that it changes by at most while a pull rises (EB26) */
+
+/* Whether the winch draws as fast at b as at a, s: what rises between is none of the start's (EB26). */
+static int is_drawn_evenly(const Scene *scene, double a, double b)
+{
+    const Profile *const speed = &scene->def.winch.speed;
+    if (scene->def.winch.mode != WINCH_SPEED || !(a > 0)) return 0;
+    const double from = profile_value(speed, a), to = profile_value(speed, b);
+    return to > 0 && fabs(to - from) <= EVENLY * to;
+}
+
+/* N, by which the tension rises over the segment that the winch's clamp holds, if rollers press on it there (EB31). */
+static double behind_the_clamp(const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
+{
+    const int n = scene->chain.n;
+    if (!(scene->winch && scene->winch->present) || scene->def.winch.axial_only) return 0;
+    const double a = along_joint(scene, kin, sample->winch_travel, n - 1),
+                 b = along_joint(scene, kin, sample->winch_travel, n);
+    int pressed = 0;
+    for (int r = 0; r < scene->def.n_rollers; ++r) {
+        const double s = scene->def.rollers[r].s;
+        pressed |= s > a && s < b && sample->roller_load[r] > 0;
+    }
+    return pressed ? fmax(0, sample->winch_force - sample->tension[scene->first + n - 1]) : 0;
+}
+
 /* What is asked of a peak besides its size. */
 static void peak_record(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
@@ -274,11 +301,12 @@ static void peak_record(Stats *stats, const Scene *scene, const Kinematics *kin,
     stats->placed = fabs(here);
     stats->peak_speed = slowest(scene, sample);
     stats->peak_travel = sample->winch_travel;
+    stats->clamped = behind_the_clamp(scene, kin, sample);
     stats->faded = stats->swings.fades;
     stats->rise = swings_rise(&stats->swings);
     stats->steepest = stats->swings.steepest;
     stats->risen_from = stats->swings.bottom;
-    stats->in_window = sample->t > stats->steady_from;
+    stats->met = sample->t > stats->steady_from || is_drawn_evenly(scene, stats->swings.risen_at, sample->t);
 }
 
 /* A block ends when the mesh has moved on by a segment, as long as the last one (EB1). Until the first has ended it is
@@ -433,7 +461,7 @@ void stats_summary(const Stats *stats, hawser_summary *out)
 }
 
 /* What a joint takes from one roller it gives to the next: loads have wider bars than tensions (EB7). */
-static const double LOADS = 2;
+static const double STEADY_LOADS = 3, PEAK_LOADS = 2;
 /* A force at the end of a bend acts on one element, whatever its length: half of that is twice the load a metre (EB8).
  */
 static const double LINE_LOADS = 1;
@@ -447,14 +475,14 @@ static double sideways(const Stats *stats, const Scene *scene)
 }
 
 /* N of the largest pull: what it rose by while a wave runs through a segment and back, the longest of the chain's: one
- * along the cable, or in the steady window, where something is met that pushes it aside, one across it (EB26). */
+ * along the cable, or where the winch draws evenly and something is met that pushes it aside, one across it (EB26). */
 static double blow_of(const Stats *stats, const SceneDef *def)
 {
     double longest = 0; /* s */
     for (int k = 0; k < def->n_pieces; ++k) {
         const ChainPieceDef *const p = &def->pieces[k];
         const CableDef *const cable = &def->cables[p->cable];
-        const double holds = stats->in_window ? fmin(cable->ea, fmax(stats->risen_from, 0)) : cable->ea;
+        const double holds = stats->met ? fmin(cable->ea, fmax(stats->risen_from, 0)) : cable->ea;
         longest = fmax(longest, p->length / p->segments * sqrt(cable->mass / holds));
     }
     return stats->rise > 0 ? fmin(stats->rise, 2 * longest * stats->steepest) : 0;
@@ -469,7 +497,7 @@ void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, h
     shares->slack = slack_share(scene, stats->peak_travel, stats->at_rest);
     shares->at_rest = stats->at_rest;
     shares->faded = stats->faded;
-    shares->blow = blow_of(stats, &scene->def);
+    shares->blow = fmax(blow_of(stats, &scene->def), stats->clamped);
     if (stats->pull.time > 0 && out->pull_mean_N > 0) shares->friction += sideways(stats, scene) / out->pull_mean_N;
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);
@@ -488,7 +516,7 @@ void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, h
     shares->still = shares->breaks_loose = 0; /* which pull at the cable, not at a roller */
     for (int r = 0; r < stats->n_rollers; ++r) {
         hawser_roller *const row = &stats->roller_out[r];
-        row->steady_error_N = LOADS * error_of_mean(&stats->roller[r].load, shares).total;
-        row->peak_error_N = LOADS * error_of_peak(&stats->roller[r].load, shares).total;
+        row->steady_error_N = STEADY_LOADS * error_of_mean(&stats->roller[r].load, shares).total;
+        row->peak_error_N = PEAK_LOADS * error_of_peak(&stats->roller[r].load, shares).total;
     }
 }

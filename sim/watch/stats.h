@@ -36,9 +36,10 @@ typedef struct Stats {
     double peak_speed;           /* m/s, of the slowest segment when the pull was largest */
     Swings swings;               /* of the pull */
     /* up to the largest pull: N, the most that the method takes of a swing (EB23); N and N/s, the rise to it, N where
-     * that began, and whether the window had (EB26) */
+     * that began, and whether something was met in a steady pull (EB26) */
     double faded, rise, steepest, risen_from;
-    int in_window;
+    int met;
+    double clamped; /* N, of the largest pull: what rollers under the segment that the clamp holds made of it (EB31) */
     double settled_at; /* s, last time the speed was more than 2 % off the final speed of the head */
     int n_stations, n_rollers, n_surfaces;
     TimeMean *station; /* [n_stations], N */

@@ -1,4 +1,4 @@
-/* Workers' files: rows of one size, each with a check sum, appended by one write and never changed. A row that is cut
+/* Workers' files: rows of one size, each with a check sum, appended and never changed. A row that is cut
  * off or damaged counts as not there. */
 #define _DEFAULT_SOURCE /* scandir */
 #include <dirent.h>
@@ -209,8 +209,19 @@ int store_append(int fd, const Row *row, const double *value, int width)
     memcpy(record + sizeof *row, value, values);
     const Hash h = hash_bytes(HASH_BEGIN, record, sizeof *row + values);
     memcpy(record + sizeof *row + values, &h, sizeof h);
-    const ssize_t n = write(fd, record, size);
-    return n == (ssize_t)size ? 0 : n < 0 ? errno : ENOSPC;
+    struct stat before;
+    size_t done = 0;
+    if (fstat(fd, &before)) return errno;
+    while (done < size) {
+        errno = 0;
+        const ssize_t n = write(fd, record + done, size - done);
+        if (n > 0) done += (size_t)n;
+        if (n > 0 || errno == EINTR) continue;
+        const int why = errno ? errno : ENOSPC;
+        /* a part of a row would make all that are added later unreadable */
+        return done > 0 && ftruncate(fd, before.st_size) ? errno : why;
+    }
+    return 0;
 }
 
 /* Whether a record is as it was written. */

@@ -149,12 +149,22 @@ static int *columns_there(const Study *s, const Rows *rows)
     return there;
 }
 
+/* A table has its name once it is whole: until then what an earlier call wrote stays. */
+#define PART ".part"
+static hawser_status table_name(const char *dir, const char *name, const char *part, hawser_status status,
+                                hawser_error *err)
+{
+    char path[OUT_PATH_MAX];
+    if (!status) status = out_join(path, dir, name, err);
+    return out_name(part, path, status, err);
+}
+
 hawser_status table_csv(const Study *s, const Rows *rows, const char *dir, hawser_error *err)
 {
     OutFile out;
     int *const there = columns_there(s, rows);
     if (!there) return error_memory(err);
-    hawser_status status = out_open(&out, dir, "samples.csv", err);
+    hawser_status status = out_open(&out, dir, "samples.csv" PART, err);
     if (!status) {
         status = csv_names(s, there, &out, err);
         for (long i = 0; i < rows->n && !status; i++) {
@@ -162,6 +172,7 @@ hawser_status table_csv(const Study *s, const Rows *rows, const char *dir, hawse
         }
         const hawser_status closed = out_close(&out, status ? NULL : err);
         if (!status) status = closed;
+        status = table_name(dir, "samples.csv", out.path, status, err);
     }
     free(there);
     return status;
@@ -240,10 +251,20 @@ static hawser_status kept_make(const Rows *rows, Kept *kept, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* HDF5 stays silent; what the disk says comes from its driver. */
+static void kept_free(Kept *kept)
+{
+    free(kept->sample);
+    free(kept->number);
+    free(kept->text);
+}
+
+/* HDF5 stays silent; what the disk says comes from its driver. It does not survive an allocation that fails, so that it
+ * is asked before whether there is memory: it takes less than 1 MB. */
 static hawser_status file_write(const Study *s, const Rows *rows, const Kept *kept, const char *path, hawser_error *err)
 {
+    enum { ROOM = 4 << 20 };
     int disk = 0;
+    if (!memory_room(ROOM)) return error_memory(err);
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS), driver = disk_driver_use(access, &disk);
     const hid_t file = driver < 0 ? -1 : H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
     int ok = file >= 0 && sets_write(file, s, rows, kept);
@@ -259,14 +280,17 @@ hawser_status table_h5(const Study *s, const Rows *rows, const char *dir, hawser
     Kept kept = {0};
     H5E_auto2_t told;
     void *data;
-    hawser_status status = out_join(path, dir, "study.h5", err);
+    hawser_status status = out_join(path, dir, "study.h5" PART, err);
     if (!status) status = kept_make(rows, &kept, err);
+    if (!status && !memory_room(1 << 20)) status = error_memory(err);
+    if (status) {
+        kept_free(&kept);
+        return status;
+    }
     H5Eget_auto2(H5E_DEFAULT, &told, &data);
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
-    if (!status) status = file_write(s, rows, &kept, path, err);
+    status = file_write(s, rows, &kept, path, err);
     H5Eset_auto2(H5E_DEFAULT, told, data);
-    free(kept.sample);
-    free(kept.number);
-    free(kept.text);
-    return status;
+    kept_free(&kept);
+    return table_name(dir, "study.h5", path, status, err);
 }

@@ -85,7 +85,7 @@ static hawser_status entity_read(DxfStream *s, const DxfTag *begin, DxfEntity *e
         if (kept && !number_add(e, tag.code, tag.number)) return error_memory(s->in->err);
     }
     if (more > 0) dxf_hold(s);
-    return more < 0 ? HAWSER_ERR_INPUT : HAWSER_OK;
+    return more < 0 ? s->in->err->status : HAWSER_OK;
 }
 
 /* POLYLINE: VERTEX after VERTEX up to SEQEND. Flags: 1 closed, 8 in space, 16 and 64 meshes; of a vertex 16: a spline's
@@ -97,9 +97,9 @@ static hawser_status polyline_read(DxfStream *s, const DxfEntity *head)
     DxfCorner *corner = NULL;
     DxfEntity vertex = {0};
     DxfTag tag;
-    int n = 0;
+    int n = 0, more = 1;
     hawser_status status = HAWSER_OK;
-    while (!status && dxf_next(s, &tag) > 0) {
+    while (!status && (more = dxf_next(s, &tag)) > 0) {
         if (tag.code == 0 && strcmp(tag.text, "VERTEX")) {
             dxf_hold(s);
             break;
@@ -118,6 +118,7 @@ static hawser_status polyline_read(DxfStream *s, const DxfEntity *head)
             corner[n++] =
                 (DxfCorner){v3(dxf_number(&vertex, 10, 0), dxf_number(&vertex, 20, 0), z), dxf_number(&vertex, 42, 0)};
     }
+    if (!status && more < 0) status = s->in->err->status;
     if (!status && (flags & MESHES))
         survey_ignore(s->in->out, "POLYLINE: meshes");
     else if (!status)
@@ -143,7 +144,8 @@ static hawser_status mark_read(DxfStream *s, const DxfEntity *e)
     mark->line = e->line;
     mark->heading = system.axis.z < 0 ? 3.14159265358979323846 - turned : turned;
     hawser_status status = HAWSER_OK;
-    for (int named = 0; insert && !status && dxf_number(e, 66, 0) == 1 && dxf_next(s, &tag) > 0;) {
+    int more = 1, named = 0;
+    while (insert && !status && dxf_number(e, 66, 0) == 1 && (more = dxf_next(s, &tag)) > 0) {
         if (tag.code == 0 && strcmp(tag.text, "ATTRIB")) {
             dxf_hold(s);
             break;
@@ -154,6 +156,7 @@ static hawser_status mark_read(DxfStream *s, const DxfEntity *e)
             snprintf(mark->name + used, SURVEY_NAME_MAX - used, "%s%s", named++ ? ", " : ": ", attribute.text);
         }
     }
+    if (!status && more < 0) status = s->in->err->status;
     free(attribute.number);
     return status;
 }
@@ -230,7 +233,7 @@ static hawser_status header_read(DxfStream *s)
         if (unit_next && tag.code == 70) unit_set(s->in, isnan(tag.number) ? 0 : (int)fmin(fmax(tag.number, 0), 99));
         unit_next = tag.code == 9 && !strcmp(tag.text, "$INSUNITS");
     }
-    return more < 0 ? HAWSER_ERR_INPUT : HAWSER_OK;
+    return more < 0 ? s->in->err->status : HAWSER_OK;
 }
 
 static hawser_status entities_read(DxfStream *s)
@@ -245,7 +248,7 @@ static hawser_status entities_read(DxfStream *s)
         if (!status) status = entity_add(s, &e);
     }
     free(e.number);
-    return status ? status : more < 0 ? HAWSER_ERR_INPUT : HAWSER_OK;
+    return status ? status : more < 0 ? s->in->err->status : HAWSER_OK;
 }
 
 /* Of blocks nothing is read; those with names of their own may hold the line that is wanted, so it is said. */
@@ -261,7 +264,7 @@ static hawser_status blocks_skip(DxfStream *s)
             if (!strcmp(tag.text, kinds[i])) survey_ignore(s->in->out, "lines inside of blocks");
         }
     }
-    return more < 0 ? HAWSER_ERR_INPUT : HAWSER_OK;
+    return more < 0 ? s->in->err->status : HAWSER_OK;
 }
 
 static hawser_status section_skip(DxfStream *s)
@@ -270,7 +273,7 @@ static hawser_status section_skip(DxfStream *s)
     int more;
     while ((more = dxf_next(s, &tag)) > 0 && !(tag.code == 0 && !strcmp(tag.text, "ENDSEC"))) {
     }
-    return more < 0 ? HAWSER_ERR_INPUT : HAWSER_OK;
+    return more < 0 ? s->in->err->status : HAWSER_OK;
 }
 
 hawser_status dxf_read(SurveyInput *in)
@@ -293,7 +296,7 @@ hawser_status dxf_read(SurveyInput *in)
         else
             status = section_skip(&s);
     }
-    if (!status && more < 0) status = HAWSER_ERR_INPUT;
+    if (!status && more < 0) status = s.in->err->status; /* INPUT, or MEMORY */
     if (!status && sections == 0) status = input_error(in, "no section in the drawing");
     dxf_end(&s);
     return status;

@@ -91,13 +91,14 @@ static int bytes(DxfStream *s, int n, uint64_t *value)
     return 1;
 }
 
-/* A text up to its 0; 0: the file ends or the text does not. */
+/* A text up to its 0; 0: the file ends or the text does not, or there is no memory, which is said then. */
 static int text_read(DxfStream *s)
 {
     size_t n = 0;
     for (int c; (c = getc_unlocked(s->in->file)) != EOF; ++n) {
         if (n + 1 >= s->line.room) {
             char *const wider = n < INPUT_LINE_MOST ? realloc(s->line.text, 2 * n + 256) : NULL;
+            if (!wider && n < INPUT_LINE_MOST) error_memory(s->in->err);
             if (!wider) return 0;
             s->line.text = wider;
             s->line.room = 2 * n + 256;
@@ -142,7 +143,9 @@ static int next_of_binary(DxfStream *s, DxfTag *tag)
     if (!bytes(s, s->short_codes ? 1 : 2, &code)) return 0;
     const int fine = !s->short_codes || code != 255 || bytes(s, 2, &code);
     tag->code = (int16_t)code;
+    s->in->err->status = HAWSER_OK;
     if (fine && value_of_binary(s, tag)) return 1;
+    if (s->in->err->status == HAWSER_ERR_MEMORY) return -1;
     input_error(s->in, "the file ends inside of group %d, or has a text without an end", tag->code);
     return -1;
 }

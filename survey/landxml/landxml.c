@@ -521,7 +521,10 @@ static void parse(Reader *r)
         const size_t n = fread(buffer, 1, CHUNK, r->in->file);
         last = n == 0;
         if (XML_ParseBuffer(r->parser, (int)n, last) == XML_STATUS_OK || r->status) continue;
-        FAIL(r, "no XML: %s", XML_ErrorString(XML_GetErrorCode(r->parser)));
+        if (XML_GetErrorCode(r->parser) == XML_ERROR_NO_MEMORY)
+            fail_memory(r);
+        else
+            FAIL(r, "no XML: %s", XML_ErrorString(XML_GetErrorCode(r->parser)));
     }
 }
 

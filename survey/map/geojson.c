@@ -10,6 +10,7 @@
 
 enum { DEPTH_MOST = 32 };
 static const long SIZE_MOST = 200L << 20; /* the whole file is held, some twelve times its size */
+enum { ROOM = 1 << 16, ROOM_TIMES = 16 }; /* that must be there before it is read: bytes, and times its size */
 
 /* What is said of the geometry that is being read. */
 typedef struct Label {
@@ -165,7 +166,13 @@ hawser_status geojson_read(SurveyInput *in)
     if (fstat(fileno(in->file), &state) || state.st_size > SIZE_MOST) {
         return input_error(in, "larger than %ld MB, the most of a GeoJSON file", SIZE_MOST >> 20);
     }
-    json_t *const root = json_loadf(in->file, JSON_DISABLE_EOF_CHECK, &where);
+    /* without memory jansson finds fault with some word of the text, so that it is asked for before */
+    if (!memory_room(ROOM + ROOM_TIMES * (size_t)state.st_size)) return error_memory(in->err);
+    json_t *root = json_loadf(in->file, JSON_DISABLE_EOF_CHECK, &where);
+    if (!root) { /* so what it finds is looked for twice */
+        rewind(in->file);
+        root = json_loadf(in->file, JSON_DISABLE_EOF_CHECK, &where);
+    }
     if (!root) {
         in->line = where.line > 0 ? where.line : 0;
         if (json_error_code(&where) == json_error_out_of_memory) return error_memory(in->err);

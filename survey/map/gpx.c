@@ -201,7 +201,10 @@ static void parse(Reader *r)
         last = n == 0;
         if (XML_ParseBuffer(r->parser, (int)n, last) == XML_STATUS_OK || r->status) continue;
         line_set(r);
-        fail(r, input_error(r->places.in, "no XML: %s", XML_ErrorString(XML_GetErrorCode(r->parser))));
+        const enum XML_Error what = XML_GetErrorCode(r->parser);
+        SurveyInput *const in = r->places.in;
+        fail(r, what == XML_ERROR_NO_MEMORY ? error_memory(in->err)
+                                            : input_error(in, "no XML: %s", XML_ErrorString(what)));
     }
 }
 

@@ -1,5 +1,6 @@
 #include "survey/read/read.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -155,6 +156,8 @@ hawser_status survey_read(const char *path, const SurveyOptions *options, Survey
         status = readers[i].read(&in);
         break;
     }
+    /* what a disk does not give looks like the file's end */
+    if (!status && ferror(in.file)) status = input_error(&in, "cannot be read: %s", strerror(EIO));
     if (!status) status = nonsense_drop(&in);
     input_close(&in);
     if (!status) names_fill(path, out);

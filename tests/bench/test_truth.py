@@ -69,6 +69,7 @@ class Scenes(unittest.TestCase):
         finest = truth.better(case, {"segments": 100}, 4, 100, 5, 5)
         self.assertEqual(finest["chain"][0]["segment"], case["chain"][0]["segment"] / 4)
         self.assertEqual((finest["solver"]["accuracy"], finest["solver"]["max_step"]), (1e-5, 0.01))
+        self.assertEqual(finest["solver"]["relax_iterations"], truth.REST)
         self.assertAlmostEqual(finest["friction"]["v_s"], case["friction"]["v_s"] / 5)
         self.assertAlmostEqual(finest["conveyors"][0]["v_s"], 2e-5)
         del case["chain"][0]["segment"]
@@ -85,6 +86,12 @@ class Judged(unittest.TestCase):
 
     def test_no_oracle(self):
         self.assertEqual(judged(1000, 1020, 1000), ("no oracle", True))
+        # one that does not begin at rest, where the run does
+        for at_rest, ended in ((True, "no oracle"), (False, "wrong")):
+            row = {"run": run(1100.0, failing=[] if at_rest else ["equilibrium"]), "floor": 1.0,
+                   "oracles": {"fine": run(1000.0), "finest": run(1000.0, failing=["equilibrium"])}}
+            truth.judge(row)
+            self.assertEqual(row["ended"], ended)
         # wrong wherever the truth is
         self.assertEqual(judged(1700, 1350, 1000), ("wrong", True))
 
@@ -105,6 +112,20 @@ class Judged(unittest.TestCase):
         rows = [{"run": {**run(1004.0), "bars": {"mean": bar}}, "oracles": {"fine": run(1000.0), "finest": run(1000.0)}, "floor": 1.0,
                  "ended": "right"} for bar in (8.0, 4.0, 2.0)]
         self.assertEqual(truth.contained(rows), (2, 3, 1.0))
+
+    def test_bars_of_others(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "rollers.csv"), "w", encoding="utf-8") as file:
+                file.write("name,s_m,steady_N,peak_N,steady_error_N,peak_error_N\nR1,0,,5,,1\nR2,1,20,30,2,3\n")
+            found = truth.others(folder, {"surfaces": [{"peak_line_load_N_per_m": 7.0, "peak_line_load_error": 8.0}]})
+        self.assertEqual(found, {"sidewall pressure, peak": [[7.0, 8.0]], "load of a roller, mean": [[None, None], [20.0, 2.0]],
+                                 "largest": [[5.0, 1.0], [30.0, 3.0]]})
+        # 5 +- 1 for 6.5 which the oracles know to 0.2; 30 +- 3 for 32; one that bears nothing is left out
+        runs = [{**run(1.0), "others": {"largest": figures}} for figures in
+                ([[5, 1], [30, 3], [1, 0]], [[6.7, 0], [32, 0], [0, 0]], [[6.5, 0], [32, 0], [0, 0]])]
+        row = {"run": runs[0], "oracles": {"fine": runs[1], "finest": runs[2]}, "floor": 1.0, "ended": "right", "trusted": True}
+        self.assertEqual(truth.contained_others([row]), [["largest", "2", "50.0 %", "1.1"]])
+        self.assertEqual(truth.contained_others([{**row, "trusted": False}]), [])
 
 
 class Programs(unittest.TestCase):

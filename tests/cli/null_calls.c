@@ -249,6 +249,8 @@ static void others(void)
     REFUSED("c", hawser_case_run_sensitivities, NULL, 1, key, HAWSER_TABLE, NULL, NULL, &text, NULL);
     REFUSED("keys", hawser_case_run_sensitivities, c, 1, NULL, HAWSER_TABLE, NULL, NULL, &text, NULL);
     REFUSED("text", hawser_case_run_sensitivities, c, 1, key, HAWSER_TABLE, NULL, NULL, NULL, NULL);
+    REFUSED("json", hawser_sensitivities_write, NULL, "x");
+    REFUSED("dir", hawser_sensitivities_write, "{}", NULL);
     REFUSED("c", hawser_case_position_sensitivities, NULL, 1, key, HAWSER_TABLE, NULL, NULL, &text, NULL);
     REFUSED("keys", hawser_case_position_sensitivities, c, 1, NULL, HAWSER_TABLE, NULL, NULL, &text, NULL);
     REFUSED("text", hawser_case_position_sensitivities, c, 1, key, HAWSER_TABLE, NULL, NULL, NULL, NULL);

@@ -6,7 +6,7 @@
 #include "io/case/case_parts.h"
 #include "tests/fuzz/fuzz.h"
 
-enum { SEGMENTS = 150, PIECES = 60, ROLLERS = 300, SURFACES = 40, MACHINES = 20, STATIONS = 2000 };
+enum { SEGMENTS = 60, PIECES = 60, ROLLERS = 300, SURFACES = 40, MACHINES = 20, STATIONS = 2000 };
 
 static int is_small(const SceneDef *def)
 {

@@ -5,6 +5,7 @@ import tempfile
 import unittest
 
 import check_adding
+import check_causes
 import check_documents
 import check_equations
 import check_handles
@@ -155,6 +156,21 @@ class Documents(unittest.TestCase):
         self.assertEqual(["docs/a.md:2: links to c.md, which is not there"], self.check("\n[c](c.md)\n"))
         self.assertEqual(["docs/a.md:1: names core/b.c, which is not there"], self.check("`core/b.c`"))
         self.assertEqual(1, len(self.check("`core/a.{c,cc}`")))
+
+
+class Causes(unittest.TestCase):
+    def check(self, rows):
+        return Tree({"tests/io/test_trust.c": f"/* Was wrong:\n{rows} */\nint main() {{ cmocka_unit_test(it_falls), it_stands; }}\n",
+                     "tests/cli/test_a.sh": ""}).complaints(check_causes.complaints)
+
+    def test_what_is_run(self):
+        self.assertEqual([], self.check(f" *   {'a fall':47} here, it_falls; cli/test_a.sh: always\n"))
+
+    def test_what_is_not(self):
+        self.assertEqual(["tests/io/test_trust.c: 'a fall': tests/io/test_trust.c runs no test it_stands"],
+                         self.check(f" *   {'a fall':47} here, it_falls, it_stands\n"))
+        self.assertEqual(["tests/io/test_trust.c: 'a fall': there is no tests/io/test_b.c"], self.check(f" *   {'a fall':47} io/test_b, it_falls\n"))
+        self.assertEqual(1, len(self.check("")))
 
 
 class Adding(unittest.TestCase):

@@ -33,9 +33,10 @@ class Scene:
         with tempfile.TemporaryDirectory(prefix="hawser_inject_") as folder:
             count = os.path.join(folder, "count")
             out = os.path.join(folder, "out")
-            if self.writes == "page":
+            if self.writes in ("page", "line"):
                 os.mkdir(out)
-            to = {"results": ["-o", out], "page": ["-o", os.path.join(out, "page.html")], None: []}[self.writes]
+            to = {"results": ["-o", out], "study": ["-o", out], "page": ["-o", os.path.join(out, "page.html")],
+                  "line": ["-o", os.path.join(out, "line.csv")], None: []}[self.writes]
             words = [self.command, *self.words, *to]
             env = dict(os.environ, LD_PRELOAD=self.shim, INJECT_KIND=kind, INJECT_AT=str(at), INJECT_COUNT=count,
                        OPENBLAS_NUM_THREADS="1")
@@ -88,11 +89,13 @@ def faults(kind, reference, result):
     # a page may say that it has no view, without memory for HDF5; it is never cut off
     found += [f"{name} is cut off" for name, content in files.items()
               if name.endswith(".html") and not content.rstrip().endswith(b"</html>")]
+    if not status and files.get("line.csv") != reference[3].get("line.csv"):
+        found.append("line.csv is not the same")
     if not status and reference[3].keys() != results_of(files).keys():
         found.append("other files than without a failure")
     if "summary.json" in files:
         try:
-            outcome = json.loads(files["summary.json"])["outcome"]
+            outcome = json.loads(files["summary.json"]).get("outcome")  # of a study there is none
             # What ended may be the second pass, which leaves the results of the first as they were, or the very last call, the
             # folder's own fsync: results are whole then.
             late = status == 5 or "cannot write '/out':" in err
@@ -108,6 +111,15 @@ def choose(kind, calls, everything):
         return range(1, calls + 1, HEAP_STEP if kind == "heap" else 1)
     even = {1 + i * (calls - 1) // (SAMPLES - 1) for i in range(SAMPLES)}
     return sorted(even | set(range(1, EDGES + 1)) | set(range(calls - EDGES, calls + 1)))
+
+
+def study_of(folder, data):
+    """A study of four samples by theory."""
+    path = os.path.join(folder, "study.yaml")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(f"case: {os.path.abspath(os.path.join(data, 'limits.yaml'))}\nparameters:\n  friction.mu: {{uniform: {{from: 0.1, to: 0.3}}}}\n"
+                   "monte-carlo: {samples: 4, seed: 1}\nquantities: [reference_total_N]\n")
+    return path
 
 
 def main():
@@ -129,7 +141,12 @@ def main():
         (["report", results.name], "page"),
         (["check", os.path.join(data, "limits.yaml")], None),
         (["theory", os.path.join(data, "cli-pull.yaml"), "--format", "json"], None),
-        (["library"], None))]
+        (["library"], None),
+        (["route", os.path.join(args.source, "cases", "routes", "tunnel.geojson"), "--json"], "line"),
+        (["route", os.path.join(args.source, "cases", "routes", "tunnel.xml")], None),
+        (["route", os.path.join(args.source, "cases", "routes", "tunnel.ifc")], None),
+        (["route", os.path.join(args.source, "cases", "routes", "tunnel.dxf")], None),
+        (["study", study_of(results.name, data), "--jobs", "1", "--quiet"], "study"))]
     bad = total = 0
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
         for scene in [s for s in scenes if args.scene in (None, s.words[0])]:

@@ -140,6 +140,64 @@ static void sensitivities_go_with_their_run(void **state)
     assert_int_equal(access(scratch_path_in("a", "sensitivities.json"), F_OK), -1);
 }
 
+/* What was computed of another run, or does not say of which. */
+static void a_certificate_or_sensitivities_of_another_run_are_refused(void **state)
+{
+    (void)state;
+    static const char *const files[] = {"certificate.json", "sensitivities.json"};
+    hawser_error err = {0};
+    char one[17], text[64];
+    run_into("a", NULL, NULL, 0);
+    run_of("a", one);
+    for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
+        char path[512];
+        snprintf(path, sizeof path, "%s", scratch_path_in("a", files[k]));
+        snprintf(text, sizeof text, "{\"run\": \"%s\"}", one);
+        file_write(path, text);
+        if (hawser_results_check(scratch_path("a"), &err)) fail_msg("%s", err.message);
+        file_write(path, "{\"run\": \"0123456789abcdef\"}");
+        expect_refused(files[k]);
+        file_write(path, "{}");
+        expect_refused(files[k]);
+        file_write(path, "{\"run\": \"012");
+        assert_int_equal(hawser_results_check(scratch_path("a"), &err), HAWSER_ERR_INPUT);
+        check_has(err.message, "cannot read '");
+        check_has(err.message, files[k]);
+        unlink(path);
+    }
+}
+
+/* A bit of results.h5 anywhere, or more behind it: HDF5 is not asked what it makes of that. Without its sum, as a run
+ * that was killed leaves it, the file is read as before. */
+static void a_damaged_file_of_states_is_refused(void **state)
+{
+    (void)state;
+    enum { SEAL = 32 };
+    hawser_error err = {0};
+    char path[512];
+    struct stat info;
+    run_into("a", NULL, NULL, 0);
+    snprintf(path, sizeof path, "%s", scratch_path_in("a", "results.h5"));
+    assert_int_equal(stat(path, &info), 0);
+    FILE *const f = fopen(path, "r+b");
+    assert_non_null(f);
+    for (long at = 0; at < info.st_size - SEAL; at += info.st_size / 61) {
+        assert_int_equal(fseek(f, at, SEEK_SET), 0);
+        const int byte = fgetc(f);
+        for (int back = 0; back < 2; back++) {
+            assert_int_equal(fseek(f, at, SEEK_SET), 0);
+            fputc(back ? byte : byte ^ 4, f);
+            fflush(f);
+            assert_int_equal(hawser_results_check(scratch_path("a"), &err), back ? HAWSER_OK : HAWSER_ERR_INPUT);
+            if (!back)
+                check_has(err.message, "results.h5' is damaged: its bytes are not those that the run has written");
+        }
+    }
+    fclose(f);
+    assert_int_equal(truncate(path, info.st_size - SEAL), 0);
+    if (hawser_results_check(scratch_path("a"), &err)) fail_msg("%s", err.message);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -147,6 +205,9 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_file_too_many_or_cut_off_is_refused, scratch_make, scratch_remove),
         cmocka_unit_test_setup_teardown(states_of_another_series_are_refused, scratch_make, scratch_remove),
         cmocka_unit_test_setup_teardown(sensitivities_go_with_their_run, scratch_make, scratch_remove),
+        cmocka_unit_test_setup_teardown(a_damaged_file_of_states_is_refused, scratch_make, scratch_remove),
+        cmocka_unit_test_setup_teardown(a_certificate_or_sensitivities_of_another_run_are_refused, scratch_make,
+                                        scratch_remove),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -82,8 +82,8 @@ static void a_drum_weighs_nothing(void **state)
     check_at_most(sum.pull_mean_error.mesh, 0.1 * sum.pull_mean_N);
 }
 
-/* Loads have twice the parts of a tension (EB7): half of v_s, where friction lacks 1/0.6875 - 1. */
-static void loads_have_twice_the_bar(void **state)
+/* Loads have two and three times the parts of a tension (EB7): half of v_s, where friction lacks 1/0.6875 - 1. */
+static void loads_have_wider_bars(void **state)
 {
     (void)state;
     const char *const slow[] = {"friction.v_s", "200 mm/s", "friction.v_d", "400 mm/s", NULL};
@@ -96,7 +96,7 @@ static void loads_have_twice_the_bar(void **state)
     check_at_least(n, 5);
     for (int r = 0; r < n; r++) {
         if (!(row[r].steady_N > 1)) continue;
-        check_at_least(row[r].steady_error_N, 2 * (lacks - 1e-3) * row[r].steady_N);
+        check_at_least(row[r].steady_error_N, 3 * (lacks - 1e-3) * row[r].steady_N);
         check_at_least(row[r].peak_error_N, 2 * (lacks - 1e-3) * row[r].peak_N);
     }
     hawser_sim_free(s);
@@ -215,7 +215,7 @@ int main(void)
                                        cmocka_unit_test(what_a_signal_shows),
                                        cmocka_unit_test(a_slow_winch),
                                        cmocka_unit_test(a_drum_weighs_nothing),
-                                       cmocka_unit_test(loads_have_twice_the_bar),
+                                       cmocka_unit_test(loads_have_wider_bars),
                                        cmocka_unit_test(pressure_is_the_meshs),
                                        cmocka_unit_test(how_rough_a_peak_is),
                                        cmocka_unit_test(a_peak_between_rows),

@@ -13,10 +13,12 @@
  *   a stiff grip at the default accuracy            here, energy_lost; io/test_grips, a_shared_pull
  *   energy that does not add up, and peaks of jolts here, a_jolt_at_the_start, a_spike_between_rows
  *   a pull that is too high, a cable that snaps     io/test_error_bars, loose_steps; io/test_certify, a_stiff_grip
+ *   another answer at each accuracy, and status 0   io/test_traps, it_jolts, it_snaps_taut, it_snaps_back, it_crawls
+ *   pulls that leave their rollers                  io/test_traps, it_leaves_its_rollers
  *   a signal during the relaxation                  sim/test_relax, test_stopped; cli/test_signals.sh
  *   U rollers on which Newton does not converge     io/test_grips, a_deep_groove
  *   a run that fails before its steady window       here, not_to_the_end; cli/test_run.sh
- *   results in place of closed descriptors          cli/test_output.sh
+ *   results in place of closed descriptors          cli/test_surroundings.sh
  *   two runs in one folder, results of an older one cli/test_output.sh
  *   results.h5 of a run that was killed             cli/test_crash.sh
  *   no memory for the integrator's vectors          sim/test_allocation, test_history
@@ -46,6 +48,8 @@
  *   belts that share a pull by lengths alone        io/test_grips, a_shared_pull
  *   a rope that slides to its rollers' edge         here, it_slides_to_the_edge
  *   a tip or joint that hits within a segment's wave io/test_passes, blows_that_the_mesh_makes
+ *   a clamped head over a roller, a rope that whips io/test_passes, blows_after_the_start, what_a_clamp_holds
+ *   passes that come near each other, and not there io/test_passes, passes_that_are_not_there_yet
  *   segments askew between the rollers of a pair    io/test_mesh, askew_between_rollers
  *   a swing that steps do not follow                io/test_passes, a_swing_that_steps_take
  *   rollers that spin, Newton fails in most steps   not cured (63 % of the steps of one): it ends in seconds and is not
@@ -172,7 +176,7 @@ static void slower_than_friction(void **state)
 {
     (void)state;
     const char *const slow[] = {"friction.v_s", "200 mm/s", "friction.v_d", "400 mm/s", NULL};
-    expect_failing(data_text("trust"), slow, HAWSER_OK, "friction_speed numerical_error numerical_peak",
+    expect_failing(data_text("trust"), slow, HAWSER_OK, "friction_speed numerical_error numerical_peak decided",
                    "set friction.v_s below 0.02 m/s");
 }
 
@@ -267,13 +271,14 @@ static void a_shaft_without_a_brake(void **state)
 }
 
 /* A step that grows by 4 % kept the old one's matrix: Newton's iteration left more at each step, and the peak was 128 N
- * with a bar of 2.7 N; a hundredth of the accuracy, segments or v_s: 116 N. */
+ * with a bar of 2.7 N. A hundredth of the accuracy and segments of an eighth: 121.6 N; with a fifth of v_s besides
+ * 116 N. */
 static void an_old_matrix(void **state)
 {
     (void)state;
     Judged j = judge(data_text("trust-old-matrix"), NULL, HAWSER_OK);
     check_at_most(fabs(j.sum.pull_peak_N - 115.6), j.sum.pull_peak_error.total);
-    check_at_most(j.sum.pull_peak_N, 1.05 * 115.6);
+    check_share(j.sum.pull_peak_N, 121.6, 0.01);
     hawser_sim_free(j.sim);
 }
 

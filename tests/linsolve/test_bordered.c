@@ -260,12 +260,38 @@ static void singular_border(void **state)
     scene_free(&s);
 }
 
+/* What it says of itself: the chain's own factors and the border's three dense parts, C, P and S; a growth no smaller
+ * than the chain's, and the chain's where there is nothing else to factor. */
+static void statistics(void **state)
+{
+    (void)state;
+    for (int leaves = 0; leaves <= LEAVES; leaves += LEAVES) {
+        for (int w = 1; w <= 4; w += 3) {
+            uint64_t seed = 8;
+            Scene s;
+            LinStats plain, all;
+            scene_init(&s, 11, 6, leaves, w, 0, &seed);
+            for (int i = 0; i < 11; ++i) s.m.chain.diag[36 * i] = 1e-3; /* pivots below what is under them: growth */
+            const NewtonMatrix chain = {.chain = s.m.chain};
+            check_below(solve_error(&chain, LIN_BLOCK, ORDER_AUTO, &plain), 1e-12);
+            check_below(solve_error(&s.m, LIN_BORDERED, ORDER_AUTO, &all), 1e-12);
+            const long inner = newton_inner(&s.m);
+            assert_int_equal(inner, 66 + leaves * (leaves + 1) / 2);
+            assert_int_equal(all.nonzeros - plain.nonzeros, inner * w + inner * w + w * w);
+            check_between(plain.growth, 0, 0.999);
+            if (!leaves) check_equal(all.growth, plain.growth);
+            if (leaves) check_between(all.growth, 0, 0.999);
+            scene_free(&s);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_shapes),    cmocka_unit_test(overlapping_blocks), cmocka_unit_test(choice),
         cmocka_unit_test(fallback_leaf), cmocka_unit_test(fallback_inner),     cmocka_unit_test(singular_border),
-        cmocka_unit_test(leaves_move),
+        cmocka_unit_test(leaves_move),   cmocka_unit_test(statistics),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -189,11 +189,56 @@ static void undecided(void **state)
     block_chain_free(&zero);
 }
 
+/* A value that is not finite, wherever it stands, is seen before anything is factored: nothing is counted, and the old
+ * factors go on solving. Sizes leave 0 to 7 values after the last eight. */
+static void not_finite_anywhere(void **state)
+{
+    (void)state;
+    static const double wrong[] = {NAN, INFINITY, -INFINITY};
+    for (int n = 2; n <= 5; ++n) {
+        uint64_t seed = 6;
+        BlockChain a;
+        SparseAssembly s;
+        LinStats stats;
+        fixture_chain_random(&a, n, 3, 12, &seed);
+        const NewtonMatrix m = {.chain = a};
+        assert_true(sparse_assembly_new(&m, &s));
+        sparse_assembly_refresh(&s, &m);
+        const int count = s.a.p[s.a.n];
+        double *const r = fixture_vector(3 * n, &seed), x[15], before[15];
+        LinSolver *const solver =
+            linsolver_new_sparse(&s.a, &(LinOptions){.kind = LIN_KLU_FULL, .ordering = ORDER_AMD}, NULL);
+        assert_non_null(solver);
+        assert_int_equal(linsolver_factor_sparse(solver, &s.a), 0);
+        memcpy(before, r, (size_t)(3 * n) * sizeof *r);
+        assert_int_equal(linsolver_solve(solver, before), 0);
+        for (int k = 0; k < count; ++k) {
+            const double good = s.a.x[k];
+            s.a.x[k] = wrong[k % 3];
+            check_above(linsolver_factor_sparse(solver, &s.a), 0);
+            s.a.x[k] = good;
+        }
+        linsolver_stats(solver, &stats);
+        assert_int_equal(stats.refactors, 0);
+        assert_int_equal(stats.fallbacks, 0);
+        assert_int_equal(linsolver_factor_sparse(solver, &s.a), 0);
+        memcpy(x, r, (size_t)(3 * n) * sizeof *r);
+        assert_int_equal(linsolver_solve(solver, x), 0);
+        for (int i = 0; i < 3 * n; ++i) check_close(x[i], before[i], 1e-14);
+        linsolver_stats(solver, &stats);
+        assert_int_equal(stats.refactors, 1); /* with the pivots of the first */
+        linsolver_free(solver);
+        free(r);
+        sparse_assembly_free(&s);
+        block_chain_free(&a);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(assembly),        cmocka_unit_test(metis_order), cmocka_unit_test(least_fill),
-        cmocka_unit_test(fallback_growth), cmocka_unit_test(undecided),
+        cmocka_unit_test(fallback_growth), cmocka_unit_test(undecided),   cmocka_unit_test(not_finite_anywhere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

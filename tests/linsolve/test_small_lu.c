@@ -45,8 +45,26 @@ static void refused(void **state)
     assert_int_equal(small_lu_factor(0, zero, pivot), 0); /* no border */
 }
 
+/* A pivot is too small by what the whole matrix is like: 1e-14 of its largest entry, whatever the units are. */
+static void singular_by_its_own_size(void **state)
+{
+    (void)state;
+    int pivot[2];
+    for (int e = -200; e <= 200; e += 50) {
+        const double unit = pow(10, e);
+        double rounding[4] = {unit, 0, 0, 0.9e-14 * unit}, small[4] = {-unit, 0, 0, 1.1e-14 * unit};
+        double under[4] = {0.9e-14 * unit, 0, unit, 1}, alike[4] = {3 * unit, unit, 6 * unit, 2 * unit};
+        assert_int_equal(small_lu_factor(2, rounding, pivot), 1);
+        assert_int_equal(small_lu_factor(2, small, pivot), 0);
+        under[3] = 2 * unit; /* the second column alone shows how large the entries are */
+        assert_int_equal(small_lu_factor(2, under, pivot), 1);
+        assert_int_equal(small_lu_factor(2, alike, pivot), 1);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(residuals), cmocka_unit_test(refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(residuals), cmocka_unit_test(refused),
+                                       cmocka_unit_test(singular_by_its_own_size)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -68,9 +68,11 @@ static void what_a_rise_was(void **state)
     for (int k = 0; k < 7; k++) swings_step(&s, &scene, 0.1 * k, pull[k]);
     check_close(swings_rise(&s), 17 - 8, 1e-12);
     check_close(s.steepest, 60, 1e-9);
+    check_close(s.risen_at, 0.1, 1e-12);
     swings_step(&s, &scene, 0.7, 13);
     check_close(swings_rise(&s), 1, 1e-12);
     check_close(s.steepest, 10, 1e-9);
+    check_close(s.risen_at, 0.6, 1e-12);
 }
 
 int main(void)

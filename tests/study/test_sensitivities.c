@@ -184,9 +184,44 @@ static void refused(void **state)
     }
 }
 
+/* A run of the case into a folder of the tests' own. */
+static void run_into(const char *folder, const char *mu)
+{
+    hawser_error err;
+    hawser_sim *s = NULL;
+    hawser_case *const c = pull_case("1e-3", NULL, 0, "");
+    if (hawser_case_set(c, "friction.mu", mu, &err)) fail_msg("%s", err.message);
+    if (hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
+    if (hawser_sim_run(s, scratch_path(folder), NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim_free(s);
+    hawser_case_free(c);
+}
+
+/* What is written of a run belongs to it, and to no other one. */
+static void the_file_says_of_which_run_it_is(void **state)
+{
+    (void)state;
+    static const char *const key[] = {"friction.mu"};
+    hawser_error err;
+    char *text, *json;
+    hawser_case *const c = pull_case("1e-3", "friction.mu", 0.2, "");
+    if (hawser_case_run_sensitivities(c, 1, key, HAWSER_TABLE, NULL, NULL, &text, &json, &err))
+        fail_msg("%s", err.message);
+    run_into("same", "0.20000000000000001");
+    run_into("other", "0.3");
+    assert_int_equal(hawser_sensitivities_write(json, scratch_path("same"), &err), HAWSER_OK);
+    assert_int_equal(hawser_sensitivities_write(json, scratch_path("other"), &err), HAWSER_OK);
+    if (hawser_results_check(scratch_path("same"), &err)) fail_msg("%s", err.message);
+    assert_int_equal(hawser_results_check(scratch_path("other"), &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "sensitivities.json' does not belong to the summary beside it: it is of another run");
+    hawser_text_free(text);
+    hawser_text_free(json);
+    hawser_case_free(c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences), cmocka_unit_test(the_start_follows),
-                                       cmocka_unit_test(refused)};
+                                       cmocka_unit_test(refused), cmocka_unit_test(the_file_says_of_which_run_it_is)};
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

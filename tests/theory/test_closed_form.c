@@ -141,6 +141,75 @@ static void refusals_have_reasons(void **state)
     check_close(T2, integrated(0, 5, 0.5, PI / 2, 0.2, 200, 900), 2e-9);
 }
 
+/* A sag's form holds from T = w R cos on, at either end: refused just below, with the slope and the bound in words. */
+static void the_bottom_of_a_sag(void **state)
+{
+    (void)state;
+    const double w = 190, R = 7, wR = w * R, turn = 30 * DEG;
+    hawser_error err;
+    double T2 = 0;
+    for (int k = 0; k < 2; k++) {
+        /* 0: where a sag begins level; 1: where it ends level: without friction the tension has lost the height,
+         * T2 = T1 - w R (1 - cos) */
+        const VerticalBend kind = k ? SAG_DOWN_LEVEL : SAG_LEVEL_UP;
+        const double least = k ? wR * (2 - cos(turn)) : wR, mu = k ? 0 : 0.2;
+        assert_int_equal(bend_vertical_tension(kind, least * (1 + 1e-12), w, mu, R, turn, &T2, &err), HAWSER_OK);
+        assert_int_equal(bend_vertical_tension(kind, least * (1 - 1e-9), w, mu, R, turn, &T2, &err), HAWSER_ERR_INPUT);
+        check_has(err.message, "at slope 0 deg");
+        check_has(err.message, "below w R cos = 1330 N");
+        /* the steep end is looked at first: lifted there, it comes down before it is level */
+        const double steep = wR * cos(turn) * (k ? 1 + 1e-9 : 1 - 1e-9);
+        assert_int_equal(bend_vertical_tension(SAG_DOWN_LEVEL, steep, w, 0.2, R, turn, &T2, &err), HAWSER_ERR_INPUT);
+        check_has(err.message, k ? "at slope 0 deg" : "at slope -30 deg");
+        check_has(err.message, k ? "below w R cos = 1330 N" : "below w R cos = 1151.81 N");
+    }
+    assert_int_equal(bend_vertical_tension(CREST_LEVEL_DOWN, 5000, w, 0.2, R, 100 * DEG, &T2, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "turns by 100 deg");
+    assert_int_equal(bend_any_vertical_tension(5000, w, 0.2, R, -95 * DEG, 20 * DEG, &T2, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "from -95 deg to 20 deg");
+    assert_int_equal(roller_tension(1000, 0.8, 120 * DEG, &T2, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "a turn of 120 deg over one roller locks at friction 0.8");
+    /* quarter turns, to the vertical and not past it */
+    assert_int_equal(bend_vertical_tension(CREST_LEVEL_DOWN, 5000, w, 0, R, 1.57079632679489661923, &T2, &err),
+                     HAWSER_OK);
+    check_share(T2, 5000 - wR, 1e-12);
+    assert_int_equal(bend_any_vertical_tension(5000, w, 0, R, 0, PI / 2, &T2, &err), HAWSER_OK);
+    check_share(T2, 5000 + wR, 1e-12);
+}
+
+/* Without friction tension is height, whichever regimes a sag goes through; with friction and lifted all along, or on
+ * the bottom all along, each regime's own closed form joins the others where the cable lifts off. */
+static void where_a_sag_lifts_off(void **state)
+{
+    (void)state;
+    const double w = 250, R = 6, wR = w * R;
+    double T2 = 0, joint = 0, end = 0;
+    for (int i = 0; i < 40; i++) {
+        const double a = (-60 + 5 * (i % 8)) * DEG, b = (10 + 12 * (i / 8)) * DEG, T1 = 900 + 70 * i;
+        assert_int_equal(bend_any_vertical_tension(T1, w, 0, R, a, b, &T2, NULL), HAWSER_OK);
+        check_close(T2, T1 + wR * (cos(a) - cos(b)), 1e-11 * wR);
+    }
+    /* slack where it begins, level: on the bottom to the slope at which T = w R cos, lifted from there. On the bottom
+     * dT/dslope = mu (w R cos - T) + w R sin, lifted + mu (T - w R cos) */
+    for (int i = 0; i < 12; i++) {
+        const double mu = 0.05 + 0.07 * i, T1 = 60.0 * i, m = -mu, c = wR / (1 + mu * mu);
+        double low = 0, high = PI / 2;
+        for (int k = 0; k < 200; k++) {
+            const double x = (low + high) / 2;
+            const double start = -c * (1 - m * m), there = -c * (2 * m * sin(x) + (1 - m * m) * cos(x));
+            joint = there + exp(m * x) * (T1 - start);
+            *(joint < wR * cos(x) ? &low : &high) = x;
+        }
+        const double b = low + 0.3 * (PI / 2 - low), q = 1 - mu * mu;
+        end = -c * (2 * mu * sin(b) + q * cos(b)) +
+              exp(mu * (b - low)) * (joint + c * (2 * mu * sin(low) + q * cos(low)));
+        assert_int_equal(bend_any_vertical_tension(T1, w, mu, R, 0, b, &T2, NULL), HAWSER_OK);
+        check_share(T2, end, 1e-12);
+        assert_int_equal(bend_any_vertical_tension(T1, w, mu, R, 0, low, &T2, NULL), HAWSER_OK);
+        check_close(T2, wR * cos(low), 1e-11 * wR);
+    }
+}
+
 /* Every piece of a route that has a closed form, in both directions, against the integrated law. */
 static void pieces_of_a_route(void **state)
 {
@@ -191,6 +260,8 @@ int main(void)
         cmocka_unit_test(straights_and_slopes),
         cmocka_unit_test(rollers),
         cmocka_unit_test(refusals_have_reasons),
+        cmocka_unit_test(the_bottom_of_a_sag),
+        cmocka_unit_test(where_a_sag_lifts_off),
         cmocka_unit_test(pieces_of_a_route),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

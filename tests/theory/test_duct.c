@@ -73,6 +73,86 @@ static void clearances(void **state)
     check_close(load(4, 3, DUCT_AUTO).fill, 3.0 / 16, 1e-15);
 }
 
+/* Cables set into the duct one by one, by circles that touch: the way from the uppermost, lifted straight up, to the
+ * wall; every layout, in ducts from tight to wide. */
+static void clearances_by_places(void **state)
+{
+    (void)state;
+    const double d = 0.05;
+    for (int i = 0; i < 12; i++) {
+        const double ratio = 2.45 + 0.11 * i, D = ratio * d, r = (D - d) / 2;
+        const double turn = 2 * asin(d / 2 / r); /* seen from the duct's centre, between two that touch on its wall */
+        const struct {
+            DuctLayout layout;
+            int cables;
+            double across, up, middle;
+        } lie[] = {
+            {DUCT_SINGLE, 1, 0, -r, -r},
+            {DUCT_PAIR, 2, r * sin(turn / 2), -r * cos(turn / 2), -r * cos(turn / 2)},
+            {DUCT_CRADLE, 3, r * sin(turn), -r * cos(turn), (-r - 2 * r * cos(turn)) / 3},
+            {DUCT_TRIANGLE, 3, 0, -r * cos(turn / 2) + d * sin(acos(0.5)), -r * cos(turn / 2) + d * sin(acos(0.5)) / 3},
+            {DUCT_DIAMOND, 4, 0, -2 * r * cos(turn) + r, -r * cos(turn)},
+        };
+        for (int k = 0; k < 5; k++) {
+            if (lie[k].layout == DUCT_DIAMOND && ratio > 3.8) continue; /* it spreads */
+            const DuctLoad found = load(ratio, lie[k].cables, lie[k].layout);
+            const double free_up = sqrt(r * r - lie[k].across * lie[k].across) - lie[k].up;
+            check_close(found.clearance, free_up, 1e-15);
+            check_close(found.room, -lie[k].middle, 1e-15);
+            /* it touches there and not before */
+            check_close(hypot(lie[k].across, lie[k].up + found.clearance) + d / 2, D / 2, 1e-15);
+        }
+    }
+}
+
+/* What stands on an edge: bands begin with their lower bound, layouts change at 2.5, and a lone cable may fill its duct
+ * but for a hair. */
+static void edges(void **state)
+{
+    (void)state;
+    static const double edge[] = {2.4, 2.5, 2.6, 2.9, 3.0, 3.2};
+    static const JamRisk from[] = {JAM_SMALL, JAM_MODERATE, JAM_SIGNIFICANT, JAM_MODERATE, JAM_SMALL, JAM_VERY_SMALL};
+    static const JamRisk below[] = {JAM_VERY_SMALL, JAM_SMALL, JAM_MODERATE, JAM_SIGNIFICANT, JAM_MODERATE, JAM_SMALL};
+    for (int i = 0; i < 6; i++) {
+        DuctDef def = {.duct_diameter = edge[i], .cable_diameter = 1, .cables = 3, .oval = 1};
+        DuctLoad out;
+        assert_int_equal(duct_load(&def, &out, NULL), HAWSER_OK);
+        check_equal(out.jam_ratio, edge[i]);
+        assert_int_equal(out.jam_risk, from[i]);
+        def.oval = 1 - 1e-12;
+        assert_int_equal(duct_load(&def, &out, NULL), HAWSER_OK);
+        assert_int_equal(out.jam_risk, below[i]);
+    }
+    DuctLoad out;
+    DuctDef def = {.duct_diameter = 2.5, .cable_diameter = 1, .cables = 3};
+    assert_int_equal(duct_load(&def, &out, NULL), HAWSER_OK);
+    assert_int_equal(out.layout, DUCT_CRADLE);
+    def.jam_diameter = 0.8; /* the mean of three that are not alike */
+    assert_int_equal(duct_load(&def, &out, NULL), HAWSER_OK);
+    check_share(out.jam_ratio, 1.05 * 2.5 / 0.8, 1e-15);
+    for (int n = 1; n <= 4; n++) {
+        static const double circle[] = {1, 2, 2.15470053837925153, 2.41421356237309505};
+        const DuctLayout layout[] = {DUCT_AUTO, DUCT_AUTO, DUCT_TRIANGLE, DUCT_AUTO};
+        def = (DuctDef){.duct_diameter = circle[n - 1], .cable_diameter = 1, .cables = n, .layout = layout[n - 1]};
+        assert_int_equal(duct_load(&def, &out, NULL), HAWSER_ERR_INPUT);
+        def.duct_diameter *= 1 + 1e-12;
+        assert_int_equal(duct_load(&def, &out, NULL), HAWSER_OK);
+        check_finite(out.weight_factor);
+        check_finite(out.clearance);
+    }
+    /* the triangle rests until tan(asin x) = 1/(3 sqrt 3), x = 1/sqrt 28; the diamond until x = 1/sqrt 8 */
+    const double widest[] = {1 + sqrt(28), 1 + sqrt(8)};
+    for (int k = 0; k < 4; k++) {
+        def = (DuctDef){.cable_diameter = 1, .cables = 3 + k / 2, .layout = k / 2 ? DUCT_DIAMOND : DUCT_TRIANGLE};
+        def.duct_diameter = widest[k / 2] * (k % 2 ? 1 + 1e-12 : 1 - 1e-12);
+        assert_int_equal(duct_load(&def, &out, NULL), k % 2 ? HAWSER_ERR_INPUT : HAWSER_OK);
+        def.twisted = 1; /* held together */
+        assert_int_equal(duct_load(&def, &out, NULL), HAWSER_OK);
+        check_share(out.clearance, def.duct_diameter - duct_circle(def.cables), 1e-12);
+        check_share(out.room, out.clearance / 2, 1e-15);
+    }
+}
+
 /* (BU8): where the middle of the cables lies, from their places one by one; nowhere to go where they just fit. */
 static void rooms(void **state)
 {
@@ -131,9 +211,15 @@ static void refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(factors),    cmocka_unit_test(cradle_balances), cmocka_unit_test(layouts_follow_the_ratio),
-        cmocka_unit_test(clearances), cmocka_unit_test(rooms),           cmocka_unit_test(jamming),
+        cmocka_unit_test(factors),
+        cmocka_unit_test(cradle_balances),
+        cmocka_unit_test(layouts_follow_the_ratio),
+        cmocka_unit_test(clearances),
+        cmocka_unit_test(rooms),
+        cmocka_unit_test(jamming),
         cmocka_unit_test(refusals),
+        cmocka_unit_test(clearances_by_places),
+        cmocka_unit_test(edges),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
 #include "theory/plan_head.h"
 
 #include "tests/support/check.h"
+#include "theory/closed_form.h"
 #include "theory/search.h"
 
 static const double PI = 3.14159265358979323846, WEIGHT = 200, MU = 0.25;
@@ -327,6 +328,177 @@ static void the_search(void **state)
     assert_int_equal(search_bound(&none).end, SEARCH_NOWHERE);
 }
 
+/* Where the tension over a crest is largest: dT/ds = mu (T/R + w cos) + w sin is 0 there; from slope `a` down to `b`.
+ */
+static double crest_top(double T1, double mu, double R, double a, double b, double *most)
+{
+    double rises = a, falls = b;
+    for (int i = 0; i < 60; i++) {
+        const double middle = (rises + falls) / 2;
+        assert_int_equal(bend_any_vertical_tension(T1, WEIGHT, mu, R, a, middle, most, NULL), HAWSER_OK);
+        const double growth = mu * (*most / R + WEIGHT * cos(middle)) + WEIGHT * sin(middle);
+        *(growth > 0 ? &rises : &falls) = middle;
+    }
+    return R * (a - rises);
+}
+
+/* A crest that is steeper on one side, gone over both ways, with few rows and with many: the peak lies behind the
+ * largest row one time and ahead of it another; at speed and from rest by the closed form of a crest. */
+static void peaks_between_rows(void **state)
+{
+    (void)state;
+    const double up = 0.2, down = 0.6, R = 30, arc = R * (up + down), before = 50, after = 80, reel = 4;
+    const RoutePieceDef pieces[] = {
+        {.kind = ROUTE_STRAIGHT, .name = "up", .length = before},
+        {.kind = ROUTE_BEND, .name = "crest", .radius = R, .angle = up + down, .plane = 3 * PI / 2},
+        {.kind = ROUTE_STRAIGHT, .name = "down", .length = after},
+    };
+    Route route = route_of(3, pieces, up);
+    int behind = 0, ahead = 0;
+    for (int k = 0; k < 16; k++) {
+        const int way = k & 1, restarts_differ = k & 2;
+        const double mu = k & 4 ? 0.01 : 0.03, apart = k & 8 ? 9 : INFINITY;
+        const PullStretch cable = {.weight = WEIGHT, .mu = mu, .mu_static = restarts_differ ? 1.5 * mu : 0};
+        const PlanDef def = {
+            .route = &route, .n_stretches = 1, .stretch = &cable, .reel_length = reel, .rope_force = 70};
+        HeadSeries s;
+        assert_int_equal(plan_heads(&def, &SINGLE, way, apart, &s, NULL), HAWSER_OK);
+        for (int rest = 0; rest < 2; rest++) {
+            const double m = rest && restarts_differ ? 1.5 * mu : mu, a = way ? down : up, b = way ? -up : -down;
+            const double start = slope_tension(reel * WEIGHT, WEIGHT, m, way ? after : before, a);
+            const HeadForce *const peak = rest ? &s.restart_peak : &s.peak;
+            double most = 0;
+            const double along = (way ? after : before) + crest_top(start, m, R, a, b, &most);
+            check_between(along - (way ? after : before), 0.05 * arc, 0.95 * arc);
+            check_share(rest ? peak->restart : peak->force, most + 70, 1e-9);
+            check_close(way ? route.length - peak->head : peak->head, along, 2.5e-3); /* 24 cuts of 130 m at most */
+            int top = 0;
+            for (int i = 1; i < s.n; i++) {
+                if (rest ? s.row[i].restart > s.row[top].restart : s.row[i].force > s.row[top].force) top = i;
+            }
+            const int short_of = (way ? route.length - s.row[top].head : s.row[top].head) < along;
+            behind += short_of;
+            ahead += !short_of;
+        }
+        plan_heads_free(&s);
+    }
+    check_at_least(behind, 8);
+    check_at_least(ahead, 8);
+    route_clear(&route);
+}
+
+/* A row a billionth of the route ahead of what pushes, either way, and none behind it. */
+static void a_row_just_ahead(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 8; k++) {
+        const int way = k & 1, conveyor = k & 2;
+        const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "s", .length = k & 4 ? 4000 : 3};
+        Route route = route_of(1, &straight, 0);
+        const PullStretch cable = {.weight = WEIGHT, .mu = MU};
+        const PullStep helper = {.at = 0.25 * straight.length, .force = 30, .kind = STEP_TAKE};
+        PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &cable};
+        if (conveyor) def.n_pushes = 1, def.push = &helper;
+        if (!conveyor) def.n_steps = 1, def.step = &helper;
+        HeadSeries s;
+        assert_int_equal(plan_heads(&def, &SINGLE, way, INFINITY, &s, NULL), HAWSER_OK);
+        assert_int_equal(s.n, 4);
+        const double sign = way ? -1 : 1, length = straight.length, gap = 1e-9 * length;
+        const double expected[] = {way ? length : 0, helper.at - sign * gap, helper.at, way ? 0 : length};
+        const double come = way ? length - helper.at : helper.at, w = MU * WEIGHT;
+        const double force[] = {0, w * come, w * come - 30, w * length - 30};
+        for (int i = 0; i < 4; i++) {
+            check_close(s.row[i].head, expected[i], 1e-3 * gap);
+            check_close(s.row[i].force, force[i], 2 * w * gap + 1e-9);
+        }
+        check_close(s.peak.force, larger_of(force[1], force[3]), 2 * w * gap + 1e-9);
+        plan_heads_free(&s);
+        route_clear(&route);
+    }
+}
+
+/* (PN8): what holds back already is counted once; where a pit begins anew no brake at the reel helps, and what is said
+ * then is the pull without one. */
+static void brakes_on_top(void **state)
+{
+    (void)state;
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "shaft", .length = 60};
+    Route route = route_of(1, &straight, -1.2);
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU};
+    PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &cable, .back_tension = 900};
+    const double loss = WEIGHT * 60 * (sin(1.2) - MU * cos(1.2));
+    Brake brake;
+    assert_int_equal(plan_brake(&def, &SINGLE, PLAN_FORWARD, &brake, NULL), HAWSER_OK);
+    check_share(brake.brake, loss - 900, 1e-8);
+    check_share(brake.max_tension, loss, 1e-8);
+    check_equal(brake.force, 0); /* what is left of it is rounding */
+    const PullStep pit = {.at = 24, .force = 500, .kind = STEP_ANEW};
+    def.n_steps = 1, def.step = &pit, def.rope_force = 40;
+    assert_int_equal(plan_brake(&def, &SINGLE, PLAN_FORWARD, &brake, NULL), HAWSER_OK);
+    check_nan(brake.brake);
+    check_close(brake.where, 60, 1e-9);
+    check_share(brake.force, 500 - loss * 36 / 60 + 40, 1e-9);
+    check_share(brake.max_tension, 900, 1e-9);
+    check_share(brake.peak, 900 + 40, 1e-9);
+    /* the head just behind a pit that holds back more than all before: that is where the winch has most to pull */
+    const PullStep strong = {.at = 24, .force = 5000, .kind = STEP_ANEW};
+    def.step = &strong;
+    HeadSeries s;
+    assert_int_equal(plan_heads(&def, &SINGLE, PLAN_FORWARD, INFINITY, &s, NULL), HAWSER_OK);
+    check_share(s.peak.force, 5000 + 40, 1e-6);
+    check_close(s.peak.head, 24, 1e-6);
+    plan_heads_free(&s);
+    route_clear(&route);
+}
+
+/* A push counts as soon as the head is there, a pit once the head is past it; wear and a duct's factors do not reach
+ * the rope, and a stretch's own share does. */
+static void what_the_head_has_reached(void **state)
+{
+    (void)state;
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "s", .length = 60};
+    Route route = route_of(1, &straight, 0);
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_rope = 0.1};
+    const PullStep push = {.at = 20, .force = 300}, back = {.at = 20, .force = -150};
+    const PullStep pits[] = {{.at = 30, .force = 700, .kind = STEP_ANEW}, {.at = 60, .force = 80, .kind = STEP_ANEW}};
+    PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &cable, .n_pushes = 1, .push = &push};
+    const double w = MU * WEIGHT;
+    check_close(head_at(&def, 0, 20).force, w * 20 - 300, 1e-9);
+    check_close(head_at(&def, 1, 20).force, w * 40 - 300, 1e-9);
+    check_close(head_at(&def, 0, 19.5).force, w * 19.5, 1e-9);
+    check_close(head_at(&def, 1, 20.5).force, w * 39.5, 1e-9);
+    def.push_back = &back;
+    check_close(head_at(&def, 0, 20).force, w * 20 - 300, 1e-9);
+    check_close(head_at(&def, 1, 20).force, w * 40 + 150, 1e-9);
+    /* a pit at an end is no section: at the pull's end it does nothing, where it begins it is what holds back */
+    def.n_pushes = 0, def.n_steps = 2, def.step = pits;
+    assert_int_equal(plan_sections(&def, 0), 2);
+    assert_int_equal(plan_sections(&def, 1), 2);
+    check_close(head_at(&def, 0, 30).force, w * 30, 1e-9);
+    check_close(head_at(&def, 0, 31).force, 700 + w, 1e-9);
+    check_close(head_at(&def, 0, 60).force, 700 + w * 30, 1e-9);
+    check_close(head_at(&def, 1, 30).force, 80 + w * 30, 1e-9);
+    check_close(head_at(&def, 1, 0).force, 700 + w * 30, 1e-9);
+    Plan plan = plan_of(&def);
+    for (int way = 0; way < PLAN_WAYS; way++) {
+        check_close(plan.way[way].pull.end_tension, 700 + w * 30, 1e-9);
+        check_close(pull_at(&plan.way[way].pull, way ? 40 : 20).tension, (way ? 80 : 0) + w * 20, 1e-9);
+        check_close(pull_at(&plan.way[way].pull, way ? 20 : 40).tension, 700 + w * 10, 1e-9);
+    }
+    plan_clear(&plan);
+    /* rope of 9 N/m over the rest: its own friction alone */
+    const DuctLoad tight = {.weight_factor = 1.5, .sidewall_factor = 0.7};
+    const PlanWear wear = {0, 1.2};
+    HeadForce f;
+    def.n_steps = 0, def.rope_weight = 9, def.n_wear = 1, def.wear = &wear;
+    for (int way = 0; way < PLAN_WAYS; way++) {
+        assert_int_equal(plan_head(&def, &tight, way, way ? 45 : 15, &f, NULL), HAWSER_OK);
+        check_close(f.tension, 1.5 * 1.2 * w * 15, 1e-9);
+        check_close(f.force, f.tension + 0.1 * 9 * 45, 1e-9);
+    }
+    route_clear(&route);
+}
+
 static void refusals(void **state)
 {
     (void)state;
@@ -361,6 +533,10 @@ int main(void)
         cmocka_unit_test(brake_on_a_slope),
         cmocka_unit_test(mirrored),
         cmocka_unit_test(the_search),
+        cmocka_unit_test(peaks_between_rows),
+        cmocka_unit_test(a_row_just_ahead),
+        cmocka_unit_test(brakes_on_top),
+        cmocka_unit_test(what_the_head_has_reached),
         cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
