@@ -250,11 +250,44 @@ static void test_padding(void **state)
     rig_free(&r);
 }
 
+/* What planar arrays begin with, and what is cut off at the ends of the matrix: nothing couples to the ground. */
+static void test_first_values(void **state)
+{
+    (void)state;
+    enum { M = 5 };
+    PlanarChain chain;
+    PlanarKinematics kin;
+    PlanarBlocks blocks;
+    assert_true(planar_chain_alloc(&chain, M) && planar_kinematics_alloc(&kin, M) && chain_struct_alloc(&blocks, M));
+    assert_int_equal(chain.n, M);
+    assert_int_equal(chain.stride, planar_stride(M));
+    check_equal(chain.share, 0.5);
+    for (int i = -1; i <= M; ++i) {
+        check_equal(kin.h[0][i], 1);
+        check_equal(kin.h[1][i], 0);
+        check_equal(kin.a[0][i], 1);
+        check_equal(kin.a[1][i], 0);
+        check_equal(chain.mass[i] + chain.half[i] + chain.stiffness[2][i] + chain.preload[2][i], 0);
+        for (int e = 0; e < 9; ++e) blocks.lower[e][i] = blocks.upper[e][i] = 1 + e;
+    }
+    planar_blocks_trim(&blocks, M);
+    for (int e = 0; e < 9; ++e) {
+        for (int i = 0; i < M; ++i) {
+            check_equal(blocks.lower[e][i], i == 0 ? 0 : 1 + e);
+            check_equal(blocks.upper[e][i], i == M - 1 ? 0 : 1 + e);
+        }
+        check_equal(blocks.lower[e][M], 0);
+        check_equal(blocks.upper[e][-1], 0);
+    }
+    chain_struct_free(&blocks);
+    chain_struct_free(&kin);
+    planar_chain_free(&chain);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_direction),   cmocka_unit_test(test_space),   cmocka_unit_test(test_action_and_reaction),
-        cmocka_unit_test(test_differences), cmocka_unit_test(test_padding),
-    };
+        cmocka_unit_test(test_differences), cmocka_unit_test(test_padding), cmocka_unit_test(test_first_values)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
