@@ -6,7 +6,6 @@
 
 #include "tests/support/check.h"
 #include "theory/closed_form.h"
-#include "theory/search.h"
 
 static const double PI = 3.14159265358979323846, WEIGHT = 200, MU = 0.25;
 static const DuctLoad SINGLE = {.weight_factor = 1, .sidewall_factor = 1};
@@ -306,28 +305,6 @@ static void mirrored(void **state)
     route_clear(&other);
 }
 
-static int below(void *what, double x) { return x <= *(double *)what; }
-static int above(void *what, double x) { return x >= *(double *)what; }
-
-/* (PN9). */
-static void the_search(void **state)
-{
-    (void)state;
-    for (double bound = 0.02; bound < 100; bound *= 2.3) {
-        const SearchDef most = {below, &bound, 1, 1e3}, least = {above, &bound, 1, 1e-3};
-        const SearchBound a = search_bound(&most), b = search_bound(&least);
-        assert_int_equal(a.end, SEARCH_FOUND);
-        assert_int_equal(b.end, SEARCH_FOUND);
-        check_share(a.value, bound, 1e-9);
-        check_share(b.value, bound, 1e-9);
-        assert_true(a.value <= bound && a.fails > bound && b.value >= bound && b.fails < bound);
-    }
-    double far = 1e4, never = 1e-9;
-    const SearchDef all = {below, &far, 1, 1e3}, none = {below, &never, 1, 1e3};
-    assert_int_equal(search_bound(&all).end, SEARCH_EVERYWHERE);
-    assert_int_equal(search_bound(&none).end, SEARCH_NOWHERE);
-}
-
 /* Where the tension over a crest is largest: dT/ds = mu (T/R + w cos) + w sin is 0 there; from slope `a` down to `b`.
  */
 static double crest_top(double T1, double mu, double R, double a, double b, double *most)
@@ -379,6 +356,13 @@ static void peaks_between_rows(void **state)
             const int short_of = (way ? route.length - s.row[top].head : s.row[top].head) < along;
             behind += short_of;
             ahead += !short_of;
+            Plan plan = plan_of(&def);
+            const PlanWay *const w = &plan.way[way];
+            check_share(rest ? w->restart_max : w->pull.max_tension, most, 1e-9);
+            const double at = rest ? w->restart_at : w->pull.max_at;
+            check_close(way ? route.length - at : at, along, 1e-4);
+            assert_int_equal(rest ? w->restart_piece : w->pull.max_piece, 1);
+            plan_clear(&plan);
         }
         plan_heads_free(&s);
     }
@@ -506,12 +490,13 @@ static void refusals(void **state)
     const PullStretch cable = {.weight = WEIGHT, .mu = MU};
     const PlanDef good = {.route = &route, .n_stretches = 1, .stretch = &cable};
     const PullStep step = {.at = 3, .force = -5, .kind = STEP_TAKE};
-    PlanDef bad[4] = {good, good, good, good};
+    PlanDef bad[7] = {good, good, good, good, good, good, good};
     bad[0].rope_weight = NAN;
     bad[1].feed = -1;
     bad[2].beyond = -route.length;
     bad[3].n_steps = 1, bad[3].step = &step;
-    for (int i = 0; i < 4; i++) {
+    bad[4].beyond = NAN, bad[5].beyond = INFINITY, bad[6].feed = INFINITY;
+    for (int i = 0; i < 7; i++) {
         Plan plan;
         hawser_error err;
         assert_int_equal(plan_build(&bad[i], &plan, &err), HAWSER_ERR_INPUT);
@@ -592,7 +577,6 @@ int main(void)
                                        cmocka_unit_test(pushed_at_the_feed),
                                        cmocka_unit_test(brake_on_a_slope),
                                        cmocka_unit_test(mirrored),
-                                       cmocka_unit_test(the_search),
                                        cmocka_unit_test(peaks_between_rows),
                                        cmocka_unit_test(a_row_just_ahead),
                                        cmocka_unit_test(brakes_on_top),
