@@ -8,6 +8,7 @@ Usage: mutants.py make   [--count N] [--seed S] [--folders F ...]     a tree wit
        mutants.py run    [--jobs J] [--minutes M]                     tries them; goes on where it was stopped
                          [--labels L ...] [--longest S] [--again]     with the tests of these labels that take less than S seconds; the
                                                                       survivors of what was tried before alone
+       mutants.py renew  [--labels L ...]                             takes the tests as they are committed now, for `run --again`
        mutants.py report                                              shares by folder, and what survived
 Needs python3-clang-14 (installed by scripts/setup.sh --mutants); run it with /usr/bin/python3.
 """
@@ -197,6 +198,8 @@ def find_all(folders):
     places = {}
     for folder in folders:
         for path in sorted([*(TREE / folder).rglob("*.c"), *(TREE / folder).rglob("*_lanes.h")]):
+            if path.name == "mistake.c":
+                continue  # the switch itself
             found = nested(Finder(path, flags_of(path, commands)).places)
             if found:
                 places[path] = found
@@ -269,6 +272,15 @@ def make(args):
                 for path, found in chosen.items() for p in found if p.number is not None]
     MISTAKES.write_text(json.dumps(mistakes, indent=0))
     print(f"{len(mistakes)} mistakes are built in {BUILD}")
+
+
+def renew(args):
+    """Other tests for the mistakes that there are; which of them meet which is found out anew."""
+    archive = subprocess.run(["git", "-C", ROOT, "archive", "HEAD", "tests"], check=True, capture_output=True).stdout
+    subprocess.run(["tar", "-C", TREE, "-xmf", "-"], input=archive, check=True)
+    configure()
+    subprocess.run(["cmake", "--build", BUILD, "-j2", *targets(args.labels)], check=True, stdout=subprocess.DEVNULL)
+    MET.unlink(missing_ok=True)
 
 
 # ------------------------------------------------------------------------------------------------ trying them
@@ -366,7 +378,7 @@ def report(_):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("what", choices=["make", "run", "report"])
+    parser.add_argument("what", choices=["make", "run", "renew", "report"])
     parser.add_argument("--count", type=int, default=2000)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--folders", nargs="*", default=FOLDERS)
@@ -376,7 +388,7 @@ def main():
     parser.add_argument("--longest", type=float, default=30)
     parser.add_argument("--again", action="store_true")
     args = parser.parse_args()
-    {"make": make, "run": run, "report": report}[args.what](args)
+    {"make": make, "run": run, "renew": renew, "report": report}[args.what](args)
 
 
 if __name__ == "__main__":

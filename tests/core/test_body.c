@@ -227,11 +227,78 @@ static void test_blocks(void **state)
     rig_free(&r);
 }
 
+/* (BA11), one segment at a time: half the work of both ends' inertial forces along the way and the turn, less the gain
+ * of motion. Two steps, so that the second finds what the first has left. */
+static void test_method_loss(void **state)
+{
+    (void)state;
+    enum { PAST = BODY_PAST };
+    const double scale = 3.7;
+    for (int k = 0; k < N_SIZES; ++k) {
+        Rig r = rig_new(SIZES[k]), before = rig_new(SIZES[k]);
+        const int n = r.n, stride = (n + LANES - 1) / LANES * LANES;
+        double *const past = calloc((size_t)(PAST * stride), sizeof *past), lost = 0, moving = 0;
+        double *const rate[2] = {before.ydot, r.ydot};
+        for (int i = 0; i < STATE_SIZE * n; ++i) {
+            before.y[i] += 0.1 * fixture_random(&r.seed);
+            rate[0][i] = fixture_random(&r.seed) / scale;
+            rate[1][i] = fixture_random(&r.seed) / scale;
+        }
+        double *const y[2] = {before.y, r.y};
+        for (int i = 0; i < n; ++i) { /* as the integrator has them: of length 1 */
+            for (int e = 0; e < 2; ++e) {
+                const Quat unit = quat_unit(turn_of(y[e], n, i));
+                const double q[4] = {unit.w, unit.x, unit.y, unit.z};
+                for (int c = 0; c < 4; ++c) y[e][(STATE_Q + c) * n + i] = q[c];
+            }
+        }
+        for (int i = 0; i < n; ++i) {
+            const Vec3 J = v3(r.chain.inertia[0][i], r.chain.inertia[1][i], r.chain.inertia[2][i]);
+            Vec3 force[2], moment[2], w[2], v[2];
+            double energy[2];
+            for (int e = 0; e < 2; ++e) {
+                const Quat back = quat_conj(turn_of(y[e], n, i));
+                w[e] = quat_rotate(back, part(y[e], n, STATE_W, i));
+                v[e] = part(y[e], n, STATE_V, i);
+                const Vec3 spin = v3(J.x * w[e].x, J.y * w[e].y, J.z * w[e].z);
+                const Vec3 dw = v3_scale(scale, quat_rotate(back, part(rate[e], n, STATE_W, i)));
+                force[e] = v3_scale(r.chain.mass[i] * scale, part(rate[e], n, STATE_V, i));
+                moment[e] = v3_add(v3_cross(w[e], spin), v3(J.x * dw.x, J.y * dw.y, J.z * dw.z));
+                energy[e] = (r.chain.mass[i] * v3_dot(v[e], v[e]) + v3_dot(w[e], spin)) / 2;
+            }
+            const Vec3 way = v3_sub(part(y[1], n, STATE_P, i), part(y[0], n, STATE_P, i));
+            const Quat turned = quat_mul(quat_conj(turn_of(y[0], n, i)), turn_of(y[1], n, i));
+            const Vec3 turn = v3_scale(2, v3(turned.x, turned.y, turned.z));
+            lost += (v3_dot(v3_add(force[0], force[1]), way) + v3_dot(v3_add(moment[0], moment[1]), turn)) / 2;
+            lost -= energy[1] - energy[0];
+            moving += energy[1];
+        }
+        body_kernels()->method_loss(&r.chain, y[0], rate[0], scale, 0, n, past);
+        double *const again = malloc((size_t)(PAST * stride) * sizeof *again);
+        memcpy(again, past, (size_t)(PAST * stride) * sizeof *again);
+        const MethodLoss all = body_kernels()->method_loss(&r.chain, y[1], rate[1], scale, 0, n, past);
+        check_close(all.lost, lost, 1e-12 * n);
+        check_close(all.moving, moving, 1e-12 * n);
+        if (n > LANES) { /* in two parts, and the same is left behind */
+            MethodLoss sum = body_kernels()->method_loss(&r.chain, y[1], rate[1], scale, 0, LANES, again);
+            const MethodLoss rest = body_kernels()->method_loss(&r.chain, y[1], rate[1], scale, LANES, n, again);
+            check_close(sum.lost + rest.lost, lost, 1e-12 * n);
+            check_close(sum.moving + rest.moving, moving, 1e-12 * n);
+            for (int c = 0; c < PAST; ++c) assert_memory_equal(again + c * stride, past + c * stride, (size_t)n * 8);
+        }
+        /* nothing has moved since */
+        check_close(body_kernels()->method_loss(&r.chain, y[1], rate[1], scale, 0, n, past).lost, 0, 1e-13 * n);
+        free(again);
+        free(past);
+        rig_free(&before);
+        rig_free(&r);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_kinematics), cmocka_unit_test(test_parts),  cmocka_unit_test(test_rates),
-        cmocka_unit_test(test_gyroscopic), cmocka_unit_test(test_blocks),
-    };
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kinematics), cmocka_unit_test(test_parts),
+                                       cmocka_unit_test(test_rates),      cmocka_unit_test(test_gyroscopic),
+                                       cmocka_unit_test(test_blocks),     cmocka_unit_test(test_method_loss)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,9 @@
 /* Pieces of a checkpoint one by one: what is written is read, and what is damaged behind a right sum is refused with a
  * reason before it is used. */
 #include "core/base/checkpoint.h"
+#include "core/base/error.h"
 #include "core/block_chain.h"
+#include "core/bushing.h"
 #include "core/profile.h"
 #include "tests/support/check.h"
 
@@ -189,10 +191,133 @@ static void patterns(void **state)
     block_extras_free(&read);
 }
 
+/* Values of blocks come back with their pattern, into one that had another; what nobody has asked for is zeroed. */
+static void block_values(void **state)
+{
+    (void)state;
+    BlockPair pair[] = {{0, 2}, {1, 4}}, other[] = {{0, 3}, {0, 4}, {1, 3}};
+    BlockExtras x = {0}, read = {0};
+    assert_true(block_extras_alloc(&x, 5) && block_extras_alloc(&read, 5));
+    assert_true(block_extras_set(&x, 2, pair) && block_extras_set(&read, 3, other));
+    for (int e = 0; e < 4; e += 3) block_extras_touch(&x, x.row[e], x.col[e]);
+    for (int k = 0; k < 4 * 36; ++k) x.k[k] = 1 + k, x.d[k] = -1 - k;
+    for (int full = 1; full >= 0; --full) {
+        Checkpoint c = checkpoint_new(1 << 14);
+        block_extras_checkpoint(&c, &x);
+        assert_int_equal(c.status, HAWSER_OK);
+        Checkpoint back = checkpoint_over(c.bytes, c.size, NULL);
+        block_extras_checkpoint(&back, &read);
+        checkpoint_end(&back);
+        assert_int_equal(back.status, HAWSER_OK);
+        assert_int_equal(read.version, x.version);
+        assert_int_equal(read.count, full ? 4 : 0);
+        assert_memory_equal(read.start, x.start, 6 * sizeof *x.start);
+        if (full) {
+            assert_memory_equal(read.row, x.row, 4 * sizeof *x.row);
+            assert_memory_equal(read.k, x.k, 4 * 36 * sizeof *x.k);
+            assert_memory_equal(read.d, x.d, 4 * 36 * sizeof *x.d);
+            assert_memory_equal(read.live, x.live, 4 * sizeof *x.live);
+            block_extras_zero(&x); /* those that are live alone have anything in them */
+            for (int k = 0; k < 4 * 36; ++k) {
+                check_equal(x.k[k], k / 36 % 3 ? 1 + k : 0);
+                check_equal(x.d[k], k / 36 % 3 ? -1 - k : 0);
+            }
+            for (int e = 0; e < 4; ++e) assert_int_equal(x.live[e], 0);
+            assert_true(block_extras_set(&x, 0, pair));
+        }
+        checkpoint_free(&c);
+    }
+    block_extras_free(&x);
+    block_extras_free(&read);
+}
+
+/* What an array begins with, ghosts and padding included. */
+static void first_values(void **state)
+{
+    (void)state;
+    enum { N = 11 };
+    Chain chain;
+    Kinematics kin;
+    Loads loads;
+    assert_true(chain_alloc(&chain, N) && kinematics_alloc(&kin, N) && chain_struct_alloc(&loads, N));
+    assert_int_equal(chain.n, N);
+    check_at_least(chain.stride, N + 2 + 8);
+    for (int i = -1; i <= N; ++i) {
+        check_equal(chain.mass[i], 1);
+        check_equal(chain.half[i], 0);
+        check_equal(chain.radius[i], 0);
+        for (int c = 0; c < 3; ++c) check_equal(chain.inertia[c][i], 1);
+        check_equal(v3_norm(v3_sub(v3_load(kin.a, i), v3(1, 0, 0))), 0);
+        check_equal(kin.q[0][i], 1);
+        for (int c = 1; c < 4; ++c) check_equal(kin.q[c][i], 0);
+        check_equal(v3_norm(v3_load(kin.p, i)) + v3_norm(v3_load(kin.v, i)) + v3_norm(v3_load(kin.w, i)), 0);
+    }
+    for (int c = 0; c < 3; ++c) {
+        for (int i = -1; i <= N; ++i) loads.f[c][i] = loads.m[c][i] = 7;
+    }
+    loads_zero(&loads, N);
+    for (int c = 0; c < 3; ++c) {
+        for (int i = -1; i <= N; ++i) {
+            check_equal(loads.f[c][i], i < 0 || i == N ? 7 : 0);
+            check_equal(loads.m[c][i], i < 0 || i == N ? 7 : 0);
+        }
+    }
+    assert_true(chain_alloc_sliders(&chain, 2) && kinematics_alloc_slips(&kin, &chain));
+    assert_non_null(kin.slip[3]);
+    assert_null(kin.slip[4]);
+    for (int j = 0; j <= N; ++j) {
+        check_equal(chain.sliders.stiffness[1][j], 0);
+        check_equal(chain.sliders.limit[1][j], 1);
+        check_equal(kin.slip[3][j], 0);
+    }
+    chain_find_lacks(&chain);
+    assert_int_equal(chain.lacks, CHAIN_NO_DAMPING | CHAIN_NO_PRELOAD);
+    for (int c = 0; c < 6; ++c) {
+        chain.damping[c][N] = 1e-3;
+        chain_find_lacks(&chain);
+        assert_int_equal(chain.lacks, CHAIN_NO_PRELOAD);
+        chain.damping[c][N] = 0;
+        chain.preload[c][0] = -2;
+        chain_find_lacks(&chain);
+        assert_int_equal(chain.lacks, CHAIN_NO_DAMPING);
+        chain.preload[c][0] = 0;
+    }
+    chain_struct_free(&loads);
+    kinematics_free(&kin);
+    chain_free(&chain);
+}
+
+/* Errors: no segment unless said, the first key that is named, nothing that a terminal would obey; letters that begin
+ * with other bytes stay. */
+static void errors(void **state)
+{
+    (void)state;
+    hawser_error err = {.segment = 5, .line = 3};
+    assert_int_equal(error_set(&err, HAWSER_ERR_INPUT, "key 'a.b' and key '%s'", "c"), HAWSER_ERR_INPUT);
+    assert_int_equal(err.segment, -1);
+    assert_int_equal(err.line, 0);
+    assert_string_equal(err.key, "a.b");
+    error_place(&err, "case.yaml", 12);
+    error_moment(&err, 1.5, 7);
+    assert_string_equal(err.file, "case.yaml");
+    assert_int_equal(err.line, 12);
+    assert_int_equal(err.segment, 7);
+    check_equal(err.t_s, 1.5);
+    assert_int_equal(error_argument(&err, "path"), HAWSER_ERR_INPUT);
+    assert_string_equal(err.key, "path");
+    assert_string_equal(err.message, "the argument 'path' is NULL");
+    char text[] = "a\x1b[0m\x7f \xc2\x9b \xc3\x80 \xc2\xa0~";
+    assert_int_equal(text_make_printable(text), 3);
+    assert_string_equal(text, "a?[0m? ?? \xc3\x80 \xc2\xa0~");
+    assert_true(memory_room(1000));
+    assert_false(memory_room(SIZE_MAX / 4));
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(both_ways), cmocka_unit_test(damaged),
-                                       cmocka_unit_test(lengths), cmocka_unit_test(profiles),
-                                       cmocka_unit_test(patterns)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(both_ways),    cmocka_unit_test(damaged),
+                                       cmocka_unit_test(lengths),      cmocka_unit_test(profiles),
+                                       cmocka_unit_test(patterns),     cmocka_unit_test(block_values),
+                                       cmocka_unit_test(first_values), cmocka_unit_test(errors)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -250,11 +250,107 @@ static void test_padding(void **state)
     rig_free(&r);
 }
 
+/* What planar arrays begin with, and what is cut off at the ends of the matrix: nothing couples to the ground. */
+static void test_first_values(void **state)
+{
+    (void)state;
+    enum { M = 5 };
+    PlanarChain chain;
+    PlanarKinematics kin;
+    PlanarBlocks blocks;
+    assert_true(planar_chain_alloc(&chain, M) && planar_kinematics_alloc(&kin, M) && chain_struct_alloc(&blocks, M));
+    assert_int_equal(chain.n, M);
+    assert_int_equal(chain.stride, planar_stride(M));
+    check_equal(chain.share, 0.5);
+    for (int i = -1; i <= M; ++i) {
+        check_equal(kin.h[0][i], 1);
+        check_equal(kin.h[1][i], 0);
+        check_equal(kin.a[0][i], 1);
+        check_equal(kin.a[1][i], 0);
+        check_equal(chain.mass[i] + chain.half[i] + chain.stiffness[2][i] + chain.preload[2][i], 0);
+        for (int e = 0; e < 9; ++e) blocks.lower[e][i] = blocks.upper[e][i] = 1 + e;
+    }
+    planar_blocks_trim(&blocks, M);
+    for (int e = 0; e < 9; ++e) {
+        for (int i = 0; i < M; ++i) {
+            check_equal(blocks.lower[e][i], i == 0 ? 0 : 1 + e);
+            check_equal(blocks.upper[e][i], i == M - 1 ? 0 : 1 + e);
+        }
+        check_equal(blocks.lower[e][M], 0);
+        check_equal(blocks.upper[e][-1], 0);
+    }
+    chain_struct_free(&blocks);
+    chain_struct_free(&kin);
+    planar_chain_free(&chain);
+}
+
+/* (PL2) one segment at a time, zeros behind the last, and a rate that is not finite is seen wherever it is; what
+ * dampers alone take out, W (BA4), is what their wrenches do to the bodies. */
+static void test_rates_and_damping(void **state)
+{
+    (void)state;
+    for (int frame = 0; frame < 2; ++frame) {
+        Rig r = rig_new(frame ? FRAME_ADAMS : FRAME_SYMMETRIC, 0.3, 0.4, 23);
+        PlanarLoads loads[2];
+        double ydot[PLANAR_SIZE * STRIDE];
+        for (int k = 0; k < 2; ++k) {
+            assert_true(chain_struct_alloc(&loads[k], N));
+            for (int i = 0; i < N; ++i) {
+                loads[k].f[0][i] = fixture_random(&r.seed);
+                loads[k].f[1][i] = fixture_random(&r.seed);
+                loads[k].m[i] = fixture_random(&r.seed);
+            }
+        }
+        planar_kernels()->joint_loads(&r.chain, &r.kin, 0, N + 1, &r.loads);
+        assert_true(planar_kernels()->rates(&r.chain, &r.kin, &r.loads, loads, 0, N, ydot));
+        for (int i = 0; i < STRIDE; ++i) {
+            for (int c = 0; c < PLANAR_SIZE; ++c) {
+                double expected = i < N && c < 3 ? r.y[(3 + c) * STRIDE + i] : 0;
+                if (i < N && c >= 3 && c < 5) {
+                    const int a = c - 3;
+                    expected = (r.loads.force[a][i + 1] - r.loads.force[a][i] + loads[0].f[a][i] + loads[1].f[a][i]) /
+                               r.chain.mass[i];
+                } else if (i < N && c == 5) {
+                    expected = (r.loads.torque_a[i + 1] + r.loads.torque_b[i] + loads[0].m[i] + loads[1].m[i]) /
+                               r.chain.inertia[i];
+                }
+                check_close(ydot[c * STRIDE + i], expected, 1e-13 * (1 + fabs(expected)));
+            }
+        }
+        for (int i = 0; i < N; ++i) {
+            double *const at[] = {&loads[1].f[0][i], &loads[0].f[1][i], &loads[1].m[i], &r.kin.v[0][i]};
+            for (int k = 0; k < 4; ++k) {
+                const double was = *at[k];
+                *at[k] = k % 2 ? INFINITY : NAN;
+                assert_false(planar_kernels()->rates(&r.chain, &r.kin, &r.loads, loads, 0, N, ydot));
+                *at[k] = was;
+            }
+        }
+        for (int k = 0; k < 3; ++k) {
+            for (int j = 0; j <= N; ++j) r.chain.stiffness[k][j] = r.chain.preload[k][j] = 0;
+        }
+        const double lost = planar_kernels()->joint_loads(&r.chain, &r.kin, 0, N + 1, &r.loads);
+        double given = 0;
+        for (int i = 0; i < N; ++i) {
+            given += (r.loads.force[0][i + 1] - r.loads.force[0][i]) * r.y[3 * STRIDE + i] +
+                     (r.loads.force[1][i + 1] - r.loads.force[1][i]) * r.y[4 * STRIDE + i] +
+                     (r.loads.torque_a[i + 1] + r.loads.torque_b[i]) * r.y[5 * STRIDE + i];
+        }
+        check_above(lost, 0);
+        check_share(lost, -given, 1e-12);
+        for (int k = 0; k < 2; ++k) chain_struct_free(&loads[k]);
+        rig_free(&r);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_direction),   cmocka_unit_test(test_space),   cmocka_unit_test(test_action_and_reaction),
-        cmocka_unit_test(test_differences), cmocka_unit_test(test_padding),
-    };
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_direction),
+                                       cmocka_unit_test(test_space),
+                                       cmocka_unit_test(test_action_and_reaction),
+                                       cmocka_unit_test(test_differences),
+                                       cmocka_unit_test(test_padding),
+                                       cmocka_unit_test(test_first_values),
+                                       cmocka_unit_test(test_rates_and_damping)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

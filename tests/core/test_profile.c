@@ -118,12 +118,44 @@ static void table_is_constant_beyond_its_ends(void **state)
     check_equal(profile_value(&PROFILES[7], 7), 3);
 }
 
+/* A table that begins after 0 or before it: its integral counts from 0, whatever lies between; corners come only
+ * before the last point. */
+static void tables_that_begin_elsewhere(void **state)
+{
+    (void)state;
+    static const double time[] = {1, 2, 4}, value[] = {2, 6, 0};
+    const Profile late = {.kind = PROFILE_TABLE, .n = 3, .time = time, .value = value};
+    static const struct {
+        double t, area, rate;
+    } late_at[] = {{-1, -2, 0},   {0, 0, 0},  {0.5, 1, 0},   {1, 2, 4},
+                   {1.5, 3.5, 4}, {2, 6, -3}, {3, 10.5, -3}, {4, 12, 0}};
+    for (size_t k = 0; k < sizeof late_at / sizeof *late_at; k++) {
+        check_close(profile_integral(&late, late_at[k].t), late_at[k].area, 1e-14);
+        check_close(profile_rate(&late, late_at[k].t), late_at[k].rate, 1e-14);
+    }
+    check_close(profile_integral(&late, 9), 12, 1e-14); /* it stays at 0 */
+    static const double early_time[] = {-3, -1, 2}, early_value[] = {1, 3, 0};
+    const Profile early = {.kind = PROFILE_TABLE, .n = 3, .time = early_time, .value = early_value};
+    check_close(profile_integral(&early, 0), 0, 1e-15);
+    check_close(profile_integral(&early, 2), 2.0 * 2 / 2, 1e-14);
+    check_close(profile_integral(&early, -1), -2.5, 1e-14);
+    check_close(profile_integral(&early, -3), -2.5 - 4, 1e-14);
+    check_close(profile_integral(&early, -5), -2.5 - 4 - 2, 1e-14);
+    check_equal(profile_corner_before(&late, 0, 7), 1);
+    check_equal(profile_corner_before(&late, 1, 1.5), 1.5);
+    check_equal(profile_corner_before(&late, 2, 7), 4);
+    check_equal(profile_corner_before(&late, 4, 7), 7);
+    check_equal(profile_corner_before(&late, 2, 4), 4);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(step_values),           cmocka_unit_test(rates_match_differences),
-        cmocka_unit_test(integrals_are_exact),   cmocka_unit_test(rate_at_a_corner_is_the_right_one),
-        cmocka_unit_test(corners_come_in_order), cmocka_unit_test(table_is_constant_beyond_its_ends),
-    };
+    const struct CMUnitTest tests[] = {cmocka_unit_test(step_values),
+                                       cmocka_unit_test(rates_match_differences),
+                                       cmocka_unit_test(integrals_are_exact),
+                                       cmocka_unit_test(rate_at_a_corner_is_the_right_one),
+                                       cmocka_unit_test(corners_come_in_order),
+                                       cmocka_unit_test(table_is_constant_beyond_its_ends),
+                                       cmocka_unit_test(tables_that_begin_elsewhere)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
 /* Curves of a route: position against independent integrals, joints, curvature against differences, closed forms of the
  * helix, the clothoid and the parabola; lines made of slopes, points, plan and profile; large coordinates. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -285,18 +286,66 @@ static void plan_and_profile(void **state)
     route_clear(&utm);
 }
 
+/* Names come along, and who made a piece says so; the same point twice is refused at its place, first or last. */
+static void names_and_doubles(void **state)
+{
+    (void)state;
+    const Vec3 point[] = {{0, 0, 0}, {10, 2, 0}, {20, 0, 1}, {27, -4, 3}};
+    const RouteCorner corner[] = {{point[0], NAN}, {point[1], 2}, {point[2], 2.5}, {point[3], NAN}};
+    RouteLine line;
+    Route r;
+    hawser_error err;
+    assert_int_equal(route_from_spline(4, point, &line, NULL), HAWSER_OK);
+    assert_int_equal(route_build(&r, line.n, line.piece, line.start, line.heading, line.slope, NULL), HAWSER_OK);
+    assert_int_equal(r.n, 3);
+    assert_string_equal(r.piece[2].name, "points 3 to 4");
+    check_vec(route_at(&r, 0).tangent, v3_unit(line.piece[0].cubic[0]), 1e-14);
+    free(line.piece);
+    route_clear(&r);
+    assert_int_equal(route_from_corners(4, corner, &line, NULL), HAWSER_OK);
+    assert_int_equal(route_build(&r, line.n, line.piece, line.start, line.heading, line.slope, NULL), HAWSER_OK);
+    assert_int_equal(r.n, 5);
+    assert_string_equal(r.piece[0].name, "");
+    assert_string_equal(r.piece[1].name, "point 2");
+    assert_string_equal(r.piece[3].name, "point 3");
+    free(line.piece);
+    route_clear(&r);
+    for (int k = 1; k < 4; ++k) {
+        Vec3 twice[4];
+        RouteCorner twice_corner[4];
+        char said[64];
+        for (int i = 0; i < 4; ++i) {
+            twice[i] = point[i < k ? i : i - 1];
+            twice_corner[i] = (RouteCorner){twice[i], 1};
+        }
+        snprintf(said, sizeof said, "the points %d and %d are the same", k, k + 1);
+        assert_int_equal(route_from_spline(4, twice, &line, &err), HAWSER_ERR_INPUT);
+        check_has(err.message, said);
+        assert_int_equal(route_from_corners(4, twice_corner, &line, &err), HAWSER_ERR_INPUT);
+        check_has(err.message, said);
+    }
+    /* legs that the fillets beside them just fill: no straight is left between */
+    const RouteCorner square[] = {{v3(0, 0, 0), NAN}, {v3(3, 0, 0), 3}, {v3(3, 6, 0), 3}, {v3(0, 6, 0), NAN}};
+    assert_int_equal(route_from_corners(4, square, &line, NULL), HAWSER_OK);
+    assert_int_equal(line.n, 2);
+    assert_int_equal(route_build(&r, line.n, line.piece, line.start, line.heading, line.slope, NULL), HAWSER_OK);
+    check_close(r.length, 3 * M_PI, 1e-12);
+    check_vec(route_at(&r, r.length).position, v3(0, 6, 0), 1e-12);
+    free(line.piece);
+    route_clear(&r);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(positions_are_the_tangents_integral),
-        cmocka_unit_test(derivatives_match_differences),
-        cmocka_unit_test(helix_keeps_its_grade),
-        cmocka_unit_test(clothoid_is_fresnels),
-        cmocka_unit_test(parabola_is_one),
-        cmocka_unit_test(slopes_are_rounded),
-        cmocka_unit_test(corners_are_rounded),
-        cmocka_unit_test(spline_goes_through),
-        cmocka_unit_test(plan_and_profile),
-    };
+    const struct CMUnitTest tests[] = {cmocka_unit_test(positions_are_the_tangents_integral),
+                                       cmocka_unit_test(derivatives_match_differences),
+                                       cmocka_unit_test(helix_keeps_its_grade),
+                                       cmocka_unit_test(clothoid_is_fresnels),
+                                       cmocka_unit_test(parabola_is_one),
+                                       cmocka_unit_test(slopes_are_rounded),
+                                       cmocka_unit_test(corners_are_rounded),
+                                       cmocka_unit_test(spline_goes_through),
+                                       cmocka_unit_test(plan_and_profile),
+                                       cmocka_unit_test(names_and_doubles)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

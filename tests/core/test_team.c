@@ -81,6 +81,7 @@ static void many_teams(void **state)
     (void)state;
     for (int k = 0; k < 50; ++k) {
         Team *const t = team_new(2), *const other = team_new(2);
+        assert_int_equal(team_ready(t), team_size(t) == 2); /* a new one does not rest */
         if (k % 2) run_jobs(t, 3, 0, 0);
         if (k % 3) run_jobs(other, 3, 0, 0);
         team_free(t);

@@ -198,6 +198,8 @@ static void refusals(void **state)
     (void)state;
     refuse((DuctDef){.duct_diameter = 0.1, .cable_diameter = 0.1, .cables = 1}, "do not fit");
     refuse((DuctDef){.duct_diameter = 0.1, .cable_diameter = 0.051, .cables = 2}, "do not fit");
+    refuse((DuctDef){.duct_diameter = 0.1, .cable_diameter = 0.051, .cables = 2},
+           "2 cables of 0.051 m do not fit into a duct of 0.1 m: it must be wider than 0.102 m");
     refuse((DuctDef){.duct_diameter = 0.107, .cable_diameter = 0.05, .cables = 3}, "do not fit");
     refuse((DuctDef){.duct_diameter = 0.2, .cable_diameter = 0.05, .cables = 5}, "1 to 4");
     refuse((DuctDef){.duct_diameter = NAN, .cable_diameter = 0.05, .cables = 1}, "positive");

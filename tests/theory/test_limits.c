@@ -441,14 +441,111 @@ static void undecided(void **state)
     assert_null(limits_undecided(3, l));
 }
 
+/* The verdict of a run: reasons not to trust it come first, the first in words and the others by number. */
+static void trust_comes_first(void **state)
+{
+    (void)state;
+    const hawser_limit broken = {
+        .name = "pull", .unit = "N", .where = "", .value = 150, .limit = 100, .margin = -0.5, .judged = 1};
+    hawser_condition c[3] = {{.name = "a", .holds = 1, .remedy = "first"},
+                             {.name = "b", .holds = 1, .remedy = "second"},
+                             {.name = "c", .holds = 1, .remedy = "third"}};
+    char text[300];
+    assert_int_equal(hawser_verdict(3, c, 1, &broken, text, sizeof text), 1);
+    assert_string_equal(text, "NOT SAFE: 1 of 1 limits broken: pull by 50 %");
+    c[1].holds = 0;
+    assert_int_equal(hawser_verdict(3, c, 1, &broken, text, sizeof text), -2);
+    assert_string_equal(text, "NOT TRUSTED: second; besides, 1 of the limits would be broken");
+    c[2].holds = 0;
+    assert_int_equal(hawser_verdict(3, c, 0, NULL, text, sizeof text), -2);
+    assert_string_equal(text, "NOT TRUSTED: second; and 1 more reason");
+    c[0].holds = 0;
+    assert_int_equal(hawser_verdict(3, c, 0, NULL, text, sizeof text), -2);
+    assert_string_equal(text, "NOT TRUSTED: first; and 2 more reasons");
+    assert_int_equal(hawser_verdict(3, c, 0, NULL, NULL, 10), -1);
+    assert_int_equal(hawser_verdict(3, NULL, 0, NULL, text, sizeof text), -1);
+    assert_int_equal(hawser_verdict(3, c, 0, NULL, text, 0), -1);
+    assert_int_equal(hawser_limits_verdict(1, NULL, text, sizeof text), -1);
+    assert_int_equal(hawser_limits_verdict(0, NULL, NULL, 9), -1);
+    assert_int_equal(hawser_limits_verdict(0, NULL, text, 0), -1);
+    memset(text, 'x', sizeof text);
+    assert_int_equal(hawser_verdict(3, c, 0, NULL, text, 12), -2); /* cut where the room ends */
+    assert_string_equal(text, "NOT TRUSTED");
+    assert_int_equal(text[12], 'x');
+}
+
+/* What a limit says of where it comes from, letter for letter: numbers and units are the planner's only hint. */
+static void sources_in_words(void **state)
+{
+    (void)state;
+    char source[160];
+    LimitsDef def = given();
+    Finding f = {.value = 4000, .rating = 5600, .cables = 1};
+    check_share(limits_allowed(&def, LIMIT_ROLLER_PEAK, 0.1, 1, &f, source), 5600, 1e-15);
+    assert_string_equal(source, "rated 5.6 kN");
+    check_share(limits_allowed(&def, LIMIT_ROLLER_STEADY, 0.1, 1, &f, source), 3500, 1e-15);
+    assert_string_equal(source, "rated 5.6 kN, 1.6 times the steady load");
+    f.rating = 0;
+    check_nan(limits_allowed(&def, LIMIT_ROLLER_PEAK, 0.1, 1, &f, source));
+    assert_string_equal(source, "no roller has a rating: needs rollers.along.N.rating");
+    static const struct {
+        int cables;
+        double share;
+        const char *words;
+    } fill[] = {{1, 0.53, "53 % with 1 cable (conduits: 53, 31, from three on 40 %)"},
+                {2, 0.31, "31 % with 2 cables (conduits: 53, 31, from three on 40 %)"},
+                {3, 0.4, "40 % with 3 cables (conduits: 53, 31, from three on 40 %)"},
+                {4, 0.4, "40 % with 4 cables (conduits: 53, 31, from three on 40 %)"}};
+    for (int k = 0; k < 4; k++) {
+        f.cables = fill[k].cables;
+        check_share(limits_allowed(&def, LIMIT_FILL, 0.1, 1, &f, source), fill[k].share, 1e-15);
+        assert_string_equal(source, fill[k].words);
+    }
+    check_share(limits_radius(&def, 0.0873, source), 20 * 0.0873, 1e-15);
+    assert_string_equal(source, "20 D, D = 87.3 mm (20 D, usual at 110 kV)");
+    def.bend_factor = 12;
+    check_share(limits_radius(&def, 0.0873, source), 12 * 0.0873, 1e-15);
+    assert_string_equal(source, "12 D, D = 87.3 mm (limits.bend_factor)");
+    check_nan(limits_allowed(&def, LIMIT_ROPE, 0.1, 1, &f, source));
+    assert_string_equal(source, "needs limits.rope_strength");
+    def.rope_strength = 120e3;
+    check_share(limits_allowed(&def, LIMIT_ROPE, 0.1, 1, &f, source), 24e3, 1e-15);
+    assert_string_equal(source, "strength 120 kN over a safety factor of 5");
+    /* a winch's trip between what it needs and what something bears */
+    def = given();
+    f = (Finding){.value = NAN, .steady = 20e3};
+    check_nan(limits_allowed(&def, LIMIT_TRIP, 0.1, 1, &f, source));
+    assert_string_equal(source, "needs drive.winch.trip: set it to 30 kN");
+    f.value = 25e3;
+    check_nan(limits_allowed(&def, LIMIT_TRIP, 0.1, 1, &f, source));
+    check_has(source, "or limits.pull; 20 kN are needed anyway");
+    f.value = 19e3;
+    check_equal(limits_allowed(&def, LIMIT_TRIP, 0.1, 1, &f, source), 20e3);
+    f.value = 20e3; /* just what is needed: not too low */
+    check_nan(limits_allowed(&def, LIMIT_TRIP, 0.1, 1, &f, source));
+    def.pull = 50e3;
+    check_equal(limits_allowed(&def, LIMIT_TRIP, 0.1, 1, &f, source), 50e3);
+    assert_string_equal(source, "from 20 kN, needed, to 50 kN, allowed; advised 30 kN");
+    f.steady = NAN;
+    check_nan(limits_allowed(&def, LIMIT_TRIP, 0.1, 1, &f, source));
+    check_has(source, "see run_away");
+    def.attachment_rating = 9e3, def.grips = 2, def.code = CODE_PAPER;
+    check_share(limits_attachment(&def, source), 18e3, 1e-15);
+    assert_string_equal(source, "limits.attachment_rating, 2 of them");
+    def.grips = 1;
+    check_share(limits_attachment(&def, source), 9e3, 1e-15);
+    assert_string_equal(source, "limits.attachment_rating");
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(allowable_pull),  cmocka_unit_test(ducts),       cmocka_unit_test(overrides),
-        cmocka_unit_test(held_and_broken), cmocka_unit_test(verdicts),    cmocka_unit_test(not_judged),
-        cmocka_unit_test(american_pulls),  cmocka_unit_test(attachments), cmocka_unit_test(other_codes),
-        cmocka_unit_test(cable_types),     cmocka_unit_test(trips),       cmocka_unit_test(run_away),
-        cmocka_unit_test(undecided),
-    };
+    const struct CMUnitTest tests[] = {cmocka_unit_test(allowable_pull),  cmocka_unit_test(ducts),
+                                       cmocka_unit_test(overrides),       cmocka_unit_test(held_and_broken),
+                                       cmocka_unit_test(verdicts),        cmocka_unit_test(not_judged),
+                                       cmocka_unit_test(american_pulls),  cmocka_unit_test(attachments),
+                                       cmocka_unit_test(other_codes),     cmocka_unit_test(cable_types),
+                                       cmocka_unit_test(trips),           cmocka_unit_test(run_away),
+                                       cmocka_unit_test(undecided),       cmocka_unit_test(trust_comes_first),
+                                       cmocka_unit_test(sources_in_words)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -178,13 +178,115 @@ static void loads_are_shared(void **state)
     route_clear(&route);
 }
 
+/* Rollers stand between the ends that are asked for, also before and behind the route, by rising place; guides in bends
+ * to their side and nowhere else; exactly as many as there may be are no error. */
+static void rule_keeps_to_its_stretch(void **state)
+{
+    (void)state;
+    const RoutePieceDef pieces[] = {{.kind = ROUTE_STRAIGHT, .length = 10},
+                                    {.kind = ROUTE_BEND, .radius = 8, .angle = 1, .plane = 0},
+                                    {.kind = ROUTE_STRAIGHT, .length = 10},
+                                    {.kind = ROUTE_BEND, .radius = 8, .angle = 1, .plane = M_PI},
+                                    {.kind = ROUTE_STRAIGHT, .length = 10}};
+    Route route;
+    hawser_error err;
+    assert_int_equal(route_build(&route, 5, pieces, V3_ZERO, 0, 0, &err), HAWSER_OK);
+    Pull pull = pull_make(&route, 6000);
+    const PlaceRule rule = {.straights = 2, .bends = 2, .reserve = 1.25, .guides = 1, .hold_downs = 1};
+    const double ends[][2] = {{0, 46}, {-3, 49}, {12, 33}, {10.5, 14.5}, {-4, -1}, {47, 50}};
+    for (int k = 0; k < 6; k++) {
+        const PlaceLine line = {.route = &route, .pull = &pull, .weight = W, .from = ends[k][0], .to = ends[k][1]};
+        PlacedRoller *r = NULL;
+        int n = 0, of[PLACE_SIDES] = {0}, most = 0;
+        assert_int_equal(place_by_rule(&line, &rule, 1000, &r, &n, &err), HAWSER_OK);
+        double last = -INFINITY;
+        for (int i = 0; i < n; i++) {
+            check_between(r[i].s, line.from, line.to);
+            if (i > 0 && r[i].side != r[i - 1].side) last = -INFINITY;
+            check_above(r[i].s, last);
+            check_at_most(r[i].s - last, last > -INFINITY && r[i].side == PLACE_BELOW ? 2 + 1e-9 : INFINITY);
+            last = r[i].s;
+            of[r[i].side]++;
+            if (r[i].side == PLACE_LEFT) check_between(r[i].s, 10, 18);
+            if (r[i].side == PLACE_RIGHT) check_between(r[i].s, 28, 36);
+        }
+        assert_int_equal(of[PLACE_ABOVE], 0);
+        /* every piece, or what of it is asked for, by itself */
+        for (int p = -1; p <= route.n; p++) {
+            const double s0 = p < 0 ? -1e3 : p < route.n ? route.piece[p].s0 : route.length;
+            const double s1 = p < 0 ? 0 : p < route.n ? s0 + route.piece[p].length : 1e3;
+            const double length = fmin(s1, line.to) - fmax(s0, line.from);
+            if (length <= 0) continue;
+            most += (int)ceil(length / 2 - 1e-9);
+            if (p == 1) assert_int_equal(of[PLACE_LEFT], (int)ceil(length / 2 - 1e-9));
+            if (p == 3) assert_int_equal(of[PLACE_RIGHT], (int)ceil(length / 2 - 1e-9));
+        }
+        assert_int_equal(of[PLACE_BELOW], most);
+        free(r);
+        r = NULL;
+        assert_int_equal(place_by_rule(&line, &rule, n, &r, &most, &err), HAWSER_OK);
+        assert_int_equal(most, n);
+        free(r);
+        r = NULL;
+        assert_int_equal(place_by_rule(&line, &rule, n - 1, &r, &most, &err), HAWSER_ERR_INPUT);
+        check_has(err.message, "too many rollers: at most");
+        free(r);
+    }
+    pull_clear(&pull);
+    route_clear(&route);
+}
+
+/* One support alone bears all of it, two halve what lies between them, those of other sides do not count; a carrier
+ * without guides beside it bears the turning force too. */
+static void shares_of_the_load(void **state)
+{
+    (void)state;
+    const RoutePieceDef pieces[] = {{.kind = ROUTE_STRAIGHT, .length = 10},
+                                    {.kind = ROUTE_BEND, .radius = 8, .angle = 1, .plane = M_PI},
+                                    {.kind = ROUTE_STRAIGHT, .length = 12}};
+    Route route;
+    hawser_error err;
+    assert_int_equal(route_build(&route, 3, pieces, V3_ZERO, 0, 0, &err), HAWSER_OK);
+    Pull pull = pull_make(&route, 1000);
+    const PlaceLine line = {.route = &route, .pull = &pull, .weight = W, .from = -2, .to = 33};
+    Support one = {.s = 7, .side = PLACE_BELOW};
+    support_loads(&line, 1, &one); /* from half way to either end */
+    check_share(one.load, W * ((7 + 33) / 2.0 - (7 - 2) / 2.0), 1e-12);
+    Support some[] = {{.s = 31, .side = PLACE_BELOW, .item = 4}, {.s = 4, .side = PLACE_BELOW, .item = 3},
+                      {.s = 14, .side = PLACE_RIGHT, .item = 2}, {.s = 14, .side = PLACE_LEFT, .item = 1},
+                      {.s = 14, .side = PLACE_ABOVE, .item = 0}, {.s = 8, .side = PLACE_BELOW, .item = 5}};
+    support_loads(&line, 6, some);
+    const int item[] = {3, 5, 0, 1, 2, 4};
+    for (int i = 0; i < 6; i++) assert_int_equal(some[i].item, item[i]);
+    check_share(some[0].load, W * (6 - 1), 1e-12);
+    check_share(some[1].load, W * (19.5 - 6), 1e-12);
+    check_share(some[5].load, W * (32 - 19.5), 1e-12);
+    check_equal(some[2].load, 0);
+    check_equal(some[3].load, 0); /* a bend to the right presses on the right */
+    /* (LI1) in the bend: dT/ds = mu (w + T/R); its T/R over the bend is what has grown by more than the weight's */
+    const double t0 = pull_at(&pull, 10).tension, t1 = pull_at(&pull, 18).tension;
+    check_share(some[4].load, (t1 - t0) / 0.2 - W * 8, 1e-7);
+    const PlaceLine bend = {.route = &route, .pull = &pull, .weight = W, .from = 10, .to = 18};
+    Support whole = {.s = 10, .side = PLACE_BELOW, .whole = 1};
+    support_loads(&bend, 1, &whole);
+    double sum = 0; /* half of the bend */
+    for (int i = 0; i < 4000; i++) sum += hypot(W, pull_at(&pull, 10 + 0.001 * (i + 0.5)).tension / 8) * 0.001;
+    check_share(whole.load, sum, 1e-7);
+    const LineLoad f = line_load(&line, 14);
+    check_close(f.up, W, 1e-10);
+    check_share(f.left, pull_at(&pull, 14).tension / 8, 1e-12);
+    check_share(f.size, hypot(f.up, f.left), 1e-15);
+    pull_clear(&pull);
+    route_clear(&route);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(points_find_their_place),
-        cmocka_unit_test(crossings_have_two_places),
-        cmocka_unit_test(rule_places),
-        cmocka_unit_test(loads_are_shared),
-    };
+    const struct CMUnitTest tests[] = {cmocka_unit_test(points_find_their_place),
+                                       cmocka_unit_test(crossings_have_two_places),
+                                       cmocka_unit_test(rule_places),
+                                       cmocka_unit_test(loads_are_shared),
+                                       cmocka_unit_test(rule_keeps_to_its_stretch),
+                                       cmocka_unit_test(shares_of_the_load)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

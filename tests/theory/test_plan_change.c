@@ -222,9 +222,98 @@ static void at_a_corner(void **state)
     route_clear(&route);
 }
 
+/* A frame with these vertical components, a bend of 10 m's radius. */
+static SpanLaw bend_law(double tz, double nz, double bz, int separate)
+{
+    return (SpanLaw){.law = PULL_REFERENCE,
+                     .direction = 1,
+                     .weight = 200,
+                     .mu = 0.3,
+                     .separate = separate,
+                     .line = {.curvature = 0.1, .tz = tz, .nz = nz, .bz = bz}};
+}
+
+/* (SN2), (SN3) against differences of the support forces, in frames of all directions, pulled and pushed; and their
+ * limits: an upright bend, no tension, no bend. */
+static void slopes_of_supports(void **state)
+{
+    (void)state;
+    const double by = 1e-3;
+    for (int i = 0; i < 400; i++) {
+        const double up = 0.1 + 2.9 * (i % 20) / 20, turn = 0.2 + 6.2 * (i / 20) / 20, T = (i % 7 - 3.3) * 700;
+        const int law = i % 3 ? PULL_REFERENCE : PULL_NO_CAPSTAN;
+        for (int separate = 0; separate < 2; separate++) {
+            SpanLaw p = bend_law(cos(up), sin(up) * cos(turn), sin(up) * sin(turn), separate);
+            p.law = (PullLaw)law;
+            const SpanSlopes found = span_slopes(&p, 0, T);
+            const double tension = slope(span_normal(&p, 0, T - by), span_normal(&p, 0, T + by), by);
+            SpanLaw light = p, heavy = p;
+            light.weight -= by, heavy.weight += by;
+            check_close(found.by_tension, tension, 1e-6);
+            check_close(found.by_weight, slope(span_normal(&light, 0, T), span_normal(&heavy, 0, T), by), 1e-6);
+        }
+    }
+    for (int sign = -1; sign <= 1; sign += 2) { /* upright: no weight on anything, the bend's force alone */
+        const SpanLaw p = bend_law(1, 0, 0, 1);
+        check_close(span_slopes(&p, 0, sign * 500).by_tension, sign * 0.1, 1e-15);
+        check_equal(span_slopes(&p, 0, sign * 500).by_weight, 0);
+    }
+    const SpanLaw aside = bend_law(0, 0, 1, 1), sag = bend_law(0, 1, 0, 0), crest = bend_law(0, -1, 0, 0);
+    check_close(span_slopes(&aside, 0, 0).by_tension, 0.1, 1e-15); /* as it begins */
+    check_close(span_slopes(&aside, 0, 0).by_weight, 1, 1e-15);
+    check_close(span_slopes(&sag, 0, 0).by_tension, -0.1, 1e-15);
+    check_close(span_slopes(&crest, 0, 0).by_tension, 0.1, 1e-15);
+    SpanLaw bare = bend_law(1, 0, 0, 0);
+    bare.weight = 0;
+    check_close(span_slopes(&bare, 0, 0).by_tension, 0.1, 1e-15);
+    /* a sag in which the tension just carries the weight: on neither side */
+    check_equal(span_slopes(&sag, 0, 2000).by_tension, 0);
+    check_equal(span_slopes(&sag, 0, 2000).by_weight, 0);
+}
+
+/* (SN4) against differences of the integrated law, where a cable lifts off, settles, and is pushed before it is pulled;
+ * either way along the route. */
+static void gains_across_corners(void **state)
+{
+    (void)state;
+    const double L = 11;
+    int lifts = 0, tightens = 0;
+    for (int i = 0; i < 120; i++) {
+        const int separate = i & 1, back = i & 2;
+        const double up = 0.3 + 0.11 * (i % 24), turn = separate ? 0.4 + 0.26 * (i / 5 % 24) : i & 4 ? 0 : PI;
+        SpanLaw p = bend_law(cos(up), sin(up) * cos(turn), sin(up) * sin(turn), separate);
+        const double s0 = back ? L : 0, s1 = back ? 0 : L, T = (i % 9 - 3) * 450 + 17;
+        p.direction = back ? -1 : 1;
+        const SpanGain gain = span_gain(&p, s0, T, s1);
+        const double end = span_integrate(&p, s0, T, s1, NULL);
+        SpanLaw less = p, more = p;
+        less.mu -= 1e-5, more.mu += 1e-5;
+        const double friction =
+            slope(span_integrate(&less, s0, T, s1, NULL), span_integrate(&more, s0, T, s1, NULL), 1e-5);
+        less = more = p;
+        less.weight -= 0.01, more.weight += 0.01;
+        const double weight =
+            slope(span_integrate(&less, s0, T, s1, NULL), span_integrate(&more, s0, T, s1, NULL), 0.01);
+        const double tension =
+            slope(span_integrate(&p, s0, T - 0.1, s1, NULL), span_integrate(&p, s0, T + 0.1, s1, NULL), 0.1);
+        check_close(gain.tension, tension, 1e-4);
+        check_close(gain.friction, friction, 1e-4 * (fabs(end) + 2000));
+        check_close(gain.weight, weight, 1e-4 * (fabs(weight) + 10));
+        const SpanParts first = span_parts(&p, s0, T), last = span_parts(&p, s1, end);
+        lifts += separate && first.down * last.down < 0;
+        tightens += T * end < 0;
+    }
+    check_above(lifts, 5);
+    check_above(tightens, 10);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences), cmocka_unit_test(both_ways_round),
-                                       cmocka_unit_test(capstan), cmocka_unit_test(at_a_corner)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences),
+                                       cmocka_unit_test(both_ways_round),
+                                       cmocka_unit_test(capstan),
+                                       cmocka_unit_test(at_a_corner),
+                                       cmocka_unit_test(slopes_of_supports),
+                                       cmocka_unit_test(gains_across_corners)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

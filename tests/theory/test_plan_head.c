@@ -6,7 +6,6 @@
 
 #include "tests/support/check.h"
 #include "theory/closed_form.h"
-#include "theory/search.h"
 
 static const double PI = 3.14159265358979323846, WEIGHT = 200, MU = 0.25;
 static const DuctLoad SINGLE = {.weight_factor = 1, .sidewall_factor = 1};
@@ -306,28 +305,6 @@ static void mirrored(void **state)
     route_clear(&other);
 }
 
-static int below(void *what, double x) { return x <= *(double *)what; }
-static int above(void *what, double x) { return x >= *(double *)what; }
-
-/* (PN9). */
-static void the_search(void **state)
-{
-    (void)state;
-    for (double bound = 0.02; bound < 100; bound *= 2.3) {
-        const SearchDef most = {below, &bound, 1, 1e3}, least = {above, &bound, 1, 1e-3};
-        const SearchBound a = search_bound(&most), b = search_bound(&least);
-        assert_int_equal(a.end, SEARCH_FOUND);
-        assert_int_equal(b.end, SEARCH_FOUND);
-        check_share(a.value, bound, 1e-9);
-        check_share(b.value, bound, 1e-9);
-        assert_true(a.value <= bound && a.fails > bound && b.value >= bound && b.fails < bound);
-    }
-    double far = 1e4, never = 1e-9;
-    const SearchDef all = {below, &far, 1, 1e3}, none = {below, &never, 1, 1e3};
-    assert_int_equal(search_bound(&all).end, SEARCH_EVERYWHERE);
-    assert_int_equal(search_bound(&none).end, SEARCH_NOWHERE);
-}
-
 /* Where the tension over a crest is largest: dT/ds = mu (T/R + w cos) + w sin is 0 there; from slope `a` down to `b`.
  */
 static double crest_top(double T1, double mu, double R, double a, double b, double *most)
@@ -379,6 +356,13 @@ static void peaks_between_rows(void **state)
             const int short_of = (way ? route.length - s.row[top].head : s.row[top].head) < along;
             behind += short_of;
             ahead += !short_of;
+            Plan plan = plan_of(&def);
+            const PlanWay *const w = &plan.way[way];
+            check_share(rest ? w->restart_max : w->pull.max_tension, most, 1e-9);
+            const double at = rest ? w->restart_at : w->pull.max_at;
+            check_close(way ? route.length - at : at, along, 1e-4);
+            assert_int_equal(rest ? w->restart_piece : w->pull.max_piece, 1);
+            plan_clear(&plan);
         }
         plan_heads_free(&s);
     }
@@ -506,12 +490,13 @@ static void refusals(void **state)
     const PullStretch cable = {.weight = WEIGHT, .mu = MU};
     const PlanDef good = {.route = &route, .n_stretches = 1, .stretch = &cable};
     const PullStep step = {.at = 3, .force = -5, .kind = STEP_TAKE};
-    PlanDef bad[4] = {good, good, good, good};
+    PlanDef bad[7] = {good, good, good, good, good, good, good};
     bad[0].rope_weight = NAN;
     bad[1].feed = -1;
     bad[2].beyond = -route.length;
     bad[3].n_steps = 1, bad[3].step = &step;
-    for (int i = 0; i < 4; i++) {
+    bad[4].beyond = NAN, bad[5].beyond = INFINITY, bad[6].feed = INFINITY;
+    for (int i = 0; i < 7; i++) {
         Plan plan;
         hawser_error err;
         assert_int_equal(plan_build(&bad[i], &plan, &err), HAWSER_ERR_INPUT);
@@ -520,24 +505,83 @@ static void refusals(void **state)
     route_clear(&route);
 }
 
+/* Sections one by one, pits in no order, either way; and what carries the rope presses with the rope's own tension. */
+static void sections_in_order(void **state)
+{
+    (void)state;
+    Route route = level_route();
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_rope = 0.1, .share = 0.5};
+    const PullStep step[] = {{.at = 90, .force = 90, .kind = STEP_ANEW},
+                             {.at = 50, .force = 7, .kind = STEP_TAKE},
+                             {.at = 30, .force = 30, .kind = STEP_ANEW},
+                             {.at = 70, .force = 70, .kind = STEP_ANEW}};
+    PlanDef def = {.route = &route,
+                   .n_stretches = 1,
+                   .stretch = &cable,
+                   .reel_length = 2,
+                   .back_tension = 11,
+                   .feed = 5,
+                   .beyond = 6,
+                   .n_steps = 4,
+                   .step = step};
+    static const int order[PLAN_WAYS][5] = {{-1, 2, 3, 0, -1}, {-1, 0, 3, 2, -1}};
+    for (int way = 0; way < PLAN_WAYS; way++) {
+        const double first = way ? route.length : 0, last = way ? -6 : route.length + 6;
+        assert_int_equal(plan_sections(&def, way), 4);
+        for (int i = 0; i < 4; i++) {
+            const PlanSection s = plan_section(&def, way, i);
+            const int begins = order[way][i], ends = order[way][i + 1];
+            assert_int_equal(s.begins, begins);
+            assert_int_equal(s.ends, ends);
+            check_equal(s.from, begins < 0 ? first : step[begins].at);
+            check_equal(s.to, ends < 0 ? last : step[ends].at);
+            check_close(s.start, begins < 0 ? 2 * WEIGHT + 11 - 5 : step[begins].force, 1e-12);
+            const double inside = (s.from + s.to) / 2;
+            check_equal(plan_section_at(&def, way, inside).to, s.to);
+            check_equal(plan_section_at(&def, way, s.to).to, s.to);
+        }
+        check_equal(plan_section(&def, way, 9).to, last);
+    }
+    /* the head in the middle of the first bend: cable behind it, with its share; rope ahead */
+    def.n_steps = 0;
+    const double head = route.piece[1].s0 + 7;
+    for (int way = 0; way < PLAN_WAYS; way++) {
+        const PlanPullDef what = {.way = way, .head = head};
+        const double toward = way ? -1 : 1;
+        Pull pull;
+        assert_int_equal(plan_pull(&def, &SINGLE, &what, &pull, NULL), HAWSER_OK);
+        const PullPoint behind = pull_at(&pull, head - toward), ahead = pull_at(&pull, head + toward);
+        check_close(behind.sidewall, 0.5 * behind.tension / 10, 1e-9);
+        check_close(ahead.sidewall, ahead.tension / 10, 1e-9);
+        check_share(ahead.tension, pull_at(&pull, head).tension * exp(0.1 * 0.1), 1e-10);
+        pull_clear(&pull);
+        HeadSeries s;
+        int at_end = 0;
+        assert_int_equal(plan_heads(&def, &SINGLE, way, INFINITY, &s, NULL), HAWSER_OK);
+        for (int i = 0; i < s.n; i++) at_end += s.row[i].head == (way ? 0 : route.length);
+        assert_int_equal(at_end, 1); /* a corner of the route, though the pull goes on */
+        check_equal(s.row[s.n - 1].head, way ? -6 : route.length + 6);
+        plan_heads_free(&s);
+    }
+    route_clear(&route);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rope_ahead),
-        cmocka_unit_test(the_last_place_is_the_pull),
-        cmocka_unit_test(the_peak_lies_on_the_crest),
-        cmocka_unit_test(sections_are_cut_routes),
-        cmocka_unit_test(machines_take_off),
-        cmocka_unit_test(friction_by_length),
-        cmocka_unit_test(pushed_at_the_feed),
-        cmocka_unit_test(brake_on_a_slope),
-        cmocka_unit_test(mirrored),
-        cmocka_unit_test(the_search),
-        cmocka_unit_test(peaks_between_rows),
-        cmocka_unit_test(a_row_just_ahead),
-        cmocka_unit_test(brakes_on_top),
-        cmocka_unit_test(what_the_head_has_reached),
-        cmocka_unit_test(refusals),
-    };
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rope_ahead),
+                                       cmocka_unit_test(the_last_place_is_the_pull),
+                                       cmocka_unit_test(the_peak_lies_on_the_crest),
+                                       cmocka_unit_test(sections_are_cut_routes),
+                                       cmocka_unit_test(machines_take_off),
+                                       cmocka_unit_test(friction_by_length),
+                                       cmocka_unit_test(pushed_at_the_feed),
+                                       cmocka_unit_test(brake_on_a_slope),
+                                       cmocka_unit_test(mirrored),
+                                       cmocka_unit_test(peaks_between_rows),
+                                       cmocka_unit_test(a_row_just_ahead),
+                                       cmocka_unit_test(brakes_on_top),
+                                       cmocka_unit_test(what_the_head_has_reached),
+                                       cmocka_unit_test(refusals),
+                                       cmocka_unit_test(sections_in_order)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
