@@ -4,15 +4,13 @@
 #include "tests/io/case_fixture.h"
 
 /* The condition, which must be there. */
-static hawser_condition condition_of(const hawser_sim *sim, const char *name)
+static hawser_condition condition_now(const hawser_sim *sim, const char *name)
 {
     hawser_summary sum;
     hawser_sim_summary(sim, &sum);
-    for (int i = 0; i < sum.n_conditions; i++) {
-        if (!strcmp(sum.conditions[i].name, name)) return sum.conditions[i];
-    }
-    fail_msg("there is no condition '%s'", name);
-    return (hawser_condition){0};
+    const hawser_condition *const found = condition_of(&sum, name);
+    if (!found) fail_msg("there is no condition '%s'", name);
+    return *found;
 }
 
 static int happened(const hawser_sim *sim, const char *what)
@@ -37,8 +35,8 @@ static void a_floor_holds(void **state)
     for (size_t k = 0; k < sizeof settings / sizeof *settings; k++) {
         hawser_sim *const sim = run_of(data_text("passing-floor"), settings[k]);
         check_between(hawser_sim_sample(sim)->probe[0].position[2], 0, 2);
-        check_equal(condition_of(sim, "passed").value, 0);
-        check_at_most(condition_of(sim, "energy").value, 0.01);
+        check_equal(condition_now(sim, "passed").value, 0);
+        check_at_most(condition_now(sim, "energy").value, 0.01);
         hawser_sim_free(sim);
     }
 }
@@ -52,7 +50,7 @@ static void rollers_hold_it_back(void **state)
     hawser_sim_summary(sim, &sum);
     assert_true(sum.relaxation.reached);
     check_at_most(sum.relaxation.moved_m, 0.17);
-    check_equal(condition_of(sim, "passed").value, 0);
+    check_equal(condition_now(sim, "passed").value, 0);
     /* as over rollers through which it never got */
     const char *const thick[] = {"rollers.along.radius", "150 mm", NULL};
     hawser_sim *const other = run_of(data_text("passing-relax"), thick);
@@ -70,7 +68,7 @@ static void guides_do_not_throw(void **state)
     const char *const longer[] = {"chain.0.segment", "1 m", NULL};
     for (int k = 0; k < 2; k++) {
         hawser_sim *const sim = run_of(data_text("passing-guides"), k ? longer : NULL);
-        const hawser_condition start = condition_of(sim, "start");
+        const hawser_condition start = condition_now(sim, "start");
         hawser_summary sum;
         hawser_sim_summary(sim, &sum);
         assert_int_equal(happened(sim, START_MOVED_SAYS), 1);
@@ -122,7 +120,7 @@ static void a_loose_rod_stays(void **state)
     look = hawser_sim_sample(sim);
     check_equal(look->probe[0].position[0], x);
     check_equal(look->probe[0].position[2], z);
-    const hawser_condition rest = condition_of(sim, "equilibrium");
+    const hawser_condition rest = condition_now(sim, "equilibrium");
     assert_false(rest.holds);
     check_has(rest.remedy, "nothing holds the rod");
     hawser_sim_free(sim);
@@ -161,7 +159,7 @@ static void rods_rest_on_tables(void **state)
     (void)state;
     hawser_sim *const sim = run_of(data_text("passing-rod"), NULL);
     check_close(hawser_sim_sample(sim)->probe[0].position[2], 0.5e-3, 1e-4); /* its skin on the table */
-    assert_true(condition_of(sim, "passed").holds);
+    assert_true(condition_now(sim, "passed").holds);
     hawser_sim_free(sim);
 }
 

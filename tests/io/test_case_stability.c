@@ -12,11 +12,9 @@ static hawser_sim *run(const char *name, const char *const *settings, hawser_sum
 
 static const hawser_condition *condition(const hawser_summary *sum, const char *name)
 {
-    for (int i = 0; i < sum->n_conditions; ++i) {
-        if (strcmp(sum->conditions[i].name, name) == 0) return &sum->conditions[i];
-    }
-    fail_msg("no condition %s", name);
-    return NULL;
+    const hawser_condition *const found = condition_of(sum, name);
+    if (!found) fail_msg("no condition %s", name);
+    return found;
 }
 
 /* It bends to 0.398 m, and both the report's list and summary.json know the load: pi^2 EI/L^2 of 2 kN. */

@@ -16,13 +16,6 @@ static hawser_summary summary_of(const hawser_sim *s)
     return sum;
 }
 
-static const hawser_condition *condition_called(const hawser_summary *sum, const char *name)
-{
-    for (int i = 0; i < sum->n_conditions; i++)
-        if (!strcmp(sum->conditions[i].name, name)) return &sum->conditions[i];
-    return NULL;
-}
-
 /* What a pass knows of one other one, which found that and says that it may be off by `bar`; bars of peaks fall from
  * pass to pass. */
 static OtherPasses beside(int finer, double mean, double peak, double bar)
@@ -82,15 +75,15 @@ static void an_unsteady_window(void **state)
     hawser_sim *const own = run_of(data_text("trust-unsteady"), given), *const changes =
                                                                             run_of(data_text("trust-unsteady"), faster);
     const hawser_summary a = summary_of(first), b = summary_of(both), c = summary_of(own), d = summary_of(changes);
-    assert_false(condition_called(&a, "steady")->holds);
+    assert_false(condition_of(&a, "steady")->holds);
     assert_non_null(b.passes);
     assert_string_equal(b.passes->outcome, "replaced");
     for (int i = 0; i < b.n_conditions; i++) assert_true(b.conditions[i].holds);
     check_at_most(fabs(b.pull_mean_N - a.pull_mean_N), a.pull_mean_error.total);
-    assert_false(condition_called(&c, "steady")->holds);
+    assert_false(condition_of(&c, "steady")->holds);
     assert_null(c.passes);
     assert_int_equal(d.passes->n, 2);
-    assert_false(condition_called(&d, "steady")->holds);
+    assert_false(condition_of(&d, "steady")->holds);
     hawser_sim_free(first);
     hawser_sim_free(both);
     hawser_sim_free(own);
@@ -113,8 +106,8 @@ static void it_compares(void **state)
     check_equal(b.pull_peak_N, a.pull_peak_N);
     const double apart = fabs(b.passes->pass[1].pull_peak_N - a.pull_peak_N), own = a.pull_peak_error.total;
     check_share(b.pull_peak_error.total, fmax(2 * apart, own / 4), 1e-9);
-    assert_false(condition_called(&a, "numerical_peak")->holds);
-    assert_true(condition_called(&b, "numerical_peak")->holds);
+    assert_false(condition_of(&a, "numerical_peak")->holds);
+    assert_true(condition_of(&b, "numerical_peak")->holds);
     hawser_sim_free(first);
     hawser_sim_free(both);
 }
@@ -131,8 +124,8 @@ static void one_is_enough(void **state)
                       *const stepped = sim_of(data_text("trust-slack"), NULL);
     const hawser_summary spike = summary_of(spiked);
     assert_null(summary_of(good).passes);
-    assert_false(condition_called(&spike, "peak")->holds);
-    assert_false(condition_called(&spike, "numerical_peak")->holds);
+    assert_false(condition_of(&spike, "peak")->holds);
+    assert_false(condition_of(&spike, "numerical_peak")->holds);
     assert_null(spike.passes);
     assert_null(summary_of(loose).passes);
     assert_int_equal(hawser_sim_advance(stepped, 0.1, 0, NULL), HAWSER_OK);
@@ -169,8 +162,8 @@ static void a_jolt_that_may_be_the_peak(void **state)
     hawser_sim *const thrown = run_of(data_text("trust-thrown"), twice);
     const hawser_summary run = summary_of(thrown);
     assert_non_null(run.passes);
-    assert_true(condition_called(&run, "start_jolt")->holds); /* it is not the peak in this mesh */
-    assert_false(condition_called(&run, "numerical_peak")->holds);
+    assert_true(condition_of(&run, "start_jolt")->holds); /* it is not the peak in this mesh */
+    assert_false(condition_of(&run, "numerical_peak")->holds);
     check_at_most(1488 - run.pull_peak_N, run.pull_peak_error.total);
     hawser_sim_free(thrown);
 }
@@ -200,9 +193,9 @@ static void blows_that_the_mesh_makes(void **state)
     hawser_sim *const tip = run_of(data_text("trust-tip"), twice), *const mouth =
                                                                        run_of(data_text("trust-mouth"), once);
     const hawser_summary a = summary_of(tip), b = summary_of(mouth);
-    assert_false(condition_called(&a, "numerical_peak")->holds);
+    assert_false(condition_of(&a, "numerical_peak")->holds);
     check_at_most(774 - a.pull_peak_N, a.pull_peak_error.total);
-    assert_false(condition_called(&b, "numerical_peak")->holds);
+    assert_false(condition_of(&b, "numerical_peak")->holds);
     check_at_most(b.pull_peak_N - 75.8e3, b.pull_peak_error.total);
     hawser_sim_free(tip);
     hawser_sim_free(mouth);
@@ -220,14 +213,14 @@ static void blows_after_the_start(void **state)
                       *const whips = run_of(data_text("trust-whips"), once),
                       *const early = run_of(data_text("trust-whips-early"), once);
     const hawser_summary a = summary_of(roller), b = summary_of(both), c = summary_of(whips), d = summary_of(early);
-    assert_false(condition_called(&a, "numerical_peak")->holds);
+    assert_false(condition_of(&a, "numerical_peak")->holds);
     check_at_most(a.pull_peak_N - 198.3, a.pull_peak_error.total);
     assert_int_equal(b.passes->n, 2);
     check_at_most(b.pull_peak_N - 198.3, b.pull_peak_error.total);
     check_at_most(b.pull_peak_N, 1.1 * 198.3);
-    assert_false(condition_called(&c, "numerical_peak")->holds);
+    assert_false(condition_of(&c, "numerical_peak")->holds);
     check_at_most(c.pull_peak_N - 1419, c.pull_peak_error.total);
-    assert_false(condition_called(&d, "numerical_peak")->holds);
+    assert_false(condition_of(&d, "numerical_peak")->holds);
     check_at_most(d.pull_peak_N - 3242, d.pull_peak_error.total);
     hawser_sim_free(roller);
     hawser_sim_free(both);
@@ -245,10 +238,10 @@ static void what_a_clamp_holds(void **state)
                       *const both = run_of(data_text("trust-clamp"), NULL),
                       *const axial = run_of(data_text("trust-clamp"), turns);
     const hawser_summary a = summary_of(first), b = summary_of(both), c = summary_of(axial);
-    assert_false(condition_called(&a, "numerical_peak")->holds);
+    assert_false(condition_of(&a, "numerical_peak")->holds);
     check_at_most(a.pull_peak_N - 1690, a.pull_peak_error.total);
     assert_int_equal(b.passes->n, 2);
-    assert_true(condition_called(&b, "numerical_peak")->holds);
+    assert_true(condition_of(&b, "numerical_peak")->holds);
     check_at_most(b.pull_peak_N - 1690, b.pull_peak_error.total);
     check_close(first->stats.clamped, 240, 10);
     check_equal(axial->stats.clamped, 0);
@@ -313,14 +306,14 @@ static void close_to_a_limit(void **state)
     assert_true(hawser_sim_limits(once_only, limit) > 0);
     check_share(limit[0].error / limit[0].value, a.pull_peak_error.total / a.pull_peak_N, 1e-12);
     assert_int_equal(verdict_of(once_only), -2);
-    assert_false(condition_called(&a, "decided")->holds);
-    check_share(condition_called(&a, "decided")->value, (limit[0].value + limit[0].error) / 1880, 1e-12);
-    check_has(condition_called(&a, "decided")->remedy, "limit 'pull' holds by less than its figure may be off");
+    assert_false(condition_of(&a, "decided")->holds);
+    check_share(condition_of(&a, "decided")->value, (limit[0].value + limit[0].error) / 1880, 1e-12);
+    check_has(condition_of(&a, "decided")->remedy, "limit 'pull' holds by less than its figure may be off");
     assert_int_equal(verdict_of(both), 0);
     assert_string_equal(b.passes->outcome, "replaced");
-    assert_true(condition_called(&b, "decided")->holds);
+    assert_true(condition_of(&b, "decided")->holds);
     assert_int_equal(verdict_of(broken), 1);
-    assert_null(condition_called(&c, "decided"));
+    assert_null(condition_of(&c, "decided"));
     assert_null(c.passes);
     hawser_sim_free(once_only);
     hawser_sim_free(both);
@@ -495,7 +488,7 @@ static void too_long_is_declined(void **state)
     assert_string_equal(sum.passes->outcome, "declined");
     assert_int_equal(sum.passes->n, 1);
     assert_int_equal(sum.segments, 42);
-    assert_false(condition_called(&sum, "numerical_peak")->holds);
+    assert_false(condition_of(&sum, "numerical_peak")->holds);
     check_has(sum.passes->why, "the peak may be off by 13 %");
     check_has(sum.passes->says, "set solver.passes to 2");
     double about; /* 3.1 times the first's, in two digits */
@@ -599,9 +592,9 @@ static void passes_that_are_not_there_yet(void **state)
                       *const third = run_of(data_text("trust-slowly"), NULL);
     const hawser_summary a = summary_of(tip), b = summary_of(slow), c = summary_of(third);
     assert_int_equal(a.passes->n, 3);
-    assert_false(condition_called(&a, "numerical_peak")->holds);
+    assert_false(condition_of(&a, "numerical_peak")->holds);
     check_at_most(a.pull_peak_N - 598, a.pull_peak_error.total);
-    assert_false(condition_called(&b, "numerical_error")->holds);
+    assert_false(condition_of(&b, "numerical_error")->holds);
     check_at_most(0.8 * (1345 - b.pull_mean_N), b.pull_mean_error.total); /* errors fall by less than a half */
     assert_int_equal(c.passes->n, 3);
     check_at_most(fabs(1345 - c.pull_mean_N), 0.01 * 1345);
@@ -656,7 +649,7 @@ static void a_third_settles_it(void **state)
                                                                             run_of(data_text("trust-in-step"), NULL);
     const hawser_summary a = summary_of(both), b = summary_of(all);
     assert_int_equal(a.passes->n, 2);
-    assert_false(condition_called(&a, "numerical_peak")->holds);
+    assert_false(condition_of(&a, "numerical_peak")->holds);
     assert_int_equal(b.passes->n, 3);
     assert_string_equal(b.passes->outcome, "replaced");
     check_has(b.passes->says, "computed three times, with 86, 172 and 344 segments");
@@ -667,7 +660,7 @@ static void a_third_settles_it(void **state)
     check_equal(b.passes->pass[2].accuracy, 1e-3 / 16);
     assert_int_equal(b.segments, 344);
     assert_int_equal(hawser_sim_sample(all)->pass, 3);
-    assert_true(condition_called(&b, "numerical_peak")->holds);
+    assert_true(condition_of(&b, "numerical_peak")->holds);
     check_at_most(fabs(b.pull_peak_N - 674), b.pull_peak_error.total);
     hawser_sim_free(both);
     hawser_sim_free(all);
@@ -695,7 +688,7 @@ static void a_third_is_compared(void **state)
     check_at_most(b.pull_peak_error.total, (1 + 1e-12) * (apart + b.passes->pass[2].pull_peak_bar_N));
     check_at_most(fabs(a.pull_peak_N - 674), b.pull_peak_error.total);
     assert_int_equal(c.passes->n, 2);
-    assert_false(condition_called(&c, "numerical_peak")->holds);
+    assert_false(condition_of(&c, "numerical_peak")->holds);
     hawser_sim_free(first);
     hawser_sim_free(all);
     hawser_sim_free(off);

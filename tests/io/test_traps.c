@@ -8,13 +8,6 @@ typedef struct Trap {
     long steps_most;
 } Trap;
 
-static const hawser_condition *condition_of(const hawser_summary *sum, const char *name)
-{
-    for (int i = 0; i < sum->n_conditions; i++)
-        if (!strcmp(sum->conditions[i].name, name)) return &sum->conditions[i];
-    return NULL;
-}
-
 static void expect_trap(const Trap *trap)
 {
     char names[256], verdict[HAWSER_VERDICT_MAX];
