@@ -313,11 +313,44 @@ static void errors(void **state)
     assert_false(memory_room(SIZE_MAX / 4));
 }
 
+/* Arrays over segments go with their ghosts, padding is filled on both sides. */
+static void arrays(void **state)
+{
+    (void)state;
+    enum { M = 5, FRONT = 8 };
+    double *from[2], *to[2];
+    assert_true(chain_arrays_new(from, 2, M, 3) && chain_arrays_new(to, 2, M, 0));
+    chain_array_fill(to[1], M, 4);
+    for (int i = -FRONT; i < chain_stride(M) - FRONT; ++i) {
+        check_equal(from[1][i], 3);
+        check_equal(to[1][i], 4);
+    }
+    for (int i = -1; i <= M; ++i) from[0][i] = i, from[1][i] = 10 * i;
+    Checkpoint c = checkpoint_new(1 << 10);
+    chain_arrays_checkpoint(&c, "arrays", from, 2, M);
+    assert_int_equal(c.status, HAWSER_OK);
+    assert_int_equal(c.size, 2 * (16 + (M + 2) * sizeof(double)));
+    Checkpoint back = checkpoint_over(c.bytes, c.size, NULL);
+    chain_arrays_checkpoint(&back, "arrays", to, 2, M);
+    checkpoint_end(&back);
+    assert_int_equal(back.status, HAWSER_OK);
+    for (int i = -1; i <= M; ++i) {
+        check_equal(to[0][i], i);
+        check_equal(to[1][i], 10 * i);
+    }
+    check_equal(to[1][-2], 4);
+    check_equal(to[1][M + 1], 4);
+    checkpoint_free(&c);
+    chain_arrays_free(from, 2);
+    chain_arrays_free(to, 2);
+    assert_null(from[1]);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(both_ways),    cmocka_unit_test(damaged),
-                                       cmocka_unit_test(lengths),      cmocka_unit_test(profiles),
-                                       cmocka_unit_test(patterns),     cmocka_unit_test(block_values),
-                                       cmocka_unit_test(first_values), cmocka_unit_test(errors)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(both_ways),    cmocka_unit_test(damaged),  cmocka_unit_test(lengths),
+        cmocka_unit_test(profiles),     cmocka_unit_test(patterns), cmocka_unit_test(block_values),
+        cmocka_unit_test(first_values), cmocka_unit_test(errors),   cmocka_unit_test(arrays)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -123,7 +123,7 @@ static void table_is_constant_beyond_its_ends(void **state)
 static void tables_that_begin_elsewhere(void **state)
 {
     (void)state;
-    static const double time[] = {1, 2, 4}, value[] = {2, 6, 0};
+    static const double time[] = {1, 2, 4, 50}, value[] = {2, 6, 0, 9}; /* the fourth is not the table's */
     const Profile late = {.kind = PROFILE_TABLE, .n = 3, .time = time, .value = value};
     static const struct {
         double t, area, rate;

@@ -335,6 +335,41 @@ static void names_and_doubles(void **state)
     route_clear(&r);
 }
 
+/* A plan that begins behind the profile's first elements, in level and in rising ground, with circles to both sides:
+ * heights by the profile alone, places by the circles. */
+static void plan_begins_further_on(void **state)
+{
+    (void)state;
+    const RoutePlanElement plan[] = {{"left", 10, {0.05, 0.05}}, {"on", 12, {0, 0}}, {"right", 8, {-0.04, -0.04}}};
+    const RouteProfileCorner corner[] = {{0, 7, 0, 0}, {40, 7, 0, 0}, {60, 9, 0, 0}, {100, 9, 0, 0}};
+    static const double begin[] = {0, 5, 33, 45, 62, 70};
+    RouteProfile profile;
+    hawser_error err;
+    assert_int_equal(route_profile_from_corners(4, corner, 20, &profile, &err), HAWSER_OK);
+    for (int k = 0; k < 6; ++k) {
+        RouteLine line;
+        Route r;
+        assert_int_equal(route_from_plan_and_profile(3, plan, &profile, begin[k], V3_ZERO, 0, &line, &err), HAWSER_OK);
+        assert_int_equal(route_build(&r, line.n, line.piece, line.start, line.heading, line.slope, NULL), HAWSER_OK);
+        const Vec3 end = route_at(&r, r.length).position;
+        /* from (0, 0): 0.5 rad on 20 m, straight, -0.32 rad on 25 m */
+        const double a = 0.5, b = 0.32;
+        const double x = 20 * sin(a) + 12 * cos(a) + 25 * (sin(a) - sin(a - b));
+        const double y = 20 * (1 - cos(a)) + 12 * sin(a) + 25 * (cos(a - b) - cos(a));
+        check_vec(v3(end.x, end.y, 0), v3(x, y, 0), 1e-11);
+        for (int at = 0; at < 2; ++at) {
+            const double station = begin[k] + 30 * at, z = at ? end.z : line.start.z;
+            const double ramp = station < 50 ? fmax(0, station - 40) : 20 - fmax(0, 60 - station);
+            const double far = fmin(fabs(station - 40), fabs(station - 60)); /* beyond the roundings, 1 m long */
+            if (far > 1.1) check_close(z, 7 + 0.1 * ramp, 1e-11);
+        }
+        if (begin[k] >= 62) assert_int_equal(r.piece[0].kind, ROUTE_BEND);
+        free(line.piece);
+        route_clear(&r);
+    }
+    free(profile.element);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(positions_are_the_tangents_integral),
@@ -346,6 +381,7 @@ int main(void)
                                        cmocka_unit_test(corners_are_rounded),
                                        cmocka_unit_test(spline_goes_through),
                                        cmocka_unit_test(plan_and_profile),
-                                       cmocka_unit_test(names_and_doubles)};
+                                       cmocka_unit_test(names_and_doubles),
+                                       cmocka_unit_test(plan_begins_further_on)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -140,6 +140,14 @@ static void edges(void **state)
         check_finite(out.weight_factor);
         check_finite(out.clearance);
     }
+    /* one's own weight factor counts, also 1, and 0 is none */
+    def = (DuctDef){.duct_diameter = 3, .cable_diameter = 1, .cables = 2, .weight_factor = 1};
+    assert_int_equal(duct_load(&def, &out, NULL), HAWSER_OK);
+    check_equal(out.weight_factor, 1);
+    check_close(out.sidewall_factor, 1 / sqrt(3), 1e-15);
+    def.weight_factor = 0;
+    assert_int_equal(duct_load(&def, &out, NULL), HAWSER_OK);
+    check_close(out.weight_factor, 2 / sqrt(3), 1e-15);
     /* the triangle rests until tan(asin x) = 1/(3 sqrt 3), x = 1/sqrt 28; the diamond until x = 1/sqrt 8 */
     const double widest[] = {1 + sqrt(28), 1 + sqrt(8)};
     for (int k = 0; k < 4; k++) {

@@ -277,6 +277,12 @@ static void shares_of_the_load(void **state)
     check_share(f.left, pull_at(&pull, 14).tension / 8, 1e-12);
     check_share(f.size, hypot(f.up, f.left), 1e-15);
     pull_clear(&pull);
+    /* a cable that is pushed is taken for one without tension */
+    pull = pull_make(&route, -1e4);
+    const LineLoad slack = line_load(&line, 14);
+    check_equal(slack.left, 0);
+    check_close(slack.up, W, 1e-12);
+    pull_clear(&pull);
     route_clear(&route);
 }
 

@@ -307,6 +307,45 @@ static void gains_across_corners(void **state)
     check_above(tightens, 10);
 }
 
+/* A pit forgets what came before it, a machine that takes all too, one that takes less forgets nothing: on a straight,
+ * where every derivative is a length. */
+static void steps_forget(void **state)
+{
+    (void)state;
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "s", .length = 60};
+    Route route;
+    assert_int_equal(route_build(&route, 1, &straight, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
+    const PullStretch cable = {.weight = 200, .mu = 0.25};
+    const PullStep step[] = {{.at = 24, .force = 500, .kind = STEP_ANEW},
+                             {.at = 24, .force = 5000, .kind = STEP_TAKE},
+                             {.at = 24, .force = 400, .kind = STEP_TAKE}};
+    for (int k = 0; k < 3; k++) {
+        for (int way = 0; way < PLAN_WAYS; way++) {
+            const PlanDef def = {.route = &route,
+                                 .n_stretches = 1,
+                                 .stretch = &cable,
+                                 .back_tension = 100,
+                                 .n_steps = 1,
+                                 .step = &step[k]};
+            Plan plan;
+            PlanChange c;
+            assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
+            assert_int_equal(plan_change(&def, &plan, way, &c, NULL), HAWSER_OK);
+            const double after = way ? 24 : 36, counts = k < 2 ? after : 60;
+            check_equal(c.force[CHANGE_START], k == 2);
+            check_close(c.force[CHANGE_FRICTION], 200 * counts, 1e-8);
+            check_close(c.force[CHANGE_WEIGHT], 0.25 * counts, 1e-10);
+            assert_int_equal(c.pull->n, 2);
+            check_equal(c.reach[0], k == 2);
+            check_equal(c.reach[1], 1);
+            assert_int_equal(c.one_sided, 0);
+            plan_change_free(&c);
+            plan_clear(&plan);
+        }
+    }
+    route_clear(&route);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences),
@@ -314,6 +353,7 @@ int main(void)
                                        cmocka_unit_test(capstan),
                                        cmocka_unit_test(at_a_corner),
                                        cmocka_unit_test(slopes_of_supports),
-                                       cmocka_unit_test(gains_across_corners)};
+                                       cmocka_unit_test(gains_across_corners),
+                                       cmocka_unit_test(steps_forget)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

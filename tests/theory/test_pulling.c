@@ -360,6 +360,12 @@ static void limiting_cases(void **state)
     assert_int_equal(pull_solve(&def, &pull, NULL), HAWSER_OK);
     check_close(pull.end_tension, capstan_tension(500, 0.3, 0.8 + 0.7 + 2.8 + 0.6), 2e-8);
     pull_clear(&pull);
+    /* Nor does anything hold it back where bends do not count. */
+    def.law = PULL_NO_CAPSTAN;
+    assert_int_equal(pull_solve(&def, &pull, NULL), HAWSER_OK);
+    check_equal(pull.end_tension, 500);
+    def.law = PULL_REFERENCE;
+    pull_clear(&pull);
     /* Without friction only the height counts. */
     cable = (PullStretch){.weight = 150, .mu = 0};
     assert_int_equal(pull_solve(&def, &pull, NULL), HAWSER_OK);
