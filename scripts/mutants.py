@@ -357,7 +357,7 @@ def run(args):
         def guarded(mistake):
             return try_one(mistake, tests) if time.monotonic() < end else None
         for result in pool.map(guarded, todo):
-            if result and (result["outcome"] == "killed" or not args.again):
+            if result and result["outcome"] != known.get(result["number"], {}).get("outcome"):
                 file.write(json.dumps(result) + "\n")
                 file.flush()
     report(args)
