@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 # What may grow at its end: the caller says how large his is, or the library hands out a single one.
-GROWS = {"hawser_options", "hawser_summary", "hawser_sample", "hawser_geometry"}
+GROWS = {"hawser_options", "hawser_summary", "hawser_sample", "hawser_geometry", "hawser_certificate"}
 
 
 def preprocessed(root):

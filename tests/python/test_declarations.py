@@ -26,6 +26,7 @@ NOT_WRAPPED = {
     "hawser_show_text": "texts are in SI",
     "hawser_validate": "a check of hawser itself, by the command",
     "hawser_certificate_write": "Certificate.data is the same JSON",
+    "hawser_sensitivities_write": "Theory.data is the same JSON",
     "hawser_routes_describe": "Route has the figures",
     "hawser_ranks_open": "a cluster starts the command: mpirun hawser study --mpi",
     "hawser_ranks_close": "likewise",
