@@ -180,7 +180,7 @@ static int file_change(Draws *d, const Whole *w, int open)
         d->left = 0;
     }
     for (int k = 0; k < PATCHES_MAX && d->left > 0; ++k) size = change(d, bytes, size, room);
-    const int ends = size > SEAL && !memcmp(bytes + size - SEAL, w->bytes + w->size - SEAL, SEAL);
+    const int ends = size > SEAL && w->size > SEAL && !memcmp(bytes + size - SEAL, w->bytes + w->size - SEAL, SEAL);
     const int changed = ends && (size != before || memcmp(bytes, w->bytes, size) != 0);
     write_bytes(bad, w->name, bytes, size);
     free(bytes);
