@@ -27,9 +27,10 @@ def grid(**axes):
 
 
 HAWSER = Peer("hawser", "hawser", None,
-              {"straight": ["", "accuracy=1e-4", "accuracy=1e-2", "accuracy=1e-2 interval=1"],
+              {"straight": ["", "accuracy=1e-4", "accuracy=1e-2", "accuracy=1e-2 interval=1", "method=esdirk accuracy=1e-2 interval=1"],
                "hang": ["stiff=100", "stiff=100 accuracy=1e-4"],
-               "swing": ["stiff=100", "stiff=100 accuracy=1e-4", "stiff=100 accuracy=1e-2"]},
+               "swing": ["stiff=100", "stiff=100 accuracy=1e-4", "stiff=100 accuracy=1e-2",
+                         *grid(stiff=[100], method=["esdirk"], accuracy=["1e-1", "1e-2", "1e-3"])]},
               {"straight": [""], "hang": ["stiff=100"], "swing": ["stiff=100"]})
 # The pull: single bodies allow the longest steps, since nothing in them is explicit; longer trees have explicit bending
 # springs. Springs in place of constraints are the plain explicit method.

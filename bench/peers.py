@@ -19,6 +19,7 @@ SIZES = (12, 37, 120, 370)
 PROBLEMS = {"straight": "straight pull", "hang": "hanging chain at rest", "swing": "swinging chain"}
 SAME = 0.1           # %: errors below are as good as each other
 GOAL, AT = 500, 370  # times faster, on the straight pull of so many segments
+ROUGH, SWINGS = 2, 20  # %, and times faster than each peer on the swinging chain where errors below that are as good as each other
 LIMIT = 120          # s of processor time of a run, where its program has no other limit
 REFERENCE = "stiff=100 accuracy=1e-6"  # of hawser, for the swinging chain
 # Largest errors of hawser's default settings, %: a result that is wrong fails the part.
@@ -81,11 +82,11 @@ class Runner:
         self.run(peer_grids.HAWSER, "swing", n, REFERENCE, "reference", words=["--trace", path])
 
 
-def rank(rows, count):
-    """The settings that go on: the cheapest of those within SAME, then the most accurate of the others."""
+def rank(rows, count, same=SAME):
+    """The settings that go on: the cheapest of those within `same` %, then the most accurate of the others."""
     done = [row for row in rows if row["error_pct"] is not None]
-    good = sorted((row for row in done if row["error_pct"] <= SAME), key=lambda row: row["cost"])
-    rest = sorted((row for row in done if row["error_pct"] > SAME), key=lambda row: row["error_pct"])
+    good = sorted((row for row in done if row["error_pct"] <= same), key=lambda row: row["cost"])
+    rest = sorted((row for row in done if row["error_pct"] > same), key=lambda row: row["error_pct"])
     picked = []
     for row in good + rest:
         if row["settings"] not in picked:
@@ -93,9 +94,9 @@ def rank(rows, count):
     return picked[:count]
 
 
-def best(rows):
+def best(rows, same=SAME):
     """What stands for a program: the setting that is first by rank; else the cheapest that got somewhere."""
-    first = rank(rows, 1)
+    first = rank(rows, 1, same)
     if first:
         mine = [row for row in rows if row["settings"] == first[0] and row["error_pct"] is not None]
         return {**mine[0], "cost": statistics.median(row["cost"] for row in mine)}
@@ -103,9 +104,9 @@ def best(rows):
     return min(moved, key=lambda row: row["cost"]) if moved else None
 
 
-def match(rows, error):
-    """hawser's row for a peer's error (%, None: unknown): the cheapest whose error is not larger, or is within SAME."""
-    needed = max(SAME, error or 0)
+def match(rows, error, same=SAME):
+    """hawser's row for a peer's error (%, None: unknown): the cheapest whose error is not larger, or is within `same`."""
+    needed = max(same, error or 0)
     groups = {}
     for row in rows:
         if row["error_pct"] is not None and row["error_pct"] <= needed:
@@ -115,16 +116,19 @@ def match(rows, error):
 
 
 def sweep(runner, peer, problem, quick):
-    """Every setting at the smallest size, the best of those at the larger ones, as many as the program's plan says.
+    """Every setting at the smallest size, the best of those at the larger ones, as many as the program's plan says; of the
+    swinging chain two more that are cheapest within ROUGH.
 
     A setting that does not come to its end at one size is not tried at the next one, unless no other did.
     """
+    rough = []
     going = (peer.quick if quick else peer.sweep)[problem]
     for n in SIZES[:1] if quick else SIZES:
         rows = [runner.run(peer, problem, n, settings, "sweep", limit=peer.limit.get(n, LIMIT))
-                for settings in going[:peer.keep.get(n)]]
+                for settings in going[:peer.keep.get(n)] + [more for more in rough if more not in going[:peer.keep.get(n)]]]
         moved = sorted((row for row in rows if row["outcome"] == "limit" and row["cost"]), key=lambda row: row["cost"])
         going = rank(rows, None) or [row["settings"] for row in moved[:1]]
+        rough = rank(rows, 2, ROUGH) if problem == "swing" else []
 
 
 def measure_hawser(runner, sizes, problem, rounds, quick):
@@ -146,23 +150,24 @@ def number(value, digits=3):
     return "-" if value is None else f"{value:.{digits}g}"
 
 
-def pairs(rows, peer, problem):
+def pairs(rows, peer, problem, same=SAME):
     """[(n, the peer's best row, hawser's row for its error)] of the sizes that the peer ran at."""
     found = []
     for n in SIZES:
-        theirs = best(of(rows, peer.name, problem, n))
-        ours = match(of(rows, "hawser", problem, n), theirs["error_pct"]) if theirs else None
+        theirs = best(of(rows, peer.name, problem, n), same)
+        ours = match(of(rows, "hawser", problem, n), theirs["error_pct"], same) if theirs else None
         if theirs and ours:
             found.append((n, theirs, ours))
     return found
 
 
-def comparison_table(rows, peers, problem):
-    head = [PROBLEMS[problem], "segments", "best settings", "outcome", "error %", "ripple N", "CPU s per s",
+def comparison_table(rows, peers, problem, same=SAME):
+    title = PROBLEMS[problem] + ("" if same == SAME else f", errors below {same} % as good as each other")
+    head = [title, "segments", "best settings", "outcome", "error %", "ripple N", "CPU s per s",
             "steps per s", "hawser: settings", "error %", "ripple N", "CPU s per s", "times"]
     body = []
     for peer in peers:
-        for n, theirs, ours in pairs(rows, peer, problem):
+        for n, theirs, ours in pairs(rows, peer, problem, same):
             body.append([peer.title, str(n), f"`{theirs['settings'] or 'default'}`", theirs["outcome"],
                          number(theirs["error_pct"]), number(theirs["ripple"]), number(theirs["cost"]),
                          f"{theirs['steps'] / theirs['sim_s']:.0f}", f"`{ours['settings'] or 'default'}`",
@@ -200,6 +205,11 @@ def goal_rows(rows, peers):
         ratio = theirs["cost"] / ours["cost"]
         at = str(n) if n == AT else f"{n} (largest managed)"
         body.append([text, at, f"{ratio:.0f}", "yes" if ratio >= GOAL else "no"])
+    for peer in peers:
+        text = f"{SWINGS} times faster than {peer.title} on the swinging chain, errors below {ROUGH} % as good as each other"
+        for n, theirs, ours in pairs(rows, peer, "swing", ROUGH):
+            ratio = theirs["cost"] / ours["cost"]
+            body.append([text, str(n), f"{ratio:.1f}", "yes" if ratio >= SWINGS else "no"])
     return body
 
 
@@ -263,6 +273,7 @@ def main():
     notes = [f"{peer.title}: skipped: package {peer.package} is missing." for peer in PEERS if peer not in peers]
     goals = [] if args.quick else [table(["goal", "segments", "times", "reached"], goal_rows(rows, peers))]
     text = [heading(load), *notes, *goals, *(comparison_table(rows, peers, problem) for problem in PROBLEMS)]
+    text += [] if args.quick else [comparison_table(rows, peers, "swing", ROUGH)]
     text += [] if args.quick else [growth_table(rows, peers), aside_table(rows, peers)]
     if args.results:
         os.makedirs(args.results, exist_ok=True)

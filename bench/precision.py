@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Run time against error: six scenes over accuracy, order limit, segment length and contact geometry.
+"""Run time against error: six scenes over accuracy, method of integration, order limit, segment length and contact geometry.
 
 Two runs go at once, in processes of their own. A run's work is the processor time of its integration: that of the process
 times the integration's share of its duration, so that other programs do not count. Its errors are those of its histories
@@ -24,7 +24,7 @@ HERE = os.path.join(ROOT, "bench/cases")
 INTEGRATION = ("rhs", "contacts", "jacobian", "factor", "solve", "vector")
 COUNTS = ("steps", "rhs_evals", "newton_iters", "jac_evals", "lin_setups", "error_test_fails", "newton_fails")
 ERRORS = ("rms", "largest", "peak", "load")
-COLUMNS = ["scene", "geometry", "segment", "order", "accuracy", "round", "outcome", "work_s", "process_s", "cpu_s", *COUNTS,
+COLUMNS = ["scene", "geometry", "segment", "method", "order", "accuracy", "round", "outcome", "work_s", "process_s", "cpu_s", *COUNTS,
            *("time_" + name for name in ERRORS), *("total_" + name for name in ERRORS)]
 ACCURACIES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)
 SEGMENTS = (1.0, 0.5, 0.25, 0.125)
@@ -49,7 +49,7 @@ class Scene:
         """Settings of one run; dense: so many times the rows."""
         words = [*self.settings, "output.states=0 s", f"output.interval={self.interval / dense:.9g} s",
                  f"solver.accuracy={job['accuracy']:.9g}", f"solver.max_order={job['order']}",
-                 f"solver.max_steps={MOST_STEPS}"]
+                 f"solver.method={job['method']}", f"solver.max_steps={MOST_STEPS}"]
         words += [f"chain.{k}.segment={job['segment']:.9g} m" for k in range(self.pieces)]
         words += [f"contact.geometry={job['geometry']}"] if len(self.geometries) > 1 else []
         return words + ([f"output.rollers_of=[{', '.join(self.loads)}]"] if self.loads else [])
@@ -68,8 +68,9 @@ SCENES = {scene.name: scene for scene in (
 )}
 
 
-def job_of(scene, geometry="smooth", segment=0.5, order=2, accuracy=1e-3):
-    return {"scene": scene, "geometry": geometry, "segment": segment, "order": order, "accuracy": accuracy}
+def job_of(scene, geometry="smooth", segment=0.5, order=2, accuracy=1e-3, method="auto"):
+    """A configuration; of "esdirk" the order says nothing. The default's is "auto"."""
+    return {"scene": scene, "geometry": geometry, "segment": segment, "order": order, "accuracy": accuracy, "method": method}
 
 
 def histories(build, job, dense=1):
@@ -92,10 +93,10 @@ def reference_jobs(scene, quick):
     tight, finest = (1e-5, (0.5, 0.25)) if quick else (1e-9, (0.125, 0.0625))
     jobs = {}
     for geometry in SCENES[scene].geometries:
-        jobs["time " + geometry] = job_of(scene, geometry, order=3, accuracy=tight)
-        jobs["check " + geometry] = job_of(scene, geometry, order=4, accuracy=tight)
+        jobs["time " + geometry] = job_of(scene, geometry, order=3, accuracy=tight, method="bdf")
+        jobs["check " + geometry] = job_of(scene, geometry, order=4, accuracy=tight, method="bdf")
     for name, segment in zip(("coarse", "fine"), finest):
-        jobs[name] = job_of(scene, segment=segment, order=3, accuracy=max(tight, 1e-7))
+        jobs[name] = job_of(scene, segment=segment, order=3, accuracy=max(tight, 1e-7), method="bdf")
     return jobs
 
 
@@ -129,13 +130,16 @@ def certainties(folder, scene):
 # ------------------------------------------------------------------------------------------------------- the sweep
 
 def sweep_jobs(scene, quick):
-    """Every configuration once: orders by accuracies on the default mesh, meshes and geometries by accuracies."""
+    """Every configuration once: orders and the one-step method by accuracies on the default mesh, meshes and geometries by
+    accuracies."""
     accuracies = (1e-2, 1e-3) if quick else ACCURACIES
-    jobs = [job_of(scene, order=order, accuracy=accuracy) for order in ((1, 2) if quick else (1, 2, 3, 4, 5))
+    jobs = [job_of(scene, order=order, accuracy=accuracy, method="bdf") for order in ((1, 2) if quick else (1, 2, 3, 4, 5))
             for accuracy in accuracies]
+    jobs += [job_of(scene, accuracy=accuracy, method=method) for method in ("auto", "esdirk") for accuracy in accuracies]
     for geometry in SCENES[scene].geometries:
         for segment in (0.5,) if quick else SEGMENTS:
-            settings = [(2, accuracy) for accuracy in accuracies[:5]] + [(3, 1e-7)] * (not quick)  # the last for space alone
+            settings = [(2, accuracy, method) for method in ("bdf", "esdirk") for accuracy in accuracies[:5]]
+            settings += [(3, 1e-7, "bdf")] * (not quick)  # for space alone
             jobs += [job_of(scene, geometry, segment, *setting) for setting in settings]
     return [job for k, job in enumerate(jobs) if job not in jobs[:k]]
 
@@ -182,7 +186,7 @@ def failures(rows, sure):
 
     With other orders than 2 too many steps are a result.
     """
-    found = [f"{row['scene']}, {row['geometry']}, {row['segment']} m, order {row['order']}, accuracy {row['accuracy']:g}: "
+    found = [f"{row['scene']}, {row['geometry']}, {row['segment']} m, {precision_report.method_of(row)}, accuracy {row['accuracy']:g}: "
              f"{row['outcome']}" for row in rows
              if row["outcome"] not in ("finished", "steps") or (row["outcome"] == "steps" and row["order"] == 2)]
     return found + [f"{scene}: the references ({name}) differ by {value:.1e}" for scene, values in sure.items()

@@ -6,11 +6,12 @@ from common import heading, pick, table
 from precision_judge import cheapest, fit_order, frontier, observed_order, work_for
 from svgplot import COLOURS, Panel, write_svg
 
-DEFAULT = {"geometry": "smooth", "segment": 0.5, "order": 2, "accuracy": 1e-3}
+DEFAULT = {"geometry": "smooth", "segment": 0.5, "method": "auto", "order": 2, "accuracy": 1e-3}
 GOAL = 0.01  # of tension
+LEVELS = (1e-2, 1e-3, 1e-4)
 ON, NEAR = 1.25, 2.0  # times the frontier's work
 SMALL = 1e-4  # errors below are of no use: left out of the frontiers' tables
-KEYS = ("scene", "geometry", "segment", "order", "accuracy")
+KEYS = ("scene", "geometry", "segment", "method", "order", "accuracy")
 
 
 def medians(rows):
@@ -22,9 +23,13 @@ def medians(rows):
     return [{**group[0], "work_s": statistics.median(row["work_s"] for row in group)} for group in groups.values()]
 
 
+def method_of(row):
+    return {"auto": "auto", "esdirk": "one-step"}.get(row["method"], f"order {row['order']}")
+
+
 def curve_name(row):
     """Everything but the accuracy, as far as it is not the default's."""
-    words = [f"order {row['order']}"]
+    words = [method_of(row)]
     words += [f"{row['segment']:g} m"] if row["segment"] != DEFAULT["segment"] else []
     words += [row["geometry"]] if row["geometry"] != DEFAULT["geometry"] else []
     return ", ".join(words)
@@ -75,13 +80,28 @@ def judgement(scene, points, error):
 
 def verdicts_table(points, error):
     head = ["scene", "default's error, %", "its ms", "times the frontier", "frontier there", "the default is",
-            "least ms for 1 %", "with", "ms for 1 % with order 2, 0.5 m, smooth", "ratio"]
+            "least ms for 1 %", "with", "ms for 1 % with auto, 0.5 m, smooth", "ratio"]
     body = []
     for scene in scenes_of(points):
         mine = [row for row in pick(points, scene=scene) if row[error] is not None and (error[:5] == "total" or
                                                                                          row["geometry"] == "smooth")]
         body.append(judgement(scene, mine, error))
     return table(head, body)
+
+
+def levels_table(points, error, **where):
+    """What errors of 1, 0.1 and 0.01 % cost: the least of all curves, and the default's method and mesh over that."""
+    body = []
+    for scene in scenes_of(points):
+        mine = [row for row in pick(points, scene=scene, **where) if row[error] is not None]
+        all_curves, cells = curves(mine, error), [scene]
+        for level in LEVELS:
+            least, name = cheapest(all_curves, level)
+            own = work_for(all_curves.get("auto", []), level)
+            cells += [milli(least), name or "none", f"{own / least:.2f}" if own else "-"]
+        body.append(cells)
+    return table(["scene"] + [word for level in LEVELS for word in (f"{100 * level:g} %: least ms", "with", "auto, 0.5 m, smooth: times that")],
+                 body)
 
 
 def scenes_of(points):
@@ -98,7 +118,7 @@ def frontier_table(points):
     shown += [default] if default and default not in shown else []
     for row in sorted(shown, key=lambda row: row["work_s"]):
         mark = (" (default)" if row is default else "") + ("" if row in kept else " off the frontier")
-        body.append([f"order {row['order']}, {row['accuracy']:g}{mark}", milli(row["work_s"]), str(row["steps"]),
+        body.append([f"{method_of(row)}, {row['accuracy']:g}{mark}", milli(row["work_s"]), str(row["steps"]),
                      str(row["newton_iters"]), *errors_of(row, "time_")])
     return table(["setting", "ms", "steps", "Newton it.", "RMS, %", "largest, %", "peak, %", "load, %"], body)
 
@@ -106,7 +126,7 @@ def frontier_table(points):
 def orders_table(points, sure):
     """Exponents of error and steps over accuracy, order by order; the theory's in the head."""
     orders = sorted({row["order"] for row in points})
-    body = []
+    points, body = pick(points, method="bdf"), []
     for scene in scenes_of(points):
         floor, cells = 5 * sure[scene]["time smooth"], [scene]
         for order in orders:
@@ -126,7 +146,7 @@ def meshes_table(points, sure):
     body = []
     for scene in scenes_of(points):
         for geometry in ("smooth", "cylinder"):
-            mine = pick(points, scene=scene, geometry=geometry)
+            mine = pick(points, scene=scene, geometry=geometry, method="bdf")
             tight = {row["segment"]: row for row in sorted(mine, key=lambda row: (row["order"] == 3, -row["accuracy"]))}
             floor = 3 * max([sure[scene]["space"], *(row["time_rms"] for row in tight.values() if row["time_rms"])])
             order = observed_order({segment: row["total_rms"] for segment, row in tight.items()}, floor)
@@ -150,11 +170,10 @@ def certainty_table(sure):
 
 def stopped(rows):
     """One line on the runs that took too many steps."""
-    found = sorted({(row["scene"], row["order"], row["accuracy"]) for row in rows if row["outcome"] == "steps"})
+    found = sorted({(row["scene"], method_of(row), row["accuracy"]) for row in rows if row["outcome"] == "steps"})
     if not found:
         return "Every run finished."
-    return "Given up for too many steps: " + "; ".join(f"{scene}, order {order}, {accuracy:g}"
-                                                       for scene, order, accuracy in found) + "."
+    return "Given up for too many steps: " + "; ".join(f"{scene}, {method}, {accuracy:g}" for scene, method, accuracy in found) + "."
 
 
 def text(rows, sure, load, rounds):
@@ -163,6 +182,8 @@ def text(rows, sure, load, rounds):
     parts = [heading(load, f"medians of {rounds} rounds, two runs at once"), stopped(rows),
              "**Error in time**, 0.5 m, smooth:", verdicts_table(points, "time_rms"),
              "**Error in space and time**, all meshes and both geometries:", verdicts_table(points, "total_rms"),
+             "**What an error in time costs**, 0.5 m, smooth:", levels_table(points, "time_rms", geometry="smooth", segment=0.5),
+             "**What an error in space and time costs**:", levels_table(points, "total_rms"),
              "**Exponents over the accuracy**, fitted:", orders_table(points, sure),
              "**Meshes**:", meshes_table(points, sure),
              "**References**:", certainty_table(sure)]
@@ -195,12 +216,12 @@ def pictures(rows, folder):
     for scene in scenes_of(points):
         mine = pick(points, scene=scene)
         in_time = [row for row in mine if row["segment"] == 0.5 and row["geometry"] == "smooth"]
-        meshes = [row for row in mine if row["order"] == 2]
+        meshes = [row for row in mine if row["order"] == 2 and row["method"] != "esdirk"]
         path = os.path.join(folder, f"precision-{scene}.svg")
         panels = [panel_of(in_time, "time_rms", "RMS error in time"),
                   panel_of(meshes, "total_rms", "RMS error, space and time")]
         write_svg(path, f"Error of the tension against run time: {scene}", panels)
         shown.append((path, f"{scene}: RMS error of the tension over the time of integration, both logarithmic. Above the "
-                      "error in time, a line for every order limit; below that in space and time, a line for every "
+                      "error in time, a line for the one-step method and every order limit; below that in space and time, a line for every "
                       "segment length and geometry."))
     return shown

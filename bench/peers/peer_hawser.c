@@ -1,6 +1,7 @@
 /* hawser's side of the comparison: the problems of problem.h through the library, one thread, nothing written.
  * Settings: accuracy=A and interval=S (the case keys solver.accuracy, output.interval, which bounds the step),
- * planar=off (the straight pull in space), stiff=F (chain: the links' rigidity over table 1's). Usage and row: run.h.
+ * method=bdf|esdirk|auto (solver.method), planar=off (the straight pull in space), stiff=F (chain: the links' rigidity
+ * over table 1's). Usage and row: run.h.
  */
 #include <stdlib.h>
 
@@ -58,6 +59,17 @@ static int define_chain(SceneDef *def, int n, double angle, double stiff)
     return 1;
 }
 
+/* The run's word for solver.method; the default's without one. Ends the program at another word. */
+static MethodChoice method_of(PeerRun *run, MethodChoice usual)
+{
+    const char *const word = peer_word(run, "method", "");
+    if (!*word) return usual;
+    if (strcmp(word, "bdf") == 0) return METHOD_BDF;
+    if (strcmp(word, "esdirk") == 0) return METHOD_ESDIRK;
+    if (strcmp(word, "auto") != 0) peer_stop(run, "has no method", word);
+    return METHOD_AUTO;
+}
+
 /* The definition of the run's problem; 0 without memory. Solver and tolerances are the defaults but for what a setting
  * says. */
 static int define(SceneDef *def, PeerRun *run)
@@ -67,9 +79,22 @@ static int define(SceneDef *def, PeerRun *run)
                                                    : define_chain(def, run->n, chain_angle(run->problem), stiff);
     def->output.interval = peer_number(run, "interval", def->output.interval);
     def->solver.accuracy = peer_number(run, "accuracy", def->solver.accuracy);
+    def->solver.method = method_of(run, def->solver.method);
     if (strcmp(peer_word(run, "planar", "auto"), "off") == 0) def->solver.planar = PLANAR_OFF;
     if (run->problem != PEER_STRAIGHT) def->duration = peer_end(run->problem);
     return made;
+}
+
+/* The chain's middle moves with its segment. */
+static void look_at_middle(PeerRun *run, const hawser_sample *sample)
+{
+    const int at = 3 * chain_middle_segment(run->n);
+    const double *const place = sample->probe[0].position, *const omega = sample->omega + at;
+    double arm[3];
+    for (int c = 0; c < 3; ++c) arm[c] = place[c] - sample->position[at + c];
+    const double speed[2] = {sample->velocity[at + 1] + omega[2] * arm[0] - omega[0] * arm[2],
+                             sample->velocity[at + 2] + omega[0] * arm[1] - omega[1] * arm[0]};
+    peer_place_moving(run, sample->t, place + 1, speed);
 }
 
 /* Takes what the problem is judged by out of the state of now; of the pull not before it has its speed. */
@@ -79,20 +104,17 @@ static void look(PeerRun *run, Sim *sim)
     const hawser_sample *const sample = hawser_sim_sample(sim);
     if (run->problem == PEER_STRAIGHT) peer_force(run, sample->t, sample->winch_force);
     if (run->problem == PEER_HANG) peer_force(run, sample->t, sample->probe[0].force[0]);
-    if (run->problem == PEER_SWING)
-        peer_place(run, sample->t, sample->probe[0].position[1], sample->probe[0].position[2]);
+    if (run->problem == PEER_SWING) look_at_middle(run, sample);
 }
 
-/* Steps of the integrator's own, but for the path, whose times they must not miss. A pull and the chain at rest begin
- * in equilibrium, of their own stiffness. */
+/* Steps of the integrator's own. A pull and the chain at rest begin in equilibrium, of their own stiffness. */
 static hawser_status integrate(PeerRun *run, Sim *sim, hawser_error *err)
 {
     hawser_relaxation relaxation;
     hawser_status status = run->problem != PEER_SWING ? sim_relax(sim, &relaxation, err) : HAWSER_OK;
     look(run, sim);
     while (!status && hawser_sim_time(sim) < run->until - 1e-12 && !peer_over_limit(run)) {
-        const double next = run->problem == PEER_SWING ? run->points * TRACE_EVERY : run->until;
-        status = sim_advance(sim, fmin(next, run->until), run->problem != PEER_SWING, err);
+        status = sim_advance(sim, run->until, 1, err);
         look(run, sim);
     }
     return status;

@@ -32,7 +32,7 @@ typedef struct PeerRun {
     double born, started; /* s of processor time: start of the program, start of the loop */
     double mean_time, sum, square, last_t, last_value; /* of the mean; last_t < 0: nothing yet */
     int points;                                        /* of the path so far */
-    double path[TRACE_POINTS][2], last_place[2], place_t;
+    double path[TRACE_POINTS][2], last_place[2], last_speed[2], place_t;
 } PeerRun;
 
 /* Processor time of the process so far, all threads, s. */
@@ -129,20 +129,31 @@ static inline void peer_force(PeerRun *run, double t, double value)
     run->last_value = value;
 }
 
-/* Takes the place of the chain's middle at time t into the path: linear between calls, so that the calls should not be
- * more than a few ms apart unless they hit the path's times. */
-static inline void peer_place(PeerRun *run, double t, double y, double z)
+/* Takes the place of the chain's middle at time t, and its velocity, into the path: cubic (Hermite) between calls, so that
+ * a program's steps need not hit the path's times. */
+static inline void peer_place_moving(PeerRun *run, double t, const double place[2], const double speed[2])
 {
     while (run->points < TRACE_POINTS && run->points * TRACE_EVERY <= t + 1e-9) {
         const double h = t - run->place_t,
                      u = run->place_t < 0 || h <= 0 ? 1 : (run->points * TRACE_EVERY - run->place_t) / h;
-        run->path[run->points][0] = run->last_place[0] + u * (y - run->last_place[0]);
-        run->path[run->points][1] = run->last_place[1] + u * (z - run->last_place[1]);
+        for (int c = 0; c < 2; ++c)
+            run->path[run->points][c] = place[c] + (1 - u) * (1 - u) * (1 + 2 * u) * (run->last_place[c] - place[c]) +
+                                        h * u * (1 - u) * ((1 - u) * run->last_speed[c] - u * speed[c]);
         ++run->points;
     }
     run->place_t = t;
-    run->last_place[0] = y;
-    run->last_place[1] = z;
+    for (int c = 0; c < 2; ++c) run->last_place[c] = place[c], run->last_speed[c] = speed[c];
+}
+
+/* The same without a velocity: linear between calls, which should not be more than a few ms apart unless they hit the
+ * path's times. */
+static inline void peer_place(PeerRun *run, double t, double y, double z)
+{
+    const double h = t - run->place_t, place[2] = {y, z};
+    double speed[2] = {0, 0};
+    for (int c = 0; c < 2 && run->place_t >= 0 && h > 0; ++c)
+        run->last_speed[c] = speed[c] = (place[c] - run->last_place[c]) / h;
+    peer_place_moving(run, t, place, speed);
 }
 
 static inline void peer_trace_write(const PeerRun *run)

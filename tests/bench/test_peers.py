@@ -42,6 +42,9 @@ class Choice(unittest.TestCase):
         self.assertEqual(peers.rank(self.rows, None), ["best", "slow", "bad", "wrong"])
         self.assertEqual(peers.rank(self.rows, 1), ["best"])
 
+    def test_rank_where_more_is_good_enough(self):
+        self.assertEqual(peers.rank(self.rows, None, 2), ["bad", "best", "slow", "wrong"])
+
     def test_rank_names_a_setting_once(self):
         self.assertEqual(peers.rank(self.rows + self.rows, 3), ["best", "slow", "bad"])
 
@@ -101,6 +104,39 @@ class Goal(unittest.TestCase):
 
     def test_no_size_at_all(self):
         self.assertEqual(self.goal((120, 5, 3)), ["-", "-", "no setting reached the error"])
+
+
+    def test_the_swing_is_compared_where_errors_may_be_larger(self):
+        rows = [{"program": name, "problem": "swing", "n": 12, "stage": stage, **row(settings, error, cost)}
+                for name, stage, settings, error, cost in (("mujoco", "sweep", "exact", 0.01, 9.0), ("mujoco", "sweep", "rough", 1.9, 1.0),
+                                                           ("mujoco", "sweep", "wrong", 2.1, 0.1), ("hawser", "hawser", "exact", 0.01, 0.1),
+                                                           ("hawser", "hawser", "rough", 1.5, 0.04))]
+        self.assertEqual(peers.goal_rows(rows, [self.peer])[1][1:], ["12", "25.0", "yes"])
+
+
+class Sweep(unittest.TestCase):
+    """Which settings of the swinging chain go on: the best within 0.1 %, and two that are cheapest within 2 %."""
+
+    class Runner:
+        costs = {"exact": (9, 0.01), "more": (10, 0.02), "rough": (2, 1.9), "rougher": (3, 1), "third": (4, 1), "wrong": (1, 2.1)}
+
+        def __init__(self):
+            self.asked = []
+
+        def run(self, _peer, _problem, n, settings, _stage, limit):
+            self.asked.append((n, settings, limit))
+            cost, error = self.costs[settings]
+            return row(settings, error, cost)
+
+    def test_rough_ones_go_on(self):
+        runner, settings = self.Runner(), list(self.Runner.costs)
+        peer = peer_grids.Peer("mujoco", "MuJoCo", "package", {"swing": settings, "straight": settings}, {}, keep={37: 1, 120: 1, 370: 1})
+        peers.sweep(runner, peer, "swing", False)
+        self.assertEqual([name for n, name, _ in runner.asked if n == 37], ["exact", "rough", "rougher"])
+        self.assertEqual([name for n, name, _ in runner.asked if n == 370], ["exact", "rough", "rougher"])
+        runner.asked = []
+        peers.sweep(runner, peer, "straight", False)
+        self.assertEqual([name for n, name, _ in runner.asked if n == 37], ["exact"])
 
 
 class Whole(unittest.TestCase):

@@ -122,35 +122,45 @@ class Report(unittest.TestCase):
         return report.judgement("straight", [row_of(0.004, 0.002), *others], "time_rms")
 
     def test_a_default_that_nothing_beats(self):
-        cells = self.cells([row_of(0.003, 0.004, accuracy=1e-2), row_of(0.009, 0.001, order=3)])
-        self.assertEqual(cells[1:6], ["0.2", "4.0", "1.00", "order 2", "on it"])
-        self.assertEqual(cells[6:], ["3.0", "order 2", "3.0", "1.00"])
+        cells = self.cells([row_of(0.003, 0.004, accuracy=1e-2), row_of(0.009, 0.001, order=3, method="bdf")])
+        self.assertEqual(cells[1:6], ["0.2", "4.0", "1.00", "auto", "on it"])
+        self.assertEqual(cells[6:], ["3.0", "auto", "3.0", "1.00"])
 
     def test_a_default_that_is_beaten(self):
-        near, off = self.cells([row_of(0.0025, 0.002, order=3)]), self.cells([row_of(0.001, 0.001, order=3)])
+        near, off = self.cells([row_of(0.0025, 0.002, order=3, method="bdf")]), self.cells([row_of(0.001, 0.001, order=3, method="bdf")])
         self.assertEqual(near[3:6], ["1.60", "order 3", "near it"])
         self.assertEqual(off[3:6], ["4.00", "order 3", "off it"])
         self.assertEqual(off[6:], ["1.0", "order 3", "4.0", "4.00"])
+
+    def test_the_one_step_method_is_a_curve_of_its_own(self):
+        cells = self.cells([row_of(0.001, 0.001, method="esdirk", accuracy=1e-2)])
+        self.assertEqual(cells[3:6], ["4.00", "one-step", "off it"])
+
+    def test_what_an_error_costs(self):
+        rows = [row_of(0.004, 0.02), row_of(0.008, 0.002, accuracy=1e-4), row_of(0.002, 0.005, method="esdirk"), row_of(9, 1e-5, method="esdirk")]
+        text = report.levels_table(rows, "time_rms", segment=0.5).splitlines()[-1]
+        self.assertIn("| straight | 2.0 | one-step | 2.", text)
+        self.assertTrue(text.endswith("| one-step | - |"))
 
     def test_one_per_cent_out_of_reach(self):
         cells = report.judgement("straight", [row_of(0.004, 0.02)], "time_rms")
         self.assertEqual(cells[6:], ["-", "none", "-", "-"])
 
     def test_the_frontiers_table_shows_a_default_that_is_off_it(self):
-        text = report.frontier_table([row_of(0.004, 0.002), row_of(0.001, 0.001, order=3), row_of(0.1, 1e-6, order=4)])
-        self.assertIn("| order 2, 0.001 (default) off the frontier | 4.0 |", text)
+        text = report.frontier_table([row_of(0.004, 0.002), row_of(0.001, 0.001, order=3, method="bdf"), row_of(0.1, 1e-6, order=4, method="bdf")])
+        self.assertIn("| auto, 0.001 (default) off the frontier | 4.0 |", text)
         self.assertIn("| order 3, 0.001 | 1.0 |", text)
         self.assertNotIn("order 4", text)
 
     def test_runs_that_were_given_up_are_named(self):
-        rows = [row_of(None, None, order=1, accuracy=1e-7, outcome="steps")]
+        rows = [row_of(None, None, order=1, accuracy=1e-7, method="bdf", outcome="steps")]
         self.assertEqual(report.stopped(rows), "Given up for too many steps: straight, order 1, 1e-07.")
         self.assertEqual(report.stopped([row_of(1.0, 1.0)]), "Every run finished.")
 
     def test_failures_are_what_does_not_depend_on_time(self):
         steps = {"outcome": "steps"}
         self.assertEqual(precision.failures([row_of(1, 1), row_of(1, 1, order=5, **steps)], {}), [])
-        self.assertIn("order 2, accuracy 0.001: steps", precision.failures([row_of(1, 1, **steps)], {})[0])
+        self.assertIn("auto, accuracy 0.001: steps", precision.failures([row_of(1, 1, **steps)], {})[0])
         self.assertEqual(len(precision.failures([row_of(1, 1, order=4, outcome="status 3")], {})), 1)
         self.assertEqual(len(precision.failures([], {"chain": {"time smooth": 1e-3, "space": 1.0}})), 1)
 
@@ -166,16 +176,18 @@ class Sweep(unittest.TestCase):
             self.assertEqual(jobs.count(job), 1)
         self.assertIn(precision.job_of("straight"), jobs)
         for order in range(1, 6):
-            mine = common.pick(jobs, order=order, segment=0.5, geometry="smooth")
+            mine = common.pick(jobs, order=order, segment=0.5, geometry="smooth", method="bdf")
             self.assertEqual({job["accuracy"] for job in mine}, set(precision.ACCURACIES))
+        one_step = common.pick(jobs, segment=0.5, geometry="smooth", method="esdirk")
+        self.assertEqual({job["accuracy"] for job in one_step}, set(precision.ACCURACIES))
         for segment in precision.SEGMENTS:
             for geometry in ("smooth", "cylinder"):
-                self.assertIn(precision.job_of("straight", geometry, segment, 2, 1e-3), jobs)
+                self.assertIn(precision.job_of("straight", geometry, segment, 2, 1e-3, "bdf"), jobs)
         self.assertEqual({job["geometry"] for job in precision.sweep_jobs("chain", False)}, {"smooth"})
 
     def test_settings_name_what_is_varied(self):
-        words = precision.SCENES["reel-start"].words(precision.job_of("reel-start", "cylinder", 0.25, 3, 1e-5), 20)
-        for word in ("chain.0.segment=0.25 m", "chain.1.segment=0.25 m", "contact.geometry=cylinder", "solver.max_order=3",
+        words = precision.SCENES["reel-start"].words(precision.job_of("reel-start", "cylinder", 0.25, 3, 1e-5, "bdf"), 20)
+        for word in ("chain.0.segment=0.25 m", "chain.1.segment=0.25 m", "contact.geometry=cylinder", "solver.max_order=3", "solver.method=bdf",
                      "solver.accuracy=1e-05", "output.interval=0.001 s"):
             self.assertIn(word, words)
         self.assertNotIn("geometry", " ".join(precision.SCENES["chain"].words(precision.job_of("chain"), 1)))
