@@ -129,8 +129,8 @@ static inline void peer_force(PeerRun *run, double t, double value)
     run->last_value = value;
 }
 
-/* Takes the place of the chain's middle at time t, and its velocity, into the path: cubic (Hermite) between calls, so that
- * a program's steps need not hit the path's times. */
+/* Takes the place of the chain's middle at time t, and its velocity, into the path: cubic (Hermite) between calls, so
+ * that a program's steps need not hit the path's times. */
 static inline void peer_place_moving(PeerRun *run, double t, const double place[2], const double speed[2])
 {
     while (run->points < TRACE_POINTS && run->points * TRACE_EVERY <= t + 1e-9) {
