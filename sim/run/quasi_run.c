@@ -145,8 +145,8 @@ static double goes_until(Sim *s, double t)
 }
 
 /* The next position, ahead of the time of now; no more than a step on. Where there is none nearer and nearer either,
- * *on is 0. */
-static hawser_status look_ahead(Sim *s, double until, int *on, hawser_error *err)
+ * *on is 0, and the state that of now. */
+static hawser_status next_position(Sim *s, double until, int *on, hawser_error *err)
 {
     QuasiRun *const q = &s->quasi;
     const double now = s->stage.t, speed = winch_speed(s->stage.scene.winch, now);
@@ -173,8 +173,19 @@ static hawser_status look_ahead(Sim *s, double until, int *on, hawser_error *err
         const double off = line_error(q);
         q->step = fmax(SHORTEST * longest, h * fmin(2, fmax(0.3, 0.8 / sqrt(off + 1e-9))));
     }
-    if (!status && *on && q->known > 1) status = quasi_peaks(s, err);
+    return status;
+}
+
+static hawser_status look_ahead(Sim *s, double until, int *on, hawser_error *err)
+{
+    const double now = s->stage.t;
+    Moving here;
+    hawser_status status = moving_keep(&here, &s->stage, err);
+    if (!status) status = next_position(s, until, on, err);
+    if (!status && !*on) status = moving_restore(&s->stage, &here, err);
+    if (!status && *on && s->quasi.known > 1) status = quasi_peaks(s, err);
     if (!status && *on) state_at(s, now);
+    moving_free(&here);
     return status;
 }
 
@@ -207,10 +218,6 @@ hawser_status quasi_move(Sim *s, double t, int *arrived, hawser_error *err)
         const double until = goes_until(s, t);
         int on = 0;
         if (until > now) status = look_ahead(s, until, &on, err);
-        if (!status && !on && until > now) { /* what was tried last is not where it was */
-            hawser_relaxation found;
-            status = quasi_find(s, now, &found, err);
-        }
         if (status || !on) return status ? status : quasi_end(s, err);
     }
     const double ahead = q->t[QUASI_KEPT - 1], to = fmin(t, ahead);

@@ -100,6 +100,34 @@ static void test_rows(void **state)
     hawser_sim_free(sim);
 }
 
+/* Where no position is found the equations of motion go on from the last one, and pull what they pull from the start.
+ */
+static void test_lost(void **state)
+{
+    (void)state;
+    hawser_summary sum[2];
+    hawser_sim *sim[2];
+    for (int k = 0; k < 2; ++k) {
+        sim[k] = sim_of(data_text("quasi-lost"), (const char *const[]){"solver.motion", k ? "auto" : "dynamic", NULL});
+        relax(sim[k]);
+        for (int i = 0; i <= 320; ++i) {
+            advance(sim[k], i / 20.);
+            hawser_sim_record(sim[k]);
+        }
+        hawser_sim_summary(sim[k], &sum[k]);
+    }
+    const hawser_quasi_static *const said = sum[1].quasi_static;
+    print_message("%ld positions in %ld stretches for %.3g s; mean %.5g and %.5g N, peak %.5g and %.5g N\n",
+                  said->positions, said->stretches, said->time_s, sum[0].pull_mean_N, sum[1].pull_mean_N,
+                  sum[0].pull_peak_N, sum[1].pull_peak_N);
+    check_at_least(said->positions, 10);
+    check_at_least(said->stretches, 2); /* lost once, and found again */
+    check_below(said->time_s, 16 - 4.3);
+    check_share(sum[1].pull_mean_N, sum[0].pull_mean_N, 2e-3);
+    check_share(sum[1].pull_peak_N, sum[0].pull_peak_N, 2e-2);
+    for (int k = 0; k < 2; ++k) hawser_sim_free(sim[k]);
+}
+
 /* The winch stops and starts again by its table: the equations of motion have both, and meet what they come to by
  * themselves. */
 static void test_stop(void **state)
@@ -207,8 +235,9 @@ static void test_threads(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_same_pull), cmocka_unit_test(test_rows),    cmocka_unit_test(test_stop),
-        cmocka_unit_test(test_command),   cmocka_unit_test(test_refused), cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_same_pull), cmocka_unit_test(test_rows),    cmocka_unit_test(test_lost),
+        cmocka_unit_test(test_stop),      cmocka_unit_test(test_command), cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_threads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
