@@ -16,6 +16,7 @@ static const double SMALLEST = 1.0 / 1024;
  * more than a share of the rod's length or a turn worth naming (RD19). */
 static const double JOINT_TURN = 1.5;                      /* rad */
 static const double ASTRAY = 2, WAY = 0.01, TURNED = 0.05; /* 1; 1; rad */
+enum { LOST_PARTS = 8 }; /* of a way that ends are led, in a row without an equilibrium, behind which it ends */
 /* The step that stands for infinity in Newton's method (RD8). */
 static const double DT_STATIC = 1e5; /* s */
 /* The shortest that is tried, as a share of the longest that rounding allows (RD23). */
@@ -396,18 +397,20 @@ static hawser_status settle_stably(Walk *w)
     return status ? status : arrive(w, st->t, unstable, swings);
 }
 
-/* Ends that are led a long way round at the stage's time already are led there in parts. */
+/* Ends that are led a long way round at the stage's time already are led there in parts; no farther once several parts
+ * in a row have no equilibrium: each would take all that solver.relax_iterations allows. */
 static hawser_status settle_led(Walk *w)
 {
     Stage *const st = w->st;
     Rod *const rod = st->scene.rod;
     const int parts = rod_led_parts(rod, st->t);
     hawser_status status = HAWSER_OK;
-    for (int k = parts > 1 ? 1 : parts; !status && k <= parts; ++k) {
+    for (int k = parts > 1 ? 1 : parts, lost = 0; !status && k <= parts && lost < LOST_PARTS; ++k) {
         rod->lag = parts > 0 ? 1 - (double)k / parts : 0;
         memcpy(w->below, st->y, state_bytes(st));
         status = attempt(w, st->t, w->below);
         if (!status && !w->out->reached && !rod_is_loose(&st->scene)) status = slow_way(w, st->t);
+        lost = w->out->reached ? 0 : lost + 1;
     }
     rod->lag = 0;
     if (status || w->out->reached) return status;
