@@ -10,6 +10,8 @@
  * they fall by four. What a pass says of itself is not believed to be more than so many times too much, by each other
  * one that agrees with it. */
 static const double FIRST = 2, SECOND = 1, SECOND_LEAST = 1.0 / 3, TOO_MUCH = 4;
+/* Peaks are of blows as often as not, which fall with the root of what is halved (EB32). */
+static const double SECOND_PEAK = 2.41421356237309505;
 /* What steps take of swings falls by a quarter a level at least: the first pass's is four times the difference. */
 static const double SWINGS_FIRST = 4, SWINGS_SECOND = 3;
 
@@ -71,12 +73,20 @@ static int is_first_of_three(const OtherPasses *o) { return o->finer && o->n > 1
 /* By what figure i of this pass differs from that of the finest other one. */
 static double apart(const OtherPasses *o, int i, double value) { return fabs(o->other[0].value[i] - value); }
 
+/* How many times the difference of two passes this one may be off by: the coarser one, that, and what the finer is
+ * (EB19), (EB20), (EB32). */
+static double of_two(const OtherPasses *o, int i)
+{
+    const double second = i == OF_PEAK ? SECOND_PEAK : SECOND;
+    return o->finer ? 1 + second : second;
+}
+
 /* What it may be off by at most, by all passes (EB19), (EB20), (EB27), (EB28); NAN: they cannot be compared. */
 static double most_of(const OtherPasses *o, int i, double value)
 {
     const double difference = apart(o, i, value);
     if (is_first_of_three(o)) return difference + o->other[0].bar[i];
-    if (o->finer || o->n < 2) return (o->finer ? FIRST : SECOND) * difference;
+    if (o->finer || o->n < 2) return of_two(o, i) * difference;
     const double before = fabs(o->other[1].value[i] - o->other[0].value[i]);
     return isnan(before + difference) ? NAN : fmax(SECOND * difference, SECOND_LEAST * before);
 }
