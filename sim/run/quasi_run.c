@@ -30,6 +30,7 @@ hawser_status quasi_run_new(Sim *s, hawser_error *err)
     QuasiRun *const q = &s->quasi;
     const hawser_status status = quasi_new(&q->stage, &s->positions, &s->stage, err);
     q->window.from = -1;
+    q->peak.side = 1;
     q->said.why = q->stage.why;
     if (status || !q->stage.damping) return status;
     q->numbers = quasi_numbers(s);
@@ -92,6 +93,7 @@ static hawser_status keep(Sim *s, const hawser_relaxation *found, hawser_error *
     q->look[QUASI_KEPT - 1] = oldest;
     const hawser_sample *const look = sim_look(s, SAMPLE_FIELDS);
     quasi_take(s, oldest);
+    quasi_peaks_seen(q, &s->stage.scene, look);
     q->active = look->active_contacts;
     memcpy(q->y, s->stage.y, (size_t)q->size * sizeof *q->y);
     ++q->known;
@@ -340,9 +342,7 @@ hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, q->active);
     CHECKPOINT(c, q->step);
     CHECKPOINT(c, q->checked);
-    CHECKPOINT(c, q->peak_at);
-    CHECKPOINT(c, q->peaks);
-    CHECKPOINT(c, q->peak_side);
+    CHECKPOINT(c, q->peak);
     CHECKPOINT(c, q->window);
     CHECKPOINT(c, q->told);
     CHECKPOINT(c, q->waits);
@@ -350,6 +350,8 @@ hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT_UP_TO(c, &q->said, hawser_quasi_static, why);
     CHECKPOINT(c, s->positions.lie.travel);
     CHECKPOINT(c, s->positions.back);
+    CHECKPOINT(c, s->positions.held);
+    CHECKPOINT(c, s->positions.soft);
     CHECKPOINT(c, s->positions.push_share);
     CHECKPOINT(c, books);
     lie_checkpoint(c, &s->positions.lie, s->stage.scene.total);

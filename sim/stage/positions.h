@@ -22,9 +22,11 @@ typedef struct Positions {
     int worst;         /* place with the largest pull; -1: none yet */
     double push_share; /* the largest compression over the largest tension of the same place */
     Lie lie;
+    int soft;             /* so many of the next begin from soft contacts: the last one had to */
     double newton_within; /* m: farther from the last one Newton's method is not tried first */
     double back;          /* m, by which its tail was behind where it was laid */
     Vec3 origin;          /* of the winch as it was built */
+    Vec3 held;            /* m: from where the rope that the winch has taken in would be laid to where it is (PS10) */
     Quat attitude;
 } Positions;
 
