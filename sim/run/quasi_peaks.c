@@ -6,15 +6,15 @@
 #include "sim/run/look.h"
 #include "sim/run/quasi_run.h"
 
-static const double BESIDE = 0.02;   /* m, between a peak and the looks that enclose it */
+static const double BESIDE = 0.025;   /* m, between a peak and the looks that enclose it */
 static const double SAME = 1e-6;     /* m: the last position is one of these */
 static const double PAIR = 0.04;     /* m: rollers nearer than that stand at one place */
 static const double REACH = 0.8;     /* m, by which a peak may be away from where the front is above the next roller */
 static const double GAP = 1.5;       /* times the last distance between rollers: nothing carries the front there */
 static const double AS_BEFORE = 4e-3; /* share by which a load may differ from the last roller's to be taken for its peak */
-static const double WITHIN = 5e-3;    /* share of a load that its peak is enclosed to */
+static const double WITHIN = 7e-3;    /* share of a load that its peak is enclosed to */
 static const double TREND = 0.15;    /* m: what a place moves by from roller to roller, and not from bend to bend */
-enum { ENCLOSE_EVERY = 4, LOOKS = 8 }; /* rollers; looks at one, at most */
+enum { ENCLOSE_EVERY = 6, LOOKS = 7 }; /* rollers; looks at one, at most */
 
 /* The front as far as the winch has hauled it, m: what the chain has stretched by since is behind in its place. */
 static double hauled(const Scene *scene, double t)
@@ -154,7 +154,7 @@ static hawser_status peak_of(Sim *s, int r, double place, hawser_error *err)
     const double begun = e.at[1];
     if (!as_before) status = search(s, &e, middle, err);
     const double now = e.at[1] - middle, trend = now - p->at;
-    p->trend = !as_before && fabs(trend) < TREND ? trend : 0;
+    p->trend = !as_before && fabs(trend) > 1.5 * BESIDE && fabs(trend) < TREND ? trend : 0;
     p->at = now;
     p->load = e.load[1];
     (void)begun;
@@ -181,18 +181,26 @@ hawser_status quasi_peaks(Sim *s, hawser_error *err)
     const Scene *const scene = &s->stage.scene;
     const double ahead = q->peak.at + q->peak.trend + q->peak.lag;
     const double from = hauled(scene, q->t[QUASI_KEPT - 2]) - 2 * REACH, to = hauled(scene, q->t[QUASI_KEPT - 1]);
+    const double back = s->positions.back;
     hawser_status status = HAWSER_OK;
     Moving last = {0};
+    Lie lie = {0};
     for (int r = 0; !status && r < scene->def.n_rollers; ++r) {
         const double place = landing(&scene->def, r);
         if (!(place > q->peak.done && place + ahead > from && place + ahead <= to + SAME)) continue;
         if (!last.y) status = moving_keep(&last, &s->stage, err);
+        if (!status && !lie.s) status = lie_copy(&s->positions.lie, &lie, err);
         q->probing = 1;
         q->peak.done = place;
         if (!status) status = peak_of(s, r, place, err);
     }
     q->probing = 0;
     if (!status && last.y) status = moving_restore(&s->stage, &last, err);
+    if (lie.s) {
+        lie_free(&s->positions.lie);
+        s->positions.lie = lie;
+        s->positions.back = back;
+    }
     moving_free(&last);
     return status;
 }

@@ -190,10 +190,35 @@ void positions_free(Positions *p)
     free(p->time);
     free(p->out);
     free(p->station);
-    free(p->lie.s);
-    free(p->lie.shift);
-    free(p->lie.turn);
+    lie_free(&p->lie);
     memset(p, 0, sizeof *p);
+}
+
+void lie_free(Lie *lie)
+{
+    free(lie->s);
+    free(lie->shift);
+    free(lie->turn);
+    *lie = (Lie){0};
+}
+
+static void *copy_of(const void *from, size_t bytes)
+{
+    void *const to = malloc(bytes);
+    return to ? memcpy(to, from, bytes) : NULL;
+}
+
+hawser_status lie_copy(const Lie *lie, Lie *out, hawser_error *err)
+{
+    const size_t n = (size_t)lie->n;
+    *out = (Lie){.n = lie->n,
+                 .travel = lie->travel,
+                 .s = copy_of(lie->s, n * sizeof *lie->s),
+                 .shift = copy_of(lie->shift, n * sizeof *lie->shift),
+                 .turn = copy_of(lie->turn, n * sizeof *lie->turn)};
+    if (out->s && out->shift && out->turn) return HAWSER_OK;
+    lie_free(out);
+    return error_memory(err);
 }
 
 double positions_next(const Positions *p, double t, double end)

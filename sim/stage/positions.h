@@ -44,6 +44,10 @@ void positions_of(Positions *p, const Stage *stage);
 /* The next position begins from the shape of now, which moves. Errors: MEMORY. */
 hawser_status positions_begin(Positions *p, const Stage *stage, hawser_error *err);
 
+/* A copy of its own, in place of nothing; lie_free follows either way. Errors: MEMORY. */
+hawser_status lie_copy(const Lie *lie, Lie *out, hawser_error *err);
+void lie_free(Lie *lie);
+
 /* Lays the chain as it lies at time t and finds its steady motion; the stage is then at t. Errors: MEMORY, STOPPED;
  * RUN: there is no steady motion there, or it was not found. */
 hawser_status positions_advance(Positions *p, Stage *stage, double t, hawser_relaxation *out, hawser_error *err);
