@@ -8,13 +8,14 @@
 
 static const double BESIDE = 0.025;   /* m, between a peak and the looks that enclose it */
 static const double SAME = 1e-6;     /* m: the last position is one of these */
+static const double NEARLY = 0.01;   /* m, from where a peak is expected: the last position does for the first look */
 static const double PAIR = 0.04;     /* m: rollers nearer than that stand at one place */
 static const double REACH = 0.8;     /* m, by which a peak may be away from where the front is above the next roller */
 static const double GAP = 1.5;       /* times the last distance between rollers: nothing carries the front there */
-static const double AS_BEFORE = 4e-3; /* share by which a load may differ from the last roller's to be taken for its peak */
+static const double AS_BEFORE = 5e-3; /* share by which a load may differ from the last roller's to be taken for its peak */
 static const double WITHIN = 7e-3;    /* share of a load that its peak is enclosed to */
 static const double TREND = 0.15;    /* m: what a place moves by from roller to roller, and not from bend to bend */
-enum { ENCLOSE_EVERY = 6, LOOKS = 7 }; /* rollers; looks at one, at most */
+enum { ENCLOSE_EVERY = 8, LOOKS = 7 }; /* rollers; looks at one, at most */
 
 /* The front as far as the winch has hauled it, m: what the chain has stretched by since is behind in its place. */
 static double hauled(const Scene *scene, double t)
@@ -148,6 +149,8 @@ static hawser_status peak_of(Sim *s, int r, double place, hawser_error *err)
     QuasiPeak *const p = &q->peak;
     const double middle = place + p->lag;
     Enclosed e = {.r = r, .at = {NAN, middle + p->at + p->trend, NAN}, .load = {NAN, NAN, NAN}};
+    const double last = hauled(&s->stage.scene, q->t[QUASI_KEPT - 1]);
+    if (fabs(e.at[1] - last) < NEARLY) e.at[1] = last;
     hawser_status status = look_at(s, &e, e.at[1], &e.load[1], err);
     if (status || !(e.load[1] > 0)) return status;
     const int as_before = fabs(e.load[1] - p->load) < AS_BEFORE * p->load && ++p->rollers % ENCLOSE_EVERY != 0;
@@ -187,7 +190,7 @@ hawser_status quasi_peaks(Sim *s, hawser_error *err)
     Lie lie = {0};
     for (int r = 0; !status && r < scene->def.n_rollers; ++r) {
         const double place = landing(&scene->def, r);
-        if (!(place > q->peak.done && place + ahead > from && place + ahead <= to + SAME)) continue;
+        if (!(place > q->peak.done && place + ahead > from && place + ahead <= to + NEARLY)) continue;
         if (!last.y) status = moving_keep(&last, &s->stage, err);
         if (!status && !lie.s) status = lie_copy(&s->positions.lie, &lie, err);
         q->probing = 1;
