@@ -23,9 +23,15 @@ typedef struct QuasiPeak {
     double load; /* N, then */
     double lag;  /* m, by which the front is behind what the winch has hauled: stretch */
     double done; /* m: the next roller's place then */
+    double open; /* share by which that one's peak may stand above the highest look (QS11) */
     int rollers; /* since it was enclosed */
     int side;    /* on which the next one may be higher: 1, -1 */
 } QuasiPeak;
+
+/* The largest load that was found while a front passed, N, and the share by which it may have been more. */
+typedef struct QuasiTop {
+    double load, open;
+} QuasiTop;
 
 typedef struct QuasiRun {
     Quasi stage;
@@ -41,6 +47,7 @@ typedef struct QuasiRun {
     double step;      /* s, to the next */
     double checked;   /* s: when the equations of motion were asked last */
     QuasiPeak peak;
+    QuasiTop *top; /* [rollers] owned */
     PullWindow window;
     int told;          /* something that positions know nothing of: they are over */
     int waits, failed; /* windows to let pass before the next attempt; attempts that failed */

@@ -13,9 +13,10 @@ static const double PAIR = 0.04;     /* m: rollers nearer than that stand at one
 static const double REACH = 0.8;     /* m, by which a peak may be away from where the front is above the next roller */
 static const double GAP = 1.5;       /* times the last distance between rollers: nothing carries the front there */
 static const double AS_BEFORE = 5e-3; /* share by which a load may differ from the last roller's to be taken for its peak */
-static const double WITHIN = 7e-3;    /* share of a load that its peak is enclosed to */
+static const double WITHIN = 8e-3;    /* share of a load that its peak is enclosed to */
+static const double UNSEEN = 0.6;    /* share of itself by which a load may be larger where no peak was enclosed (QS10) */
 static const double TREND = 0.15;    /* m: what a place moves by from roller to roller, and not from bend to bend */
-enum { ENCLOSE_EVERY = 8, LOOKS = 7 }; /* rollers; looks at one, at most */
+enum { ENCLOSE_EVERY = 10, LOOKS = 7 }; /* rollers; looks at one, at most */
 
 /* The front as far as the winch has hauled it, m: what the chain has stretched by since is behind in its place. */
 static double hauled(const Scene *scene, double t)
@@ -114,6 +115,9 @@ static double above(const Enclosed *e)
     return fmax(rise * (at[2] - at[1]), fall * (at[1] - at[0]));
 }
 
+/* There are looks on both sides, whose loads are less. */
+static int is_closed(const Enclosed *e) { return e->load[0] > 0 && e->load[2] > 0; }
+
 static int is_enclosed(const Enclosed *e)
 {
     const double *const at = e->at;
@@ -154,15 +158,21 @@ static hawser_status peak_of(Sim *s, int r, double place, hawser_error *err)
     hawser_status status = look_at(s, &e, e.at[1], &e.load[1], err);
     if (status || !(e.load[1] > 0)) return status;
     const int as_before = fabs(e.load[1] - p->load) < AS_BEFORE * p->load && ++p->rollers % ENCLOSE_EVERY != 0;
-    const double begun = e.at[1];
     if (!as_before) status = search(s, &e, middle, err);
     const double now = e.at[1] - middle, trend = now - p->at;
     p->trend = !as_before && fabs(trend) > 1.5 * BESIDE && fabs(trend) < TREND ? trend : 0;
     p->at = now;
     p->load = e.load[1];
-    (void)begun;
-    (void)above;
+    if (!as_before) p->open = is_closed(&e) ? above(&e) / e.load[1] : UNSEEN;
+    q->top[r] = (QuasiTop){e.load[1], as_before ? fmin(UNSEEN, p->open + AS_BEFORE) : p->open};
     return status;
+}
+
+double quasi_peak_error(const QuasiRun *q, int r, double peak)
+{
+    const QuasiTop *const top = &q->top[r];
+    const int front = top->load > 0 && peak <= (1 + AS_BEFORE) * top->load;
+    return peak * (front ? top->open : UNSEEN);
 }
 
 double quasi_next_peak(const Sim *s, double from, double end)

@@ -36,13 +36,15 @@ hawser_status quasi_run_new(Sim *s, hawser_error *err)
     q->numbers = quasi_numbers(s);
     q->memory = calloc(QUASI_KEPT * (size_t)q->numbers, sizeof *q->memory);
     for (int k = 0; q->memory && k < QUASI_KEPT; ++k) q->look[k] = q->memory + k * (ptrdiff_t)q->numbers;
-    return q->memory ? HAWSER_OK : error_memory(err);
+    q->top = calloc((size_t)s->stage.scene.def.n_rollers + 1, sizeof *q->top);
+    return q->memory && q->top ? HAWSER_OK : error_memory(err);
 }
 
 void quasi_run_free(QuasiRun *q)
 {
     quasi_free(&q->stage);
     free(q->memory);
+    free(q->top);
     free(q->y);
     *q = (QuasiRun){0};
 }
@@ -343,6 +345,7 @@ hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, q->step);
     CHECKPOINT(c, q->checked);
     CHECKPOINT(c, q->peak);
+    checkpoint_put(c, "q->top", q->top, (size_t)s->stage.scene.def.n_rollers * sizeof *q->top);
     CHECKPOINT(c, q->window);
     CHECKPOINT(c, q->told);
     CHECKPOINT(c, q->waits);

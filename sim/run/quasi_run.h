@@ -28,6 +28,10 @@ double quasi_next_peak(const Sim *s, double from, double end);
  * nothing else. Errors: MEMORY, RUN, STOPPED. */
 hawser_status quasi_peaks(Sim *s, hawser_error *err);
 
+/* By how much roller r's largest load, `peak` (N), may be too small for what lies between positions, N (QS10), (QS11).
+ */
+double quasi_peak_error(const QuasiRun *q, int r, double peak);
+
 /* Before and after the stage's own. Errors: MEMORY. */
 void quasi_checkpoint_before(Checkpoint *c, Sim *s);
 hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err);
