@@ -19,6 +19,7 @@ typedef struct PullWindow {
 /* Where rollers are loaded most (QS9). */
 typedef struct QuasiPeak {
     double at;   /* m, before (< 0) the next roller or past it: where the front was when the last one was */
+    double usual; /* m: the same, where one roller was as the one before */
     double trend; /* m: what that has changed by since the one before */
     double load; /* N, then */
     double lag;  /* m, by which the front is behind what the winch has hauled: stretch */

@@ -15,6 +15,8 @@ static const double GAP = 1.5;       /* times the last distance between rollers:
 static const double AS_BEFORE = 5e-3; /* share by which a load may differ from the last roller's to be taken for its peak */
 static const double WITHIN = 8e-3;    /* share of a load that its peak is enclosed to */
 static const double UNSEEN = 0.6;    /* share of itself by which a load may be larger where no peak was enclosed (QS10) */
+static const double SURE = 0.05;     /* the same, where one was, for the next one to be taken for alike */
+static const double JUMP = 0.1;      /* share by which a load differs where the front is off a bend or out of a duct */
 static const double TREND = 0.15;    /* m: what a place moves by from roller to roller, and not from bend to bend */
 enum { ENCLOSE_EVERY = 10, LOOKS = 7 }; /* rollers; looks at one, at most */
 
@@ -82,14 +84,15 @@ static hawser_status look_at(Sim *s, Enclosed *e, double head, double *load, haw
     return status;
 }
 
-/* Where to look next: on the side that is not enclosed, twice as far each time; then in the middle of the wider side.
- */
+/* Where to look next: a stride to one side, or half the way to what is known there; then on the other side. */
 static double next_look(const Enclosed *e, double stride, int side)
 {
-    const double *const at = e->at;
-    if (isnan(at[1 + side])) return at[1] + side * stride;
-    if (isnan(at[1 - side])) return at[1] - side * stride;
-    return at[2] - at[1] > at[1] - at[0] ? (at[1] + at[2]) / 2 : (at[0] + at[1]) / 2;
+    for (int k = 0; k < 2; ++k, side = -side) {
+        const double way = fabs(e->at[1 + side] - e->at[1]);
+        if (way <= 1.01 * BESIDE) continue;
+        return e->at[1] + side * (way < 2 * stride ? way / 2 : stride);
+    }
+    return e->at[1];
 }
 
 /* A look at x has found this load. */
@@ -131,17 +134,24 @@ static hawser_status search(Sim *s, Enclosed *e, double middle, hawser_error *er
 {
     QuasiPeak *const p = &s->quasi.peak;
     const double begun = e->at[1];
-    double stride = fmax(BESIDE, fabs(p->trend) / 2);
+    double stride = BESIDE;
+    int higher = 0;
+    const int far = fabs(p->usual - (begun - middle)) > TREND && fabs(e->load[1] - p->load) > JUMP * p->load;
     hawser_status status = HAWSER_OK;
     while (!status && e->looks < LOOKS && !is_enclosed(e)) {
-        const double x = next_look(e, stride, p->side), highest = e->load[1];
+        const int jump = e->looks == 1 && far;
+        const double x = jump ? middle + p->usual : next_look(e, stride, p->side), highest = e->load[1];
         double load = 0;
         if (fabs(x - middle) < REACH) status = look_at(s, e, x, &load, err);
         if (status || isnan(load)) break;
         enclose(e, x, load);
-        if (!(e->load[1] > highest)) continue;
-        p->side = x > begun ? 1 : -1;
-        stride *= 2;
+        if (e->load[1] > highest && !jump) {
+            p->side = x > begun ? 1 : -1;
+            if (++higher > 1) stride *= 2;
+        } else {
+            stride = BESIDE;
+            higher = 0;
+        }
     }
     return status;
 }
@@ -157,11 +167,13 @@ static hawser_status peak_of(Sim *s, int r, double place, hawser_error *err)
     if (fabs(e.at[1] - last) < NEARLY) e.at[1] = last;
     hawser_status status = look_at(s, &e, e.at[1], &e.load[1], err);
     if (status || !(e.load[1] > 0)) return status;
-    const int as_before = fabs(e.load[1] - p->load) < AS_BEFORE * p->load && ++p->rollers % ENCLOSE_EVERY != 0;
+    const int as_before = p->open < SURE && fabs(e.load[1] - p->load) < AS_BEFORE * p->load &&
+                          ++p->rollers % ENCLOSE_EVERY != 0;
     if (!as_before) status = search(s, &e, middle, err);
     const double now = e.at[1] - middle, trend = now - p->at;
     p->trend = !as_before && fabs(trend) > 1.5 * BESIDE && fabs(trend) < TREND ? trend : 0;
     p->at = now;
+    if (as_before) p->usual = now;
     p->load = e.load[1];
     if (!as_before) p->open = is_closed(&e) ? above(&e) / e.load[1] : UNSEEN;
     q->top[r] = (QuasiTop){e.load[1], as_before ? fmin(UNSEEN, p->open + AS_BEFORE) : p->open};
