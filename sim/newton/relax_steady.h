@@ -25,9 +25,9 @@ void steady_follow(const BlockChain *d, const double *y, BlockChain *k);
 typedef enum SteadyStart { STEADY_NEAR, STEADY_FAR, STEADY_SOFT } SteadyStart;
 
 /* Moves y to where all forces of time t balance in steady motion at `speed`, and leaves it with those velocities. The
- * chain's damping must be zero (PS3). Newton's method first, from a state near to it; where that fails, or is not tried,
- * the relaxation's continuation, and that from soft contacts at once (STEADY_SOFT). `out` says how far it got; not reaching equilibrium is no error; then y
- * is of no use. Errors: MEMORY, STOPPED. */
+ * chain's damping must be zero (PS3). Newton's method first, from a state near to it; where that fails, or is not
+ * tried, the relaxation's continuation, and that from soft contacts at once (STEADY_SOFT). `out` says how far it got;
+ * not reaching equilibrium is no error; then y is of no use. Errors: MEMORY, STOPPED. */
 hawser_status relax_steady(const Scene *scene, Workspace *ws, Newton *newton, double t, double speed, SteadyStart far,
                            double *y, hawser_relaxation *out, hawser_error *err);
 

@@ -18,20 +18,21 @@ typedef struct PullWindow {
 
 /* Where rollers are loaded most (QS9). */
 typedef struct QuasiPeak {
-    double at;   /* m, before (< 0) the next roller or past it: where the front was when the last one was */
+    double at;    /* m, before (< 0) the next roller or past it: where the front was when the last one was */
     double usual; /* m: the same, where one roller was as the one before */
     double trend; /* m: what that has changed by since the one before */
-    double load; /* N, then */
-    double lag;  /* m, by which the front is behind what the winch has hauled: stretch */
-    double done; /* m: the next roller's place then */
-    double open; /* share by which that one's peak may stand above the highest look (QS11) */
-    int rollers; /* since it was enclosed */
-    int side;    /* on which the next one may be higher: 1, -1 */
+    double load;  /* N, then */
+    double lag;   /* m, by which the front is behind what the winch has hauled: stretch */
+    double done;  /* m: the next roller's place then */
+    double open;  /* share by which that one's peak may stand above the highest look (QS11) */
+    int rollers;  /* since it was enclosed */
+    int side;     /* on which the next one may be higher: 1, -1 */
 } QuasiPeak;
 
 /* The largest load that was found while a front passed, N, and the share by which it may have been more. */
 typedef struct QuasiTop {
     double load, open;
+    double landing; /* m: where the front comes to the next roller; NAN: another one stands at the same place */
 } QuasiTop;
 
 typedef struct QuasiRun {

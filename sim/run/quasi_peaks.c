@@ -1,23 +1,26 @@
 /* A thick front behind a thin rope loads a roller most as it comes to the next one, within a few centimetres of way:
  * positions farther apart would miss that. docs/model/45-quasi-static.md (QS9)-(QS12). */
 #include <math.h>
+#include <stdlib.h>
 
+#include "core/base/error.h"
 #include "sim/equipment/winch.h"
 #include "sim/run/look.h"
 #include "sim/run/quasi_run.h"
 
-static const double BESIDE = 0.025;   /* m, between a peak and the looks that enclose it */
-static const double SAME = 1e-6;     /* m: the last position is one of these */
-static const double NEARLY = 0.01;   /* m, from where a peak is expected: the last position does for the first look */
-static const double PAIR = 0.04;     /* m: rollers nearer than that stand at one place */
-static const double REACH = 0.8;     /* m, by which a peak may be away from where the front is above the next roller */
-static const double GAP = 1.5;       /* times the last distance between rollers: nothing carries the front there */
-static const double AS_BEFORE = 5e-3; /* share by which a load may differ from the last roller's to be taken for its peak */
-static const double WITHIN = 8e-3;    /* share of a load that its peak is enclosed to */
-static const double UNSEEN = 0.6;    /* share of itself by which a load may be larger where no peak was enclosed (QS10) */
-static const double SURE = 0.05;     /* the same, where one was, for the next one to be taken for alike */
-static const double JUMP = 0.1;      /* share by which a load differs where the front is off a bend or out of a duct */
-static const double TREND = 0.15;    /* m: what a place moves by from roller to roller, and not from bend to bend */
+static const double BESIDE = 0.025; /* m, between a peak and the looks that enclose it */
+static const double SAME = 1e-6;    /* m: the last position is one of these */
+static const double NEARLY = 0.01;  /* m, from where a peak is expected: the last position does for the first look */
+static const double PAIR = 0.04;    /* m: rollers nearer than that stand at one place */
+static const double REACH = 0.8;    /* m, by which a peak may be away from where the front is above the next roller */
+static const double GAP = 1.5;      /* times the last distance between rollers: nothing carries the front there */
+static const double AS_BEFORE =
+    5e-3; /* share by which a load may differ from the last roller's to be taken for its peak */
+static const double WITHIN = 8e-3; /* share of a load that its peak is enclosed to */
+static const double UNSEEN = 0.6;  /* share of itself by which a load may be larger where no peak was enclosed (QS10) */
+static const double SURE = 0.05;   /* the same, where one was, for the next one to be taken for alike */
+static const double JUMP = 0.1;    /* share by which a load differs where the front is off a bend or out of a duct */
+static const double TREND = 0.15;  /* m: what a place moves by from roller to roller, and not from bend to bend */
 enum { ENCLOSE_EVERY = 10, LOOKS = 7 }; /* rollers; looks at one, at most */
 
 /* The front as far as the winch has hauled it, m: what the chain has stretched by since is behind in its place. */
@@ -51,6 +54,15 @@ static double landing(const SceneDef *def, int r)
     for (int k = 0; k < r; ++k)
         if (fabs(def->rollers[k].s - s) <= PAIR) return NAN;
     return next - s <= GAP * last || isnan(last) ? next : s + last;
+}
+
+hawser_status quasi_peaks_new(QuasiRun *q, const SceneDef *def, hawser_error *err)
+{
+    q->peak.side = 1;
+    q->top = calloc((size_t)def->n_rollers + 1, sizeof *q->top);
+    if (!q->top) return error_memory(err);
+    for (int r = 0; r < def->n_rollers; ++r) q->top[r].landing = landing(def, r);
+    return HAWSER_OK;
 }
 
 /* Looks that enclose the peak of one roller: places (m, of the winch's travel) and loads (N; NAN: not looked there). */
@@ -167,8 +179,8 @@ static hawser_status peak_of(Sim *s, int r, double place, hawser_error *err)
     if (fabs(e.at[1] - last) < NEARLY) e.at[1] = last;
     hawser_status status = look_at(s, &e, e.at[1], &e.load[1], err);
     if (status || !(e.load[1] > 0)) return status;
-    const int as_before = p->open < SURE && fabs(e.load[1] - p->load) < AS_BEFORE * p->load &&
-                          ++p->rollers % ENCLOSE_EVERY != 0;
+    const int as_before =
+        p->open < SURE && fabs(e.load[1] - p->load) < AS_BEFORE * p->load && ++p->rollers % ENCLOSE_EVERY != 0;
     if (!as_before) status = search(s, &e, middle, err);
     const double now = e.at[1] - middle, trend = now - p->at;
     p->trend = !as_before && fabs(trend) > 1.5 * BESIDE && fabs(trend) < TREND ? trend : 0;
@@ -176,7 +188,8 @@ static hawser_status peak_of(Sim *s, int r, double place, hawser_error *err)
     if (as_before) p->usual = now;
     p->load = e.load[1];
     if (!as_before) p->open = is_closed(&e) ? above(&e) / e.load[1] : UNSEEN;
-    q->top[r] = (QuasiTop){e.load[1], as_before ? fmin(UNSEEN, p->open + AS_BEFORE) : p->open};
+    q->top[r].load = e.load[1];
+    q->top[r].open = as_before ? fmin(UNSEEN, p->open + AS_BEFORE) : p->open;
     return status;
 }
 
@@ -194,8 +207,8 @@ double quasi_next_peak(const Sim *s, double from, double end)
     const double speed = winch_speed(scene->winch, from), first = hauled(scene, from);
     double next = end;
     for (int r = 0; r < scene->def.n_rollers; ++r) {
-        const double way = landing(&scene->def, r) + p->at + p->trend + p->lag - first;
-        if (landing(&scene->def, r) > p->done && way >= 0 && way < speed * (next - from)) next = from + way / speed;
+        const double way = s->quasi.top[r].landing + p->at + p->trend + p->lag - first;
+        if (s->quasi.top[r].landing > p->done && way >= 0 && way < speed * (next - from)) next = from + way / speed;
     }
     return next;
 }
@@ -211,7 +224,7 @@ hawser_status quasi_peaks(Sim *s, hawser_error *err)
     Moving last = {0};
     Lie lie = {0};
     for (int r = 0; !status && r < scene->def.n_rollers; ++r) {
-        const double place = landing(&scene->def, r);
+        const double place = q->top[r].landing;
         if (!(place > q->peak.done && place + ahead > from && place + ahead <= to + NEARLY)) continue;
         if (!last.y) status = moving_keep(&last, &s->stage, err);
         if (!status && !lie.s) status = lie_copy(&s->positions.lie, &lie, err);

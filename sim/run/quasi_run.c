@@ -30,14 +30,12 @@ hawser_status quasi_run_new(Sim *s, hawser_error *err)
     QuasiRun *const q = &s->quasi;
     const hawser_status status = quasi_new(&q->stage, &s->positions, &s->stage, err);
     q->window.from = -1;
-    q->peak.side = 1;
     q->said.why = q->stage.why;
     if (status || !q->stage.damping) return status;
     q->numbers = quasi_numbers(s);
     q->memory = calloc(QUASI_KEPT * (size_t)q->numbers, sizeof *q->memory);
     for (int k = 0; q->memory && k < QUASI_KEPT; ++k) q->look[k] = q->memory + k * (ptrdiff_t)q->numbers;
-    q->top = calloc((size_t)s->stage.scene.def.n_rollers + 1, sizeof *q->top);
-    return q->memory && q->top ? HAWSER_OK : error_memory(err);
+    return q->memory ? quasi_peaks_new(q, &s->stage.scene.def, err) : error_memory(err);
 }
 
 void quasi_run_free(QuasiRun *q)

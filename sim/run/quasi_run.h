@@ -20,6 +20,8 @@ hawser_status quasi_end(Sim *s, hawser_error *err);
 
 /* Finds the position of time t, where the stage is then. Errors: as positions_advance. */
 hawser_status quasi_find(Sim *s, double t, hawser_relaxation *found, hawser_error *err);
+/* Where peaks may be. Errors: MEMORY. */
+hawser_status quasi_peaks_new(QuasiRun *q, const SceneDef *def, hawser_error *err);
 /* A position is looked at: where its front is. */
 void quasi_peaks_seen(QuasiRun *q, const Scene *scene, const hawser_sample *look);
 /* When the front next is where a roller may be loaded most (QS9), s, not before `from`; at most `end`. */

@@ -10,7 +10,6 @@
 #include "sim/run/sim.h"
 #include "sim/run/together.h"
 
-
 static void integration_fill(const Sim *s, hawser_summary *out)
 {
     const int still = s->quasi.stage.on;

@@ -18,7 +18,10 @@ enum { POSITIONS_MOST = 200 };       /* where the case does not say how far apar
 static const double AT_SPEED = 1e-6; /* share of the speed by which it may change within a second */
 static const double BEHIND = 0.5; /* share of half a segment by which the tail may lie behind its place at the drum */
 
-enum { SOFTLY = 16, AGAIN = 6 }; /* iterations that say soft contacts were needed; positions that begin with them then */
+enum {
+    SOFTLY = 16,
+    AGAIN = 6
+}; /* iterations that say soft contacts were needed; positions that begin with them then */
 
 /* ------------------------------------------------------------------------------------------- where and when */
 
