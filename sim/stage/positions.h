@@ -26,7 +26,7 @@ typedef struct Positions {
     double newton_within; /* m: farther from the last one Newton's method is not tried first */
     double back;          /* m, by which its tail was behind where it was laid */
     Vec3 origin;          /* of the winch as it was built */
-    Vec3 held;            /* m: from where the rope that the winch has taken in would be laid to where it is (PS10) */
+    Vec3 held;            /* m: from where the rope that the winch has taken in would be laid to where it is (QS12) */
     Quat attitude;
 } Positions;
 
