@@ -16,7 +16,7 @@ enum { NEWTON_ITERATIONS = 25 };
 /* Newton's method goes on while two iterations leave less than that of the residual, and the continuation has so many
  * iterations before contacts are made soft: nearly all that arrive at all have arrived by then. */
 static const double CONTRACTS = 1.0 / 3;
-enum { STRAIGHT = 25 };
+enum { STRAIGHT = 16 };
 
 /* The relaxation's parts come first: what they are handed is this. */
 typedef struct Steady {
@@ -129,16 +129,16 @@ static hawser_status newton_iterate(Steady *s, hawser_relaxation *out, hawser_er
 }
 
 /* From the start again, step by step in time and from soft contacts (E3)-(E5). */
-static hawser_status slow_way(Steady *s, hawser_relaxation *out, hawser_error *err)
+static hawser_status slow_way(Steady *s, int straight, hawser_relaxation *out, hawser_error *err)
 {
     static const RelaxOps ops = {steady_residual, steady_step,   space_move_scale,
                                  steady_move,     space_refresh, space_soften};
     const hawser_status status = space_refresh(&s->r, 1, err);
     return status ? status
-                  : relax_run_within(STRAIGHT, s->r.scene, &s->r.ws->stop, &ops, s, s->r.size, s->r.y, out, err);
+                  : relax_run_within(straight, s->r.scene, &s->r.ws->stop, &ops, s, s->r.size, s->r.y, out, err);
 }
 
-hawser_status relax_steady(const Scene *scene, Workspace *ws, Newton *newton, double t, double speed, int far,
+hawser_status relax_steady(const Scene *scene, Workspace *ws, Newton *newton, double t, double speed, SteadyStart far,
                            double *y, hawser_relaxation *out, hawser_error *err)
 {
     Steady s = {.r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y, .friction = 1}, .speed = speed};
@@ -153,10 +153,10 @@ hawser_status relax_steady(const Scene *scene, Workspace *ws, Newton *newton, do
         memcpy(y + first, begun + first, (size_t)spins * sizeof(double)); /* rollers go on spinning */
         memcpy(begun, y, bytes);
         out->tolerance_N = relax_tolerance(scene, t, space_farthest(&s.r, NULL));
-        if (!far) status = newton_iterate(&s, out, err);
+        if (far == STEADY_NEAR) status = newton_iterate(&s, out, err);
         if (!status && !out->reached) {
             memcpy(y, begun, bytes);
-            status = slow_way(&s, out, err);
+            status = slow_way(&s, far == STEADY_SOFT ? 0 : STRAIGHT, out, err);
         }
         out->moved_m = space_farthest(&s.r, s.r.start);
     }

@@ -21,11 +21,14 @@ void steady_field(const Chain *chain, double speed, double *y);
  * changes by is left out: it is no more than the cable's radius over that of the bend, and costs iterations only. */
 void steady_follow(const BlockChain *d, const double *y, BlockChain *k);
 
+/* How far the state is from where it is to come to: Newton's method may do; hardly; surely not. */
+typedef enum SteadyStart { STEADY_NEAR, STEADY_FAR, STEADY_SOFT } SteadyStart;
+
 /* Moves y to where all forces of time t balance in steady motion at `speed`, and leaves it with those velocities. The
- * chain's damping must be zero (PS3). Newton's method first, from a state close to it; where that fails, or if y is
- * `far` from it, the relaxation's continuation. `out` says how far it got; not reaching equilibrium is no error; then y
- * is of no use. Errors: MEMORY, STOPPED. */
-hawser_status relax_steady(const Scene *scene, Workspace *ws, Newton *newton, double t, double speed, int far,
+ * chain's damping must be zero (PS3). Newton's method first, from a state near to it; where that fails, or is not
+ * tried, the relaxation's continuation, and that from soft contacts at once (STEADY_SOFT). `out` says how far it got;
+ * not reaching equilibrium is no error; then y is of no use. Errors: MEMORY, STOPPED. */
+hawser_status relax_steady(const Scene *scene, Workspace *ws, Newton *newton, double t, double speed, SteadyStart far,
                            double *y, hawser_relaxation *out, hawser_error *err);
 
 #endif

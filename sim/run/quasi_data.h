@@ -16,6 +16,25 @@ typedef struct PullWindow {
     double before; /* N, at `last` */
 } PullWindow;
 
+/* Where rollers are loaded most (QS9). */
+typedef struct QuasiPeak {
+    double at;    /* m, before (< 0) the next roller or past it: where the front was when the last one was */
+    double usual; /* m: the same, where one roller was as the one before */
+    double trend; /* m: what that has changed by since the one before */
+    double load;  /* N, then */
+    double lag;   /* m, by which the front is behind what the winch has hauled: stretch */
+    double done;  /* m: the next roller's place then */
+    double open;  /* share by which that one's peak may stand above the highest look (QS11) */
+    int rollers;  /* since it was enclosed */
+    int side;     /* on which the next one may be higher: 1, -1 */
+} QuasiPeak;
+
+/* The largest load that was found while a front passed, N, and the share by which it may have been more. */
+typedef struct QuasiTop {
+    double load, open;
+    double landing; /* m: where the front comes to the next roller; NAN: another one stands at the same place */
+} QuasiTop;
+
 typedef struct QuasiRun {
     Quasi stage;
     /* by time, the last one last, which is where the run is or ahead of it */
@@ -29,9 +48,8 @@ typedef struct QuasiRun {
     int size, active; /* of y; contacts that carry force there */
     double step;      /* s, to the next */
     double checked;   /* s: when the equations of motion were asked last */
-    double peak_at;   /* m, past a roller: where the front was when the one behind it was loaded most (QS9) */
-    int peaks;        /* so far */
-    int peak_side;    /* on which side of that the next look is: 1, -1; 0: nothing is known yet */
+    QuasiPeak peak;
+    QuasiTop *top; /* [rollers] owned */
     PullWindow window;
     int told;          /* something that positions know nothing of: they are over */
     int waits, failed; /* windows to let pass before the next attempt; attempts that failed */

@@ -35,13 +35,14 @@ hawser_status quasi_run_new(Sim *s, hawser_error *err)
     q->numbers = quasi_numbers(s);
     q->memory = calloc(QUASI_KEPT * (size_t)q->numbers, sizeof *q->memory);
     for (int k = 0; q->memory && k < QUASI_KEPT; ++k) q->look[k] = q->memory + k * (ptrdiff_t)q->numbers;
-    return q->memory ? HAWSER_OK : error_memory(err);
+    return q->memory ? quasi_peaks_new(q, &s->stage.scene.def, err) : error_memory(err);
 }
 
 void quasi_run_free(QuasiRun *q)
 {
     quasi_free(&q->stage);
     free(q->memory);
+    free(q->top);
     free(q->y);
     *q = (QuasiRun){0};
 }
@@ -92,6 +93,7 @@ static hawser_status keep(Sim *s, const hawser_relaxation *found, hawser_error *
     q->look[QUASI_KEPT - 1] = oldest;
     const hawser_sample *const look = sim_look(s, SAMPLE_FIELDS);
     quasi_take(s, oldest);
+    quasi_peaks_seen(q, &s->stage.scene, look);
     q->active = look->active_contacts;
     memcpy(q->y, s->stage.y, (size_t)q->size * sizeof *q->y);
     ++q->known;
@@ -347,9 +349,8 @@ hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, q->active);
     CHECKPOINT(c, q->step);
     CHECKPOINT(c, q->checked);
-    CHECKPOINT(c, q->peak_at);
-    CHECKPOINT(c, q->peaks);
-    CHECKPOINT(c, q->peak_side);
+    CHECKPOINT(c, q->peak);
+    checkpoint_put(c, "q->top", q->top, (size_t)s->stage.scene.def.n_rollers * sizeof *q->top);
     CHECKPOINT(c, q->window);
     CHECKPOINT(c, q->told);
     CHECKPOINT(c, q->waits);
@@ -357,6 +358,8 @@ hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT_UP_TO(c, &q->said, hawser_quasi_static, why);
     CHECKPOINT(c, s->positions.lie.travel);
     CHECKPOINT(c, s->positions.back);
+    CHECKPOINT(c, s->positions.held);
+    CHECKPOINT(c, s->positions.soft);
     CHECKPOINT(c, s->positions.push_share);
     CHECKPOINT(c, books);
     lie_checkpoint(c, &s->positions.lie, s->stage.scene.total);

@@ -20,11 +20,19 @@ hawser_status quasi_end(Sim *s, hawser_error *err);
 
 /* Finds the position of time t, where the stage is then. Errors: as positions_advance. */
 hawser_status quasi_find(Sim *s, double t, hawser_relaxation *found, hawser_error *err);
+/* Where peaks may be. Errors: MEMORY. */
+hawser_status quasi_peaks_new(QuasiRun *q, const SceneDef *def, hawser_error *err);
+/* A position is looked at: where its front is. */
+void quasi_peaks_seen(QuasiRun *q, const Scene *scene, const hawser_sample *look);
 /* When the front next is where a roller may be loaded most (QS9), s, not before `from`; at most `end`. */
 double quasi_next_peak(const Sim *s, double from, double end);
 /* Peaks of rollers' loads between the last two positions, (QS9): found as positions of their own, which count for
  * nothing else. Errors: MEMORY, RUN, STOPPED. */
 hawser_status quasi_peaks(Sim *s, hawser_error *err);
+
+/* By how much roller r's largest load, `peak` (N), may be too small for what lies between positions, N (QS10), (QS11).
+ */
+double quasi_peak_error(const QuasiRun *q, int r, double peak);
 
 /* Before and after the stage's own. Errors: MEMORY. */
 void quasi_checkpoint_before(Checkpoint *c, Sim *s);

@@ -6,10 +6,9 @@
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
 #include "sim/run/commands.h"
+#include "sim/run/quasi_run.h"
 #include "sim/run/sim.h"
 #include "sim/run/together.h"
-
-static const double ROLLER_PEAKS = 0.6; /* of itself, that a front may have loaded a roller more between positions */
 
 static void integration_fill(const Sim *s, hawser_summary *out)
 {
@@ -146,8 +145,8 @@ static void figures_fill(const Sim *s, hawser_summary *out)
     stats_summary(&s->stats, out);
     ErrorShares shares = shares_of(s, out);
     stats_errors(&s->stats, scene, &shares, out);
-    for (int r = 0; s->quasi.said.positions > 0 && r < s->stats.n_rollers; ++r) /* (QS10) */
-        s->stats.roller_out[r].peak_error_N += ROLLER_PEAKS * s->stats.roller_out[r].peak_N;
+    for (int r = 0; s->quasi.said.positions > 0 && r < s->stats.n_rollers; ++r)
+        s->stats.roller_out[r].peak_error_N += quasi_peak_error(&s->quasi, r, s->stats.roller_out[r].peak_N);
     other_passes_bars(&s->others, &s->stats, sim_jolt(s), out);
     if (scene->def.strand.rope) drawn_errors_add(s, out);
     /* theory's tensions along the route are a cable's, and none of a rope that draws others behind it */

@@ -18,6 +18,11 @@ enum { POSITIONS_MOST = 200 };       /* where the case does not say how far apar
 static const double AT_SPEED = 1e-6; /* share of the speed by which it may change within a second */
 static const double BEHIND = 0.5; /* share of half a segment by which the tail may lie behind its place at the drum */
 
+enum {
+    SOFTLY = 16,
+    AGAIN = 6
+}; /* iterations that say soft contacts were needed; positions that begin with them then */
+
 /* ------------------------------------------------------------------------------------------- where and when */
 
 /* The front's place at time t. */
@@ -188,10 +193,35 @@ void positions_free(Positions *p)
     free(p->time);
     free(p->out);
     free(p->station);
-    free(p->lie.s);
-    free(p->lie.shift);
-    free(p->lie.turn);
+    lie_free(&p->lie);
     memset(p, 0, sizeof *p);
+}
+
+void lie_free(Lie *lie)
+{
+    free(lie->s);
+    free(lie->shift);
+    free(lie->turn);
+    *lie = (Lie){0};
+}
+
+static void *copy_of(const void *from, size_t bytes)
+{
+    void *const to = malloc(bytes);
+    return to ? memcpy(to, from, bytes) : NULL;
+}
+
+hawser_status lie_copy(const Lie *lie, Lie *out, hawser_error *err)
+{
+    const size_t n = (size_t)lie->n;
+    *out = (Lie){.n = lie->n,
+                 .travel = lie->travel,
+                 .s = copy_of(lie->s, n * sizeof *lie->s),
+                 .shift = copy_of(lie->shift, n * sizeof *lie->shift),
+                 .turn = copy_of(lie->turn, n * sizeof *lie->turn)};
+    if (out->s && out->shift && out->turn) return HAWSER_OK;
+    lie_free(out);
+    return error_memory(err);
 }
 
 double positions_next(const Positions *p, double t, double end)
@@ -273,18 +303,25 @@ static void window_at(const Stage *st, double travel, double back, int *first, i
     *n = end - from;
 }
 
+/* The segment that has passed the winch last, laid; where it takes the rope in, and there is one. */
+static int taken_laid(const Scene *scene, double travel, double row[STATE_SIZE])
+{
+    const int taken = scene->first + scene->chain.n;
+    if (!scene->winch->take_in.present || taken >= scene->total) return 0;
+    scene_lay(scene, travel, taken, 1, row);
+    return 1;
+}
+
 /* The winch holds the head's front end; where it takes the rope in, by the segment that has passed it last (RL16). */
 static void winch_put(const Positions *p, Stage *st, double travel)
 {
     const Scene *const scene = &st->scene;
     Winch *const w = scene->winch;
-    const int taken = scene->first + scene->chain.n;
     double row[STATE_SIZE];
     w->origin = p->origin;
     w->attitude = p->attitude;
-    if (!w->take_in.present || taken >= scene->total) return;
-    scene_lay(scene, travel, taken, 1, row);
-    w->origin = v3_axpy(state_vector(row, 1, STATE_P, 0), -travel, w->direction);
+    if (!taken_laid(scene, travel, row)) return;
+    w->origin = v3_add(v3_axpy(state_vector(row, 1, STATE_P, 0), -travel, w->direction), p->held);
     w->attitude = state_attitude(row, 1, 0);
     winch_take_in(w, st->t, V3_ZERO, V3_ZERO);
 }
@@ -325,8 +362,14 @@ static double tail_back(const Stage *st)
 
 hawser_status positions_begin(Positions *p, const Stage *st, hawser_error *err)
 {
+    const Winch *const w = st->scene.winch;
+    const double travel = winch_travel(w, st->t);
+    double row[STATE_SIZE];
     p->back = tail_back(st);
-    return lie_keep(&p->lie, st, winch_travel(st->scene.winch, st->t), err);
+    p->held = V3_ZERO;
+    if (taken_laid(&st->scene, travel, row))
+        p->held = v3_sub(v3_axpy(w->origin, travel, w->direction), state_vector(row, 1, STATE_P, 0));
+    return lie_keep(&p->lie, st, travel, err);
 }
 
 /* ------------------------------------------------------------------------------------------- one position */
@@ -374,8 +417,11 @@ static hawser_status solve(Positions *p, Stage *st, int fresh, hawser_relaxation
     hawser_status status = st->motion->ops->renew(st->motion, st->t, st->y, err);
     if (!status && fresh) status = st->motion->ops->relax(st->motion, st->t, st->y, out, err);
     if (!status && fresh) spins_start(st, speed);
-    const int far = fresh || fabs(travel - p->lie.travel) > p->newton_within;
-    if (!status) status = relax_steady(scene, &st->ws, &st->newton, st->t, speed, far, st->y, out, err);
+    const int near = !fresh && fabs(travel - p->lie.travel) <= p->newton_within, soft = !near && p->soft > 0;
+    const SteadyStart from = near ? STEADY_NEAR : soft ? STEADY_SOFT : STEADY_FAR;
+    if (!status) status = relax_steady(scene, &st->ws, &st->newton, st->t, speed, from, st->y, out, err);
+    if (soft) --p->soft;
+    if (from == STEADY_FAR && out->iterations > SOFTLY) p->soft = AGAIN;
     return status;
 }
 
