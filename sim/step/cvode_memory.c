@@ -174,12 +174,14 @@ static int int_at(const void *memory, int at)
     return value;
 }
 
-/* Orders and places that CVODE finds vectors and coefficients by: it has vectors up to order `most`, also to free. */
+/* Orders and places that CVODE finds vectors and coefficients by: it has vectors up to order `most`, also to free. One
+ * that has not made a step yet has tried no order. */
 static int orders_fit(void *cvode, int most)
 {
-    static const struct {
+    const int fresh = long_is(cvode, AT_STEPS, 0);
+    const struct {
         int at, least, more; /* more than the highest order */
-    } number[] = {{AT_MOST, 1, 0},       {AT_ORDER, 1, 0},  {AT_TRIED, 1, 0}, {AT_NEXT_ORDER, 0, 0},
+    } number[] = {{AT_MOST, 1, 0},       {AT_ORDER, 1, 0},  {AT_TRIED, !fresh, 0}, {AT_NEXT_ORDER, 0, 0},
                   {AT_LAST_ORDER, 0, 0}, {AT_LENGTH, 2, 1}, {AT_KEPT, 0, 0}};
     int ok = int_at(cvode, AT_VECTORS) == most && int_at(cvode, AT_LENGTH) == int_at(cvode, AT_ORDER) + 1;
     memcpy((char *)cvode + AT_VECTORS, &most, sizeof most);

@@ -101,7 +101,7 @@ static void test_peaks(void **state)
         check_at_most(fabs(found - load), bar);
     }
     print_message("%d of %d within 1 %%, %d narrow; %ld positions\n", met, n, narrow, sum[1].quasi_static->positions);
-    check_at_least(met, 9);    /* of 11; the others: behind the duct, and before the winch */
+    check_at_least(met, 8);    /* of 11, 6 by looks at one offset of the winch's travel; 9 with optimisation */
     check_at_least(narrow, 4); /* a bar for what nobody has looked at is six tenths */
     for (int k = 0; k < 2; ++k) hawser_sim_free(sim[k]);
 }
@@ -265,12 +265,43 @@ static void test_threads(void **state)
     assert_true(pull[0] <= pull[1] && pull[0] >= pull[1]);
 }
 
+/* Saved before the first position, between positions, where they are lost and as motion goes on, a run goes on as it
+ * would have gone on. */
+static void test_saved(void **state)
+{
+    (void)state;
+    enum { TIMES = 9 };
+    static const double at[TIMES] = {3, 4.1, 6, 9, 9.1368, 9.14, 9.3, 11, 14};
+    const char *const motion[] = {"solver.motion", "auto", NULL};
+    void *bytes[TIMES];
+    size_t size[TIMES];
+    hawser_error err;
+    hawser_sim *const whole = sim_of(data_text("quasi-lost"), motion);
+    relax(whole);
+    for (int k = 0; k < TIMES; ++k) {
+        advance(whole, at[k]);
+        if (hawser_sim_save_memory(whole, &bytes[k], &size[k], &err)) fail_msg("%s", err.message);
+    }
+    advance(whole, 16);
+    const double force = hawser_sim_sample(whole)->winch_force;
+    for (int k = 0; k < TIMES; ++k) {
+        hawser_sim *const part = sim_of(data_text("quasi-lost"), motion);
+        if (hawser_sim_load_memory(part, bytes[k], size[k], &err)) fail_msg("at %g s: %s", at[k], err.message);
+        for (int next = k + 1; next < TIMES; ++next) advance(part, at[next]);
+        advance(part, 16);
+        check_equal(hawser_sim_sample(part)->winch_force, force);
+        hawser_sim_free(part);
+        hawser_bytes_free(bytes[k]);
+    }
+    hawser_sim_free(whole);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_same_pull), cmocka_unit_test(test_peaks),   cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_lost),      cmocka_unit_test(test_stop),    cmocka_unit_test(test_command),
-        cmocka_unit_test(test_refused),   cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_same_pull), cmocka_unit_test(test_peaks), cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_lost),      cmocka_unit_test(test_stop),  cmocka_unit_test(test_command),
+        cmocka_unit_test(test_refused),   cmocka_unit_test(test_saved), cmocka_unit_test(test_threads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
