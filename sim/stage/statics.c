@@ -225,7 +225,14 @@ static hawser_status critical_keep(Walk *w, const Bracket *b)
     if (!shape) return error_memory(w->err);
     st->t = b->reached ? b->to : b->from;
     hawser_status status = put_back(w, b->reached ? w->above : w->below);
-    if (!status) status = stability_shape(st, many, w->kept, shape, w->err);
+    hawser_error why = {0};
+    if (!status) status = stability_shape(st, many, w->kept, shape, &why);
+    if (status && why.status) {
+        status = error_set(w->err, why.status,
+                           "at t = %.6g s the rod stops being stable, and what grows there was not found (%s); "
+                           "'run.stability: ignore' or more run.load_steps may help",
+                           st->t, why.message);
+    }
     if (!status) memcpy(w->shape, shape, 6 * (size_t)st->scene.chain.n * sizeof *shape);
     st->t = b->from;
     if (!status) status = put_back(w, w->below);
