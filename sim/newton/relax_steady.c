@@ -17,7 +17,7 @@ static const double DT_STEADY = 1e5; /* s */
  * continuation has so many before contacts are made soft: nearly all that arrive at all have arrived by then. */
 enum { NEWTON_ITERATIONS = 25, WAITS = 3, STRAIGHT = 16 };
 /* In the first iteration, which moves farthest, contacts let go of no more than the rest of this share (PS12). */
-static const double KEPT = 0.1;
+static const double KEPT = 0.1, FALLS = 0.8;
 
 /* The relaxation's parts come first: what they are handed is this. */
 typedef struct Steady {
@@ -126,7 +126,7 @@ static hawser_status presumed_step(Steady *s, Presumption *p, double keep, int *
 static hawser_status newton_iterate(Steady *s, Presumption *p, hawser_relaxation *out, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
-    double least = INFINITY; /* N */
+    double least = INFINITY, last = 0; /* N: the best residual, the last one */
     for (int it = 0, best = 0, stuck = 0; !status && !stuck; ++it) {
         presumption_use(p, s->r.ws, 1);
         out->residual_N = steady_residual(s, &out->segment);
@@ -138,12 +138,11 @@ static hawser_status newton_iterate(Steady *s, Presumption *p, hawser_relaxation
             presumption_use(p, s->r.ws, 1);
             steady_residual(s, &(int){0}); /* the rates that the step is for */
         }
-        if (out->residual_N < least) {
-            least = out->residual_N;
-            best = it;
-        }
+        if (out->residual_N < FALLS * least) best = it;
+        least = fmin(least, out->residual_N);
         if (it - best >= WAITS || it == NEWTON_ITERATIONS || !isfinite(out->residual_N)) break;
-        status = presumed_step(s, p, it == 0 ? KEPT : 0, &stuck, err);
+        status = presumed_step(s, p, out->residual_N > last ? KEPT : 0, &stuck, err);
+        last = out->residual_N;
         out->iterations += !stuck;
     }
     presumption_use(p, s->r.ws, 0);

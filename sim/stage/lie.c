@@ -19,7 +19,7 @@ double lie_centre(const Scene *scene, int i, double travel)
 
 /* ---------------------------------------------------------------------------------------------------------- memory */
 
-static size_t numbers_of(const Lie *lie) { return 11 * (size_t)lie->n + (size_t)lie->faces + (size_t)lie->patches; }
+static size_t numbers_of(const Lie *lie) { return 12 * (size_t)lie->n + (size_t)lie->faces + (size_t)lie->patches; }
 
 /* n, faces and patches say where everything is. */
 static void memory_share(Lie *lie, double *memory)
@@ -29,7 +29,8 @@ static void memory_share(Lie *lie, double *memory)
     lie->shift = (Vec3 *)(memory + n);
     lie->turn = (Vec3 *)(memory + 4 * n);
     lie->frame = (Quat *)(memory + 7 * n);
-    lie->pressed = (Pressed){memory + 11 * n, memory + 11 * n + lie->faces};
+    lie->tension = memory + 11 * n;
+    lie->pressed = (Pressed){memory + 12 * n, memory + 12 * n + lie->faces};
 }
 
 /* Room for n segments; what was known is lost. */
@@ -81,6 +82,17 @@ void lie_checkpoint(Checkpoint *c, Lie *lie, const Scene *scene)
 
 /* ------------------------------------------------------------------------------------------------------------ keep */
 
+/* m, by which the joint before segment j is open along the chain. */
+static double gap_before(const Chain *chain, const double *y, int j)
+{
+    const int n = chain->n;
+    const Vec3 ahead = v3(1, 0, 0), a = quat_rotate(state_attitude(y, n, j - 1), ahead),
+               b = quat_rotate(state_attitude(y, n, j), ahead);
+    const Vec3 way = v3_sub(state_vector(y, n, STATE_P, j), state_vector(y, n, STATE_P, j - 1));
+    const Vec3 gap = v3_axpy(v3_axpy(way, -chain->half[j - 1], a), -chain->half[j], b);
+    return v3_dot(gap, v3_unit(v3_add(a, b)));
+}
+
 hawser_status lie_keep(Lie *lie, Stage *st, double travel, hawser_error *err)
 {
     const Scene *const scene = &st->scene;
@@ -96,6 +108,12 @@ hawser_status lie_keep(Lie *lie, Stage *st, double travel, hawser_error *err)
         lie->s[i] = lie_centre(scene, i, travel);
         lie->shift[i] = v3_sub(state_vector(st->y, n, STATE_P, i), state_vector(laid, n, STATE_P, i));
         lie->turn[i] = quat_log(quat_mul(state_attitude(st->y, n, i), quat_conj(lie->frame[i])));
+    }
+    memset(lie->tension, 0, (size_t)n * sizeof *lie->tension);
+    for (int j = 1; j < n; ++j) {
+        const double tension = scene->chain.stiffness[0][j] * gap_before(&scene->chain, st->y, j);
+        lie->tension[j - 1] += (j > 1 ? 0.5 : 1) * tension;
+        lie->tension[j] += (j + 1 < n ? 0.5 : 1) * tension;
     }
     lie->first = scene->first;
     lie->eye = scene->eye - scene->first;
@@ -136,6 +154,24 @@ static double own_share(const Lie *lie, const Scene *scene, double s, double tra
     return fmin(1, fmax(0, 1 - (away - WHOLLY) / PARTLY));
 }
 
+/* From the head back the segments are moved along themselves, until each joint is open by as much as the tension that
+ * was there asks for (PS14): stiff cables would be off by many times that. */
+static void tension_restore(const Lie *lie, const Scene *scene, double travel, double *y)
+{
+    const Chain *const chain = &scene->chain;
+    const int n = chain->n;
+    for (int j = n - 1, k = lie->n - 2; j > 0; --j) {
+        const double s = scene->joint_s[scene->first + j] + travel;
+        while (k > 0 && lie->s[k] > s) --k;
+        const double u = fmin(1, fmax(0, (s - lie->s[k]) / (lie->s[k + 1] - lie->s[k])));
+        const double tension = (1 - u) * lie->tension[k] + u * lie->tension[k + 1];
+        const double ahead = gap_before(chain, y, j) - tension / chain->stiffness[0][j];
+        const Vec3 axis = quat_rotate(state_attitude(y, n, j - 1), v3(1, 0, 0));
+        const double add[3] = {ahead * axis.x, ahead * axis.y, ahead * axis.z};
+        for (int c = 0; c < 3; ++c) y[(STATE_P + c) * n + j - 1] += add[c];
+    }
+}
+
 void lie_apply(const Lie *lie, Stage *st, double travel)
 {
     const Scene *const scene = &st->scene;
@@ -159,4 +195,5 @@ void lie_apply(const Lie *lie, Stage *st, double travel)
         for (int c = 0; c < 3; ++c) y[(STATE_P + c) * n + i] += add[c];
         for (int c = 0; c < 4; ++c) y[(STATE_Q + c) * n + i] = turned[c];
     }
+    if (lie->n > 1) tension_restore(lie, scene, travel, y);
 }

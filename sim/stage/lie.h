@@ -15,6 +15,7 @@ typedef struct Lie {
     double *s;          /* [n] m along the route, of segments' centres as they would be laid, rising */
     Vec3 *shift, *turn; /* [n] m, rad: from there */
     Quat *frame;        /* [n] attitudes as they would be laid */
+    double *tension;    /* [n] N, mean of a segment's joints */
     Pressed pressed;
 } Lie;
 
