@@ -17,32 +17,48 @@ static void must(hawser_status status, const hawser_error *err)
     if (status) fail_msg("%s", err->message);
 }
 
-/* Of a straight pull at constant speed, after so many s. */
-static Outcome outcome_of(int precise, double interval, double duration, Team *team)
+static void stage_begin(Stage *stage, int precise, double interval, Team *team)
 {
     SceneDef def;
-    Stage stage;
     hawser_error err = {0};
     hawser_relaxation relaxation = {0};
     assert_true(pull_scene(&def, SEGMENTS, -1));
     def.solver.planar = PLANAR_OFF;
     def.solver.linear.precise = precise;
     def.output.interval = interval;
-    must(stage_new(&stage, &def, team, &err), &err);
-    must(stage.motion->ops->relax(stage.motion, 0, stage.y, &relaxation, &err), &err);
+    must(stage_new(stage, &def, team, &err), &err);
+    must(stage->motion->ops->relax(stage->motion, 0, stage->y, &relaxation, &err), &err);
     assert_true(relaxation.reached);
-    assert_true(pull_begin(&stage, 2));
-    must(stage.motion->ops->renew(stage.motion, stage.t, stage.y, &err), &err);
-    for (const double end = stage.t + duration; stage.t < end;) must(stage_step(&stage, end, &err), &err);
-    Outcome p = {.size = stage.motion->size};
-    integrator_stats(stage.integrator, &p.took);
+    assert_true(pull_begin(stage, 2));
+    must(stage->motion->ops->renew(stage->motion, stage->t, stage->y, &err), &err);
+    scene_def_clear(&def);
+}
+
+static void stage_go(Stage *stage, double duration)
+{
+    hawser_error err = {0};
+    for (const double end = stage->t + duration; stage->t < end;) must(stage_step(stage, end, &err), &err);
+}
+
+static Outcome stage_end(Stage *stage)
+{
+    Outcome p = {.size = stage->motion->size};
+    integrator_stats(stage->integrator, &p.took);
     p.y = malloc((size_t)p.size * sizeof *p.y);
     assert_non_null(p.y);
-    memcpy(p.y, stage.y, (size_t)p.size * sizeof *p.y);
-    p.force = stage.motion->ops->winch_pull(stage.motion, stage.t, stage.y);
-    stage_free(&stage);
-    scene_def_clear(&def);
+    memcpy(p.y, stage->y, (size_t)p.size * sizeof *p.y);
+    p.force = stage->motion->ops->winch_pull(stage->motion, stage->t, stage->y);
+    stage_free(stage);
     return p;
+}
+
+/* Of a straight pull at constant speed, after so many s. */
+static Outcome outcome_of(int precise, double interval, double duration, Team *team)
+{
+    Stage stage;
+    stage_begin(&stage, precise, interval, team);
+    stage_go(&stage, duration);
+    return stage_end(&stage);
 }
 
 static void outcome_free(Outcome *p) { free(p->y); }
@@ -90,8 +106,38 @@ static void test_threads(void **state)
     team_free(two);
 }
 
+/* What is read from a checkpoint goes on with the same bits: with rounded factors, made of the same matrix again. */
+static void test_checkpoint(void **state)
+{
+    (void)state;
+    Stage first, again;
+    hawser_error err = {0};
+    stage_begin(&first, 0, 0.05, NULL);
+    stage_go(&first, 0.3);
+    Checkpoint count = {0};
+    must(stage_checkpoint(&count, &first, &err), &err);
+    Checkpoint c = checkpoint_new(count.size);
+    must(stage_checkpoint(&c, &first, &err), &err);
+    assert_int_equal(c.status, 0);
+    stage_begin(&again, 0, 0.05, NULL);
+    stage_go(&again, 0.01);
+    TextPool texts = {0};
+    Checkpoint back = checkpoint_over(c.bytes, c.size, &texts);
+    must(stage_checkpoint(&back, &again, &err), &err);
+    assert_int_equal(back.status, 0);
+    stage_go(&first, 0.2);
+    stage_go(&again, 0.2);
+    Outcome one = stage_end(&first), two = stage_end(&again);
+    assert_true(same_state(&one, &two));
+    outcome_free(&one);
+    outcome_free(&two);
+    checkpoint_free(&c);
+    text_pool_free(&texts);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_steps), cmocka_unit_test(test_threads)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_steps), cmocka_unit_test(test_threads),
+                                       cmocka_unit_test(test_checkpoint)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
