@@ -120,7 +120,6 @@ static void test_checkpoint(void **state)
     must(stage_checkpoint(&c, &first, &err), &err);
     assert_int_equal(c.status, 0);
     stage_begin(&again, 0, 0.05, NULL);
-    stage_go(&again, 0.01);
     TextPool texts = {0};
     Checkpoint back = checkpoint_over(c.bytes, c.size, &texts);
     must(stage_checkpoint(&back, &again, &err), &err);
