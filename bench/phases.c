@@ -84,7 +84,7 @@ static void phase_solve(Bench *b)
 static void phase_vector(Bench *b)
 {
     vectors_step(b->vector, GAMMA);
-    vector_kernels()->project(b->scene.chain.n, b->y, N_VGetArrayPointer(b->vector[3]), NULL);
+    vector_kernels()->project(b->scene.chain.n, 0, b->scene.chain.n, b->y, N_VGetArrayPointer(b->vector[3]), NULL);
 }
 
 static void phase_sample(Bench *b)

@@ -29,8 +29,8 @@ SLOPE_MOST = 1.05
 # Bytes a segment that each loop moves between memory and a core when nothing stays in a cache: every array counts once for
 # each time that a loop passes over it, twice where it is written without being read (the line is fetched first).
 # bench/results/xeon-2core/scale.md adds them up.
-BYTES = {"space": {"step": 3640, "iteration": 1560, "rhs": 1560, "solve": 2810, "setup": 6200, "jacobian": 7200},
-         "plane": {"step": 1340, "iteration": 720, "rhs": 750, "solve": 830, "setup": 1500, "jacobian": 1750}}
+BYTES = {"space": {"step": 3640, "iteration": 1560, "rhs": 1560, "solve": 2090, "setup": 5340, "jacobian": 7200},
+         "plane": {"step": 1340, "iteration": 720, "rhs": 750, "solve": 630, "setup": 1300, "jacobian": 1750}}
 
 
 class Worker:

@@ -23,6 +23,10 @@ typedef struct LinBackend {
     /* As linsolver_factor, or LIN_UNSTABLE. */
     int (*factor)(void *self, const LinMatrix *a);
     int (*solve)(void *self, int count, double *x); /* after a factorisation that succeeded */
+    /* As linsolver_stream; NULL: the whole right-hand side is made first. */
+    int (*stream)(void *self, const LinStream *stream, double *x);
+    /* As linsolver_rough, just before the factorisation; NULL: there is nothing to be rounded. */
+    void (*rough)(void *self, int rough);
     /* What goes on from factorisation to factorisation; read, it makes the factors of a again, if there are any. NULL:
      * factors depend on the matrix alone. */
     void (*checkpoint)(Checkpoint *c, void *self, const LinMatrix *a, int ready);

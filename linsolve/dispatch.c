@@ -21,6 +21,7 @@ struct LinSolver {
     Team *team;              /* own team, if the caller lent none */
     LinSolver *backup;       /* KLU, made when the back end first gives up on a matrix */
     int use_backup;          /* the present factors are the backup's */
+    int rough, was_rough;    /* the next factors, the present ones may be rounded: linsolver_rough */
     int ready;               /* the last factorisation succeeded */
     LinStats stats;
 };
@@ -232,6 +233,9 @@ int linsolver_factor_newton(LinSolver *s, const NewtonMatrix *a)
     }
     ++s->stats.factors;
     s->use_backup = 0;
+    s->was_rough = s->rough;
+    s->rough = 0;
+    if (s->backend->rough) s->backend->rough(s->self, s->was_rough);
     int status = s->backend->factor(s->self, &m);
     if (status == LIN_UNSTABLE) status = backup_factor(s, a);
     s->ready = status == 0;
@@ -257,6 +261,31 @@ int linsolver_solve_many(LinSolver *s, int count, double *x)
     if (s->use_backup) return linsolver_solve_many(s->backup, count, x);
     return s->backend->solve(s->self, count, x);
 }
+
+/* The rows of both sides and the seam's, one after the other. */
+static void stream_all(const LinStream *stream, int n)
+{
+    const LinSeam seam = lin_seam(n);
+    if (seam.from > 0) stream->fill(stream->user, LIN_TOP, 0, seam.from);
+    if (seam.to < n) stream->fill(stream->user, LIN_BOTTOM, seam.to, n);
+    stream->fill(stream->user, LIN_SEAM, seam.from, seam.to);
+}
+
+int linsolver_stream(LinSolver *s, const LinStream *stream, double *x)
+{
+    assert(!s->general);
+    if (!s->ready) return 1;
+    if (!s->use_backup && s->backend->stream) {
+        ++s->stats.solves;
+        return s->backend->stream(s->self, stream, x);
+    }
+    stream_all(stream, s->chain_n);
+    const int status = linsolver_solve(s, x);
+    if (!status) stream->take(stream->user, 0, s->chain_n);
+    return status;
+}
+
+void linsolver_rough(LinSolver *s, int rough) { s->rough = rough && !s->options.precise; }
 
 void linsolver_stats(const LinSolver *s, LinStats *stats)
 {
@@ -303,9 +332,11 @@ void linsolver_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a, co
 {
     CHECKPOINT(c, s->ready);
     CHECKPOINT(c, s->use_backup);
+    CHECKPOINT(c, s->was_rough);
     CHECKPOINT_FROM(c, &s->stats, LinStats, analyses);
     if (c->reading && !c->status && !pattern_renew(s, a)) checkpoint_lack(c);
     if (c->status) return;
+    if (c->reading && s->backend->rough) s->backend->rough(s->self, s->was_rough);
     assert(a || b);
     const LinMatrix m = {.newton = a,
                          .sparse = a ? &s->assembly.a : b,

@@ -25,6 +25,7 @@ typedef struct LinOptions {
     LinKind kind;
     LinOrdering ordering; /* KLU only; auto: the one with the least measured fill */
     int threads;          /* 1 or 2; results do not depend on it */
+    int precise;          /* factors are never rounded: see linsolver_rough */
     double growth_limit;  /* pivot growth above which a factorisation is redone more carefully; 0: default */
     Team *team;           /* borrowed; NULL with threads = 2: the solver starts its own */
 } LinOptions;
@@ -58,6 +59,36 @@ int linsolver_factor_sparse(LinSolver *s, const SparseMatrix *a);
 int linsolver_solve(LinSolver *s, double *x);
 /* The same for `count` right-hand sides, one after the other in x; each comes out as linsolver_solve would give it. */
 int linsolver_solve_many(LinSolver *s, int count, double *x);
+
+/* A right-hand side that is made, and a solution that is used, row by row while the solver goes over its factors, so
+ * that neither comes from memory twice. Rows are block rows of a chain. */
+typedef enum LinSide { LIN_TOP, LIN_BOTTOM, LIN_SEAM } LinSide;
+typedef struct LinStream {
+    void *user;
+    /* Rows from..to-1 of the right-hand side are wanted in x: the top's from 0 to the seam, the bottom's from the end
+     * to the seam, each side by one thread, whole lanes but at the chain's end; when both are done, the seam's. */
+    void (*fill)(void *user, LinSide side, int from, int to);
+    /* Those rows of x are the solution's. Any order, every row once, one of two threads. */
+    void (*take)(void *user, int from, int to);
+} LinStream;
+/* The rows between the sides: the lane before and the lane of halves_middle. */
+typedef struct LinSeam {
+    int from, to;
+} LinSeam;
+static inline LinSeam lin_seam(int n)
+{
+    const int middle = halves_middle(n);
+    return (LinSeam){middle > 0 ? middle - LANES : 0, middle + LANES < n ? middle + LANES : n};
+}
+/* As linsolver_solve; the same bits. */
+int linsolver_stream(LinSolver *s, const LinStream *stream, double *x);
+
+/* Entries of the diagonal blocks (n b b) from which factors are rounded where they may be: those of 3000 segments in
+ * space, or of 12 000 in the plane, fill more than a core's second cache. docs/performance.md, "Scale". */
+enum { LIN_ROUND_ENTRIES = 108000 };
+/* The solutions of the next factorisation, and of no other, are corrections of an iteration that looks at what they
+ * leave: factors of long chains may be rounded to single precision (L20). */
+void linsolver_rough(LinSolver *s, int rough);
 
 /* What the solver has learned, and the factors of a (or of the sparse matrix b; the other is NULL), which has the
  * values that were factored last: read, they are made again with the same bits. */

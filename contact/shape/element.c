@@ -77,13 +77,32 @@ static double vector_moved(double *const now[3], double *const then[3], int i)
     return sqrt(x * x + y * y + z * z);
 }
 
-/* No point of the line moves farther than the largest |dx_i| + |dr_i|. */
+/* The sum of its components' sizes, which is no less. */
+static double vector_moved_most(double *const now[3], double *const then[3], int i)
+{
+    return fabs(now[0][i] - then[0][i]) + fabs(now[1][i] - then[1][i]) + fabs(now[2][i] - then[2][i]);
+}
+
+enum { MOVED_TOGETHER = 64 };
+
+/* No point of the line moves farther than the largest |dx_i| + |dr_i|. Segments go together, without roots, while the
+ * sums of components are within the limit by more than rounding: then so is that. */
 int line_moved(const Chain *chain, const Kinematics *kin, double *const at_p[3], double *const at_a[3], double limit)
 {
-    int far = 0;
-    for (int i = 0; i < chain->n; ++i) {
-        const double moved = vector_moved(kin->p, at_p, i) + chain->half[i] * vector_moved(kin->a, at_a, i);
-        far |= !(moved <= limit); /* a NaN counts as far */
+    const double safe = (1 - 1e-12) * limit;
+    for (int from = 0; from < chain->n; from += MOVED_TOGETHER) {
+        const int to = from + MOVED_TOGETHER < chain->n ? from + MOVED_TOGETHER : chain->n;
+        int near = 1, far = 0;
+        for (int i = from; i < to; ++i) {
+            const double most =
+                vector_moved_most(kin->p, at_p, i) + chain->half[i] * vector_moved_most(kin->a, at_a, i);
+            near &= most <= safe;
+        }
+        for (int i = from; !near && i < to; ++i) {
+            const double moved = vector_moved(kin->p, at_p, i) + chain->half[i] * vector_moved(kin->a, at_a, i);
+            far |= !(moved <= limit); /* a NaN counts as far */
+        }
+        if (far) return 1;
     }
-    return far;
+    return 0;
 }

@@ -6,6 +6,7 @@
 #include "core/base/isa.h"
 #include "core/base/team.h"
 #include "core/block_chain.h"
+#include "linsolve/linsolve.h"
 
 /* The two halves of the chain: rows 0..middle-1 are eliminated downwards, n-1..middle+1 upwards. */
 enum { SIDE_TOP = 1, SIDE_BOTTOM = 2, SIDE_BOTH = 3 };
@@ -13,14 +14,23 @@ enum { SIDE_TOP = 1, SIDE_BOTTOM = 2, SIDE_BOTH = 3 };
 /* Right-hand sides that the kernels take at once. */
 enum { BLOCK_RHS = 4 };
 
-/* Blocks are stored like the chain's, b*b doubles; vectors of the solve are padded to `width`, 8 for b = 6, 4 for 3. */
+/* Blocks are stored like the chain's, b*b numbers. */
 typedef struct BlockFactor {
-    int n, b, width, middle;
+    int n, b, middle;
+    int single;    /* front and back are arrays of float (L20), in half of the same memory */
     double *front; /* [n][2][b*b]: coupling with the neighbour eliminated before (L2), inverse X of the pivot (L3) */
     double *back;  /* [n][b*b]: V = X times the coupling with the neighbour eliminated after (L4) */
-    double *z;     /* [BLOCK_RHS][n][width]: scratch of the solve (L6) */
+    double *edge;  /* [2][BLOCK_CELL] where single: V of the rows above and below the middle, not rounded */
     double growth_limit;
 } BlockFactor;
+
+enum { BLOCK_CELL = 48 }; /* a block and what a vector store may reach behind it */
+
+/* Rows from..to-1 of each side, for a sweep: the top's rows rise in a forward sweep and fall in a backward one, the
+ * bottom's the other way. */
+typedef struct BlockSpan {
+    int top_from, top_to, bottom_from, bottom_to;
+} BlockSpan;
 
 /* What a factorisation noticed. */
 typedef struct BlockReport {
@@ -33,11 +43,13 @@ typedef struct BlockKernels {
     int (*factor)(const BlockFactor *f, const BlockChain *a, int sides, BlockReport *report);
     /* Factors the middle row, when both sides are done. */
     int (*factor_middle)(const BlockFactor *f, const BlockChain *a, BlockReport *report);
-    /* z of the rows of `sides` from x: count right-hand sides (1..BLOCK_RHS), each n*b values, one after the other.
-     * The top also begins the middle row. */
-    void (*forward)(const BlockFactor *f, int sides, int count, const double *x);
-    /* x of the rows of `sides` from z, both forward sweeps being done; the top also writes the middle row. */
-    void (*back)(const BlockFactor *f, int sides, int count, double *x);
+    /* z of the rows of the span in place of the right-hand sides (L5): count of them (1..BLOCK_RHS), each n*b values,
+     * one after the other. Rows farther from the middle are done. */
+    void (*forward)(const BlockFactor *f, BlockSpan span, int count, double *x);
+    /* x of the middle row, both forward sweeps being done. */
+    void (*middle)(const BlockFactor *f, int count, double *x);
+    /* x of the rows of the span in place of z (L6). Rows nearer to the middle are done. */
+    void (*back)(const BlockFactor *f, BlockSpan span, int count, double *x);
 } BlockKernels;
 
 extern const BlockKernels block6_kernels_generic, block6_kernels_avx2, block6_kernels_avx512;
@@ -72,9 +84,13 @@ int block_solver_init(BlockSolver *s, int n, int b, Isa isa, double growth_limit
 void block_solver_release(BlockSolver *s);
 /* 0, or LIN_UNSTABLE. */
 int block_solver_factor(BlockSolver *s, const BlockChain *a);
+/* The factors that are made next are rounded to single precision (L20), or not; there are none until then. */
+void block_solver_round(BlockSolver *s, int single);
 /* x: count right-hand sides of n*b values, one after the other. */
 void block_solver_solve(BlockSolver *s, int count, double *x);
-/* Doubles in the factors. */
+/* The same for one right-hand side whose rows come and go by the stream. */
+void block_solver_stream(BlockSolver *s, const LinStream *stream, double *x);
+/* Numbers in the factors. */
 long block_solver_nonzeros(const BlockSolver *s);
 
 #endif

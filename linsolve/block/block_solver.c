@@ -9,6 +9,9 @@
 /* From how many blocks, and from how many entries in the diagonal ones, the second thread pays: measured,
  * bench/results/xeon-2core/linsolve.md. */
 enum { TEAM_FACTOR_MIN = 600, TEAM_SOLVE_ENTRIES = 30000, ALIGNMENT = 64 };
+/* Rows that are made, swept over and used while they are in the second cache. Shorter tiles cost more than they save:
+ * forty arrays that begin anew have their first lines fetched one by one. */
+enum { TILE = 4096 };
 
 static const BlockKernels *kernels_for(int b, Isa isa)
 {
@@ -20,14 +23,13 @@ static const BlockKernels *kernels_for(int b, Isa isa)
 int block_solver_init(BlockSolver *s, int n, int b, Isa isa, double growth_limit, Team *team)
 {
     assert(n > 0 && (b == 3 || b == 6));
-    const int width = b == 6 ? 8 : 4;
     const int cell = b * b;
     *s = (BlockSolver){.kernels = kernels_for(b, isa), .team = team, .report = {.growth = 1}};
-    s->f = (BlockFactor){.n = n, .b = b, .width = width, .middle = n / 2, .growth_limit = growth_limit};
+    s->f = (BlockFactor){.n = n, .b = b, .middle = n / 2, .growth_limit = growth_limit};
     s->f.front = aligned_array_new(2 * cell * n);
     s->f.back = aligned_array_new(cell * n);
-    s->f.z = aligned_array_new(n * BLOCK_RHS * width);
-    if (s->f.front && s->f.back && s->f.z) return 1;
+    s->f.edge = aligned_array_new(2 * BLOCK_CELL);
+    if (s->f.front && s->f.back && s->f.edge) return 1;
     block_solver_release(s);
     return 0;
 }
@@ -36,7 +38,7 @@ void block_solver_release(BlockSolver *s)
 {
     free(s->f.front);
     free(s->f.back);
-    free(s->f.z);
+    free(s->f.edge);
     *s = (BlockSolver){0};
 }
 
@@ -79,38 +81,118 @@ int block_solver_factor(BlockSolver *s, const BlockChain *a)
     return status;
 }
 
+void block_solver_round(BlockSolver *s, int single) { s->f.single = single; }
+
+/* A solution: the sides' rows outside the seam, tile by tile, then the seam, then back. */
 typedef struct SolveJob {
     BlockSolver *s;
-    int count;
+    const LinStream *stream; /* NULL: x is whole */
+    int count, tile;
+    LinSeam seam;
     double *x;
 } SolveJob;
 
-static void forward_side(void *arg, int rank)
+static void rows_fill(const SolveJob *job, LinSide side, int from, int to)
 {
-    const SolveJob *const job = arg;
-    job->s->kernels->forward(&job->s->f, rank ? SIDE_BOTTOM : SIDE_TOP, job->count, job->x);
+    if (job->stream && from < to) job->stream->fill(job->stream->user, side, from, to);
 }
 
-static void back_side(void *arg, int rank)
+static void rows_take(const SolveJob *job, int from, int to)
 {
-    const SolveJob *const job = arg;
-    job->s->kernels->back(&job->s->f, rank ? SIDE_BOTTOM : SIDE_TOP, job->count, job->x);
+    if (job->stream && from < to) job->stream->take(job->stream->user, from, to);
+}
+
+/* Tile k of the sides, counted from the chain's ends. */
+static BlockSpan tile_span(const SolveJob *job, int sides, int k)
+{
+    const int n = job->s->f.n, whole = (n + LANES - 1) / LANES * LANES, from = k * job->tile, to = from + job->tile;
+    BlockSpan span = {0};
+    if (sides & SIDE_TOP) {
+        span.top_from = from < job->seam.from ? from : job->seam.from;
+        span.top_to = to < job->seam.from ? to : job->seam.from;
+    }
+    if (sides & SIDE_BOTTOM) {
+        const int high = k ? whole - from : n, low = whole - to;
+        span.bottom_to = high > job->seam.to ? high : job->seam.to;
+        span.bottom_from = low > job->seam.to ? low : job->seam.to;
+    }
+    return span;
+}
+
+static int tiles(const SolveJob *job)
+{
+    const int above = job->seam.from, below = job->s->f.n - job->seam.to + LANES;
+    return (above > below ? above : below) / job->tile + 1;
+}
+
+static void sweep_forward(const SolveJob *job, int sides)
+{
+    const BlockFactor *const f = &job->s->f;
+    for (int k = 0; k < tiles(job); ++k) {
+        const BlockSpan span = tile_span(job, sides, k);
+        rows_fill(job, LIN_TOP, span.top_from, span.top_to);
+        rows_fill(job, LIN_BOTTOM, span.bottom_from, span.bottom_to);
+        job->s->kernels->forward(f, span, job->count, job->x);
+    }
+}
+
+static void sweep_back(const SolveJob *job, int sides)
+{
+    const BlockFactor *const f = &job->s->f;
+    for (int k = tiles(job) - 1; k >= 0; --k) {
+        const BlockSpan span = tile_span(job, sides, k);
+        job->s->kernels->back(f, span, job->count, job->x);
+        rows_take(job, span.top_from, span.top_to);
+        rows_take(job, span.bottom_from, span.bottom_to);
+    }
+}
+
+static void forward_side(void *arg, int rank) { sweep_forward(arg, rank ? SIDE_BOTTOM : SIDE_TOP); }
+
+static void back_side(void *arg, int rank) { sweep_back(arg, rank ? SIDE_BOTTOM : SIDE_TOP); }
+
+static void solve_job(SolveJob *job)
+{
+    const BlockSolver *const s = job->s;
+    const BlockFactor *const f = &s->f;
+    const LinSeam seam = job->seam;
+    const BlockSpan inner = {seam.from, f->middle, f->middle + 1, seam.to};
+    const int large = f->n * f->b * f->b >= TEAM_SOLVE_ENTRIES || (job->stream && f->n >= HALVES_LONG);
+    const int apart = large && team_ready(s->team);
+    if (apart) {
+        team_run(s->team, forward_side, job);
+    } else {
+        sweep_forward(job, SIDE_BOTH);
+    }
+    rows_fill(job, LIN_SEAM, seam.from, seam.to);
+    s->kernels->forward(f, inner, job->count, job->x);
+    s->kernels->middle(f, job->count, job->x);
+    s->kernels->back(f, inner, job->count, job->x);
+    rows_take(job, seam.from, seam.to);
+    if (apart) {
+        team_run(s->team, back_side, job);
+    } else {
+        sweep_back(job, SIDE_BOTH);
+    }
 }
 
 void block_solver_solve(BlockSolver *s, int count, double *x)
 {
     const BlockFactor *const f = &s->f;
     for (int done = 0; done < count; done += BLOCK_RHS) {
-        double *const at = x + (size_t)done * (size_t)(f->n * f->b);
-        SolveJob job = {s, count - done < BLOCK_RHS ? count - done : BLOCK_RHS, at};
-        if (f->n * f->b * f->b >= TEAM_SOLVE_ENTRIES && team_ready(s->team)) {
-            team_run(s->team, forward_side, &job);
-            team_run(s->team, back_side, &job);
-        } else {
-            s->kernels->forward(f, SIDE_BOTH, job.count, at);
-            s->kernels->back(f, SIDE_BOTH, job.count, at);
-        }
+        SolveJob job = {.s = s,
+                        .count = count - done < BLOCK_RHS ? count - done : BLOCK_RHS,
+                        .tile = f->n + LANES,
+                        .seam = lin_seam(f->n),
+                        .x = x + (size_t)done * (size_t)(f->n * f->b)};
+        solve_job(&job);
     }
+}
+
+void block_solver_stream(BlockSolver *s, const LinStream *stream, double *x)
+{
+    SolveJob job = {.s = s, .stream = stream, .count = 1, .tile = TILE, .seam = lin_seam(s->f.n), .x = x};
+    solve_job(&job);
 }
 
 long block_solver_nonzeros(const BlockSolver *s) { return 3L * s->f.n * s->f.b * s->f.b; }
@@ -142,6 +224,18 @@ static int block_solve(void *self, int count, double *x)
     return 0;
 }
 
+static int block_stream(void *self, const LinStream *stream, double *x)
+{
+    block_solver_stream(self, stream, x);
+    return 0;
+}
+
+static void block_rough(void *self, int rough)
+{
+    BlockSolver *const s = self;
+    block_solver_round(s, rough && s->f.n * s->f.b * s->f.b >= LIN_ROUND_ENTRIES);
+}
+
 static void block_stats(const void *self, LinStats *stats)
 {
     const BlockSolver *const s = self;
@@ -150,5 +244,10 @@ static void block_stats(const void *self, LinStats *stats)
     stats->growth = 1 / s->report.growth;
 }
 
-const LinBackend block_backend = {
-    .make = block_make, .drop = block_drop, .factor = block_factorise, .solve = block_solve, .stats = block_stats};
+const LinBackend block_backend = {.make = block_make,
+                                  .drop = block_drop,
+                                  .factor = block_factorise,
+                                  .solve = block_solve,
+                                  .stream = block_stream,
+                                  .rough = block_rough,
+                                  .stats = block_stats};

@@ -5,15 +5,6 @@
 
 #include "linsolve/block/block_eliminate.h"
 
-/* Row i of a right-hand side; the last row has nothing behind it to read. */
-VEC_INLINE Vec row_load(const BlockFactor *f, const double *x, int i)
-{
-    if (i + 1 < f->n) return vec_load(x + i * B);
-    double last[W] = {0};
-    memcpy(last, x + i * B, B * sizeof(double));
-    return vec_load(last);
-}
-
 /* A x, in two chains, which halves the wait for the sums. */
 VEC_INLINE Vec times(const Block *a, Vec x)
 {
@@ -32,83 +23,104 @@ VEC_INLINE Vec minus_times(Vec t, const Block *a, Vec x)
     return vec_sub(t, odd);
 }
 
-VEC_INLINE double *z_at(const BlockFactor *f, int i, int rhs) { return f->z + (rhs * f->n + i) * W; }
+/* Block k of a factor's array, of doubles or of floats. */
+VEC_INLINE Block factor_block(const double *array, int k, int single)
+{
+    if (!single) return block_load(array + k * CELL);
+    const float *const p = (const float *)array + k * CELL;
+    Block a;
+    UNROLL for (int c = 0; c < B; ++c) a.c[c] = vec_load_single(p + c * B);
+    return a;
+}
+
+/* Row i of right-hand side r, of z, of the solution. */
+VEC_INLINE double *row_at(const BlockFactor *f, double *x, int i, int r) { return x + (r * f->n + i) * B; }
+
+/* A row is read with what is beside it on the side that the sweep goes to: a load of what the row before has just
+ * stored would wait for it. The last row of a sweep to the chain's end is read alone. */
+typedef enum Beside { BESIDE_NEXT, BESIDE_LAST, BESIDE_NONE } Beside;
+
+VEC_INLINE Vec row_load(const double *row, Beside beside)
+{
+    return beside == BESIDE_NEXT ? vec_load(row) : beside == BESIDE_LAST ? vec_load_ending(row) : vec_load_short(row);
+}
+
+/* z, or x, of row i; zero where there is none. */
+VEC_INLINE void rows_begin(const BlockFactor *f, int i, int count, double *x, Vec out[])
+{
+    UNROLL for (int r = 0; r < count; ++r)
+    {
+        out[r] = i >= 0 && i < f->n ? vec_load_short(row_at(f, x, i, r)) : vec_zero();
+    }
+}
 
 /* z_i = X (r - L z_before) (L5); z holds z_before and receives z_i. */
-VEC_INLINE void row_forward(const BlockFactor *f, int i, int count, const double *x, Vec z[])
+VEC_INLINE void row_forward(const BlockFactor *f, int i, Beside beside, int count, int single, double *x, Vec z[])
 {
-    const Block l = block_load(f->front + 2 * i * CELL), inverse = block_load(f->front + (2 * i + 1) * CELL);
+    const Block l = factor_block(f->front, 2 * i, single), inverse = factor_block(f->front, 2 * i + 1, single);
     UNROLL for (int r = 0; r < count; ++r)
     {
-        z[r] = times(&inverse, minus_times(row_load(f, x + r * f->n * B, i), &l, z[r]));
-        vec_store(z_at(f, i, r), z[r]);
+        z[r] = times(&inverse, minus_times(row_load(row_at(f, x, i, r), beside), &l, z[r]));
+        vec_store_short(row_at(f, x, i, r), z[r]);
     }
 }
 
-/* r - L z_before of the middle row. */
-VEC_INLINE void middle_forward(const BlockFactor *f, int count, const double *x, const Vec z[])
+VEC_INLINE void forward(const BlockFactor *f, BlockSpan s, int count, int single, double *x)
 {
-    const Block l = block_load(f->front + 2 * f->middle * CELL);
-    for (int r = 0; r < count; ++r) {
-        vec_store(z_at(f, f->middle, r), minus_times(row_load(f, x + r * f->n * B, f->middle), &l, z[r]));
-    }
-}
-
-VEC_INLINE void forward(const BlockFactor *f, int sides, int count, const double *x)
-{
-    const int top = sides & SIDE_TOP ? f->middle : 0, bottom = sides & SIDE_BOTTOM ? f->n - 1 - f->middle : 0;
     Vec down[BLOCK_RHS], up[BLOCK_RHS];
-    UNROLL for (int r = 0; r < count; ++r) down[r] = up[r] = vec_zero();
-    int k = 0;
-    for (; k < top && k < bottom; ++k) {
-        row_forward(f, k, count, x, down);
-        row_forward(f, f->n - 1 - k, count, x, up);
+    rows_begin(f, s.top_from - 1, count, x, down);
+    rows_begin(f, s.bottom_to, count, x, up);
+    int i = s.top_from, j = s.bottom_to - 1;
+    for (; i < s.top_to && j >= s.bottom_from; ++i, --j) {
+        row_forward(f, i, BESIDE_NEXT, count, single, x, down);
+        row_forward(f, j, BESIDE_LAST, count, single, x, up);
     }
-    for (int i = k; i < top; ++i) row_forward(f, i, count, x, down);
-    for (int i = k; i < bottom; ++i) row_forward(f, f->n - 1 - i, count, x, up);
-    if (sides & SIDE_TOP) middle_forward(f, count, x, down);
+    for (; i < s.top_to; ++i) row_forward(f, i, BESIDE_NEXT, count, single, x, down);
+    for (; j >= s.bottom_from; --j) row_forward(f, j, BESIDE_LAST, count, single, x, up);
 }
 
-/* x_m = X (z_m - U z_below), computed by each side for itself. */
-VEC_INLINE void middle_back(const BlockFactor *f, int count, Vec next[])
+/* x_m = X (r - L z_above - U z_below). */
+VEC_INLINE void middle(const BlockFactor *f, int count, int single, double *x)
 {
     const int m = f->middle;
-    const Block u = block_load(f->back + m * CELL), inverse = block_load(f->front + (2 * m + 1) * CELL);
+    const Block l = factor_block(f->front, 2 * m, single), u = factor_block(f->back, m, single);
+    const Block inverse = factor_block(f->front, 2 * m + 1, single);
+    Vec above[BLOCK_RHS], below[BLOCK_RHS];
+    rows_begin(f, m - 1, count, x, above);
+    rows_begin(f, m + 1, count, x, below);
     UNROLL for (int r = 0; r < count; ++r)
     {
-        const Vec below = m + 1 < f->n ? vec_load(z_at(f, m + 1, r)) : vec_zero();
-        next[r] = times(&inverse, minus_times(vec_load(z_at(f, m, r)), &u, below));
+        const Vec t = minus_times(vec_load_short(row_at(f, x, m, r)), &l, above[r]);
+        vec_store_short(row_at(f, x, m, r), times(&inverse, minus_times(t, &u, below[r])));
     }
 }
 
 /* x_i = z_i - V x_next (L6); next holds x_next and receives x_i. */
-VEC_INLINE void row_back(const BlockFactor *f, int i, int count, double *x, Vec next[])
+VEC_INLINE void row_back(const BlockFactor *f, int i, Beside beside, int count, int single, double *x, Vec next[])
 {
-    const Block v = block_load(f->back + i * CELL);
+    const Block v = factor_block(f->back, i, single);
     UNROLL for (int r = 0; r < count; ++r)
     {
-        next[r] = minus_times(vec_load(z_at(f, i, r)), &v, next[r]);
-        vec_store_short(x + (r * f->n + i) * B, next[r]);
+        next[r] = minus_times(row_load(row_at(f, x, i, r), beside), &v, next[r]);
+        vec_store_short(row_at(f, x, i, r), next[r]);
     }
 }
 
-VEC_INLINE void back(const BlockFactor *f, int sides, int count, double *x)
+VEC_INLINE void back(const BlockFactor *f, BlockSpan s, int count, int single, double *x)
 {
-    const int m = f->middle, top = sides & SIDE_TOP ? m : 0, bottom = sides & SIDE_BOTTOM ? f->n - 1 - m : 0;
     Vec up[BLOCK_RHS], down[BLOCK_RHS];
-    middle_back(f, count, up);
-    UNROLL for (int r = 0; r < count; ++r)
-    {
-        down[r] = up[r];
-        if (sides & SIDE_TOP) vec_store_short(x + (r * f->n + m) * B, up[r]);
+    rows_begin(f, s.top_to, count, x, up);
+    rows_begin(f, s.bottom_from - 1, count, x, down);
+    const int first = s.top_from > 1 ? s.top_from : 1, last = s.bottom_to < f->n - 1 ? s.bottom_to : f->n - 1;
+    int i = s.top_to - 1, j = s.bottom_from;
+    for (; i >= first && j < last; --i, ++j) {
+        row_back(f, i, BESIDE_LAST, count, single, x, up);
+        row_back(f, j, BESIDE_NEXT, count, single, x, down);
     }
-    int k = 0;
-    for (; k < top && k < bottom; ++k) {
-        row_back(f, m - 1 - k, count, x, up);
-        row_back(f, m + 1 + k, count, x, down);
-    }
-    for (int i = k; i < top; ++i) row_back(f, m - 1 - i, count, x, up);
-    for (int i = k; i < bottom; ++i) row_back(f, m + 1 + i, count, x, down);
+    for (; i >= first; --i) row_back(f, i, BESIDE_LAST, count, single, x, up);
+    for (; j < last; ++j) row_back(f, j, BESIDE_NEXT, count, single, x, down);
+    if (i >= s.top_from) row_back(f, i, BESIDE_NONE, count, single, x, up);
+    if (j < s.bottom_to) row_back(f, j, BESIDE_NONE, count, single, x, down);
 }
 
 #endif

@@ -12,6 +12,7 @@ enum { B = BLOCK_B, PART = BLOCK_PART, PARTS = (B + PART - 1) / PART };
 
 typedef double Part __attribute__((vector_size(BLOCK_PART * sizeof(double))));
 typedef int64_t PartMask __attribute__((vector_size(BLOCK_PART * sizeof(double))));
+typedef float SinglePart __attribute__((vector_size(BLOCK_PART * sizeof(float))));
 
 typedef struct Vec {
     Part p[PARTS];
@@ -26,6 +27,11 @@ typedef struct Vec {
 #define SPLAT_4(v, k) __builtin_shufflevector(v, v, k, k, k, k)
 #define SPLAT_8(v, k) __builtin_shufflevector(v, v, k, k, k, k, k, k, k, k)
 #define PART_SPLAT    ISA_JOIN(SPLAT, BLOCK_PART)
+/* The last places of a part moved to its front. */
+#define FRONT_2(v, by) __builtin_shufflevector(v, v, by, 1)
+#define FRONT_4(v, by) __builtin_shufflevector(v, v, by, by + 1, by + 2, 3)
+#define FRONT_8(v, by) __builtin_shufflevector(v, v, by, by + 1, by + 2, by + 3, by + 4, by + 5, 6, 7)
+#define PART_FRONT     ISA_JOIN(FRONT, BLOCK_PART)
 
 VEC_INLINE Vec vec_load(const double *p)
 {
@@ -37,6 +43,43 @@ VEC_INLINE Vec vec_load(const double *p)
 VEC_INLINE void vec_store(double *p, Vec v)
 {
     UNROLL for (int i = 0; i < PARTS; ++i) memcpy(p + i * PART, &v.p[i], sizeof(Part));
+}
+
+/* Numbers in single precision; they are worked on in double. */
+VEC_INLINE Vec vec_load_single(const float *p)
+{
+    Vec v;
+    UNROLL for (int i = 0; i < PARTS; ++i)
+    {
+        SinglePart part;
+        memcpy(&part, p + i * PART, sizeof part);
+        v.p[i] = __builtin_convertvector(part, Part);
+    }
+    return v;
+}
+
+/* The first B places only, zeros behind them. */
+VEC_INLINE Vec vec_load_short(const double *p)
+{
+    Vec v = {{{0}}};
+    UNROLL for (int i = 0; i < PARTS; ++i)
+    {
+        const int left = B - i * PART;
+        memcpy(&v.p[i], p + i * PART, (size_t)(left < PART ? left : PART) * sizeof(double));
+    }
+    return v;
+}
+
+/* The same, reading nothing behind the first B places, but what stands before them. */
+VEC_INLINE Vec vec_load_ending(const double *p)
+{
+    enum { SHORT = PARTS * PART - B };
+    Vec v;
+    UNROLL for (int i = 0; i + 1 < PARTS; ++i) memcpy(&v.p[i], p + i * PART, sizeof(Part));
+    Part last;
+    memcpy(&last, p + B - PART, sizeof last);
+    v.p[PARTS - 1] = PART_FRONT(last, SHORT);
+    return v;
 }
 
 VEC_INLINE Vec vec_zero(void) { return (Vec){{{0}}}; }

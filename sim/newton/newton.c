@@ -137,30 +137,50 @@ static void form_job(void *arg, int rank)
     newton_kernels()->form(nw, split_from(nw, rank), split_to(nw, rank));
 }
 
-/* Rows that are eliminated, then coupled, while what the first wrote for the second is in the nearest cache; whole
- * lanes. */
-enum { TILE = 128 };
-
-/* Eliminates in one half and couples its rows, but for the one at the middle, which needs the other half's z too. A row
- * needs its neighbours' z: coupling follows one row behind. */
-static void reduce_job(void *arg, int rank)
+/* Eliminates and couples rows, whose neighbours' z are needed too: elimination is a lane ahead of coupling, and the
+ * rows at the middle wait for the other half. */
+static void rows_reduce(void *arg, LinSide side, int from, int to)
 {
     const Split *const s = arg;
     Newton *const nw = s->nw;
-    const int from = split_from(nw, rank), to = split_to(nw, rank);
-    int coupled = rank == 0 ? from : from + 1;
-    for (int i = from; i < to; i += TILE) {
-        const int end = i + TILE < to ? i + TILE : to, last = end == to && rank == 1 ? to : end - 1;
-        newton_kernels()->eliminate(nw, s->b, i, end);
-        if (last > coupled) newton_kernels()->couple(nw, coupled, last);
-        if (last > coupled) coupled = last;
+    if (side == LIN_TOP) {
+        newton_kernels()->eliminate(nw, s->b, from > 0 ? from + LANES : 0, to + LANES);
+    } else if (side == LIN_BOTTOM) {
+        newton_kernels()->eliminate(nw, s->b, from - LANES, to < nw->n ? to - LANES : to);
+    } else { /* what no side was asked for, having no rows of its own */
+        if (from == 0) newton_kernels()->eliminate(nw, s->b, 0, nw->middle);
+        if (to == nw->n) newton_kernels()->eliminate(nw, s->b, nw->middle, to);
+    }
+    newton_kernels()->couple(nw, from, to);
+}
+
+static void rows_expand(void *arg, int from, int to)
+{
+    const Split *const s = arg;
+    newton_kernels()->expand(s->nw, s->b, from, to);
+}
+
+/* One side, by tiles: what elimination wrote for coupling is in the nearest cache. */
+enum { TILE = 128 };
+
+static void reduce_job(void *arg, int rank)
+{
+    const Newton *const nw = ((Split *)arg)->nw;
+    const LinSeam seam = lin_seam(nw->n);
+    for (int i = 0; rank == 0 && i < seam.from; i += TILE) {
+        rows_reduce(arg, LIN_TOP, i, i + TILE < seam.from ? i + TILE : seam.from);
+    }
+    for (int to = nw->n, from; rank == 1 && to > seam.to; to = from) {
+        from = (to - 1) / TILE * TILE;
+        if (from < seam.to) from = seam.to;
+        rows_reduce(arg, LIN_BOTTOM, from, to);
     }
 }
 
 static void expand_job(void *arg, int rank)
 {
     const Split *const s = arg;
-    newton_kernels()->expand(s->nw, s->b, split_from(s->nw, rank), split_to(s->nw, rank));
+    rows_expand(arg, split_from(s->nw, rank), split_to(s->nw, rank));
 }
 
 static void both(TeamJob job, Split *split) { halves_run(split->nw->team, split->nw->n >= HALVES_LONG, job, split); }
@@ -199,8 +219,9 @@ void newton_stats(const Newton *nw, LinStats *stats)
 void newton_reduce(Newton *nw, const double *b)
 {
     Split split = {.nw = nw, .b = (double *)(uintptr_t)b};
+    const LinSeam seam = lin_seam(nw->n);
     both(reduce_job, &split);
-    newton_kernels()->couple(nw, nw->middle > 0 ? nw->middle - 1 : 0, nw->middle < nw->n ? nw->middle + 1 : nw->n);
+    rows_reduce(&split, LIN_SEAM, seam.from, seam.to);
 }
 
 void newton_expand(Newton *nw, double *b)
@@ -209,9 +230,9 @@ void newton_expand(Newton *nw, double *b)
     both(expand_job, &split);
 }
 
-int newton_solve(Newton *nw, double *b)
+/* With what the equipment and other chains add between reduction and solution. */
+static int solve_beside(Newton *nw, double *b)
 {
-    if (nw->full) return newton_full_solve(nw->full, nw, b);
     newton_reduce(nw, b);
     if (nw->extra) newton_extra_couple(nw);
     double *const equipment = b + STATE_SIZE * nw->n;
@@ -220,6 +241,19 @@ int newton_solve(Newton *nw, double *b)
     if (!status) newton_expand(nw, b);
     if (!status && nw->leaves) newton_leaves_expand(nw, equipment);
     return status;
+}
+
+int newton_solve(Newton *nw, double *b)
+{
+    if (nw->full) return newton_full_solve(nw->full, nw, b);
+    if (nw->extra || nw->leaves) return solve_beside(nw, b);
+    Split split = {.nw = nw, .b = b};
+    return linsolver_stream(nw->solver, &(LinStream){&split, rows_reduce, rows_expand}, nw->x);
+}
+
+void newton_rough(Newton *nw, int rough)
+{
+    if (!nw->full) linsolver_rough(nw->solver, rough);
 }
 
 void newton_point_equipment(Newton *nw, const EquipmentWork *w, const double *y, double friction)

@@ -34,6 +34,8 @@ void newton_form(Newton *nw, double gamma);
 int newton_negative(const Newton *nw);
 /* Factors a: see linsolver_factor. */
 int newton_factor(Newton *nw);
+/* Whether the next factors may be rounded: see linsolver_rough. */
+void newton_rough(Newton *nw, int rough);
 /* What is being solved with, and how it went. */
 void newton_stats(const Newton *nw, LinStats *stats);
 /* b [scene_state_size] becomes the solution of (1 - gamma J) x = b (N6)-(N8); returns as linsolver_solve. */

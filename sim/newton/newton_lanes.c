@@ -107,8 +107,8 @@ static void kernel_couple(Newton *nw, int from, int to)
 {
     const BlockChain *const k = &nw->k;
     for (int i = from; i < to; ++i) {
-        Lane sum = lane_set(0), beside = lane_set(0);
-        memcpy(&sum, nw->x + 6 * i, 6 * sizeof(double));
+        Lane beside = lane_set(0);
+        Lane sum = lane_load(nw->x + 6 * i); /* with two numbers of the next row, or behind the last */
         sum = block_times(k->diag + 36 * i, nw->z + 6 * i, sum);
         if (i > 0) beside = block_times(k->lower + 36 * i, nw->z + 6 * (i - 1), beside);
         if (i + 1 < nw->n) beside = block_times(k->upper + 36 * i, nw->z + 6 * (i + 1), beside);

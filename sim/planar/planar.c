@@ -149,6 +149,7 @@ static void motion_form(Motion *m, double gamma) { planar_newton_form(&planar_of
 static int motion_factor(Motion *m)
 {
     PlanarNewton *const nw = &planar_of(m)->newton;
+    linsolver_rough(nw->solver, m->rough);
     return linsolver_factor(nw->solver, &nw->a);
 }
 
@@ -274,8 +275,9 @@ hawser_status planar_new(Planar *p, const Scene *scene, const Plane *plane, Work
                                   .lin_stats = motion_lin_stats,
                                   .checkpoint = motion_checkpoint};
     const int n = scene->chain.n;
-    *p = (Planar){
-        .motion = {&ops, scene, PLANAR_SIZE * planar_stride(n), ws->team}, .ws = ws, .middle = halves_middle(n)};
+    *p = (Planar){.motion = {&ops, scene, PLANAR_SIZE * planar_stride(n), ws->team, .pitch = planar_stride(n)},
+                  .ws = ws,
+                  .middle = halves_middle(n)};
     hawser_status status = HAWSER_OK;
     if (!planar_scene_new(&p->ps, scene, plane) || !parts_new(p)) status = error_memory(err);
     if (!status) status = planar_newton_new(&p->newton, &p->ps.chain, options, err);

@@ -54,30 +54,28 @@ static void form_job(void *arg, int rank)
     planar_sim_kernels()->form(nw, share_from(nw, rank), share_to(nw, rank));
 }
 
-/* Rows that are eliminated, then coupled, while what the first wrote for the second is in the nearest cache; whole
- * lanes. */
-enum { TILE = 256 };
-
-/* Eliminates in one half and couples its rows, but for the lane beside the middle, which needs the other half's z too.
- * A lane needs its neighbours' z: coupling follows one lane behind. */
-static void reduce_job(void *arg, int rank)
+/* Eliminates and couples rows, whose neighbours' z are needed too: elimination is a lane ahead of coupling, and the
+ * rows at the middle wait for the other half. */
+static void rows_reduce(void *arg, LinSide side, int from, int to)
 {
     const Share *const s = arg;
     PlanarNewton *const nw = s->nw;
-    const int from = share_from(nw, rank), to = share_to(nw, rank);
-    int coupled = rank == 0 ? from : from + LANES;
-    for (int i = from; i < to; i += TILE) {
-        const int end = i + TILE < to ? i + TILE : to, last = end == to && rank == 1 ? to : end - LANES;
-        planar_sim_kernels()->eliminate(nw, s->b, i, end);
-        if (last > coupled) planar_sim_kernels()->couple(nw, s->b, coupled, last);
-        if (last > coupled) coupled = last;
+    const int n = nw->chain->n;
+    if (side == LIN_TOP) {
+        planar_sim_kernels()->eliminate(nw, s->b, from > 0 ? from + LANES : 0, to + LANES);
+    } else if (side == LIN_BOTTOM) {
+        planar_sim_kernels()->eliminate(nw, s->b, from - LANES, to < n ? to - LANES : to);
+    } else { /* what no side was asked for, having no rows of its own */
+        if (from == 0) planar_sim_kernels()->eliminate(nw, s->b, 0, nw->middle);
+        if (to == n) planar_sim_kernels()->eliminate(nw, s->b, nw->middle, to);
     }
+    planar_sim_kernels()->couple(nw, s->b, from, to);
 }
 
-static void expand_job(void *arg, int rank)
+static void rows_expand(void *arg, int from, int to)
 {
     const Share *const s = arg;
-    planar_sim_kernels()->expand(s->nw, s->b, share_from(s->nw, rank), share_to(s->nw, rank));
+    planar_sim_kernels()->expand(s->nw, s->b, from, to);
 }
 
 static void both(TeamJob job, Share *share)
@@ -96,12 +94,7 @@ void planar_newton_form(PlanarNewton *nw, double gamma)
 int planar_newton_solve(PlanarNewton *nw, double *b)
 {
     Share share = {.nw = nw, .b = b};
-    const int n = nw->chain->n, before = nw->middle > 0 ? nw->middle - LANES : 0;
-    both(reduce_job, &share);
-    planar_sim_kernels()->couple(nw, b, before, nw->middle + LANES < n ? nw->middle + LANES : n);
-    const int status = linsolver_solve(nw->solver, nw->x);
-    if (!status) both(expand_job, &share);
-    return status;
+    return linsolver_stream(nw->solver, &(LinStream){&share, rows_reduce, rows_expand}, nw->x);
 }
 
 void planar_newton_checkpoint(Checkpoint *c, PlanarNewton *nw)

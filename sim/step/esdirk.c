@@ -97,7 +97,7 @@ Esdirk *esdirk_new(Motion *motion, double *y, const double *weight, double share
                   .share = share,
                   .longest = longest,
                   .convergence = 1};
-    e->queue.team = motion->team;
+    e->queue = (VectorQueue){.team = motion->team, .pitch = &motion->pitch};
     return vectors_new(e) ? e : esdirk_free(e);
 }
 

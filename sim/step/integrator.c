@@ -126,7 +126,7 @@ static int solver_setup(SUNLinearSolver s, SUNMatrix a)
     Integrator *const in = s->content;
     const double start = clock_now();
     if (in->still) return 0;
-    const int status = in->motion->ops->factor(in->motion);
+    const int status = matrix_factor(in->motion, !in->newton.fresh);
     in->stats.factor += clock_now() - start;
     return status;
 }
@@ -236,7 +236,7 @@ static int integrator_start(Integrator *in, double t)
 {
     const int length = in->motion->size;
     if (!memory_room(CONTEXT_ROOM) || SUNContext_Create(NULL, &in->context)) return 0;
-    in->family.queue.team = in->motion->team;
+    in->family.queue = (VectorQueue){.team = in->motion->team, .pitch = &in->motion->pitch};
     in->state = vector_wrap(length, in->y, call_norm, in->motion, &in->family, in->context);
     if (!in->state || !vector_family_stock(in->state, VECTORS_MOST)) return 0;
     if (!cvode_new(in, t)) return 0;

@@ -76,7 +76,19 @@ struct Motion {
     const Scene *scene; /* borrowed */
     int size;           /* of y */
     Team *team;         /* borrowed; NULL: one thread */
+    int pitch;          /* y begins with arrays of so many entries, one a segment; 0: with nothing so simple */
+    int rough;          /* the next factors may be rounded: see linsolver_rough */
 };
+
+/* MotionOps.factor for Newton's iteration, which looks at the residual that its corrections leave: factors may be
+ * rounded (L21), but for the fresh matrix that it asks for where corrections fall too slowly. */
+static inline int matrix_factor(Motion *m, int rough)
+{
+    m->rough = rough;
+    const int status = m->ops->factor(m);
+    m->rough = 0;
+    return status;
+}
 
 /* MotionOps.whose of a motion that is one chain's. */
 static inline const Scene *motion_whose(const Motion *m, int *segment)

@@ -80,7 +80,8 @@ double scales_equipment_norm(const Equipment *q, const double *x, const double *
 void scales_equipment_project(const Equipment *q, const double *e, double *correction, double *error)
 {
     memset(correction, 0, (size_t)q->spins * sizeof *correction);
-    vector_kernels()->project(q->mounts, e + q->spins, correction + q->spins, error ? error + q->spins : NULL);
+    vector_kernels()->project(q->mounts, 0, q->mounts, e + q->spins, correction + q->spins,
+                              error ? error + q->spins : NULL);
 }
 
 int scales_worst_segment(int n, int pitch, int components, const double *x, const double *weight)

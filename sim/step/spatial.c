@@ -13,10 +13,38 @@
 
 static Spatial *spatial_of(Motion *m) { return (Spatial *)m; }
 
+/* Vectors of a long chain, shared by two threads as the segments are. */
+typedef struct Halves {
+    int n, size;
+    const double *y;
+    double *correction, *error;
+    int finite[2];
+} Halves;
+
+static int half_from(const Halves *h, int rank) { return rank ? halves_middle(h->n) : 0; }
+static int half_to(const Halves *h, int rank) { return rank ? h->n : halves_middle(h->n); }
+
+static void finite_job(void *arg, int rank)
+{
+    Halves *const h = arg;
+    const int from = half_from(h, rank), count = half_to(h, rank) - from, beside = STATE_SIZE * h->n;
+    int finite = rank == 0 || vector_kernels()->all_finite(h->size - beside, h->y + beside);
+    for (int c = 0; c < STATE_SIZE; ++c) finite &= vector_kernels()->all_finite(count, h->y + c * h->n + from);
+    h->finite[rank] = finite;
+}
+
+static int is_finite(const Motion *m, const double *y)
+{
+    Halves h = {.n = m->scene->chain.n, .size = m->size, .y = y};
+    if (h.n < HALVES_LONG || team_size(m->team) == 1) return vector_kernels()->all_finite(m->size, y);
+    team_run(m->team, finite_job, &h);
+    return h.finite[0] & h.finite[1];
+}
+
 static int spatial_rates(Motion *m, double t, const double *y, double *ydot)
 {
     dynamics_rates(m->scene, spatial_of(m)->ws, t, y, 1.0, ydot);
-    return !vector_kernels()->all_finite(m->size, ydot);
+    return !is_finite(m, ydot);
 }
 
 static void spatial_linearise(Motion *m, double t, const double *y, const double *ydot)
@@ -29,7 +57,11 @@ static void spatial_linearise(Motion *m, double t, const double *y, const double
 
 static void spatial_form(Motion *m, double gamma) { newton_form(spatial_of(m)->newton, gamma); }
 
-static int spatial_factor(Motion *m) { return newton_factor(spatial_of(m)->newton); }
+static int spatial_factor(Motion *m)
+{
+    newton_rough(spatial_of(m)->newton, m->rough);
+    return newton_factor(spatial_of(m)->newton);
+}
 
 static int spatial_solve(Motion *m, double *b) { return newton_solve(spatial_of(m)->newton, b); }
 
@@ -55,11 +87,18 @@ static double spatial_speed(const Motion *m, const double *y)
     return stride_speed(chain, chain->n, 3, y + STATE_V * chain->n, 3, y + STATE_W * chain->n);
 }
 
+static void project_job(void *arg, int rank)
+{
+    const Halves *const h = arg;
+    vector_kernels()->project(h->n, half_from(h, rank), half_to(h, rank), h->y, h->correction, h->error);
+}
+
 /* Keeps the quaternions of unit length (N9). */
 static void spatial_project(const Motion *m, const double *y, double *correction, double *error)
 {
     const int n = m->scene->chain.n, chain = STATE_SIZE * n;
-    vector_kernels()->project(n, y, correction, error);
+    Halves h = {.n = n, .y = y, .correction = correction, .error = error};
+    halves_run(m->team, n >= HALVES_LONG, project_job, &h);
     if (m->scene->equipment->n == 0) return;
     scales_equipment_project(m->scene->equipment, y + chain, correction + chain, error ? error + chain : NULL);
 }
@@ -195,6 +234,8 @@ Motion *spatial_init(Spatial *s, const Scene *scene, Workspace *ws, Newton *newt
                                   .unpack = spatial_unpack,
                                   .lin_stats = spatial_lin_stats,
                                   .checkpoint = spatial_checkpoint};
-    *s = (Spatial){.motion = {&ops, scene, scene_state_size(scene), ws->team}, .ws = ws, .newton = newton};
+    *s = (Spatial){.motion = {&ops, scene, scene_state_size(scene), ws->team, .pitch = scene->chain.n},
+                   .ws = ws,
+                   .newton = newton};
     return &s->motion;
 }

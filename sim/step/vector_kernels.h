@@ -23,8 +23,8 @@ typedef struct VectorKernels {
     /* 1 if every entry is finite */
     int (*all_finite)(int count, const double *x);
     /* Correction of the quaternions of y (13 arrays of n) to unit length, zero elsewhere; error (NULL: none) loses its
-     * part along them (N9). */
-    void (*project)(int n, const double *y, double *correction, double *error);
+     * part along them (N9). Segments from..to-1, from a lane's first. */
+    void (*project)(int n, int from, int to, const double *y, double *correction, double *error);
 } VectorKernels;
 
 ISA_KERNELS(VectorKernels, vector_kernels)

@@ -1,7 +1,7 @@
 /* The kernels of vector_kernels.h for one instruction set. */
 #include <math.h>
 
-#include "core/base/lanes.h"
+#include "core/base/lane_math.h"
 #include "core/state.h"
 #include "sim/step/scales.h"
 #include "sim/step/vector_kernels.h"
@@ -136,8 +136,7 @@ static int kernel_all_finite(int count, const double *x)
 LANE_INLINE void project_lane(const Lane q[4], Lane c[4], Lane *e)
 {
     const Lane square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    Lane scale;
-    for (int k = 0; k < LANES; ++k) scale[k] = 1 / sqrt(square[k]);
+    const Lane scale = 1 / lane_sqrt(square);
     for (int k = 0; k < 4; ++k) c[k] = (scale - 1) * q[k];
     if (!e) return;
     const Lane along = (q[0] * e[0] + q[1] * e[1] + q[2] * e[2] + q[3] * e[3]) / square;
@@ -156,12 +155,12 @@ LANE_INLINE void project_at(int n, const double *y, double *correction, double *
     for (int k = 0; error && k < 4; ++k) memcpy(error + (STATE_Q + k) * n + i, &e[k], bytes);
 }
 
-static void kernel_project(int n, const double *y, double *correction, double *error)
+static void kernel_project(int n, int from, int to, const double *y, double *correction, double *error)
 {
-    memset(correction, 0, (size_t)(STATE_SIZE * n) * sizeof(double));
-    int i = 0;
-    for (; i + LANES <= n; i += LANES) project_at(n, y, correction, error, i, LANES);
-    if (i < n) project_at(n, y, correction, error, i, n - i);
+    for (int c = 0; c < STATE_SIZE; ++c) memset(correction + c * n + from, 0, (size_t)(to - from) * sizeof(double));
+    int i = from;
+    for (; i + LANES <= to; i += LANES) project_at(n, y, correction, error, i, LANES);
+    if (i < to) project_at(n, y, correction, error, i, to - i);
 }
 
 const VectorKernels ISA_NAME(vector_kernels) = {

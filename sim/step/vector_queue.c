@@ -61,14 +61,29 @@ typedef struct Waiting {
     int length;
 } Waiting;
 
-/* The waiting tasks on the first or the second half of their vectors, piece by piece. */
+/* The waiting tasks on entries from..to-1, piece by piece. */
+static void stretch_run(const VectorQueue *queue, int from, int to)
+{
+    for (int at = from; at < to; at += PIECE) {
+        const int count = at + PIECE < to ? PIECE : to - at;
+        for (int k = 0; k < queue->tasks; ++k) task_piece(&queue->task[k], at, count);
+    }
+}
+
+/* The lane that entry i is in begins there: no lane is cut, so that every entry is computed as without stretches. */
+static int lane_begin(int i) { return i / LANES * LANES; }
+
+/* The waiting tasks on what one of two threads has of every array. */
 static void half_run(void *arg, int rank)
 {
     const Waiting *const w = arg;
-    const int middle = w->length / 2 / PIECE * PIECE, to = rank ? w->length : middle;
-    for (int at = rank ? middle : 0; at < to; at += PIECE) {
-        const int count = at + PIECE < to ? PIECE : to - at;
-        for (int k = 0; k < w->queue->tasks; ++k) task_piece(&w->queue->task[k], at, count);
+    const VectorQueue *const queue = w->queue;
+    const int given = queue->pitch ? *queue->pitch : 0, pitch = given > 0 && given < w->length ? given : w->length;
+    const int middle = halves_middle(pitch), arrays = w->length / pitch;
+    for (int c = 0; c < arrays; ++c) {
+        const int split = lane_begin(c * pitch + middle);
+        const int end = c + 1 < arrays ? lane_begin((c + 1) * pitch) : w->length;
+        stretch_run(queue, rank ? split : lane_begin(c * pitch), rank ? end : split);
     }
 }
 
@@ -76,6 +91,10 @@ void vector_queue_flush(VectorQueue *queue, int length)
 {
     if (queue->tasks == 0) return;
     Waiting waiting = {queue, length};
-    halves_run(queue->team, length >= LONG_VECTOR, half_run, &waiting);
+    if (length >= LONG_VECTOR && team_ready(queue->team)) {
+        team_run(queue->team, half_run, &waiting);
+    } else {
+        stretch_run(queue, 0, length);
+    }
     queue->tasks = 0;
 }

@@ -32,6 +32,9 @@ typedef struct VectorQueue {
     int tasks;
     VectorTask task[VECTOR_TASKS_MAX];
     Team *team; /* borrowed; NULL: one thread. Entries do not know of each other: the bits are the same. */
+    /* Vectors are arrays of so many entries, one a segment, and some entries behind them: the threads share them as
+     * they do the segments, so that each finds what it wrote itself in its caches. Borrowed; 0, or NULL: in halves. */
+    const int *pitch;
 } VectorQueue;
 
 /* Does one task at once on vectors of `length`. */

@@ -132,6 +132,11 @@ static void test_moved_too_far(void **state)
     assert_true(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
     scene_refresh(&s);
     assert_false(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
+    for (int c = 0; c < 3; ++c) s.kin.p[c][5] += 0.173; /* 0.2996 in all, though the components' sum is beyond */
+    assert_false(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
+    for (int c = 0; c < 3; ++c) s.kin.p[c][5] += 0.0003;
+    assert_true(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
+    scene_refresh(&s);
     s.kin.p[0][N - 1] = NAN; /* a lost state asks for a refresh rather than hiding */
     assert_true(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
     scene_free(&s);

@@ -192,12 +192,218 @@ static void unused_blocks(void **state)
     }
 }
 
+/* r - A x */
+static void residual_of(const BlockChain *a, const double *x, const double *r, double *out)
+{
+    const NewtonMatrix m = {.chain = *a};
+    memcpy(out, r, (size_t)(a->n * a->b) * sizeof *out);
+    for (int k = 0; k < newton_pieces(&m); ++k) {
+        const Piece p = newton_piece(&m, k);
+        for (int c = 0; c < p.cols; ++c) {
+            for (int i = 0; i < p.rows; ++i) out[p.row + i] -= p.value[c * p.rows + i] * x[p.col + c];
+        }
+    }
+}
+
+/* The largest |x - y| over the largest |y|. */
+static double apart(int count, const double *x, const double *y)
+{
+    double most = 0;
+    for (int k = 0; k < count; ++k) most = larger_of(most, fabs(x[k] - y[k]));
+    return most / fixture_norm(count, y);
+}
+
+/* One matrix of a cable, a solution whose factors were rounded and KLU's. */
+typedef struct Rounding {
+    int size;
+    BlockChain a;
+    LinSolver *rough;
+    double *r, *x, *exact, *left;
+} Rounding;
+
+static void rounding_new(Rounding *t, int n, int b, double gamma)
+{
+    uint64_t seed = 9;
+    const LinOptions options = {.kind = LIN_BLOCK, .threads = 1};
+    fixture_chain_cable(&t->a, n, b, gamma, &seed);
+    t->size = n * b;
+    t->r = fixture_vector(t->size, &seed);
+    for (int k = 0; k < t->size; ++k) t->r[k] = 1 + 0.1 * t->r[k];
+    t->x = malloc((size_t)t->size * sizeof(double));
+    t->exact = malloc((size_t)t->size * sizeof(double));
+    t->left = malloc((size_t)t->size * sizeof(double));
+    LinSolver *klu = linsolver_new(&t->a, &(LinOptions){.kind = LIN_KLU, .ordering = ORDER_AMD}, NULL);
+    t->rough = linsolver_new(&t->a, &options, NULL);
+    assert_true(t->rough && klu && t->x && t->exact && t->left);
+    memcpy(t->exact, t->r, (size_t)t->size * sizeof(double));
+    memcpy(t->x, t->r, (size_t)t->size * sizeof(double));
+    assert_int_equal(linsolver_factor(klu, &t->a), 0);
+    assert_int_equal(linsolver_solve(klu, t->exact), 0);
+    linsolver_rough(t->rough, 1);
+    assert_int_equal(linsolver_factor(t->rough, &t->a), 0);
+    assert_int_equal(linsolver_solve(t->rough, t->x), 0);
+    linsolver_free(klu);
+}
+
+static void rounding_free(Rounding *t)
+{
+    linsolver_free(t->rough);
+    free(t->r);
+    free(t->x);
+    free(t->exact);
+    free(t->left);
+    block_chain_free(&t->a);
+}
+
+/* x + the solution of what x leaves: a Newton iteration of a linear system. */
+static void refine(Rounding *t)
+{
+    residual_of(&t->a, t->x, t->r, t->left);
+    assert_int_equal(linsolver_solve(t->rough, t->left), 0);
+    for (int k = 0; k < t->size; ++k) t->x[k] += t->left[k];
+}
+
+static double backward_error(const Rounding *t)
+{
+    return fixture_backward_error(&(NewtonMatrix){.chain = t->a}, t->x, t->r);
+}
+
+/* Factors of a long chain, rounded: the solution is that of a matrix whose entries are off by single precision's
+ * rounding (L20); a correction leaves 1e-3 of that and of the error at most, and after two of them it is as good as
+ * KLU's. */
+static void rounded(void **state)
+{
+    (void)state;
+    static const double gamma[] = {1e-4, 3e-3, 0.05, 1}, unit = 6e-8; /* s; half of FLT_EPSILON */
+    for (int b = 3; b <= 6; b += 3) {
+        for (int k = 0; k < 4; ++k) {
+            Rounding t;
+            rounding_new(&t, LIN_ROUND_ENTRIES / (b * b), b, gamma[k]);
+            const double error = apart(t.size, t.x, t.exact), backward = backward_error(&t);
+            check_between(backward, 0.1 * unit, 3 * unit);
+            check_below(error, 100 * unit);
+            refine(&t);
+            check_below(apart(t.size, t.x, t.exact), 2e-3 * error);
+            check_below(backward_error(&t), 1e-3 * backward);
+            refine(&t);
+            check_below(backward_error(&t), 1e-14);
+            rounding_free(&t);
+        }
+    }
+}
+
+/* Where it is not asked for, not wanted, or the chain is short, nothing is rounded. */
+static void not_rounded(void **state)
+{
+    (void)state;
+    static const struct {
+        int rough, precise, shorter;
+    } ways[] = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}};
+    for (int k = 0; k < 3; ++k) {
+        uint64_t seed = 10;
+        BlockChain a;
+        fixture_chain_cable(&a, LIN_ROUND_ENTRIES / 36 - ways[k].shorter, 6, 0.01, &seed);
+        LinSolver *const s =
+            linsolver_new(&a, &(LinOptions){.kind = LIN_BLOCK, .threads = 1, .precise = ways[k].precise}, NULL);
+        assert_int_equal(linsolver_factor(s, &a), 0);
+        linsolver_rough(s, ways[k].rough);
+        solve_well(s, &a, 1e-15);
+        linsolver_rough(s, 1);
+        assert_int_equal(linsolver_factor(s, &a), 0);
+        solve_well(s, &a, 1e-15); /* what is asked for holds for one factorisation */
+        linsolver_free(s);
+        block_chain_free(&a);
+    }
+}
+
+/* Rows that come and go. */
+typedef struct Rows {
+    int n, b;
+    const double *r;
+    double *x, *out;
+    int *filled, *taken;
+} Rows;
+
+static void rows_fill(void *user, LinSide side, int from, int to)
+{
+    const Rows *const t = user;
+    const LinSeam seam = lin_seam(t->n);
+    if (side == LIN_TOP) assert_true(to <= seam.from && (from == 0 || t->filled[from - 1]));
+    if (side == LIN_BOTTOM) assert_true(from >= seam.to && (to == t->n || t->filled[to]));
+    if (side == LIN_SEAM) assert_true(from == seam.from && to == seam.to);
+    for (int i = from; i < to; ++i) ++t->filled[i];
+    memcpy(t->x + from * t->b, t->r + from * t->b, (size_t)((to - from) * t->b) * sizeof(double));
+}
+
+static void rows_take(void *user, int from, int to)
+{
+    const Rows *const t = user;
+    for (int i = from; i < to; ++i) ++t->taken[i];
+    memcpy(t->out + from * t->b, t->x + from * t->b, (size_t)((to - from) * t->b) * sizeof(double));
+}
+
+static void stream_once(int n, int b, LinKind kind, int rough, Team *team)
+{
+    uint64_t seed = 11;
+    BlockChain a;
+    hawser_error err = {0};
+    fixture_chain_cable(&a, n, b, 0.005, &seed);
+    const size_t bytes = (size_t)(n * b) * sizeof(double);
+    double *const r = fixture_vector(n * b, &seed), *const whole = malloc(bytes);
+    Rows rows = {.n = n, .b = b, .r = r, .x = malloc(bytes), .out = malloc(bytes)};
+    rows.filled = calloc((size_t)n, sizeof(int));
+    rows.taken = calloc((size_t)n, sizeof(int));
+    LinSolver *s = linsolver_new(&a, &(LinOptions){.kind = kind, .threads = 1}, &err);
+    if (!s) fail_msg("%s", err.message);
+    linsolver_rough(s, rough);
+    assert_int_equal(linsolver_factor(s, &a), 0);
+    memcpy(whole, r, bytes);
+    assert_int_equal(linsolver_solve(s, whole), 0);
+    s = linsolver_free(s);
+    s = linsolver_new(&a, &(LinOptions){.kind = kind, .threads = team ? 2 : 1, .team = team}, &err);
+    linsolver_rough(s, rough);
+    assert_int_equal(linsolver_factor(s, &a), 0);
+    assert_int_equal(linsolver_stream(s, &(LinStream){&rows, rows_fill, rows_take}, rows.x), 0);
+    assert_memory_equal(rows.out, whole, bytes);
+    for (int i = 0; i < n; ++i) assert_true(rows.filled[i] == 1 && rows.taken[i] == 1);
+    linsolver_free(s);
+    free(r);
+    free(whole);
+    free(rows.x);
+    free(rows.out);
+    free(rows.filled);
+    free(rows.taken);
+    block_chain_free(&a);
+}
+
+/* Rows that come and go give the bits of a whole right-hand side, each of them once and in order, around lanes, tiles
+ * and the lengths where the second thread comes in, rounded or not, and with a back end that needs all of them first.
+ */
+static void streams(void **state)
+{
+    (void)state;
+    static const int sizes[] = {999, 1000, 1001, 4096, 8191, 8193, 12100};
+    Team *team = team_new(2);
+    for (int b = 3; b <= 6; b += 3) {
+        for (int n = 1; n < 50; ++n) stream_once(n, b, LIN_BLOCK, 0, NULL);
+        for (int k = 0; k < 7; ++k) {
+            for (int rough = 0; rough < 2; ++rough) {
+                stream_once(sizes[k], b, LIN_BLOCK, rough, NULL);
+                stream_once(sizes[k], b, LIN_BLOCK, rough, team);
+            }
+        }
+        stream_once(77, b, LIN_KLU, 1, NULL);
+    }
+    team = team_free(team);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(instruction_sets), cmocka_unit_test(threads),       cmocka_unit_test(pivoting),
         cmocka_unit_test(growth),           cmocka_unit_test(cable_is_easy), cmocka_unit_test(fallback_singular_block),
-        cmocka_unit_test(unused_blocks),
+        cmocka_unit_test(unused_blocks),    cmocka_unit_test(rounded),       cmocka_unit_test(not_rounded),
+        cmocka_unit_test(streams),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -161,11 +161,63 @@ static void test_not_finite(void **state)
     rig_free(r);
 }
 
+/* A matrix of n rows with random blocks, well conditioned. */
+static void rows_new(Newton *nw, int n, Team *team, uint64_t *seed)
+{
+    hawser_error err = {0};
+    const LinOptions options = {.kind = LIN_BLOCK, .threads = team ? 2 : 1, .team = team};
+    if (newton_rows_new(nw, n, &options, &err)) fail_msg("%s", err.message);
+    newton_swell(nw, 1);
+    for (int k = 0; k < 36 * n; ++k) {
+        nw->k.diag[k] = fixture_random(seed);
+        nw->d.diag[k] = fixture_random(seed);
+        if (k >= 36) nw->k.lower[k] = fixture_random(seed);
+        if (k < 36 * (n - 1)) nw->k.upper[k] = fixture_random(seed);
+    }
+    for (int i = 0; i < n; ++i) {
+        for (int c = 0; c < 4; ++c) nw->q[c][i] = 1 + 0.3 * fixture_random(seed);
+        for (int c = 0; c < 3; ++c) nw->w[c][i] = fixture_random(seed);
+    }
+    newton_form(nw, 0.1);
+    assert_int_equal(newton_factor(nw), 0);
+}
+
+/* Rows that are reduced and expanded as the solver comes to them have the bits of rows that are reduced, solved and
+ * expanded one loop after the other, whatever the length leaves of the sides, with one thread and two. */
+static void test_rows(void **state)
+{
+    (void)state;
+    enum { MOST = 9001 };
+    Team *team = team_new(2);
+    for (int n = 1; n <= MOST; n = n < 50 ? n + 1 : 3 * n - 4) {
+        for (int threads = 1; threads <= 2; ++threads) {
+            uint64_t seed = 5;
+            Newton nw;
+            rows_new(&nw, n, threads == 2 ? team : NULL, &seed);
+            double *const b = malloc((size_t)(STATE_SIZE * n) * sizeof *b), *const x = malloc((size_t)(STATE_SIZE * n) *
+                                                                                              sizeof *x);
+            for (int k = 0; k < STATE_SIZE * n; ++k) b[k] = x[k] = fixture_random(&seed);
+            newton_kernels()->eliminate(&nw, x, 0, n);
+            newton_kernels()->couple(&nw, 0, n);
+            assert_int_equal(linsolver_solve(nw.solver, nw.x), 0);
+            newton_kernels()->expand(&nw, x, 0, n);
+            memset(nw.x, 0, (size_t)(6 * n) * sizeof *nw.x);
+            memset(nw.z, 0, (size_t)(6 * n) * sizeof *nw.z);
+            assert_int_equal(newton_solve(&nw, b), 0);
+            assert_memory_equal(b, x, (size_t)(STATE_SIZE * n) * sizeof *b);
+            free(b);
+            free(x);
+            newton_free(&nw);
+        }
+    }
+    team_free(team);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_solve),         cmocka_unit_test(test_spin),       cmocka_unit_test(test_form_again),
-        cmocka_unit_test(test_solvers_agree), cmocka_unit_test(test_not_finite),
+        cmocka_unit_test(test_solve),      cmocka_unit_test(test_rows),          cmocka_unit_test(test_spin),
+        cmocka_unit_test(test_form_again), cmocka_unit_test(test_solvers_agree), cmocka_unit_test(test_not_finite),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

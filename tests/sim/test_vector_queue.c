@@ -24,11 +24,12 @@ typedef struct Vectors {
     N_Vector v[VECTORS];
 } Vectors;
 
-static void vectors_new(Vectors *s, int length, int waits, Team *team)
+static void vectors_new(Vectors *s, int length, int waits, Team *team, const int *pitch)
 {
     memset(s, 0, sizeof *s);
     s->length = length;
     s->family.queue.team = team;
+    s->family.queue.pitch = pitch;
     assert_int_equal(SUNContext_Create(NULL, &s->context), 0);
     for (int k = 0; k < VECTORS; ++k) {
         s->v[k] = k ? N_VClone(s->v[0])
@@ -76,13 +77,15 @@ static void test_bits(void **state)
 {
     (void)state;
     static Vectors at_once, waiting;
-    const int lengths[] = {1, 7, 512, 519, 4810, LENGTH};
+    /* with two threads, also shared by arrays of so many entries and what is behind them */
+    const int lengths[] = {1, 7, 512, 519, 4810, LENGTH, LENGTH, LENGTH, LENGTH};
+    const int pitch[] = {0, 0, 0, 0, 370, 0, 2308, 1501, LENGTH + 1};
     Team *const two = team_new(2);
     assert_non_null(two);
-    for (int k = 0; k < 6; ++k) {
+    for (int k = 0; k < 9; ++k) {
         for (int threads = 1; threads <= 2; ++threads) {
-            vectors_new(&at_once, lengths[k], 0, NULL);
-            vectors_new(&waiting, lengths[k], 1, threads == 2 ? two : NULL);
+            vectors_new(&at_once, lengths[k], 0, NULL, NULL);
+            vectors_new(&waiting, lengths[k], 1, threads == 2 ? two : NULL, &pitch[k]);
             const double expected = work(&at_once), found = work(&waiting);
             assert_memory_equal(&expected, &found, sizeof found);
             for (int i = 0; i < VECTORS; ++i) {
@@ -101,7 +104,7 @@ static void test_waits(void **state)
 {
     (void)state;
     static Vectors s;
-    vectors_new(&s, 100, 1, NULL);
+    vectors_new(&s, 100, 1, NULL, NULL);
     N_VConst(3, s.v[0]);
     N_VScale(2, s.v[0], s.v[1]);
     check_above(fabs(s.data[5] - 3), 1);
@@ -125,7 +128,7 @@ static void test_take(void **state)
 {
     (void)state;
     static Vectors s;
-    vectors_new(&s, 100, 1, NULL);
+    vectors_new(&s, 100, 1, NULL, NULL);
     const double first = N_VGetArrayPointer(s.v[2])[0];
     N_VScale(2, s.v[2], s.v[2]);
     N_VConst(7, s.v[1]);
@@ -147,7 +150,7 @@ static void test_stock(void **state)
 {
     (void)state;
     static Vectors s;
-    vectors_new(&s, 100, 1, NULL);
+    vectors_new(&s, 100, 1, NULL, NULL);
     assert_int_equal(vector_family_stock(s.v[0], 3), 1);
     N_Vector last = s.family.spare[2], taken = N_VClone(s.v[1]), own = vector_clone(s.v[1]);
     assert_ptr_equal(taken, last);
