@@ -148,8 +148,8 @@ static void test_rollers_impossible(void **state)
             tried(keep_rollers, &s, &flat->roller, wrong[w][1], words);
             tried(keep_rollers, &s, &v->face, wrong[w][1], words);
         }
-        tried(keep_rollers, &s, &flat->face, 1, words);      /* a cylinder has one */
-        tried(keep_rollers, &s, &v->face, 0, NULL);          /* a V two */
+        tried(keep_rollers, &s, &flat->face, 1, words); /* a cylinder has one */
+        tried(keep_rollers, &s, &v->face, 0, NULL);     /* a V two */
         tried(keep_rollers, &s, &flat->kind, v->kind, words);
         tried(keep_rollers, &s, &flat->kind, contact_kind(SHAPE_CYLINDER, FRICTION_SPEED), words);
         tried(keep_rollers, &s, &flat->first, -1, words);
@@ -387,10 +387,12 @@ static void test_surfaces_impossible(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rollers),  cmocka_unit_test(test_rollers_impossible),
-        cmocka_unit_test(test_sticks),   cmocka_unit_test(test_self),
-        cmocka_unit_test(test_self_impossible), cmocka_unit_test(test_surfaces),
-        cmocka_unit_test(test_surfaces_impossible)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_rollers),
+                                       cmocka_unit_test(test_rollers_impossible),
+                                       cmocka_unit_test(test_sticks),
+                                       cmocka_unit_test(test_self),
+                                       cmocka_unit_test(test_self_impossible),
+                                       cmocka_unit_test(test_surfaces),
+                                       cmocka_unit_test(test_surfaces_impossible)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
