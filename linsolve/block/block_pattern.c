@@ -53,7 +53,9 @@ static int pattern_room(BlockPattern *p, int n)
     p->place = malloc(rows * sizeof(int));
     p->start = calloc(rows, sizeof(int));
     p->updates = calloc(rows, sizeof(int));
-    return p->row && p->place && p->start && p->updates;
+    if (p->row && p->place && p->start && p->updates) return 1;
+    block_pattern_free(p); /* nothing half made is left for the next try */
+    return 0;
 }
 
 /* list has room for `count`; 0 if there is no memory. */
