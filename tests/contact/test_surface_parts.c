@@ -269,7 +269,7 @@ static void test_curves(void **state)
     };
     Route route;
     assert_int_equal(route_build(&route, 6, def, V3_ZERO, 0, 0.4, NULL), HAWSER_OK);
-    const SurfaceShape shapes[2] = {
+    const SurfaceShape shapes[3] = {
         {.kind = SURFACE_DUCT, .from = 1, .to = route.length - 1, .fade = 0.5, .cable_radius = 0.02, .radius = 0.1},
         {.kind = SURFACE_FLAT,
          .from = 1,
@@ -278,16 +278,18 @@ static void test_curves(void **state)
          .cable_radius = 0.02,
          .width = 0.4,
          .depth = 0.1},
+        /* from the very beginning, which is a curve */
+        {.kind = SURFACE_DUCT, .from = 0.25, .to = 7, .fade = 0.5, .cable_radius = 0.02, .radius = 0.1},
     };
-    for (int k = 0; k < 2; ++k) {
+    for (int k = 0; k < 3; ++k) {
         const int n = surface_patch_count(&shapes[k], &route);
         SurfacePatch *const patch = malloc((size_t)n * sizeof *patch);
         surface_patches(&shapes[k], &route, 0, patch);
         double worst = 0, tilt = 0;
-        for (double s = 1.3; s < route.length - 1.3; s += 0.00731) {
+        for (double s = k == 2 ? 0 : 1.3; s < (k == 2 ? 7.2 : route.length - 1.3); s += 0.00731) {
             const SurfaceProbe at = probe_all(n, patch, route_at(&route, s).position, 0.1);
             worst = larger_of(worst, fabs(at.distance - 0.1));
-            if (k == 0) continue;
+            if (k != 1) continue;
             const Vec3 up = v3_cross(route_at(&route, s).tangent, route_left(&route, s));
             tilt = larger_of(tilt, v3_norm(v3_sub(at.normal, up)));
         }

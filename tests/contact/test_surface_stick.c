@@ -180,6 +180,12 @@ static void test_renumbered(void **state)
         check_equal(whole.stick.bed[0].lean[0][1][e], e < 3 ? 0 : s.pairs.stick.bed[0].lean[0][1][e - 3]);
     }
     surface_pairs_free(&whole);
+    surface_pairs_init(&whole, 0, N + 1); /* one more, one less at the end: nothing is behind it */
+    assert_true(surface_pairs_sticks(&whole, &s.model, N));
+    surface_carry(&s.pairs, &whole, 1);
+    check_equal(whole.stick.bed[0].lean[0][1][N], s.pairs.stick.bed[0].lean[0][1][N - 1]);
+    check_equal(whole.stick.bed[0].lean[0][1][N + 1], 0);
+    surface_pairs_free(&whole);
     surface_pairs_free(&half[0]);
     surface_pairs_free(&half[1]);
     surfaces_free(&s);

@@ -223,6 +223,14 @@ static void rings(void **state)
                     extra[e + k] = (ExtraBlock){.row = k ? j : i, .col = k ? i : j, .block = value[e + k]};
                 }
             }
+            if (trial % 4 == 3) { /* row 0 by itself */
+                memset(a.lower + 36, 0, 36 * sizeof(double));
+                memset(a.upper, 0, 36 * sizeof(double));
+                for (int e = 0; e < EXTRAS; ++e) {
+                    if (extra[e].row == 0) extra[e].row = extra[e].col == n - 1 ? 1 : n - 1;
+                    if (extra[e].col == 0) extra[e].col = extra[e].row == n - 1 ? 1 : n - 1;
+                }
+            }
             const NewtonMatrix m = {.chain = a, .extras = trial % 4 ? EXTRAS : 2, .extra = extra};
             double *const r = fixture_vector(6 * n, &seed), x[6 * MOST];
             memcpy(x, r, (size_t)(6 * n) * sizeof *r);

@@ -56,7 +56,7 @@ static int tried(const NewtonMatrix *m, const LinOptions *options, long k, doubl
 
 static void every_allocation(const NewtonMatrix *m, LinKind kind, LinOrdering ordering, int size)
 {
-    const LinOptions options = {.kind = kind, .ordering = ordering, .threads = 1};
+    const LinOptions options = {.kind = kind, .ordering = ordering, .threads = kind == LIN_BLOCK ? 2 : 1};
     double *const x = calloc((size_t)size, sizeof *x), *const whole = calloc((size_t)size, sizeof *whole);
     long k = 0;
     assert_false(tried(m, &options, MOST, whole, size));
@@ -86,6 +86,8 @@ static void chains(void **state)
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; ++k) every_allocation(&m, kinds[k], ORDER_AUTO, SIZE);
     every_allocation(&m, LIN_KLU, ORDER_AMD, SIZE);
     every_allocation(&m, LIN_KLU, ORDER_COLAMD, SIZE);
+    every_allocation(&m, LIN_KLU, ORDER_METIS, SIZE);
+    every_allocation(&m, LIN_KLU, ORDER_AUTO, SIZE);
     every_allocation(&helped, LIN_BLOCK, ORDER_AUTO, SIZE);
     block_chain_free(&chain);
     block_chain_free(&hard);
