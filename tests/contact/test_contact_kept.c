@@ -224,6 +224,28 @@ static void test_sticks(void **state)
     stick_free(&to.store);
 }
 
+/* A contact takes over from the nearest element of its own face, whichever of several that is. */
+static void test_nearest_sticks(void **state)
+{
+    (void)state;
+    static const int element[] = {4, 5, 20, 7, 30};
+    StickStore s = {.n = 0};
+    assert_true(stick_reserve(&s, 2, 5));
+    for (int k = 0; k < 5; ++k) s.fresh[k] = (StickRecord){k / 3, 0, element[k], {element[k], 0, 0}};
+    stick_accept(&s, 0, 5);
+    for (int e = 0; e < 40; ++e) {
+        check_equal(stick_kept(&s, 0, 0, e).x, e < 5 ? 4 + (e > 4) : e < 13 ? 5 : 20);
+        if (e != 18) check_equal(stick_kept(&s, 1, 0, e).x, e < 19 ? 7 : 30);
+        check_equal(stick_kept(&s, 0, 1, e).x, 0);
+    }
+    s.fresh[0] = (StickRecord){1, 1, 3, {9, 0, 0}};
+    stick_accept(&s, 1, 1); /* the others are forgotten */
+    for (int f = 0; f < 4; ++f) check_equal(stick_kept(&s, f / 2, f % 2, 4).x, f == 3 ? 9 : 0);
+    stick_accept(&s, 2, 0);
+    check_equal(stick_kept(&s, 1, 1, 3).x, 0);
+    stick_free(&s);
+}
+
 /* ---------------------------------------------------------------------------------------------- cable on cable */
 
 static void keep_self(Checkpoint *c, void *of)
@@ -387,12 +409,10 @@ static void test_surfaces_impossible(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_rollers),
-                                       cmocka_unit_test(test_rollers_impossible),
-                                       cmocka_unit_test(test_sticks),
-                                       cmocka_unit_test(test_self),
-                                       cmocka_unit_test(test_self_impossible),
-                                       cmocka_unit_test(test_surfaces),
-                                       cmocka_unit_test(test_surfaces_impossible)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_rollers),        cmocka_unit_test(test_rollers_impossible),
+        cmocka_unit_test(test_nearest_sticks), cmocka_unit_test(test_sticks),
+        cmocka_unit_test(test_self),           cmocka_unit_test(test_self_impossible),
+        cmocka_unit_test(test_surfaces),       cmocka_unit_test(test_surfaces_impossible)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
