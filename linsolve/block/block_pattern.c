@@ -49,7 +49,7 @@ static int pattern_room(BlockPattern *p, int n)
     if (p->row) return 1;
     const size_t rows = (size_t)n + 1;
     p->n = n;
-    p->row = malloc(rows * sizeof(int));
+    p->row = calloc(rows, sizeof(int));
     p->place = malloc(rows * sizeof(int));
     p->start = calloc(rows, sizeof(int));
     p->updates = calloc(rows, sizeof(int));
