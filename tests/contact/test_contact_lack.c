@@ -11,13 +11,13 @@ static const FrictionLaw sticky = {.mu_s = 0.3, .mu_d = 0.2, .v_s = 5e-3, .v_d =
 /* What may lack memory: 0, or MEMORY. `again`: once more with memory; the forces of it all. */
 typedef struct Trial {
     hawser_status (*attempt)(void *of);
-    void (*loads)(void *of, double sums[6]); /* of what has been made, by an attempt that may have been the second */
+    void (*loads)(void *of, double sums[7]); /* of what has been made, by an attempt that may have been the second */
     void *of;
 } Trial;
 
 static void every_allocation(const Trial *t, int least)
 {
-    double whole[6], sums[6];
+    double whole[7], sums[7];
     lack_after(MOST);
     assert_int_equal(t->attempt(t->of), HAWSER_OK);
     assert_false(lack_end());
@@ -40,10 +40,11 @@ static void every_allocation(const Trial *t, int least)
     check_between(lacked, least, MOST);
 }
 
-/* Forces and moments, weighed by the segments' numbers. */
-static void sum_up(const Loads *loads, int n, double sums[6])
+/* Forces and moments, weighed by the segments' numbers, and how many candidates they come of. */
+static void sum_up(const Loads *loads, int n, int candidates, double sums[7])
 {
-    memset(sums, 0, 6 * sizeof *sums);
+    memset(sums, 0, 7 * sizeof *sums);
+    sums[6] = candidates;
     for (int i = 0; i < n; ++i) {
         for (int c = 0; c < 3; ++c) {
             sums[c] += (i + 1) * loads->f[c][i];
@@ -96,18 +97,18 @@ static hawser_status rollers_attempt(void *of)
     return read_over(keep_rollers, r, r);
 }
 
-static void rollers_loads(void *of, double sums[6])
+static void rollers_loads(void *of, double sums[7])
 {
     Rollers *const r = of;
     const ContactPairs kept = r->s.pairs;
-    double same[6];
+    double same[7];
     scene_forces(&r->s, 1);
-    sum_up(&r->s.loads, N, sums);
+    sum_up(&r->s.loads, N, kept.candidates, sums);
     r->s.pairs = r->other;
     scene_forces(&r->s, 1);
     r->other = r->s.pairs;
     r->s.pairs = kept;
-    sum_up(&r->s.loads, N, same);
+    sum_up(&r->s.loads, N, r->other.candidates, same);
     assert_memory_equal(same, sums, sizeof same);
 }
 
@@ -186,18 +187,18 @@ static hawser_status turns_attempt(void *of)
     return read_over(keep_turns, t, t);
 }
 
-static void turns_loads(void *of, double sums[6])
+static void turns_loads(void *of, double sums[7])
 {
     Turns *const t = of;
     const SelfPairs kept = t->s.pairs;
-    double same[6];
+    double same[7];
     self_load(&t->s, 1);
-    sum_up(&t->s.loads, t->s.chain.n, sums);
+    sum_up(&t->s.loads, t->s.chain.n, kept.candidates, sums);
     t->s.pairs = t->other;
     self_load(&t->s, 1);
     t->other = t->s.pairs;
     t->s.pairs = kept;
-    sum_up(&t->s.loads, t->s.chain.n, same);
+    sum_up(&t->s.loads, t->s.chain.n, t->other.candidates, same);
     assert_memory_equal(same, sums, sizeof same);
 }
 
@@ -232,11 +233,11 @@ static hawser_status floor_attempt(void *of)
     return status;
 }
 
-static void floor_loads(void *of, double sums[6])
+static void floor_loads(void *of, double sums[7])
 {
     SurfaceScene *const s = of;
     surfaces_forces(s, 1);
-    sum_up(&s->loads, N, sums);
+    sum_up(&s->loads, N, s->pairs.candidates, sums);
 }
 
 static void test_surfaces(void **state)
