@@ -280,7 +280,7 @@ static hawser_status cross(Walk *w, double t, int *unstable, int *swings)
     Stage *const st = w->st;
     Bracket b = {
         .from = st->t, .to = t, .before = st->stability.unstable, .after = *unstable, .swings = *swings, .reached = 1};
-    int none;
+    int none = 0;
     memcpy(w->there, st->y, state_bytes(st));
     memcpy(w->above, st->y, state_bytes(st));
     memcpy(w->below, w->kept, state_bytes(st));
