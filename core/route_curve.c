@@ -135,6 +135,7 @@ RoutePoint route_curve_at(const Route *route, const RoutePiece *p, double x)
         plan.along = u * sinc(half) * cos(half);
         plan.aside = u * sinc(half) * sin(half);
     } else {
+        assert(knot);
         int i = (int)(c->n * u / c->end);
         i = i < 0 ? 0 : i > c->n - 1 ? c->n - 1 : i;
         plan = knot_after(&knot[i], integrate(p, knot[i].u, u));

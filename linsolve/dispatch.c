@@ -294,6 +294,7 @@ void linsolver_stats(const LinSolver *s, LinStats *stats)
     if (!s->use_backup) return;
     LinStats backup;
     linsolver_stats(s->backup, &backup);
+    stats->pivoted = backup.pivoted;
     stats->growth = backup.growth;
     stats->nonzeros = backup.nonzeros;
 }

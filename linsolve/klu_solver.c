@@ -215,7 +215,7 @@ static void factors_again(Checkpoint *c, KluSolver *s, const LinMatrix *a, int r
     s->symbolic = analyse(s, a, s->candidate);
     if (s->symbolic) s->numeric = klu_factor(now.p, now.i, s->full, s->symbolic, &s->common);
     if (!s->numeric) {
-        checkpoint_check(c, s->symbolic && s->common.status != KLU_OUT_OF_MEMORY, "its matrix has no pivots");
+        checkpoint_check(c, !s->symbolic || s->common.status == KLU_OUT_OF_MEMORY, "its matrix has no pivots");
         checkpoint_lack(c);
         return;
     }

@@ -104,11 +104,10 @@ static int lapack_factor(void *self, const LinMatrix *a)
                          : s->lapack.dgetrf_work(LAPACK_COL_MAJOR, s->n, s->n, s->lu, s->rows, s->pivot);
     if (info) return info;
     s->growth = largest / upper_max(s);
-    if (s->banded) {
-        s->lapack.dgbcon(LAPACK_COL_MAJOR, '1', s->n, s->below, s->above, s->lu, s->rows, s->pivot, norm, &rcond);
-    } else {
-        s->lapack.dgecon(LAPACK_COL_MAJOR, '1', s->n, s->lu, s->rows, norm, &rcond);
-    }
+    const int told = s->banded ? s->lapack.dgbcon(LAPACK_COL_MAJOR, '1', s->n, s->below, s->above, s->lu, s->rows,
+                                                  s->pivot, norm, &rcond)
+                               : s->lapack.dgecon(LAPACK_COL_MAJOR, '1', s->n, s->lu, s->rows, norm, &rcond);
+    if (told == LAPACK_WORK_MEMORY_ERROR) return -1;
     return rcond > DBL_EPSILON / 64 ? 0 : 1; /* rows in mixed units cost digits that are no sign of singularity */
 }
 

@@ -47,6 +47,7 @@ hawser_status small_eigen(int n, int symmetric, double *s, double *t, double *mu
     if (!beta) return error_memory(err);
     free(beta);
     if (info == 0) return HAWSER_OK;
+    if (info == LAPACK_WORK_MEMORY_ERROR) return error_memory(err);
     return error_set(err, HAWSER_ERR_RUN, "LAPACK found no eigenvalues of the modes' %d by %d matrices (info %d)", n, n,
                      (int)info);
 }

@@ -9,7 +9,7 @@ import sys
 
 # Per cent of lines and of branches. 97 and 90 are wanted; where the branches are below that the floor is where they are, and
 # docs/reliability.md says what is missing.
-FLOORS = {"core": (97, 86), "contact": (97, 88), "linsolve": (97, 89), "theory": (97, 90), "sim": (97, 86)}
+FLOORS = {"core": (97, 86), "contact": (97, 90), "linsolve": (97, 90), "theory": (97, 90), "sim": (97, 86)}
 
 
 def main():

@@ -5,6 +5,7 @@ A first run of every test tells which mistakes it reaches; each mistake is then 
 
 Usage: mutants.py make   [--count N] [--seed S] [--folders F ...]     a tree with N mistakes in build/mutants, built
                          [--labels L ...]                             only the tests of these labels
+                         [--each]                                     N of each folder
        mutants.py run    [--jobs J] [--minutes M]                     tries them; goes on where it was stopped
                          [--labels L ...] [--longest S] [--again]     with the tests of these labels that take less than S seconds; the
                                                                       survivors of what was tried before alone
@@ -20,6 +21,7 @@ import os
 import pathlib
 import random
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -84,12 +86,11 @@ class Place:
 
 
 class Finder:
-    """The places of one source file, from clang's tree of it."""
+    """The places of one file, from clang's tree of a source that is it or includes it."""
 
-    def __init__(self, path, flags):
+    def __init__(self, path, unit):
         from clang import cindex
         self.kinds, self.path, self.text, self.places = cindex.CursorKind, path, path.read_text(), []
-        unit = cindex.Index.create().parse(str(path), args=flags, options=0)
         for cursor in unit.cursor.get_children():
             where = cursor.location.file
             if where and pathlib.Path(where.name) == path and cursor.kind == self.kinds.FUNCTION_DECL:
@@ -186,24 +187,27 @@ def nested(places):
 
 
 def flags_of(path, commands):
-    """Compiler flags of a source file; of a header, those of a file of its folder."""
-    best = commands.get(path) or next((c for p, c in sorted(commands.items()) if p.parent == path.parent), None) \
-        or next(iter(commands.values()))
+    """Compiler flags of a source file."""
+    best = commands.get(path) or next(iter(commands.values()))
     return [w for w in best.split() if w.startswith(("-I", "-D", "-isystem", "-m")) or w.startswith("/usr/include")] + ["-xc", "-std=gnu17"]
 
 
 def find_all(folders):
+    """Places of the folders' sources, and of their headers as the first source that includes each sees them."""
+    from clang import cindex
     database = json.loads((BUILD / "compile_commands.json").read_text())
     commands = {pathlib.Path(e["file"]): e["command"].replace("\\\"", "\"") for e in database}
     places = {}
     for folder in folders:
-        for path in sorted([*(TREE / folder).rglob("*.c"), *(TREE / folder).rglob("*_lanes.h")]):
+        for path in sorted((TREE / folder).rglob("*.c")):
             if path.name == "mistake.c":
                 continue  # the switch itself
-            found = nested(Finder(path, flags_of(path, commands)).places)
-            if found:
-                places[path] = found
-    return places
+            unit = cindex.Index.create().parse(str(path), args=flags_of(path, commands), options=0)
+            headers = {pathlib.Path(os.path.normpath(i.include.name)) for i in unit.get_includes()}
+            for file in [path, *sorted(h for h in headers if h.is_relative_to(TREE / folder))]:
+                if file not in places:
+                    places[file] = nested(Finder(file, unit).places)
+    return {file: found for file, found in places.items() if found}
 
 
 def configure():
@@ -254,14 +258,16 @@ def make(args):
     archive = subprocess.run(["git", "-C", ROOT, "archive", "HEAD"], check=True, capture_output=True).stdout
     subprocess.run(["tar", "-C", TREE, "-xf", "-"], input=archive, check=True)
     (WORK / "mistake.h").write_text(SWITCH_H)
-    (TREE / "core" / "base" / "mistake.c").write_text(SWITCH_C % args.count)
+    (TREE / "core" / "base" / "mistake.c").write_text(SWITCH_C % (args.count * len(args.folders)))
     configure()
     places = find_all(args.folders)
     everything = [(path, place) for path, found in places.items() for place in found]
     random.Random(args.seed).shuffle(everything)
-    print(f"{len(everything)} places in {len(places)} files; {min(args.count, len(everything))} are taken")
+    groups = [[e for e in everything if e[0].is_relative_to(TREE / f)] for f in args.folders] if args.each else [everything]
+    taken = [e for group in groups for e in group[:args.count]]
+    print(f"{len(everything)} places in {len(places)} files; {len(taken)} are taken")
     chosen = collections.defaultdict(list)
-    for number, (path, place) in enumerate(everything[:args.count]):
+    for number, (path, place) in enumerate(taken):
         place.number = number
         chosen[path].append(place)
     texts = {path: path.read_text() for path in chosen}
@@ -300,15 +306,20 @@ def tests_of_build(wanted):
 
 
 def attempt(test, environment, limit):
-    """Whether the test passes with this environment, and how long it took, s."""
-    start = time.monotonic()
+    """Whether the test passes with this environment within `limit` s of processor time (a machine that is busy with other things
+    kills no mistake; what waits for ever is given up after a hundred times that), and how much it took, s."""
+    def limited():
+        os.nice(10)
+        resource.setrlimit(resource.RLIMIT_CPU, (int(limit) + 1, int(limit) + 2))
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     try:
-        done = subprocess.run(["nice", *test["command"]], cwd=test["cwd"], env={**os.environ, **environment}, timeout=limit,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+        done = subprocess.run(test["command"], cwd=test["cwd"], env={**os.environ, **environment}, timeout=100 * limit,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False, preexec_fn=limited)
         passed = done.returncode == 0
     except subprocess.TimeoutExpired:
         passed = False
-    return passed, time.monotonic() - start
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return passed, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def reached(tests, count, longest):
@@ -386,6 +397,7 @@ def main():
     parser.add_argument("--minutes", type=float, default=600)
     parser.add_argument("--labels", nargs="*", default=LABELS)
     parser.add_argument("--longest", type=float, default=30)
+    parser.add_argument("--each", action="store_true")
     parser.add_argument("--again", action="store_true")
     args = parser.parse_args()
     {"make": make, "run": run, "renew": renew, "report": report}[args.what](args)

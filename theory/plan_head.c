@@ -1,5 +1,6 @@
 #include "theory/plan_head.h"
 
+#include <assert.h>
 #include <stdlib.h>
 
 #include "core/base/error.h"
@@ -182,6 +183,7 @@ hawser_status plan_heads(const PlanDef *def, const DuctLoad *load, int way, doub
     *out = (HeadSeries){0};
     hawser_status status = places_find(def, way, apart, &places, err);
     if (!status) {
+        assert(places.n > 0); /* both ends of the way are places */
         out->row = malloc((size_t)places.n * sizeof *out->row);
         if (!out->row) status = error_memory(err);
     }

@@ -145,6 +145,7 @@ static int span_known(const PullDef *def, const PullStretch *a, const PullSpan *
 /* Integrates from cut to cut, in the pull's order, adding the steps between. */
 static void run_spans(const PullDef *def, int n, const double *cut, Pull *pull)
 {
+    assert(n >= 2);
     const int forward = def->to > def->from;
     double tension = def->start_tension;
     take_tension(pull, route_at(def->route, cut[forward ? 0 : n - 1]).piece, def->from, tension);

@@ -139,7 +139,7 @@ static int batch_fill(ContactBatch *batch, const ContactModel *model, const Chai
         const int h = l < batch->count ? first + l : first + batch->count - 1;
         const ContactHit hit = pairs->hit[h];
         batch_hit(batch, model, chain, kin, hit, l);
-        if (batch->presumes) batch->presumed[l] = pairs->presumed[2 * hit.roller + hit.face];
+        if (pairs->presumed) batch->presumed[l] = pairs->presumed[2 * hit.roller + hit.face];
         if (batch->rubs != FRICTION_STICK) continue;
         batch_put(batch->kept, l, stick_kept(&pairs->stick, hit.roller, hit.face, hit.element));
     }

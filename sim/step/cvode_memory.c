@@ -73,6 +73,7 @@ static int long_is(const void *memory, int at, long value)
 
 static int real_is(const void *memory, int at, realtype value)
 {
+    /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the same bits are what is asked for */
     return !memcmp((const char *)memory + at, &value, sizeof value);
 }
 

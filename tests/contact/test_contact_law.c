@@ -127,6 +127,30 @@ static void test_friction_derivative(void **state)
     check_finite(slope);
 }
 
+/* (K6): all coefficients by one factor; a law with friction keeps its kind however small the factor is, one without
+ * stays without. */
+static void test_friction_scaled(void **state)
+{
+    (void)state;
+    static const double factors[] = {0, 1e-9, 0.5, 1, 3};
+    for (int k = 0; k < 5; ++k) {
+        for (int sticks = 0; sticks < 2; ++sticks) {
+            FrictionLaw law = {.mu_s = 0.3, .mu_d = 0.2, .v_s = 5e-3, .v_d = 2e-2, .d_s = sticks ? 1e-3 : 0};
+            const FrictionLaw scaled = friction_scaled(law, factors[k]);
+            check_equal(scaled.mu_s, factors[k] > 0 ? factors[k] * 0.3 : FRICTION_HARDLY_ANY);
+            check_equal(scaled.mu_d, factors[k] > 0 ? factors[k] * 0.2 : FRICTION_HARDLY_ANY);
+            assert_int_equal(friction_kind(&scaled), sticks ? FRICTION_STICK : FRICTION_SPEED);
+            check_equal(scaled.v_d, 2e-2);
+            law.mu_d = 0;
+            check_equal(friction_scaled(law, factors[k]).mu_d, 0);
+            law.mu_s = 0;
+            assert_int_equal(friction_kind(&law), FRICTION_NONE);
+            const FrictionLaw none = friction_scaled(law, factors[k]);
+            assert_int_equal(friction_kind(&none), FRICTION_NONE);
+        }
+    }
+}
+
 /* (PS12): a contact that has sunk in too deep carries a load on a soft spring. Each step solves the spring with the
  * contact's line; returns how many until the law itself balances. about: the line is about the presumed force, else a
  * tangent at the gap, Newton's method. */
@@ -182,7 +206,8 @@ int main(void)
         cmocka_unit_test(test_presumed_forces_settle),    cmocka_unit_test(test_presumed_forces),
         cmocka_unit_test(test_impact_is_the_reference),   cmocka_unit_test(test_impact_never_pulls),
         cmocka_unit_test(test_impact_derivatives),        cmocka_unit_test(test_impact_without_depth),
-        cmocka_unit_test(test_friction_is_the_reference), cmocka_unit_test(test_friction_derivative),
+        cmocka_unit_test(test_friction_is_the_reference), cmocka_unit_test(test_friction_scaled),
+        cmocka_unit_test(test_friction_derivative),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
 /* Contact in the plane against contact in space: the same owners and forces for lines of every shape, where they touch
- * inside an arc, beyond an end, and where the radius changes; forces balance those on the rollers. */
+ * inside an arc, beyond an end, and where the radius changes; forces balance those on the rollers; derivatives against
+ * differences; what is near. */
 #include "contact/planar/planar_contact.h"
 #include "tests/support/touch.h"
 
@@ -87,11 +88,14 @@ static int planar_push(Rig *r)
 static void test_space(void **state)
 {
     (void)state;
+    static const double exponents[] = {1, 1.5, 2, 2.2}; /* those that cost no pow(), and one that does */
     double worst = 0, largest = 0;
     int contacts = 0;
     for (uint64_t seed = 1; seed <= 60; ++seed) {
         Rig r;
         rig_new(&r, seed % 2 ? GEOMETRY_SMOOTH : GEOMETRY_CYLINDER, seed);
+        r.s.model.impact.e = r.model.impact.e = exponents[seed / 2 % 4];
+        r.s.model.impact.k = r.model.impact.k = 2e7 * pow(1e-3, 1.5 - r.model.impact.e); /* alike at 1 mm */
         scene_forces(&r.s, 1);
         const int hits = r.s.pairs.n_hits, active = r.s.pairs.active;
         assert_int_equal(planar_push(&r), active);
@@ -162,12 +166,202 @@ static void test_moved(void **state)
     rig_free(&r);
 }
 
+/* Coordinate c of segment i moved by `by`: two shifts, a turn; two velocities, an angular velocity. */
+static void nudge(Rig *r, int i, int c, double by)
+{
+    if (c == 2) {
+        const double x = r->kin.a[0][i], z = r->kin.a[1][i];
+        r->kin.a[0][i] = x * cos(by) - z * sin(by);
+        r->kin.a[1][i] = z * cos(by) + x * sin(by);
+    } else if (c == 5) {
+        r->kin.w[i] += by;
+    } else {
+        (c < 2 ? r->kin.p : r->kin.v)[c % 3][i] += by;
+    }
+}
+
+static double load_of(const Rig *r, int i, int row) { return row < 2 ? r->loads.f[row][i] : r->loads.m[i]; }
+
+/* Entry of the block of segments (i, j), 0 where there is none. */
+static double block_entry(const PlanarBlocks *b, int i, int j, int e)
+{
+    return i == j ? b->diag[e][i] : j == i - 1 ? b->lower[e][i] : j == i + 1 ? b->upper[e][i] : 0;
+}
+
+/* (PL13) against central differences, at rest, creeping and sliding; what no block holds would show. */
+static void test_blocks(void **state)
+{
+    (void)state;
+    const double step = 1e-7;
+    double worst[2] = {0};
+    int contacts = 0;
+    for (uint64_t seed = 1; seed <= 12; ++seed) {
+        Rig r;
+        PlanarBlocks k, d;
+        rig_new(&r, seed % 3 ? GEOMETRY_SMOOTH : GEOMETRY_CYLINDER, seed);
+        const double faster = seed % 2 ? 1 : 0.1;
+        for (int i = 0; i < N; ++i) r.kin.v[0][i] *= faster, r.kin.v[1][i] *= faster, r.kin.w[i] *= faster;
+        assert_true(chain_struct_alloc(&k, N) && chain_struct_alloc(&d, N));
+        contacts += planar_push(&r);
+        r.s.pairs.n_hits = 0; /* what was found before is no matter */
+        planar_contact_blocks(&r.model, &r.chain, &r.kin, 1, &r.s.pairs, &k, &d);
+        for (int kind = 0; kind < 2; ++kind) {
+            double most[2] = {0}, apart[2] = {0}; /* columns of shifts, of turns */
+            for (int col = 0; col < 3 * N; ++col) {
+                const int j = col / 3, c = col % 3 + 3 * kind;
+                const PlanarKinematics *const kin = &r.kin;
+                const double kept[] = {kin->p[0][j], kin->p[1][j], kin->a[0][j], kin->a[1][j],
+                                       kin->v[0][j], kin->v[1][j], kin->w[j]};
+                double plus[3 * N];
+                nudge(&r, j, c, step);
+                planar_push(&r);
+                for (int row = 0; row < 3 * N; ++row) plus[row] = load_of(&r, row / 3, row % 3);
+                nudge(&r, j, c, -2 * step);
+                planar_push(&r);
+                for (int v = 0; v < 2; ++v)
+                    kin->p[v][j] = kept[v], kin->a[v][j] = kept[2 + v], kin->v[v][j] = kept[4 + v];
+                kin->w[j] = kept[6];
+                for (int row = 0; row < 3 * N; ++row) {
+                    const double slope = (plus[row] - load_of(&r, row / 3, row % 3)) / (2 * step);
+                    const double found = block_entry(kind ? &d : &k, row / 3, j, 3 * (col % 3) + row % 3);
+                    most[col % 3 == 2] = larger_of(most[col % 3 == 2], fabs(slope));
+                    apart[col % 3 == 2] = larger_of(apart[col % 3 == 2], fabs(slope - found));
+                }
+            }
+            for (int t = 0; t < 2; ++t) worst[kind] = larger_of(worst[kind], apart[t] / most[t]);
+        }
+        chain_struct_free(&k);
+        chain_struct_free(&d);
+        rig_free(&r);
+    }
+    print_message("%d contacts, K off by %.1g, D by %.1g\n", contacts, worst[0], worst[1]);
+    check_above(contacts, 30);
+    check_below(worst[0], 1e-6);
+    check_below(worst[1], 1e-6);
+}
+
+/* Blocks of contacts that do not press stay as they are, and nothing is added outside the chain. */
+static void test_no_blocks(void **state)
+{
+    (void)state;
+    Rig r;
+    PlanarBlocks k, d;
+    rig_new(&r, GEOMETRY_SMOOTH, 4);
+    for (int i = 0; i < N; ++i) r.chain.radius[i] = 1e-3;
+    assert_true(chain_struct_alloc(&k, N) && chain_struct_alloc(&d, N));
+    assert_int_equal(planar_push(&r), 0);
+    for (int e = 0; e < 9; ++e) {
+        for (int i = -1; i <= N; ++i) k.diag[e][i] = d.lower[e][i] = 3 + e;
+    }
+    planar_contact_blocks(&r.model, &r.chain, &r.kin, 1, &r.s.pairs, &k, &d);
+    for (int e = 0; e < 9; ++e) {
+        for (int i = -1; i <= N; ++i) {
+            check_equal(k.diag[e][i], 3 + e);
+            check_equal(d.lower[e][i], 3 + e);
+            check_equal(k.upper[e][i], 0);
+        }
+    }
+    chain_struct_free(&k);
+    chain_struct_free(&d);
+    rig_free(&r);
+}
+
+/* Distance of the roller from an element's points, less the line's radius there; by trying. */
+static double tried_gap(const Rig *r, int k, int e)
+{
+    const Element element = element_at(GEOMETRY_SMOOTH, N, e);
+    double least = INFINITY;
+    for (int i = 0; i <= 16; ++i) {
+        const Vec3 p = element_point(&element, &r->s.chain, &r->s.kin, i / 16.0);
+        const double rho = hypot(p.x - r->roller[k].centre[0], p.z - r->roller[k].centre[1]);
+        least = smaller_of(least, rho - r->roller[k].radius - element_radius(&element, &r->s.chain, i / 16.0));
+    }
+    return least;
+}
+
+/* What is near a roller is kept, between the first and the last of it, and ends of ranges that are surely far are not;
+ * a NaN is near; forces are the same. */
+static void test_narrow(void **state)
+{
+    (void)state;
+    int dropped = 0, kept = 0;
+    for (uint64_t seed = 1; seed <= 20; ++seed) {
+        Rig r;
+        PlanarLoads all;
+        const double reach = 0.02 * (double)seed;
+        rig_new(&r, GEOMETRY_SMOOTH, seed);
+        planar_push(&r);
+        all = r.loads;
+        assert_true(chain_struct_alloc(&r.loads, N));
+        planar_contact_narrow(&r.model, &r.chain, &r.kin, reach, &r.s.pairs);
+        for (int k = 0; k < SCENE_ROLLERS_MAX; ++k) {
+            int first = N + 1, last = -1;
+            for (int i = 0; i < r.s.pairs.n_near; ++i) {
+                const ContactRange range = r.s.pairs.near[i];
+                if (range.roller != k) continue;
+                first = range.first;
+                last = range.first + range.count - 1;
+            }
+            for (int e = 0; e <= N; ++e) {
+                const int there = e >= first && e <= last;
+                const double gap = tried_gap(&r, k, e);
+                if (gap <= reach) assert_true(there);
+                /* the sphere reaches at most the chord's half, the bulge and the thicker side's radius too far */
+                if (e == first || e == last) check_at_most(gap, reach + 0.25 + 0.15 + 0.15 + 0.04365);
+                kept += there;
+                dropped += !there;
+            }
+        }
+        planar_push(&r);
+        for (int c = 0; c < 2; ++c) assert_memory_equal(all.f[c], r.loads.f[c], N * sizeof(double));
+        assert_memory_equal(all.m, r.loads.m, N * sizeof(double));
+        r.kin.p[0][N - 1] = NAN;
+        planar_contact_narrow(&r.model, &r.chain, &r.kin, reach, &r.s.pairs);
+        int ends = 0;
+        for (int i = 0; i < r.s.pairs.n_near; ++i) ends += r.s.pairs.near[i].first + r.s.pairs.near[i].count == N + 1;
+        assert_int_equal(ends, SCENE_ROLLERS_MAX);
+        chain_struct_free(&all);
+        rig_free(&r);
+    }
+    check_above(kept, 100);
+    check_above(dropped, 100);
+    Rig r;
+    rig_new(&r, GEOMETRY_CYLINDER, 3);
+    planar_contact_narrow(&r.model, &r.chain, &r.kin, 1e-3, &r.s.pairs);
+    assert_int_equal(r.s.pairs.n_near, r.s.pairs.n_ranges); /* capsules are all kept */
+    rig_free(&r);
+}
+
+/* What stands before and behind the segments is nobody's: NaN there changes nothing. */
+static void test_ghosts(void **state)
+{
+    (void)state;
+    for (int geometry = 0; geometry < 2; ++geometry) {
+        Rig r;
+        PlanarLoads before;
+        rig_new(&r, geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, 5);
+        planar_push(&r);
+        before = r.loads;
+        assert_true(chain_struct_alloc(&r.loads, N));
+        for (int i = -1; i <= N; i += N + 1) {
+            for (int c = 0; c < 2; ++c) r.kin.p[c][i] = r.kin.a[c][i] = r.kin.v[c][i] = NAN;
+            r.kin.w[i] = NAN;
+            r.chain.half[i] = r.chain.radius[i] = NAN;
+        }
+        planar_push(&r);
+        for (int c = 0; c < 2; ++c) assert_memory_equal(before.f[c], r.loads.f[c], N * sizeof(double));
+        assert_memory_equal(before.m, r.loads.m, N * sizeof(double));
+        chain_struct_free(&before);
+        rig_free(&r);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_space),
-        cmocka_unit_test(test_reaction),
-        cmocka_unit_test(test_moved),
+        cmocka_unit_test(test_space),  cmocka_unit_test(test_reaction),  cmocka_unit_test(test_moved),
+        cmocka_unit_test(test_blocks), cmocka_unit_test(test_no_blocks), cmocka_unit_test(test_narrow),
+        cmocka_unit_test(test_ghosts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

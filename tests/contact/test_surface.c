@@ -318,6 +318,51 @@ static void test_potential(void **state)
     surfaces_free(&s);
 }
 
+/* (BA5), (BA6), (BA10): the forces' power is what friction and damping take, what goes into the springs, and what fades
+ * and twists do besides; the springs' energy by differences along the motion. */
+static void test_balance(void **state)
+{
+    (void)state;
+    const double step = 1e-7;
+    for (int twisted = 0; twisted < 2; ++twisted) {
+        SurfaceScene s;
+        double power = 0, energy[2];
+        scene_moving(&s, 0);
+        s.model.impact.e = 2.2;
+        if (twisted) { /* a V along all of the way, whose bends turn its section; faster */
+            const SurfaceShape tray = surfaces_shape(SURFACE_V, 0.5, 9);
+            s.model.n_surfaces = s.model.n_patches = 0;
+            surfaces_add(&s, &tray);
+            for (int i = 0; i < s.chain.n; ++i) {
+                if (i < 10) s.kin.p[2][i] += 0.06;
+                for (int c = 0; c < 3; ++c) s.kin.v[c][i] *= 5;
+            }
+            surfaces_refresh(&s);
+        }
+        surfaces_forces(&s, 1);
+        check_above(s.pairs.active, 10);
+        const ContactTally work = s.pairs.work;
+        for (int i = 0; i < s.chain.n; ++i) {
+            power += v3_dot(vec_load(s.loads.f, i), vec_load(s.kin.v, i));
+            power += v3_dot(vec_load(s.loads.m, i), vec_load(s.kin.w, i));
+        }
+        for (int side = 0; side < 2; ++side) {
+            for (int i = 0; i < s.chain.n; ++i) {
+                const double h = side ? 2 * step : -step;
+                vec_store(s.kin.p, i, v3_axpy(vec_load(s.kin.p, i), h, vec_load(s.kin.v, i)));
+                vec_store(s.kin.a, i, quat_rotate(quat_exp(v3_scale(h, vec_load(s.kin.w, i))), vec_load(s.kin.a, i)));
+            }
+            surfaces_forces(&s, 1);
+            energy[side] = s.pairs.work.energy;
+        }
+        const double rate = (energy[1] - energy[0]) / (2 * step), taken = work.friction + work.damping;
+        print_message("%g W, %g by edges\n", power, work.edges);
+        check_above(fabs(work.edges), twisted ? 0 : 1e-3 * taken); /* a twist does little */
+        check_close(power, work.edges - taken - rate, 2e-6 * (taken + fabs(rate)));
+        surfaces_free(&s);
+    }
+}
+
 /* A straight cable drawn over the end of a floor at the same depth: what is borne falls evenly, without steps. */
 static void test_floor_end(void **state)
 {
@@ -460,13 +505,13 @@ static void test_limits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_normal),        cmocka_unit_test(test_continuous),
-        cmocka_unit_test(test_fades_meet),    cmocka_unit_test(test_action_and_reaction),
-        cmocka_unit_test(test_objectivity),   cmocka_unit_test(test_halves),
-        cmocka_unit_test(test_stiffness),     cmocka_unit_test(test_potential),
-        cmocka_unit_test(test_floor_end),     cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_half_space),    cmocka_unit_test(test_ends_are_points),
-        cmocka_unit_test(test_tip_stiffness),
+        cmocka_unit_test(test_normal),          cmocka_unit_test(test_continuous),
+        cmocka_unit_test(test_fades_meet),      cmocka_unit_test(test_action_and_reaction),
+        cmocka_unit_test(test_objectivity),     cmocka_unit_test(test_halves),
+        cmocka_unit_test(test_stiffness),       cmocka_unit_test(test_potential),
+        cmocka_unit_test(test_balance),         cmocka_unit_test(test_floor_end),
+        cmocka_unit_test(test_limits),          cmocka_unit_test(test_half_space),
+        cmocka_unit_test(test_ends_are_points), cmocka_unit_test(test_tip_stiffness),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -161,8 +161,66 @@ static void test_renumbered(void **state)
         check_equal(found, expected);
         check_equal(half[e < 3 ? 1 : 0].stick.bed[0].lean[1][0][e], 0);
     }
+    /* and back into one of a segment less, from both */
+    SurfacePairs whole;
+    surface_pairs_init(&whole, 0, N + 1);
+    assert_true(surface_pairs_sticks(&whole, &s.model, N));
+    for (int p = 0; p < 2; ++p) surface_carry(&half[p], &whole, -1);
+    for (int q = 0; q < SURFACE_POINTS; ++q) {
+        for (int c = 0; c < 3; ++c) {
+            assert_memory_equal(whole.stick.bed[0].lean[q][c], s.pairs.stick.bed[0].lean[q][c],
+                                (N + 1) * sizeof(double));
+        }
+    }
+    surface_pairs_free(&whole);
+    surface_pairs_init(&whole, 0, N + 4); /* three more joined before all */
+    assert_true(surface_pairs_sticks(&whole, &s.model, N + 3));
+    surface_carry(&s.pairs, &whole, 3);
+    for (int e = 0; e < N + 4; ++e) {
+        check_equal(whole.stick.bed[0].lean[0][1][e], e < 3 ? 0 : s.pairs.stick.bed[0].lean[0][1][e - 3]);
+    }
+    surface_pairs_free(&whole);
+    surface_pairs_init(&whole, 0, N + 1); /* one more, one less at the end: nothing is behind it */
+    assert_true(surface_pairs_sticks(&whole, &s.model, N));
+    surface_carry(&s.pairs, &whole, 1);
+    check_equal(whole.stick.bed[0].lean[0][1][N], s.pairs.stick.bed[0].lean[0][1][N - 1]);
+    check_equal(whole.stick.bed[0].lean[0][1][N + 1], 0);
+    surface_pairs_free(&whole);
     surface_pairs_free(&half[0]);
     surface_pairs_free(&half[1]);
+    surfaces_free(&s);
+}
+
+/* (GR12): what is remembered lies in the surface and is no longer than d_s: a lean out of the plane is laid into it. */
+static void test_lean_is_laid_flat(void **state)
+{
+    (void)state;
+    uint64_t seed = 8;
+    SurfaceScene s;
+    scene_make(&s, SURFACE_PLANE, 0, &seed);
+    surface_accept(&s.model, &s.chain, &s.kin, 1, &s.pairs);
+    for (int k = 0; k < 2; ++k) {
+        Vec3 was[SURFACE_POINTS][N + 1];
+        for (int q = 0; q < SURFACE_POINTS; ++q) {
+            for (int e = 0; e <= N; ++e) {
+                was[q][e] = v3_scale((k ? 3 : 0.5) * sticky.d_s, fixture_vector(&seed, 1));
+                vec_store(s.pairs.stick.bed[0].lean[q], e, was[q][e]);
+            }
+        }
+        for (int i = 0; i < N; ++i) vec_store(s.kin.v, i, v3(0, 2e-3, 0));
+        for (int i = 0; i < N; ++i) vec_store(s.kin.w, i, v3(0, 0, 0));
+        surface_accept(&s.model, &s.chain, &s.kin, 1.1 + 0.1 * k, &s.pairs);
+        int longer = 0;
+        for (int q = 0; q < SURFACE_POINTS; ++q) {
+            for (int e = 0; e <= N; ++e) {
+                const Vec3 now = v3(was[q][e].x, was[q][e].y + 2e-4, 0);
+                const double length = v3_norm(now), most = sticky.d_s;
+                longer += length > most;
+                check_vec(vec_load(s.pairs.stick.bed[0].lean[q], e), v3_scale(fmin(1, most / length), now), 1e-12);
+            }
+        }
+        if (k) check_above(longer, 3);
+    }
     surfaces_free(&s);
 }
 
@@ -173,6 +231,7 @@ int main(void)
         cmocka_unit_test(test_steps),
         cmocka_unit_test(test_holds),
         cmocka_unit_test(test_renumbered),
+        cmocka_unit_test(test_lean_is_laid_flat),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

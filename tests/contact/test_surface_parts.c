@@ -1,0 +1,309 @@
+/* Surfaces in small, and along curves: bends tighter than a metre, stretches shorter than one, where sides and
+ * stretches end, who is a candidate, and what the details say. */
+#include <stdlib.h>
+
+#include "tests/support/touch.h"
+
+/* The one patch that owns p near its surface. */
+static SurfaceProbe probe_of(const SurfaceScene *s, Vec3 p)
+{
+    SurfaceProbe found = {.distance = NAN};
+    int owners = 0;
+    for (int f = 0; f < s->model.n_patches; ++f) {
+        const SurfaceProbe at = surface_probe(&s->patch[f], p);
+        if (!at.owned || fabs(at.distance) > 0.15) continue;
+        found = at;
+        ++owners;
+    }
+    assert_int_equal(owners, 1);
+    return found;
+}
+
+/* A duct of 0.1 m along bends of 0.3 to 0.9 m, which may be the first piece: everywhere as far as it is wide. */
+static void test_tight_bends(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 6; ++k) {
+        const double radius = 0.3 + 0.3 * (k % 3);
+        const RoutePieceDef def[] = {{.kind = ROUTE_STRAIGHT, .length = 1},
+                                     {.kind = ROUTE_BEND, .radius = radius, .angle = 2, .plane = 0.4 * k},
+                                     {.kind = ROUTE_STRAIGHT, .length = 1}};
+        const int first = k / 3; /* without the first straight */
+        SurfaceScene s;
+        surfaces_new(&s, 2, 0.5);
+        surfaces_route(&s, 3 - first, def + first, 0);
+        SurfaceShape duct = surfaces_shape(SURFACE_DUCT, 0.2, s.route.length - 0.2);
+        surfaces_add(&s, &duct);
+        for (double at = 0.01; at < s.route.length - 0.01; at += 0.0137) {
+            const RoutePoint on = route_at(&s.route, at);
+            const Vec3 left = route_left(&s.route, at), up = v3_cross(on.tangent, left);
+            const double inside = at < 0.4                    ? (at < 0 ? 0 : at / 0.4)
+                                  : at > s.route.length - 0.4 ? (s.route.length - at) / 0.4
+                                                              : 1;
+            for (int side = 0; side < 5; ++side) {
+                const Vec3 off = side == 0 ? V3_ZERO : v3_scale(side % 2 ? 0.06 : -0.06, side < 3 ? left : up);
+                const SurfaceProbe found = probe_of(&s, v3_add(on.position, off));
+                check_close(found.distance, side == 0 ? 0.1 : 0.04, 1e-12);
+                if (side) check_vec(found.normal, v3_scale(-1 / 0.06, off), 1e-9);
+                check_close(found.share, inside * inside * (3 - 2 * inside), 1e-9);
+            }
+        }
+        surfaces_free(&s);
+    }
+}
+
+/* A floor with walls along a straight, and a plane with ends: what is where, by the shape's own numbers. */
+static void test_ends_of_sections(void **state)
+{
+    (void)state;
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 20};
+    SurfaceScene s;
+    surfaces_new(&s, 2, 0.5);
+    surfaces_route(&s, 1, &straight, 0);
+    SurfaceShape floor = surfaces_shape(SURFACE_FLAT, 2, 18);
+    floor.height = 0.1;
+    surfaces_add(&s, &floor);
+    assert_int_equal(s.model.n_patches, 3);
+    const double half = floor.width / 2, band = floor.cable_radius;
+    for (int k = -60; k <= 60; ++k) {
+        const double y = 0.005 * k, x = 10, out = (fabs(y) - half + band / 2) / band;
+        const double gone = out < 0 ? 0 : out > 1 ? 1 : out * out * (3 - 2 * out);
+        const Vec3 p = v3(x, y, 0.01);
+        const SurfaceProbe bottom = surface_probe(&s.patch[0], p);
+        check_close(bottom.distance, floor.depth + 0.01, 1e-15);
+        check_close(bottom.share, 1 - gone, 1e-12);
+        for (int w = 0; w < 2; ++w) {
+            const SurfaceProbe wall = surface_probe(&s.patch[1 + w], p);
+            check_close(wall.distance, half + (w ? y : -y), 1e-15);
+            check_vec(wall.normal, v3(0, w ? 1 : -1, 0), 1e-15);
+            check_equal(wall.share, 1);
+            const double top = floor.height - floor.depth;
+            check_equal(surface_probe(&s.patch[1 + w], v3(x, y, top - 1e-9)).share, 1);
+            check_close(surface_probe(&s.patch[1 + w], v3(x, y, top + band / 2)).share, 0.5, 1e-12);
+            check_equal(surface_probe(&s.patch[1 + w], v3(x, y, top + band + 1e-9)).share, 0);
+        }
+    }
+    surfaces_free(&s);
+}
+
+/* Planes 0.3 to 3 m long and wide about their point: full within, half at their ends, nothing beyond. */
+static void test_planes(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 4; ++k) {
+        SurfaceScene s;
+        surfaces_new(&s, 2, 0.5);
+        SurfaceShape plane = surfaces_shape(SURFACE_PLANE, 0, 0);
+        plane.point = v3(7, -2, 0.5);
+        plane.fade = 0.1;
+        plane.length = k < 2 ? 0.3 : 3;
+        plane.width = k % 2 ? 0.5 : 2;
+        surfaces_add(&s, &plane);
+        for (int side = -1; side <= 1; side += 2) {
+            static const double off[] = {0.9, 1, 1.1};
+            for (int d = 0; d < 2; ++d) {
+                const double half = (d ? plane.width : plane.length) / 2;
+                const double at[] = {half - 0.0501, half, half + 0.0501}, share[] = {1, 0.5, 0};
+                for (int i = 0; i < 3; ++i) {
+                    const double x = d ? 0 : side * at[i], y = d ? side * at[i] : 0;
+                    const SurfaceProbe found = surface_probe(&s.patch[0], v3_add(plane.point, v3(x, y, 0.02 * off[i])));
+                    check_close(found.share, share[i], 1e-9);
+                    check_close(found.distance, 0.02 * off[i], 1e-14);
+                    check_vec(found.normal, v3(0, 0, 1), 1e-15);
+                    assert_int_equal(found.owned, d || i < 2);
+                }
+            }
+        }
+        surfaces_free(&s);
+    }
+}
+
+/* (DU13): the elements with a point within reach of the patch, and no others, for stretches from 0.3 m on. */
+static void test_candidates(void **state)
+{
+    (void)state;
+    enum { N = 70 };
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 40};
+    for (int k = 0; k < 6; ++k) {
+        const double from = 3 + 4.7 * k, length = k % 2 ? 0.3 : 4;
+        SurfaceScene s;
+        surfaces_new(&s, N, 0.5);
+        surfaces_points(&s, k % 3 ? GEOMETRY_SMOOTH : GEOMETRY_CYLINDER);
+        surfaces_route(&s, 1, &straight, 0);
+        SurfaceShape floor = surfaces_shape(SURFACE_FLAT, from, from + length);
+        floor.fade = 0.1;
+        surfaces_add(&s, &floor);
+        s.model.reach = 0.07;
+        for (int i = 0; i < N; ++i) s.kin.p[2][i] = 0.069 - 0.004 * i; /* from within reach to far behind */
+        for (int half = 0; half < 2; ++half) {                         /* elements of the second half alone */
+            surface_pairs_init(&s.pairs, half ? N / 2 : 0, s.points.elements);
+            surfaces_refresh(&s);
+            int count = 0;
+            for (int e = 0; e < s.points.elements; ++e) {
+                int near = 0, there = 0;
+                for (int q = 0; q < SURFACE_POINTS; ++q) {
+                    Vec3 p = V3_ZERO;
+                    const double alpha[2] = {1 - s.points.alpha[q][e], s.points.alpha[q][e]};
+                    for (int b = 0; b < 2; ++b) {
+                        const int i = e - 1 + b;
+                        if (i < 0 || i >= N) continue;
+                        p = v3_axpy(v3_axpy(p, alpha[b], vec_load(s.kin.p, i)),
+                                    s.points.beta[q][b][e] * s.chain.half[i], vec_load(s.kin.a, i));
+                    }
+                    const double g = p.z + floor.depth, on = p.x - (from - 0.05);
+                    near |= g < CABLE_RADIUS + 0.07 && g > -SURFACE_DEPTH_MAX - 0.07 && on >= -0.07 &&
+                            on < length + 0.1 + 0.07;
+                }
+                for (int r = 0; r < s.pairs.n_ranges; ++r) {
+                    const SurfaceRange *const range = &s.pairs.range[r];
+                    there += e >= range->first && e < range->first + range->count;
+                }
+                assert_int_equal(there, near && e >= s.pairs.from);
+                count += there;
+            }
+            assert_int_equal(count, s.pairs.candidates);
+            if (!half && k < 5) check_above(count, 0);
+            surface_pairs_free(&s.pairs);
+        }
+        surfaces_free(&s);
+    }
+}
+
+/* On one plane as on forty in the same place, of which each presses as much; the details are the points that carry
+ * force, where they are, and add up. */
+static void test_details(void **state)
+{
+    (void)state;
+    enum { N = 21, MANY = 40 };
+    for (int geometry = 0; geometry < 2; ++geometry) {
+        SurfaceScene s;
+        double before = 0;
+        surfaces_new(&s, N, 0.5);
+        surfaces_points(&s, geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH);
+        SurfaceShape plane = surfaces_shape(SURFACE_PLANE, 0, 0);
+        plane.point = v3(0, 0, -CABLE_RADIUS);
+        plane.length = plane.width = 0;
+        surfaces_add(&s, &plane);
+        for (int i = 0; i < N; ++i) {
+            s.kin.p[2][i] = -2e-4 + 4e-5 * i; /* a few press */
+            s.kin.v[1][i] = 0.1;
+        }
+        for (int many = 1; many <= MANY; many += MANY - 1) {
+            for (int k = 1; k < many; ++k) s.patch[k] = s.patch[0];
+            s.model.n_patches = many;
+            surfaces_refresh(&s);
+            surfaces_refresh(&s); /* into the same memory */
+            assert_int_equal(s.pairs.n_ranges, many);
+            assert_int_equal(s.pairs.candidates, many * s.points.elements);
+            surfaces_forces(&s, 1);
+            const double normal = s.tally[0].normal;
+            if (many > 1) check_share(normal, many * before, 1e-12);
+            before = normal;
+            SurfaceDetail detail[MANY * (N + 1) * SURFACE_POINTS];
+            Loads scratch;
+            assert_true(chain_struct_alloc(&scratch, N));
+            const int count = surface_details(&s.model, &s.chain, &s.kin, &s.pairs, &scratch, detail);
+            assert_int_equal(count, s.pairs.active);
+            check_between(count, 3 * many, 2 * N * many);
+            Vec3 force = V3_ZERO;
+            double sum = 0;
+            for (int k = 0; k < count; ++k) {
+                const SurfaceDetail *const d = &detail[k];
+                const int e = d->element, q = d->point_number;
+                const double alpha = s.points.alpha[q][e];
+                double z = 0, x = 0;
+                for (int b = 0; b < 2; ++b) {
+                    const int i = e - 1 + b;
+                    if (i < 0 || i >= N) continue;
+                    z += (b ? alpha : 1 - alpha) * s.kin.p[2][i];
+                    x += (b ? alpha : 1 - alpha) * s.kin.p[0][i] + s.points.beta[q][b][e] * s.chain.half[i];
+                }
+                check_close(d->gap, z, 1e-15);
+                check_vec(d->point, v3(x, 0, z), 1e-12);
+                check_vec(d->toward, v3(0, 0, 1), 1e-15);
+                check_share(d->normal, s.points.length[q][e] * 3e8 * pow(-z, 1.5), 1e-9);
+                check_share(d->force.y, -0.2 * d->normal, 1e-9);
+                assert_int_equal(d->surface, 0);
+                force = v3_add(force, d->force);
+                sum += d->normal;
+            }
+            check_share(sum, normal, 1e-12);
+            check_vec(force, v3_scale(-1, s.tally[0].force), 1e-9 * normal);
+            chain_struct_free(&scratch);
+        }
+        surfaces_free(&s);
+    }
+}
+
+/* What the patch of a part of the way that owns p says; exactly one does. */
+static SurfaceProbe probe_all(int n, const SurfacePatch *patch, Vec3 p, double near)
+{
+    SurfaceProbe found = {.distance = NAN};
+    int owners = 0;
+    for (int i = 0; i < n; ++i) {
+        const SurfaceProbe at = surface_probe(&patch[i], p);
+        if (!at.owned || fabs(at.distance - near) > 0.1) continue; /* a part elsewhere on the way */
+        found = at;
+        ++owners;
+    }
+    assert_int_equal(owners, 1);
+    return found;
+}
+
+/* Ducts along curves: how far their arcs lie beside the route. */
+static void test_curves(void **state)
+{
+    (void)state;
+    const RoutePieceDef def[] = {
+        {.kind = ROUTE_CUBIC, .cubic = {{10, 0, 4.2279}, {0, 6, -1}, {1, -5, 2}}},
+        {.kind = ROUTE_STRAIGHT, .length = 5},
+        {.kind = ROUTE_CURVE, .length = 8, .curvature = {0, 0.2}, .upright = 1},
+        {.kind = ROUTE_CURVE, .length = 7, .curvature = {0.2, 0.2}, .upright = 1},
+        {.kind = ROUTE_CURVE,
+         .length = 9,
+         .curvature = {0.2, -0.1},
+         .upright = 1,
+         .profile = PROFILE_ARC,
+         .slope_end = 0},
+        {.kind = ROUTE_CURVE, .length = 9, .upright = 1, .profile = PROFILE_PARABOLA, .slope_end = 0.4},
+    };
+    Route route;
+    assert_int_equal(route_build(&route, 6, def, V3_ZERO, 0, 0.4, NULL), HAWSER_OK);
+    const SurfaceShape shapes[3] = {
+        {.kind = SURFACE_DUCT, .from = 1, .to = route.length - 1, .fade = 0.5, .cable_radius = 0.02, .radius = 0.1},
+        {.kind = SURFACE_FLAT,
+         .from = 1,
+         .to = route.length - 1,
+         .fade = 0.5,
+         .cable_radius = 0.02,
+         .width = 0.4,
+         .depth = 0.1},
+        /* from the very beginning, which is a curve */
+        {.kind = SURFACE_DUCT, .from = 0.25, .to = 7, .fade = 0.5, .cable_radius = 0.02, .radius = 0.1},
+    };
+    for (int k = 0; k < 3; ++k) {
+        const int n = surface_patch_count(&shapes[k], &route);
+        SurfacePatch *const patch = malloc((size_t)n * sizeof *patch);
+        surface_patches(&shapes[k], &route, 0, patch);
+        double worst = 0, tilt = 0;
+        for (double s = k == 2 ? 0 : 1.3; s < (k == 2 ? 7.2 : route.length - 1.3); s += 0.00731) {
+            const SurfaceProbe at = probe_all(n, patch, route_at(&route, s).position, 0.1);
+            worst = larger_of(worst, fabs(at.distance - 0.1));
+            if (k != 1) continue;
+            const Vec3 up = v3_cross(route_at(&route, s).tangent, route_left(&route, s));
+            tilt = larger_of(tilt, v3_norm(v3_sub(at.normal, up)));
+        }
+        check_at_most(worst, 1e-4);
+        check_at_most(tilt, 0.03);
+        free(patch);
+    }
+    route_clear(&route);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_curves),           cmocka_unit_test(test_tight_bends),
+                                       cmocka_unit_test(test_ends_of_sections), cmocka_unit_test(test_planes),
+                                       cmocka_unit_test(test_candidates),       cmocka_unit_test(test_details)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
