@@ -223,7 +223,7 @@ static unsigned char *piece(const Checkpoint *c, int k)
 }
 
 /* Pieces of a solver with KLU. */
-enum { READY, BACKUP_USED, STATS, FACTORED, AGAIN, DECIDED, CANDIDATE, VALUES };
+enum { READY, BACKUP_USED, WAS_ROUGH, STATS, FACTORED, AGAIN, DECIDED, CANDIDATE, VALUES };
 
 /* What is said of a checkpoint read into a new solver for a, with piece k an int of this value; NULL: all is well. */
 static const char *fault_of(Both a, LinKind kind, int factorings, int k, int value, Both with)
