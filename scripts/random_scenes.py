@@ -61,6 +61,11 @@ def run(program, case, seconds):
     return found
 
 
+def straight(row):
+    """Whether the limit is a radius and nothing bends: `null` stands for infinite then."""
+    return row["name"] in ("bend_radius", "rope_bend") and row["value"] is None and row["margin"] == 1.0
+
+
 def unsafe(summary):
     """What is wrong with a verdict SAFE; "" if nothing is, or the verdict is another one."""
     if not summary or not summary["verdict"].startswith("SAFE"):
@@ -70,7 +75,8 @@ def unsafe(summary):
     broken = [row["name"] for row in summary["trust"] if not row["holds"]]
     if broken:
         return f"SAFE, but not trusted: {broken}"
-    figures = [summary["pull_force"]["steady_mean_N"], summary["pull_force"]["peak_N"], *(row["value"] for row in summary["limits"] if row["ok"])]
+    figures = [summary["pull_force"]["steady_mean_N"], summary["pull_force"]["peak_N"],
+               *(row["value"] for row in summary["limits"] if row["ok"] and not straight(row))]
     return "SAFE without a figure" if any(v is None or not math.isfinite(v) for v in figures) else ""
 
 

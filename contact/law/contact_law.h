@@ -36,6 +36,26 @@ double impact_force(const ImpactLaw *law, double gap, double rate, double *d_gap
  * (d/dv (mu/v)) / v, finite at 0 too, so that vector friction F = -N phi(v) v_t needs no branch at rest. */
 double friction_over_speed(const FrictionLaw *law, double v, double *d_over_v);
 
+/* Forces that contacts are presumed to press with while Newton's method looks for an equilibrium: each contact's law is
+ * a straight line about its own, so that a light rope neither flies off the rollers on which it lies nor is thrown back
+ * by those that it sinks into. docs/model/44-positions.md (PS11)-(PS13). */
+typedef enum PresumeFrom {
+    PRESUME_GAPS, /* from the gaps alone, by the law itself */
+    PRESUME_LAST, /* from what was pressed in an equilibrium nearby (PS13) */
+    PRESUME_LINE  /* from what was presumed, and the gaps to which that has led (PS12) */
+} PresumeFrom;
+
+typedef struct Presume {
+    PresumeFrom from;
+    double gravity; /* m/s2: a contact that closes is presumed to press with its segment's weight at most */
+    double keep;    /* share of its force that a contact which has pressed goes on with at least */
+} Presume;
+
+/* The force of the spring alone, N, that a contact is presumed to press with. `before`: N, in the equilibrium nearby,
+ * or presumed until now (0: it did not press); gap: m, negative: penetration; mass: kg, of its segment. Of surfaces all
+ * is for each metre of cable. */
+double presume_force(const Presume *how, const ImpactLaw *law, double before, double gap, double mass);
+
 /* What contacts of one kind do to the motion, summed over the contacts of one call; docs/model.md, "Balances". */
 typedef struct ContactTally {
     double friction, damping; /* W, what they take out of the motion (BA5) */

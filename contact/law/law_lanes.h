@@ -45,6 +45,26 @@ LANE_INLINE LaneImpact impact_at(const ImpactLaw *law, Lane gap, Lane rate, Lane
     return out;
 }
 
+/* (PS11): the same law as a straight line about the depth at which the spring alone has the force `presumed` (N): where
+ * that is zero nothing is pressed, and elsewhere the force may be below zero. Neither loss nor energy. */
+LANE_INLINE LaneImpact impact_about(const ImpactLaw *law, Lane presumed, Lane gap, Lane rate)
+{
+    const Lane zero = lane_set(0), one = lane_set(1);
+    LaneImpact out = {.touches = presumed > zero};
+    Lane depth = one;
+    for (int l = 0; l < LANES; ++l) depth[l] = presumed[l] > 0 ? pow(presumed[l] / law->k, 1 / law->e) : 1;
+    const Lane beyond = -gap - depth, stiffness = law->e * presumed / depth;
+    const LaneStep rise = lane_step(depth, zero, lane_set(law->d > 0 ? law->d : 1e-300));
+    const Lane risen = rise.value + rise.slope * beyond;
+    const LaneMask between = (risen > zero) & (risen < one);
+    const Lane c = law->c * lane_select(between, risen, lane_select(risen > zero, one, zero));
+    const Lane by_gap = law->c * lane_select(between, rise.slope, zero) * rate;
+    out.force = lane_select(out.touches, presumed + stiffness * beyond - c * rate, zero);
+    out.gap = lane_select(out.touches, by_gap - stiffness, zero);
+    out.rate = lane_select(out.touches, -c, zero);
+    return out;
+}
+
 /* The coefficients of the law in every lane. */
 typedef struct LaneFriction {
     Lane mu_s, mu_d, v_s, v_d;

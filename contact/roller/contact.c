@@ -129,6 +129,7 @@ static int batch_fill(ContactBatch *batch, const ContactModel *model, const Chai
     batch->kind = (ShapeKind)(kind / FRICTION_KINDS);
     batch->rubs = friction_scale > 0 ? (FrictionKind)(kind % FRICTION_KINDS) : FRICTION_NONE;
     batch->elapsed = pairs->stick.elapsed;
+    batch->presumes = pairs->presumed != NULL;
     batch->count = 1;
     while (batch->count < LANES && first + batch->count < pairs->n_hits &&
            pairs->hit[first + batch->count].kind == kind)
@@ -138,6 +139,7 @@ static int batch_fill(ContactBatch *batch, const ContactModel *model, const Chai
         const int h = l < batch->count ? first + l : first + batch->count - 1;
         const ContactHit hit = pairs->hit[h];
         batch_hit(batch, model, chain, kin, hit, l);
+        if (batch->presumes) batch->presumed[l] = pairs->presumed[2 * hit.roller + hit.face];
         if (batch->rubs != FRICTION_STICK) continue;
         batch_put(batch->kept, l, stick_kept(&pairs->stick, hit.roller, hit.face, hit.element));
     }
@@ -156,6 +158,12 @@ static ContactVariant batch_variant(const ContactModel *model, const ContactBatc
 static void batch_push(const ContactModel *model, const ContactBatch *batch, ContactPush *push)
 {
     contact_kernels()->push[batch_variant(model, batch)](batch, push);
+}
+
+/* Whether lane l, with that normal force, takes part: a line about a presumed force may also pull (PS11). */
+static int batch_counts(const ContactBatch *batch, const double normal[LANES], int l)
+{
+    return normal[l] > 0 || (batch->presumes && batch->presumed[l] > 0);
 }
 
 /* Adds one lane's wrench to its segments. */
@@ -184,7 +192,7 @@ void contact_forces(const ContactModel *model, const Chain *chain, const Kinemat
         for (int l = 0; l < batch.count; ++l) {
             /* also what carries no force: damping may take all that the spring has */
             tally_add(&tally, push.friction, push.damping, push.energy, push.total, 3, l);
-            if (!(push.normal[l] > 0)) continue;
+            if (!batch_counts(&batch, push.normal, l)) continue;
             /* only what carries force is added: the others' lanes are zeros */
             ++pairs->active;
             push_add(&batch, &push, l, loads);
@@ -227,7 +235,7 @@ void contact_blocks(const ContactModel *model, const Chain *chain, const Kinemat
         const int done = contact_kernels()->columns[batch_variant(model, &batch)](&batch, &by_shift, &by_speed, normal);
         if (!done) continue;
         for (int l = 0; l < batch.count; ++l) {
-            if (!(normal[l] > 0)) continue;
+            if (!batch_counts(&batch, normal, l)) continue;
             matrix_add(&by_shift, rows, l, batch.body[0][l], batch.body[1][l], k);
             if (done == 1) matrix_add(&by_speed, rows, l, batch.body[0][l], batch.body[1][l], d);
             if (!take) continue;
@@ -264,6 +272,29 @@ int contact_details(const ContactModel *model, const Chain *chain, const Kinemat
         }
     }
     return pairs->n_hits;
+}
+
+void contact_presume(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs,
+                     const Presume *how, const double *before, double *force)
+{
+    ContactBatch batch;
+    ContactPush push;
+    const double *const given = pairs->presumed;
+    pairs->presumed = NULL; /* gaps alone are asked for */
+    memset(force, 0, 2 * (size_t)model->n_rollers * sizeof *force);
+    hits_find(model, chain, kin, pairs);
+    for (int next = 0; next < pairs->n_hits;) {
+        next = batch_fill(&batch, model, chain, kin, 1, pairs, next);
+        batch_push(model, &batch, &push);
+        for (int l = 0; l < batch.count; ++l) {
+            const int face = 2 * batch.roller[l] + batch.face[l];
+            const int i = batch.body[1][l] >= 0 ? batch.body[1][l] : batch.body[0][l];
+            const double now =
+                presume_force(how, &model->impact, before ? before[face] : 0, push.gap[l], chain->mass[i]);
+            force[face] = fmax(force[face], now);
+        }
+    }
+    pairs->presumed = given;
 }
 
 /* The contacts that carry force are looked at once more, for how far each leans. */

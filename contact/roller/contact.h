@@ -73,11 +73,13 @@ typedef struct ContactPairs {
     /* by contact_forces and contact_blocks */
     int hits_allocated;
     int n_hits;
-    ContactHit *hit;    /* [n_hits] */
-    double *node;       /* chain array: a quantity of the segments against one roller */
-    int active;         /* hits that carried force in the last call of contact_forces */
-    ContactTally tally; /* of the last call of contact_forces */
-    StickStore stick;   /* by contact_accept; nothing is allocated where nothing sticks */
+    ContactHit *hit;        /* [n_hits] */
+    double *node;           /* chain array: a quantity of the segments against one roller */
+    int active;             /* hits that carried force in the last call of contact_forces */
+    ContactTally tally;     /* of the last call of contact_forces */
+    const double *presumed; /* [2 n_rollers] N, by roller and face: the law is a line about it (PS11); borrowed; NULL:
+                             * is the law itself */
+    StickStore stick;       /* by contact_accept; nothing is allocated where nothing sticks */
 } ContactPairs;
 
 /* Allocates for chains of n segments; candidates are empty until the first refresh. Returns 0 without memory
@@ -118,6 +120,11 @@ typedef void CouplingTake(void *user, const RollerCoupling *coupling);
  * one contact after the other in the order of summation. */
 void contact_blocks(const ContactModel *model, const Chain *chain, const Kinematics *kin, double friction_scale,
                     ContactPairs *pairs, BlockChain *k, BlockChain *d, CouplingTake *take, void *user);
+
+/* force[2 n_rollers], N by roller and face: what the contacts are presumed to press with; `before` (the same; NULL:
+ * zeros) as presume_force has it. Of several contacts on one face the one that presses most counts. */
+void contact_presume(const ContactModel *model, const Chain *chain, const Kinematics *kin, ContactPairs *pairs,
+                     const Presume *how, const double *before, double *force);
 
 /* A step to (t, kin) has been accepted: contacts that stick remember how far they lean. To be called after every step
  * if any roller's friction sticks (contact_sticks), before the next contact_refresh. */

@@ -30,6 +30,8 @@ typedef struct ContactBatch {
     const FrictionLaw *friction[LANES];
     const ImpactLaw *impact;
     double friction_scale;
+    int presumes;           /* whether the law is a line about: */
+    double presumed[LANES]; /* N, of each contact (PS11); set where it is */
     int count;
     int body[2][LANES];
     int roller[LANES], face[LANES], element[LANES];

@@ -43,7 +43,8 @@ typedef struct Contact {
 /* The laws of every lane; the variant is a constant. */
 LANE_INLINE void contact_laws(Contact *c, const ContactBatch *batch, Variant is)
 {
-    c->push = impact_at(batch->impact, c->gap, c->rate, ~(LaneMask){0});
+    c->push = batch->presumes ? impact_about(batch->impact, lane_load(batch->presumed), c->gap, c->rate)
+                              : impact_at(batch->impact, c->gap, c->rate, ~(LaneMask){0});
     if (is.rubs == FRICTION_NONE) return;
     const LaneFriction law = friction_gather(batch->friction);
     if (is.rubs == FRICTION_STICK) {

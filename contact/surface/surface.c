@@ -92,11 +92,14 @@ int surface_sticks(const SurfaceModel *model)
 
 /* Elements first .. first + count - 1 against a patch. */
 static SurfaceStrip strip_of(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, double scale,
-                             const SurfaceStick *stick, int patch, int first, int count)
+                             const SurfacePairs *pairs, int patch, int first, int count)
 {
+    const SurfaceStick *const stick = &pairs->stick;
+    const SurfacePresumed *const presumed = pairs->presumed;
     const SurfacePatch *const p = &model->patch[patch];
-    const SurfaceBed *const bed = stick->n_beds > 0 ? &stick->bed[SURFACE_FACES_MAX * p->surface + p->face] : NULL;
-    return (SurfaceStrip){.patch = p,
+    const int face = SURFACE_FACES_MAX * p->surface + p->face;
+    const SurfaceBed *const bed = stick->n_beds > 0 ? &stick->bed[face] : NULL;
+    SurfaceStrip strip = {.patch = p,
                           .impact = &model->impact,
                           .friction = &model->friction[p->law],
                           .friction_scale = scale,
@@ -107,6 +110,8 @@ static SurfaceStrip strip_of(const SurfaceModel *model, const Chain *chain, cons
                           .elapsed = stick->elapsed,
                           .first = first,
                           .count = count < LANES ? count : LANES};
+    for (int q = 0; presumed && q < SURFACE_POINTS; ++q) strip.presumed[q] = presumed->bed[face][q];
+    return strip;
 }
 
 /* One more range; 0 if there is no memory. */
@@ -166,7 +171,7 @@ static int run_refresh(const SurfaceModel *model, const Chain *chain, const Kine
 {
     for (int first = from; first < to; first += LANES) {
         int near[LANES];
-        const SurfaceStrip strip = strip_of(model, chain, kin, 0, &pairs->stick, patch, first, to - first);
+        const SurfaceStrip strip = strip_of(model, chain, kin, 0, pairs, patch, first, to - first);
         surface_kernels()->near(&strip, model->reach, near);
         for (int l = 0; l < strip.count; ++l) {
             if (near[l] && !candidate_add(pairs, patch, first + l)) return 0;
@@ -227,7 +232,7 @@ void surface_forces(const SurfaceModel *model, const Chain *chain, const Kinemat
         const SurfaceRange r = pairs->range[i];
         for (int done = 0; done < r.count; done += LANES) {
             const SurfaceStrip strip =
-                strip_of(model, chain, kin, friction_scale, &pairs->stick, r.patch, r.first + done, r.count - done);
+                strip_of(model, chain, kin, friction_scale, pairs, r.patch, r.first + done, r.count - done);
             const int any = kernel->push(&strip, loads, tally ? &push : NULL, &pairs->work);
             if (!any || !tally) continue;
             for (int l = 0; l < strip.count; ++l) {
@@ -262,8 +267,7 @@ int surface_details(const SurfaceModel *model, const Chain *chain, const Kinemat
     for (int i = 0; i < pairs->n_ranges; ++i) {
         const SurfaceRange r = pairs->range[i];
         for (int done = 0; done < r.count; done += LANES) {
-            const SurfaceStrip strip =
-                strip_of(model, chain, kin, 1, &pairs->stick, r.patch, r.first + done, r.count - done);
+            const SurfaceStrip strip = strip_of(model, chain, kin, 1, pairs, r.patch, r.first + done, r.count - done);
             if (!kernel->push(&strip, loads, &push, &unused)) continue;
             for (int k = 0; k < strip.count * SURFACE_POINTS; ++k) {
                 const int l = k / SURFACE_POINTS, q = k % SURFACE_POINTS, e = strip.first + l;
@@ -295,13 +299,86 @@ void surface_blocks(const SurfaceModel *model, const Chain *chain, const Kinemat
         const int first = r.first > from ? r.first : from;
         const int end = r.first + r.count < to ? r.first + r.count : to;
         for (int e = first; e < end; e += LANES) {
-            const SurfaceStrip strip = strip_of(model, chain, kin, friction_scale, &pairs->stick, r.patch, e, end - e);
+            const SurfaceStrip strip = strip_of(model, chain, kin, friction_scale, pairs, r.patch, e, end - e);
             if (!kernel->columns(&strip, &by_shift, &by_speed)) continue;
             for (int l = 0; l < strip.count; ++l) {
                 matrix_add(&by_shift, CONTACT_ROWS, l, e + l - 1, e + l, k);
                 matrix_add(&by_speed, CONTACT_ROWS, l, e + l - 1, e + l, d);
             }
         }
+    }
+}
+
+/* The arrays of a face. */
+static double **presumed_bed(SurfacePresumed *out, const SurfaceModel *model, int patch, int n)
+{
+    const int beds = SURFACE_FACES_MAX * model->n_surfaces;
+    if (!out->bed) {
+        out->bed = calloc((size_t)beds, sizeof *out->bed);
+        if (!out->bed) return NULL;
+        out->n_beds = beds;
+    }
+    const SurfacePatch *const p = &model->patch[patch];
+    double **const bed = out->bed[SURFACE_FACES_MAX * p->surface + p->face];
+    return bed[0] || chain_arrays_new(bed, SURFACE_POINTS, n, 0) ? bed : NULL;
+}
+
+void surface_presumed_free(SurfacePresumed *presumed)
+{
+    for (int b = 0; b < presumed->n_beds; ++b) {
+        if (presumed->bed[b][0]) chain_arrays_free(presumed->bed[b], SURFACE_POINTS);
+    }
+    free(presumed->bed);
+    *presumed = (SurfacePresumed){0};
+}
+
+int surface_presume(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs,
+                    const Presume *how, const double *patch, SurfacePresumed *out)
+{
+    double gap[SURFACE_POINTS][LANES];
+    for (int i = 0; i < pairs->n_ranges; ++i) {
+        const SurfaceRange r = pairs->range[i];
+        double *const *const bed = presumed_bed(out, model, r.patch, chain->n);
+        if (!bed) return 0;
+        for (int done = 0; done < r.count; done += LANES) {
+            const SurfaceStrip strip = strip_of(model, chain, kin, 1, pairs, r.patch, r.first + done, r.count - done);
+            surface_kernels()->gaps(&strip, gap);
+            for (int k = 0; k < strip.count * SURFACE_POINTS; ++k) {
+                const int l = k / SURFACE_POINTS, q = k % SURFACE_POINTS, e = strip.first + l;
+                if (!(gap[q][l] < INFINITY)) continue; /* another patch's */
+                const int j = e < chain->n ? e : chain->n - 1;
+                const double before = how->from == PRESUME_LAST ? patch[r.patch] : bed[q][e];
+                bed[q][e] =
+                    presume_force(how, &model->impact, before, gap[q][l], chain->mass[j] / (2 * chain->half[j]));
+            }
+        }
+    }
+    return 1;
+}
+
+void surface_pressed(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs,
+                     double *patch)
+{
+    static const Presume how = {.from = PRESUME_GAPS};
+    double gap[SURFACE_POINTS][LANES], sum = 0;
+    for (int i = 0, n = 0; i < pairs->n_ranges; ++i) {
+        const SurfaceRange r = pairs->range[i];
+        if (i == 0 || pairs->range[i - 1].patch != r.patch) {
+            n = 0;
+            sum = 0;
+        }
+        for (int done = 0; done < r.count; done += LANES) {
+            const SurfaceStrip strip = strip_of(model, chain, kin, 1, pairs, r.patch, r.first + done, r.count - done);
+            surface_kernels()->gaps(&strip, gap);
+            for (int k = 0; k < strip.count * SURFACE_POINTS; ++k) {
+                const double at = gap[k % SURFACE_POINTS][k / SURFACE_POINTS];
+                if (!(at < 0)) continue;
+                sum += presume_force(&how, &model->impact, 0, at, 0);
+                ++n;
+            }
+        }
+        const int last = i + 1 == pairs->n_ranges || pairs->range[i + 1].patch != r.patch;
+        if (last && n > 0) patch[r.patch] = fmax(patch[r.patch], sum / n);
     }
 }
 
@@ -319,8 +396,7 @@ void surface_accept(const SurfaceModel *model, const Chain *chain, const Kinemat
     for (int i = 0; i < pairs->n_ranges; ++i) {
         const SurfaceRange r = pairs->range[i];
         for (int done = 0; done < r.count; done += LANES) {
-            const SurfaceStrip strip =
-                strip_of(model, chain, kin, 1, &pairs->stick, r.patch, r.first + done, r.count - done);
+            const SurfaceStrip strip = strip_of(model, chain, kin, 1, pairs, r.patch, r.first + done, r.count - done);
             if (strip.bed) surface_kernels()->keep(&strip);
         }
     }

@@ -48,6 +48,16 @@ typedef struct SurfaceDetail {
 int surface_details(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs,
                     Loads *loads, SurfaceDetail *out);
 
+/* Writes into `out`, zeroed at first, what the candidates' points are presumed to press with; `patch` [n_patches], N/m:
+ * what presume_force has for `before` with PRESUME_LAST; with PRESUME_LINE that is what `out` holds. Returns 0 without
+ * memory; the free may follow either way. */
+int surface_presume(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs,
+                    const Presume *how, const double *patch, SurfacePresumed *out);
+void surface_presumed_free(SurfacePresumed *presumed);
+/* Raises patch [n_patches], N/m, to the mean of the springs' forces over those points of each that press. */
+void surface_pressed(const SurfaceModel *model, const Chain *chain, const Kinematics *kin, const SurfacePairs *pairs,
+                     double *patch);
+
 /* The chain has been renumbered: element e is now e + joined. Adds what `old` remembers of elements that are `now`'s;
  * to be called for all pairs of old and new halves. */
 void surface_carry(const SurfacePairs *old, SurfacePairs *now, int joined);

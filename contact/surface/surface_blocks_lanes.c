@@ -132,7 +132,7 @@ LANE_INLINE int columns_of(const SurfaceStrip *strip, int sticks, ContactMatrix 
         /* the same contact as in the force kernel, from the same state: nothing is kept between the two */
         SurfaceContact c;
         contact_point(strip, &s, q, &c);
-        const LaneMask near = contact_gap(strip, &s, &c);
+        const LaneMask near = contact_gap(strip, &s, q, &c);
         if (!lane_any(near)) continue;
         contact_force(strip, &s, q, near, sticks, &c);
         if (!lane_any(c.push.touches)) continue;

@@ -46,6 +46,13 @@ typedef struct SurfaceBed {
     double *fresh[SURFACE_POINTS][3]; /* being collected for the next */
 } SurfaceBed;
 
+/* What the points are presumed to press with, N for each metre of cable (PS11): chain arrays by face, as SurfaceBed, of
+ * those faces that have had a candidate. */
+typedef struct SurfacePresumed {
+    int n_beds;                     /* SURFACE_FACES_MAX for each surface */
+    double *(*bed)[SURFACE_POINTS]; /* [n_beds] NULL where there is none */
+} SurfacePresumed;
+
 typedef struct SurfaceStick {
     double since, elapsed; /* s, as in StickStore */
     int n_beds;            /* SURFACE_FACES_MAX for each surface; 0: nothing sticks */
@@ -56,11 +63,12 @@ typedef struct SurfaceStick {
 typedef struct SurfacePairs {
     int from, to;
     int n_ranges, ranges_allocated;
-    SurfaceRange *range; /* [n_ranges], by patch, then by element */
-    int candidates;      /* pairs of element and patch */
-    int active;          /* points that carried force in the last call of surface_forces with a tally */
-    ContactTally work;   /* of the last call of surface_forces */
-    SurfaceStick stick;  /* by surface_accept; beds by surface_pairs_sticks, none without friction that sticks */
+    SurfaceRange *range;             /* [n_ranges], by patch, then by element */
+    int candidates;                  /* pairs of element and patch */
+    int active;                      /* points that carried force in the last call of surface_forces with a tally */
+    ContactTally work;               /* of the last call of surface_forces */
+    const SurfacePresumed *presumed; /* the law is a line about it; borrowed; NULL: it is the law itself */
+    SurfaceStick stick; /* by surface_accept; beds by surface_pairs_sticks, none without friction that sticks */
 } SurfacePairs;
 
 /* What the cable does to one surface. */

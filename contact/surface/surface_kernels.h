@@ -14,9 +14,10 @@ typedef struct SurfaceStrip {
     const SurfacePoints *points;
     const Chain *chain;
     const Kinematics *kin;
-    const SurfaceBed *bed; /* NULL: friction does not stick */
-    double elapsed;        /* s, with a bed */
-    int first, count;      /* elements first .. first + count - 1 */
+    const SurfaceBed *bed;                  /* NULL: friction does not stick */
+    double elapsed;                         /* s, with a bed */
+    const double *presumed[SURFACE_POINTS]; /* N/m, by element (PS11); NULL: the law itself */
+    int first, count;                       /* elements first .. first + count - 1 */
 } SurfaceStrip;
 
 /* The forces of a strip, point by point; zeros where nothing touches. */
@@ -35,6 +36,8 @@ typedef struct SurfaceKernels {
     int (*columns)(const SurfaceStrip *strip, ContactMatrix *k, ContactMatrix *d);
     /* near[l]: whether a point of the element comes within reach (m) of the patch (DU13). */
     void (*near)(const SurfaceStrip *strip, double reach, int near[LANES]);
+    /* m, by point; INFINITY where it is not this patch's. */
+    void (*gaps)(const SurfaceStrip *strip, double gap[SURFACE_POINTS][LANES]);
     /* Adds to the bed's fresh arrays how far the bristles lean, should the step end here. */
     void (*keep)(const SurfaceStrip *strip);
     void (*probe)(const SurfacePatch *patch, Vec3 p, SurfaceProbe *out);

@@ -27,7 +27,7 @@ LANE_INLINE int push_point(const SurfaceStrip *strip, const StripBodies *s, int 
 {
     SurfaceContact c;
     contact_point(strip, s, q, &c);
-    const LaneMask near = contact_gap(strip, s, &c);
+    const LaneMask near = contact_gap(strip, s, q, &c);
     if (!lane_any(near)) return 0;
     contact_force(strip, s, q, near, sticks, &c);
     work_add(&c, near, work);
@@ -77,6 +77,17 @@ static void kernel_near(const SurfaceStrip *strip, double reach, int near[LANES]
     for (int l = 0; l < LANES; ++l) near[l] = any[l] != 0;
 }
 
+static void kernel_gaps(const SurfaceStrip *strip, double gap[SURFACE_POINTS][LANES])
+{
+    const StripBodies s = strip_load(strip);
+    for (int q = 0; q < SURFACE_POINTS; ++q) {
+        SurfaceContact c;
+        contact_point(strip, &s, q, &c);
+        const LaneMask here = contact_here(strip, &s, &c);
+        lane_store(gap[q], lane_select(here, c.section.g - c.radius, lane_set(INFINITY)));
+    }
+}
+
 /* A point that touches belongs to one patch of a face, so that the sums have one term each. */
 static void kernel_keep(const SurfaceStrip *strip)
 {
@@ -85,7 +96,7 @@ static void kernel_keep(const SurfaceStrip *strip)
     for (int q = 0; q < SURFACE_POINTS; ++q) {
         SurfaceContact c;
         contact_point(strip, &s, q, &c);
-        const LaneMask near = contact_gap(strip, &s, &c);
+        const LaneMask near = contact_gap(strip, &s, q, &c);
         if (!lane_any(near)) continue;
         contact_force(strip, &s, q, near, 1, &c);
         lanes_add(strip->bed->fresh[q], strip->first,
@@ -106,5 +117,5 @@ static void kernel_probe(const SurfacePatch *patch, Vec3 p, SurfaceProbe *out)
                           .owned = at.owned[0] != 0};
 }
 
-const SurfaceKernels ISA_NAME(surface_kernels) = {kernel_push, ISA_NAME(surface_columns), kernel_near, kernel_keep,
-                                                  kernel_probe};
+const SurfaceKernels ISA_NAME(surface_kernels) = {
+    kernel_push, ISA_NAME(surface_columns), kernel_near, kernel_gaps, kernel_keep, kernel_probe};

@@ -73,13 +73,29 @@ LANE_INLINE void contact_point(const SurfaceStrip *strip, const StripBodies *s, 
     c->p = weighted(&c->weight, j->x, j->r, k->x, k->r);
 }
 
-/* Whether any lane is near enough to touch: everything further is only done if so. */
-LANE_INLINE LaneMask contact_gap(const SurfaceStrip *strip, const StripBodies *s, SurfaceContact *c)
+/* Where the point is against the patch; whether it is the patch's. */
+LANE_INLINE LaneMask contact_here(const SurfaceStrip *strip, const StripBodies *s, SurfaceContact *c)
 {
     c->place = surface_place(strip->patch, c->p);
     c->section = surface_section(strip->patch, &c->place);
-    const LaneMask here = s->live & c->place.owned & (c->section.g > lane_set(-strip->patch->depth));
+    return s->live & c->place.owned & (c->section.g > lane_set(-strip->patch->depth));
+}
+
+/* Whether any lane is near enough to touch, or presumed to: everything further is only done if so. */
+LANE_INLINE LaneMask contact_gap(const SurfaceStrip *strip, const StripBodies *s, int q, SurfaceContact *c)
+{
+    const LaneMask here = contact_here(strip, s, c);
+    if (strip->presumed[q]) return here & (lane_load(strip->presumed[q] + strip->first) > lane_set(0));
     return here & (c->section.g < c->radius);
+}
+
+/* The normal force of each metre. */
+LANE_INLINE LaneImpact contact_push(const SurfaceStrip *strip, const SurfaceContact *c, int q, LaneMask near)
+{
+    const Lane gap = c->section.g - c->radius, rate = c->steep * l3_dot(c->normal, c->pdot), zero = lane_set(0);
+    if (!strip->presumed[q]) return impact_at(strip->impact, gap, rate, near);
+    const Lane presumed = lane_load(strip->presumed[q] + strip->first);
+    return impact_about(strip->impact, lane_select(near, presumed, zero), gap, rate);
 }
 
 /* Velocities, laws, force (DU7)-(DU9); near: what contact_gap said. sticks is a constant, and what is not asked for is
@@ -98,7 +114,7 @@ LANE_INLINE void contact_force(const SurfaceStrip *strip, const StripBodies *s, 
     c->share = surface_share(strip->patch, &c->place);
 
     const Lane3 n = c->normal;
-    c->push = impact_at(strip->impact, c->section.g - c->radius, c->steep * l3_dot(n, c->pdot), near);
+    c->push = contact_push(strip, c, q, near);
     c->load = c->share.value * c->length * c->push.force;
     c->slip = l3_axpy(c->pdot, -c->radius, l3_cross(c->omega, n));
     c->slip_normal = l3_dot(n, c->slip);

@@ -1,5 +1,6 @@
 #include "sim/newton/relax_steady.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,11 +13,11 @@
 
 /* The step that stands for infinity: inertia is then 1e-10 of a spring of 1 N/m and 1 kg. */
 static const double DT_STEADY = 1e5; /* s */
-enum { NEWTON_ITERATIONS = 25 };
-/* Newton's method goes on while two iterations leave less than that of the residual, and the continuation has so many
- * iterations before contacts are made soft: nearly all that arrive at all have arrived by then. */
-static const double CONTRACTS = 1.0 / 3;
-enum { STRAIGHT = 16 };
+/* Newton's method goes on while none but so many iterations in a row have left no less than the best one; and the
+ * continuation has so many before contacts are made soft: nearly all that arrive at all have arrived by then. */
+enum { NEWTON_ITERATIONS = 25, WAITS = 3, STRAIGHT = 16 };
+/* In the first iteration, which moves farthest, contacts let go of no more than the rest of this share (PS12). */
+static const double KEPT = 0.1;
 
 /* The relaxation's parts come first: what they are handed is this. */
 typedef struct Steady {
@@ -108,23 +109,54 @@ static void steady_move(void *self, double dt)
     }
 }
 
-static hawser_status newton_iterate(Steady *s, hawser_relaxation *out, hawser_error *err)
+/* One step with the contacts about what is presumed, whose rates are there, and what it leads to presume. */
+static hawser_status presumed_step(Steady *s, Presumption *p, double keep, int *stuck, hawser_error *err)
+{
+    Workspace *const ws = s->r.ws;
+    hawser_status status = relax_stopped(&ws->stop, 0, err);
+    *stuck = !status && steady_step(s, DT_STEADY);
+    if (status || *stuck) return status;
+    steady_move(s, space_move_scale(&s->r, DT_STEADY) * DT_STEADY);
+    presumption_use(p, ws, 0);
+    status = space_refresh(&s->r, 0, err);
+    return status ? status : presumption_go_on(p, s->r.scene, ws, keep, err);
+}
+
+/* (PS11)-(PS13). What is presumed agrees with the contacts' law in the end: it counts when that balances. */
+static hawser_status newton_iterate(Steady *s, Presumption *p, hawser_relaxation *out, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
-    double before[2] = {INFINITY, INFINITY}; /* N: residuals one and two iterations ago */
-    for (int it = 0; !status && it <= NEWTON_ITERATIONS; ++it) {
+    double least = INFINITY; /* N */
+    for (int it = 0, best = 0, stuck = 0; !status && !stuck; ++it) {
+        presumption_use(p, s->r.ws, 1);
         out->residual_N = steady_residual(s, &out->segment);
-        out->reached = out->residual_N <= out->tolerance_N;
-        if (out->reached || !isfinite(out->residual_N) || it == NEWTON_ITERATIONS) break;
-        if (it > 2 && !(out->residual_N < CONTRACTS * before[1])) break;
-        before[1] = before[0];
-        before[0] = out->residual_N;
-        status = relax_stopped(&s->r.ws->stop, 0, err);
-        if (status || steady_step(s, DT_STEADY)) break;
-        steady_move(s, space_move_scale(&s->r, DT_STEADY) * DT_STEADY);
-        ++out->iterations;
-        status = space_refresh(&s->r, 0, err);
+        if (out->residual_N <= out->tolerance_N) {
+            presumption_use(p, s->r.ws, 0);
+            out->residual_N = steady_residual(s, &out->segment);
+            out->reached = out->residual_N <= out->tolerance_N;
+            if (out->reached) break;
+            presumption_use(p, s->r.ws, 1);
+            steady_residual(s, &(int){0}); /* the rates that the step is for */
+        }
+        if (out->residual_N < least) {
+            least = out->residual_N;
+            best = it;
+        }
+        if (it - best >= WAITS || it == NEWTON_ITERATIONS || !isfinite(out->residual_N)) break;
+        status = presumed_step(s, p, it == 0 ? KEPT : 0, &stuck, err);
+        out->iterations += !stuck;
     }
+    presumption_use(p, s->r.ws, 0);
+    return status;
+}
+
+static hawser_status newton_presumed(Steady *s, const Pressed *last, hawser_relaxation *out, hawser_error *err)
+{
+    Presumption p;
+    dynamics_kinematics(s->r.scene, s->r.ws, s->r.t, s->r.y);
+    hawser_status status = presumption_begin(&p, s->r.scene, s->r.ws, last, err);
+    if (!status) status = newton_iterate(s, &p, out, err);
+    presumption_free(&p);
     return status;
 }
 
@@ -138,8 +170,8 @@ static hawser_status slow_way(Steady *s, int straight, hawser_relaxation *out, h
                   : relax_run_within(straight, s->r.scene, &s->r.ws->stop, &ops, s, s->r.size, s->r.y, out, err);
 }
 
-hawser_status relax_steady(const Scene *scene, Workspace *ws, Newton *newton, double t, double speed, SteadyStart far,
-                           double *y, hawser_relaxation *out, hawser_error *err)
+hawser_status relax_steady(const Scene *scene, Workspace *ws, Newton *newton, double t, double speed,
+                           const SteadyStart *start, double *y, hawser_relaxation *out, hawser_error *err)
 {
     Steady s = {.r = {.scene = scene, .ws = ws, .newton = newton, .t = t, .y = y, .friction = 1}, .speed = speed};
     const size_t bytes = (size_t)scene_state_size(scene) * sizeof(double);
@@ -153,10 +185,10 @@ hawser_status relax_steady(const Scene *scene, Workspace *ws, Newton *newton, do
         memcpy(y + first, begun + first, (size_t)spins * sizeof(double)); /* rollers go on spinning */
         memcpy(begun, y, bytes);
         out->tolerance_N = relax_tolerance(scene, t, space_farthest(&s.r, NULL));
-        if (far == STEADY_NEAR) status = newton_iterate(&s, out, err);
+        status = newton_presumed(&s, start->last, out, err);
         if (!status && !out->reached) {
             memcpy(y, begun, bytes);
-            status = slow_way(&s, far == STEADY_SOFT ? 0 : STRAIGHT, out, err);
+            status = slow_way(&s, start->soft ? 0 : STRAIGHT, out, err);
         }
         out->moved_m = space_farthest(&s.r, s.r.start);
     }

@@ -12,6 +12,7 @@
 #define HAWSER_SIM_NEWTON_RELAX_STEADY_H
 
 #include "sim/newton/newton.h"
+#include "sim/newton/presumption.h"
 
 /* Writes into y [13 n], whose positions and attitudes stay, the velocities with which every segment comes to where the
  * next one is: `speed` (m/s) along its own axis, turning as the chain turns there (PS1), (PS2). */
@@ -21,14 +22,18 @@ void steady_field(const Chain *chain, double speed, double *y);
  * changes by is left out: it is no more than the cable's radius over that of the bend, and costs iterations only. */
 void steady_follow(const BlockChain *d, const double *y, BlockChain *k);
 
-/* How far the state is from where it is to come to: Newton's method may do; hardly; surely not. */
-typedef enum SteadyStart { STEADY_NEAR, STEADY_FAR, STEADY_SOFT } SteadyStart;
+/* From where: what pressed in a position nearby (NULL: none is known), and whether the continuation begins from soft
+ * contacts at once. */
+typedef struct SteadyStart {
+    const Pressed *last;
+    int soft;
+} SteadyStart;
 
 /* Moves y to where all forces of time t balance in steady motion at `speed`, and leaves it with those velocities. The
- * chain's damping must be zero (PS3). Newton's method first, from a state near to it; where that fails, or is not
- * tried, the relaxation's continuation, and that from soft contacts at once (STEADY_SOFT). `out` says how far it got;
- * not reaching equilibrium is no error; then y is of no use. Errors: MEMORY, STOPPED. */
-hawser_status relax_steady(const Scene *scene, Workspace *ws, Newton *newton, double t, double speed, SteadyStart far,
-                           double *y, hawser_relaxation *out, hawser_error *err);
+ * chain's damping must be zero (PS3). Newton's method with presumed contacts first (PS11); where that fails, the
+ * relaxation's continuation. `out` says how far it got; not reaching equilibrium is no error; then y is of no use.
+ * Errors: MEMORY, STOPPED. */
+hawser_status relax_steady(const Scene *scene, Workspace *ws, Newton *newton, double t, double speed,
+                           const SteadyStart *start, double *y, hawser_relaxation *out, hawser_error *err);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include "sim/run/parts.h"
 
-enum { SINGLE = 5 }; /* figures that are no arrays */
+enum { SINGLE = 7 }; /* figures that are no arrays */
 
 static size_t tail_numbers(const SampleBuffers *b, const Scene *scene)
 {
@@ -28,7 +28,7 @@ static void look_go(Sim *s, double *numbers, int put)
 {
     hawser_sample *const look = &s->look.sample;
     double *const single[SINGLE] = {&look->winch_force, &look->tail_tension, &look->reel_speed, &look->paid_out,
-                                    &look->wound};
+                                    &look->wound,       &look->head_at,      &look->reference};
     const size_t tail = tail_numbers(&s->look, &s->stage.scene);
     for (int k = 0; k < SINGLE; ++k) *(put ? single[k] : numbers + k) = *(put ? numbers + k : single[k]);
     memcpy(put ? s->look.tension : numbers + SINGLE, put ? numbers + SINGLE : s->look.tension, tail * sizeof(double));

@@ -321,27 +321,6 @@ void quasi_checkpoint_before(Checkpoint *c, Sim *s)
     q->stage.on = on;
 }
 
-static void lie_checkpoint(Checkpoint *c, Lie *lie, int most)
-{
-    int n = lie->n;
-    CHECKPOINT(c, n);
-    if (!checkpoint_check(c, n >= 0 && n <= most, "a position of another chain")) return;
-    if (c->reading) {
-        double *const s = realloc(lie->s, ((size_t)n + 1) * sizeof *s);
-        if (s) lie->s = s;
-        Vec3 *const shift = realloc(lie->shift, ((size_t)n + 1) * sizeof *shift);
-        if (shift) lie->shift = shift;
-        Vec3 *const turn = realloc(lie->turn, ((size_t)n + 1) * sizeof *turn);
-        if (turn) lie->turn = turn;
-        lie->n = n;
-        if (!s || !shift || !turn) checkpoint_lack(c);
-    }
-    if (c->status || n == 0) return;
-    checkpoint_put(c, "lie->s", lie->s, (size_t)n * sizeof *lie->s);
-    checkpoint_put(c, "lie->shift", lie->shift, (size_t)n * sizeof *lie->shift);
-    checkpoint_put(c, "lie->turn", lie->turn, (size_t)n * sizeof *lie->turn);
-}
-
 hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
 {
     QuasiRun *const q = &s->quasi;
@@ -363,13 +342,12 @@ hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, q->waits);
     CHECKPOINT(c, q->failed);
     CHECKPOINT_UP_TO(c, &q->said, hawser_quasi_static, why);
-    CHECKPOINT(c, s->positions.lie.travel);
     CHECKPOINT(c, s->positions.back);
     CHECKPOINT(c, s->positions.held);
     CHECKPOINT(c, s->positions.soft);
     CHECKPOINT(c, s->positions.push_share);
     CHECKPOINT(c, books);
-    lie_checkpoint(c, &s->positions.lie, s->stage.scene.total);
+    lie_checkpoint(c, &s->positions.lie, &s->stage.scene);
     if (c->status || !q->stage.on) return HAWSER_OK;
     for (int k = 0; k < QUASI_KEPT; ++k) checkpoint_put(c, "q->look", q->look[k], (size_t)q->numbers * sizeof(double));
     if (!room_for(q, s->stage.motion->size)) return error_memory(err);

@@ -293,6 +293,18 @@ static void failure_explain(Sim *s, hawser_error *err)
     snprintf(err->message + used, sizeof err->message - used, "; before it %s", hold.says);
 }
 
+/* The modes about the equilibrium of the end. */
+static hawser_status modes_at_end(Sim *s, hawser_error *err)
+{
+    hawser_error why = {0};
+    modes_free(&s->modes);
+    const hawser_status status = modes_find(&s->stage, s->stage.scene.def.analysis.modes, 0, &s->modes, &why);
+    if (status == HAWSER_ERR_RUN)
+        return error_set(err, status, "at t = %.6g s %s; fewer run.modes may help", s->stage.t, why.message);
+    if (status) *err = why;
+    return status;
+}
+
 /* Load steps in place of time steps. */
 static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error *err)
 {
@@ -304,10 +316,7 @@ static hawser_status advance_static(Sim *s, double t, int one_step, hawser_error
         status = statics_advance(&s->stage, next > t - 1e-6 * step ? t : next, &s->relaxation, err);
         if (one_step) break;
     }
-    if (!status && def->analysis.kind == ANALYSIS_MODES && s->stage.t >= def->duration) {
-        modes_free(&s->modes);
-        status = modes_find(&s->stage, def->analysis.modes, 0, &s->modes, err);
-    }
+    if (!status && def->analysis.kind == ANALYSIS_MODES && s->stage.t >= def->duration) status = modes_at_end(s, err);
     s->relax_s += clock_now() - start;
     return status;
 }

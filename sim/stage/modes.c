@@ -348,8 +348,8 @@ static hawser_status space_run(Subspace *sp, int wanted, Modes *modes, hawser_er
     }
     if (status || change <= 1e-6) return status;
     return error_set(err, HAWSER_ERR_RUN,
-                     "modes: %d frequencies did not settle in %d iterations (they still change by %.2g): ask for fewer",
-                     wanted, ITERATIONS_MAX, change);
+                     "%d modes did not settle in %d iterations (their frequencies still change by %.2g)", wanted,
+                     ITERATIONS_MAX, change);
 }
 
 hawser_status modes_find(Stage *stage, int wanted, double radius, Modes *modes, hawser_error *err)

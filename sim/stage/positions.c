@@ -164,7 +164,7 @@ hawser_status positions_new(Positions *p, Stage *st, hawser_error *err)
 {
     Scene *const scene = &st->scene;
     const double end = scene->def.duration;
-    *p = (Positions){.worst = -1, .newton_within = INFINITY};
+    *p = (Positions){.worst = -1};
     if (scene->def.analysis.kind != ANALYSIS_POSITIONS) return HAWSER_OK;
     const char *const why = positions_unknown(st);
     if (why) return error_set(err, HAWSER_ERR_INPUT, "key 'run.analysis': positions: %s", why);
@@ -197,33 +197,6 @@ void positions_free(Positions *p)
     memset(p, 0, sizeof *p);
 }
 
-void lie_free(Lie *lie)
-{
-    free(lie->s);
-    free(lie->shift);
-    free(lie->turn);
-    *lie = (Lie){0};
-}
-
-static void *copy_of(const void *from, size_t bytes)
-{
-    void *const to = malloc(bytes);
-    return to ? memcpy(to, from, bytes) : NULL;
-}
-
-hawser_status lie_copy(const Lie *lie, Lie *out, hawser_error *err)
-{
-    const size_t n = (size_t)lie->n;
-    *out = (Lie){.n = lie->n,
-                 .travel = lie->travel,
-                 .s = copy_of(lie->s, n * sizeof *lie->s),
-                 .shift = copy_of(lie->shift, n * sizeof *lie->shift),
-                 .turn = copy_of(lie->turn, n * sizeof *lie->turn)};
-    if (out->s && out->shift && out->turn) return HAWSER_OK;
-    lie_free(out);
-    return error_memory(err);
-}
-
 double positions_next(const Positions *p, double t, double end)
 {
     for (int k = 0; k < p->n; ++k) {
@@ -233,60 +206,6 @@ double positions_next(const Positions *p, double t, double end)
 }
 
 /* ------------------------------------------------------------------------------------------- where the chain lies */
-
-static double centre_at(const Scene *scene, int i, double travel)
-{
-    const double *const s = scene->joint_s + scene->first + i;
-    return (s[0] + s[1]) / 2 + travel;
-}
-
-/* What is kept of a position for the next one: where its segments are against where they were laid. */
-static hawser_status lie_keep(Lie *lie, const Stage *st, double travel, hawser_error *err)
-{
-    const Scene *const scene = &st->scene;
-    const int n = scene->chain.n;
-    const size_t room = (size_t)n;
-    double *const laid = malloc(STATE_SIZE * room * sizeof *laid);
-    double *const s = realloc(lie->s, room * sizeof *s);
-    if (s) lie->s = s;
-    Vec3 *const shift = realloc(lie->shift, room * sizeof *shift);
-    if (shift) lie->shift = shift;
-    Vec3 *const turn = realloc(lie->turn, room * sizeof *turn);
-    if (turn) lie->turn = turn;
-    lie->n = 0;
-    if (laid && s && shift && turn) {
-        scene_lay(scene, travel, scene->first, n, laid);
-        for (int i = 0; i < n; ++i) {
-            const Quat from = state_attitude(laid, n, i), to = state_attitude(st->y, n, i);
-            lie->s[i] = centre_at(scene, i, travel);
-            lie->shift[i] = v3_sub(state_vector(st->y, n, STATE_P, i), state_vector(laid, n, STATE_P, i));
-            lie->turn[i] = quat_log(quat_mul(to, quat_conj(from)));
-        }
-        lie->n = n;
-        lie->travel = travel;
-    }
-    free(laid);
-    return lie->n > 0 ? HAWSER_OK : error_memory(err);
-}
-
-/* The laid chain in the state is moved to where the last position's lay, place by place of the route (PS8). */
-static void lie_apply(const Lie *lie, Stage *st, double travel)
-{
-    const Scene *const scene = &st->scene;
-    const int n = scene->chain.n;
-    double *const y = st->y;
-    for (int i = 0, k = 0; i < n && lie->n > 1; ++i) {
-        const double s = centre_at(scene, i, travel);
-        while (k + 2 < lie->n && lie->s[k + 1] <= s) ++k;
-        const double u = fmin(1, fmax(0, (s - lie->s[k]) / (lie->s[k + 1] - lie->s[k])));
-        const Vec3 shift = v3_axpy(v3_scale(1 - u, lie->shift[k]), u, lie->shift[k + 1]);
-        const Vec3 turn = v3_axpy(v3_scale(1 - u, lie->turn[k]), u, lie->turn[k + 1]);
-        const Quat q = quat_unit(quat_mul(quat_exp(turn), state_attitude(y, n, i)));
-        const double add[3] = {shift.x, shift.y, shift.z}, turned[4] = {q.w, q.x, q.y, q.z};
-        for (int c = 0; c < 3; ++c) y[(STATE_P + c) * n + i] += add[c];
-        for (int c = 0; c < 4; ++c) y[(STATE_Q + c) * n + i] = turned[c];
-    }
-}
 
 /* The window when the chain has moved on by `travel`: from the first segment whose rear end is not behind the drum,
  * which stretched cable lies `back` (m) behind, to the last whose rear end is before the winch. */
@@ -356,11 +275,11 @@ static hawser_status lay(const Positions *p, Stage *st, double t, double back, h
 static double tail_back(const Stage *st)
 {
     const Scene *const scene = &st->scene;
-    const RoutePoint at = route_at(&scene->route, centre_at(scene, 0, winch_travel(scene->winch, st->t)));
+    const RoutePoint at = route_at(&scene->route, lie_centre(scene, 0, winch_travel(scene->winch, st->t)));
     return v3_dot(v3_sub(at.position, state_vector(st->y, scene->chain.n, STATE_P, 0)), at.tangent);
 }
 
-hawser_status positions_begin(Positions *p, const Stage *st, hawser_error *err)
+hawser_status positions_begin(Positions *p, Stage *st, hawser_error *err)
 {
     const Winch *const w = st->scene.winch;
     const double travel = winch_travel(w, st->t);
@@ -417,11 +336,10 @@ static hawser_status solve(Positions *p, Stage *st, int fresh, hawser_relaxation
     hawser_status status = st->motion->ops->renew(st->motion, st->t, st->y, err);
     if (!status && fresh) status = st->motion->ops->relax(st->motion, st->t, st->y, out, err);
     if (!status && fresh) spins_start(st, speed);
-    const int near = !fresh && fabs(travel - p->lie.travel) <= p->newton_within, soft = !near && p->soft > 0;
-    const SteadyStart from = near ? STEADY_NEAR : soft ? STEADY_SOFT : STEADY_FAR;
-    if (!status) status = relax_steady(scene, &st->ws, &st->newton, st->t, speed, from, st->y, out, err);
-    if (soft) --p->soft;
-    if (from == STEADY_FAR && out->iterations > SOFTLY) p->soft = AGAIN;
+    const SteadyStart start = {.last = fresh ? NULL : &p->lie.pressed, .soft = p->soft > 0};
+    if (!status) status = relax_steady(scene, &st->ws, &st->newton, st->t, speed, &start, st->y, out, err);
+    if (start.soft) --p->soft;
+    if (!start.soft && out->iterations > SOFTLY) p->soft = AGAIN;
     return status;
 }
 

@@ -3,15 +3,7 @@
 #ifndef HAWSER_SIM_STAGE_POSITIONS_H
 #define HAWSER_SIM_STAGE_POSITIONS_H
 
-#include "sim/stage/stage.h"
-
-/* How the last position's chain lies beside the route, from which the next one's begins (PS8). */
-typedef struct Lie {
-    int n;
-    double travel;      /* m, of the winch then */
-    double *s;          /* [n] m along the route, of segments' centres as they would be laid, rising */
-    Vec3 *shift, *turn; /* [n] m, rad: from there */
-} Lie;
+#include "sim/stage/lie.h"
 
 typedef struct Positions {
     int n, done;       /* wanted; found so far, by the sim's calls */
@@ -22,11 +14,10 @@ typedef struct Positions {
     int worst;         /* place with the largest pull; -1: none yet */
     double push_share; /* the largest compression over the largest tension of the same place */
     Lie lie;
-    int soft;             /* so many of the next begin from soft contacts: the last one had to */
-    double newton_within; /* m: farther from the last one Newton's method is not tried first */
-    double back;          /* m, by which its tail was behind where it was laid */
-    Vec3 origin;          /* of the winch as it was built */
-    Vec3 held;            /* m: from where the rope that the winch has taken in would be laid to where it is (QS12) */
+    int soft;    /* so many of the next begin from soft contacts: the last one had to */
+    double back; /* m, by which its tail was behind where it was laid */
+    Vec3 origin; /* of the winch as it was built */
+    Vec3 held;   /* m: from where the rope that the winch has taken in would be laid to where it is (QS12) */
     Quat attitude;
 } Positions;
 
@@ -42,11 +33,7 @@ const char *positions_unknown(const Stage *stage);
 /* For positions that nobody has listed: where the winch is as it was built. */
 void positions_of(Positions *p, const Stage *stage);
 /* The next position begins from the shape of now, which moves. Errors: MEMORY. */
-hawser_status positions_begin(Positions *p, const Stage *stage, hawser_error *err);
-
-/* A copy of its own, in place of nothing; lie_free follows either way. Errors: MEMORY. */
-hawser_status lie_copy(const Lie *lie, Lie *out, hawser_error *err);
-void lie_free(Lie *lie);
+hawser_status positions_begin(Positions *p, Stage *stage, hawser_error *err);
 
 /* Lays the chain as it lies at time t and finds its steady motion; the stage is then at t. Errors: MEMORY, STOPPED;
  * RUN: there is no steady motion there, or it was not found. */

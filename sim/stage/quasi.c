@@ -11,8 +11,6 @@
 
 static const double SAME_SPEED = 1e-6; /* share of the largest by which a constant speed may differ from itself */
 
-static const double NEWTON_WITHIN = 0.1; /* m: joints are elsewhere on their rollers then */
-
 static const Chain *all_joints(const Stage *st) { return st->whole.n > 0 ? &st->whole : &st->scene.chain; }
 
 /* In words, or NULL. */
@@ -41,7 +39,6 @@ hawser_status quasi_new(Quasi *q, Positions *p, const Stage *st, hawser_error *e
     if (!q->damping) return error_memory(err);
     for (size_t c = 0; c < 6; ++c) memcpy(q->damping + c * joints, chain->damping[c], joints * sizeof *q->damping);
     positions_of(p, st);
-    p->newton_within = NEWTON_WITHIN;
     return HAWSER_OK;
 }
 

@@ -16,7 +16,8 @@ static const double SMALLEST = 1.0 / 1024;
  * more than a share of the rod's length or a turn worth naming (RD19). */
 static const double JOINT_TURN = 1.5;                      /* rad */
 static const double ASTRAY = 2, WAY = 0.01, TURNED = 0.05; /* 1; 1; rad */
-enum { LOST_PARTS = 8 }; /* of a way that ends are led, in a row without an equilibrium, behind which it ends */
+enum { CRITICAL_MOST = 20 }; /* times that a way is followed where it stops being stable */
+enum { LOST_PARTS = 8 };     /* of a way that ends are led, in a row without an equilibrium, behind which it ends */
 /* The step that stands for infinity in Newton's method (RD8). */
 static const double DT_STATIC = 1e5; /* s */
 /* The shortest that is tried, as a share of the longest that rounding allows (RD23). */
@@ -225,7 +226,14 @@ static hawser_status critical_keep(Walk *w, const Bracket *b)
     if (!shape) return error_memory(w->err);
     st->t = b->reached ? b->to : b->from;
     hawser_status status = put_back(w, b->reached ? w->above : w->below);
-    if (!status) status = stability_shape(st, many, w->kept, shape, w->err);
+    hawser_error why = {0};
+    if (!status) status = stability_shape(st, many, w->kept, shape, &why);
+    if (status && why.status) {
+        status = error_set(w->err, why.status,
+                           "at t = %.6g s the rod stops being stable, and what grows there was not found (%s); "
+                           "'run.stability: ignore' or more run.load_steps may help",
+                           st->t, why.message);
+    }
     if (!status) memcpy(w->shape, shape, 6 * (size_t)st->scene.chain.n * sizeof *shape);
     st->t = b->from;
     if (!status) status = put_back(w, w->below);
@@ -240,6 +248,18 @@ static hawser_status critical_keep(Walk *w, const Bracket *b)
     const hawser_critical found = {
         .t = b->to, .width = b->to - b->from, .kind = kind, .unstable = b->reached ? b->after : 0};
     return stability_add(st, found, shape, w->err);
+}
+
+/* A rod that stops being stable again and again is under loads that nothing could stand. */
+static hawser_status critical_stop(const Walk *w, double t)
+{
+    const Stability *const known = &w->st->stability;
+    if (known->n < CRITICAL_MOST || w->st->scene.def.analysis.stability != STABILITY_FOLLOW) return HAWSER_OK;
+    return error_set(
+        w->err, HAWSER_ERR_RUN,
+        "before t = %.6g s the rod stops being stable, after %d times before: 'run.stability: report' or 'ignore' goes "
+        "on without following it; is it held, and are the loads what they should be?",
+        t, known->n);
 }
 
 /* On to the loads of t on a stable way: from the last stable equilibrium, a little along what grows, down. */
@@ -264,7 +284,8 @@ static hawser_status cross(Walk *w, double t, int *unstable, int *swings)
     memcpy(w->there, st->y, state_bytes(st));
     memcpy(w->above, st->y, state_bytes(st));
     memcpy(w->below, w->kept, state_bytes(st));
-    hawser_status status = bracket_close(w, &b, &none);
+    hawser_status status = critical_stop(w, t);
+    if (!status) status = bracket_close(w, &b, &none);
     if (!status && !none) status = critical_keep(w, &b);
     const int follow = !none && st->scene.def.analysis.stability == STABILITY_FOLLOW && !b.swings;
     if (!status && follow) status = leave(w, t, &b);
@@ -281,7 +302,8 @@ static hawser_status fall(Walk *w, double t)
     Bracket b = {.from = st->t, .to = t, .before = 0};
     memcpy(w->below, w->kept, state_bytes(st));
     int none;
-    hawser_status status = bracket_close(w, &b, &none);
+    hawser_status status = critical_stop(w, t);
+    if (!status) status = bracket_close(w, &b, &none);
     if (status || none) return status;
     hawser_error why = {0};
     hawser_error *const mine = w->err;

@@ -130,6 +130,18 @@ static int near_kink(const ContactDetail *hit)
     return fabs(hit->gap) < 1e-6 || (hit->u > 0 && hit->u < 1e-5) || (hit->u < 1 && hit->u > 1 - 1e-5);
 }
 
+static int presumes; /* whether contacts are lines about presumed forces (PS11) */
+
+/* Between a third and three times what presses, and something where nothing does. */
+static void presume(TestScene *s, double *force, uint64_t *seed)
+{
+    static const Presume how = {.from = PRESUME_GAPS};
+    contact_presume(&s->model, &s->chain, &s->kin, &s->pairs, &how, NULL, force);
+    for (int f = 0; f < 2 * s->model.n_rollers; ++f)
+        force[f] = force[f] > 0 ? force[f] * exp(fixture_random(seed)) : 20 * (fixture_random(seed) + 1);
+    s->pairs.presumed = force;
+}
+
 static int active_count; /* over a test: that the states really touch */
 static int clamped_count;
 
@@ -151,7 +163,11 @@ static double random_state_error(ContactGeometry geometry, double speed, Place p
         active_count += hit[h].normal > 0;
         clamped_count += hit[h].normal > 0 && (hit[h].u == 0 || hit[h].u == 1);
     }
+    double force[2 * SCENE_HITS_MAX];
+    assert_true(s.model.n_rollers <= SCENE_HITS_MAX);
+    if (presumes) presume(&s, force, seed);
     const double error = skip ? 0 : state_error(&s);
+    s.pairs.presumed = NULL;
     scene_free(&s);
     return error;
 }
@@ -221,13 +237,24 @@ static void test_cylinder_grooves(void **state)
     states_check(GEOMETRY_CYLINDER, PLACE_LIP);
 }
 
+/* Lines about presumed forces (PS11), which are pressed or stand open. */
+static void test_presumed(void **state)
+{
+    (void)state;
+    presumes = 1;
+    states_check(GEOMETRY_SMOOTH, PLACE_LATERAL);
+    states_check(GEOMETRY_CYLINDER, PLACE_LATERAL);
+    presumes = 0;
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_smooth_lateral), cmocka_unit_test(test_smooth_rim),
-        cmocka_unit_test(test_smooth_end),     cmocka_unit_test(test_cylinder_lateral),
-        cmocka_unit_test(test_cylinder_rim),   cmocka_unit_test(test_cylinder_end),
-        cmocka_unit_test(test_smooth_grooves), cmocka_unit_test(test_cylinder_grooves),
+        cmocka_unit_test(test_presumed),         cmocka_unit_test(test_smooth_lateral),
+        cmocka_unit_test(test_smooth_rim),       cmocka_unit_test(test_smooth_end),
+        cmocka_unit_test(test_cylinder_lateral), cmocka_unit_test(test_cylinder_rim),
+        cmocka_unit_test(test_cylinder_end),     cmocka_unit_test(test_smooth_grooves),
+        cmocka_unit_test(test_cylinder_grooves),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -127,9 +127,59 @@ static void test_friction_derivative(void **state)
     check_finite(slope);
 }
 
+/* (PS12): a contact that has sunk in too deep carries a load on a soft spring. Each step solves the spring with the
+ * contact's line; returns how many until the law itself balances. about: the line is about the presumed force, else a
+ * tangent at the gap, Newton's method. */
+static int steps_to_rest(double load, double depth, int about)
+{
+    static const Presume line = {.from = PRESUME_LINE, .gravity = 9.8};
+    const double spring = 1e4, rest = load / spring; /* N/m; m: where it would be without the contact */
+    double gap = -depth, presumed = fmin(load, impact_value(&impact, gap, 0));
+    for (int step = 1; step < 50; ++step) {
+        const double at = about ? pow(presumed / impact.k, 1 / impact.e) : -gap;
+        const double force = impact_value(&impact, -at, 0), stiffness = impact.e * force / at;
+        gap = -(load + stiffness * at - force) / (spring + stiffness);
+        presumed = presume_force(&line, &impact, presumed, gap, load / 9.8);
+        if (fabs(impact_value(&impact, gap, 0) - spring * (rest + gap)) < 1e-9 * load) return step;
+    }
+    return 50;
+}
+
+static void test_presumed_forces_settle(void **state)
+{
+    (void)state;
+    for (double load = 1; load < 1e3; load *= 10) {
+        const int line = steps_to_rest(load, 4e-3, 1), tangent = steps_to_rest(load, 4e-3, 0);
+        print_message("%g N: %d steps, %d by tangents at the gap\n", load, line, tangent);
+        check_at_most(line, 3);
+        check_at_least(tangent, line + 2); /* the depth falls by three in each */
+    }
+}
+
+/* (PS12), (PS13) case by case. */
+static void test_presumed_forces(void **state)
+{
+    (void)state;
+    const Presume gaps = {.from = PRESUME_GAPS}, last = {.from = PRESUME_LAST, .gravity = 10},
+                  line = {.from = PRESUME_LINE, .gravity = 10, .keep = 0.1};
+    const double deep = impact_value(&impact, -1e-3, 0), depth = pow(50 / impact.k, 1 / impact.e);
+    check_share(presume_force(&gaps, &impact, 7, -1e-3, 2), deep, 1e-14);
+    check_equal(presume_force(&gaps, &impact, 7, 1e-9, 2), 0);
+    check_equal(presume_force(&last, &impact, 50, 1e-3, 2), 50); /* it pressed there */
+    check_equal(presume_force(&last, &impact, 50, 0.1, 2), 0);   /* another one */
+    check_equal(presume_force(&last, &impact, 0, -1e-3, 2), 20); /* its weight at most */
+    check_equal(presume_force(&last, &impact, 0, -1e-3, 0), 1);  /* without weight */
+    check_share(presume_force(&line, &impact, 50, -depth, 2), 50, 1e-14);
+    check_share(presume_force(&line, &impact, 50, -depth * 4 / 3, 2), 75, 1e-12); /* 1.5 of a third more */
+    check_share(presume_force(&line, &impact, 50, depth, 2), 5, 1e-14);           /* let go, but kept for once */
+    check_equal(presume_force(&line, &impact, 0, depth, 2), 0);
+    check_equal(presume_force(&line, &impact, 0, -1e-3, 2), 20);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_presumed_forces_settle),    cmocka_unit_test(test_presumed_forces),
         cmocka_unit_test(test_impact_is_the_reference),   cmocka_unit_test(test_impact_never_pulls),
         cmocka_unit_test(test_impact_derivatives),        cmocka_unit_test(test_impact_without_depth),
         cmocka_unit_test(test_friction_is_the_reference), cmocka_unit_test(test_friction_derivative),

@@ -45,6 +45,22 @@ static void blocks_compare(const BlockChain *a, const BlockChain *b, double *dif
     }
 }
 
+static int presumes; /* whether points are lines about presumed forces (PS11) */
+
+/* Between a third and three times what presses. */
+static void presume(SurfaceScene *s, SurfacePresumed *out)
+{
+    static const Presume how = {.from = PRESUME_GAPS};
+    uint64_t seed = 11;
+    assert_true(surface_presume(&s->model, &s->chain, &s->kin, &s->pairs, &how, NULL, out));
+    for (int b = 0; b < out->n_beds; ++b) {
+        for (int q = 0; q < SURFACE_POINTS && out->bed[b][q]; ++q) {
+            for (int e = 0; e <= N; ++e) out->bed[b][q][e] *= exp(fixture_random(&seed));
+        }
+    }
+    s->pairs.presumed = out;
+}
+
 /* One random state; returns how many points touched. */
 static int compare(SurfaceScene *s, double friction, double tolerance)
 {
@@ -53,6 +69,8 @@ static int compare(SurfaceScene *s, double friction, double tolerance)
     assert_true(block_chain_alloc(&k_fd, N, 6) && block_chain_alloc(&d_fd, N, 6));
     surfaces_refresh(s);
     surfaces_forces(s, friction);
+    SurfacePresumed presumed = {0};
+    if (presumes) presume(s, &presumed);
     /* in two halves, as two threads do */
     surface_blocks(&s->model, &s->chain, &s->kin, friction, &s->pairs, 0, N / 2, &k, &d);
     surface_blocks(&s->model, &s->chain, &s->kin, friction, &s->pairs, N / 2, N + 1, &k, &d);
@@ -64,6 +82,8 @@ static int compare(SurfaceScene *s, double friction, double tolerance)
     blocks_compare(&d, &d_fd, &d_off, &d_size);
     check_at_most(k_off, tolerance * k_size);
     check_at_most(d_off, tolerance * d_size);
+    s->pairs.presumed = NULL;
+    surface_presumed_free(&presumed);
     block_chain_free(&k);
     block_chain_free(&d);
     block_chain_free(&k_fd);
@@ -102,6 +122,15 @@ static void test_duct(void **state)
 {
     (void)state;
     check_kind(SURFACE_DUCT, 0.02, -0.06, -1);
+}
+
+static void test_presumed(void **state)
+{
+    (void)state;
+    presumes = 1;
+    check_kind(SURFACE_DUCT, 0.02, -0.06, -1);
+    check_kind(SURFACE_FLAT, 0.035, -0.005, 0.06);
+    presumes = 0;
 }
 
 static void test_floor(void **state)
@@ -159,8 +188,10 @@ static void test_plane(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_duct), cmocka_unit_test(test_floor), cmocka_unit_test(test_floor_with_walls),
-        cmocka_unit_test(test_v),    cmocka_unit_test(test_u),     cmocka_unit_test(test_plane),
+        cmocka_unit_test(test_duct),  cmocka_unit_test(test_presumed),
+        cmocka_unit_test(test_floor), cmocka_unit_test(test_floor_with_walls),
+        cmocka_unit_test(test_v),     cmocka_unit_test(test_u),
+        cmocka_unit_test(test_plane),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

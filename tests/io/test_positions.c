@@ -171,11 +171,32 @@ static void test_refused(void **state)
     }
 }
 
+/* Positions that are no whole segments apart meet rope that lies elsewhere on its rollers: Newton's method finds all of
+ * it again, since what pressed is presumed to press (PS11)-(PS13). */
+static void test_between_segments(void **state)
+{
+    (void)state;
+    const hawser_place *place;
+    hawser_sim *const sim =
+        run_of(data_text("positions"), (const char *const[]){"run.analysis", "positions", "run.positions",
+                                                             "{from: 6 m, to: 18 m, step: 130 mm}", NULL});
+    const int n = hawser_sim_places(sim, &place);
+    int many = 0, all = 0;
+    for (int k = 0; k < n; ++k) {
+        many += place[k].iterations > 12;
+        all += place[k].iterations;
+    }
+    print_message("%d places, %d with more than 12 iterations, %.1f in the mean\n", n, many, (double)all / n);
+    check_at_least(n, 90);
+    check_at_most(many, 9); /* 17 by tangents at the gaps */
+    hawser_sim_free(sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_straight), cmocka_unit_test(test_bend),    cmocka_unit_test(test_run),
-        cmocka_unit_test(test_way),      cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_straight), cmocka_unit_test(test_bend), cmocka_unit_test(test_between_segments),
+        cmocka_unit_test(test_run),      cmocka_unit_test(test_way),  cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

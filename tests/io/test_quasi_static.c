@@ -130,12 +130,12 @@ static void test_peaks(void **state)
     for (int r = 0; r < n; ++r) {
         const double load = roller[0][r].peak_N, found = roller[1][r].peak_N, bar = roller[1][r].peak_error_N;
         met += fabs(found - load) < 0.01 * load;
-        narrow += bar < 0.15 * load;
+        narrow += bar < 0.3 * load;
         check_at_most(fabs(found - load), bar);
     }
     print_message("%d of %d within 1 %%, %d narrow; %ld positions\n", met, n, narrow, sum[1].quasi_static->positions);
     check_at_least(met, 8);    /* of 11, 6 by looks at one offset of the winch's travel; 9 with optimisation */
-    check_at_least(narrow, 4); /* a bar for what nobody has looked at is six tenths */
+    check_at_least(narrow, 6); /* of a twentieth to a fifth; a bar for what nobody has looked at is six tenths */
     for (int k = 0; k < 2; ++k) hawser_sim_free(sim[k]);
 }
 

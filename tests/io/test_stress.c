@@ -93,12 +93,26 @@ static void test_led_too_far(void **state)
     hawser_sim_free(sim);
 }
 
+/* A bar whose ways to buckle lie so close together that its modes do not settle: the run says where, and what may help.
+ */
+static void test_modes_too_close(void **state)
+{
+    (void)state;
+    hawser_error err = {0};
+    hawser_sim *const sim = sim_of(data_text("stress-modes"), NULL);
+    assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, &err), HAWSER_ERR_RUN);
+    check_has(err.message, "at t = 0 s the rod stops being stable");
+    check_has(err.message, "run.load_steps may help");
+    hawser_sim_free(sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_falls_on_rollers), cmocka_unit_test(test_joint_turned),
         cmocka_unit_test(test_head_turned),      cmocka_unit_test(test_short_stiff_rod),
         cmocka_unit_test(test_wrapped_smooth),   cmocka_unit_test(test_led_too_far),
+        cmocka_unit_test(test_modes_too_close),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
