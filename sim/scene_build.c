@@ -165,13 +165,13 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
  * that matters for less than a BDF does (docs/model.md, "One-step integration"). */
 static const double LIGHTLY_DAMPED = 0.5e-3;
 
-/* `auto`, decided once for the whole chain: by how long the slowest joint takes to give way along the cable. Who asks
- * for orders above 2 means the BDF's, and only that moves what sticks. */
+/* `auto`, decided once for the whole chain: by how long the slowest joint takes to give way along the cable. Only a BDF
+ * moves what sticks. max_order is the BDF's and no reason for one: above 2 it is unstable where waves last. */
 static void method_choose(SolverDef *solver, const Chain *chain, int sticks)
 {
     double slowest = 0;
     for (int j = 1; j < chain->n; ++j) slowest = fmax(slowest, chain->damping[0][j] / chain->stiffness[0][j]);
-    const int one_step = slowest < LIGHTLY_DAMPED && solver->max_order <= 2 && !sticks;
+    const int one_step = slowest < LIGHTLY_DAMPED && !sticks;
     if (solver->method == METHOD_AUTO) solver->method = one_step ? METHOD_ESDIRK : METHOD_BDF;
 }
 

@@ -42,12 +42,14 @@ typedef struct QuasiRun {
     double *look[QUASI_KEPT]; /* [numbers] what rows show of them; owned, in one piece by memory */
     double *memory;
     int numbers;
-    int known;        /* of these positions, how many there are */
-    double *y;        /* [size] state of the last; owned */
-    int probing;      /* the stage is at a position that rows know nothing of */
-    int size, active; /* of y; contacts that carry force there */
-    double step;      /* s, to the next */
-    double checked;   /* s: when the equations of motion were asked last */
+    int known;                  /* of these positions, how many there are */
+    double *y;                  /* [size] state of the last; owned */
+    int probing;                /* the stage is at a position that rows know nothing of */
+    int size, active;           /* of y; contacts that carry force there */
+    int booked_first, booked_n; /* segments of the last position in the books of energy */
+    double booked_drum;         /* kg, that the first of them has from the reel */
+    double step;                /* s, to the next */
+    double checked;             /* s: when the equations of motion were asked last */
     QuasiPeak peak;
     QuasiTop *top; /* [rollers] owned */
     PullWindow window;

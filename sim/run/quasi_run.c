@@ -201,7 +201,10 @@ hawser_status quasi_end(Sim *s, hawser_error *err)
     if (!q->stage.on) return HAWSER_OK;
     hawser_status status = HAWSER_OK;
     hawser_relaxation found;
-    if (quasi_between(s)) status = quasi_find(s, s->stage.t, &found, err);
+    if (quasi_between(s)) {
+        status = quasi_find(s, s->stage.t, &found, err);
+        if (!status) status = quasi_books_position(s, err);
+    }
     if (!status) status = quasi_leave(&q->stage, &s->stage, err);
     s->stats.swings.steps = s->stats.swings.downward = 0;
     s->stats.swings.third = s->stats.swings.bound = 0;
@@ -226,7 +229,7 @@ hawser_status quasi_move(Sim *s, double t, int *arrived, hawser_error *err)
     state_at(s, to);
     q->said.time_s += to - now;
     *arrived = !(to < ahead);
-    return HAWSER_OK;
+    return *arrived ? quasi_books_position(s, err) : HAWSER_OK;
 }
 
 /* Takes the last step in; 1: a window has ended (QS1). */
@@ -275,6 +278,7 @@ static hawser_status attempt(Sim *s, double mean, double swing, hawser_error *er
             q->step = 0;
             q->known = 1;
             q->failed = 0;
+            if (!status) status = quasi_books_begin(s, err);
         }
     }
     if (!status && !fits) {
@@ -326,6 +330,9 @@ hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, q->t);
     CHECKPOINT(c, q->known);
     CHECKPOINT(c, q->active);
+    CHECKPOINT(c, q->booked_first);
+    CHECKPOINT(c, q->booked_n);
+    CHECKPOINT(c, q->booked_drum);
     CHECKPOINT(c, q->step);
     CHECKPOINT(c, q->checked);
     CHECKPOINT(c, q->peak);

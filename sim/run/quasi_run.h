@@ -18,6 +18,11 @@ hawser_status quasi_move(Sim *s, double t, int *arrived, hawser_error *err);
 /* Equations of motion from now on. Nothing is done where they move already. Errors: MEMORY, RUN, STOPPED. */
 hawser_status quasi_end(Sim *s, hawser_error *err);
 
+/* The books of energy at the first position of a stretch, where the state is put there, and at each of the others, once
+ * the stage has come to it (QS13). Errors: MEMORY. */
+hawser_status quasi_books_begin(Sim *s, hawser_error *err);
+hawser_status quasi_books_position(Sim *s, hawser_error *err);
+
 /* Finds the position of time t, where the stage is then. Errors: as positions_advance. */
 hawser_status quasi_find(Sim *s, double t, hawser_relaxation *found, hawser_error *err);
 /* Where peaks may be. Errors: MEMORY. */

@@ -156,6 +156,30 @@ hawser_status balance_enter(Balance *b, Motion *motion, double t, const double *
     return HAWSER_OK;
 }
 
+/* (QS13); the pushes of a position add up to nothing, so that momentum is carried as a whole. */
+hawser_status balance_position(Balance *b, Motion *motion, double t, const double *y, hawser_error *err)
+{
+    RateList next;
+    BalanceStock after;
+    const double half = (t - b->t) / 2;
+    if (!room_renew(b, motion)) return error_memory(err);
+    stock_at(b, motion, t, y, &after);
+    motion->ops->work(motion, t, y, &next.by);
+    next.by.push[PUSH_WEIGHT] = b->weight = after.weight;
+    for (int k = 0; k < POWERS; ++k) {
+        b->entries.sum.value[k] += half * (b->now.value[k] + next.value[k]);
+        b->turnover[k] += half * fabs(b->now.value[k] + next.value[k]);
+    }
+    b->carried_momentum = v3_add(b->carried_momentum, v3_sub(after.momentum, b->here.momentum));
+    b->here = after;
+    b->now = next;
+    b->t = t;
+    window_open(b, motion, t, y);
+    return HAWSER_OK;
+}
+
+void balance_carry(Balance *b, double energy) { b->entries.carried += energy; }
+
 /* ------------------------------------------------------------------------------------------------- the account */
 
 static const char *const WORKS[BALANCE_WORKS] = {"winch", "tail",   "lead_in", "reel",          "conveyors", "ends",

@@ -21,6 +21,12 @@ void balance_step(Balance *b, Motion *motion, double t, const double *y, const d
 void balance_leave(Balance *b, Motion *motion, double t, const double *y);
 hawser_status balance_enter(Balance *b, Motion *motion, double t, const double *y, hawser_error *err);
 
+/* A position in steady motion at (t, y) behind the last one, balance_enter before the first (QS13); momentum is
+ * carried. It evaluates y: what energy has joined on the way, less what has left, is told behind it, J. Errors: MEMORY.
+ */
+hawser_status balance_position(Balance *b, Motion *motion, double t, const double *y, hawser_error *err);
+void balance_carry(Balance *b, double energy);
+
 /* The balances from the beginning to (t, y), which is evaluated; *out stays the balance's. */
 const hawser_balance *balance_close(Balance *b, Motion *motion, double t, const double *y);
 

@@ -73,6 +73,39 @@ static void test_same_pull(void **state)
     for (int k = 0; k < 2; ++k) hawser_sim_free(sim[k]);
 }
 
+/* The books of energy go on through positions, uphill too, where the reel's drum hands a height on with each segment
+ * that joins: what was worked is that of the motion, and what stays open a part of the pull. */
+static void test_books(void **state)
+{
+    (void)state;
+    enum { END = 75 };
+    static const char *const slope[] = {"0 deg", "5 deg"};
+    for (int c = 0; c < 2; ++c) {
+        double work[2], lost[2], carried[2];
+        for (int k = 0; k < 2; ++k) {
+            hawser_sim *const sim = pull_of(k ? "auto" : "dynamic", "route.slope", slope[c]);
+            hawser_summary sum;
+            relax(sim);
+            advance(sim, END);
+            hawser_sim_summary(sim, &sum);
+            const hawser_balance *const b = sum.balance;
+            assert_non_null(b);
+            work[k] = b->work_J;
+            lost[k] = b->lost_J;
+            carried[k] = b->carried_J;
+            print_message("%s, %s: work %.6g J, lost %.6g, carried %.6g, residual %.3g, %.3g of %s\n", slope[c],
+                          k ? "positions" : "motion", b->work_J, b->lost_J, b->carried_J, b->residual_J,
+                          b->residual_share, b->turnover_of);
+            if (k) check_at_least(sum.quasi_static->time_s, 0.6 * END);
+            check_below(b->residual_share, k ? 2e-3 : 2e-5);
+            hawser_sim_free(sim);
+        }
+        check_share(work[1], work[0], 0.01);
+        check_share(lost[1], lost[0], 0.015);
+        if (c > 0) check_share(carried[1], carried[0], 2e-3);
+    }
+}
+
 /* A cable behind a thin rope loads each roller most as its front comes to the next one, within centimetres of way:
  * looks that enclose it find that, and their bars hold what the motion has. */
 static void test_peaks(void **state)
@@ -299,9 +332,10 @@ static void test_saved(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_same_pull), cmocka_unit_test(test_peaks), cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_lost),      cmocka_unit_test(test_stop),  cmocka_unit_test(test_command),
-        cmocka_unit_test(test_refused),   cmocka_unit_test(test_saved), cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_same_pull), cmocka_unit_test(test_books),   cmocka_unit_test(test_peaks),
+        cmocka_unit_test(test_rows),      cmocka_unit_test(test_lost),    cmocka_unit_test(test_stop),
+        cmocka_unit_test(test_command),   cmocka_unit_test(test_refused), cmocka_unit_test(test_saved),
+        cmocka_unit_test(test_threads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
