@@ -145,7 +145,6 @@ static int span_known(const PullDef *def, const PullStretch *a, const PullSpan *
 /* Integrates from cut to cut, in the pull's order, adding the steps between. */
 static void run_spans(const PullDef *def, int n, const double *cut, Pull *pull)
 {
-    assert(n >= 2);
     const int forward = def->to > def->from;
     double tension = def->start_tension;
     take_tension(pull, route_at(def->route, cut[forward ? 0 : n - 1]).piece, def->from, tension);
@@ -180,6 +179,7 @@ hawser_status pull_solve(const PullDef *def, Pull *out, hawser_error *err)
     double *cut = malloc((size_t)(def->route->n + def->n_stretches + def->n_steps + 3) * sizeof *cut);
     if (!cut) return error_memory(err);
     const int n = collect_cuts(def, cut);
+    assert(n >= 2);
     out->n = n - 1;
     out->span = malloc((size_t)out->n * sizeof *out->span);
     if (out->span) {
