@@ -57,7 +57,7 @@ void newton_extra_form(Newton *nw)
 {
     NewtonExtra *const extra = nw->extra;
     const BlockExtras *const from = extra->from;
-    if (from->version != extra->version) extra->failed = !pattern_follow(extra);
+    if (from->version != extra->version || from->count != extra->count) extra->failed = !pattern_follow(extra);
     if (extra->failed) return;
     for (int e = 0; e < from->count; ++e) {
         if (!from->live[e] && extra->filled[e]) memset(extra->a + BLOCK * e, 0, BLOCK * sizeof(double));
@@ -155,7 +155,10 @@ void newton_extra_checkpoint(Checkpoint *c, Newton *nw)
     CHECKPOINT(c, extra->options.ordering);
     CHECKPOINT_FROM(c, &extra->retired, LinStats, analyses);
     CHECKPOINT(c, count);
-    if (!checkpoint_check(c, count >= 0 && count < INT32_MAX / BLOCK, "a number of blocks is impossible")) return;
+    if (!checkpoint_check(c, count >= 0 && count < INT32_MAX / BLOCK && (count == 0 || extra->version >= 0),
+                          "a number of blocks is impossible")) {
+        return;
+    }
     if (c->reading && !pattern_room(extra, count)) checkpoint_lack(c);
     for (int e = 0; !c->status && e < count; ++e) {
         CHECKPOINT(c, extra->block[e].row);
