@@ -177,7 +177,8 @@ void block_extras_checkpoint(Checkpoint *c, BlockExtras *x)
 {
     int count = x->count;
     CHECKPOINT(c, count);
-    if (!checkpoint_check(c, count >= 0 && count % 2 == 0, "a number of blocks is impossible")) return;
+    checkpoint_check(c, count % 2 == 0, "a number of blocks is impossible");
+    if (!checkpoint_number(c, count, 2 * BLOCK * sizeof *x->k, "a number of blocks is impossible")) return;
     if (c->reading && count > 0) {
         const int n = x->n;
         block_extras_free(x);

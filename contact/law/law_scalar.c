@@ -19,7 +19,7 @@ double impact_force(const ImpactLaw *law, double gap, double rate, double *d_gap
 
 double friction_over_speed(const FrictionLaw *law, double v, double *d_over_v)
 {
-    assert(v >= 0 && law->v_s > 0 && law->v_s < law->v_d);
+    assert(!(v < 0) && law->v_s > 0 && law->v_s < law->v_d);
     const LaneFriction spread = friction_spread(law);
     LaneRub rub;
     friction_at(&spread, 1, lane_set(v), lane_set(v), &rub);

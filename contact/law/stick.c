@@ -72,7 +72,7 @@ void stick_checkpoint(Checkpoint *c, StickStore *store, int rollers, int room)
 {
     int n = store->n;
     CHECKPOINT(c, n);
-    if (!checkpoint_check(c, n >= 0 && n < INT32_MAX / 2, "a number of contacts is impossible")) return;
+    if (!checkpoint_number(c, n, sizeof *store->record, "a number of contacts is impossible")) return;
     if (c->reading && !stick_reserve(store, rollers, n > room ? n : room)) checkpoint_lack(c);
     if (c->status) return;
     CHECKPOINT_UP_TO(c, store, StickStore, n);

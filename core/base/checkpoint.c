@@ -56,6 +56,11 @@ int checkpoint_check(Checkpoint *c, int ok, const char *fault)
     return 0;
 }
 
+int checkpoint_number(Checkpoint *c, int n, size_t each, const char *fault)
+{
+    return checkpoint_check(c, n >= 0 && (!c->reading || (size_t)n <= (c->size - c->at) / each), fault);
+}
+
 void checkpoint_lack(Checkpoint *c)
 {
     if (c->status) return;

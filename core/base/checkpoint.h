@@ -55,6 +55,9 @@ void checkpoint_list(Checkpoint *c, const char *name, void **array, int *count, 
 void checkpoint_text(Checkpoint *c, const char *name, const char **text);
 /* Whether reading can go on; says what is wrong if `ok` is 0. */
 int checkpoint_check(Checkpoint *c, int ok, const char *fault);
+/* The same for a number of things that has been read, each of which has at least `each` bytes in what follows: no
+ * memory is asked for what cannot be there. */
+int checkpoint_number(Checkpoint *c, int n, size_t each, const char *fault);
 /* There is no memory. */
 void checkpoint_lack(Checkpoint *c);
 /* Everything has been read. */

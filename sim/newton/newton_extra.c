@@ -155,10 +155,9 @@ void newton_extra_checkpoint(Checkpoint *c, Newton *nw)
     CHECKPOINT(c, extra->options.ordering);
     CHECKPOINT_FROM(c, &extra->retired, LinStats, analyses);
     CHECKPOINT(c, count);
-    if (!checkpoint_check(c, count >= 0 && count < INT32_MAX / BLOCK && (count == 0 || extra->version >= 0),
-                          "a number of blocks is impossible")) {
-        return;
-    }
+    const char *const fault = "a number of blocks is impossible";
+    checkpoint_check(c, count == 0 || extra->version >= 0, fault);
+    if (!checkpoint_number(c, count, BLOCK * sizeof *extra->a, fault)) return;
     if (c->reading && !pattern_room(extra, count)) checkpoint_lack(c);
     for (int e = 0; !c->status && e < count; ++e) {
         CHECKPOINT(c, extra->block[e].row);

@@ -100,7 +100,8 @@ static void events_checkpoint(Checkpoint *c, EventLog *log)
     int n = log->n;
     CHECKPOINT(c, n);
     CHECKPOINT(c, log->missed);
-    if (!checkpoint_check(c, n >= 0 && n <= EVENTS_MAX, "a number of events is impossible")) return;
+    checkpoint_check(c, n <= EVENTS_MAX, "a number of events is impossible");
+    if (!checkpoint_number(c, n, sizeof log->event->t, "a number of events is impossible")) return;
     hawser_error lack = {HAWSER_OK, ""};
     if (c->reading) log->n = 0;
     while (c->reading && log->n < n && !lack.status) events_add(log, (hawser_event){0}, &lack);
@@ -119,7 +120,7 @@ static void modes_checkpoint(Checkpoint *c, Modes *m, int segments)
     const size_t each = 6 * (size_t)segments;
     int n = m->n;
     CHECKPOINT(c, n);
-    if (!checkpoint_check(c, n >= 0 && n < INT16_MAX, "a number of modes is impossible")) return;
+    if (!checkpoint_number(c, n, sizeof *m->shape * each, "a number of modes is impossible")) return;
     if (c->reading) {
         modes_free(m);
         m->out = calloc((size_t)n + 1, sizeof *m->out);

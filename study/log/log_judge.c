@@ -143,7 +143,7 @@ static long start_judge(PullLog *log, const Kept *k, long m)
     const double *const axis = by_length ? log->length : log->time,
                         end = axis[k->at[m]] + (by_length ? RUN_UP_M : RUN_UP_S);
     long peak = -1, j = m > PEAK_BEFORE ? m - PEAK_BEFORE : 0;
-    for (; j < k->n && axis[k->at[j]] <= end && (j < m || log->use[k->at[j]] != LOG_AT_REST); j++) {
+    for (; j <= m || (j < k->n && axis[k->at[j]] <= end && log->use[k->at[j]] != LOG_AT_REST); j++) {
         const long i = k->at[j];
         const int good = log->use[i] == LOG_MOVING || log->use[i] == LOG_AT_REST;
         if (good && (peak < 0 || log->force[i] > log->force[peak])) peak = i;

@@ -103,6 +103,23 @@ static void damaged(void **state)
     checkpoint_free(&written);
 }
 
+/* No more things are there than what has not been read has bytes for. */
+static void numbers(void **state)
+{
+    (void)state;
+    double six[6] = {0};
+    Checkpoint c = checkpoint_new(1 << 10);
+    assert_int_equal(checkpoint_number(&c, 1 << 20, 8, "too many"), 1); /* what is written is there */
+    checkpoint_put(&c, "six", six, sizeof six);
+    static const int n[][2] = {{0, 1}, {4, 1}, {5, 0}, {INT_MAX, 0}, {-1, 0}};
+    for (size_t k = 0; k < sizeof n / sizeof *n; ++k) { /* 64 bytes with the piece's head */
+        Checkpoint back = checkpoint_over(c.bytes, c.size, NULL);
+        assert_int_equal(checkpoint_number(&back, n[k][0], 16, "too many"), n[k][1]);
+        assert_string_equal(back.fault, n[k][1] ? "" : "too many");
+    }
+    checkpoint_free(&c);
+}
+
 /* One that is longer than it should be, or grows while it is written. */
 static void lengths(void **state)
 {
@@ -350,9 +367,10 @@ static void arrays(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(both_ways),    cmocka_unit_test(damaged),  cmocka_unit_test(lengths),
-        cmocka_unit_test(profiles),     cmocka_unit_test(patterns), cmocka_unit_test(block_values),
-        cmocka_unit_test(first_values), cmocka_unit_test(errors),   cmocka_unit_test(arrays)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(both_ways),    cmocka_unit_test(damaged),
+                                       cmocka_unit_test(lengths),      cmocka_unit_test(numbers),
+                                       cmocka_unit_test(profiles),     cmocka_unit_test(patterns),
+                                       cmocka_unit_test(block_values), cmocka_unit_test(first_values),
+                                       cmocka_unit_test(errors),       cmocka_unit_test(arrays)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -92,6 +92,30 @@ static void what_counts(void **state)
     log_free(&log);
 }
 
+/* A counter of lengths that is set back while the cable rests: what stood before is farther than what comes. */
+static void counter_set_back(void **state)
+{
+    (void)state;
+    char text[8000];
+    size_t n = (size_t)snprintf(text, sizeof text, "time [s],pull [kN],length [m],speed [m/min]\n");
+    for (int t = 0; t < 160; t++) {
+        const int rest = t >= 60 && t < 80;
+        const double length = t < 60 ? 20 + 0.1 * t : rest ? 26 : 0.1 * (t - 80);
+        n += (size_t)snprintf(text + n, sizeof text - n, "%d,%d,%.2f,%d\n", t,
+                              rest      ? 2
+                              : t == 80 ? 8
+                                        : 5,
+                              length, rest ? 0 : 6);
+    }
+    PullLog log = log_of(text);
+    assert_int_equal(log_judge(&log, NAN, 0, NULL), HAWSER_OK);
+    assert_int_equal(log.starts, 1);
+    assert_int_equal(log.use[80], LOG_RESTART);
+    assert_int_equal(log.use[79], LOG_AT_REST);
+    assert_int_equal(log.use[150], LOG_MOVING);
+    log_free(&log);
+}
+
 /* A log without lengths gets them from its speed, or from the winch's; the rest does not lengthen it. */
 static void lengths_by_speed(void **state)
 {
@@ -159,8 +183,8 @@ static void agreement(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(heads_and_units), cmocka_unit_test(refused),
-                                       cmocka_unit_test(what_counts), cmocka_unit_test(lengths_by_speed),
-                                       cmocka_unit_test(agreement)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(heads_and_units),  cmocka_unit_test(refused),
+                                       cmocka_unit_test(what_counts),      cmocka_unit_test(lengths_by_speed),
+                                       cmocka_unit_test(counter_set_back), cmocka_unit_test(agreement)};
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
