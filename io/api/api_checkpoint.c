@@ -15,7 +15,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FORMAT = 4 };
+enum { FORMAT = 5 };
 
 typedef struct FileHead {
     char magic[16];

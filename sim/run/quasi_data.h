@@ -49,6 +49,7 @@ typedef struct QuasiRun {
     int booked_first, booked_n; /* segments of the last position in the books of energy */
     double booked_drum;         /* kg, that the first of them has from the reel */
     double step;                /* s, to the next */
+    int hangs;                  /* segments that pass the winch from one that is asked for its hanging to the next */
     double checked;             /* s: when the equations of motion were asked last */
     QuasiPeak peak;
     QuasiTop *top; /* [rollers] owned */

@@ -200,45 +200,27 @@ double quasi_peak_error(const QuasiRun *q, int r, double peak)
     return peak * (front ? top->open : UNSEEN);
 }
 
-double quasi_next_peak(const Sim *s, double from, double end)
-{
-    const Scene *const scene = &s->stage.scene;
-    const QuasiPeak *const p = &s->quasi.peak;
-    const double speed = winch_speed(scene->winch, from), first = hauled(scene, from);
-    double next = end;
-    for (int r = 0; r < scene->def.n_rollers; ++r) {
-        const double way = s->quasi.top[r].landing + p->at + p->trend + p->lag - first;
-        if (s->quasi.top[r].landing > p->done && way >= 0 && way < speed * (next - from)) next = from + way / speed;
-    }
-    return next;
-}
-
 hawser_status quasi_peaks(Sim *s, hawser_error *err)
 {
     QuasiRun *const q = &s->quasi;
     const Scene *const scene = &s->stage.scene;
     const double ahead = q->peak.at + q->peak.trend + q->peak.lag;
     const double from = hauled(scene, q->t[QUASI_KEPT - 2]) - 2 * REACH, to = hauled(scene, q->t[QUASI_KEPT - 1]);
-    const double back = s->positions.back;
     hawser_status status = HAWSER_OK;
     Moving last = {0};
-    Lie lie = {0};
+    PositionsKept kept = {0};
     for (int r = 0; !status && r < scene->def.n_rollers; ++r) {
         const double place = q->top[r].landing;
         if (!(place > q->peak.done && place + ahead > from && place + ahead <= to + NEARLY)) continue;
         if (!last.y) status = moving_keep(&last, &s->stage, err);
-        if (!status && !lie.s) status = lie_copy(&s->positions.lie, &lie, err);
+        if (!status && !kept.lie.memory) status = positions_keep(&s->positions, &kept, err);
         q->probing = 1;
         q->peak.done = place;
         if (!status) status = peak_of(s, r, place, err);
     }
     q->probing = 0;
     if (!status && last.y) status = moving_restore(&s->stage, &last, err);
-    if (lie.s) {
-        lie_free(&s->positions.lie);
-        s->positions.lie = lie;
-        s->positions.back = back;
-    }
+    positions_back_to(&s->positions, &kept);
     moving_free(&last);
     return status;
 }

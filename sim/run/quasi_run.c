@@ -18,10 +18,11 @@ static const double STRETCH = 3; /* windows, that a stretch of positions must la
 static const double GOLDEN = 2.6180339887498949;
 enum { POSITIONS_LEAST = 40, CHECKS = 4 }; /* of a stretch: positions; of a run: how often motion is asked again */
 static const double TOLERANCE = 5e-3;      /* of the pull, that rows between positions may be off by (QS5) */
-static const double NEXT = 0.5;            /* of a step, behind which it may end at a roller's peak */
 static const double SHORTEST = 1.0 / 16;   /* of the longest step */
 static const double TRIP = 0.9;            /* of the pull at which a winch trips: motion decides from there on */
-enum { TRIES = 4, WAIT_MOST = 64 };
+static const double HANG =
+    4e-4; /* of half a segment, by which one that passes the winch may hang elsewhere than thought */
+enum { TRIES = 4, WAIT_MOST = 64, HANG_MOST = 8, HANG_RARELY = 16, NEAR_FRONT = 4 };
 
 /* ------------------------------------------------------------------------------------------------------------ life */
 
@@ -158,8 +159,7 @@ static hawser_status next_position(Sim *s, double until, int *on, hawser_error *
     *on = 0;
     q->step = fmin(q->step > 0 ? q->step : longest, longest);
     for (int tries = 0; !status && !*on && tries < TRIES; ++tries) {
-        const double rest = until - now, even = q->step < 0.7 * rest ? q->step : q->step < rest ? rest / 2 : rest;
-        const double h = quasi_next_peak(s, now + NEXT * even, now + even) - now;
+        const double rest = until - now, h = q->step < 0.7 * rest ? q->step : q->step < rest ? rest / 2 : rest;
         hawser_relaxation found;
         status = quasi_find(s, now + h, &found, err);
         if (status == HAWSER_ERR_RUN) {
@@ -178,11 +178,49 @@ static hawser_status next_position(Sim *s, double until, int *on, hawser_error *
     return status;
 }
 
+/* How the segments hang by which the winch holds the rope: it is asked of the next one to pass, and of those behind it
+ * until one hangs as was thought (QS15). The stage is anywhere then. */
+static hawser_status hang(Sim *s, double until, hawser_error *err)
+{
+    QuasiRun *const q = &s->quasi;
+    Stage *const st = &s->stage;
+    const double near = HANG * st->scene.chain.half[st->scene.chain.n - 1], start = clock_now();
+    double off = INFINITY, t = 0;
+    PositionsKept kept = {0};
+    hawser_status status = positions_keep(&s->positions, &kept, err);
+    for (int k = 0; !status && k < HANG_MOST && off > near; ++k) {
+        const int next = positions_passing(&s->positions, st, &t);
+        if (!(t < until)) break;
+        hawser_relaxation found = {0};
+        status = positions_pass(&s->positions, st, next, t, &found, &off, err);
+        q->said.iterations += found.iterations;
+        if (k == 0) q->hangs = off > near ? q->hangs / 2 : 2 * q->hangs;
+        q->hangs = q->hangs < 1 ? 1 : q->hangs < HANG_RARELY ? q->hangs : HANG_RARELY;
+    }
+    positions_back_to(&s->positions, &kept);
+    s->relax_s += clock_now() - start;
+    return status == HAWSER_ERR_RUN ? HAWSER_OK : status;
+}
+
+/* Whether the segment at the head is so far behind the last that was asked; less far as the front comes to the winch.
+ */
+static int hang_due(const Sim *s)
+{
+    const Scene *const scene = &s->stage.scene;
+    const int head = scene->first + scene->chain.n - 1, known = s->positions.hanging.segment;
+    const int near = (head - scene->eye) / NEAR_FRONT, after = near < s->quasi.hangs ? near : s->quasi.hangs;
+    return scene->winch->take_in.present && (known < 0 || known - head >= after);
+}
+
 static hawser_status look_ahead(Sim *s, double until, int *on, hawser_error *err)
 {
     const double now = s->stage.t;
     Moving here;
     hawser_status status = moving_keep(&here, &s->stage, err);
+    if (!status && hang_due(s)) {
+        status = hang(s, until, err);
+        if (!status) status = moving_restore(&s->stage, &here, err);
+    }
     if (!status) status = next_position(s, until, on, err);
     if (!status && !*on) status = moving_restore(&s->stage, &here, err);
     if (!status && *on && s->quasi.known > 1) status = quasi_peaks(s, err);
@@ -276,6 +314,7 @@ static hawser_status attempt(Sim *s, double mean, double swing, hawser_error *er
             q->said.stretches++;
             q->checked = s->stage.t;
             q->step = 0;
+            q->hangs = 1;
             q->known = 1;
             q->failed = 0;
             if (!status) status = quasi_books_begin(s, err);
@@ -334,6 +373,7 @@ hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, q->booked_n);
     CHECKPOINT(c, q->booked_drum);
     CHECKPOINT(c, q->step);
+    CHECKPOINT(c, q->hangs);
     CHECKPOINT(c, q->checked);
     CHECKPOINT(c, q->peak);
     checkpoint_put(c, "q->top", q->top, (size_t)s->stage.scene.def.n_rollers * sizeof *q->top);
@@ -343,7 +383,9 @@ hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, q->failed);
     CHECKPOINT_UP_TO(c, &q->said, hawser_quasi_static, why);
     CHECKPOINT(c, s->positions.back);
-    CHECKPOINT(c, s->positions.held);
+    CHECKPOINT(c, s->positions.hanging);
+    const int hung = s->positions.hanging.segment;
+    checkpoint_check(c, hung >= -1 && hung < s->stage.scene.total, "a rope of another chain");
     CHECKPOINT(c, s->positions.soft);
     CHECKPOINT(c, s->positions.push_share);
     CHECKPOINT(c, books);

@@ -29,8 +29,6 @@ hawser_status quasi_find(Sim *s, double t, hawser_relaxation *found, hawser_erro
 hawser_status quasi_peaks_new(QuasiRun *q, const SceneDef *def, hawser_error *err);
 /* A position is looked at: where its front is. */
 void quasi_peaks_seen(QuasiRun *q, const Scene *scene, const hawser_sample *look);
-/* When the front next is where a roller may be loaded most (QS9), s, not before `from`; at most `end`. */
-double quasi_next_peak(const Sim *s, double from, double end);
 /* Peaks of rollers' loads between the last two positions, (QS9): found as positions of their own, which count for
  * nothing else. Errors: MEMORY, RUN, STOPPED. */
 hawser_status quasi_peaks(Sim *s, hawser_error *err);

@@ -156,6 +156,7 @@ static hawser_status list_given(Positions *p, const Scene *scene, double end, ha
 
 void positions_of(Positions *p, const Stage *st)
 {
+    p->hanging = (Hanging){.segment = -1};
     p->origin = st->scene.winch->origin;
     p->attitude = st->scene.winch->attitude;
 }
@@ -164,7 +165,7 @@ hawser_status positions_new(Positions *p, Stage *st, hawser_error *err)
 {
     Scene *const scene = &st->scene;
     const double end = scene->def.duration;
-    *p = (Positions){.worst = -1};
+    *p = (Positions){.worst = -1, .hanging = {.segment = -1}};
     if (scene->def.analysis.kind != ANALYSIS_POSITIONS) return HAWSER_OK;
     const char *const why = positions_unknown(st);
     if (why) return error_set(err, HAWSER_ERR_INPUT, "key 'run.analysis': positions: %s", why);
@@ -207,6 +208,12 @@ double positions_next(const Positions *p, double t, double end)
 
 /* ------------------------------------------------------------------------------------------- where the chain lies */
 
+/* m, by which the chain as it is laid at time t has moved on. */
+static double laid_travel(const Positions *p, const Stage *st, double t)
+{
+    return winch_travel(st->scene.winch, t) + p->hanging.ahead;
+}
+
 /* The window when the chain has moved on by `travel`: from the first segment whose rear end is not behind the drum,
  * which stretched cable lies `back` (m) behind, to the last whose rear end is before the winch. */
 static void window_at(const Stage *st, double travel, double back, int *first, int *n)
@@ -231,7 +238,22 @@ static int taken_laid(const Scene *scene, double travel, double row[STATE_SIZE])
     return 1;
 }
 
-/* The winch holds the head's front end; where it takes the rope in, by the segment that has passed it last (RL16). */
+/* How segment i hangs once it has passed: as is known of one, by the geometric series that the last ones were of, and
+ * behind by what the rope between is stretched as it passes (QS12), (QS15). */
+static void hangs(const Positions *p, const Stage *st, int i, Vec3 *held, Vec3 *turn)
+{
+    const Hanging *const h = &p->hanging;
+    const int later = h->segment - i, from = i < h->segment ? i : h->segment, to = i < h->segment ? h->segment : i;
+    const double r = h->lasts, pull = p->lie.n > 0 ? p->lie.tension[p->lie.n - 1] : 0;
+    const double more = later > 0 && r < 1 ? r * (1 - pow(r, later)) / (1 - r) : later;
+    double stretch = 0;
+    for (int j = to; j > from; --j) stretch += pull / st->whole.stiffness[0][j];
+    *held = v3_axpy(v3_axpy(h->held, more, h->going), later > 0 ? -stretch : stretch, st->scene.winch->direction);
+    *turn = v3_axpy(h->turn, more, h->turning);
+}
+
+/* The winch holds the head's front end; where it takes the rope in, by the segment that has passed it last (RL16),
+ * which hangs as it is known to (QS12). */
 static void winch_put(const Positions *p, Stage *st, double travel)
 {
     const Scene *const scene = &st->scene;
@@ -240,8 +262,11 @@ static void winch_put(const Positions *p, Stage *st, double travel)
     w->origin = p->origin;
     w->attitude = p->attitude;
     if (!taken_laid(scene, travel, row)) return;
-    w->origin = v3_add(v3_axpy(state_vector(row, 1, STATE_P, 0), -travel, w->direction), p->held);
-    w->attitude = state_attitude(row, 1, 0);
+    Vec3 held = V3_ZERO, turn = V3_ZERO;
+    if (p->hanging.segment >= 0) hangs(p, st, scene->first + scene->chain.n, &held, &turn);
+    const double hauled = travel - p->hanging.ahead;
+    w->origin = v3_add(v3_axpy(state_vector(row, 1, STATE_P, 0), -hauled, w->direction), held);
+    w->attitude = quat_unit(quat_mul(quat_exp(turn), state_attitude(row, 1, 0)));
     winch_take_in(w, st->t, V3_ZERO, V3_ZERO);
 }
 
@@ -249,7 +274,7 @@ static void winch_put(const Positions *p, Stage *st, double travel)
 static hawser_status lay(const Positions *p, Stage *st, double t, double back, hawser_error *err)
 {
     Scene *const scene = &st->scene;
-    const double travel = winch_travel(scene->winch, t);
+    const double travel = laid_travel(p, st, t);
     const int own = scene_state_size(scene) - STATE_SIZE * scene->chain.n;
     double *const kept = malloc(((size_t)own + 1) * sizeof *kept);
     if (!kept) return error_memory(err);
@@ -272,10 +297,10 @@ static hawser_status lay(const Positions *p, Stage *st, double t, double back, h
 }
 
 /* How far the tail is behind where it was laid, m. */
-static double tail_back(const Stage *st)
+static double tail_back(const Positions *p, const Stage *st)
 {
     const Scene *const scene = &st->scene;
-    const RoutePoint at = route_at(&scene->route, lie_centre(scene, 0, winch_travel(scene->winch, st->t)));
+    const RoutePoint at = route_at(&scene->route, lie_centre(scene, 0, laid_travel(p, st, st->t)));
     return v3_dot(v3_sub(at.position, state_vector(st->y, scene->chain.n, STATE_P, 0)), at.tangent);
 }
 
@@ -283,12 +308,19 @@ hawser_status positions_begin(Positions *p, Stage *st, hawser_error *err)
 {
     const Winch *const w = st->scene.winch;
     const double travel = winch_travel(w, st->t);
+    const Vec3 place = v3_axpy(w->origin, travel, w->direction);
     double row[STATE_SIZE];
-    p->back = tail_back(st);
-    p->held = V3_ZERO;
-    if (taken_laid(&st->scene, travel, row))
-        p->held = v3_sub(v3_axpy(w->origin, travel, w->direction), state_vector(row, 1, STATE_P, 0));
-    return lie_keep(&p->lie, st, travel, err);
+    Hanging *const h = &p->hanging;
+    *h = (Hanging){.segment = -1};
+    if (taken_laid(&st->scene, travel, row)) {
+        h->segment = st->scene.first + st->scene.chain.n;
+        h->ahead = v3_dot(v3_sub(place, state_vector(row, 1, STATE_P, 0)), w->direction);
+        taken_laid(&st->scene, travel + h->ahead, row);
+        h->held = v3_sub(place, state_vector(row, 1, STATE_P, 0));
+        h->turn = quat_log(quat_mul(w->attitude, quat_conj(state_attitude(row, 1, 0))));
+    }
+    p->back = tail_back(p, st);
+    return lie_keep(&p->lie, st, laid_travel(p, st, st->t), err);
 }
 
 /* ------------------------------------------------------------------------------------------- one position */
@@ -331,7 +363,7 @@ static void spins_start(Stage *st, double speed)
 static hawser_status solve(Positions *p, Stage *st, int fresh, hawser_relaxation *out, hawser_error *err)
 {
     Scene *const scene = &st->scene;
-    const double speed = winch_speed(scene->winch, st->t), travel = winch_travel(scene->winch, st->t);
+    const double speed = winch_speed(scene->winch, st->t), travel = laid_travel(p, st, st->t);
     if (!fresh) lie_apply(&p->lie, st, travel);
     hawser_status status = st->motion->ops->renew(st->motion, st->t, st->y, err);
     if (!status && fresh) status = st->motion->ops->relax(st->motion, st->t, st->y, out, err);
@@ -360,11 +392,11 @@ hawser_status positions_advance(Positions *p, Stage *st, double t, hawser_relaxa
             continue;
         }
         if (status || !out->reached) break;
-        p->back = tail_back(st);
+        p->back = tail_back(p, st);
         behind = st->scene.reel->present && fabs(p->back - back) > BEHIND * st->scene.chain.half[0];
         back = p->back;
         fresh = 0;
-        status = lie_keep(&p->lie, st, winch_travel(st->scene.winch, t), err);
+        status = lie_keep(&p->lie, st, laid_travel(p, st, t), err);
     }
     if (!status && !out->reached) {
         status = error_set(err, HAWSER_ERR_RUN,
@@ -373,6 +405,62 @@ hawser_status positions_advance(Positions *p, Stage *st, double t, hawser_relaxa
                            head_at(&st->scene, t), out->residual_N, out->segment, out->tolerance_N);
     }
     return status;
+}
+
+hawser_status positions_keep(const Positions *p, PositionsKept *out, hawser_error *err)
+{
+    out->back = p->back;
+    return lie_copy(&p->lie, &out->lie, err);
+}
+
+void positions_back_to(Positions *p, PositionsKept *kept)
+{
+    if (!kept->lie.memory) return;
+    lie_free(&p->lie);
+    p->lie = kept->lie;
+    p->back = kept->back;
+    *kept = (PositionsKept){0};
+}
+
+/* Laid rope: so much before it has passed, that it is not taken for passed, m. */
+static const double BEFORE = 1e-6;
+
+int positions_passing(const Positions *p, const Stage *st, double *t)
+{
+    const Scene *const scene = &st->scene;
+    const double speed = winch_speed(scene->winch, st->t);
+    const int head = scene->first + scene->chain.n - 1, known = p->hanging.segment,
+              next = known >= 0 && known <= head ? known - 1 : head;
+    *t = INFINITY;
+    if (!scene->winch->take_in.present || next - scene->first < 2 || !(speed > 0)) return -1;
+    const double rear = scene->joint_s[next] + laid_travel(p, st, st->t);
+    *t = st->t + (winch_place(scene) - BEFORE - rear) / speed;
+    return next;
+}
+
+hawser_status positions_pass(Positions *p, Stage *st, int segment, double t, hawser_relaxation *out, double *off,
+                             hawser_error *err)
+{
+    Hanging *const h = &p->hanging;
+    const Vec3 along = st->scene.winch->direction;
+    const int first = h->segment < 0;
+    Vec3 thought, turned, held, turn;
+    const hawser_status status = positions_advance(p, st, t, out, err);
+    if (status) return status;
+    hangs(p, st, segment, &thought, &turned);
+    hangs(p, st, segment + 1, &held, &turn); /* by which it was found: the next ones go on from there */
+    const int i = segment - st->scene.first, passed = h->segment - segment;
+    const Vec3 going = v3_reject(v3_sub(p->lie.shift[i], held), along);
+    const double before = v3_norm(h->going), now = v3_norm(going), ahead = v3_dot(p->lie.shift[i], along);
+    *off = v3_norm(v3_reject(v3_sub(p->lie.shift[i], thought), along));
+    *h = (Hanging){.segment = segment,
+                   .ahead = h->ahead + ahead,
+                   .held = v3_axpy(p->lie.shift[i], -ahead, along),
+                   .turn = p->lie.turn[i],
+                   .going = first ? V3_ZERO : going,
+                   .turning = first ? V3_ZERO : v3_sub(p->lie.turn[i], turn),
+                   .lasts = before > 0 && passed > 0 ? fmin(1, pow(now / before, 1. / passed)) : 0};
+    return HAWSER_OK;
 }
 
 /* ------------------------------------------------------------------------------------------- what was found */

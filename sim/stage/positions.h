@@ -5,6 +5,15 @@
 
 #include "sim/stage/lie.h"
 
+/* How the winch holds the rope by the segment that has passed it last (QS12), (QS15). */
+typedef struct Hanging {
+    int segment;     /* of which it is known; -1: all do as they would be laid */
+    double ahead;    /* m, along the pull: rope that passes is stretched, and falls behind what the winch hauls (< 0) */
+    Vec3 held, turn; /* m, rad: from where it would be laid so far ahead */
+    Vec3 going, turning; /* by so much more than the one before; across the pull */
+    double lasts;        /* and so much of that the next one more; 0: nobody knows */
+} Hanging;
+
 typedef struct Positions {
     int n, done;       /* wanted; found so far, by the sim's calls */
     double *time;      /* [n] s, when the winch has hauled the front there, rising */
@@ -17,8 +26,8 @@ typedef struct Positions {
     int soft;    /* so many of the next begin from soft contacts: the last one had to */
     double back; /* m, by which its tail was behind where it was laid */
     Vec3 origin; /* of the winch as it was built */
-    Vec3 held;   /* m: from where the rope that the winch has taken in would be laid to where it is (QS12) */
     Quat attitude;
+    Hanging hanging;
 } Positions;
 
 /* Which positions there are, and whether each can be in steady motion; sets the scene's duration and steady window to
@@ -38,6 +47,22 @@ hawser_status positions_begin(Positions *p, Stage *stage, hawser_error *err);
 /* Lays the chain as it lies at time t and finds its steady motion; the stage is then at t. Errors: MEMORY, STOPPED;
  * RUN: there is no steady motion there, or it was not found. */
 hawser_status positions_advance(Positions *p, Stage *stage, double t, hawser_relaxation *out, hawser_error *err);
+/* Where the next position begins, while others are looked at. Errors: MEMORY; positions_back_to frees it either way,
+ * and begins there again if it was kept. */
+typedef struct PositionsKept {
+    Lie lie;
+    double back;
+} PositionsKept;
+hawser_status positions_keep(const Positions *p, PositionsKept *out, hawser_error *err);
+void positions_back_to(Positions *p, PositionsKept *kept);
+
+/* The next segment to pass the winch of which it is not known yet how it hangs then; *t: when it will have passed, if
+ * all goes on as now, s; INFINITY: none will. */
+int positions_passing(const Positions *p, const Stage *stage, double *t);
+/* The position at t, just before `segment` has passed: how it hangs is known then (QS12). *off: m across the pull, from
+ * where it was thought to. Errors as of positions_advance. */
+hawser_status positions_pass(Positions *p, Stage *stage, int segment, double t, hawser_relaxation *out, double *off,
+                             hawser_error *err);
 /* Takes in what was found, with the sample of it. Errors: MEMORY. */
 hawser_status positions_record(Positions *p, const Stage *stage, const hawser_sample *look,
                                const hawser_relaxation *found, hawser_error *err);

@@ -58,8 +58,8 @@ static void test_same_pull(void **state)
     check_at_least(said->positions, 20);
     check_at_least(said->time_s, 0.7 * END);
     check_below(sum[1].steps, 0.5 * (double)sum[0].steps);
-    check_close(off, 0, 1.5e-3); /* 0.11 % too low, a third of it at the reel */
-    check_below(most, 5e-3);
+    check_close(off, 0, 3e-4); /* 0.10 % too low while the rope's end hung where motion had left it */
+    check_below(most, 2.5e-3);
     check_below(said->apart, 0.01);
     check_at_most(fabs(sum[1].pull_mean_N - sum[0].pull_mean_N), sum[1].pull_mean_error.total);
     assert_null(condition_of(&sum[0], "taut")); /* asked of positions alone: they do not know what buckles */
@@ -69,7 +69,12 @@ static void test_same_pull(void **state)
     const hawser_station *station[2];
     const int n = hawser_sim_stations(sim[0], &station[0]);
     hawser_sim_stations(sim[1], &station[1]);
-    for (int i = 0; i < n; ++i) check_share(station[1][i].mean_N, station[0][i].mean_N, 3e-3);
+    for (int i = 0; i < n; ++i) check_share(station[1][i].mean_N, station[0][i].mean_N, 1e-3);
+    const hawser_roller *roller[2];
+    const int last = hawser_sim_rollers(sim[0], &roller[0]) - 1;
+    hawser_sim_rollers(sim[1], &roller[1]);
+    print_message("before the winch %.4g and %.4g N\n", roller[0][last].steady_N, roller[1][last].steady_N);
+    check_share(roller[1][last].steady_N, roller[0][last].steady_N, 0.01); /* two thirds of it, likewise */
     for (int k = 0; k < 2; ++k) hawser_sim_free(sim[k]);
 }
 
@@ -97,12 +102,12 @@ static void test_books(void **state)
                           k ? "positions" : "motion", b->work_J, b->lost_J, b->carried_J, b->residual_J,
                           b->residual_share, b->turnover_of);
             if (k) check_at_least(sum.quasi_static->time_s, 0.6 * END);
-            check_below(b->residual_share, k ? 2e-3 : 2e-5);
+            check_below(b->residual_share, k ? 3e-4 : 2e-5);
             hawser_sim_free(sim);
         }
-        check_share(work[1], work[0], 0.01);
-        check_share(lost[1], lost[0], 0.015);
-        if (c > 0) check_share(carried[1], carried[0], 2e-3);
+        check_share(work[1], work[0], 1e-3);
+        check_share(lost[1], lost[0], 1e-3);
+        if (c > 0) check_share(carried[1], carried[0], 1e-3);
     }
 }
 
