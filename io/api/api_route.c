@@ -282,29 +282,11 @@ static json_t *json_line(const hawser_routes *r, int i)
     return json_whole(o, bad);
 }
 
-/* A text that grows; bad: there was no memory. */
-typedef struct Growing {
-    char *text;
-    size_t size, room;
-    int bad;
-} Growing;
-
+/* Nothing where there was no memory for the words. */
 static void grow(Growing *g, const char *more)
 {
-    const size_t n = more ? strlen(more) : 0;
+    if (more) growing_add(g, more, strlen(more));
     g->bad |= !more;
-    if (!g->bad && g->size + n >= g->room) {
-        const size_t room = g->room + g->room / 4 + n + 4096;
-        char *const wider = realloc(g->text, room);
-        g->bad = !wider;
-        if (wider) {
-            g->text = wider;
-            g->room = room;
-        }
-    }
-    if (g->bad) return;
-    memcpy(g->text + g->size, more, n + 1);
-    g->size += n;
 }
 
 /* The value, which is used up, on one line. */
@@ -329,8 +311,7 @@ static hawser_status json_write(const hawser_routes *r, char **text, hawser_erro
     grow(&g, ",\n  \"alignments\": [");
     for (int i = 0; i < s->n && !g.bad; ++i) grow_json(&g, i ? ",\n    " : "\n    ", json_line(r, i));
     grow(&g, "\n  ]\n}\n");
-    if (g.bad) free(g.text);
-    *text = g.bad ? NULL : g.text;
+    *text = growing_end(&g);
     return *text ? HAWSER_OK : error_memory(err);
 }
 

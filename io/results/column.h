@@ -119,6 +119,18 @@ typedef struct Document {
     const char *answer; /* for people, below the title and above all figures: whole lines; NULL: none */
 } Document;
 
+/* A text that grows piece by piece, its room by half each time. What there was no memory for is remembered:
+ * open_memstream and json_dumps leave it out without a word. Begins as {0}. */
+typedef struct Growing {
+    char *text; /* malloc'ed, with a NUL behind it; NULL: nothing yet */
+    size_t size, room;
+    int bad; /* a piece is missing */
+} Growing;
+/* n bytes more. */
+void growing_add(Growing *g, const char *more, size_t n);
+/* The text, malloc'ed, if it is whole; NULL otherwise, or if nothing was added. */
+char *growing_end(Growing *g);
+
 /* JSON as text, malloc'ed; NULL without memory. */
 struct json_t;
 char *json_text(const struct json_t *o);

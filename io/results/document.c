@@ -99,47 +99,47 @@ static json_t *json_cell(Cell cell)
     return text ? text : json_null();
 }
 
-/* A text that grows. What there was no memory for is remembered: open_memstream and json_dumps leave it out without a
- * word. */
-typedef struct Growing {
-    char *text; /* malloc'ed, with a NUL behind it; NULL: nothing yet */
-    size_t size;
-    int bad;
-} Growing;
-
-static ssize_t grow(void *growing, const char *more, size_t n)
+void growing_add(Growing *g, const char *more, size_t n)
 {
-    Growing *const g = growing;
-    char *const text = g->bad ? NULL : realloc(g->text, g->size + n + 1);
-    if (!text) {
-        g->bad = 1;
-        return 0;
+    if (!g->bad && g->size + n >= g->room) {
+        const size_t room = g->size + n + g->room / 2 + 256;
+        char *const wider = realloc(g->text, room);
+        g->bad = !wider;
+        if (wider) {
+            g->text = wider;
+            g->room = room;
+        }
     }
-    memcpy(text + g->size, more, n);
-    g->text = text;
+    if (g->bad) return;
+    memcpy(g->text + g->size, more, n);
     g->size += n;
-    text[g->size] = 0;
-    return (ssize_t)n;
+    g->text[g->size] = 0;
 }
 
-static int grow_json(const char *more, size_t n, void *growing)
-{
-    return grow(growing, more, n) == (ssize_t)n ? 0 : -1;
-}
-
-/* The text, if it is whole. */
-static char *grown(Growing *g)
+char *growing_end(Growing *g)
 {
     if (!g->bad && g->text) return g->text;
     free(g->text);
     return NULL;
 }
 
+static int add_json(const char *more, size_t n, void *growing)
+{
+    Growing *const g = growing;
+    growing_add(g, more, n);
+    return g->bad ? -1 : 0;
+}
+
+static ssize_t add_printed(void *growing, const char *more, size_t n)
+{
+    return add_json(more, n, growing) ? 0 : (ssize_t)n;
+}
+
 char *json_dumped(const struct json_t *o, size_t flags)
 {
     Growing g = {0};
-    g.bad |= json_dump_callback(o, grow_json, &g, flags) != 0;
-    return grown(&g);
+    g.bad |= json_dump_callback(o, add_json, &g, flags) != 0;
+    return growing_end(&g);
 }
 
 char *json_text(const struct json_t *o) { return json_dumped(o, JSON_INDENT(2) | JSON_REAL_PRECISION(10)); }
@@ -216,7 +216,7 @@ hawser_status document_write(const Document *doc, hawser_format format, char **t
 {
     Growing g = {0};
     const locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    FILE *const f = c ? fopencookie(&g, "w", (cookie_io_functions_t){.write = grow}) : NULL;
+    FILE *const f = c ? fopencookie(&g, "w", (cookie_io_functions_t){.write = add_printed}) : NULL;
     g.bad = !f;
     if (f) {
         const locale_t before = uselocale(c);
@@ -225,6 +225,6 @@ hawser_status document_write(const Document *doc, hawser_format format, char **t
         g.bad |= fclose(f) || !whole;
     }
     if (c) freelocale(c);
-    *text = grown(&g);
+    *text = growing_end(&g);
     return *text ? HAWSER_OK : error_memory(err);
 }
