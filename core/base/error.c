@@ -27,7 +27,7 @@ static void key_take(hawser_error *err)
     if (end) snprintf(err->key, sizeof err->key, "%.*s", (int)(end - from), from);
 }
 
-hawser_status error_set(hawser_error *err, hawser_status status, const char *format, ...)
+hawser_status(error_set)(hawser_error *err, hawser_status status, const char *format, ...)
 {
     if (!err) return status;
     hawser_error now = {.status = status, .segment = -1}; /* the old one may be among the arguments */
@@ -55,7 +55,7 @@ void error_moment(hawser_error *err, double t, int segment)
     err->segment = segment;
 }
 
-hawser_status error_argument(hawser_error *err, const char *argument)
+hawser_status(error_argument)(hawser_error *err, const char *argument)
 {
     error_set(err, HAWSER_ERR_INPUT, "the argument '%s' is NULL", argument);
     if (err) snprintf(err->key, sizeof err->key, "%s", argument);

@@ -1,5 +1,6 @@
 #include "io/alignment/case_line.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,6 +68,7 @@ hawser_status case_line_use(const CaseReader *r, const CaseNode *node, const Lin
     hawser_status status = pick_read(r, node, line, &options->line, &path);
     if (!status && heights) status = pick_read(r, heights, profile, &options->profile, &profile_path);
     if (!status) {
+        assert(path);
         status = line_find(options, used, &why);
         if (status == HAWSER_ERR_INPUT) {
             const int named = strncmp(why.message, path, strlen(path)) == 0 ||

@@ -1,6 +1,7 @@
 /* A whole run: one pass, and up to two more with finer settings where nothing is left open but numerical errors.
  * docs/model.md, "Error bars" (EB19), (EB20), (EB27) to (EB30); what a user needs to know of it is in docs/limits.md.
  */
+#include <assert.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -339,6 +340,7 @@ static hawser_status others_take(hawser_sim *s, int n, hawser_sim *const other[]
     hawser_status status = HAWSER_OK;
     OtherPasses others = {.n = n, .finer = other[0]->pass > s->pass};
     hawser_summary sum;
+    assert(n < PASSES_MAX);
     hawser_sim_summary(other[0], &sum);
     others.unsound = others.finer && !is_sound(&sum);
     for (int k = 0; k < n && !status; ++k) status = figures_of(other[k], &others.other[k], err);

@@ -85,12 +85,12 @@ static hawser_status report_make(const char *const *dirs, size_t n, const char *
     return status;
 }
 
-hawser_status hawser_results_check(const char *dir, hawser_error *err)
+hawser_status hawser_results_check(const char *folder, hawser_error *err)
 {
-    Folder folder;
-    if (!dir) return error_argument(err, "folder");
-    const hawser_status status = folder_open(dir, &folder, err);
-    folder_clear(&folder);
+    Folder found;
+    if (!folder) return error_argument(err, "folder");
+    const hawser_status status = folder_open(folder, &found, err);
+    folder_clear(&found);
     return status;
 }
 

@@ -36,7 +36,7 @@ hawser_status pack_field(int frames, int items, int components, double step, con
 {
     const size_t n = (size_t)frames * (size_t)items * (size_t)components;
     uLongf size = compressBound((uLong)(4 * n));
-    int32_t *const q = malloc(n * sizeof *q + 1);
+    int32_t *const q = calloc(n + 1, sizeof *q);
     unsigned char *const planes = malloc(4 * n + 1), *const stream = malloc(size);
     int ok = q && planes && stream;
     if (ok) {

@@ -242,6 +242,7 @@ static hawser_status wait_a_while(const Slurm *w, double until, const hawser_stu
 static hawser_status look(const Slurm *w, int pilots, Units *open, hawser_error *err)
 {
     free(open->unit);
+    open->unit = NULL;
     hawser_status status = store_read(w->study, w->dir, w->rows, err);
     if (!status) status = units_open(w->study, pilots, w->rows, open, err);
     hawser_study_state *const state = &open->before;

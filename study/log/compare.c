@@ -1,4 +1,5 @@
 /* A measured pull beside a run's and theory's: figures of agreement, and a page. */
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -217,6 +218,7 @@ static hawser_status document_make(const Comparison *c, const char *results, con
 /* All forces over the axis, and what each model is off. */
 static void figures_add(Text *page, const Comparison *c, double *scratch)
 {
+    assert(c->n_models <= 2);
     const int n = c->n_points;
     double *const x = scratch, *const y = x + n, *const off[2] = {y + n, y + 2 * n};
     Curve curve[4], difference[2];
@@ -269,13 +271,13 @@ static hawser_status models_make(Comparison *c, const Folder *folder, hawser_err
     const char *const column[2] = {"winch_force_N", "reference_N"}, *const name[2] = {"run", "theory"};
     hawser_status status = HAWSER_OK;
     for (int k = 0; k < 2 && !status; k++) {
-        status = model_make(&folder->series, column[k], name[k], c->options.by_start, &c->model[c->n_models++], err);
+        status = model_make(&folder->series, column[k], name[k], c->options.by_start, &c->model[k], err);
         if (!status && c->model[k].n < 2 && k == 0)
             status = error_set(err, HAWSER_ERR_INPUT, "'%.400s' has no force over %s in series.csv", folder->dir,
                                c->options.by_start ? "time" : "the winch's travel");
     }
     if (status) return status;
-    if (c->model[1].n < 2) c->n_models = 1;
+    c->n_models = c->model[1].n < 2 ? 1 : 2;
     c->from = INFINITY;
     c->to = -INFINITY;
     for (long i = 0; i < c->log.n; i++) {

@@ -31,7 +31,7 @@ typedef struct FitResult {
 } FitResult;
 
 /* Returns 0 without memory. */
-int fit_run(const FitPlan *plan, FitTry try, void *user, FitResult *result);
+int fit_run(const FitPlan *plan, FitTry try, void *user, FitResult *x);
 /* The two-sided 95 % quantile of Student's distribution with v >= 1 degrees of freedom: whole ones to 1e-3 of it. */
 double student_95(double v);
 

@@ -100,7 +100,7 @@ static void direction_numbers(const Direction *d, uint32_t v[33])
 
 uint32_t sobol_digits(uint32_t i, int j)
 {
-    uint32_t v[33], x = 0;
+    uint32_t v[33] = {0}, x = 0;
     assert(j >= 0 && j < SOBOL_DIMENSIONS);
     if (j > 0) direction_numbers(&direction[j - 1], v);
     for (int k = 1; i; k++, i >>= 1) {

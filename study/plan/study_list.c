@@ -19,7 +19,8 @@ typedef struct Csv {
 
 static hawser_status csv_error(const Csv *c, int line, const char *what, const char *detail)
 {
-    return case_text_error(c->err, c->path, line, what, detail);
+    case_text_error(c->err, c->path, line, what, detail);
+    return HAWSER_ERR_INPUT;
 }
 
 /* In quotes; `""` is one. *end: behind the closing quote. */

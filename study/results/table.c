@@ -1,4 +1,5 @@
 /* All samples as a table: samples.csv, and the same columns as sets of study.h5. */
+#include <assert.h>
 #include <ctype.h>
 #include <hdf5.h>
 #include <math.h>
@@ -219,6 +220,7 @@ static int set_of_column(hid_t file, const Study *s, const Rows *rows, const Kep
             double x[PARAMETERS_MAX];
             if (of == OF_PARAMETER) row_point(s, rows, kept->sample[i], x);
             const Cell cell = cell_of(s, rows, &rows->row[kept->sample[i]], x, of, k);
+            assert(!text || cell.text);
             if (!text) kept->number[i] = cell.value;
             if (text && pass) snprintf(kept->text + (size_t)i * size, size, "%s", cell.text);
             if (text && !pass && strlen(cell.text) >= size) size = strlen(cell.text) + 1;

@@ -1,5 +1,6 @@
 #include "survey/fit/fit.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -67,6 +68,7 @@ static int nodes_thin(const Line *l, double least, Line *out)
     double length = 0;
     for (int i = 1; i < l->n; ++i) length += hypot(l->node[i].x - l->node[i - 1].x, l->node[i].y - l->node[i - 1].y);
     const double step = fmax(least, l->n > NODES_MOST ? 2 * length / NODES_MOST : 1e-6);
+    assert(l->n > 0);
     *out = (Line){0, malloc((size_t)l->n * sizeof *out->node)};
     if (!out->node) return 0;
     Node begun = l->node[0];
@@ -227,11 +229,13 @@ static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids,
 {
     Line thin = {0, NULL}, full = {0, NULL};
     Foot *foot = NULL;
+    assert(l->n > 0);
     f->scatter = scatter_of(l);
     const double sigma = fmin(fmax(f->scatter, o->deviation / 5), o->deviation / 2);
     const double step = fmin(10 * f->scatter, 5 * o->deviation);
     int memory = !isnan(f->scatter) && nodes_thin(l, step, &thin);
     if (memory) memory = corners_fill(&thin, f->scatter, o->deviation, &full);
+    assert(!memory || full.n > 0);
     if (memory) memory = (foot = malloc((size_t)full.n * sizeof *foot)) != NULL;
     if (memory) memory = (f->foot = malloc((size_t)l->n * sizeof *f->foot)) != NULL;
     hawser_status status = memory ? HAWSER_OK : error_memory(err);

@@ -70,6 +70,16 @@ missing bad
 sed "s/seed: 1/seed: 2/" "$work/long.yaml" >"$work/other.yaml"
 run_hawser 2 study other.yaml -o long
 says err "'long' holds the samples of another study" "--fresh"
+# a Slurm in whose time the folder becomes another study's
+mkdir "$work/slurm"
+printf '#!/bin/sh\n[ ! -e asked ] || echo 1\n' >"$work/slurm/squeue"
+printf '#!/bin/sh\necho 1 >asked\necho another >far/workers/study\necho 1\n' >"$work/slurm/sbatch"
+chmod +x "$work/slurm/squeue" "$work/slurm/sbatch"
+path=$PATH
+PATH=$work/slurm:$path
+run_hawser 2 study long.yaml -o far --slurm
+says err "far' holds the samples of another study"
+PATH=$path
 run_hawser 4 study other.yaml -o pull.yaml/x
 says err "cannot write"
 finish
