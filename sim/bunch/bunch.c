@@ -1,5 +1,6 @@
 #include "sim/bunch/bunch.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -154,6 +155,7 @@ static void contact_make(Bunch *b)
 {
     const SceneDef *const def = &b->chain[0].scene->def;
     double thinnest = INFINITY;
+    assert(b->n > 0);
     for (int k = 0; k < b->n; ++k) {
         const Chain *const chain = &b->chain[k].scene->chain;
         for (int i = 0; i < chain->n; ++i) thinnest = fmin(thinnest, chain->radius[i]);

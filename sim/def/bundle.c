@@ -1,5 +1,6 @@
 #include "sim/def/bundle_def.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -56,6 +57,7 @@ static void cable_add(const BundleDef *b, const CableDef *one, int n, CableDef *
     double *const to[COMPONENTS] = {&sum->ea, &sum->ga, NULL, &sum->gj, &sum->ei_y, &sum->ei_z};
     const double g = one->gyration > 0 ? one->gyration : one->diameter / 4, a = b->shape.pitch_radius;
     const double mass = n * lay.mass * one->mass;
+    assert(sum);
     for (int c = 0; c < COMPONENTS; ++c) {
         const double k = n * factor[c] * own[c];
         if (to[c]) *to[c] += k;

@@ -38,7 +38,7 @@ hawser_status quasi_leave(Quasi *q, Stage *stage, hawser_error *err);
 /* The same from where they were left. Errors: MEMORY, RUN. */
 hawser_status quasi_undo(Quasi *q, Stage *stage, const Moving *to, hawser_error *err);
 /* Errors: MEMORY; RUN. moving_free follows either way. */
-hawser_status moving_keep(Moving *out, const Stage *stage, hawser_error *err);
+hawser_status moving_keep(Moving *m, const Stage *st, hawser_error *err);
 hawser_status moving_restore(Stage *stage, const Moving *to, hawser_error *err);
 void moving_free(Moving *from);
 

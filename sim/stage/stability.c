@@ -166,7 +166,7 @@ hawser_status stability_push(Stage *st, double t, const double *shape, double *s
 {
     const int n = st->scene.chain.n;
     double *const rate = malloc((size_t)st->motion->size * sizeof *rate);
-    double *const push = malloc(6 * (size_t)n * sizeof *push); /* M^-1 of the forces: accelerations */
+    double *const push = calloc(6 * (size_t)n, sizeof *push); /* M^-1 of the forces: accelerations */
     if (rate && push) {
         dynamics_rates(&st->scene, &st->ws, t, st->y, 0.0, rate);
         for (int i = 0; i < n; ++i) {
