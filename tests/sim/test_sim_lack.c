@@ -181,6 +181,24 @@ static void define_full(SceneDef *def)
     def->solver.linear.kind = LIN_KLU_FULL;
 }
 
+static void define_dense_modes(SceneDef *def)
+{
+    define_modes(def);
+    def->solver.linear.kind = LIN_DENSE;
+}
+
+static void define_dense_esdirk(SceneDef *def)
+{
+    define_esdirk(def);
+    def->solver.linear.kind = LIN_DENSE;
+}
+
+static void define_dense_positions(SceneDef *def)
+{
+    define_positions(def);
+    def->solver.linear.kind = LIN_DENSE;
+}
+
 static void define_dense(SceneDef *def)
 {
     define_moving(def);
@@ -211,6 +229,9 @@ static const struct {
     {"KLU", define_klu, 1},
     {"unreduced", define_full, 1},
     {"dense", define_dense},
+    {"rod, modes, dense", define_dense_modes},
+    {"ESDIRK, dense", define_dense_esdirk},
+    {"positions, dense", define_dense_positions},
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
