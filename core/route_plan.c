@@ -29,8 +29,6 @@ static hawser_status corner_add(int n, const RouteProfileCorner *c, int i, doubl
                                 RouteProfile *out, hawser_error *err)
 {
     const double run = c[i].station - c[i - 1].station;
-    if (!(run > LENGTH_MIN))
-        return error_set(err, HAWSER_ERR_INPUT, "the stations of profile points %d and %d do not rise", i, i + 1);
     const int last = i == n - 1;
     const double slope[2] = {slope_between(&c[i - 1]), last ? 0 : slope_between(&c[i])};
     double off[2] = {0, 0};
@@ -56,6 +54,11 @@ hawser_status route_profile_from_corners(int n, const RouteProfileCorner *corner
                                          hawser_error *err)
 {
     assert(n >= 2 && radius > 0);
+    *out = (RouteProfile){0};
+    for (int i = 1; i < n; ++i) { /* before slopes between them mean anything */
+        if (!(corner[i].station - corner[i - 1].station > LENGTH_MIN))
+            return error_set(err, HAWSER_ERR_INPUT, "the stations of profile points %d and %d do not rise", i, i + 1);
+    }
     *out = (RouteProfile){.station = corner[0].station, .height = corner[0].height};
     out->element = calloc((size_t)(2 * n), sizeof *out->element);
     hawser_status status = out->element ? HAWSER_OK : error_memory(err);

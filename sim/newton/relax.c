@@ -94,7 +94,9 @@ static hawser_status iterate(Relaxing *r, double aim, int limit, hawser_relaxati
         const hawser_status stopped = relax_stopped(r->stop, r->soft, err);
         if (stopped) return stopped;
         ++out->iterations;
-        if (r->ops->implicit_step(r->self, dt)) {
+        const int bad = r->ops->implicit_step(r->self, dt);
+        if (bad < 0) return error_memory(err);
+        if (bad) {
             dt /= DT_GROWTH;
         } else {
             r->ops->move(r->self, r->ops->move_scale(r->self, dt) * dt);
@@ -115,8 +117,9 @@ static hawser_status iterate(Relaxing *r, double aim, int limit, hawser_relaxati
 static hawser_status careful_step(Relaxing *r, double *dt, hawser_relaxation *out, hawser_error *err)
 {
     const size_t bytes = (size_t)r->size * sizeof(double);
-    const double before = out->residual_N,
-                 scale = r->ops->implicit_step(r->self, *dt) ? 0 : r->ops->move_scale(r->self, *dt);
+    const int bad = r->ops->implicit_step(r->self, *dt);
+    if (bad < 0) return error_memory(err);
+    const double before = out->residual_N, scale = bad ? 0 : r->ops->move_scale(r->self, *dt);
     if (scale < 0.3 && *dt > DT_SMALLEST) {
         *dt = fmax(DT_SMALLEST, *dt * fmax(0.03, sqrt(scale))); /* what has no stiffness moves as dt^2 */
         r->ops->residual(r->self, &out->segment);               /* the step has overwritten the rates */

@@ -76,7 +76,9 @@ static hawser_status newton_iterate(Relaxation *r, StaticAim *aim, hawser_relaxa
         look(r, aim, out);
         if (out->reached || !isfinite(out->residual_N) || it - cut == NEWTON_ITERATIONS) break;
         status = relax_stopped(&r->ws->stop, 0, err);
-        if (status || space_step(r, aim->dt)) break;
+        const int bad = status ? 0 : space_step(r, aim->dt);
+        if (bad < 0) return error_memory(err);
+        if (status || bad) break;
         if (it == 0) {
             aim->turn = turn_of(r, aim->dt);
             aim->shift = shift_of(r, aim->dt);
@@ -132,7 +134,9 @@ static hawser_status calm(Relaxation *r, double dt, double radius, hawser_error 
         before = now;
         blocks_swollen(r, radius);
         const double step = step_downhill(r, dt);
-        if (space_solve(r, step)) break;
+        const int bad = space_solve(r, step);
+        if (bad < 0) return error_memory(err);
+        if (bad) break;
         space_move(r, share_of(r, step, TURN_DOWN) * step);
         status = space_refresh(r, 0, err);
     }
@@ -155,7 +159,9 @@ static hawser_status descend(Relaxation *r, StaticAim *aim, hawser_relaxation *o
         if (out->reached && newton_negative(r->newton) == 0) return status;
         if (it > 0 && it % PATIENCE == 0) cap = fmin(cap, fmin(dt, 10)) / 10;
         dt = step_downhill(r, fmin(cap, GROWTH * dt));
-        if (space_solve(r, dt)) break;
+        const int bad = space_solve(r, dt);
+        if (bad < 0) return error_memory(err);
+        if (bad) break;
         space_move(r, share_of(r, dt, TURN_DOWN) * dt);
         ++out->iterations;
         status = space_refresh(r, 0, err);

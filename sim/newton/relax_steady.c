@@ -114,7 +114,9 @@ static hawser_status presumed_step(Steady *s, Presumption *p, double keep, int *
 {
     Workspace *const ws = s->r.ws;
     hawser_status status = relax_stopped(&ws->stop, 0, err);
-    *stuck = !status && steady_step(s, DT_STEADY);
+    const int bad = status ? 0 : steady_step(s, DT_STEADY);
+    if (bad < 0) return error_memory(err);
+    *stuck = bad > 0;
     if (status || *stuck) return status;
     steady_move(s, space_move_scale(&s->r, DT_STEADY) * DT_STEADY);
     presumption_use(p, ws, 0);

@@ -149,14 +149,16 @@ static hawser_status weights_solve(Position *p, hawser_error *err)
     hawser_status status = solver ? HAWSER_OK : err->status;
     const int m = p->figures.n, n = 6 * st->scene.chain.n;
     memcpy(p->right, p->weight, (size_t)m * (size_t)n * sizeof *p->right);
-    int singular = !status && (linsolver_factor(solver, &a) || linsolver_solve_many(solver, m, p->weight));
+    int singular = status ? 0 : linsolver_factor(solver, &a);
+    if (!status && !singular) singular = linsolver_solve_many(solver, m, p->weight);
     if (!status && !singular) {
         for (int f = 0; f < m; ++f)
             stiffness_add(&st->newton.k, p->weight + (size_t)f * (size_t)n, p->right + (size_t)f * (size_t)n);
         singular = linsolver_solve_many(solver, m, p->right);
         for (size_t i = 0; i < (size_t)m * (size_t)n; ++i) p->weight[i] += p->right[i];
     }
-    if (singular) status = error_set(err, HAWSER_ERR_RUN, "the matrix of the position is singular");
+    if (singular < 0) status = error_memory(err);
+    if (singular > 0) status = error_set(err, HAWSER_ERR_RUN, "the matrix of the position is singular");
     linsolver_free(solver);
     block_chain_free(&a);
     return status;

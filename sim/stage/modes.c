@@ -98,7 +98,9 @@ static hawser_status shift_set(Subspace *sp, double gamma, hawser_error *err)
 {
     sp->gamma = gamma;
     newton_form(sp->newton, gamma);
-    if (newton_factor(sp->newton) == 0) return HAWSER_OK;
+    const int bad = newton_factor(sp->newton);
+    if (bad == 0) return HAWSER_OK;
+    if (bad < 0) return error_memory(err);
     return error_set(err, HAWSER_ERR_RUN, "modes: the stiffness matrix could not be factored: is the state finite?");
 }
 
@@ -125,9 +127,9 @@ static hawser_status space_solve(Subspace *sp, hawser_error *err)
         double *const velocities = sp->b + STATE_V * sp->n;
         memset(sp->b, 0, (size_t)sp->st->motion->size * sizeof(double));
         memcpy(velocities, sp->x + (size_t)k * (size_t)sp->size, bytes);
-        if (newton_solve(sp->newton, sp->b)) {
-            return error_set(err, HAWSER_ERR_RUN, "modes: the linear solver failed");
-        }
+        const int bad = newton_solve(sp->newton, sp->b);
+        if (bad < 0) return error_memory(err);
+        if (bad) return error_set(err, HAWSER_ERR_RUN, "modes: the linear solver failed");
         memcpy(sp->y + (size_t)k * (size_t)sp->size, velocities, bytes);
     }
     return HAWSER_OK;

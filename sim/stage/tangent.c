@@ -216,6 +216,13 @@ static hawser_status rest_pushes(Tangent *g, Pair *p, double t, const double *re
     return HAWSER_OK;
 }
 
+/* What linsolver_factor says of a step's matrix, told. */
+static hawser_status solver_failed(int bad, double t, hawser_error *err)
+{
+    if (bad < 0) return error_memory(err);
+    return error_set(err, HAWSER_ERR_RUN, "the matrix of the sensitivities is singular at %g s", t);
+}
+
 /* dy/dp of the equilibrium that the run begins from, (SN13): one solution with the statics' matrix for each parameter.
  * Only places follow from it. */
 static hawser_status relaxed_slopes(Tangent *g, double t, const double *y, hawser_error *err)
@@ -242,7 +249,7 @@ static hawser_status relaxed_slopes(Tangent *g, double t, const double *y, hawse
         if (!status && !singular) memcpy(p->now, p->before, where * sizeof *rest);
     }
     free(rest);
-    if (!status && singular) status = error_set(err, HAWSER_ERR_RUN, "the matrix of the run's start is singular");
+    if (!status && singular) status = solver_failed(singular, t, err);
     return status ? status : m->ops->renew(m, t, y, err);
 }
 
@@ -282,8 +289,8 @@ static hawser_status pair_step(Tangent *g, Pair *p, double t, const double *y, d
         const double by_parameter = (p->rates[i] - g->shifted[i]) / (2 * p->half);
         b[i] = c0 * p->now[i] + c1 * b[i] + gamma * by_parameter;
     }
-    if (g->base.motion->ops->solve(g->base.motion, b))
-        return error_set(err, HAWSER_ERR_RUN, "the matrix of the sensitivities is singular at %g s", t);
+    const int bad = g->base.motion->ops->solve(g->base.motion, b);
+    if (bad) return solver_failed(bad, t, err);
     p->before = p->now;
     p->now = b;
     return HAWSER_OK;
@@ -333,8 +340,8 @@ hawser_status tangent_step(Tangent *g, double t, const double *y, hawser_error *
     const double gamma = h * (1 + w) / over, c0 = (1 + w) * (1 + w) / over, c1 = -w * w / over;
     m->ops->linearise(m, t, y, g->rates);
     m->ops->form(m, gamma);
-    if (m->ops->factor(m))
-        return error_set(err, HAWSER_ERR_RUN, "the matrix of the sensitivities is singular at %g s", t);
+    const int bad = m->ops->factor(m);
+    if (bad) return solver_failed(bad, t, err);
     for (int k = 0; k < g->n && !status; ++k) status = pair_step(g, &g->pair[k], t, y, gamma, c0, c1, err);
     g->t = t;
     g->h = h;

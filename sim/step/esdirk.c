@@ -199,8 +199,9 @@ static EsdirkEnd stage_solve(Esdirk *e, int i, double t, double gamma)
     combine(e, 2, (double[]){1, gamma}, (double *[]){e->base, rates}, e->stage);
     for (int k = 0; k < ITERATIONS_MOST; ++k) {
         if (rates_at(e, t, e->stage, rates)) return ESDIRK_NO_RATES;
-        if (due != MATRIX_STAYS && matrix_make(e, gamma, due, t, rates)) return ESDIRK_NO_FACTORS;
-        if (correct(e, gamma, rates)) return ESDIRK_NO_FACTORS;
+        int bad = due != MATRIX_STAYS ? matrix_make(e, gamma, due, t, rates) : 0;
+        if (!bad) bad = correct(e, gamma, rates);
+        if (bad) return bad < 0 ? ESDIRK_NO_MEMORY : ESDIRK_NO_FACTORS;
         const double size = norm_of(e, e->correction), ratio = size / before;
         if (!(size < INFINITY)) return ESDIRK_NO_NEWTON;
         if (ratio > 1 && due == MATRIX_ANEW && was == MATRIX_ANEW) {
@@ -350,7 +351,7 @@ EsdirkEnd esdirk_step(Esdirk *e, double stop, double *t)
         ++e->stats->newton_fails;
         e->gamma = 0;
         e->next = h * RETRY;
-        if (attempt == ATTEMPTS_MOST - 1) end = found;
+        if (attempt == ATTEMPTS_MOST - 1 || found == ESDIRK_NO_MEMORY) end = found;
     }
     return end ? end : ESDIRK_INEXACT;
 }

@@ -31,6 +31,7 @@ typedef enum EsdirkEnd {
     ESDIRK_NO_NEWTON,  /* Newton's iteration did not converge */
     ESDIRK_NO_FACTORS, /* the matrix could not be factored */
     ESDIRK_INEXACT,    /* the error stayed too large */
+    ESDIRK_NO_MEMORY,  /* for the factors */
     ESDIRK_STUCK       /* a step that might do is too small to change t */
 } EsdirkEnd;
 

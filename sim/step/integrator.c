@@ -36,7 +36,7 @@ struct Integrator {
     double stop;            /* s, the stop time that CVODE knows */
     double bound;           /* s, that a step may take, 0: any (integrator_bound) */
     double gamma;           /* s, of the matrix that is factored */
-    int stalled;            /* steps in a row that were too small to change t */
+    int stalled, lack;      /* steps in a row that were too small to change t; memory was lacking for the matrix */
     int still;              /* integrator_prepare: nothing moves, and nothing is computed */
     Esdirk *esdirk;         /* NULL: CVODE moves, and all below is there */
     void *cvode;
@@ -128,7 +128,7 @@ static int solver_setup(SUNLinearSolver s, SUNMatrix a)
     if (in->still) return 0;
     const int status = matrix_factor(in->motion, !in->newton.fresh);
     in->stats.factor += clock_now() - start;
-    return status;
+    return custom_linear_told(status, &in->lack);
 }
 
 static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, realtype tolerance)
@@ -140,7 +140,7 @@ static int solver_solve(SUNLinearSolver s, SUNMatrix a, N_Vector x, N_Vector b, 
     if (in->still) return 0;
     const int status = in->motion->ops->solve(in->motion, N_VGetArrayPointer(x));
     in->stats.solve += clock_now() - start;
-    return status;
+    return custom_linear_told(status, &in->lack);
 }
 
 static int solvers_attach(Integrator *in)
@@ -349,11 +349,9 @@ static StepFailure failure_at(Integrator *in, double t)
 static hawser_status step_failed(Integrator *in, int flag, double t, hawser_error *err)
 {
     const StepFailure failure = failure_at(in, t);
-    if (in->good) {
-        N_VScale(1.0, in->good, in->state);
-        vector_family_settle(&in->family);
-    }
-    return failure_tell(&failure, flag, err);
+    if (in->good) N_VScale(1.0, in->good, in->state);
+    vector_family_settle(&in->family); /* which has no members where CVODE does not move */
+    return in->lack || flag == CV_MEM_FAIL ? error_memory(err) : failure_tell(&failure, flag, err);
 }
 
 /* solver.max_steps, if given, is used up. */
@@ -394,7 +392,8 @@ static int method_step(Integrator *in, double stop, double end, double *reached)
 {
     static const int flag[] = {
         [ESDIRK_DONE] = CV_SUCCESS,           [ESDIRK_NO_RATES] = CV_RHSFUNC_FAIL, [ESDIRK_NO_NEWTON] = CV_CONV_FAILURE,
-        [ESDIRK_NO_FACTORS] = CV_LSETUP_FAIL, [ESDIRK_INEXACT] = CV_ERR_FAILURE,   [ESDIRK_STUCK] = CV_TOO_CLOSE};
+        [ESDIRK_NO_FACTORS] = CV_LSETUP_FAIL, [ESDIRK_NO_MEMORY] = CV_MEM_FAIL,    [ESDIRK_INEXACT] = CV_ERR_FAILURE,
+        [ESDIRK_STUCK] = CV_TOO_CLOSE};
     if (in->esdirk) return flag[esdirk_step(in->esdirk, end, reached)];
     if (end > in->stop || end < in->stop) {
         CVodeSetStopTime(in->cvode, end);
@@ -574,7 +573,7 @@ void integrator_checkpoint(Checkpoint *c, Integrator *in)
 {
     N_Vector history[CVODE_HISTORY_MAX];
     const size_t bytes = (size_t)in->motion->size * sizeof(double);
-    vector_family_settle(&in->family); /* which has no members where CVODE does not move */
+    vector_family_settle(&in->family);
     CHECKPOINT(c, in->way);
     CHECKPOINT(c, in->speed);
     CHECKPOINT(c, in->speed_at);

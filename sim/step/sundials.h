@@ -61,6 +61,13 @@ typedef struct CustomLinear {
  * custom_linear_free may follow either way. */
 int custom_linear_new(CustomLinear *linear, void *owner, int (*setup)(SUNLinearSolver, SUNMatrix),
                       int (*solve)(SUNLinearSolver, SUNMatrix, N_Vector, N_Vector, realtype), SUNContext context);
+/* How SUNDIALS is told what linsolver_factor and linsolver_solve return: it takes numbers that it does not know for a
+ * success. *lack: there was no memory. */
+static inline int custom_linear_told(int status, int *lack)
+{
+    *lack = status < 0;
+    return status == 0 ? SUNLS_SUCCESS : status < 0 ? SUNLS_MEM_FAIL : SUNLS_PACKAGE_FAIL_REC;
+}
 void custom_linear_free(CustomLinear *linear);
 
 #endif

@@ -324,6 +324,37 @@ static void test_lacks(void **state)
     }
 }
 
+/* Sliders without stiffness hold nothing and change nothing, in either frame: forces, the law, what joints hold. And
+ * without sliders nothing slips. */
+static void test_idle_sliders(void **state)
+{
+    (void)state;
+    for (int frame = FRAME_SYMMETRIC; frame <= FRAME_ADAMS; ++frame) {
+        Rig plain = rig_new((BushingFrame)frame, 0.7, 23), idle = sliding_rig((BushingFrame)frame, 0.7, 23);
+        double loads[2][6 * N], *law[2][6];
+        for (int s = 0; s < 3; ++s) chain_array_fill(idle.chain.sliders.stiffness[s], N, 0);
+        Rig *const both[] = {&plain, &idle};
+        for (int k = 0; k < 2; ++k) {
+            assert_true(chain_arrays_new(law[k], 6, N, 0));
+            segment_loads(both[k], loads[k]);
+            bushing_kernels()->law(&both[k]->chain, &both[k]->kin, 0, N + 1, law[k]);
+        }
+        check_below(difference(loads[0], loads[1], 6 * N), 1e-14);
+        for (int c = 0; c < 6; ++c) check_below(difference(law[0][c], law[1][c], N + 1), 1e-14);
+        const JointEnergy without = bushing_kernels()->energy(&plain.chain, &plain.kin, 0, N + 1);
+        const JointEnergy with = bushing_kernels()->energy(&idle.chain, &idle.kin, 0, N + 1);
+        check_share(with.elastic, without.elastic, 1e-14);
+        check_equal(with.sliding, 0);
+        check_equal(without.sliding, 0);
+        bushing_slip(&plain.chain, &plain.kin, 0, N + 1);
+        assert_null(plain.kin.slip[0]);
+        for (int k = 0; k < 2; ++k) {
+            chain_arrays_free(law[k], 6);
+            rig_free(both[k]);
+        }
+    }
+}
+
 /* Moves every body, ghosts too, by dt at its velocities. */
 static void drift(Rig *r, double dt)
 {
@@ -413,6 +444,7 @@ int main(void)
         cmocka_unit_test(test_objectivity),
         cmocka_unit_test(test_by_hand),
         cmocka_unit_test(test_lacks),
+        cmocka_unit_test(test_idle_sliders),
         cmocka_unit_test(power_closes),
         cmocka_unit_test(sliders_that_hold),
     };
