@@ -234,6 +234,92 @@ static void words_of_pieces(void **state)
     }
 }
 
+/* Legs that rise steeply and then stand upright, or lie at 45 degrees before they do: whichever way is left there, the
+ * line goes on through the points. */
+static void legs_that_become_upright(void **state)
+{
+    (void)state;
+    static const double slopes[] = {20, 45, 60, 80, -30, -45, -70};
+    for (int k = 0; k < 7; ++k) {
+        const double a = slopes[k] * M_PI / 180, up = a > 0 ? 1 : -1;
+        const Vec3 foot = v3(30 * cos(a), 0, 30 * sin(a)), top = v3_add(foot, v3(0, 0, up * 30));
+        for (int way = 0; way < 4; ++way) {
+            const Vec3 on = v3(30 * cos(way * M_PI / 2 + 0.2), 30 * sin(way * M_PI / 2 + 0.2), 0);
+            const RouteCorner corner[] = {{V3_ZERO, NAN}, {foot, 3}, {top, 3}, {v3_add(top, on), NAN}};
+            RouteLine line;
+            assert_int_equal(route_from_corners(4, corner, &line, NULL), HAWSER_OK);
+            Route r = route_of(line.n, line.piece, line.slope);
+            check_vec(route_at(&r, r.length).position, corner[3].point, 1e-11);
+            check_vec(route_at(&r, r.length).tangent, v3_unit(on), 1e-12);
+            free(line.piece);
+            route_clear(&r);
+        }
+    }
+}
+
+/* A spline begins on the heading and slope of its first piece, from which the left of its start follows. */
+static void splines_begin(void **state)
+{
+    (void)state;
+    const Vec3 point[] = {{1, 2, 3}, {-6, 8, 5}, {-11, 20, 4}, {-10, 33, 4}};
+    RouteLine line;
+    Route r;
+    assert_int_equal(route_from_spline(4, point, &line, NULL), HAWSER_OK);
+    assert_int_equal(route_build(&r, line.n, line.piece, line.start, line.heading, line.slope, NULL), HAWSER_OK);
+    const Vec3 t = route_at(&r, 0).tangent, level = v3_unit(v3(t.x, t.y, 0));
+    check_vec(v3(cos(line.heading), sin(line.heading), 0), level, 1e-14);
+    check_share(line.slope, asin(t.z), 1e-14);
+    check_vec(r.left, v3(-level.y, level.x, 0), 1e-14);
+    check_vec(line.start, point[0], 0);
+    free(line.piece);
+    route_clear(&r);
+    /* two points: a straight line, whose cubic has no curvature */
+    assert_int_equal(route_from_spline(2, point, &line, NULL), HAWSER_OK);
+    assert_int_equal(line.n, 1);
+    check_vec(line.piece[0].cubic[0], v3_sub(point[1], point[0]), 0);
+    check_vec(line.piece[0].cubic[1], V3_ZERO, 0);
+    check_vec(line.piece[0].cubic[2], V3_ZERO, 0);
+    free(line.piece);
+    /* three: at the middle one second derivatives by chord length have the closed form 3 (right - left)/(h0 + h1) */
+    assert_int_equal(route_from_spline(3, point, &line, NULL), HAWSER_OK);
+    const Vec3 back = v3_sub(point[1], point[0]), on = v3_sub(point[2], point[1]);
+    const double h0 = v3_norm(back), h1 = v3_norm(on);
+    const Vec3 bend = v3_scale(3 / (h0 + h1), v3_sub(v3_scale(1 / h1, on), v3_scale(1 / h0, back)));
+    check_vec(line.piece[0].cubic[0], v3_axpy(back, -h0 * h0 / 6, bend), 1e-12);
+    check_vec(line.piece[0].cubic[1], V3_ZERO, 0);
+    check_vec(line.piece[0].cubic[2], v3_scale(h0 * h0 / 6, bend), 1e-12);
+    check_vec(line.piece[1].cubic[0], v3_axpy(on, -h1 * h1 / 3, bend), 1e-12);
+    check_vec(line.piece[1].cubic[1], v3_scale(h1 * h1 / 2, bend), 1e-12);
+    check_vec(line.piece[1].cubic[2], v3_scale(-h1 * h1 / 6, bend), 1e-12);
+    free(line.piece);
+}
+
+/* The least radius of a parabola is at its vertex, 1/k, between two looks as well as at one; a clothoid's jerk is by
+ * how much its curvature grows, and its whole turn is the mean of its curvatures times its length. */
+static void measures_of_curves(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 12; ++i) {
+        const double from = 0.3 + 0.01 * i, to = -0.5, length = 40, k = (tan(from) - tan(to)) / length;
+        const RoutePieceDef def = {
+            .kind = ROUTE_CURVE, .length = length, .upright = 1, .profile = PROFILE_PARABOLA, .slope_end = to};
+        Route r = route_of(1, &def, from);
+        check_share(r.piece[0].radius, 1 / k, 2e-8);
+        check_share(r.piece[0].angle, from - to, 1e-9);
+        route_clear(&r);
+    }
+    const double ends[][2] = {{0, 0.1}, {0.1, 0}, {-0.05, 0.1}, {0.04, 0.04}};
+    for (int i = 0; i < 4; ++i) {
+        const RoutePieceDef def = {
+            .kind = ROUTE_CURVE, .length = 12, .upright = 1, .curvature = {ends[i][0], ends[i][1]}};
+        Route r = route_of(1, &def, 0);
+        check_close(r.piece[0].curve.jerk, fabs(ends[i][1] - ends[i][0]) / 12, 1e-4);
+        check_share(r.piece[0].radius, 1 / fmax(fabs(ends[i][0]), fabs(ends[i][1])), 1e-12);
+        if (ends[i][0] >= 0) check_share(r.piece[0].angle, 6 * (ends[i][0] + ends[i][1]), 1e-12);
+        route_clear(&r);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(points_in_a_row),
@@ -242,6 +328,9 @@ int main(void)
                                        cmocka_unit_test(lines_that_begin_upright),
                                        cmocka_unit_test(roundings_of_steep_profiles),
                                        cmocka_unit_test(what_turns_aside),
-                                       cmocka_unit_test(words_of_pieces)};
+                                       cmocka_unit_test(words_of_pieces),
+                                       cmocka_unit_test(legs_that_become_upright),
+                                       cmocka_unit_test(splines_begin),
+                                       cmocka_unit_test(measures_of_curves)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
