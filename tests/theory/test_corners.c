@@ -71,6 +71,7 @@ static void bare_ropes_in_bends(void **state)
         const double by = k & 2 ? 0 : k & 1 ? -mu * angle : mu * angle;
         check_share(out.end_tension, tension[k & 1] * exp(by), 1e-11);
         check_share(out.max_sidewall, fmax(900, fabs(out.end_tension)) / 5, 1e-12);
+        if (k < 2) check_equal(out.sidewall_at, k ? 0 : route.length); /* where it is pulled, or pushed, most */
         pull_clear(&out);
     }
     route_clear(&route);
@@ -184,6 +185,12 @@ static void supports_off_the_route(void **state)
     support_loads(&line, 5, s);
     const double end[] = {-6.5, -4, 0.5, 14, 26.5, 29.5};
     for (int i = 0; i < 5; ++i) check_share(s[i].load, 150 * (end[i + 1] - end[i]), 1e-12);
+    /* at one place by their numbers, in whatever order they come */
+    for (int k = 0; k < 2; ++k) {
+        Support same[] = {{.s = 5, .item = k ? 3 : 1}, {.s = 5, .item = 2}, {.s = 5, .item = k ? 1 : 3}};
+        support_loads(&line, 3, same);
+        for (int i = 0; i < 3; ++i) assert_int_equal(same[i].item, i + 1);
+    }
     pull_clear(&pull);
     route_clear(&route);
 }
