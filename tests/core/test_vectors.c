@@ -34,7 +34,7 @@ static void vectors(void **state)
         check_equal(v3_norm(e), 1);
         check_vec(v3_cross(e, v3_axis((c + 1) % 3)), v3_axis((c + 2) % 3), 0);
     }
-    double three[5] = {1, 2, 3, 4, 5}, x[2] = {1, 2}, y[2] = {3, 4}, z[2] = {5, 6}, *const arrays[3] = {x, y, z};
+    double three[5] = {1, 2, 3, 4, 5}, x[2] = {1, 2}, y[2] = {3, 4}, z[2] = {7, 6}, *const arrays[3] = {x, y, z};
     check_vec(v3_get(three + 1), v3(2, 3, 4), 0);
     v3_put(three + 1, v3(9, 8, 7));
     const double put[5] = {1, 9, 8, 7, 5};
