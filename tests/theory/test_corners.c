@@ -276,12 +276,56 @@ static void given_back_twice(void **state)
     assert_int_equal(route.n, 0);
 }
 
+/* Ducts that are alike: the first one is named, for each limit of ducts. */
+static void ducts_that_are_alike(void **state)
+{
+    (void)state;
+    LimitsDef def;
+    limits_defaults(&def);
+    const DuctLoad load = {
+        .jam_risk = JAM_SMALL, .jam_ratio = 3.1, .clearance = 0.01, .fill = 0.3, .weight_factor = 1.2};
+    const LimitKind kinds[] = {LIMIT_JAM, LIMIT_CLEARANCE, LIMIT_FILL, LIMIT_WEIGHT};
+    Finding f[LIMIT_KINDS] = {{0}};
+    limits_duct(&def, 3, NULL, NULL, f);
+    for (int k = 0; k < 4; ++k) assert_true(f[kinds[k]].absent);
+    limits_duct(&def, 3, "first", &load, f);
+    limits_duct(&def, 3, "second", &load, f);
+    for (int k = 0; k < 4; ++k) {
+        assert_false(f[kinds[k]].absent);
+        assert_string_equal(f[kinds[k]].where, "first");
+        assert_int_equal(f[kinds[k]].cables, 3);
+    }
+}
+
+/* A cable without weight on whole carriers round a level bend: they bear what it presses with, T/R, though nothing lies
+ * on them. */
+static void carriers_of_no_weight(void **state)
+{
+    (void)state;
+    const RoutePieceDef def = {.kind = ROUTE_BEND, .radius = 4, .angle = 1.5, .plane = 0};
+    Route route = route_of(1, &def, 0);
+    const PullStretch bare = {.from = -1e9};
+    const PullDef pull = {.route = &route, .to = 6, .start_tension = 800, .n_stretches = 1, .stretch = &bare};
+    Pull out;
+    assert_int_equal(pull_solve(&pull, &out, NULL), HAWSER_OK);
+    const PlaceLine line = {.route = &route, .pull = &out, .to = 6};
+    check_equal(line_load(&line, 2).up, 0);
+    Support s[] = {{.s = 1, .whole = 1}, {.s = 3, .whole = 1}, {.s = 5, .whole = 0}};
+    support_loads(&line, 3, s);
+    check_share(s[0].load, 800 / 4. * 1.5, 1e-12); /* from half way to the end */
+    check_share(s[1].load, 800 / 4. * 2, 1e-12);
+    check_equal(s[2].load, 0);
+    pull_clear(&out);
+    route_clear(&route);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(pressure_at_a_vertex), cmocka_unit_test(bare_ropes_in_bends),
                                        cmocka_unit_test(rows_of_a_series),     cmocka_unit_test(plateaus_of_the_force),
                                        cmocka_unit_test(wear_that_stays),      cmocka_unit_test(supports_off_the_route),
                                        cmocka_unit_test(lifts_within_a_bend),  cmocka_unit_test(nothing_broken_besides),
-                                       cmocka_unit_test(given_back_twice)};
+                                       cmocka_unit_test(given_back_twice),     cmocka_unit_test(ducts_that_are_alike),
+                                       cmocka_unit_test(carriers_of_no_weight)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
