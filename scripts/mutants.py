@@ -8,7 +8,9 @@ Usage: mutants.py make   [--count N] [--seed S] [--folders F ...]     a tree wit
                          [--each]                                     N of each folder
        mutants.py run    [--jobs J] [--minutes M]                     tries them; goes on where it was stopped
                          [--labels L ...] [--longest S] [--again]     with the tests of these labels that take less than S seconds; the
-                                                                      survivors of what was tried before alone
+                         [--sanitized]                                survivors of what was tried before alone; those once more, built
+                                                                      with the sanitizers that the project's own tests run under, to
+                                                                      which reading past an array, or losing memory, is a failure
        mutants.py renew  [--labels L ...]                             takes the tests as they are committed now, for `run --again`
        mutants.py report                                              shares by folder, and what survived
 Needs python3-clang-14 (installed by scripts/setup.sh --mutants); run it with /usr/bin/python3.
@@ -29,7 +31,9 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 WORK = ROOT / "build" / "mutants"
-TREE, BUILD, MISTAKES, RESULTS, MET = (WORK / name for name in ("tree", "build", "mistakes.json", "results.jsonl", "met.json"))
+TREE, MISTAKES, RESULTS = (WORK / name for name in ("tree", "mistakes.json", "results.jsonl"))
+BUILD, SANITIZED = WORK / "build", WORK / "sanitized"
+SANITIZERS = " -g -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined"  # CMakePresets.json, debug
 FOLDERS = ["core", "contact", "linsolve", "theory"]
 LABELS = ["core", "contact", "linsolve", "theory", "sim", "study", "io"]
 OTHER = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+", "*": "/", "/": "*",
@@ -210,9 +214,10 @@ def find_all(folders):
     return {file: found for file, found in places.items() if found}
 
 
-def configure():
-    subprocess.run(["cmake", "-S", TREE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=RelWithDebInfo", "-DHAWSER_BENCH=OFF",
-                    "-DCMAKE_C_FLAGS_RELWITHDEBINFO=-O1 -w -include " + str(WORK / "mistake.h"),
+def configure(build=BUILD):
+    flags = "-O1 -w -include " + str(WORK / "mistake.h") + (SANITIZERS if build == SANITIZED else "")
+    subprocess.run(["cmake", "-S", TREE, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=RelWithDebInfo", "-DHAWSER_BENCH=OFF",
+                    "-DCMAKE_C_FLAGS_RELWITHDEBINFO=" + flags,
                     "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"], check=True, stdout=subprocess.DEVNULL)
 
 
@@ -286,14 +291,15 @@ def renew(args):
     subprocess.run(["tar", "-C", TREE, "-xmf", "-"], input=archive, check=True)
     configure()
     subprocess.run(["cmake", "--build", BUILD, "-j2", *targets(args.labels)], check=True, stdout=subprocess.DEVNULL)
-    MET.unlink(missing_ok=True)
+    for build in (BUILD, SANITIZED):
+        (build / "met.json").unlink(missing_ok=True)
 
 
 # ------------------------------------------------------------------------------------------------ trying them
 
 
-def tests_of_build(wanted):
-    listed = json.loads(subprocess.run(["ctest", "--test-dir", BUILD, "--show-only=json-v1"], check=True, capture_output=True,
+def tests_of_build(build, wanted):
+    listed = json.loads(subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], check=True, capture_output=True,
                                        text=True).stdout)
     tests = []
     for test in listed["tests"]:
@@ -301,38 +307,51 @@ def tests_of_build(wanted):
         labels = properties.get("LABELS", [])
         if "command" in test and any(l in wanted for l in labels) and "long" not in labels:
             tests.append({"name": test["name"], "command": test["command"], "folder": labels[0],
-                          "cwd": properties.get("WORKING_DIRECTORY", str(BUILD))})
+                          "cwd": properties.get("WORKING_DIRECTORY", str(build))})
     return tests
+
+
+def waits(pid):
+    """Processor time that a process has used, in ticks, if all of its threads sleep; None: one works, or it has ended."""
+    try:
+        tasks = [(task / "stat").read_text().rsplit(")", 1)[1].split() for task in pathlib.Path(f"/proc/{pid}/task").iterdir()]
+    except OSError:
+        return None
+    return sum(int(t[11]) + int(t[12]) for t in tasks) if all(t[0] == "S" for t in tasks) else None
 
 
 def attempt(test, environment, limit):
     """Whether the test passes with this environment within `limit` s of processor time (a machine that is busy with other things
-    kills no mistake; what waits for ever is given up after a hundred times that), and how much it took, s."""
+    kills no mistake; what sleeps and uses none waits for ever), and how much it took, s."""
     def limited():
         os.nice(10)
         resource.setrlimit(resource.RLIMIT_CPU, (int(limit) + 1, int(limit) + 2))
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    try:
-        done = subprocess.run(test["command"], cwd=test["cwd"], env={**os.environ, **environment}, timeout=100 * limit,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False, preexec_fn=limited)
-        passed = done.returncode == 0
-    except subprocess.TimeoutExpired:
-        passed = False
+    before, asleep = resource.getrusage(resource.RUSAGE_CHILDREN), []
+    process = subprocess.Popen(test["command"], cwd=test["cwd"], env={**os.environ, **environment}, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL, preexec_fn=limited)
+    while process.poll() is None:
+        try:
+            process.wait(10)
+        except subprocess.TimeoutExpired:
+            used = waits(process.pid)
+            asleep = [*asleep, used] if used is not None and asleep[-1:] in ([], [used]) else []
+            if len(asleep) > 4:
+                process.kill()
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return passed, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return process.returncode == 0, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-def reached(tests, count, longest):
+def reached(build, tests, count, longest):
     """Times of the tests that pass without a mistake, and the mistakes that each meets; what was found out once is kept."""
-    met_file = WORK / "met"
-    known = json.loads(MET.read_text()) if MET.exists() else {}
+    met_file, known_file = build / "met", build / "met.json"
+    known = json.loads(known_file.read_text()) if known_file.exists() else {}
     for test in tests:
         if test["name"] not in known:
             met_file.write_bytes(bytes(count))
             passed, seconds = attempt(test, {"HAWSER_MISTAKES_MET": str(met_file)}, 300)
             met = [k for k, byte in enumerate(met_file.read_bytes()) if byte]
             known[test["name"]] = {"passed": passed, "seconds": seconds, "meets": met}
-            MET.write_text(json.dumps(known))
+            known_file.write_text(json.dumps(known))
         found = known[test["name"]]
         test["seconds"], test["meets"] = found["seconds"], set(found["meets"])
         if not found["passed"] or found["seconds"] >= longest:
@@ -358,18 +377,21 @@ def latest():
 
 
 def run(args):
-    mistakes, known = json.loads(MISTAKES.read_text()), latest()
-    tests = reached(tests_of_build(args.labels), max(m["number"] for m in mistakes) + 1, args.longest)
+    mistakes, known, build = json.loads(MISTAKES.read_text()), latest(), SANITIZED if args.sanitized else BUILD
+    if args.sanitized:
+        configure(build)
+        subprocess.run(["cmake", "--build", build, "-j2", *targets(args.labels)], check=True, stdout=subprocess.DEVNULL)
+    tests = reached(build, tests_of_build(build, args.labels), max(m["number"] for m in mistakes) + 1, args.longest)
     end = time.monotonic() + 60 * args.minutes
-    todo = [m for m in sorted(mistakes, key=lambda m: m["number"])
-            if (m["number"] not in known if not args.again else known.get(m["number"], {}).get("outcome") in ("survived", "not met"))]
+    outcomes = {None} if not (args.again or args.sanitized) else {"survived", "not met"}
+    todo = [m for m in sorted(mistakes, key=lambda m: m["number"]) if known.get(m["number"], {}).get("outcome") in outcomes]
     print(f"{len(tests)} tests, {len(todo)} mistakes to try", flush=True)
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool, RESULTS.open("a") as file:
         def guarded(mistake):
             return try_one(mistake, tests) if time.monotonic() < end else None
         for result in pool.map(guarded, todo):
             if result and result["outcome"] != known.get(result["number"], {}).get("outcome"):
-                file.write(json.dumps(result) + "\n")
+                file.write(json.dumps({**result, "sanitized": args.sanitized}) + "\n")
                 file.flush()
     report(args)
 
@@ -399,6 +421,7 @@ def main():
     parser.add_argument("--longest", type=float, default=30)
     parser.add_argument("--each", action="store_true")
     parser.add_argument("--again", action="store_true")
+    parser.add_argument("--sanitized", action="store_true")
     args = parser.parse_args()
     {"make": make, "run": run, "renew": renew, "report": report}[args.what](args)
 

@@ -85,6 +85,63 @@ static void crossings_have_two_places(void **state)
     route_clear(&route);
 }
 
+/* A hairpin: beside one leg the other is no second place, unless the point is about as far from both; which of the two
+ * is found first makes no difference. A straight has none, wherever between the grid's points one looks. */
+static void second_places(void **state)
+{
+    (void)state;
+    const double half = 5 * M_PI;
+    const RoutePieceDef pieces[] = {{.kind = ROUTE_STRAIGHT, .length = 20},
+                                    {.kind = ROUTE_BEND, .radius = 5, .angle = M_PI, .plane = 0},
+                                    {.kind = ROUTE_STRAIGHT, .length = 20}};
+    Route route;
+    RouteGrid grid;
+    hawser_error err;
+    assert_int_equal(route_build(&route, 3, pieces, V3_ZERO, 0, 0, &err), HAWSER_OK);
+    assert_int_equal(route_grid_build(&route, 0, &grid, &err), HAWSER_OK);
+    check_equal(grid.from, 0);
+    check_share(grid.from + (grid.n - 1) * grid.step, route.length, 1e-14);
+    check_at_most(grid.step, 0.25);
+    for (int k = 0; k < 4; ++k) {
+        const double y = (const double[]){1, 4.9, 5.1, 9}[k];
+        const Nearest found = route_nearest(&grid, v3(10, y, 3), 0);
+        check_close(found.s, y < 5 ? 10 : 30 + half, 1e-7);
+        check_share(found.distance, fmin(y, 10 - y), 1e-9);
+        check_close(found.aside, y < 5 ? y : 10 - y, 1e-7);
+        if (k == 1 || k == 2) {
+            check_close(found.other_s, y > 5 ? 10 : 30 + half, 1e-7);
+            check_share(found.other, fmax(y, 10 - y), 1e-9);
+        } else {
+            check_infinite(found.other);
+        }
+    }
+    for (int i = 0; i < 60; ++i) { /* on the grid's points and half way between them */
+        const Nearest found = route_nearest(&grid, v3(2 + i * grid.step / 2, -3, 0), 1);
+        check_close(found.s, 2 + i * grid.step / 2, 1e-7);
+        check_infinite(found.other);
+        const Nearest node = route_nearest(&grid, v3((4 + i / 2.) * grid.step, -3, 0), 1);
+        check_close(node.s, (4 + i / 2.) * grid.step, 1e-7);
+        check_infinite(node.other);
+    }
+    /* before its start and past its end the grid's own ends are nearest */
+    check_close(route_nearest(&grid, v3(-2, 1, 0), 0).s, 0, 1e-7);
+    check_close(route_nearest(&grid, v3(-2, 9.5, 0), 0).s, route.length, 1e-7);
+    route_grid_clear(&grid);
+    route_clear(&route);
+    /* legs 0.4 m apart, two places 0.69 m of the way from each other: two all the same */
+    const RoutePieceDef narrow[] = {{.kind = ROUTE_STRAIGHT, .length = 5},
+                                    {.kind = ROUTE_BEND, .radius = 0.2, .angle = M_PI, .plane = 0},
+                                    {.kind = ROUTE_STRAIGHT, .length = 5}};
+    assert_int_equal(route_build(&route, 3, narrow, V3_ZERO, 0, 0, &err), HAWSER_OK);
+    assert_int_equal(route_grid_build(&route, 0, &grid, &err), HAWSER_OK);
+    const Nearest found = route_nearest(&grid, v3(4.97, 0.19, 0), 0);
+    check_close(found.s, 4.97, 1e-7);
+    check_close(found.other_s, 5.03 + 0.2 * M_PI, 1e-7);
+    check_share(found.other, 0.21, 1e-9);
+    route_grid_clear(&grid);
+    route_clear(&route);
+}
+
 /* How many rollers of a side there are on a piece, and the largest gap between them or to the piece's ends. */
 static int count_on(const Route *route, int n, const PlacedRoller *r, PlaceSide side, int piece, double *gap)
 {
@@ -288,11 +345,10 @@ static void shares_of_the_load(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(points_find_their_place),
-                                       cmocka_unit_test(crossings_have_two_places),
-                                       cmocka_unit_test(rule_places),
-                                       cmocka_unit_test(loads_are_shared),
-                                       cmocka_unit_test(rule_keeps_to_its_stretch),
-                                       cmocka_unit_test(shares_of_the_load)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(points_find_their_place), cmocka_unit_test(crossings_have_two_places),
+        cmocka_unit_test(second_places),           cmocka_unit_test(rule_places),
+        cmocka_unit_test(loads_are_shared),        cmocka_unit_test(rule_keeps_to_its_stretch),
+        cmocka_unit_test(shares_of_the_load)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -346,6 +346,78 @@ static void steps_forget(void **state)
     route_clear(&route);
 }
 
+/* A machine at the very end of the pull: one that takes all that arrives leaves nothing of any cause, one that takes
+ * less leaves all of it, and just as much as arrives is a corner. */
+static void machine_at_the_end(void **state)
+{
+    (void)state;
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "s", .length = 60};
+    Route route;
+    assert_int_equal(route_build(&route, 1, &straight, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
+    const PullStretch cable = {.weight = 200, .mu = 0.25};
+    const double arrives = 100 + 200 * 0.25 * 60, takes[] = {arrives + 1, arrives, arrives - 1};
+    for (int k = 0; k < 3; k++) {
+        for (int way = 0; way < PLAN_WAYS; way++) {
+            const PullStep end = {.at = way == PLAN_BACKWARD ? 0 : 60, .force = takes[k], .kind = STEP_TAKE};
+            const PlanDef def = {
+                .route = &route, .n_stretches = 1, .stretch = &cable, .back_tension = 100, .n_steps = 1, .step = &end};
+            Plan plan;
+            PlanChange c;
+            assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
+            check_close(plan.way[way].force, k == 2 ? 1 : 0, 1e-9);
+            assert_int_equal(plan_change(&def, &plan, way, &c, NULL), HAWSER_OK);
+            assert_int_equal(c.one_sided, k == 1);
+            check_close(c.force[CHANGE_START], k == 2, 1e-12);
+            check_close(c.force[CHANGE_FRICTION], k == 2 ? 200 * 60 : 0, 1e-8);
+            check_close(c.force[CHANGE_WEIGHT], k == 2 ? 0.25 * 60 : 0, 1e-10);
+            assert_int_equal(c.pull->n, 1);
+            check_close(c.reach[0], k == 2, 1e-12);
+            double tension[CHANGE_OTHERS + 1], support[CHANGE_OTHERS + 1], reach;
+            plan_change_at(&c, 30, tension, support, &reach);
+            check_close(tension[CHANGE_START], 1, 1e-12); /* on the way all of it is there */
+            check_close(tension[CHANGE_FRICTION], 200 * 30, 1e-8);
+            check_close(reach, k == 2, 1e-12);
+            plan_change_free(&c);
+            plan_clear(&plan);
+        }
+    }
+    route_clear(&route);
+}
+
+/* On separate supports a level bend has T' = mu (w + |T|/R): from a push to a pull, and back along the route, gains by
+ * the closed form, across the corner at T = 0. */
+static void gains_by_closed_forms(void **state)
+{
+    (void)state;
+    const double mu = 0.3, w = 200, R = 10, c = w * R;
+    const double starts[] = {-1500, -400, 0, 300};
+    for (int i = 0; i < 4; i++) {
+        for (int back = 0; back < 2; back++) {
+            SpanLaw p = bend_law(0, 0, 1, 1);
+            p.direction = back ? -1 : 1;
+            const double T = starts[i], L = 25, e = exp(mu * L / R);
+            const SpanGain gain = span_gain(&p, back ? L : 0, T, back ? 0 : L);
+            double end, by_tension, by_friction, by_weight;
+            if (T >= 0) { /* T2 = (T + wR) e - wR */
+                end = (T + c) * e - c;
+                by_tension = e;
+                by_friction = L / R * (T + c) * e;
+                by_weight = R * (e - 1);
+            } else { /* |T| + wR falls to wR, then grows: T2 = c^2 e/(|T| + c) - c */
+                const double a = -T + c;
+                end = c * c * e / a - c;
+                by_tension = c * c * e / (a * a);
+                by_friction = L / R * c * c * e / a;
+                by_weight = R * (2 * c * e / a - c * c * e / (a * a) - 1);
+            }
+            check_close(span_integrate(&p, back ? L : 0, T, back ? 0 : L, NULL), end, 1e-6);
+            check_share(gain.tension, by_tension, 1e-11);
+            check_share(gain.friction, by_friction, 1e-11);
+            check_close(gain.weight, by_weight, 1e-10);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences),
@@ -354,6 +426,8 @@ int main(void)
                                        cmocka_unit_test(at_a_corner),
                                        cmocka_unit_test(slopes_of_supports),
                                        cmocka_unit_test(gains_across_corners),
-                                       cmocka_unit_test(steps_forget)};
+                                       cmocka_unit_test(steps_forget),
+                                       cmocka_unit_test(machine_at_the_end),
+                                       cmocka_unit_test(gains_by_closed_forms)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
