@@ -113,7 +113,7 @@ void variables_token(const Variables *v, const char *case_text, char token[TOKEN
         half[k] = mix(half[k], case_text, strlen(case_text));
         for (int i = 0; i < v->n; ++i) {
             const Variable *const row = &v->row[i];
-            const int kind[2] = {(int)row->type, (int)row->role};
+            const unsigned char kind[2] = {(unsigned char)row->type, (unsigned char)row->role};
             half[k] = mix(half[k], row->name, strlen(row->name) + 1);
             half[k] = mix(half[k], kind, sizeof kind);
             half[k] = mix(half[k], &row->start, sizeof row->start);

@@ -1,5 +1,6 @@
 #include "fmi/unit/unit.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -126,6 +127,7 @@ static Outcome sim_ready(Unit *u)
     hawser_error err = {HAWSER_OK, ""};
     const Outcome outcome = unit_rebuild(u, 0);
     if (outcome || u->relaxed) return outcome;
+    assert(u->sim);
     if (u->sim->stage.scene.def.solver.relax && hawser_sim_relax(u->sim, NULL, &err))
         return unit_say(u, FAILED, "%s", err.message);
     u->relaxed = 1;
