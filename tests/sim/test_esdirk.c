@@ -23,8 +23,8 @@ static void test_order_conditions(void **state)
     const EsdirkTableau *const t = esdirk_tableau();
     const double *const b = t->a[STAGES - 1];
     double one[STAGES], square[STAGES], within[STAGES];
+    for (int i = 0; i < STAGES; ++i) one[i] = 1;
     for (int i = 0; i < STAGES; ++i) {
-        one[i] = 1;
         square[i] = t->c[i] * t->c[i];
         within[i] = dot(t->a[i], t->c);
         check_close(dot(t->a[i], one), t->c[i], 1e-15);

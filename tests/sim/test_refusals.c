@@ -1,0 +1,315 @@
+/* What a scene cannot be asked for is refused with the reason: positions and quasi-static motion of what has no steady
+ * motion, derivatives of what remembers, modes of what moves, trips without a measure; and a handle that is none. */
+#include <math.h>
+#include <string.h>
+
+#include "sim/run/sim.h"
+#include "sim/stage/tangent.h"
+#include "tests/support/kinds.h"
+
+/* ------------------------------------------------------------------------------------------------------- positions */
+
+static void placed(SceneDef *def)
+{
+    reel_pull(def, &(ReelChoice){.payout = 1, .take_in = 1, .tension = 800, .cable = 9, .rope = 5, .head_at = 3});
+}
+
+static void no_winch(SceneDef *def) { def->winch.present = def->winch.take_in = 0; }
+static void set_tension(SceneDef *def)
+{
+    def->winch.mode = WINCH_TENSION;
+    def->winch.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = 1000};
+    def->winch.band = 0.1;
+    def->winch.drum_mass = 10;
+}
+static void jams(SceneDef *def)
+{
+    def->n_jams = 1;
+    def->jams = fixture_array(1, sizeof *def->jams);
+    def->jams[0] = (JamDef){"roller", 1, NAN, 2, NAN, 0.1, NAN};
+}
+static void script(SceneDef *def)
+{
+    def->n_script = 1;
+    def->script = fixture_array(1, sizeof *def->script);
+    def->script[0].at = 1;
+    def->script[0].command = (Command){.kind = HAWSER_WINCH_BRAKE, .ramp = 1};
+}
+static void launched(SceneDef *def) { def->launch = (LaunchDef){.present = 1, .along = 0.1}; }
+static void in_water(SceneDef *def) { def->medium = (MediumDef){.density = 1000, .normal = 1}; }
+static void not_relaxed(SceneDef *def) { def->solver.relax = 0; }
+static void sticks(SceneDef *def)
+{
+    for (int r = 0; r < def->n_rollers; ++r) def->rollers[r].friction.d_s = 1e-3;
+}
+static void belt(SceneDef *def)
+{
+    define_conveyor(def);
+    def->n_jams = 0;
+}
+static void rod(SceneDef *def) { define_static(def); }
+
+static const struct {
+    void (*define)(SceneDef *), (*change)(SceneDef *);
+    const char *says;
+} unknown[] = {
+    {rod, NULL, "a rod is not pulled"},
+    {placed, no_winch, "it needs a winch with a speed"},
+    {placed, set_tension, "it needs a winch with a speed"},
+    {placed, jams, "what jams stops at a time"},
+    {placed, script, "a script changes things at times"},
+    {placed, launched, "the chain begins off its route"},
+    {placed, in_water, "nothing in air or water is steady at once"},
+    {placed, not_relaxed, "it begins with an equilibrium"},
+    {placed, sticks, "friction that sticks depends on the way"},
+    {belt, NULL, "a belt that runs with the cable pushes by what lengths decide"},
+};
+
+/* The definition is taken. */
+static void refused(SceneDef *def, const char *key, const char *says)
+{
+    Sim *s = NULL;
+    hawser_error err = {0};
+    if (sim_new(def, 1, &s, &err) != HAWSER_ERR_INPUT) fail_msg("not refused: %s", says);
+    assert_null(s);
+    check_has(err.message, key);
+    check_has(err.message, says);
+    scene_def_clear(def);
+}
+
+static void test_positions_of_what(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof unknown / sizeof *unknown; ++k) {
+        SceneDef def;
+        unknown[k].define(&def);
+        if (unknown[k].change) unknown[k].change(&def);
+        def.analysis.kind = ANALYSIS_POSITIONS;
+        refused(&def, "key 'run.analysis': positions: ", unknown[k].says);
+        unknown[k].define(&def);
+        if (unknown[k].change) unknown[k].change(&def);
+        def.solver.motion = MOTION_QUASI_STATIC;
+        refused(&def, "key 'solver.motion': quasi-static: ", def.rod.present ? "there is no motion" : unknown[k].says);
+    }
+}
+
+/* Asked for where it may be, it is a motion like any other where it may not. */
+static void test_motion_auto(void **state)
+{
+    (void)state;
+    for (size_t k = 1; k < sizeof unknown / sizeof *unknown; ++k) {
+        SceneDef def;
+        Sim *s = NULL;
+        hawser_error err = {0};
+        unknown[k].define(&def);
+        if (unknown[k].change) unknown[k].change(&def);
+        def.solver.motion = MOTION_AUTO;
+        def.solver.planar = PLANAR_OFF;
+        if (sim_new(&def, 1, &s, &err)) fail_msg("%s: %s", unknown[k].says, err.message);
+        check_has(s->quasi.stage.why, unknown[k].says);
+        sim_free(s);
+        scene_def_clear(&def);
+    }
+    SceneDef def;
+    define_chains(&def);
+    def.solver.motion = MOTION_QUASI_STATIC;
+    refused(&def, "quasi-static", "several chains are moved together");
+}
+
+/* Positions that the winch never reaches, or not at its speed. */
+static void test_positions_where(void **state)
+{
+    (void)state;
+    const struct {
+        PositionsDef at;
+        const char *says;
+    } row[] = {
+        {{.from = 3.5, .to = 90, .step = 0.5}, "5 m is never reached: at the end, 10 s, the front is at 4.7 m"},
+        {{.from = 3.01, .to = 4, .step = 0.5}, "the winch is not at its speed with the front at 3.01 m"},
+        {{.from = 4, .to = 3.5, .step = 0.5}, "nothing lies between 'from', 4 m, and 'to', 3.5 m"},
+    };
+    SceneDef def;
+    for (size_t k = 0; k < sizeof row / sizeof *row; ++k) {
+        placed(&def);
+        def.analysis.kind = ANALYSIS_POSITIONS;
+        def.analysis.positions = row[k].at;
+        refused(&def, "key 'run.positions': ", row[k].says);
+    }
+    placed(&def);
+    def.analysis.kind = ANALYSIS_POSITIONS;
+    def.analysis.positions = (PositionsDef){.from = NAN, .to = NAN, .step = NAN};
+    def.duration = 2; /* its ramp lasts three */
+    refused(&def, "key 'run.analysis': positions: ", "the winch has no constant speed within 2 s");
+
+    /* those that were listed come in their order, the others evenly from the first to the last that there is */
+    placed(&def);
+    def.analysis.kind = ANALYSIS_POSITIONS;
+    def.analysis.positions = (PositionsDef){.n = 3, .at = fixture_array(3, sizeof(double))};
+    const double at[] = {4.25, 3.5, 4};
+    memcpy(def.analysis.positions.at, at, sizeof at);
+    Sim *s = NULL;
+    hawser_error err = {0};
+    if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
+    scene_def_clear(&def);
+    assert_int_equal(s->positions.n, 3);
+    /* 0.3 m lie behind the ramp's end, 3 s; then 0.2 m/s */
+    for (int k = 0; k < 3; ++k) check_close(s->positions.time[k], 3 + ((double[]){3.5, 4, 4.25}[k] - 3.3) / 0.2, 1e-9);
+    check_close(hawser_sim_end_time(s), s->positions.time[2], 1e-12);
+    sim_free(s);
+    placed(&def);
+    def.analysis.kind = ANALYSIS_POSITIONS;
+    def.analysis.positions = (PositionsDef){.from = NAN, .to = NAN, .step = NAN};
+    if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
+    scene_def_clear(&def);
+    assert_int_equal(s->positions.n, 4); /* 1.4 m in parts of a segment, half a metre, at most */
+    check_close(s->positions.time[0], 3, 1e-9);
+    check_close(s->positions.time[3], 10, 1e-9);
+    sim_free(s);
+}
+
+/* ----------------------------------------------------------------------------------------------------- derivatives */
+
+static void reeled(SceneDef *def) { placed(def); }
+static void pulled(SceneDef *def) { fixture_pull(def, &(FixtureChoice){0}); }
+static void trips(SceneDef *def) { def->winch.trip = (TripDef){.force = 1e4, .brake = 1}; }
+static void trips_by_factor(SceneDef *def) { def->winch.trip = (TripDef){.factor = 2, .brake = 1}; }
+static void touches_itself(SceneDef *def)
+{
+    def->cable_on_cable = 1;
+    def->cable_friction = def->friction;
+}
+static void jams_later(SceneDef *def)
+{
+    jams(def);
+    strcpy(def->rollers[0].name, "roller");
+}
+static void by_position(SceneDef *def)
+{
+    def->analysis.kind = ANALYSIS_POSITIONS;
+    def->analysis.positions = (PositionsDef){.from = 9.08, .to = 9.1, .step = 1};
+}
+
+static void test_derivatives_of_what(void **state)
+{
+    (void)state;
+    const struct {
+        void (*define)(SceneDef *), (*change)(SceneDef *);
+        const char *says;
+    } row[] = {
+        {pulled, by_position, "with positions are"},
+        {rod, NULL, "with a rod are"},
+        {reeled, NULL, "with a reel or a winch that takes in are"},
+        {pulled, set_tension, "with a winch of set tension are"},
+        {pulled, trips, "with a winch that trips are"},
+        {pulled, trips_by_factor, "with a winch that trips are"},
+        {pulled, jams_later, "with jams are"},
+        {pulled, script, "with a script are"},
+        {pulled, touches_itself, "with cable on cable are"},
+        {define_sticky, NULL, "with friction that sticks are"},
+    };
+    for (size_t k = 0; k < sizeof row / sizeof *row; ++k) {
+        SceneDef def, less, more;
+        SceneDef *const of[] = {&def, &less, &more};
+        for (int i = 0; i < 3; ++i) {
+            row[k].define(of[i]);
+            if (row[k].change) row[k].change(of[i]);
+        }
+        const double half = 1e-3;
+        Tangent *g = NULL;
+        hawser_error err = {0};
+        if (tangent_new(&def, 1, &less, &more, &half, 0, &g, &err) != HAWSER_ERR_INPUT)
+            fail_msg("not refused: %s, %s", row[k].says, err.message);
+        assert_null(g);
+        check_has(err.message, row[k].says);
+        check_has(err.message, "not known");
+        for (int i = 0; i < 3; ++i) scene_def_clear(of[i]);
+    }
+}
+
+/* One segment more is another equation: no derivative by that. */
+static void test_derivatives_by_what(void **state)
+{
+    (void)state;
+    SceneDef def, less, more;
+    pulled(&def);
+    pulled(&less);
+    pulled(&more);
+    more.pieces[0].segments += 1;
+    const double half = 1e-3;
+    Tangent *g = NULL;
+    hawser_error err = {0};
+    assert_int_equal(tangent_new(&def, 1, &less, &more, &half, 0, &g, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "changes the number of segments");
+    assert_null(g);
+    scene_def_clear(&def);
+    scene_def_clear(&less);
+    scene_def_clear(&more);
+}
+
+/* ------------------------------------------------------------------------------------------------- where it begins */
+
+static void test_first_window(void **state)
+{
+    (void)state;
+    SceneDef def;
+    reel_pull(&def, &(ReelChoice){.payout = 1, .take_in = 1, .cable = 3, .rope = 5, .head_at = 3});
+    def.reel.distance = 1;
+    refused(&def, "", "the cable does not reach the reel: its end would lie 0 m along the route");
+    reel_pull(&def, &(ReelChoice){.payout = 1, .take_in = 1, .cable = 9, .rope = 5, .head_at = 3});
+    def.winch.at = -3.6;
+    refused(&def, "",
+            "nothing of the chain lies before the winch at the start: make 'drive.winch.at' larger than -3.6 m");
+    reel_pull(&def, &(ReelChoice){.payout = 1, .cable = 9, .rope = 5, .head_at = 3});
+    def.head_at = -8.6;
+    refused(&def, "", "nothing of the chain is off the reel at the start");
+}
+
+/* A factor of what is expected is no measure where nothing, or less, is expected. */
+static void test_trip_without_measure(void **state)
+{
+    (void)state;
+    SceneDef def;
+    pulled(&def);
+    def.gravity = V3_ZERO;
+    def.tail.tension = (Profile){0};
+    def.drag.force = 0;
+    def.winch.trip = (TripDef){.factor = 2, .brake = 1};
+    refused(&def, "key 'drive.winch.trip.factor'", "which is no measure for a trip: give 'force'");
+}
+
+/* In the plane by all means: what is not, and why. */
+static void test_plane_by_all_means(void **state)
+{
+    (void)state;
+    SceneDef def;
+    pulled(&def);
+    def.solver.planar = PLANAR_ON;
+    refused(&def, "solver.planar: on: ", "auto or off can be used");
+}
+
+static void test_no_handle(void **state)
+{
+    (void)state;
+    check_nan(hawser_sim_time(NULL));
+    check_nan(hawser_sim_end_time(NULL));
+    assert_string_equal(hawser_sim_title(NULL), "");
+    assert_null(hawser_sim_sample(NULL));
+    hawser_sim_record(NULL);
+    assert_null(sim_free(NULL));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_positions_of_what),
+        cmocka_unit_test(test_motion_auto),
+        cmocka_unit_test(test_positions_where),
+        cmocka_unit_test(test_derivatives_of_what),
+        cmocka_unit_test(test_derivatives_by_what),
+        cmocka_unit_test(test_first_window),
+        cmocka_unit_test(test_trip_without_measure),
+        cmocka_unit_test(test_plane_by_all_means),
+        cmocka_unit_test(test_no_handle),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
