@@ -56,7 +56,7 @@ SWITCH_C = """#include <fcntl.h>
 #include <sys/mman.h>
 int hawser_mistake = -1;
 unsigned char *hawser_mistakes_met = NULL;
-__attribute__((constructor)) static void mistakes_begin(void)
+__attribute__((constructor(101))) static void mistakes_begin(void) /* before the program's own */
 {
     const char *const which = getenv("HAWSER_MISTAKE"), *const met = getenv("HAWSER_MISTAKES_MET");
     if (which) hawser_mistake = atoi(which);

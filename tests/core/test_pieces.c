@@ -365,12 +365,36 @@ static void arrays(void **state)
     assert_null(from[1]);
 }
 
+/* The sum of bytes is what it was in files that are there already: names of pieces and sums of files are compared with
+ * it. It is another one for any other byte, and for zeros behind. */
+static void sums_of_bytes(void **state)
+{
+    (void)state;
+    static const struct {
+        size_t n;
+        uint64_t sum;
+    } row[] = {{0, 0xbf01c2b85006490au},  {1, 0xb8f03d469c4f8443u},  {7, 0x353d97b5b45d22cau},
+               {8, 0x74f8582938984eebu},  {31, 0x36af633202f9a620u}, {32, 0x3147d1c50732f1bau},
+               {33, 0xb69516d187b7a041u}, {64, 0x9ccf745eac127cd9u}, {100, 0x7c016051fbc4abbau}};
+    unsigned char bytes[100], zeros[100] = {0};
+    for (int i = 0; i < 100; i++) bytes[i] = (unsigned char)(37 * i + 11);
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        assert_true(checkpoint_hash(bytes, row[k].n) == row[k].sum);
+        for (size_t i = 0; i < row[k].n; i++) {
+            bytes[i] ^= 4;
+            assert_true(checkpoint_hash(bytes, row[k].n) != row[k].sum);
+            bytes[i] ^= 4;
+        }
+    }
+    for (size_t n = 1; n < sizeof zeros; n++) assert_true(checkpoint_hash(zeros, n) != checkpoint_hash(zeros, n - 1));
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(both_ways),    cmocka_unit_test(damaged),
-                                       cmocka_unit_test(lengths),      cmocka_unit_test(numbers),
-                                       cmocka_unit_test(profiles),     cmocka_unit_test(patterns),
-                                       cmocka_unit_test(block_values), cmocka_unit_test(first_values),
-                                       cmocka_unit_test(errors),       cmocka_unit_test(arrays)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(both_ways),    cmocka_unit_test(damaged),      cmocka_unit_test(lengths),
+        cmocka_unit_test(numbers),      cmocka_unit_test(profiles),     cmocka_unit_test(patterns),
+        cmocka_unit_test(block_values), cmocka_unit_test(first_values), cmocka_unit_test(errors),
+        cmocka_unit_test(arrays),       cmocka_unit_test(sums_of_bytes)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -320,6 +320,37 @@ static void measures_of_curves(void **state)
     }
 }
 
+/* A long clothoid and a plan with profile, which turn by many radians: places along them against Simpson's integral of
+ * their own tangents, from end to end. */
+static void long_curves(void **state)
+{
+    (void)state;
+    const RoutePieceDef def[] = {{.kind = ROUTE_CURVE, .length = 300, .upright = 1, .curvature = {-0.02, 0.1}},
+                                 {.kind = ROUTE_CURVE,
+                                  .length = 200,
+                                  .upright = 1,
+                                  .curvature = {0.1, 0.02},
+                                  .profile = PROFILE_PARABOLA,
+                                  .slope_end = 0.6}};
+    Route r = route_of(2, def, -0.3);
+    for (int i = 0; i < 2; ++i) {
+        const RoutePiece *const p = &r.piece[i];
+        enum { N = 20000 };
+        const double h = p->length / N;
+        Vec3 at = p->start;
+        double off = 0;
+        for (int k = 0; k < N; k += 2) {
+            const Vec3 a = route_on_piece(&r, i, p->s0 + k * h).tangent,
+                       m = route_on_piece(&r, i, p->s0 + (k + 1) * h).tangent;
+            const RoutePoint b = route_on_piece(&r, i, p->s0 + (k + 2) * h);
+            at = v3_axpy(at, h / 3, v3_add(v3_axpy(a, 4, m), b.tangent));
+            off = larger_of(off, v3_norm(v3_sub(at, b.position)));
+        }
+        check_at_most(off, 1e-9);
+    }
+    route_clear(&r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(points_in_a_row),
@@ -331,6 +362,7 @@ int main(void)
                                        cmocka_unit_test(words_of_pieces),
                                        cmocka_unit_test(legs_that_become_upright),
                                        cmocka_unit_test(splines_begin),
-                                       cmocka_unit_test(measures_of_curves)};
+                                       cmocka_unit_test(measures_of_curves),
+                                       cmocka_unit_test(long_curves)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

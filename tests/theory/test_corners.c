@@ -161,6 +161,12 @@ static void wear_that_stays(void **state)
                 check_has(err.message, k == 2 ? "wear from 30 m on by 1.25" : "wear from 10 m on by 0.99");
                 continue;
             }
+            PlanWear twice[] = {wear[0], wear[1], wear[1]}; /* one place, two factors */
+            PlanDef doubled = def;
+            doubled.wear = twice;
+            Plan none;
+            assert_int_equal(plan_build(&doubled, &none, &err), HAWSER_ERR_INPUT);
+            check_has(err.message, "lengths must rise");
             const double sum = 10 + 10 * factor[k][0] + 10 * factor[k][1] + 30 * factor[k][2];
             check_share(plan.way[PLAN_FORWARD].force, 0.25 * 200 * sum, 1e-12);
             plan_clear(&plan);
@@ -319,13 +325,56 @@ static void carriers_of_no_weight(void **state)
     route_clear(&route);
 }
 
+/* What carriers and guides of a piece bear at most is borne somewhere on it: no more than a look along the piece finds,
+ * and no less than at its ends, pulled either way. */
+static void most_is_borne_somewhere(void **state)
+{
+    (void)state;
+    const RoutePieceDef pieces[] = {{.kind = ROUTE_BEND, .radius = 12, .angle = 0.9, .plane = M_PI / 2},
+                                    {.kind = ROUTE_BEND, .radius = 9, .angle = 1.2, .plane = 0.5},
+                                    {.kind = ROUTE_BEND, .radius = 10, .angle = 1, .plane = 3 * M_PI / 2}};
+    Route route = route_of(3, pieces, -0.5);
+    const PullStretch cable = {.weight = 200, .mu = 0.3, .separate = 1};
+    for (int back = 0; back < 2; ++back) {
+        for (double start = 500; start < 6000; start *= 2) {
+            const PullDef def = {.route = &route,
+                                 .from = back ? route.length : 0,
+                                 .to = back ? 0 : route.length,
+                                 .start_tension = start,
+                                 .n_stretches = 1,
+                                 .stretch = &cable};
+            Pull pull;
+            assert_int_equal(pull_solve(&def, &pull, NULL), HAWSER_OK);
+            for (int i = 0; i < pull.n; ++i) {
+                const PullSpan *const span = &pull.span[i];
+                const PieceExtremes most = pull_piece_extremes(&pull, span->piece);
+                enum { LOOKS = 400 };
+                double down = 0, aside = 0, ends[2] = {0, 0};
+                for (int k = 0; k <= LOOKS; ++k) {
+                    const double s = span->s0 + (span->s1 - span->s0) * k / LOOKS;
+                    const double tension = k == 0 ? span->t0 : k == LOOKS ? span->t1 : pull_at(&pull, s).tension;
+                    const SpanParts at = span_parts(&span->law, s, tension);
+                    down = fmax(down, fabs(at.down));
+                    aside = fmax(aside, fabs(at.aside));
+                    if (k % LOOKS == 0) ends[0] = fmax(ends[0], fabs(at.down)), ends[1] = fmax(ends[1], fabs(at.aside));
+                }
+                check_between(most.down, ends[0] * (1 - 1e-12), down * (1 + 1e-4));
+                check_between(most.aside, ends[1] * (1 - 1e-12), aside * (1 + 1e-4));
+            }
+            pull_clear(&pull);
+        }
+    }
+    route_clear(&route);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pressure_at_a_vertex), cmocka_unit_test(bare_ropes_in_bends),
-                                       cmocka_unit_test(rows_of_a_series),     cmocka_unit_test(plateaus_of_the_force),
-                                       cmocka_unit_test(wear_that_stays),      cmocka_unit_test(supports_off_the_route),
-                                       cmocka_unit_test(lifts_within_a_bend),  cmocka_unit_test(nothing_broken_besides),
-                                       cmocka_unit_test(given_back_twice),     cmocka_unit_test(ducts_that_are_alike),
-                                       cmocka_unit_test(carriers_of_no_weight)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pressure_at_a_vertex), cmocka_unit_test(bare_ropes_in_bends),
+        cmocka_unit_test(rows_of_a_series),     cmocka_unit_test(plateaus_of_the_force),
+        cmocka_unit_test(wear_that_stays),      cmocka_unit_test(supports_off_the_route),
+        cmocka_unit_test(lifts_within_a_bend),  cmocka_unit_test(nothing_broken_besides),
+        cmocka_unit_test(given_back_twice),     cmocka_unit_test(most_is_borne_somewhere),
+        cmocka_unit_test(ducts_that_are_alike), cmocka_unit_test(carriers_of_no_weight)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -418,6 +418,43 @@ static void gains_by_closed_forms(void **state)
     }
 }
 
+/* Where nothing arrives at a machine, as at the reel without a brake, it takes what more would come, and has nothing to
+ * take of less: a corner too. Not for one that takes nothing, and not behind another one that takes all. */
+static void machine_without_work(void **state)
+{
+    (void)state;
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "s", .length = 60};
+    Route route;
+    assert_int_equal(route_build(&route, 1, &straight, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
+    const PullStretch cable = {.weight = 200, .mu = 0.25};
+    const struct {
+        double back_tension, takes[2];
+        int one_sided;
+        double by_start;
+    } row[] = {{0, {500, 0}, 1, 1},   {0, {0, 0}, 0, 1},       {100, {500, 0}, 0, 0},  {100, {500, 300}, 0, 0},
+               {600, {500, 0}, 0, 1}, {600, {500, 100}, 1, 0}, {600, {500, 300}, 0, 0}};
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        const PullStep machine[] = {{.force = row[k].takes[0], .kind = STEP_TAKE},
+                                    {.force = row[k].takes[1], .kind = STEP_TAKE}};
+        const PlanDef def = {.route = &route,
+                             .n_stretches = 1,
+                             .stretch = &cable,
+                             .back_tension = row[k].back_tension,
+                             .n_steps = 2,
+                             .step = machine};
+        Plan plan;
+        PlanChange c;
+        assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
+        assert_int_equal(plan_change(&def, &plan, PLAN_FORWARD, &c, NULL), HAWSER_OK);
+        assert_int_equal(c.one_sided, row[k].one_sided);
+        check_close(c.force[CHANGE_START], row[k].by_start, 1e-12);
+        check_close(c.force[CHANGE_FRICTION], 200 * 60, 1e-8);
+        plan_change_free(&c);
+        plan_clear(&plan);
+    }
+    route_clear(&route);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences),
@@ -428,6 +465,7 @@ int main(void)
                                        cmocka_unit_test(gains_across_corners),
                                        cmocka_unit_test(steps_forget),
                                        cmocka_unit_test(machine_at_the_end),
+                                       cmocka_unit_test(machine_without_work),
                                        cmocka_unit_test(gains_by_closed_forms)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

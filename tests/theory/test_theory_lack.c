@@ -66,6 +66,14 @@ static hawser_status plans(const Scene *s, double *value, hawser_error *err)
     return status;
 }
 
+static hawser_status one_head(const Scene *s, double *value, hawser_error *err)
+{
+    HeadForce force = {0};
+    const hawser_status status = plan_head(&s->def, &s->plan.duct, PLAN_FORWARD, 45, &force, err);
+    *value = force.force;
+    return status;
+}
+
 static hawser_status heads(const Scene *s, double *value, hawser_error *err)
 {
     HeadSeries series;
@@ -120,7 +128,7 @@ static hawser_status grids(const Scene *s, double *value, hawser_error *err)
 static void every_allocation(void **state)
 {
     (void)state;
-    static const Allocating each[] = {plans, heads, brakes, changes, rollers, grids};
+    static const Allocating each[] = {plans, one_head, heads, brakes, changes, rollers, grids};
     Scene s;
     if (!lack_works()) skip();
     scene_make(&s);

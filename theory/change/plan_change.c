@@ -7,8 +7,14 @@
 #include "core/base/error.h"
 #include "theory/plan_pull.h"
 
-/* A machine that takes all that arrives, but for this share, is at its corner. */
+/* Share of what a machine takes by which a tension may be off and still is at one of its corners. */
 static const double CORNER = 1e-9;
+
+/* A machine that could take more begins to where something arrives, and ends where more arrives than it takes. */
+static int at_corner(double tension, double takes)
+{
+    return takes > 0 && fmin(fabs(tension), fabs(tension - takes)) <= CORNER * takes;
+}
 
 /* What a unit of cause k adds to the friction of a span, by (PN4) and the duct's factor, and to its weight. */
 static double friction_by(const PlanDef *def, const DuctLoad *load, int way, const PullSpan *span, int k)
@@ -35,7 +41,7 @@ static double steps_change(const PlanDef *def, int way, double s, double before,
         const PullStep *const step = &def->step[i];
         const int anew = step->kind == STEP_ANEW && s != plan_last(def, way), all = tension <= step->force;
         if (step->at != s || step->kind == STEP_ADD || (step->kind == STEP_ANEW && !anew)) continue;
-        if (step->kind == STEP_TAKE && fabs(tension - step->force) <= CORNER * fabs(tension)) c->one_sided = 1;
+        if (step->kind == STEP_TAKE && factor > 0 && at_corner(tension, step->force)) c->one_sided = 1;
         if (anew || (all && tension > 0)) factor = 0;
         if (step->kind == STEP_TAKE) tension -= fmin(fmax(tension, 0), step->force);
     }

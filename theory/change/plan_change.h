@@ -36,7 +36,7 @@ typedef struct PlanChange {
     double *weight;         /* [n] ... and of the cable's weight */
     double *reach;          /* [spans] of the winch's force by the tension where each span begins: the adjoint (SN8) */
     double *force;          /* [n] of the winch's force */
-    int one_sided;          /* somewhere a machine takes just what arrives: with less it takes less */
+    int one_sided; /* somewhere a machine takes just what arrives, or nothing does: with less it takes less, or none */
 } PlanChange;
 
 /* Of plan->way[way], which was built from def. Errors: MEMORY; plan_change_free follows in any case. */
