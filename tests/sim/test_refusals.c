@@ -295,6 +295,24 @@ static void test_no_handle(void **state)
     assert_string_equal(hawser_sim_title(NULL), "");
     assert_null(hawser_sim_sample(NULL));
     hawser_sim_record(NULL);
+    const hawser_station *station;
+    const hawser_roller *roller;
+    const hawser_position *position;
+    const hawser_place *place;
+    const hawser_mode *mode;
+    const hawser_event *event;
+    const hawser_surface *surface;
+    const hawser_machine *machine;
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    assert_int_equal(hawser_sim_stations(NULL, &station), 0);
+    assert_int_equal(hawser_sim_rollers(NULL, &roller), 0);
+    assert_int_equal(hawser_sim_positions(NULL, &position), 0);
+    assert_int_equal(hawser_sim_places(NULL, &place), 0);
+    assert_int_equal(hawser_sim_modes(NULL, &mode), 0);
+    assert_int_equal(hawser_sim_events(NULL, &event), 0);
+    assert_int_equal(hawser_sim_surfaces(NULL, &surface), 0);
+    assert_int_equal(hawser_sim_machines(NULL, &machine), 0);
+    assert_int_equal(hawser_sim_limits(NULL, limit), 0);
     assert_null(sim_free(NULL));
 }
 
