@@ -7,9 +7,8 @@ import collections
 import json
 import sys
 
-# Per cent of lines and of branches. 97 and 90 are wanted; where the branches are below that the floor is where they are, and
-# docs/reliability.md says what is missing.
-FLOORS = {"core": (97, 86), "contact": (97, 90), "linsolve": (97, 90), "theory": (97, 90), "sim": (97, 86)}
+# Per cent of lines and of branches. 97 and 90 are wanted; docs/reliability.md says what is reached and what is missing.
+FLOORS = {"core": (97, 92), "contact": (97, 90), "linsolve": (97, 90), "theory": (97, 90), "sim": (97, 90)}
 
 
 def main():

@@ -246,6 +246,59 @@ static void test_derivatives_by_what(void **state)
     scene_def_clear(&more);
 }
 
+/* ------------------------------------------------------------------------------------------ matrices that fail */
+
+static int singular(Motion *m)
+{
+    (void)m;
+    return 1;
+}
+static int lacks(Motion *m)
+{
+    (void)m;
+    return -1;
+}
+static int unsolved(Motion *m, double *b)
+{
+    (void)m;
+    (void)b;
+    return 1;
+}
+static int unsolved_for_lack(Motion *m, double *b)
+{
+    (void)m;
+    (void)b;
+    return -1;
+}
+
+/* What the solver says of its matrix reaches the caller, whichever way it is integrated: a step that cannot be solved
+ * is none, and a lack of memory is one. */
+static void test_matrices_that_fail(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 8; ++k) {
+        SceneDef def;
+        Sim *s = NULL;
+        hawser_error err = {0};
+        const int lack = k % 2, solution = k / 2 % 2;
+        fixture_pull(&def, &(FixtureChoice){0});
+        def.solver.method = k < 4 ? METHOD_BDF : METHOD_ESDIRK;
+        if (sim_new(&def, 1, &s, &err) || sim_relax(s, NULL, &err)) fail_msg("%s", err.message);
+        scene_def_clear(&def);
+        const MotionOps *const whole = s->stage.motion->ops;
+        MotionOps ops = *whole;
+        if (solution) ops.solve = lack ? unsolved_for_lack : unsolved;
+        if (!solution) ops.factor = lack ? lacks : singular;
+        s->stage.motion->ops = &ops;
+        const hawser_status status = sim_advance(s, 0.5, 0, &err);
+        s->stage.motion->ops = whole;
+        if (status != (lack ? HAWSER_ERR_MEMORY : HAWSER_ERR_RUN))
+            fail_msg("trial %d: status %d, '%s'", k, status, err.message);
+        check_has(err.message, lack ? "out of memory" : "integration failed at t = 0 s");
+        sim_free(s);
+    }
+}
+
 /* ------------------------------------------------------------------------------------------------- where it begins */
 
 static void test_first_window(void **state)
@@ -295,21 +348,35 @@ static void test_no_handle(void **state)
     assert_string_equal(hawser_sim_title(NULL), "");
     assert_null(hawser_sim_sample(NULL));
     hawser_sim_record(NULL);
+    const hawser_station *station;
+    const hawser_roller *roller;
+    const hawser_position *position;
+    const hawser_place *place;
+    const hawser_mode *mode;
+    const hawser_event *event;
+    const hawser_surface *surface;
+    const hawser_machine *machine;
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    assert_int_equal(hawser_sim_stations(NULL, &station), 0);
+    assert_int_equal(hawser_sim_rollers(NULL, &roller), 0);
+    assert_int_equal(hawser_sim_positions(NULL, &position), 0);
+    assert_int_equal(hawser_sim_places(NULL, &place), 0);
+    assert_int_equal(hawser_sim_modes(NULL, &mode), 0);
+    assert_int_equal(hawser_sim_events(NULL, &event), 0);
+    assert_int_equal(hawser_sim_surfaces(NULL, &surface), 0);
+    assert_int_equal(hawser_sim_machines(NULL, &machine), 0);
+    assert_int_equal(hawser_sim_limits(NULL, limit), 0);
     assert_null(sim_free(NULL));
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_positions_of_what),
-        cmocka_unit_test(test_motion_auto),
-        cmocka_unit_test(test_positions_where),
-        cmocka_unit_test(test_derivatives_of_what),
-        cmocka_unit_test(test_derivatives_by_what),
-        cmocka_unit_test(test_first_window),
-        cmocka_unit_test(test_trip_without_measure),
-        cmocka_unit_test(test_plane_by_all_means),
-        cmocka_unit_test(test_no_handle),
+        cmocka_unit_test(test_positions_of_what),   cmocka_unit_test(test_motion_auto),
+        cmocka_unit_test(test_positions_where),     cmocka_unit_test(test_derivatives_of_what),
+        cmocka_unit_test(test_derivatives_by_what), cmocka_unit_test(test_matrices_that_fail),
+        cmocka_unit_test(test_first_window),        cmocka_unit_test(test_trip_without_measure),
+        cmocka_unit_test(test_plane_by_all_means),  cmocka_unit_test(test_no_handle),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
