@@ -28,11 +28,13 @@ enum {
     AT_LAST_ORDER = 1064,
     AT_FIRST_STEP = 1080,
     AT_LAST_STEP = 1088,
-    AT_TOO_MUCH = 1112,  /* factor by which the tolerance should be larger */
-    AT_MOST = 848,       /* int: the highest order that it may take */
-    AT_VECTORS = 1120,   /* int: the highest order that it has vectors for */
-    AT_KEPT = 1124,      /* int: the vector that holds the last correction, for a higher order */
-    AT_PROJECTION = 1528 /* pointer to what its projection keeps; NULL: there is none */
+    AT_TOO_MUCH = 1112,   /* factor by which the tolerance should be larger */
+    AT_MOST = 848,        /* int: the highest order that it may take */
+    AT_VECTORS = 1120,    /* int: the highest order that it has vectors for */
+    AT_KEPT = 1124,       /* int: the vector that holds the last correction, for a higher order */
+    AT_PROJECTION = 1528, /* pointer to what its projection keeps; NULL: there is none */
+    AT_PROJECTING = 1536, /* int: whether it is to project; never without one */
+    AT_PROJECTED = 1540   /* int: whether it has */
 };
 /* Of the linear solver's, and of the projection's: */
 enum { AT_JACOBIANS = 136, AT_PROJECTIONS = 64 };
@@ -193,6 +195,12 @@ static int orders_fit(void *cvode, int most)
     return ok;
 }
 
+static int projection_fits(const void *cvode, int projects)
+{
+    const int asked = int_at(cvode, AT_PROJECTING), done = int_at(cvode, AT_PROJECTED);
+    return asked >= 0 && asked <= projects && done >= 0 && done <= projects;
+}
+
 static int steps_fit(const void *cvode)
 {
     const int at[] = {AT_TIME, AT_NEXT_STEP, AT_LAST_STEP, AT_GAMMA};
@@ -216,6 +224,7 @@ void cvode_memory_checkpoint(Checkpoint *c, void *cvode)
     if (projects) stretches(c, "cvode's projection", pointer_at(cvode, AT_PROJECTION), PROJECTION, projection);
     const int fits = orders_fit(cvode, vectors);
     if (!c->status) checkpoint_check(c, fits, "its order of integration is impossible");
+    if (!c->status) checkpoint_check(c, projection_fits(cvode, projects), "it was integrated with other constraints");
     if (!c->status) checkpoint_check(c, steps_fit(cvode), "its steps are impossible");
 }
 
