@@ -19,6 +19,7 @@ static long lack_left = -1; /* allocations until one fails; below 0: none does *
 
 #ifdef LACK_NONE
 static inline int lack_works(void) { return 0; }
+static inline long lack_live(void) { return 0; }
 #else
 static inline int lack_works(void) { return 1; }
 
@@ -26,6 +27,16 @@ void *__libc_malloc(size_t size);
 void *__libc_calloc(size_t count, size_t size);
 void *__libc_realloc(void *old, size_t size);
 void *__libc_memalign(size_t alignment, size_t size);
+void __libc_free(void *block);
+
+/* Blocks that have been asked for and not been given back: the same before and after what leaves nothing behind. */
+static _Atomic long lack_blocks;
+static inline long lack_live(void) { return lack_blocks; }
+static void *lack_count(void *block)
+{
+    lack_blocks += block != NULL;
+    return block;
+}
 
 static int lack_now(void)
 {
@@ -34,14 +45,27 @@ static int lack_now(void)
     return 1;
 }
 
-void *malloc(size_t size) { return lack_now() ? NULL : __libc_malloc(size); }
-void *calloc(size_t count, size_t size) { return lack_now() ? NULL : __libc_calloc(count, size); }
-void *realloc(void *old, size_t size) { return lack_now() ? NULL : __libc_realloc(old, size); }
-void *aligned_alloc(size_t alignment, size_t size) { return lack_now() ? NULL : __libc_memalign(alignment, size); }
+void *malloc(size_t size) { return lack_now() ? NULL : lack_count(__libc_malloc(size)); }
+void *calloc(size_t count, size_t size) { return lack_now() ? NULL : lack_count(__libc_calloc(count, size)); }
+void *realloc(void *old, size_t size)
+{
+    if (lack_now()) return NULL;
+    if (!old) return lack_count(__libc_realloc(old, size));
+    return __libc_realloc(old, size);
+}
+void *aligned_alloc(size_t alignment, size_t size)
+{
+    return lack_now() ? NULL : lack_count(__libc_memalign(alignment, size));
+}
 int posix_memalign(void **at, size_t alignment, size_t size)
 {
-    *at = lack_now() ? NULL : __libc_memalign(alignment, size);
+    *at = lack_now() ? NULL : lack_count(__libc_memalign(alignment, size));
     return *at ? 0 : ENOMEM;
+}
+void free(void *block)
+{
+    lack_blocks -= block != NULL;
+    __libc_free(block);
 }
 #endif
 
