@@ -7,7 +7,6 @@
 #include "core/base/error.h"
 #include "sim/equipment/winch.h"
 #include "sim/expected/expected.h"
-#include "sim/run/sim.h"
 
 typedef struct Together Together;
 
@@ -87,11 +86,7 @@ static void totals_set(Together *all)
 hawser_status together_new(Sim **sim, int n, hawser_error *err)
 {
     Together *const all = sim[0]->together = calloc(1, sizeof *all);
-    if (!all) { /* nobody else knows them then */
-        for (int k = 1; k < n; ++k) sim_free(sim[k]);
-        free(sim);
-        return error_memory(err);
-    }
+    if (!all) return error_memory(err);
     all->sim = sim;
     all->n = n;
     for (int k = 1; k < n; ++k) sim[k]->leader = sim[0];
