@@ -86,10 +86,7 @@ static void totals_set(Together *all)
 hawser_status together_new(Sim **sim, int n, hawser_error *err)
 {
     Together *const all = sim[0]->together = calloc(1, sizeof *all);
-    if (!all) {
-        free(sim);
-        return error_memory(err);
-    }
+    if (!all) return error_memory(err);
     all->sim = sim;
     all->n = n;
     for (int k = 1; k < n; ++k) sim[k]->leader = sim[0];

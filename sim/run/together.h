@@ -16,7 +16,8 @@ struct Together {
 };
 
 /* What moves n simulations together, of which the first leads: takes over the list, not what is in it. Errors: INPUT,
- * MEMORY; together_free follows either way. */
+ * MEMORY; together_free follows either way, and the list stays the caller's if nothing has been made
+ * (sim[0]->together). */
 hawser_status together_new(Sim **sim, int n, hawser_error *err);
 struct Together *together_free(struct Together *all);
 

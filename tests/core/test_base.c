@@ -109,8 +109,7 @@ static void test_printable(void **state)
 static void test_room(void **state)
 {
     (void)state;
-    assert_true(memory_room(1000));
-    assert_false(memory_room((size_t)-1 / 2 - 1000));
+    assert_true(memory_room(1000)); /* and where there is none: test_core_lack.c */
 }
 
 int main(void)

@@ -22,11 +22,13 @@ static void every_allocation(Attempt *attempt, int least)
     lack_after(-1);
     assert_int_equal(attempt(&whole, &err), HAWSER_OK);
     check_above(fabs(whole), 0);
+    const long live = lack_live();
     for (int k = 0;; ++k) {
         check_below(k, MOST);
         err = (hawser_error){0};
         lack_after(k);
         const hawser_status status = attempt(&sum, &err);
+        assert_int_equal(lack_live(), live);
         if (!lack_end()) {
             assert_int_equal(status, HAWSER_OK);
             check_equal(sum, whole);
@@ -267,6 +269,9 @@ static void test_team(void **state)
 {
     (void)state;
     if (!lack_works()) skip();
+    lack_after(0);
+    assert_false(memory_room(10));
+    assert_true(lack_end());
     lack_after(0);
     assert_null(team_new(1));
     assert_true(lack_end());

@@ -256,6 +256,7 @@ static void every_allocation(void (*define)(SceneDef *), Attempt *attempt, int l
     if (sim_new(&def, 1, &s, &err) || sim_relax(s, NULL, &err)) fail_msg("%s", err.message);
     scene_def_clear(&def);
     hawser_sim_sample(s);
+    const long live = lack_live();
     int k = 0;
     for (int met = 1; met; ++k) {
         check_below(k, MOST);
@@ -266,6 +267,7 @@ static void every_allocation(void (*define)(SceneDef *), Attempt *attempt, int l
         if (met) assert_int_equal(status, HAWSER_ERR_MEMORY);
         if (met) check_has(err.message, "out of memory");
         if (!met) assert_int_equal(status, HAWSER_OK);
+        assert_int_equal(lack_live(), live);
     }
     check_above(k, least);
     sim_free(s);

@@ -20,6 +20,7 @@ static void every_allocation(Attempt *attempt, const Scene *scene, int least)
     double whole = 0;
     hawser_error err = {0};
     if (attempt(scene, &whole, &err)) fail_msg("%s", err.message);
+    const long live = lack_live();
     int told = 0;
     for (int k = 0, met = 1; met; ++k) {
         check_below(k, MOST);
@@ -30,6 +31,7 @@ static void every_allocation(Attempt *attempt, const Scene *scene, int least)
         met = lack_end();
         told += status != HAWSER_OK;
         if (!status) check_equal(sum, whole);
+        assert_int_equal(lack_live(), live);
         if (status && (!met || status != HAWSER_ERR_MEMORY || !strstr(err.message, " memory")))
             fail_msg("allocation %d: status %d, '%s'", k, status, err.message);
     }

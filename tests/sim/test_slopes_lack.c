@@ -92,6 +92,7 @@ static void every_allocation(Attempt *attempt, LinKind kind, int relax)
     hawser_error err = {0};
     if (attempt(&x, &whole, &err)) fail_msg("%s", err.message);
     check_above(fabs(whole), 0);
+    const long live = lack_live();
     long told = 0;
     for (long k = 0, met = 1; met; ++k) {
         check_below(k, MOST);
@@ -102,6 +103,7 @@ static void every_allocation(Attempt *attempt, LinKind kind, int relax)
         met = lack_end();
         told += status != HAWSER_OK;
         if (!status) check_equal(sum, whole);
+        assert_int_equal(lack_live(), live);
         if (status && (!met || status != HAWSER_ERR_MEMORY || !strstr(err.message, " memory")))
             fail_msg("allocation %ld: status %d, '%s'", k, status, err.message);
     }

@@ -16,10 +16,10 @@
 #endif
 
 static long lack_left = -1; /* allocations until one fails; below 0: none does */
-static long lack_live;      /* that have not been given back */
 
 #ifdef LACK_NONE
 static inline int lack_works(void) { return 0; }
+static inline long lack_live(void) { return 0; }
 #else
 static inline int lack_works(void) { return 1; }
 
@@ -27,7 +27,16 @@ void *__libc_malloc(size_t size);
 void *__libc_calloc(size_t count, size_t size);
 void *__libc_realloc(void *old, size_t size);
 void *__libc_memalign(size_t alignment, size_t size);
-void __libc_free(void *memory);
+void __libc_free(void *block);
+
+/* Blocks that have been asked for and not been given back: the same before and after what leaves nothing behind. */
+static _Atomic long lack_blocks;
+static inline long lack_live(void) { return lack_blocks; }
+static void *lack_count(void *block)
+{
+    lack_blocks += block != NULL;
+    return block;
+}
 
 static int lack_now(void)
 {
@@ -36,37 +45,30 @@ static int lack_now(void)
     return 1;
 }
 
-static void *lack_counted(void *memory)
-{
-    lack_live += memory != NULL;
-    return memory;
-}
-
-void *malloc(size_t size) { return lack_now() ? NULL : lack_counted(__libc_malloc(size)); }
-void *calloc(size_t count, size_t size) { return lack_now() ? NULL : lack_counted(__libc_calloc(count, size)); }
+void *malloc(size_t size) { return lack_now() ? NULL : lack_count(__libc_malloc(size)); }
+void *calloc(size_t count, size_t size) { return lack_now() ? NULL : lack_count(__libc_calloc(count, size)); }
 void *realloc(void *old, size_t size)
 {
-    if (!old) return malloc(size);
-    return lack_now() ? NULL : __libc_realloc(old, size);
+    if (lack_now()) return NULL;
+    if (!old) return lack_count(__libc_realloc(old, size));
+    return __libc_realloc(old, size);
 }
 void *aligned_alloc(size_t alignment, size_t size)
 {
-    return lack_now() ? NULL : lack_counted(__libc_memalign(alignment, size));
+    return lack_now() ? NULL : lack_count(__libc_memalign(alignment, size));
 }
 int posix_memalign(void **at, size_t alignment, size_t size)
 {
-    *at = aligned_alloc(alignment, size);
+    *at = lack_now() ? NULL : lack_count(__libc_memalign(alignment, size));
     return *at ? 0 : ENOMEM;
 }
-void free(void *memory)
+void free(void *block)
 {
-    lack_live -= memory != NULL;
-    __libc_free(memory);
+    lack_blocks -= block != NULL;
+    __libc_free(block);
 }
 #endif
 
-/* How many pieces of memory have been asked for and not been given back. */
-static inline long lack_held(void) { return lack_live; }
 /* From now on `count` allocations succeed and the one after them fails; below 0: none fails. */
 static inline void lack_after(long count) { lack_left = count; }
 /* Whether the one that was to fail has been asked for; and none fails any more. */

@@ -141,13 +141,13 @@ static void every_allocation(void **state)
         for (int met = 1; met; ++k) {
             assert_true(k < MOST);
             err = (hawser_error){0};
-            const long before = lack_held();
+            const long before = lack_live();
             lack_after(k);
             const hawser_status status = each[i](&s, &value, &err);
             met = lack_end();
             assert_int_equal(status, met ? HAWSER_ERR_MEMORY : HAWSER_OK);
             assert_int_equal(err.status, status);
-            assert_int_equal(lack_held(), before);
+            assert_int_equal(lack_live(), before);
         }
         assert_true(k > 1);
         check_equal(value, whole);
