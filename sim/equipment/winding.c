@@ -7,6 +7,7 @@ typedef struct Layer {
     int k;
     double from, radius, turn;
 } Layer;
+enum { LAYERS_MOST = 1000000 }; /* more are of a length that an iteration tries in vain */
 
 /* Length of cable in the layers below number k (RL2). */
 static double layers_below(const Winding *w, double k)
@@ -25,7 +26,8 @@ static Layer layer_number(const Winding *w, int k)
 static Layer layer_at(const Winding *w, double length)
 {
     const double x = fmax(length, 0) / (2 * M_PI * w->turns);
-    const int k = (int)((sqrt(w->barrel * w->barrel + 2 * w->pitch * x) - w->barrel) / w->pitch);
+    const double layers = (sqrt(w->barrel * w->barrel + 2 * w->pitch * x) - w->barrel) / w->pitch;
+    const int k = (int)fmin(layers, LAYERS_MOST);
     Layer l = layer_number(w, k);
     /* rounding may have missed by one at a layer's very end */
     if (l.k > 0 && length < l.from) l = layer_number(w, k - 1);

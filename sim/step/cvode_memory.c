@@ -17,6 +17,7 @@ enum {
     AT_NEXT_STEP = 336,
     AT_TIME = 360,
     AT_GAMMA = 648,
+    AT_MOST = 712,  /* int: the highest order that it may take */
     AT_STEPS = 856, /* long, as all counts */
     AT_RATES = 864,
     AT_STEP_FAILS = 872,
@@ -29,7 +30,6 @@ enum {
     AT_FIRST_STEP = 1080,
     AT_LAST_STEP = 1088,
     AT_TOO_MUCH = 1112,   /* factor by which the tolerance should be larger */
-    AT_MOST = 848,        /* int: the highest order that it may take */
     AT_VECTORS = 1120,    /* int: the highest order that it has vectors for */
     AT_KEPT = 1124,       /* int: the vector that holds the last correction, for a higher order */
     AT_PROJECTION = 1528, /* pointer to what its projection keeps; NULL: there is none */
@@ -124,6 +124,16 @@ static int orders_are(void *cvode)
            int_is(cvode, AT_LAST_ORDER, last) && int_is(cvode, AT_NEXT_ORDER, next);
 }
 
+/* Nothing tells the highest order: it is set to the lowest one, and back. */
+static int most_is(void *cvode)
+{
+    int most;
+    memcpy(&most, (const char *)cvode + AT_MOST, sizeof most);
+    const int set = CVodeSetMaxOrd(cvode, 1) == CV_SUCCESS && int_is(cvode, AT_MOST, 1);
+    const int back = CVodeSetMaxOrd(cvode, most) == CV_SUCCESS && int_is(cvode, AT_MOST, most);
+    return set && back;
+}
+
 /* The state and the rates of the history. */
 static int history_is(void *cvode)
 {
@@ -159,7 +169,8 @@ int cvode_memory_known(void *cvode, const char **why)
     *out = "this version of SUNDIALS keeps its integrator's state in another way: 6.4 is known";
     if (!version_is()) return 0;
     *out = "SUNDIALS does not keep its integrator's state where this program looks for it";
-    return history_is(cvode) && counts_are(cvode) && reals_are(cvode) && orders_are(cvode) && parts_are(cvode);
+    return history_is(cvode) && counts_are(cvode) && reals_are(cvode) && orders_are(cvode) && most_is(cvode) &&
+           parts_are(cvode);
 }
 
 /* ---------------------------------------------------------------------------------------------- both ways */

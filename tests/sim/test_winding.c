@@ -35,6 +35,17 @@ static void test_radius(void **state)
     }
 }
 
+/* What an iteration tries in vain may lie anywhere: a radius all the same. */
+static void test_absurd(void **state)
+{
+    (void)state;
+    const double absurd[] = {1e20, 1e70, 1e308, INFINITY, -1e70, NAN};
+    for (size_t k = 0; k < sizeof absurd / sizeof *absurd; ++k) {
+        const double r = winding_radius(&DRUM, absurd[k], NULL);
+        check_between(r, 0.6, 0.6 + 1.1e6 * 0.08);
+    }
+}
+
 /* Inertia and angle are the integrals of m r^2 and 1/r. */
 static void test_integrals(void **state)
 {
@@ -59,6 +70,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_capacity),
         cmocka_unit_test(test_radius),
+        cmocka_unit_test(test_absurd),
         cmocka_unit_test(test_integrals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
