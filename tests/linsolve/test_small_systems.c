@@ -4,6 +4,7 @@
 
 #include "linsolve/backend.h"
 #include "linsolve/block/block_factor.h"
+#include "linsolve/block/block_sparse.h"
 #include "linsolve/linsolve.h"
 #include "tests/linsolve/beside_fixture.h"
 #include "tests/support/check.h"
@@ -251,11 +252,48 @@ static void as_if_it_were_new(void **state)
     beside_free(&b);
 }
 
+/* The order of rows depends on what is coupled, not on what was before: rows in any number of parts, each of which the
+ * order keeps together. */
+static void order_forgets(void **state)
+{
+    (void)state;
+    enum { N = 12, TRIALS = 200 };
+    uint64_t seed = 9;
+    BlockPattern kept = {0};
+    for (int trial = 0; trial < TRIALS; ++trial) {
+        BlockPair pair[N * N];
+        int count = 0, part[N];
+        for (int i = 0; i < N; ++i) part[i] = i;
+        for (int i = 0; i < N; ++i) {
+            for (int j = i + 1; j < N; ++j) {
+                if (fixture_random(&seed) > -0.9) continue;
+                pair[count++] = (BlockPair){i, j};
+                for (int k = 0, from = part[j], to = part[i]; k < N; ++k) part[k] = part[k] == from ? to : part[k];
+            }
+        }
+        BlockPattern fresh = {0};
+        assert_true(block_pattern_set(&kept, N, count, pair) && block_pattern_set(&fresh, N, count, pair));
+        assert_memory_equal(kept.row, fresh.row, N * sizeof *kept.row);
+        assert_memory_equal(kept.place, fresh.place, N * sizeof *kept.place);
+        int changes = 0, parts = 0;
+        for (int k = 0; k < N; ++k) {
+            assert_int_equal(kept.place[kept.row[k]], k);
+            changes += k > 0 && part[kept.row[k]] != part[kept.row[k - 1]];
+            int first = 1;
+            for (int i = 0; i < k; ++i) first &= part[i] != part[k];
+            parts += first;
+        }
+        assert_int_equal(changes, parts - 1);
+        block_pattern_free(&fresh);
+    }
+    block_pattern_free(&kept);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(first_leaf),   cmocka_unit_test(row_without_pivot),
-                                       cmocka_unit_test(row_of_zeros), cmocka_unit_test(order_of_a_square),
-                                       cmocka_unit_test(klu_entries),  cmocka_unit_test(hub_goes_last),
-                                       cmocka_unit_test(says_why),     cmocka_unit_test(as_if_it_were_new)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(first_leaf),        cmocka_unit_test(row_without_pivot), cmocka_unit_test(row_of_zeros),
+        cmocka_unit_test(order_of_a_square), cmocka_unit_test(klu_entries),       cmocka_unit_test(hub_goes_last),
+        cmocka_unit_test(says_why),          cmocka_unit_test(as_if_it_were_new), cmocka_unit_test(order_forgets)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
