@@ -317,6 +317,64 @@ static void test_beside(void **state)
     beside_free(&s);
 }
 
+/* Line l along x from `start`, of segments of `half` length. */
+static void lay_fine(Beside *s, int l, Vec3 start, double half)
+{
+    for (int i = 0; i < N; ++i) {
+        s->chain[l].half[i] = half;
+        vec_store(s->kin[l].p, i, v3_axpy(start, half * (1 + 2 * i), v3(1, 0, 0)));
+        vec_store(s->kin[l].a, i, v3(1, 0, 0));
+    }
+}
+
+/* Side by side cables press evenly however finely either is cut, shorter than it is thick too: (CC5) at one depth, as
+ * long as the shorter lies on the other. */
+static void test_fine_segments(void **state)
+{
+    (void)state;
+    static const double halves[] = {0.02, 0.03, 0.04, 0.06, 0.08, 0.11};
+    const double sum = 2 * SELF_RADIUS, apart = sum - 1e-3, q = (sum * sum - apart * apart) / (2 * sum);
+    int shorter = 0;
+    for (int a = 0; a < 6; ++a) {
+        for (int b = 0; b < 6; ++b) {
+            const double whole = 2 * N * halves[b];
+            for (int n = 1; n <= N; ++n) {
+                const double length = 2 * n * halves[a];
+                if (length > 0.9 * whole) continue;
+                Beside s;
+                beside_new(&s);
+                lay_fine(&s, 0, v3((whole - length) / 2 + 0.0037, 0, 0), halves[a]);
+                lay_fine(&s, 1, v3(0, 0, apart), halves[b]);
+                s.chain[0].n = n; /* the rest is not there */
+                refresh(&s);
+                check_above(load(&s, 0), 0);
+                const double expected = s.model.law.bed / (sum * sqrt(sum)) * q * apart * length;
+                check_share(force_on(&s, 1).z, expected, 1e-9);
+                shorter += halves[b] < SELF_RADIUS;
+                beside_free(&s);
+            }
+        }
+    }
+    check_above(shorter, 10);
+}
+
+/* The derivatives of that: feet that are several elements apart. */
+static void test_fine_blocks(void **state)
+{
+    (void)state;
+    uint64_t seed = 13;
+    static const double halves[][LINES] = {{0.08, 0.02}, {0.05, 0.03}, {0.03, 0.03}, {0.11, 0.035}};
+    for (int k = 0; k < 4; ++k) {
+        Beside s;
+        beside_new(&s);
+        lay_fine(&s, 0, v3(-0.7 * halves[k][0], 0, 0), halves[k][0]);
+        lay_fine(&s, 1, v3(0.003, 0, 2 * SELF_RADIUS - 4e-3), halves[k][1]);
+        shake(&s, 1e-4, 0.02, &seed);
+        compare(&s, "fine");
+        beside_free(&s);
+    }
+}
+
 /* Square to each other, element against element: where only two come within reach of each other they alone are
  * candidates, and the blocks of their segments stand in the pattern, both ways; by no more than that. */
 static void test_pattern(void **state)
@@ -440,10 +498,10 @@ static void test_turned(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_crossing),       cmocka_unit_test(test_within),
-                                       cmocka_unit_test(test_blocks),         cmocka_unit_test(test_pattern),
-                                       cmocka_unit_test(test_beyond_ends),    cmocka_unit_test(test_turned),
-                                       cmocka_unit_test(test_thick_segments), cmocka_unit_test(test_held),
-                                       cmocka_unit_test(test_eyes),           cmocka_unit_test(test_beside)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_crossing),       cmocka_unit_test(test_within),        cmocka_unit_test(test_blocks),
+        cmocka_unit_test(test_pattern),        cmocka_unit_test(test_beyond_ends),   cmocka_unit_test(test_turned),
+        cmocka_unit_test(test_thick_segments), cmocka_unit_test(test_fine_segments), cmocka_unit_test(test_fine_blocks),
+        cmocka_unit_test(test_held),           cmocka_unit_test(test_eyes),          cmocka_unit_test(test_beside)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
