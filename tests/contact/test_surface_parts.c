@@ -300,6 +300,45 @@ static void test_curves(void **state)
     route_clear(&route);
 }
 
+/* Curves that stand upright, where nothing is level on the left: a duct is as far all around, a floor lies beside the
+ * way, square to it; also where they lean out of it in any direction. */
+static void test_upright_curves(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 9; ++k) {
+        const double lean = k ? 0.8 : 0, turn = 0.7 * k, ways[2] = {lean * cos(turn), lean * sin(turn)};
+        const RoutePieceDef up = {.kind = ROUTE_CUBIC, .cubic = {{0, 0, 10}, {ways[0], ways[1], 0}, {0, 0, 0}}};
+        SurfaceScene s;
+        surfaces_new(&s, 2, 0.5);
+        surfaces_route(&s, 1, &up, 0);
+        SurfaceShape shape = surfaces_shape(SURFACE_DUCT, -1, s.route.length + 1);
+        surfaces_add(&s, &shape);
+        for (double at = 0.01; at < s.route.length; at += 0.37) {
+            const RoutePoint on = route_at(&s.route, at);
+            for (int side = 0; side < 8; ++side) {
+                const Vec3 level = v3(cos(0.8 * side), sin(0.8 * side), 0);
+                const Vec3 off = v3_scale(0.06, v3_unit(v3_reject(level, on.tangent)));
+                const SurfaceProbe found = probe_of(&s, v3_add(on.position, off));
+                check_close(found.distance, 0.04, 1e-4);
+                check_vec(found.normal, v3_scale(-1 / 0.06, off), 2e-3);
+            }
+        }
+        surfaces_free(&s);
+        if (k) continue;
+        surfaces_new(&s, 2, 0.5);
+        surfaces_route(&s, 1, &up, 0);
+        shape = surfaces_shape(SURFACE_FLAT, -1, s.route.length + 1);
+        surfaces_add(&s, &shape);
+        for (double at = 0.01; at < s.route.length; at += 0.37) {
+            const SurfaceProbe found = probe_of(&s, route_at(&s.route, at).position);
+            check_close(found.distance, shape.depth, 1e-12);
+            check_close(v3_norm(found.normal), 1, 1e-12);
+            check_close(found.normal.z, 0, 1e-12);
+        }
+        surfaces_free(&s);
+    }
+}
+
 /* A V's planes are as far from a cable that lies in it as it is thick, wherever its bottom is; from there on the
  * distance grows by the planes' slopes. */
 static void test_v_at_any_depth(void **state)
@@ -396,14 +435,11 @@ static void test_pressed(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_curves),
-                                       cmocka_unit_test(test_tight_bends),
-                                       cmocka_unit_test(test_ends_of_sections),
-                                       cmocka_unit_test(test_v_at_any_depth),
-                                       cmocka_unit_test(test_candidates_along_any_way),
-                                       cmocka_unit_test(test_pressed),
-                                       cmocka_unit_test(test_planes),
-                                       cmocka_unit_test(test_candidates),
-                                       cmocka_unit_test(test_details)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_curves),           cmocka_unit_test(test_tight_bends),
+        cmocka_unit_test(test_ends_of_sections), cmocka_unit_test(test_upright_curves),
+        cmocka_unit_test(test_v_at_any_depth),   cmocka_unit_test(test_candidates_along_any_way),
+        cmocka_unit_test(test_pressed),          cmocka_unit_test(test_planes),
+        cmocka_unit_test(test_candidates),       cmocka_unit_test(test_details)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
