@@ -80,10 +80,23 @@ double self_radius_most(const Chain *chain, int from, int to)
     return radius;
 }
 
-double self_piece_length(const Chain *chain, int e)
+/* Length of an element at rest, m. */
+static double element_length(const Chain *chain, int e)
 {
-    const double before = e > 0 ? chain->half[e - 1] : 0, behind = e < chain->n ? chain->half[e] : 0;
-    return (before + behind) / self_pieces(chain, e);
+    return (e > 0 ? chain->half[e - 1] : 0) + (e < chain->n ? chain->half[e] : 0);
+}
+
+double self_piece_length(const Chain *chain, int e) { return element_length(chain, e) / self_pieces(chain, e); }
+
+double self_feet_apart(const SelfLine *mine, const SelfLine *other, const SelfRange *range)
+{
+    /* half as much again as the piece is long: less than the half turn that brings another strand, for pieces are no
+     * longer than the line is thick, and an element but for those that are shorter than that */
+    static const double most = 1.5;
+    double shortest = INFINITY;
+    for (int f = range->first; f < range->first + range->count; ++f)
+        shortest = fmin(shortest, element_length(other->chain, f));
+    return fmax(1, most * self_piece_length(mine->chain, range->element) / shortest);
 }
 
 /* Element f of line `other` is a candidate of element e: it lengthens the last range or begins a new one. A hole of one
@@ -233,20 +246,32 @@ static int pair_add(BlockPair *pair, int count, const SelfLine *line, int i, con
     return count + 1;
 }
 
+/* The largest number of segments from one to another on which the two feet of a piece bear. */
+static int feet_span(const SelfLines *lines, const SelfRange *range)
+{
+    const double apart = self_feet_apart(&lines->line[range->line], &lines->line[range->other], range);
+    return apart < range->count ? (int)ceil(apart) + 1 : range->count;
+}
+
 /* All blocks that the candidates may fill: piece against feet, and one end's foot against the other's (CC19). */
 static int pattern_set(const SelfLines *lines, SelfPairs *pairs)
 {
-    BlockPair *const pair = malloc(((size_t)pairs->candidates * 5 + (size_t)pairs->n_beside + 1) * sizeof *pair);
+    size_t most = (size_t)pairs->n_beside + 1;
+    for (int r = 0; r < pairs->n_ranges; ++r)
+        most += (size_t)pairs->range[r].count * (size_t)(3 + feet_span(lines, &pairs->range[r]));
+    BlockPair *const pair = malloc(most * sizeof *pair);
     if (!pair) return 0;
     int count = pairs->n_beside;
     if (count > 0) memcpy(pair, pairs->beside, (size_t)count * sizeof *pair);
     for (int r = 0; r < pairs->n_ranges; ++r) {
         const SelfRange *const range = &pairs->range[r];
         const SelfLine *const mine = &lines->line[range->line], *const other = &lines->line[range->other];
+        const int span = feet_span(lines, range);
         for (int f = range->first; f < range->first + range->count; ++f) {
             for (int b = 0; b < 4; ++b)
                 count = pair_add(pair, count, mine, range->element - 1 + b % 2, other, f - 1 + b / 2);
-            if (f > range->first) count = pair_add(pair, count, other, f - 2, other, f);
+            for (int by = 2; by <= span && f - by >= range->first - 1; ++by)
+                count = pair_add(pair, count, other, f - by, other, f);
         }
     }
     const int ok = block_extras_set(&pairs->extras, count, pair);

@@ -62,11 +62,12 @@ static void feet_find(const Chain *chain, const Kinematics *kin, const SelfRange
     }
 }
 
-/* The foot of `next` on the same strand as `foot`: less than an element away along the line; NULL if there is none. */
-static const Foot *foot_beside(const Feet *next, const Foot *foot)
+/* The foot of `next` on the same strand as `foot`: less than `apart` elements away along the line, the nearest; NULL if
+ * there is none. */
+static const Foot *foot_beside(const Feet *next, const Foot *foot, double apart)
 {
     const Foot *best = NULL;
-    double nearest = 1;
+    double nearest = apart;
     for (int k = 0; k < next->count; ++k) {
         const double away = fabs(next->foot[k].element + next->foot[k].v - foot->element - foot->v);
         if (away >= nearest) continue;
@@ -105,6 +106,7 @@ static int range_hits(const SelfLine *mine, const SelfLine *other, const SelfRan
     const double length = self_piece_length(mine->chain, e);
     const double radius =
         self_radius_most(mine->chain, e - 1, e) + self_radius_most(other->chain, range->first - 1, end);
+    const double apart = self_feet_apart(mine, other, range);
     int count = 0;
     Feet feet[2];
     LineSpot here[2];
@@ -114,7 +116,7 @@ static int range_hits(const SelfLine *mine, const SelfLine *other, const SelfRan
         here[m % 2] = line_spot(mine->chain, mine->kin, e, (double)m / pieces);
         feet_find(other->chain, other->kin, range, here[m % 2].p, radius + 1.25 * length, now);
         for (int k = 0; m > 0 && k < before->count; ++k) {
-            const Foot *const a = &before->foot[k], *const b = foot_beside(now, a);
+            const Foot *const a = &before->foot[k], *const b = foot_beside(now, a, apart);
             if (!b || !may_press(a->w, b->w, radius)) continue;
             hit[count++] = (SelfHit){
                 .line = range->line,

@@ -85,6 +85,9 @@ int self_pieces(const Chain *chain, int e);
 /* Length of each of them at rest, m. */
 double self_piece_length(const Chain *chain, int e);
 
+/* Within how many elements of a range, at least one, the foot of a piece's end has that of its other end. */
+double self_feet_apart(const SelfLine *mine, const SelfLine *other, const SelfRange *range);
+
 /* The largest contact radius of segments from..to, as far as they exist, m. */
 double self_radius_most(const Chain *chain, int from, int to);
 

@@ -106,11 +106,43 @@ static void test_lanes_are_independent(void **state)
     }
 }
 
+/* Without friction and damping no force depends on a velocity: said, and d is left alone; the derivatives by places are
+ * those that friction leaves at no coefficient. With damping d is written. */
+static void test_no_speeds(void **state)
+{
+    (void)state;
+    static const ContactKernels *const table[] = ISA_TABLE(contact_kernels);
+    static const FrictionLaw none = {.v_s = 5e-3, .v_d = 2e-2};
+    static ContactMatrix k[2], d[2], untouched;
+    const ImpactLaw spring = {.k = 2e7, .e = 1.5, .d = 1e-3};
+    uint64_t seed = 5;
+    memset(&untouched, 0x5a, sizeof untouched);
+    for (int isa = 0; isa <= (int)isa_best(); ++isa) {
+        ContactBatch batch;
+        double normal[LANES];
+        batch_random(&batch, &seed);
+        assert_int_equal(table[isa]->columns[VARIANT_SMOOTH](&batch, &k[0], &d[0], normal), 1);
+        batch.impact = &spring;
+        for (int l = 0; l < LANES; ++l) batch.friction[l] = &none;
+        d[0] = untouched;
+        assert_int_equal(table[isa]->columns[VARIANT_SMOOTH](&batch, &k[0], &d[0], normal), 2);
+        assert_memory_equal(&d[0], &untouched, sizeof untouched);
+        assert_int_equal(table[isa]->columns[VARIANT_PLAIN](&batch, &k[1], &d[1], normal), 1);
+        check_below(difference(k[0].entry[0], k[1].entry[0], 144 * LANES), 1e-14);
+        for (int e = 0; e < 144; ++e) {
+            for (int l = 0; l < LANES; ++l) check_equal(d[1].entry[e][l], 0);
+        }
+        for (int l = 0; l < LANES; ++l) batch.centre[2][l] -= 0.1; /* apart */
+        assert_int_equal(table[isa]->columns[VARIANT_SMOOTH](&batch, &k[0], &d[0], normal), 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_instruction_sets_agree),
         cmocka_unit_test(test_lanes_are_independent),
+        cmocka_unit_test(test_no_speeds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

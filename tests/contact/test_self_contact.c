@@ -297,18 +297,34 @@ static void test_bend_is_no_contact(void **state)
     self_free(&s);
 }
 
+/* A coil's turns press each other as much however finely the cable is cut, shorter than it is thick too. */
+static void test_any_segments(void **state)
+{
+    (void)state;
+    double first = 0;
+    for (double h = 0.3; h > 0.02; h *= 0.8) {
+        const int n = (int)(10 / h);
+        SelfScene s;
+        self_new(&s, n, h);
+        self_helix(&s, 0.5, 2 * SELF_RADIUS - 3e-3);
+        self_fresh(&s);
+        self_load(&s, 0);
+        const double half = -self_force_on(&s, 0, n / 2).z;
+        if (first == 0) first = half;
+        check_share(half, first, 3e-3);
+        self_free(&s);
+    }
+    check_above(first, 1e5);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_momentum),
-        cmocka_unit_test(test_objective),
-        cmocka_unit_test(test_crossing_force),
-        cmocka_unit_test(test_parallel),
-        cmocka_unit_test(test_sliding),
-        cmocka_unit_test(test_energy),
-        cmocka_unit_test(test_dissipation),
-        cmocka_unit_test(test_candidates),
-        cmocka_unit_test(test_bend_is_no_contact),
+        cmocka_unit_test(test_momentum),       cmocka_unit_test(test_objective),
+        cmocka_unit_test(test_crossing_force), cmocka_unit_test(test_parallel),
+        cmocka_unit_test(test_sliding),        cmocka_unit_test(test_energy),
+        cmocka_unit_test(test_dissipation),    cmocka_unit_test(test_candidates),
+        cmocka_unit_test(test_any_segments),   cmocka_unit_test(test_bend_is_no_contact),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

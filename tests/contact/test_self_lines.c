@@ -317,10 +317,191 @@ static void test_beside(void **state)
     beside_free(&s);
 }
 
+/* Line l along x from `start`, of segments of `half` length. */
+static void lay_fine(Beside *s, int l, Vec3 start, double half)
+{
+    for (int i = 0; i < N; ++i) {
+        s->chain[l].half[i] = half;
+        vec_store(s->kin[l].p, i, v3_axpy(start, half * (1 + 2 * i), v3(1, 0, 0)));
+        vec_store(s->kin[l].a, i, v3(1, 0, 0));
+    }
+}
+
+/* Side by side cables press evenly however finely either is cut, shorter than it is thick too: (CC5) at one depth, as
+ * long as the shorter lies on the other. */
+static void test_fine_segments(void **state)
+{
+    (void)state;
+    static const double halves[] = {0.02, 0.03, 0.04, 0.06, 0.08, 0.11};
+    const double sum = 2 * SELF_RADIUS, apart = sum - 1e-3, q = (sum * sum - apart * apart) / (2 * sum);
+    int shorter = 0;
+    for (int a = 0; a < 6; ++a) {
+        for (int b = 0; b < 6; ++b) {
+            const double whole = 2 * N * halves[b];
+            for (int n = 1; n <= N; ++n) {
+                const double length = 2 * n * halves[a];
+                if (length > 0.9 * whole) continue;
+                Beside s;
+                beside_new(&s);
+                lay_fine(&s, 0, v3((whole - length) / 2 + 0.0037, 0, 0), halves[a]);
+                lay_fine(&s, 1, v3(0, 0, apart), halves[b]);
+                s.chain[0].n = n; /* the rest is not there */
+                refresh(&s);
+                check_above(load(&s, 0), 0);
+                const double expected = s.model.law.bed / (sum * sqrt(sum)) * q * apart * length;
+                check_share(force_on(&s, 1).z, expected, 1e-9);
+                shorter += halves[b] < SELF_RADIUS;
+                beside_free(&s);
+            }
+        }
+    }
+    check_above(shorter, 10);
+}
+
+/* The derivatives of that: feet that are several elements apart. */
+static void test_fine_blocks(void **state)
+{
+    (void)state;
+    uint64_t seed = 13;
+    static const double halves[][LINES] = {{0.08, 0.02}, {0.05, 0.03}, {0.03, 0.03}, {0.11, 0.035}};
+    for (int k = 0; k < 4; ++k) {
+        Beside s;
+        beside_new(&s);
+        lay_fine(&s, 0, v3(-0.7 * halves[k][0], 0, 0), halves[k][0]);
+        lay_fine(&s, 1, v3(0.003, 0, 2 * SELF_RADIUS - 4e-3), halves[k][1]);
+        shake(&s, 1e-4, 0.02, &seed);
+        compare(&s, "fine");
+        beside_free(&s);
+    }
+}
+
+/* Square to each other, element against element: where only two come within reach of each other they alone are
+ * candidates, and the blocks of their segments stand in the pattern, both ways; by no more than that. */
+static void test_pattern(void **state)
+{
+    (void)state;
+    Beside s;
+    beside_new(&s);
+    s.model.reach = 0.005; /* and 5/4 of a piece of 75 mm */
+    for (int e = 1; e < N; ++e) {
+        for (int f = 1; f < N; ++f) { /* the elements' middles are joints */
+            lay(&s, 0, v3(-0.3 * e, 0, 0), v3(1, 0, 0));
+            lay(&s, 1, v3(0, -0.3 * f, 2 * SELF_RADIUS + 0.05), v3(0, 1, 0));
+            refresh(&s);
+            assert_int_equal(s.pairs.n_ranges, 1);
+            const SelfRange *const range = &s.pairs.range[0];
+            assert_true(range->element == e && range->first == f && range->count == 1);
+            for (int i = 0; i < N; ++i) {
+                for (int j = 0; j < N; ++j) {
+                    const int there = (i == e - 1 || i == e) && (j == f - 1 || j == f);
+                    assert_int_equal(block_extras_find(&s.pairs.extras, i, N + j) >= 0, there);
+                    assert_int_equal(block_extras_find(&s.pairs.extras, N + j, i) >= 0, there);
+                }
+            }
+        }
+    }
+    beside_free(&s);
+}
+
+/* A line that another one passes beyond its end is a candidate as far as the reach goes from that end, not farther;
+ * nor is the first element, however thick others are elsewhere. */
+static void test_beyond_ends(void **state)
+{
+    (void)state;
+    Beside s;
+    beside_new(&s);
+    s.model.reach = 0.05;
+    const double length = 0.3 * N, far = 2 * SELF_RADIUS + s.model.reach + 1.25 * 0.075; /* and 5/4 of a piece */
+    for (int k = 0; k < 24; ++k) {
+        const double beyond = far * (0.05 + 0.11 * k);
+        for (int way = 0; way < 4; ++way) { /* tail or head; which of the two lines it is */
+            const int which = way / 2;
+            lay(&s, which, v3(way % 2 ? beyond : -length - beyond, 0, 0), v3(1, 0, 0));
+            lay(&s, 1 - which, v3(0, -length / 2, 0), v3(0, 1, 0));
+            refresh(&s);
+            assert_int_equal(s.pairs.n_ranges > 0, beyond <= far);
+        }
+    }
+    beside_free(&s);
+}
+
+/* The thicker of an element's two segments counts, the first's and the last's too: a line beside it is a candidate as
+ * far as that one's skin is within reach. */
+static void test_thick_segments(void **state)
+{
+    (void)state;
+    for (int thick = 0; thick < N; ++thick) {
+        Beside s;
+        beside_new(&s);
+        s.chain[0].radius[thick] = 0.12;
+        s.model.reach = 0.05;
+        const double joint[] = {0.3 * thick, 0.3 * thick + 0.3}; /* of its elements, where its two neighbours are */
+        for (int side = 0; side < 2; ++side) {
+            for (int k = 0; k < 2; ++k) {
+                const double apart = 0.12 + SELF_RADIUS + (k ? 0.29 : 0.1); /* reach and 5/4 of a piece: from 0.14 on */
+                lay(&s, 0, v3(-joint[side], 0, 0), v3(1, 0, 0));
+                lay(&s, 1, v3(0, -0.75, apart), v3(0, 1, 0));
+                refresh(&s);
+                int there = 0;
+                for (int r = 0; r < s.pairs.n_ranges; ++r) there += s.pairs.range[r].element == thick + side;
+                assert_int_equal(there, !k);
+            }
+        }
+        beside_free(&s);
+    }
+}
+
+/* A segment of the other line that only turns uses up what is between the surfaces, as one of its own does. */
+static void test_turned(void **state)
+{
+    (void)state;
+    const double gap = 0.03;
+    Beside s;
+    beside_new(&s);
+    lay(&s, 0, v3(-0.9, 0, 0), v3(1, 0, 0));
+    lay(&s, 1, v3(0, -0.9, 2 * SELF_RADIUS + gap), v3(0, 1, 0));
+    refresh(&s);
+    for (int part = 0; part < SELF_PARTS; ++part) self_clear_look(&s.lines, part, &s.pairs);
+    int looked = 0, both = 0;
+    for (int r = 0; r < s.pairs.n_ranges; ++r) {
+        const SelfRange *const range = &s.pairs.range[r];
+        const int part = r >= s.pairs.half, at = r - (part ? s.pairs.half : 0);
+        if (!self_clear_apart(&s.lines, part, &s.pairs, r)) continue;
+        const double found = s.pairs.clear[part].gap[at];
+        ++looked;
+        for (int k = 0; k < 2; ++k) {
+            const double by = (k ? 1.02 : 0.98) * found;
+            for (int l = 0; l < LINES; ++l) {
+                const int i = l ? range->first : range->element, on = i < N ? i : N - 1;
+                const double was = s.kin[l].a[2][on];
+                s.kin[l].a[2][on] += by / s.chain[l].half[on];
+                assert_int_equal(self_clear_apart(&s.lines, part, &s.pairs, r), !k);
+                s.kin[l].a[2][on] = was;
+            }
+            if (range->element == 0 || range->element == N) continue;
+            /* half from a shift of its own, half from a turn of the other's: they add up */
+            const int other = range->first < N ? range->first : N - 1;
+            double *const z = &s.kin[0].p[2][range->element], *const a = &s.kin[1].a[2][other];
+            const double was[2] = {*z, *a};
+            *z += by / 2;
+            *a += by / 2 / s.chain[1].half[other];
+            assert_int_equal(self_clear_apart(&s.lines, part, &s.pairs, r), !k);
+            *z = was[0];
+            *a = was[1];
+            ++both;
+        }
+    }
+    check_above(looked, 0);
+    check_above(both, 0);
+    beside_free(&s);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_crossing), cmocka_unit_test(test_within),
-                                       cmocka_unit_test(test_blocks),   cmocka_unit_test(test_held),
-                                       cmocka_unit_test(test_eyes),     cmocka_unit_test(test_beside)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_crossing),       cmocka_unit_test(test_within),        cmocka_unit_test(test_blocks),
+        cmocka_unit_test(test_pattern),        cmocka_unit_test(test_beyond_ends),   cmocka_unit_test(test_turned),
+        cmocka_unit_test(test_thick_segments), cmocka_unit_test(test_fine_segments), cmocka_unit_test(test_fine_blocks),
+        cmocka_unit_test(test_held),           cmocka_unit_test(test_eyes),          cmocka_unit_test(test_beside)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

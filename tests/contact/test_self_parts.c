@@ -368,16 +368,33 @@ static void test_balance(void **state)
     }
 }
 
+/* (CC5) of ends at the same separation: the bed's force is that of its depth all along, nothing where they are as far
+ * apart as their surfaces or farther; then nothing is held either. */
+static void test_parallel_bed(void **state)
+{
+    (void)state;
+    const PatchLaw law = {.bed = 1e6};
+    const double radius = 0.08, modulus = 1e6 * 0.3 / (radius * sqrt(radius));
+    for (int k = 0; k <= 40; ++k) {
+        const double apart = radius * (0.9 + 0.01 * k), q = (radius * radius - apart * apart) / (2 * radius);
+        Patch p = {.length = 0.3, .radius = radius, .w = {{0, apart, 0}, {0, apart, 0}}};
+        const int presses = bed_integrate(&p, &law);
+        if (k == 10) continue; /* they touch to rounding */
+        assert_int_equal(presses, k < 10);
+        check_close(p.energy, k < 10 ? modulus * radius / 2 * q * q : 0, 1e-12);
+        check_close(p.m0, k < 10 ? q : 0, 1e-16);
+        for (int end = 0; end < 2; ++end) check_close(p.g[end].y, k < 10 ? modulus * q * apart / 2 : 0, 1e-8);
+        if (k < 10) check_close(p.centre, 0.5, 1e-14);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_law),
-                                       cmocka_unit_test(test_skip),
-                                       cmocka_unit_test(test_pieces),
-                                       cmocka_unit_test(test_reach),
-                                       cmocka_unit_test(test_halves),
-                                       cmocka_unit_test(test_clear),
-                                       cmocka_unit_test(test_clear_changes_nothing),
-                                       cmocka_unit_test(test_details),
-                                       cmocka_unit_test(test_balance)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_law),          cmocka_unit_test(test_skip),
+        cmocka_unit_test(test_parallel_bed), cmocka_unit_test(test_pieces),
+        cmocka_unit_test(test_reach),        cmocka_unit_test(test_halves),
+        cmocka_unit_test(test_clear),        cmocka_unit_test(test_clear_changes_nothing),
+        cmocka_unit_test(test_details),      cmocka_unit_test(test_balance)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -185,13 +185,45 @@ static void test_plane(void **state)
     check_above(touched, 30);
 }
 
+/* Without friction and damping no force depends on a velocity: D is zero to the last bit, and the cable's motion
+ * changes no force. */
+static void test_no_speeds(void **state)
+{
+    (void)state;
+    uint64_t seed = 4;
+    for (int k = 0; k < 4; ++k) {
+        SurfaceScene s;
+        surfaces_new(&s, N, 0.5);
+        s.model.impact = (ImpactLaw){.k = 1e5, .e = 1.5, .d = 0.02};
+        surfaces_route(&s, 4, way, 0);
+        SurfaceShape shape = surfaces_shape(SURFACE_PLANE, 0, 0);
+        shape.point = v3(0.8, 0, -0.04);
+        surfaces_add(&s, &shape);
+        chain_disturb(&s, GEOMETRY_SMOOTH, 0, -0.008, 0.02 * k, &seed);
+        surfaces_refresh(&s);
+        BlockChain stiff, damp;
+        assert_true(block_chain_alloc(&stiff, N, 6) && block_chain_alloc(&damp, N, 6));
+        surface_blocks(&s.model, &s.chain, &s.kin, 0, &s.pairs, 0, s.points.elements, &stiff, &damp);
+        double most = 0;
+        const double *const part[3] = {damp.lower, damp.diag, damp.upper};
+        for (int e = 0; e < 36 * N; ++e) {
+            most = larger_of(most, fabs(stiff.diag[e]));
+            for (int p = 0; p < 3; ++p) check_equal(part[p][e], 0);
+        }
+        check_above(most, 1e3);
+        block_chain_free(&stiff);
+        block_chain_free(&damp);
+        surfaces_free(&s);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_duct),  cmocka_unit_test(test_presumed),
         cmocka_unit_test(test_floor), cmocka_unit_test(test_floor_with_walls),
         cmocka_unit_test(test_v),     cmocka_unit_test(test_u),
-        cmocka_unit_test(test_plane),
+        cmocka_unit_test(test_plane), cmocka_unit_test(test_no_speeds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -300,10 +300,146 @@ static void test_curves(void **state)
     route_clear(&route);
 }
 
+/* Curves that stand upright, where nothing is level on the left: a duct is as far all around, a floor lies beside the
+ * way, square to it; also where they lean out of it in any direction. */
+static void test_upright_curves(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 9; ++k) {
+        const double lean = k ? 0.8 : 0, turn = 0.7 * k, ways[2] = {lean * cos(turn), lean * sin(turn)};
+        const RoutePieceDef up = {.kind = ROUTE_CUBIC, .cubic = {{0, 0, 10}, {ways[0], ways[1], 0}, {0, 0, 0}}};
+        SurfaceScene s;
+        surfaces_new(&s, 2, 0.5);
+        surfaces_route(&s, 1, &up, 0);
+        SurfaceShape shape = surfaces_shape(SURFACE_DUCT, -1, s.route.length + 1);
+        surfaces_add(&s, &shape);
+        for (double at = 0.01; at < s.route.length; at += 0.37) {
+            const RoutePoint on = route_at(&s.route, at);
+            for (int side = 0; side < 8; ++side) {
+                const Vec3 level = v3(cos(0.8 * side), sin(0.8 * side), 0);
+                const Vec3 off = v3_scale(0.06, v3_unit(v3_reject(level, on.tangent)));
+                const SurfaceProbe found = probe_of(&s, v3_add(on.position, off));
+                check_close(found.distance, 0.04, 1e-4);
+                check_vec(found.normal, v3_scale(-1 / 0.06, off), 2e-3);
+            }
+        }
+        surfaces_free(&s);
+        if (k) continue;
+        surfaces_new(&s, 2, 0.5);
+        surfaces_route(&s, 1, &up, 0);
+        shape = surfaces_shape(SURFACE_FLAT, -1, s.route.length + 1);
+        surfaces_add(&s, &shape);
+        for (double at = 0.01; at < s.route.length; at += 0.37) {
+            const SurfaceProbe found = probe_of(&s, route_at(&s.route, at).position);
+            check_close(found.distance, shape.depth, 1e-12);
+            check_close(v3_norm(found.normal), 1, 1e-12);
+            check_close(found.normal.z, 0, 1e-12);
+        }
+        surfaces_free(&s);
+    }
+}
+
+/* A V's planes are as far from a cable that lies in it as it is thick, wherever its bottom is; from there on the
+ * distance grows by the planes' slopes. */
+static void test_v_at_any_depth(void **state)
+{
+    (void)state;
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 20};
+    for (int k = 0; k < 12; ++k) {
+        SurfaceScene s;
+        surfaces_new(&s, 2, 0.5);
+        surfaces_route(&s, 1, &straight, 0);
+        SurfaceShape v = surfaces_shape(SURFACE_V, 2, 18);
+        v.depth = 0.02 + 0.015 * k;
+        v.angle = 1 + 0.1 * k;
+        surfaces_add(&s, &v);
+        assert_int_equal(s.model.n_patches, 2);
+        const double r = v.cable_radius, sine = sin(v.angle / 2), cosine = cos(v.angle / 2);
+        for (int i = -5; i <= 5; ++i) {
+            const double y = 0.002 * i, up = 0.003 * i, z = r - v.depth + up;
+            for (int side = 0; side < 2; ++side) {
+                const SurfaceProbe found = surface_probe(&s.patch[side], v3(10, y, z));
+                const double toward = found.normal.y > 0 ? 1 : -1;
+                check_close(found.distance, r + toward * cosine * y + sine * up, 1e-14);
+                check_vec(found.normal, v3(0, toward * cosine, sine), 1e-14);
+            }
+        }
+        surfaces_free(&s);
+    }
+}
+
+/* Candidates are the same ones along any way across the country: along x, along y, aslant. */
+static void test_candidates_along_any_way(void **state)
+{
+    (void)state;
+    enum { N = 70, WAYS = 8 };
+    for (int k = 0; k < WAYS; ++k) {
+        const double turn = 2 * 3.14159265358979 * k / WAYS;
+        const Vec3 along = v3(cos(turn), sin(turn), 0);
+        for (int from = 1; from < N - 4; from += 7) {
+            SurfaceScene s;
+            surfaces_new(&s, N, 0.5);
+            surfaces_points(&s, GEOMETRY_SMOOTH);
+            s.model.reach = 0.07;
+            SurfaceShape plane = surfaces_shape(SURFACE_PLANE, 0, 0);
+            plane.point = v3_axpy(v3(3, -2, -CABLE_RADIUS), 0.5 * from, along);
+            plane.along = along;
+            plane.length = 0.9;
+            plane.width = 1;
+            surfaces_add(&s, &plane);
+            for (int i = 0; i < N; ++i) {
+                vec_store(s.kin.p, i, v3_axpy(v3(3, -2, 0), 0.5 * i, along));
+                vec_store(s.kin.a, i, along);
+            }
+            surface_pairs_init(&s.pairs, 0, s.points.elements);
+            surfaces_refresh(&s);
+            assert_int_equal(s.pairs.n_ranges, 1);
+            const SurfaceRange *const range = &s.pairs.range[0];
+            assert_true(range->first <= from && from < range->first + range->count);
+            check_between(range->count, 1, 5);
+            surface_pairs_free(&s.pairs);
+            surfaces_free(&s);
+        }
+    }
+}
+
+/* Where a straight cable is pressed evenly on one floor after the other, each is said to carry its own spring's force,
+ * whatever the one before carries; what was known before and is more stays. */
+static void test_pressed(void **state)
+{
+    (void)state;
+    enum { N = 40 };
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 40};
+    SurfaceScene s;
+    surfaces_new(&s, N, 0.5);
+    surfaces_points(&s, GEOMETRY_SMOOTH);
+    s.model.reach = 0.07;
+    surfaces_route(&s, 1, &straight, 0);
+    const double depth[] = {2e-3, 5e-3, 1e-3};
+    for (int k = 0; k < 3; ++k) {
+        SurfaceShape floor = surfaces_shape(SURFACE_FLAT, 1 + 6 * k, 5 + (k == 0 ? 1 : 6 * k));
+        floor.depth = CABLE_RADIUS - depth[k];
+        surfaces_add(&s, &floor);
+    }
+    assert_int_equal(s.model.n_patches, 3);
+    for (int i = 0; i < N; ++i) vec_store(s.kin.p, i, v3(0.25 + 0.5 * i, 0, 0));
+    surface_pairs_init(&s.pairs, 0, s.points.elements);
+    surfaces_refresh(&s);
+    double pressed[3] = {0, 0, 1e9};
+    surface_pressed(&s.model, &s.chain, &s.kin, &s.pairs, pressed);
+    for (int k = 0; k < 2; ++k) check_share(pressed[k], s.model.impact.k * pow(depth[k], s.model.impact.e), 1e-9);
+    check_equal(pressed[2], 1e9);
+    surface_pairs_free(&s.pairs);
+    surfaces_free(&s);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_curves),           cmocka_unit_test(test_tight_bends),
-                                       cmocka_unit_test(test_ends_of_sections), cmocka_unit_test(test_planes),
-                                       cmocka_unit_test(test_candidates),       cmocka_unit_test(test_details)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_curves),           cmocka_unit_test(test_tight_bends),
+        cmocka_unit_test(test_ends_of_sections), cmocka_unit_test(test_upright_curves),
+        cmocka_unit_test(test_v_at_any_depth),   cmocka_unit_test(test_candidates_along_any_way),
+        cmocka_unit_test(test_pressed),          cmocka_unit_test(test_planes),
+        cmocka_unit_test(test_candidates),       cmocka_unit_test(test_details)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
