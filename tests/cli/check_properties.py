@@ -15,10 +15,11 @@ import sys
 import tempfile
 
 # The largest difference, as a share of the largest pull. Theory's figures have ten digits. A run's steps fall elsewhere in other
-# units, since its tolerances have sizes of their own, and rows are taken at the ends of steps; found in 12 runs: 1.1 %, 0.2 % and
-# 0.002 %; the limits were set after that, and keep it from growing.
+# units, since its tolerances have sizes of their own, and rows are taken at the ends of steps, of a force that swings; found in 200
+# runs: 0.36 %, 0.39 % and 0.10 % (at an accuracy of 1e-5 1.6 %, 0.84 % and 0.50 %); the limits were set after that, and keep it
+# from growing.
 ALLOWED = {"theory": {"scaled": 2e-9, "mirrored": 2e-9, "split": 2e-9},
-           "run": {"scaled": 2e-2, "mirrored": 5e-3, "split": 2e-3}}
+           "run": {"scaled": 1e-2, "mirrored": 5e-3, "split": 2e-3}}
 LENGTH, TIME = 4.0, 2.0  # in new units; gravity stays
 FORCE = LENGTH  # mass per length stays
 
@@ -91,7 +92,7 @@ drive:
   winch: {{speed: {case['speed']!r}, to: {0.3 * case['duration']!r}}}
   tail: {{tension: {case['tension']!r}, to: {0.3 * case['duration']!r}}}
 run: {{duration: {case['duration']!r}, steady_from: {case['duration'] / 2!r}}}
-solver: {{passes: 1, relax: no, accuracy: 1e-5}}
+solver: {{passes: 1, relax: no, accuracy: 1e-7}}
 output: {{interval: {case['duration'] / 20!r}, states: 0}}
 """
 
