@@ -253,17 +253,17 @@ static int feet_span(const SelfLines *lines, const SelfRange *range)
     return apart < range->count ? (int)ceil(apart) + 1 : range->count;
 }
 
-/* All blocks that the candidates may fill: piece against feet, and one end's foot against the other's (CC19). */
-static int pattern_set(const SelfLines *lines, SelfPairs *pairs)
+/* All blocks that the candidates may fill: piece against feet, and one end's foot against the other's (CC19); NULL
+ * without memory. */
+static BlockPair *pattern_list(const SelfLines *lines, const SelfPairs *pairs, int *n)
 {
     size_t most = (size_t)pairs->n_beside + 1;
     for (int r = 0; r < pairs->n_ranges; ++r)
         most += (size_t)pairs->range[r].count * (size_t)(3 + feet_span(lines, &pairs->range[r]));
     BlockPair *const pair = malloc(most * sizeof *pair);
-    if (!pair) return 0;
     int count = pairs->n_beside;
-    if (count > 0) memcpy(pair, pairs->beside, (size_t)count * sizeof *pair);
-    for (int r = 0; r < pairs->n_ranges; ++r) {
+    if (pair && count > 0) memcpy(pair, pairs->beside, (size_t)count * sizeof *pair);
+    for (int r = 0; pair && r < pairs->n_ranges; ++r) {
         const SelfRange *const range = &pairs->range[r];
         const SelfLine *const mine = &lines->line[range->line], *const other = &lines->line[range->other];
         const int span = feet_span(lines, range);
@@ -274,9 +274,30 @@ static int pattern_set(const SelfLines *lines, SelfPairs *pairs)
                 count = pair_add(pair, count, other, f - by, other, f);
         }
     }
-    const int ok = block_extras_set(&pairs->extras, count, pair);
+    *n = count;
+    return pair;
+}
+
+static int pattern_set(const SelfLines *lines, SelfPairs *pairs)
+{
+    int n;
+    BlockPair *const pair = pattern_list(lines, pairs, &n);
+    const int ok = pair && block_extras_set(&pairs->extras, n, pair);
     free(pair);
     return ok;
+}
+
+/* A pattern that was read must have a place for each of them. */
+static void pattern_check(Checkpoint *c, const SelfLines *lines, const SelfPairs *pairs)
+{
+    int n, holds = 1;
+    BlockPair *const pair = pattern_list(lines, pairs, &n);
+    if (!pair) checkpoint_lack(c);
+    for (int i = 0; pair && holds && i < n; ++i)
+        holds = block_extras_find(&pairs->extras, pair[i].low, pair[i].high) >= 0 &&
+                block_extras_find(&pairs->extras, pair[i].high, pair[i].low) >= 0;
+    free(pair);
+    if (!c->status) checkpoint_check(c, holds, "candidates of cable on cable have no place in the matrix");
 }
 
 /* What comes near the elements of a line: farther along itself, and of the lines after it; 0 if there is no memory. */
@@ -351,5 +372,6 @@ void self_pairs_checkpoint(Checkpoint *c, const SelfLines *lines, SelfPairs *pai
     chain_arrays_checkpoint(c, "pairs->at_p", pairs->at_p, 3, pairs->n);
     chain_arrays_checkpoint(c, "pairs->at_a", pairs->at_a, 3, pairs->n);
     block_extras_checkpoint(c, &pairs->extras);
+    if (c->reading && !c->status) pattern_check(c, lines, pairs);
     if (c->reading && !c->status && !hits_reserve(lines, pairs)) checkpoint_lack(c); /* and the halves */
 }
