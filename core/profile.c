@@ -151,13 +151,18 @@ double profile_corner_before(const Profile *p, double t, double next)
     return profile_next_corner(p, t, &corner) && corner < next ? corner : next;
 }
 
+int profile_is_one(const Profile *p)
+{
+    const int steps = p->kind == PROFILE_STEP || p->kind == PROFILE_STEP5;
+    return (int)p->kind >= 0 && p->kind <= PROFILE_TABLE && (!steps || p->t0 < p->t1);
+}
+
 void profile_checkpoint(Checkpoint *c, Profile *p, const Profile *table)
 {
     CHECKPOINT_UP_TO(c, p, Profile, time);
     if (!c->reading || c->status) return;
-    checkpoint_check(c, (int)p->kind >= 0 && p->kind <= PROFILE_TABLE, "no such profile");
-    const int is_table = p->kind == PROFILE_TABLE, steps = p->kind == PROFILE_STEP || p->kind == PROFILE_STEP5;
-    checkpoint_check(c, !steps || p->t0 < p->t1, "a step that takes no time");
+    checkpoint_check(c, profile_is_one(p), "no such profile");
+    const int is_table = p->kind == PROFILE_TABLE;
     checkpoint_check(c, !is_table || (table->kind == PROFILE_TABLE && p->n == table->n), "a table is not the case's");
     p->time = is_table ? table->time : NULL;
     p->value = is_table ? table->value : NULL;

@@ -36,6 +36,8 @@ int profile_next_corner(const Profile *p, double t, double *corner);
 double profile_corner_before(const Profile *p, double t, double next);
 
 /* A profile that changes in a run; if it is a table, its arrays are those of `table`. */
+/* Whether what was read can be one: a kind that there is, and a step that takes time. */
+int profile_is_one(const Profile *p);
 void profile_checkpoint(Checkpoint *c, Profile *p, const Profile *table);
 
 #endif

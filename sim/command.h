@@ -50,7 +50,7 @@ static inline void controls_count(ControlsVisit *visit, int *n, int most)
 static inline void controls_profile_mend(ControlsVisit *visit, Profile *profile, const Profile *of_case)
 {
     if (!visit->load) return;
-    if ((int)profile->kind < 0 || profile->kind > PROFILE_TABLE) visit->wrong = 1;
+    if (!profile_is_one(profile)) visit->wrong = 1;
     if (profile->kind == PROFILE_TABLE && of_case->kind != PROFILE_TABLE) visit->wrong = 1;
     if (visit->wrong || profile->kind == PROFILE_TABLE) *profile = *of_case;
 }

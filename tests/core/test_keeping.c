@@ -312,8 +312,8 @@ static void test_profiles(void **state)
         {table, table, NULL},
         {table, step, "a table is not the case's"},
         {{.kind = PROFILE_TABLE, .n = 2, .time = time, .value = value}, table, "a table is not the case's"},
-        {{.kind = PROFILE_STEP, .t0 = 1, .v0 = 2, .t1 = 1, .v1 = 4}, table, "a step that takes no time"},
-        {{.kind = PROFILE_STEP5, .t0 = 1, .v0 = 2, .t1 = NAN, .v1 = 4}, table, "a step that takes no time"},
+        {{.kind = PROFILE_STEP, .t0 = 1, .v0 = 2, .t1 = 1, .v1 = 4}, table, "no such profile"},
+        {{.kind = PROFILE_STEP5, .t0 = 1, .v0 = 2, .t1 = NAN, .v1 = 4}, table, "no such profile"},
         {{.kind = PROFILE_TABLE + 1}, table, "no such profile"},
         {{.kind = (ProfileKind)-1}, table, "no such profile"},
     };
