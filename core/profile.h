@@ -35,9 +35,9 @@ int profile_next_corner(const Profile *p, double t, double *corner);
 /* The first corner after t, or `next` if that comes first, s. */
 double profile_corner_before(const Profile *p, double t, double next);
 
-/* A profile that changes in a run; if it is a table, its arrays are those of `table`. */
 /* Whether what was read can be one: a kind that there is, and a step that takes time. */
 int profile_is_one(const Profile *p);
+/* A profile that changes in a run; if it is a table, its arrays are those of `table`. */
 void profile_checkpoint(Checkpoint *c, Profile *p, const Profile *table);
 
 #endif
