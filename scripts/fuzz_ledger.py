@@ -2,7 +2,9 @@
 """Runs a fuzzer and adds a row to a ledger: what was tried, for how long, with how many inputs.
 
 Usage: fuzz_ledger.py run LEDGER TARGET ENGINE LOG FOUND COMMAND...    the fuzzer's output goes to LOG; FOUND: folder of what it found
-       fuzz_ledger.py sum LEDGER...                                    a table of all rows by target, in Markdown
+       fuzz_ledger.py keep LEDGER...     sums of these by target into the tree's own ledger (tests/fuzz/ledger.csv), and takes them away
+       fuzz_ledger.py table [--check]    a table of the tree's own ledger into docs/reliability.md; --check: whether it is there
+       fuzz_ledger.py sum LEDGER...      the same of others, on standard output
 """
 import collections
 import csv
@@ -13,7 +15,13 @@ import subprocess
 import sys
 import time
 
+from document import replace_between
+
 FIELDS = ["end_utc", "target", "engine", "inputs", "processor_s", "clock_s", "found", "status"]
+KEPT = ["end_utc", "commit", "target", "engine", "inputs", "processor_s", "found"]
+TREE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+OWN = os.path.join(TREE, "tests", "fuzz", "ledger.csv")
+PAGE = os.path.join(TREE, "docs", "reliability.md")
 
 
 def inputs_of(log, found):
@@ -35,37 +43,88 @@ def left(found):
             if name != "README.txt" and (os.path.basename(where) in ("crashes", "hangs") or "default" not in where)}
 
 
+def rows_of(path):
+    with open(path, newline="", encoding="ascii") as file:
+        return list(csv.DictReader(file))
+
+
+def rows_add(path, fields, rows):
+    new = not os.path.exists(path)
+    with open(path, "a", newline="", encoding="ascii") as file:
+        writer = csv.DictWriter(file, fields, lineterminator="\n")
+        if new:
+            writer.writeheader()
+        writer.writerows(rows)
+
+
 def run(ledger, target, engine, log, found, *command):
     before, start = left(found), time.monotonic()
     with open(log, "wb") as file:
         status = subprocess.run(command, stdout=file, stderr=subprocess.STDOUT, check=False).returncode
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    row = [time.strftime("%Y-%m-%d %H:%M:%S", time.gmtime()), target, engine, inputs_of(log, found),
-           round(used.ru_utime + used.ru_stime, 1), round(time.monotonic() - start, 1), len(left(found) - before), status]
-    new = not os.path.exists(ledger)
-    with open(ledger, "a", newline="", encoding="ascii") as file:
-        writer = csv.writer(file)
-        if new:
-            writer.writerow(FIELDS)
-        writer.writerow(row)
-    print(f"{target}, {engine}: {row[3]} inputs in {row[4]} s of processor time, {row[6]} broke something")
+    row = dict(zip(FIELDS, [time.strftime("%Y-%m-%d %H:%M:%S", time.gmtime()), target, engine, inputs_of(log, found),
+                            round(used.ru_utime + used.ru_stime, 1), round(time.monotonic() - start, 1),
+                            sum(name.startswith(os.path.join(found, target)) or "default" in name for name in left(found) - before),
+                            status]))
+    rows_add(ledger, FIELDS, [row])
+    print(f"{target}, {engine}: {row['inputs']} inputs in {row['processor_s']} s of processor time, {row['found']} broke something")
     return status
 
 
-def total(*ledgers):
-    sums = collections.defaultdict(lambda: [0, 0.0, 0])
+def keep(*ledgers):
+    """One row for each target and what was tried since. Those that found something come last: nothing of what was tried
+    meanwhile counts as time without a finding."""
+    commit = subprocess.run(["git", "-C", TREE, "rev-parse", "--short=8", "HEAD"], capture_output=True, text=True, check=True)
+    sums = {}
+    for row in (row for ledger in ledgers for row in rows_of(ledger)):
+        of = sums.setdefault((row["target"], row["engine"]), {"end_utc": "", "inputs": 0, "processor_s": 0.0, "found": 0})
+        of["end_utc"] = max(of["end_utc"], row["end_utc"])
+        of["inputs"] += int(row["inputs"])
+        of["processor_s"] = round(of["processor_s"] + float(row["processor_s"]), 1)
+        of["found"] += int(row["found"])
+    rows = [{"commit": commit.stdout.strip(), "target": target, "engine": engine, **of} for (target, engine), of in sums.items()]
+    rows_add(OWN, KEPT, sorted(rows, key=lambda row: (row["found"], row["end_utc"])))
     for ledger in ledgers:
-        with open(ledger, newline="", encoding="ascii") as file:
-            for row in csv.DictReader(file):
-                for key in ((row["target"], row["engine"]), ("all", "")):
-                    sums[key][0] += int(row["inputs"])
-                    sums[key][1] += float(row["processor_s"])
-                    sums[key][2] += int(row["found"])
-    print("| target | engine | inputs | hours of processor time | broke something |\n|---|---|---|---|---|")
-    for (target, engine), (inputs, seconds, found) in sorted(sums.items()):
-        print(f"| `{target}` | {engine} | {inputs} | {seconds / 3600:.2f} | {found} |")
+        os.replace(ledger, ledger + ".kept")
+    return 0
+
+
+def by_target(rows):
+    """Markdown; rows without a time are of inputs that were counted with others."""
+    sums = collections.defaultdict(lambda: [0, 0.0, 0])
+    quiet = 0.0
+    for row in rows:
+        quiet = 0.0 if int(row["found"]) else quiet + float(row["processor_s"] or 0)
+        for key in ((row["target"], row["engine"]), ("all", "")):
+            sums[key][0] += int(row["inputs"])
+            sums[key][1] += float(row["processor_s"] or 0)
+            sums[key][2] += int(row["found"])
+    lines = ["| target | engine | inputs | hours of processor time | broke something |", "|---|---|---|---|---|"]
+    lines += [f"| `{target}` | {engine} | {inputs:,} | {f'{seconds / 3600:.2f}' if seconds else ''} | {found} |".replace(",", " ")
+              for (target, engine), (inputs, seconds, found) in sorted(sums.items()) if target != "all"]
+    inputs, seconds, found = sums["all", ""]
+    lines.append(f"| all |  | {inputs:,} | {seconds / 3600:.2f} | {found} |".replace(",", " "))
+    lines += ["", f"{seconds / 3600:.1f} hours of processor time; since the last finding {quiet / 3600:.1f}."]
+    return "\n".join(lines)
+
+
+def total(*ledgers):
+    print(by_target([row for ledger in ledgers for row in rows_of(ledger)]))
+    return 0
+
+
+def table(check=None):
+    with open(PAGE, encoding="utf-8") as file:
+        text = file.read()
+    new = replace_between(text, "fuzzing", by_target(rows_of(OWN)))
+    if check:
+        if new != text:
+            print("docs/reliability.md does not have the sums of tests/fuzz/ledger.csv: python3 scripts/fuzz_ledger.py table")
+        return int(new != text)
+    with open(PAGE, "w", encoding="utf-8") as file:
+        file.write(new)
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit({"run": run, "sum": total}[sys.argv[1]](*sys.argv[2:]))
+    sys.exit({"run": run, "sum": total, "keep": keep, "table": table}[sys.argv[1]](*sys.argv[2:]))

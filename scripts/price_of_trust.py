@@ -23,7 +23,7 @@ ALLOWED = 0.10
 # What is counted, by the column that it stands in.
 FUNCTIONS = {
     "books": r"balance_\w+",
-    "passed": r"passing_\w+",
+    "passed": r"passing_\w+|overlap_\w+",
     "on route": r"stray_\w+",
     "stability": r"stability_\w+|critical_\w+",
     "peaks": r"stats_step|stats_peak|\w+_glance|steadiness_held",

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "contact/self/self_contact.h"
+#include "contact/self/self_overlap.h"
 #include "core/base/error.h"
 
 enum { PIECES_MAX = 8 };
@@ -121,32 +122,17 @@ static int candidate_add(SelfPairs *pairs, int line, int e, int other, int f)
 }
 
 /* The chord of an element and how far its arc bulges from it. */
-typedef struct Chord {
-    Vec3 from, along; /* m */
-    double bulge;     /* m */
-} Chord;
+typedef struct Bow {
+    Chord chord;
+    double bulge; /* m */
+} Bow;
 
-static Chord chord_of(const Chain *chain, const Kinematics *kin, int e)
+static Bow bow_of(const Chain *chain, const Kinematics *kin, int e)
 {
     const Vec3 a = line_spot(chain, kin, e, 0).p, b = line_spot(chain, kin, e, 1).p;
     const Vec3 middle = line_spot(chain, kin, e, 0.5).p;
     /* the arc is a parabola while its joint is closed; a tenth more for joints that are not */
-    return (Chord){a, v3_sub(b, a), 1.1 * v3_norm(v3_sub(middle, v3_scale(0.5, v3_add(a, b))))};
-}
-
-static double clamped(double x) { return fmin(1, fmax(0, x)); }
-
-/* Least distance of two chords: where both perpendiculars meet, or at an end of one of them. */
-static double chords_apart(const Chord *p, const Chord *q)
-{
-    const Vec3 between = v3_sub(p->from, q->from);
-    const double a = v3_dot(p->along, p->along), b = v3_dot(p->along, q->along), c = v3_dot(q->along, q->along);
-    const double d = v3_dot(p->along, between), e = v3_dot(q->along, between), area = a * c - b * b;
-    double s = area > 1e-12 * a * c ? clamped((b * e - c * d) / area) : 0;
-    const double t = clamped((b * s + e) / c);
-    s = clamped((b * t - d) / a);
-    const Vec3 apart = v3_sub(v3_axpy(between, s, p->along), v3_scale(t, q->along));
-    return v3_norm(apart);
+    return (Bow){{a, v3_sub(b, a)}, 1.1 * v3_norm(v3_sub(middle, v3_scale(0.5, v3_add(a, b))))};
 }
 
 /* What one walk through a line's tree asks for: its elements from `from` on near an element of a line. */
@@ -156,7 +142,7 @@ typedef struct Walk {
     int line, element, other, from;
     int eye, last; /* of the element's line: its eye, its last element */
     double reach;
-    Chord chord;   /* of the element */
+    Bow bow;       /* of the element */
     double radius; /* m, its contact radius, the larger */
 } Walk;
 
@@ -169,9 +155,9 @@ static double element_radius_most(const Chain *chain, int e)
 /* Whether the surfaces of the walk's element and of f may be nearer than the reach. */
 static int element_near(const Walk *w, int f)
 {
-    const Chord other = chord_of(w->onto->chain, w->onto->kin, f);
-    const double bulges = w->chord.bulge + other.bulge, radii = w->radius + element_radius_most(w->onto->chain, f);
-    return chords_apart(&w->chord, &other) - bulges - radii <= w->reach;
+    const Bow other = bow_of(w->onto->chain, w->onto->kin, f);
+    const double bulges = w->bow.bulge + other.bulge, radii = w->radius + element_radius_most(w->onto->chain, f);
+    return chords_apart(&w->bow.chord, &other.chord) - bulges - radii <= w->reach;
 }
 
 /* Whether the walk's element and f are the heads' ends that one eye holds (SC9). */
@@ -313,7 +299,7 @@ static int line_walk(const SelfModel *model, const SelfLines *lines, int line, S
         Walk w = {.pairs = pairs, .line = line, .element = e, .eye = mine->eye, .last = chain->n};
         w.radius = element_radius_most(chain, e);
         w.reach = model->reach + 1.25 * self_piece_length(chain, e);
-        w.chord = chord_of(chain, mine->kin, e);
+        w.bow = bow_of(chain, mine->kin, e);
         for (w.other = line; w.other < lines->n; ++w.other) {
             w.onto = &lines->line[w.other];
             w.from = w.other == line ? e + skip : 0;

@@ -8,6 +8,7 @@
 
 static const char *const analyses[] = {"dynamics", "static", "modes", "positions", NULL};
 static const char *const stabilities[] = {"follow", "report", "ignore", NULL};
+static const char *const overlaps[] = {"judge", "ignore", NULL};
 
 static const CaseKey positions_keys[] = {
     {"from", KEY_NUMBER, DIM_LENGTH, .otherwise = "where the winch has come to its speed", FROM(0, LONG),
@@ -28,6 +29,7 @@ static const CaseKey run_keys[] = {
     {"load_steps", KEY_INTEGER, .fallback = "10", FROM(1, 100000), AT(SceneDef, analysis.load_steps)},
     {"tolerance", KEY_NUMBER, .fallback = "1e-10", ABOVE(0, 0.1), AT(SceneDef, analysis.tolerance)},
     {"stability", KEY_CHOICE, .fallback = "follow", .choices = stabilities, AT(SceneDef, analysis.stability)},
+    {"overlap", KEY_CHOICE, .fallback = "judge", .choices = overlaps, AT(SceneDef, analysis.inside)},
     {"modes", KEY_INTEGER, .fallback = "6", FROM(1, 200), AT(SceneDef, analysis.modes)},
     {"positions", KEY_ANY, .otherwise = "the whole pull", .form = "section `run.positions`, or a list of places",
      .section = &case_positions},

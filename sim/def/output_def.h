@@ -26,6 +26,7 @@ typedef struct PositionsDef {
 typedef struct AnalysisDef {
     AnalysisKind kind;
     StabilityChoice stability;
+    int inside;       /* a cable inside itself or another is not held against the run */
     int load_steps;   /* static and modes: equilibria on the way to the end of the run */
     double tolerance; /* unbalanced force as a share of the largest force */
     int modes;        /* how many are wanted */

@@ -60,6 +60,8 @@ static void passing_checkpoint(Checkpoint *c, Passing *p, const Scene *scene)
     checkpoint_text(c, "p->start.name", &p->start.name);
     CHECKPOINT_UP_TO(c, &p->edge, Edge, name);
     checkpoint_text(c, "p->edge.name", &p->edge.name);
+    CHECKPOINT(c, p->overlap);
+    p->says[PASSING_SAYS_MAX - 1] = p->overlap.says[OVERLAP_SAYS_MAX - 1] = 0;
 }
 
 static void places_checkpoint(Checkpoint *c, ByPosition *b)

@@ -147,6 +147,17 @@ Sim *sim_free(Sim *s)
     return NULL;
 }
 
+/* By the kinematics in the workspaces. */
+static void overlap_watch(Sim *s)
+{
+    const Scene *const alone = &s->stage.scene;
+    if (s->together) {
+        together_overlap(s->together, &s->passing.overlap, s->stage.t);
+    } else {
+        overlap_record(&s->passing.overlap, SELF_ALONE(&alone->chain, &s->stage.ws.kin), &alone, s->stage.t);
+    }
+}
+
 /* Positions in place of time steps: each is found by itself, whatever came before. */
 static hawser_status advance_positions(Sim *s, double t, int one_step, hawser_error *err)
 {
@@ -157,6 +168,7 @@ static hawser_status advance_positions(Sim *s, double t, int one_step, hawser_er
         status = positions_advance(&s->positions, &s->stage, positions_next(&s->positions, s->stage.t, t), &found, err);
         if (!status || status == HAWSER_ERR_RUN) sim_relaxation_take(s, &found);
         if (!status) passing_look(&s->passing, &s->stage.scene, &s->stage.ws, 0, s->stage.t);
+        if (!status) overlap_watch(s);
         if (!status) status = positions_record(&s->positions, &s->stage, sim_look(s, SAMPLE_ROW), &found, err);
         if (one_step) break;
     }
@@ -419,6 +431,7 @@ static void record_one(Sim *s, SampleParts parts)
 static void record_now(Sim *s, SampleParts parts)
 {
     for (int k = sim_chains(s) - 1; k >= 0; --k) record_one(sim_chain(s, k), parts);
+    overlap_watch(s);
 }
 
 void hawser_sim_record(Sim *s)

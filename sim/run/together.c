@@ -192,6 +192,15 @@ void together_look(struct Together *all, const Sim *of)
 
 /* ------------------------------------------------------------------------------------------- what is judged of all */
 
+void together_overlap(const Together *all, Overlap *overlap, double t)
+{
+    const Scene *scene[STRANDS_MAX];
+    SelfLines lines = bunch_lines(&all->bunch);
+    lines.within = 1;
+    for (int k = 0; k < all->n; ++k) scene[k] = &all->sim[k]->stage.scene;
+    overlap_record(overlap, &lines, scene, t);
+}
+
 /* How much of what is allowed a condition has taken; what does not hold comes first. */
 static double taken(const hawser_condition *c)
 {

@@ -31,6 +31,9 @@ hawser_status together_checkpoint(Checkpoint *c, struct Together *all, hawser_er
  * first, what the chains do to each other into its scene. */
 void together_look(struct Together *all, const Sim *of);
 
+/* How far they lie inside each other at t (s), and each inside itself (sim/watch/passing.h). */
+void together_overlap(const struct Together *all, Overlap *overlap, double t);
+
 /* Adds the `more` conditions of another chain, or its limits, to the n of those before; of what both have the worse
  * stays, with the name of its chain: a bundle of which one cable has fallen off its rollers is no better for the
  * others. Returns how many there are. */

@@ -122,6 +122,7 @@ hawser_status passing_new(Passing *p, const Scene *scene, hawser_error *err)
     p->seen = calloc(surfaces * SURFACE_FACES_MAX * (size_t)scene->total + 1, sizeof *p->seen);
     if (!p->side || !p->gone || !p->seen) return error_memory(err);
     snprintf(p->says, sizeof p->says, "the cable has got through something");
+    snprintf(p->overlap.says, sizeof p->overlap.says, "cables lie inside each other");
     const double cable = thickest(&scene->chain);
     for (int r = 0; r < scene->contact.n_rollers && !scene->rod->present; ++r) {
         const Shape *const shape = &scene->contact.roller[r].shape;
@@ -254,6 +255,35 @@ int passing_record(Passing *p, const Scene *scene, const Workspace *ws, double t
     if (t < p->due && t < scene->def.duration) return 0;
     p->due = t + scene->def.duration / LOOKS;
     return passing_look(p, scene, ws, travel, t);
+}
+
+/* ------------------------------------------------------------------------------------------- cable in cable */
+
+static int touches(const Scene *scene) { return scene->self.present || scene->def.strand.present; }
+
+static void overlap_say(Overlap *o, const SelfOverlap *now, const Scene *const scene[], double t)
+{
+    const char *const own = scene[now->line]->def.strand.name, *const other = scene[now->other]->def.strand.name;
+    char who[96] = "the cable lies inside itself";
+    if (now->line != now->other)
+        snprintf(who, sizeof who, "chains '%.24s' and '%.24s' lie inside each other", own, other);
+    else if (*own)
+        snprintf(who, sizeof who, "chain '%.24s' lies inside itself", own);
+    snprintf(o->says, sizeof o->says, "%s near (%.4g, %.4g, %.4g) m at %.4g s", who, now->at.x, now->at.y, now->at.z,
+             t);
+}
+
+void overlap_record(Overlap *o, const SelfLines *lines, const Scene *const scene[], double t)
+{
+    const double duration = scene[0]->def.duration;
+    if (t < o->due && t < duration && !touches(scene[0])) return;
+    o->due = t + duration / LOOKS;
+    const SelfOverlap now = self_overlap(lines);
+    if (now.line >= 0 && now.share > o->share) {
+        o->share = now.share;
+        overlap_say(o, &now, scene, t);
+    }
+    ++o->looks;
 }
 
 /* ------------------------------------------------------------------------------------------------- the start */

@@ -3,9 +3,18 @@
 #ifndef HAWSER_SIM_WATCH_PASSING_H
 #define HAWSER_SIM_WATCH_PASSING_H
 
+#include "contact/self/self_overlap.h"
 #include "sim/dynamics.h"
 
-enum { PASSING_SAYS_MAX = 160 };
+enum { PASSING_SAYS_MAX = 160, OVERLAP_SAYS_MAX = 150 };
+
+/* How far cables have been inside each other, or one inside itself: the worst of all looks. */
+typedef struct Overlap {
+    double share; /* (CC29): 1 where centre lines cross */
+    double due;   /* s, when to look next */
+    int looks;    /* 0: it is not known */
+    char says[OVERLAP_SAYS_MAX];
+} Overlap;
 
 /* How hard the chain is pressed into something at t = 0. A segment's arc is as high as the square of its length, so
  * that a chain of chords begins inside what the line would only touch; what is in equilibrium is not. */
@@ -33,6 +42,7 @@ typedef struct Passing {
     char says[PASSING_SAYS_MAX]; /* of the first of them */
     Misfit start;
     Edge edge;
+    Overlap overlap; /* of several chains the first has that of all */
 } Passing;
 
 /* Errors: MEMORY. passing_free may follow either way. */
@@ -44,6 +54,9 @@ void passing_free(Passing *passing);
 int passing_look(Passing *passing, const Scene *scene, const Workspace *ws, double travel, double t);
 /* The same if it is time: a few times a run and at its end. */
 int passing_record(Passing *passing, const Scene *scene, const Workspace *ws, double travel, double t);
+/* Looks at how far lines lie inside each other, `lines` those of scene[lines->n] at t (s): at every row where there is
+ * cable on cable, else a few times a run, and at its end. */
+void overlap_record(Overlap *overlap, const SelfLines *lines, const Scene *const scene[], double t);
 /* Keeps the sample of t = 0, and where on its rollers the chain lies then. */
 void passing_start(Passing *passing, const Scene *scene, const Kinematics *kin, const hawser_sample *look);
 /* The length of segments, m, with which the chain would not be pressed by more than is allowed (E8): theirs, or less.

@@ -23,6 +23,7 @@ static const double LENGTH = 1e-4;       /* m: nobody knows where a cable lies, 
 static const double SHARED = 0.02;       /* of the pull, that so much may move from a belt to the winch */
 static const double EDGE = 0.7;          /* of half a roller's width, that the cable may lie off its middle at rest */
 static const double SPIKE = 0.2;         /* of the largest pull, above the rows beside it */
+static const double INSIDE = 0.25;       /* of both radii, that cables may lie inside each other */
 enum { LOOKS = 16 };                     /* at the cable's place in a run */
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
@@ -418,6 +419,12 @@ static void add_places(List *list, const TrustFacts *f)
             "the cable comes to rest %.3g m beside the middle of roller '%s', where it is chance whether it slips off: "
             "put guides there, or set solver.relax to false",
             f->passing->edge.across, f->passing->edge.name);
+    }
+    if (f->passing->overlap.looks > 0 && !scene->def.analysis.inside) {
+        add(list, "overlap", "1", f->passing->overlap.share, INSIDE, "%s: %s", f->passing->overlap.says,
+            scene->self.present         ? "a stiffer contact.k, or a smaller solver.max_step"
+            : scene->def.strand.present ? "see contact.between_chains, contact.k and solver.max_step"
+                                        : "nothing keeps it from that without contact.cable_on_cable");
     }
     add(list, "orientation", "1", f->turned, 0, "%s",
         f->turned & TURNED_HEAD ? "the head has turned away from the pull: use drive.winch.grip: clamp"

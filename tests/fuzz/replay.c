@@ -30,6 +30,7 @@ static int replay_folder(const char *path)
     for (const struct dirent *entry = readdir(folder); entry; entry = readdir(folder)) {
         char name[4096];
         struct stat about;
+        if (*entry->d_name == '.') continue;
         snprintf(name, sizeof name, "%s/%s", path, entry->d_name);
         if (!stat(name, &about) && S_ISREG(about.st_mode)) n += replay_file(name);
     }

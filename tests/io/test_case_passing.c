@@ -163,13 +163,38 @@ static void rods_rest_on_tables(void **state)
     hawser_sim_free(sim);
 }
 
+/* Nobody said that a cable which lies across itself goes through itself; nor of chains with no contact between them. */
+static void cables_lie_in_each_other(void **state)
+{
+    (void)state;
+    hawser_sim *const loop = run_of(data_text("overlap-loop"), NULL);
+    const hawser_condition itself = condition_now(loop, "overlap");
+    check_close(itself.value, 1, 0.01);
+    assert_false(itself.holds);
+    check_has(itself.remedy, "the cable lies inside itself near (");
+    check_has(itself.remedy, "contact.cable_on_cable");
+    hawser_sim_free(loop);
+
+    const char *const spacing[] = {"20 mm", "38 mm", "100 mm"};
+    const double share[] = {1 - 20.0 / 41, 1 - 38.0 / 41, 0};
+    for (int k = 0; k < 3; k++) {
+        const char *const settings[] = {"lay.spacing", spacing[k], NULL};
+        hawser_sim *const sim = run_of(data_text("chains"), settings);
+        const hawser_condition apart = condition_now(sim, "overlap");
+        check_close(apart.value, share[k], 1e-3);
+        assert_int_equal(apart.holds, k > 0);
+        if (k == 0) check_has(apart.remedy, "chains 'one' and 'two' lie inside each other");
+        hawser_sim_free(sim);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_floor_holds),       cmocka_unit_test(rollers_hold_it_back),
         cmocka_unit_test(guides_do_not_throw), cmocka_unit_test(the_fitting_length),
         cmocka_unit_test(a_loose_rod_stays),   cmocka_unit_test(ladders_stand_on_their_ends),
-        cmocka_unit_test(rods_rest_on_tables),
+        cmocka_unit_test(rods_rest_on_tables), cmocka_unit_test(cables_lie_in_each_other),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
