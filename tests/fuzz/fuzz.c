@@ -27,3 +27,8 @@ int fuzz_error_is_good(int status, const char *message)
     }
     return 1;
 }
+
+/* Asking whether there is memory costs milliseconds under AddressSanitizer, which marks every byte of it: most of the
+ * time of who reads HDF5. A fuzzer's process has some. That there is none is tried elsewhere (tests/inject). */
+int __wrap_memory_room(size_t bytes);
+int __wrap_memory_room(size_t bytes) { return bytes < SIZE_MAX / 2; }
