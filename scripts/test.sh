@@ -1,15 +1,25 @@
 #!/bin/sh
 # Builds and runs the tests: everything in release, the folders' own tests again under the sanitizers (debug).
-# Usage: sh scripts/test.sh [--long] [CTEST OPTIONS]
-#   --long   also the tests labelled `long` (minutes each); further options go to ctest, e.g. -R linsolve
+# Usage: sh scripts/test.sh [--ci] [--long] [CTEST OPTIONS]
+#   --ci     also those labelled `ci`: a build by clang with Make, Debian's packages; installs what these need
+#   --long   also those labelled `long` (minutes each), and `ci` where what they need is there
+#   Further options go to ctest, e.g. -R linsolve
 set -eu
 
 cd "$(dirname "$0")/.."
-long=no
-if [ "${1-}" = --long ]; then
-    long=yes
+left='^(long|ci)$'
+while :; do
+    case "${1-}" in
+    --ci)
+        sh scripts/setup.sh --lint
+        sh scripts/setup.sh --deb
+        left='^long$'
+        ;;
+    --long) left= ;;
+    *) break ;;
+    esac
     shift
-fi
+done
 
 sh scripts/setup.sh --web
 sh scripts/setup.sh --python
@@ -19,7 +29,7 @@ sh scripts/build.sh debug
 # One ctest over both build folders, so that its summary, the last thing printed, counts every test.
 mkdir -p build/tests
 printf 'subdirs("../release" "../debug")\n' >build/tests/CTestTestfile.cmake
-[ "$long" = yes ] || set -- -LE long "$@"
+[ -z "$left" ] || set -- -LE "$left" "$@"
 
 # A leak or an overflow must end the test that has it; leak reports name the place.
 ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1
