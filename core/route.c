@@ -161,7 +161,11 @@ const char *route_piece_word(const RoutePiece *piece)
     const RouteCurve *const c = &piece->curve;
     if (piece->kind != ROUTE_CURVE) return words[piece->kind];
     if (fabs(c->sharp) > 0) return c->profile == PROFILE_GRADE ? "clothoid" : "curve";
-    if (!(fabs(c->bend) > 0)) return c->profile == PROFILE_PARABOLA ? "parabola" : "vertical arc";
+    if (!(fabs(c->bend) > 0)) {
+        static const char *const names[] = {
+            [PROFILE_GRADE] = "straight", [PROFILE_ARC] = "vertical arc", [PROFILE_PARABOLA] = "parabola"};
+        return names[c->profile];
+    }
     return c->profile == PROFILE_GRADE ? "helix" : "curve";
 }
 

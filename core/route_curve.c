@@ -151,6 +151,9 @@ Vec3 route_centre(Vec3 tangent, Vec3 left, double plane)
     return v3_unit(v3_reject(v3_add(v3_scale(cos(plane), left), v3_scale(sin(plane), up)), tangent));
 }
 
+/* By how much tan(slope) changes along a parabola; 0: it is a straight grade, and has no knots. */
+static double parabola_rise(const RouteCurve *c) { return fabs(c->vertical * c->end); }
+
 /* How many steps of u the integrals need: at most 0.3 rad of plan and of change of slope each; a cubic's until its
  * length no longer changes. 0: closed form. */
 static int steps_wanted(const RoutePiece *p)
@@ -167,7 +170,7 @@ static int steps_wanted(const RoutePiece *p)
         return 4096;
     }
     const double turn = c->end * fmax(fabs(c->bend), fabs(c->bend + c->sharp * c->end));
-    const double rise = c->profile == PROFILE_PARABOLA ? fabs(c->vertical * c->end) : 0;
+    const double rise = c->profile == PROFILE_PARABOLA ? parabola_rise(c) : 0;
     if (!(fabs(c->sharp) > 0) && !(rise > 0)) return 0;
     return (int)ceil(fmax(turn, rise) / 0.3) + 1;
 }
@@ -207,9 +210,10 @@ static void curve_fill(RoutePiece *p, const RoutePieceDef *def, Vec3 left)
     c->axis[2] = v3(0, 0, 1);
     c->slope = atan2(p->tangent.z, hypot(p->tangent.x, p->tangent.y));
     c->profile = def->profile;
-    if (def->profile == PROFILE_GRADE) p->length = def->length / cos(c->slope);
     if (def->profile == PROFILE_PARABOLA) c->vertical = (tan(def->slope_end) - tan(c->slope)) / def->length;
-    if (def->profile == PROFILE_ARC) {
+    if (!(parabola_rise(c) > 0) && def->profile == PROFILE_PARABOLA) c->profile = PROFILE_GRADE;
+    if (c->profile == PROFILE_GRADE) p->length = def->length / cos(c->slope);
+    if (c->profile == PROFILE_ARC) {
         c->vertical = (sin(def->slope_end) - sin(c->slope)) / def->length;
         const double half = (def->slope_end - c->slope) / 2;
         p->length = def->length / (sinc(half) * cos(c->slope + half));

@@ -160,6 +160,41 @@ static void parabola_is_one(void **state)
     route_clear(&r);
 }
 
+/* A parabola between equal grades is a straight grade, alone and behind pieces that have knots. It was looked up among
+ * knots that it does not have. */
+static void parabola_of_no_rise(void **state)
+{
+    (void)state;
+    const double grades[] = {0, 0.3, -0.5}, bends[] = {0, 0.05};
+    for (int k = 0; k < 6; ++k) {
+        const double grade = grades[k % 3], bend = bends[k / 3];
+        const RoutePieceDef def[] = {
+            {.kind = ROUTE_CURVE, .length = 7, .upright = 1, .profile = PROFILE_PARABOLA, .slope_end = grade},
+            {.kind = ROUTE_CURVE,
+             .length = 20,
+             .curvature = {bend, bend},
+             .upright = 1,
+             .profile = PROFILE_PARABOLA,
+             .slope_end = grade},
+            {.kind = ROUTE_STRAIGHT, .length = 5}};
+        for (int first = 0; first < 2; ++first) {
+            Route r;
+            const double begins = first ? grade : 0.1;
+            assert_int_equal(route_build(&r, 3 - first, def + first, V3_ZERO, 0.7, begins, NULL), HAWSER_OK);
+            const int it = 1 - first;
+            check_close(r.piece[it].length, 20 / cos(grade), 1e-13);
+            const double at = r.piece[it].s0;
+            const Vec3 from = route_on_piece(&r, it, at).position;
+            const Vec3 to = route_on_piece(&r, it, at + r.piece[it].length).position;
+            check_close(to.z - from.z, 20 * tan(grade), 1e-13);
+            check_close(hypot(to.x - from.x, to.y - from.y), bend > 0 ? 2 / bend * sin(20 * bend / 2) : 20, 1e-13);
+            check_close(route_slope(&r, r.length), grade, 1e-14);
+            assert_string_equal(route_piece_word(&r.piece[it]), bend > 0 ? "helix" : "straight");
+            route_clear(&r);
+        }
+    }
+}
+
 /* A shaft, a level, a ramp: rounded, the ends stay where the corners put them, less what a bend leaves to one side. */
 static void slopes_are_rounded(void **state)
 {
@@ -377,6 +412,7 @@ int main(void)
                                        cmocka_unit_test(helix_keeps_its_grade),
                                        cmocka_unit_test(clothoid_is_fresnels),
                                        cmocka_unit_test(parabola_is_one),
+                                       cmocka_unit_test(parabola_of_no_rise),
                                        cmocka_unit_test(slopes_are_rounded),
                                        cmocka_unit_test(corners_are_rounded),
                                        cmocka_unit_test(spline_goes_through),
