@@ -1,6 +1,7 @@
-/* A mutator that knows what a case is: it changes values within and beyond what their keys allow, drops and repeats
- * keys and items, adds keys that the schema knows, and exchanges parts of two cases; every fourth time it leaves the
- * bytes to the fuzzer's own. What is no case goes to the fuzzer's own too. */
+/* A mutator that knows what a case is: it changes values within and beyond what their keys allow and makes them equal
+ * to others of their dimension, drops and repeats keys and items, adds keys that the schema knows, sections with what
+ * they need, and exchanges parts of two cases; every fourth time it leaves the bytes to the fuzzer's own. What is no
+ * case goes to the fuzzer's own too. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -176,23 +177,71 @@ static void change_value(CaseNode *node, uint64_t *state)
     node->text = text_copy(text);
 }
 
+/* The number of another place with the same dimension: what is equal is a case of its own in many laws. */
+static void tie_value(CaseTree *tree, CaseNode *node, uint64_t *state)
+{
+    const CaseKey *const key = node->kind == NODE_TEXT ? key_of(node) : NULL;
+    for (int tries = 0; key && tries < 20; ++tries) {
+        const CaseNode *const other = any_node(tree, state);
+        const CaseKey *const theirs = other->kind == NODE_TEXT && other != node ? key_of(other) : NULL;
+        if (!theirs || theirs->kind != key->kind || theirs->dimension != key->dimension) continue;
+        free(node->text);
+        node->text = text_copy(other->text);
+        return;
+    }
+}
+
+static CaseNode *new_list(int n, const CaseKey *key, uint64_t *state)
+{
+    CaseNode *const list = node_new(NODE_LIST, "mutation", 0);
+    FUZZ_MUST(list);
+    for (int k = 0; k < n; ++k) {
+        char text[200];
+        some_text(key, NULL, state, text, sizeof text);
+        node_append(list, text_node(NULL, text));
+    }
+    return list;
+}
+
+static CaseNode *new_node(const CaseKey *key, int deep, uint64_t *state);
+
+/* What a section must have, and now and then what it may have. */
+static CaseNode *new_map(const CaseSection *section, int deep, uint64_t *state)
+{
+    CaseNode *const map = node_new(NODE_MAP, "mutation", 0);
+    FUZZ_MUST(map);
+    for (int k = 0; k < section->n; ++k) {
+        if (section->key[k].required || (deep < 3 && !pick(state, 4)))
+            node_append(map, new_node(&section->key[k], deep + 1, state));
+    }
+    return map;
+}
+
+static CaseNode *new_node(const CaseKey *key, int deep, uint64_t *state)
+{
+    char text[200];
+    CaseNode *node;
+    if (key->section && key->kind == KEY_LIST) {
+        node = new_list(0, key, state);
+        node_append(node, new_map(key->section, deep, state));
+    } else if (key->section && deep < 4) {
+        node = new_map(key->section, deep, state);
+    } else if (key->kind == KEY_POINT) {
+        node = new_list(3, key, state);
+    } else {
+        some_text(key, key->fallback, state, text, sizeof text);
+        node = text_node(NULL, text);
+    }
+    node->key = text_copy(key->name);
+    return node;
+}
+
 static void add_key(CaseNode *node, uint64_t *state)
 {
     const CaseSection *const section = node->kind == NODE_MAP ? section_of(node) : NULL;
     if (!section) return;
     const CaseKey *const key = &section->key[pick(state, section->n)];
-    if (case_node_key(node, key->name)) return;
-    char text[200];
-    CaseNode *child = NULL;
-    if (key->section) {
-        child = node_new(key->kind == KEY_LIST ? NODE_LIST : NODE_MAP, "mutation", 0);
-        FUZZ_MUST(child);
-        child->key = text_copy(key->name);
-    } else {
-        some_text(key, key->fallback, state, text, sizeof text);
-        child = text_node(key->name, text);
-    }
-    node_append(node, child);
+    if (!case_node_key(node, key->name)) node_append(node, new_node(key, 0, state));
 }
 
 static void mutate_tree(CaseTree *tree, uint64_t *state)
@@ -208,6 +257,9 @@ static void mutate_tree(CaseTree *tree, uint64_t *state)
     case 2:
     case 3:
         add_key(node, state);
+        break;
+    case 4:
+        tie_value(tree, node, state);
         break;
     default:
         change_value(node, state);
