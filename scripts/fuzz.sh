@@ -3,7 +3,7 @@
 # Usage: sh scripts/fuzz.sh [--engine libfuzzer|afl] [MINUTES] [TARGET...]
 #   --engine afl: AFL++ (preset `afl`, no sanitizers, no mutator of the project's own); what it finds: build/afl/found/TARGET
 #   MINUTES  for each target (default 1)
-#   TARGET   units, yaml, case, set, run, api, route, results, folder, checkpoint, study (default: all); one reader of routes: route-csv, route-landxml,
+#   TARGET   units, yaml, case, set, run, api, route, results, folder, checkpoint, study, arguments, library, fmu (default: all); one reader of routes: route-csv, route-landxml,
 #            route-ifc, route-dxf, route-gpx, route-geojson; route-all: each of these with minutes of its own
 # What is found along the way stays in build/fuzz/corpus/TARGET, so that the next call goes on from there; an input that breaks
 # something is left in build/fuzz/found, also one that takes 100 s by the clock: so long, as the machine may be busy. Status 1 if
@@ -25,7 +25,7 @@ case "${1-}" in
     ;;
 esac
 readers="route-csv route-landxml route-ifc route-dxf route-gpx route-geojson"
-[ $# -gt 0 ] || set -- units yaml case set run api route results folder checkpoint study
+[ $# -gt 0 ] || set -- units yaml case set run api route results folder checkpoint study arguments library fmu
 # shellcheck disable=SC2086 # one word a reader
 [ "$*" != route-all ] || set -- $readers
 

@@ -40,7 +40,7 @@ static const struct {
                                  "rollers: {along: {from: 0 m, to: 5 m, spacing: 1 m}}\n"
                                  "drive: {winch: {speed: 0.5 m/s, to: 50 ms}, tail: {tension: 1 kN, ramp: none}}\n"
                                  "limits: {pull: 20 kN}\n"
-                                 "solver: {passes: 1, max_steps: 60}\n"
+                                 "solver: {passes: 1, max_steps: 400}\n"
                                  "run: {duration: 200 ms, steady_from: 100 ms}\n"},
              {"rod.yaml", CABLE "chain: [{cable: c, length: 3 m, segment: 1 m}]\n"
                                 "rod: {tail: {clamp: true}, loads: [{at: 3 m, force: [0, 0, -100]}]}\n"
