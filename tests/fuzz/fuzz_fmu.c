@@ -44,7 +44,7 @@ static void base_remove(void)
 {
     for (int m = 0; m < MODELS; ++m) {
         char path[2 * PATH];
-        snprintf(path, sizeof path, "%s/%s", folder[m], MODEL_CASE);
+        snprintf(path, sizeof path, "%.250s/%s", folder[m], MODEL_CASE);
         unlink(path);
         rmdir(folder[m]);
         model_clear(&model[m]);
@@ -61,8 +61,8 @@ static void base_make(void)
     for (int m = 0; m < MODELS; ++m) {
         char path[2 * PATH];
         snprintf(folder[m], PATH, "%.200s/%d", base, m);
-        snprintf(address[m], sizeof address[m], "file://%s", folder[m]);
-        snprintf(path, sizeof path, "%s/%s", folder[m], MODEL_CASE);
+        snprintf(address[m], sizeof address[m], "file://%.250s", folder[m]);
+        snprintf(path, sizeof path, "%.250s/%s", folder[m], MODEL_CASE);
         FUZZ_MUST(!mkdir(folder[m], 0777));
         FILE *const f = fopen(path, "w");
         FUZZ_MUST(f && fputs(texts[m], f) >= 0 && !fclose(f));
