@@ -7,6 +7,11 @@
 extern const Command command_run, command_check, command_theory, command_validate, command_library, command_route,
     command_report, command_plot, command_study, command_compare, command_fmu;
 
+/* The whole program behind `main`: the words of the command line, argv[0] the program's own name; some of them are cut
+ * in two. Returns the exit status, which says how it ended: see run.c's help. Without any word the usage goes to
+ * standard error, since a script that forgot its arguments did something wrong. */
+int program(int argc, char **argv);
+
 /* Loads the case and applies the settings of the command line. *out is NULL on failure. */
 hawser_status load_case(const Arguments *args, hawser_case **out, hawser_error *err);
 

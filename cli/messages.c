@@ -9,7 +9,8 @@
 
 enum { WORD_MAX = 64 };
 
-/* One line on standard error, named after the program as shells expect it. */
+/* One line on standard error, named after the program as shells expect it. Words of the command line stand in it: what
+ * in them a terminal would obey becomes a question mark, as in the library's messages. */
 void complain(const char *format, ...)
 {
     char text[HAWSER_MESSAGE_MAX + 256];
@@ -17,6 +18,11 @@ void complain(const char *format, ...)
     va_start(args, format);
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
+    for (unsigned char *c = (unsigned char *)text; *c; c++) {
+        const int long_one = *c == 0xC2 && c[1] >= 0x80 && c[1] < 0xA0; /* in UTF-8 */
+        if (long_one) c[1] = '?';
+        if (long_one || *c < ' ' || *c == 127) *c = '?';
+    }
     fprintf(stderr, "hawser: %s\n", text);
 }
 

@@ -1,4 +1,5 @@
 /* An instance's state as bytes: where it is in its life, its values, and the simulation's checkpoint. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -47,22 +48,47 @@ static Outcome save(Unit *u, UnitState **state)
     return made ? GOES_WELL : unit_say(u, FAILED, "out of memory");
 }
 
-/* Whether bytes can be a state of this FMU; *head is filled then. */
+/* Whether the bytes are of this FMU, and as many as they say; *head is filled then. */
 static int head_read(const Unit *u, const void *bytes, size_t size, StateHead *head)
 {
     if (size < sizeof *head) return 0;
     memcpy(head, bytes, sizeof *head);
     return memcmp(head->token, u->model.token, TOKEN_SIZE) == 0 && head->variables == u->model.variables.n &&
-           size - sizeof *head >= values_size(u) && size - sizeof *head - values_size(u) == head->checkpoint &&
-           (head->phase == PHASE_INSTANTIATED || head->phase == PHASE_INITIALIZING || head->phase == PHASE_STEPPING ||
-            head->phase == PHASE_OVER);
+           size - sizeof *head >= values_size(u) && size - sizeof *head - values_size(u) == head->checkpoint;
+}
+
+/* Whether an instance can be there: a simulation goes with steps, times are numbers, samples have been counted. */
+static int head_can_be(const StateHead *head)
+{
+    const int early = head->phase == PHASE_INSTANTIATED || head->phase == PHASE_INITIALIZING;
+    const int late = head->phase == PHASE_STEPPING || head->phase == PHASE_OVER;
+    return (early || late) && late == (head->checkpoint > 0) && head->rows >= 0 && isfinite(head->start) &&
+           head->stop > head->start;
+}
+
+/* Whether all values behind the head, those set and those told, are such as unit_set takes. */
+static int values_can_be(const Unit *u, const unsigned char *bytes)
+{
+    for (int i = 0; i < 2 * u->model.variables.n; ++i) {
+        double value;
+        memcpy(&value, bytes + (size_t)i * sizeof value, sizeof value);
+        if (!unit_can_be(&u->model.variables.row[i % u->model.variables.n], value)) return 0;
+    }
+    return 1;
+}
+
+/* All of this of a state; *head is filled then. */
+static int state_read(const Unit *u, const void *bytes, size_t size, StateHead *head)
+{
+    return head_read(u, bytes, size, head) && head_can_be(head) &&
+           values_can_be(u, (const unsigned char *)bytes + sizeof *head);
 }
 
 static Outcome load(Unit *u, const UnitState *state)
 {
     hawser_error err = {HAWSER_OK, ""};
     StateHead head;
-    if (!head_read(u, state->byte, state->size, &head)) return unit_say(u, FAILED, "this is no state of this FMU");
+    if (!state_read(u, state->byte, state->size, &head)) return unit_say(u, FAILED, "this is no state of this FMU");
     memcpy(u->value, state->byte + sizeof head, values_size(u));
     Outcome outcome = unit_rebuild(u, head.checkpoint == 0);
     if (outcome) return outcome;
@@ -131,7 +157,7 @@ Outcome state_of_bytes(const void *instance, const void *from, size_t size, void
     Unit *const u = unit_in(instance, PHASES_EARLY | PHASES_LATE, call);
     StateHead head;
     if (!u || !from || !state) return FAILED;
-    if (!head_read(u, from, size, &head)) return unit_say(u, REFUSED, "these bytes are no state of this FMU");
+    if (!state_read(u, from, size, &head)) return unit_say(u, REFUSED, "these bytes are no state of this FMU");
     UnitState *const made = malloc(sizeof *made + size);
     if (!made) return unit_say(u, FAILED, "out of memory");
     made->size = size;

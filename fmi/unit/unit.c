@@ -280,6 +280,12 @@ Outcome unit_get(Unit *u, size_t reference, VariableType type, double *value, co
     return GOES_WELL;
 }
 
+int unit_can_be(const Variable *row, double value)
+{
+    if (!(value < row->start || value > row->start)) return isfinite(value);
+    return isfinite(value) && !(value < row->least || value > row->most);
+}
+
 /* A value that cannot be is refused, and what was set before stays. */
 Outcome unit_set(Unit *u, size_t reference, VariableType type, double value)
 {
@@ -289,7 +295,7 @@ Outcome unit_set(Unit *u, size_t reference, VariableType type, double value)
     if (row->role == ROLE_TIME || row->role == ROLE_OUTPUT) return unit_say(u, FAILED, "'%s' cannot be set", row->name);
     if (row->role == ROLE_PARAMETER && !early)
         return unit_say(u, FAILED, "'%s' is fixed after the initialization", row->name);
-    if (!isfinite(value) || value < row->least || value > row->most)
+    if (!unit_can_be(row, value))
         return unit_say(u, REFUSED, "'%s' cannot be %g: expected %g to %g", row->name, value, row->least, row->most);
     u->value[reference] = value;
     return GOES_WELL;

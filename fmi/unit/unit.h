@@ -83,6 +83,8 @@ Outcome unit_step(Unit *u, double now, double step, int *over);
 /* One value by its reference, which must be of the type. Texts live until the next call. */
 Outcome unit_get(Unit *u, size_t reference, VariableType type, double *value, const char **text);
 Outcome unit_set(Unit *u, size_t reference, VariableType type, double value);
+/* Whether a variable can have a value: a number between its ends, or where it begins. */
+int unit_can_be(const Variable *row, double value);
 
 /* States, of which an importer knows the address alone: bytes, malloc'ed, which stand for themselves. One that a call
  * is given in *state is overwritten. Without an instance, or in another phase than the standard has: FAILED. */

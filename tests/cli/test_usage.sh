@@ -69,6 +69,9 @@ for setting in duration =5 ''; do
     run_hawser 2 run pull.yaml --set "$setting"
     says err "KEY=VALUE"
 done
+# what a terminal would obey is not passed on to it
+run_hawser 2 run pull.yaml --threads "$(printf '\033[31m\r')"
+says err "--threads ?[31m?: 1 or 2"
 run_hawser 2 theory pull.yaml --format xml
 says err "--format xml" "'json'"
 missing results

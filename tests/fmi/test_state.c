@@ -1,6 +1,7 @@
 /* States of an instance: what follows one is what followed it before, bit for bit, also in another instance, from
  * bytes, and with other parameters; bytes that are none are refused. Where the library cannot save, the description
  * says so. */
+#include <math.h>
 #include <string.h>
 
 #include "tests/fmi/fixture.h"
@@ -29,6 +30,15 @@ static void go_on(FmuInstance *i, double seen[2 * LOOKS])
 static void check_same(const double *a, const double *b)
 {
     for (int k = 0; k < 2 * LOOKS; ++k) check_equal(a[k], b[k]);
+}
+
+/* The first number of that value among the bytes becomes another. */
+static void number_change(unsigned char *bytes, size_t size, double from, double to)
+{
+    size_t at = 0;
+    while (at + sizeof from <= size && memcmp(bytes + at, &from, sizeof from) != 0) at += sizeof from;
+    assert_true(at + sizeof from <= size);
+    memcpy(bytes + at, &to, sizeof to);
 }
 
 /* 1 if the archive says that it cannot, and it does not. */
@@ -115,6 +125,10 @@ static void test_bytes(void **state)
             for (size_t cut = 0; cut < size; cut += size / 7 + 1)
                 assert_int_equal(
                     STATE_CALL(other, DeSerializeFMUstate, DeserializeFMUState, (void *)bytes, cut, &given), 2);
+            number_change(bytes, size, 0.25, NAN); /* of friction.mu: what no call sets no state has */
+            assert_int_equal(STATE_CALL(other, DeSerializeFMUstate, DeserializeFMUState, (void *)bytes, size, &given),
+                             2);
+            number_change(bytes, size, NAN, 0.25);
             bytes[0] ^= 1;
             assert_int_equal(STATE_CALL(other, DeSerializeFMUstate, DeserializeFMUState, (void *)bytes, size, &given),
                              2);

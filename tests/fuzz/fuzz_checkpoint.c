@@ -6,52 +6,11 @@
 
 #include "core/base/checkpoint.h"
 #include "hawser/hawser.h"
+#include "tests/fuzz/checkpoint_scenes.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/patches.h"
 
-/* ------------------------------------------------------------------------------------------------------ scenes */
-
-#define CABLE "cables: {c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 10 kN m2, d: 90 mm, mass: 20 kg/m}}\n"
-
-static const char *const texts[] = {
-    /* in the plane */
-    CABLE "chain: [{cable: c, length: 4 m, segment: 1 m}]\n"
-          "route: {head_at: 4 m, pieces: [{straight: 6 m}]}\n"
-          "rollers: {along: {from: 0 m, to: 6 m, spacing: 1 m}}\n"
-          "drive: {winch: {speed: 0.5 m/s, to: 1 s}, tail: {tension: 1 kN, ramp: none}}\n"
-          "run: {duration: 2 s}\n",
-    /* in space: rollers that spin, a conveyor, a plane with friction that sticks */
-    CABLE "chain: [{cable: c, length: 4 m, segment: 1 m}]\n"
-          "route: {head_at: 4 m, pieces: [{straight: 6 m}]}\n"
-          "rollers: {along: {from: 0 m, to: 6 m, spacing: 2 m, spin: {inertia: 0.1 kg m2}}}\n"
-          "conveyors: [{name: c, from: 1 m, to: 3 m, clamp: 200 N}]\n"
-          "surfaces: {planes: [{name: ground, point: [0, 0, -50 mm], normal: [0, 0, 1]}]}\n"
-          "friction: {mu: 0.3, law: stick}\n"
-          "drive: {winch: {speed: 0.5 m/s, to: 1 s, trip: {force: 3 kN, restarts: 1}}}\n"
-          "run: {duration: 2 s}\n",
-    /* a reel that pays out */
-    CABLE "chain: [{cable: c, length: 12 m, segment: 1 m}]\n"
-          "route: {head_at: 3 m, pieces: [{straight: 6 m}]}\n"
-          "reel: {distance: 3 m, barrel: 1.2 m, flange: 2 m, width: 1 m, inertia: 800 kg m2}\n"
-          "drive: {winch: {speed: 0.5 m/s}}\n"
-          "run: {duration: 2 s}\n",
-    /* another integrator, another solver, a force that is held */
-    CABLE "chain: [{cable: c, length: 4 m, segment: 1 m}]\n"
-          "route: {head_at: 4 m, pieces: [{straight: 6 m}]}\n"
-          "rollers: {along: {from: 0 m, to: 6 m, spacing: 1 m}}\n"
-          "drive: {winch: {tension: {force: 500 N, to: 300 ms, speed_limit: 0.5 m/s}}}\n"
-          "solver: {method: esdirk, linear_solver: klu, planar: off}\n"
-          "run: {duration: 2 s}\n",
-    /* several chains */
-    CABLE "chain: [{cable: c, length: 3 m, segment: 1 m}]\n"
-          "chains: {one: {}, two: {}}\n"
-          "lay: {pattern: flat, spacing: 80 mm}\n"
-          "route: {head_at: 3 m, pieces: [{straight: 5 m}]}\n"
-          "surfaces: {planes: [{name: floor, point: [0 m, 0 m, -45 mm], normal: [0, 0, 1]}]}\n"
-          "drive: {winch: {speed: 0.1 m/s, to: 1 s}, tail: {tension: 100 N}}\n"
-          "solver: {passes: 1, planar: off}\n"
-          "run: {duration: 1 s, steady_from: 0.5 s}\n"};
-enum { SCENES = sizeof texts / sizeof *texts, STEPS = 12, STEPS_AFTER = 4, PATCHES_MAX = 6 };
+enum { STEPS_AFTER = 4, PATCHES_MAX = 6 };
 
 /* A scene's checkpoint after some steps, and where its pieces lie; made once. */
 typedef struct Base {
@@ -88,16 +47,17 @@ static void base_cut(Base *b)
 
 static const Base *base_of(int scene)
 {
-    static Base base[SCENES];
+    static Base base[CHECKPOINT_SCENES];
     Base *const b = &base[scene];
     if (b->bytes) return b;
     hawser_error err = {HAWSER_OK, ""};
     void *bytes = NULL;
-    if (hawser_case_parse(texts[scene], "base.yaml", &b->c, &err)) fuzz_failed(err.message, __FILE__, __LINE__);
+    if (hawser_case_parse(checkpoint_scenes[scene].text, "base.yaml", &b->c, &err))
+        fuzz_failed(err.message, __FILE__, __LINE__);
     hawser_sim *const s = sim_of(b->c);
-    FUZZ_MUST(!hawser_sim_relax(s, NULL, &err));
-    for (int k = 0; k < STEPS; ++k) {
-        FUZZ_MUST(!hawser_sim_advance(s, hawser_sim_end_time(s), 1, &err));
+    if (hawser_sim_relax(s, NULL, &err)) fuzz_failed(err.message, __FILE__, __LINE__);
+    for (int k = 0; k < checkpoint_scenes[scene].steps; ++k) {
+        if (hawser_sim_advance(s, hawser_sim_end_time(s), 1, &err)) fuzz_failed(err.message, __FILE__, __LINE__);
         if (k % 4 == 0) hawser_sim_record(s);
     }
     FUZZ_MUST(!hawser_sim_save_memory(s, &bytes, &b->size, &err));
@@ -166,7 +126,7 @@ static void go_on(hawser_sim *s)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     Draws d = {data, size};
-    const Base *const b = base_of((int)(draws_take(&d, 1) % SCENES));
+    const Base *const b = base_of((int)(draws_take(&d, 1) % CHECKPOINT_SCENES));
     unsigned char *const bytes = malloc(b->size);
     size_t n = b->size;
     FUZZ_MUST(bytes);
