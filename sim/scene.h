@@ -69,7 +69,7 @@ struct Scene {
     int first, total;     /* 0 and chain.n if nothing is on a reel or past the winch */
     int *piece;           /* [total] the chain piece of each segment */
     double *joint_s;      /* [total+1] route coordinate of each joint at t = 0, if all the chain lay there, m */
-    int eye;              /* joint of the pulling eye: first joint of the last piece, total if there is one piece */
+    int eye;              /* joint of the pulling eye: first joint of the rope, total if there is none */
     double cable_weight;  /* N/m, of the piece before the eye: of all cables together */
     double largest_speed; /* m/s, of the winch; 0.1 if it never moves or has no limit */
     double beside_way;    /* m, that a step may move it by for the sake of chains beside it; INFINITY: any */

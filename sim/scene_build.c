@@ -146,7 +146,8 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
     segments_fill(scene);
-    scene->eye = def->n_pieces > 1 ? scene->chain.n - def->pieces[def->n_pieces - 1].segments : scene->chain.n;
+    scene->eye = 0;
+    for (int p = 0; p < scene_def_eye(def); ++p) scene->eye += def->pieces[p].segments;
     scene->cable_weight = cable_of(def, scene->piece[scene->eye - 1])->mass * v3_norm(def->gravity);
     scene->largest_speed = 0.1;
     scene->grip_speed = scene->beside_way = INFINITY;

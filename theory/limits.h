@@ -117,6 +117,8 @@ Allowed limits_rule(Rule rule, int set, int a, int b);
 const char *limits_code_name(int code);
 /* "pull" of LIMIT_PULL and so on. */
 const char *limits_name(LimitKind kind);
+/* Whether nothing is known of a pull without that limit: it is not called safe where this one is not judged. */
+int limits_essential(const char *name);
 /* The practice that counts. */
 int limits_practice(const LimitsDef *def);
 

@@ -34,8 +34,7 @@ static void add_broken(Line *line, const hawser_limit *l, int first)
     add(line, "%s %s by %.3g %%%s%s", first ? ":" : ",", l->name, over, *l->where ? " at " : "", l->where);
 }
 
-/* Without these nothing is known of a pull. */
-static int is_essential(const hawser_limit *l) { return !strcmp(l->name, "pull") || !strcmp(l->name, "sidewall"); }
+int limits_essential(const char *name) { return !strcmp(name, "pull") || !strcmp(name, "sidewall"); }
 
 /* "; 2 not judged: rope, winch". */
 static void add_not_judged(Line *line, int n, const hawser_limit *limit, int unknown)
@@ -58,7 +57,7 @@ static Tally tally_of(int n, const hawser_limit *limit)
     Tally t = {0};
     for (int i = 0; i < n; i++) {
         const hawser_limit *const l = &limit[i];
-        if (!l->judged && !t.missing && is_essential(l)) t.missing = l;
+        if (!l->judged && !t.missing && limits_essential(l->name)) t.missing = l;
         if (!l->judged) continue;
         t.judged++;
         t.broken += !l->ok;

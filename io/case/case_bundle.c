@@ -46,7 +46,7 @@ SECTION(case_bundle, "bundle", bundle_keys);
 static hawser_status chain_cable(const CaseReader *r, int *cable)
 {
     const SceneDef *const def = r->def;
-    const int behind = def->n_pieces > 1 ? def->n_pieces - 1 : 1;
+    const int behind = scene_def_eye(def);
     *cable = def->pieces[0].cable;
     for (int p = 1; p < behind; p++) {
         if (def->pieces[p].cable == *cable) continue;

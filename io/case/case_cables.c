@@ -87,12 +87,15 @@ typedef struct PieceRecord {
     char cable[NAME_MAX_LENGTH];
 } PieceRecord;
 
+static const char *const rope_choices[] = {"auto", "true", "false", NULL}; /* RopeChoice */
+
 /* Pieces follow each other from the tail to the head. */
 static const CaseKey chain_piece_keys[] = {
     {"cable", KEY_TEXT, .required = 1, AT(PieceRecord, cable)},
     {"length", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, LONG), AT(PieceRecord, piece.length)},
     {"segment", KEY_ANY, DIM_LENGTH, .otherwise = "`auto`", .form = "`auto` or a length", ABOVE(0, LONG)},
     {"swivel", KEY_FLAG, .fallback = "false", AT(PieceRecord, piece.swivel)},
+    {"rope", KEY_CHOICE, .fallback = "auto", .choices = rope_choices, AT(PieceRecord, piece.rope)},
 };
 SECTION(case_chain_piece, "chain.N", chain_piece_keys);
 
@@ -122,11 +125,12 @@ double case_longest_segment(const SceneDef *def)
     return longest;
 }
 
-/* The same eye as the scene's: between the last piece and those behind it. */
+/* The same eye as the scene's. */
 int case_eye(const SceneDef *def)
 {
-    const int n = case_segments(def);
-    return def->n_pieces > 1 ? n - def->pieces[def->n_pieces - 1].segments : n;
+    int n = 0;
+    for (int p = 0; p < scene_def_eye(def); p++) n += def->pieces[p].segments;
+    return n;
 }
 
 /* Of the cables that are in the chain; one that is only listed does not count. */
@@ -224,8 +228,12 @@ static hawser_status cable_read(const CaseReader *r, const CaseNode *node, void 
         return case_key_error(r->err, node, NULL, "the name is too long: at most %zu characters",
                               sizeof cable->name - 1);
     }
+    static const KeyIdle idle[] = {{"E", {"EA", "EI"}},     {"E", {"EA", "EI_y", "EI_z"}}, {"E", {"EA", "bending"}},
+                                   {"G", {"GA", "GJ"}},     {"A", {"EA", "GA", "mass"}},   {"density", {"mass"}},
+                                   {"EI", {"EI_y", "EI_z"}}};
     const CaseNode *const conductor = case_node_key(node, "conductor");
     hawser_status status = case_section_read(r, node, &case_cable, &record);
+    if (!status) status = case_idle_check(r, node, sizeof idle / sizeof *idle, idle);
     if (!status && conductor) status = case_section_read(r, conductor, &cable_conductor, &record.cable);
     if (status) return status;
     *cable = record.cable;
@@ -242,7 +250,7 @@ hawser_status case_cables_read(CaseReader *r, const CaseNode *node)
     return case_list_read(r, node, sizeof *def->cables, cable_read, &def->cables, &def->n_cables);
 }
 
-/* What is pulled is the first piece, and where there are several, the last is the rope. */
+/* What is pulled is the first piece, and what pulls the last, if there is a rope. */
 hawser_status case_cables_limits(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
@@ -256,7 +264,8 @@ hawser_status case_cables_limits(CaseReader *r, const CaseNode *node)
         limits->area = cable->conductor_area;
         limits->cores = cable->conductor_cores;
     }
-    if (isnan(limits->rope_strength) && def->n_pieces > 1 && rope->strength > 0) limits->rope_strength = rope->strength;
+    const int roped = scene_def_eye(def) < def->n_pieces;
+    if (isnan(limits->rope_strength) && roped && rope->strength > 0) limits->rope_strength = rope->strength;
     return HAWSER_OK;
 }
 
@@ -344,10 +353,32 @@ static hawser_status chain_of_one(CaseReader *r)
     return HAWSER_OK;
 }
 
+/* What pulls is rope, and a rope is not heavier than what it pulls: what looks like a cable that is jointed the case
+ * must say. Behind a rope there is no cable. */
+static hawser_status rope_check(const CaseReader *r, const CaseNode *node)
+{
+    const SceneDef *const def = r->def;
+    const int eye = scene_def_eye(def), last = def->n_pieces - 1;
+    if (eye == 0) return case_key_error(r->err, case_node_item(node, 0), "rope", "there is no cable before it");
+    for (int p = eye; p <= last; ++p)
+        if (def->pieces[p].rope == ROPE_NO)
+            return case_key_error(r->err, case_node_item(node, p), "rope",
+                                  "'false' behind a rope: the rope is the end");
+    if (eye > last || def->pieces[eye].rope == ROPE_YES) return HAWSER_OK;
+    const CableDef *const rope = &def->cables[def->pieces[last].cable];
+    const CableDef *const cable = &def->cables[def->pieces[eye - 1].cable];
+    if (def->rod.present || rope->mass < cable->mass) return HAWSER_OK;
+    return case_key_error(r->err, case_node_item(node, last), "rope",
+                          "missing: the last of several pieces is the rope that pulls, but '%s' is as heavy as '%s' "
+                          "before it (%.4g and %.4g kg/m): say 'true', or 'false' if it is cable too",
+                          rope->name, cable->name, rope->mass, cable->mass);
+}
+
 hawser_status case_chain_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *def = r->def;
     if (!node) return chain_of_one(r);
     if (node->count == 0) return case_value_error(r->err, node, " without a piece: expected one at least");
-    return case_list_read(r, node, sizeof *def->pieces, piece_read, &def->pieces, &def->n_pieces);
+    const hawser_status status = case_list_read(r, node, sizeof *def->pieces, piece_read, &def->pieces, &def->n_pieces);
+    return status ? status : rope_check(r, node);
 }

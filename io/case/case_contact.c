@@ -120,11 +120,13 @@ static hawser_status stick_read(const CaseReader *r, const CaseNode *node, const
     return HAWSER_OK;
 }
 
-/* mu stands for both coefficients; each may be given by itself, and wins then. */
+/* mu stands for both coefficients; each may be given by itself, and wins then: one of them, or mu would say nothing. */
 hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, const FrictionLaw *base, FrictionLaw *law)
 {
     FrictionRecord record = {0};
+    static const KeyIdle idle = {"mu", {"mu_s", "mu_d"}};
     hawser_status status = case_section_read(r, node, &case_friction, &record);
+    if (!status) status = case_idle_check(r, node, 1, &idle);
     if (status) return status;
     const int same = !isnan(record.mu);
     law->mu_s = !isnan(record.mu_s) ? record.mu_s : same ? record.mu : base->mu_s;

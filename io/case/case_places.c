@@ -160,11 +160,10 @@ hawser_status case_places_find(const CaseReader *r, const CaseNode *node, const 
  * search, m. */
 static const double PRESS_MAX = 1e-3, STEP_MIN = 1e-5;
 
-/* Where piece p lies along the route at the start: the last of several is ahead of the eye, the others behind
- * it. */
+/* Where piece p lies along the route at the start: the rope's are ahead of the eye, the others behind it. */
 void case_piece_place(const SceneDef *def, int p, double *from, double *to)
 {
-    const int behind = def->n_pieces > 1 ? def->n_pieces - 1 : 1;
+    const int behind = scene_def_eye(def);
     *from = def->head_at;
     for (int k = behind - 1; k >= p; k--) *from -= def->pieces[k].length;
     *to = *from + def->pieces[p].length;

@@ -120,7 +120,7 @@ static hawser_status brake_read(const CaseReader *r, const CaseNode *node)
 static double wound_at_start(const SceneDef *def)
 {
     double length = -def->head_at - def->reel.distance;
-    for (int p = 0; p < def->n_pieces && (p == 0 || p + 1 < def->n_pieces); ++p) length += def->pieces[p].length;
+    for (int p = 0; p < scene_def_eye(def); ++p) length += def->pieces[p].length;
     return length;
 }
 

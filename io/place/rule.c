@@ -28,7 +28,7 @@ static const double HEAVY = 20, SPACING = 2.5, SPACING_HEAVY = 1.5;
 /* The heaviest cable before the eye, kg/m. */
 static double line_mass(const SceneDef *def)
 {
-    const int n = def->n_pieces > 1 ? def->n_pieces - 1 : 1;
+    const int n = scene_def_eye(def);
     double most = 0;
     for (int p = 0; p < n; ++p) most = fmax(most, def->cables[def->pieces[p].cable].mass);
     return most;

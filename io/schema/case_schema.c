@@ -76,6 +76,23 @@ static const char *number_wanted(const CaseKey *key, char *text)
     return text;
 }
 
+hawser_status case_idle_check(const CaseReader *r, const CaseNode *node, int n, const KeyIdle *rule)
+{
+    for (int i = 0; i < n; i++) {
+        const CaseNode *const idle = case_node_key(node, rule[i].key);
+        char given[96] = "";
+        int all = idle != NULL;
+        for (int k = 0; k < 3 && rule[i].beside[k]; k++) {
+            const size_t used = strlen(given);
+            all &= case_node_key(node, rule[i].beside[k]) != NULL;
+            snprintf(given + used, sizeof given - used, "%s'%s'", k ? " and " : "", rule[i].beside[k]);
+        }
+        if (all)
+            return case_key_error(r->err, idle, NULL, "says nothing beside %s: leave it out, or change these", given);
+    }
+    return HAWSER_OK;
+}
+
 /* A NaN never comes here: units_read refuses it. */
 hawser_status case_range_check(const CaseReader *r, const CaseNode *node, const CaseKey *key, double value)
 {

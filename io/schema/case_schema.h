@@ -103,6 +103,12 @@ hawser_status case_numbers_read(const CaseReader *r, const CaseNode *node, int n
                                 double value[]);
 /* One whole number. Errors: INPUT. */
 hawser_status case_integer_read(const CaseReader *r, const CaseNode *node, const CaseKey *key, long *value);
+/* A key that says nothing where all those beside it are given: what it stands for they say. */
+typedef struct KeyIdle {
+    const char *key, *beside[3];
+} KeyIdle;
+/* Whoever changes such a key would change nothing and not know: that is an error. Errors: INPUT. */
+hawser_status case_idle_check(const CaseReader *r, const CaseNode *node, int n, const KeyIdle *rule);
 /* Whether a number that was read lies in the key's range. Errors: INPUT. */
 hawser_status case_range_check(const CaseReader *r, const CaseNode *node, const CaseKey *key, double value);
 /* The place of a text among words, NULL behind the last; -1 if it is none of them, or no text. */

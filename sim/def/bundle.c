@@ -97,7 +97,7 @@ hawser_status bundle_make(SceneDef *def, hawser_error *err)
     if (!more) return error_memory(err);
     def->cables = more;
     def->cables[def->n_cables] = equivalent_make(def);
-    const int behind = def->n_pieces > 1 ? def->n_pieces - 1 : 1; /* the eye */
+    const int behind = scene_def_eye(def);
     for (int p = 0; p < behind; ++p) def->pieces[p].cable = def->n_cables;
     def->n_cables++;
     return HAWSER_OK;
@@ -108,7 +108,7 @@ hawser_status bundle_make(SceneDef *def, hawser_error *err)
 double bundle_diameter(const SceneDef *def)
 {
     if (bundle_present(&def->bundle)) return def->bundle.shape.diameter;
-    return def->cables[def->pieces[def->n_pieces > 1 ? def->n_pieces - 2 : 0].cable].diameter;
+    return def->cables[def->pieces[scene_def_eye(def) - 1].cable].diameter;
 }
 
 hawser_status bundle_in(const SceneDef *def, const SurfaceDef *duct, DuctLoad *out, hawser_error *err)

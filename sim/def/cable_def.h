@@ -42,12 +42,17 @@ typedef struct CableDef {
 /* What would be estimated of the rigidities of a cable that has a diameter and a mass (CS1) to (CS7). */
 StiffnessEstimate cable_def_estimate(const CableDef *cable);
 
+/* Whether a piece is rope. Where nobody says so: the last of several and those before it of the same kind, unless that
+ * is all of them. */
+typedef enum RopeChoice { ROPE_AUTO, ROPE_YES, ROPE_NO } RopeChoice;
+
 /* A length of one cable, cut into equal segments. Pieces follow each other from the tail to the winch. */
 typedef struct ChainPieceDef {
     int cable; /* index into cables */
     double length;
     int segments; /* >= 1 */
     int swivel;   /* the joint to the piece before is an eye with a swivel: it transmits no torsion */
+    RopeChoice rope;
 } ChainPieceDef;
 
 #endif

@@ -59,6 +59,19 @@ void scene_def_defaults(SceneDef *def)
     def->output = (OutputDef){.interval = 0.05, .state_interval = 0.5};
 }
 
+int scene_def_eye(const SceneDef *def)
+{
+    const int last = def->n_pieces - 1;
+    for (int p = 0; p <= last; ++p)
+        if (def->pieces[p].rope == ROPE_YES) return p;
+    if (last < 1 || def->pieces[last].rope == ROPE_NO) return def->n_pieces;
+    int first = last;
+    while (first > 0 && def->pieces[first - 1].cable == def->pieces[last].cable &&
+           def->pieces[first - 1].rope == ROPE_AUTO)
+        --first;
+    return first > 0 ? first : def->n_pieces;
+}
+
 Shape roller_def_shape(const RollerDef *roller)
 {
     Shape shape = {.kind = roller->profile,

@@ -222,9 +222,10 @@ typedef struct SceneDef {
  * comes from that was not given. */
 enum { INPUT_KEY, INPUT_VALUE, INPUT_UNIT, INPUT_ORIGIN, INPUT_WHERE, INPUT_SOURCE, INPUT_TEXTS };
 
-/* Every default there is; docs/case-format.md lists them. */
-void scene_def_defaults(SceneDef *def);
+void scene_def_defaults(SceneDef *def); /* every default there is; docs/case-format.md lists them */
 void scene_def_clear(SceneDef *def);
+/* How many pieces of the chain are the cable, from the tail on; those behind them are the rope. */
+int scene_def_eye(const SceneDef *def);
 /* What the cable touches of a roller. */
 Shape roller_def_shape(const RollerDef *roller);
 /* Whether a surface runs along the route, and its friction as theory sees it: a V grips by its two sides, a duct by the
@@ -237,7 +238,6 @@ int scene_def_sticks(const SceneDef *def);
 const char *scene_def_can_jam(const SceneDef *def, int i);
 /* A deep copy into *out. Errors: MEMORY (then *out is cleared). */
 hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err);
-
 /* Makes the numerical settings finer, level[s] times by source s (hawser/certify.h), coarser below 0 (CE1). */
 void scene_def_refine(SceneDef *def, const int level[HAWSER_SOURCES]);
 /* The same by a level of each source for a run's next pass, whose rows are those of the last; slower: v_s too. */

@@ -20,7 +20,7 @@ static void winding_init(Winding *w, const ReelDef *def, const CableDef *cable)
 static double cable_length(const SceneDef *def)
 {
     double length = 0;
-    for (int p = 0; p < def->n_pieces && (p == 0 || p + 1 < def->n_pieces); ++p) length += def->pieces[p].length;
+    for (int p = 0; p < scene_def_eye(def); ++p) length += def->pieces[p].length;
     return length;
 }
 

@@ -165,7 +165,7 @@ static double rope_weight(const SceneDef *def)
 {
     const double given = def->theory.rope_mass, g = v3_norm(def->gravity);
     if (!isnan(given)) return given * g;
-    return def->n_pieces > 1 ? def->cables[def->pieces[def->n_pieces - 1].cable].mass * g : 0;
+    return scene_def_eye(def) < def->n_pieces ? def->cables[def->pieces[def->n_pieces - 1].cable].mass * g : 0;
 }
 
 /* The tension at the start, the reel's and the rope's allowances, friction by the length pulled. */
@@ -214,6 +214,17 @@ static hawser_status solve(const Scene *scene, double apart, Calculator *c, haws
     return status ? status : calculator_judge(scene, c, err);
 }
 
+/* Along the route weight is taken straight down: its slopes are those of the route. */
+static hawser_status weight_check(const SceneDef *def, hawser_error *err)
+{
+    const Vec3 g = def->gravity;
+    if (!(v3_norm(v3_add(g, v3(0, 0, v3_norm(g)))) > 1e-9 * v3_norm(g))) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "gravity: [%g, %g, %g] m/s2 does not point straight down, [0, 0, -g], as the pulling calculation "
+                     "takes it",
+                     g.x, g.y, g.z);
+}
+
 enum { HEAD_PLACES = 40 }; /* of the head between the ends of the route, at least */
 
 hawser_status calculator_build(const Scene *scene, double start_tension, int forward_only, Calculator *out,
@@ -221,7 +232,8 @@ hawser_status calculator_build(const Scene *scene, double start_tension, int for
 {
     *out = (Calculator){.cables = scene->def.bundle.shape.cables, .route = &scene->route};
     out->def.skip[PLAN_BACKWARD] = forward_only;
-    hawser_status status = cables_set(scene, out, err);
+    hawser_status status = weight_check(&scene->def, err);
+    if (!status) status = cables_set(scene, out, err);
     if (!status) status = spacings_find(scene, out, err);
     if (!status) status = steps_set(&scene->def.theory, 0, out, err);
     if (!status) out->n_pushers = scene_pushers(scene, &out->pusher);

@@ -214,7 +214,7 @@ static double tail_tension(const SceneDef *def)
 /* Where a piece of the chain lies during the run, m along the route. */
 static void piece_way(const SceneDef *def, const Route *route, int piece, double *from, double *to)
 {
-    const int last = def->n_pieces > 1 ? def->n_pieces - 1 : 1; /* the pieces behind it end at head_at */
+    const int last = scene_def_eye(def); /* the pieces before it end at head_at */
     double travel = route->length;
     if (def->winch.present && def->winch.mode == WINCH_SPEED)
         travel = profile_integral(&def->winch.speed, def->duration);

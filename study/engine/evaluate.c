@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
 #include "study/engine/engine.h"
+#include "theory/limits.h"
 
 const char *const row_states[] = {"open", "done", "refused", "failed", "time limit", "no memory", "died"};
 const char *const row_verdicts[] = {"", "SAFE", "NOT SAFE", "NOT JUDGED", "NOT TRUSTED"};
@@ -95,6 +96,21 @@ static void margins_take(const json_t *limits, Row *row)
     }
 }
 
+/* Whether a limit without which no pull is called safe was not judged. */
+static int essential_missing(const json_t *limits)
+{
+    size_t i;
+    json_t *limit;
+    json_array_foreach((json_t *)(size_t)limits, i, limit)
+    {
+        const char *const name = json_string_value(json_object_get(limit, "name"));
+        const char *const direction = json_string_value(json_object_get(limit, "direction"));
+        const int counts = name && limits_essential(name) && !(direction && strcmp(direction, "forward") != 0);
+        if (counts && isnan(number_of(json_object_get(limit, "margin")))) return 1;
+    }
+    return 0;
+}
+
 /* Whether nothing is wrong with an answer but that a limit is too near to be certain of. */
 static int is_close_only(const json_t *conditions)
 {
@@ -119,7 +135,7 @@ static void judge(const json_t *answer, const char *verdict, int theory, Row *ro
     row->verdict = verdict_of(json_string_value(json_object_get(answer, verdict)));
     margins_take(json_object_get(answer, "limits"), row);
     if (row->verdict == VERDICT_NOT_TRUSTED && is_close_only(json_object_get(answer, "trust")))
-        row->verdict = VERDICT_SAFE;
+        row->verdict = essential_missing(json_object_get(answer, "limits")) ? VERDICT_NOT_JUDGED : VERDICT_SAFE;
     if (theory && row->margin[LIMIT_RUN_AWAY] < 0 && row->verdict == VERDICT_NOT_TRUSTED) {
         row->verdict = VERDICT_NOT_SAFE;
         row->limited_by = LIMIT_RUN_AWAY;
