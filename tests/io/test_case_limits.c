@@ -258,6 +258,24 @@ static void theory_of_ducts_and_sags(void **state)
     json_decref(o);
 }
 
+/* The slopes of the route are against the vertical: a gravity that points elsewhere is no case of theory. */
+static void theory_takes_weight_downward(void **state)
+{
+    (void)state;
+    static const char *const wrong[] = {"[1, 0, -9.76]", "[0, 0, 9.81]", "[9.81, 0, 0]"};
+    static const char *const right[] = {"[0, 0, -9.81]", "9.81", "[0, 0, -1.62]", "0"};
+    for (int i = 0; i < 7; i++) {
+        const char *const settings[] = {"gravity", i < 3 ? wrong[i] : right[i - 3], NULL};
+        hawser_case *const c = case_with(data_text("limits"), settings);
+        char *text = NULL;
+        hawser_error err = {0};
+        assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &text, &err), i < 3 ? HAWSER_ERR_INPUT : HAWSER_OK);
+        if (i < 3) check_has(err.message, "does not point straight down");
+        hawser_text_free(text);
+        hawser_case_free(c);
+    }
+}
+
 /* The row of a limit in theory's table, forward; NULL: it is not listed. */
 static json_t *limit_row(json_t *o, const char *name)
 {
@@ -415,7 +433,7 @@ int main(void)
         cmocka_unit_test(theory_by_hand),      cmocka_unit_test(theory_of_ducts_and_sags),
         cmocka_unit_test(shaft_needs_a_brake), cmocka_unit_test(run_runs_away),
         cmocka_unit_test(ropes_and_conveyors), cmocka_unit_test(carried_by_nothing),
-        cmocka_unit_test(wrong_limits),
+        cmocka_unit_test(wrong_limits),        cmocka_unit_test(theory_takes_weight_downward),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -115,6 +115,18 @@ static void direct_wins_over_shorthand(void **state)
     check_share(def.cables[0].ei_z, 7, 0);
     check_share(def.cables[0].ei_y, 327887.39, 1e-7);
     scene_def_clear(&def);
+    /* whoever changes E beside EA and EI would change nothing */
+    expect_bad(data_text("smallest"), "cables.c", "{E: 1, EA: 1, GA: 1, GJ: 1, EI: 1, d: 1 mm, mass: 1}",
+               "key 'cables.c.E': says nothing beside 'EA' and 'EI': leave it out, or change these");
+    expect_bad(data_text("smallest"), "cables.c", "{EA: 1, GA: 1, GJ: 1, EI: 1, EI_y: 1, EI_z: 1, d: 1 mm, mass: 1}",
+               "key 'cables.c.EI': says nothing beside 'EI_y' and 'EI_z'");
+    expect_bad(data_text("smallest"), "cables.c", "{EA: 1, GA: 1, GJ: 1, EI: 1, d: 1 mm, mass: 1, density: 7801}",
+               "key 'cables.c.density': says nothing beside 'mass'");
+    expect_bad(data_text("smallest"), "friction", "{mu: 0.3, mu_s: 0.2, mu_d: 0.1}",
+               "key 'friction.mu': says nothing beside 'mu_s' and 'mu_d'");
+    expect_good(data_text("smallest"), "friction", "{mu: 0.3, mu_d: 0.1}", &def);
+    check_share(def.friction.mu_s, 0.3, 0);
+    scene_def_clear(&def);
     expect_bad(data_text("smallest"), "cables.c", "{G: 41.5 GPa, d: 87.3 mm, A: 5982.7 mm2, density: 7801}",
                "key 'cables.c.EA': missing: give it, or E and A");
     expect_bad(data_text("smallest"), "cables.c", "{E: 1, d: 1, A: 1, density: 1}", "key 'cables.c.GA': missing");

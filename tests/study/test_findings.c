@@ -141,6 +141,34 @@ static void limits_that_are_not_judged(void **state)
     clear(read, &rows, &f);
 }
 
+/* A sample near the winch's limit is not safe where nothing is known of the pull: no limit of that was given. */
+static void close_to_a_limit_and_not_judged(void **state)
+{
+    (void)state;
+    static const char text[] = "case: " HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml\n"
+                               "set: {limits.winch_capacity: 600 N%s}\n"
+                               "parameters: {friction.mu: {steps: {from: 0.14, to: 0.16, count: 41}}}\n"
+                               "grid: [friction.mu]\n";
+    const hawser_study_options options = {.jobs = 1, .fresh = 1};
+    for (int judged = 0; judged < 2; judged++) {
+        char filled[600];
+        snprintf(filled, sizeof filled, text,
+                 judged ? ", limits.conductor: \"{material: copper, area: 800 mm2}\"" : "");
+        hawser_study *const s = study_open(scratch_write("study.yaml", filled));
+        hawser_error err;
+        Study *read;
+        Rows rows;
+        if (hawser_study_run(s, scratch_path("near"), &options, &err)) fail_msg("%s", err.message);
+        hawser_study_free(s);
+        Findings f = findings_in("near", &read, &rows);
+        assert_int_equal(f.by_verdict[VERDICT_SAFE] > 0, judged);
+        assert_int_equal(f.by_verdict[VERDICT_NOT_JUDGED] > 0, !judged);
+        assert_true(f.by_verdict[VERDICT_NOT_SAFE] > 0);
+        assert_int_equal(f.by_verdict[VERDICT_NOT_TRUSTED], 0);
+        clear(read, &rows, &f);
+    }
+}
+
 static void theory_and_runs(void **state)
 {
     (void)state;
@@ -281,6 +309,7 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(eq_10_is_exact),
                                        cmocka_unit_test(probability_of_a_limit),
                                        cmocka_unit_test(limits_that_are_not_judged),
+                                       cmocka_unit_test(close_to_a_limit_and_not_judged),
                                        cmocka_unit_test(theory_and_runs),
                                        cmocka_unit_test(pilots_find_the_band),
                                        cmocka_unit_test(tornado_and_responses),
