@@ -146,8 +146,10 @@ static void close_to_a_limit_and_not_judged(void **state)
 {
     (void)state;
     static const char text[] = "case: " HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml\n"
-                               "set: {limits.winch_capacity: 600 N%s}\n"
-                               "parameters: {friction.mu: {steps: {from: 0.14, to: 0.16, count: 41}}}\n"
+                               "fidelity: run\n"
+                               "set: {limits.winch_capacity: 300 N, chain.0.segment: 250 mm, "
+                               "run.steady_from: 1500 ms%s}\n"
+                               "parameters: {friction.mu: {steps: {from: 0.13, to: 0.15, count: 11}}}\n"
                                "grid: [friction.mu]\n";
     const hawser_study_options options = {.jobs = 1, .fresh = 1};
     for (int judged = 0; judged < 2; judged++) {
