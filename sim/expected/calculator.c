@@ -214,11 +214,10 @@ static hawser_status solve(const Scene *scene, double apart, Calculator *c, haws
     return status ? status : calculator_judge(scene, c, err);
 }
 
-/* Along the route weight is taken straight down: its slopes are those of the route. */
 static hawser_status weight_check(const SceneDef *def, hawser_error *err)
 {
     const Vec3 g = def->gravity;
-    if (!(v3_norm(v3_add(g, v3(0, 0, v3_norm(g)))) > 1e-9 * v3_norm(g))) return HAWSER_OK;
+    if (expected_weighs(def)) return HAWSER_OK;
     return error_set(err, HAWSER_ERR_INPUT,
                      "gravity: [%g, %g, %g] m/s2 does not point straight down, [0, 0, -g], as the pulling calculation "
                      "takes it",

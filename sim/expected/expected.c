@@ -104,6 +104,18 @@ static hawser_status rope_ahead(const Scene *scene, const Expected *e, Stretches
     return HAWSER_OK;
 }
 
+int expected_weighs(const SceneDef *def)
+{
+    const Vec3 g = def->gravity;
+    return !(v3_norm(v3_add(g, v3(0, 0, v3_norm(g)))) > 1e-9 * v3_norm(g));
+}
+
+static void tensions_unknown(Pull *pull)
+{
+    pull->start_tension = pull->end_tension = pull->max_tension = pull->min_tension = pull->max_sidewall = NAN;
+    for (int i = 0; i < pull->n; ++i) pull->span[i].t0 = pull->span[i].t1 = NAN;
+}
+
 hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err)
 {
     Stretches stretches;
@@ -123,6 +135,7 @@ hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, 
                          .n_steps = e->n_steps,
                          .step = e->step};
     status = pull_solve(&def, pull, err);
+    if (!status && !expected_weighs(&scene->def)) tensions_unknown(pull);
     stretches_free(&stretches);
     return status;
 }

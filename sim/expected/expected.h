@@ -27,6 +27,8 @@ hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, 
  * of the reel, which turns at the full speed; the rope ahead counts as far as it lies on the route. Only the
  * stretch, the start tension and the steps are set. Errors: as pull_solve. */
 hawser_status expected_at(const Scene *scene, double front, double back, Expected *out, hawser_error *err);
+/* Whether gravity, if there is any, points straight down, as theory takes it: its slopes are those of the route. */
+int expected_weighs(const SceneDef *def);
 /* Whether theory follows the cable's front, as it does where the chain begins at a reel or is taken in. */
 int expected_follows(const Scene *scene);
 /* The case's back tension at time t, N. */
@@ -37,7 +39,7 @@ double expected_travel(const Scene *scene, double t);
 int expected_range(const Scene *scene, double *from, double *to);
 
 /* The pull behind those figures by one of the laws, each duct and tray with its own friction, separate supports where
- * sim/expected/stretches.h finds them. Errors: as pull_solve. */
+ * sim/expected/stretches.h finds them; NAN all along where gravity is aslant. Errors: as pull_solve. */
 hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err);
 /* What a room's item is reckoned to push with, N; NAN if it is no pusher. */
 double expected_push(const Expected *e, const Room *room, int item);

@@ -216,6 +216,7 @@ typedef struct RunPull {
 static hawser_status solve_run(const Braked *b, double more, Pull *out)
 {
     const RunPull *const run = b->of;
+    if (!expected_weighs(&run->scene->def)) return HAWSER_ERR_INPUT;
     Expected e = *run->expected; /* borrowed */
     e.start_tension += more;
     return expected_pull(run->scene, &e, PULL_REFERENCE, out, NULL);

@@ -276,6 +276,25 @@ static void theory_takes_weight_downward(void **state)
     }
 }
 
+/* Runs do without it then, and say so. */
+static void a_run_with_weight_aslant_has_no_theory(void **state)
+{
+    (void)state;
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    hawser_sim *sim;
+    hawser_summary sum;
+    const hawser_station *station;
+    const int n = judged("gravity", "[1, 0, -9.76]", limit, &sim);
+    hawser_sim_summary(sim, &sum);
+    check_finite(sum.pull_peak_N);
+    assert_true(isnan(sum.reference_total_N));
+    for (int i = hawser_sim_stations(sim, &station) - 1; i >= 0; i--) assert_true(isnan(station[i].reference_N));
+    assert_false(find(n, limit, "alpha")->judged);
+    assert_false(find(n, limit, "run_away")->judged);
+    assert_true(find(n, limit, "winch")->judged);
+    hawser_sim_free(sim);
+}
+
 /* The row of a limit in theory's table, forward; NULL: it is not listed. */
 static json_t *limit_row(json_t *o, const char *name)
 {
@@ -428,12 +447,19 @@ static void wrong_limits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(values_of_a_run),     cmocka_unit_test(each_can_break),
-        cmocka_unit_test(summary_has_them),    cmocka_unit_test(limits_change_nothing),
-        cmocka_unit_test(theory_by_hand),      cmocka_unit_test(theory_of_ducts_and_sags),
-        cmocka_unit_test(shaft_needs_a_brake), cmocka_unit_test(run_runs_away),
-        cmocka_unit_test(ropes_and_conveyors), cmocka_unit_test(carried_by_nothing),
-        cmocka_unit_test(wrong_limits),        cmocka_unit_test(theory_takes_weight_downward),
+        cmocka_unit_test(values_of_a_run),
+        cmocka_unit_test(each_can_break),
+        cmocka_unit_test(summary_has_them),
+        cmocka_unit_test(limits_change_nothing),
+        cmocka_unit_test(theory_by_hand),
+        cmocka_unit_test(theory_of_ducts_and_sags),
+        cmocka_unit_test(shaft_needs_a_brake),
+        cmocka_unit_test(run_runs_away),
+        cmocka_unit_test(ropes_and_conveyors),
+        cmocka_unit_test(carried_by_nothing),
+        cmocka_unit_test(wrong_limits),
+        cmocka_unit_test(theory_takes_weight_downward),
+        cmocka_unit_test(a_run_with_weight_aslant_has_no_theory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
