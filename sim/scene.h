@@ -70,7 +70,7 @@ struct Scene {
     int *piece;           /* [total] the chain piece of each segment */
     double *joint_s;      /* [total+1] route coordinate of each joint at t = 0, if all the chain lay there, m */
     int eye;              /* joint of the pulling eye: first joint of the rope, total if there is none */
-    double cable_weight;  /* N/m, of the piece before the eye: of all cables together */
+    double cable_weight;  /* N/m, of the heaviest piece before the eye: of all cables together */
     double largest_speed; /* m/s, of the winch; 0.1 if it never moves or has no limit */
     double beside_way;    /* m, that a step may move it by for the sake of chains beside it; INFINITY: any */
     double grip_speed;    /* m/s, over which the sharpest grip of a conveyor comes in; INFINITY: none grips */

@@ -148,7 +148,8 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     segments_fill(scene);
     scene->eye = 0;
     for (int p = 0; p < scene_def_eye(def); ++p) scene->eye += def->pieces[p].segments;
-    scene->cable_weight = cable_of(def, scene->piece[scene->eye - 1])->mass * v3_norm(def->gravity);
+    for (int p = 0; p < scene_def_eye(def); ++p)
+        scene->cable_weight = fmax(scene->cable_weight, cable_of(def, p)->mass * v3_norm(def->gravity));
     scene->largest_speed = 0.1;
     scene->grip_speed = scene->beside_way = INFINITY;
     joints_place(scene);

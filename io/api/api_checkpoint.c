@@ -15,7 +15,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FORMAT = 6 };
+enum { FORMAT = 7 };
 
 typedef struct FileHead {
     char magic[16];

@@ -250,7 +250,29 @@ hawser_status case_cables_read(CaseReader *r, const CaseNode *node)
     return case_list_read(r, node, sizeof *def->cables, cable_read, &def->cables, &def->n_cables);
 }
 
-/* What is pulled is the first piece, and what pulls the last, if there is a rope. */
+/* Conductors of pieces that are unlike have no strength in common: then the case must say which counts. */
+static int conductors_alike(const SceneDef *def)
+{
+    const CableDef *const first = &def->cables[def->pieces[0].cable];
+    for (int p = 1; p < scene_def_eye(def); ++p) {
+        const CableDef *const other = &def->cables[def->pieces[p].cable];
+        if (other->conductor_area != first->conductor_area || other->conductor_metal != first->conductor_metal ||
+            other->conductor_cores != first->conductor_cores)
+            return 0;
+    }
+    return 1;
+}
+
+/* The weakest of the rope's pieces, N; 0: it is not known of all. */
+static double weakest_rope(const SceneDef *def)
+{
+    double least = INFINITY;
+    for (int p = scene_def_eye(def); p < def->n_pieces; ++p)
+        least = fmin(least, def->cables[def->pieces[p].cable].strength);
+    return isfinite(least) ? least : 0;
+}
+
+/* Of what is pulled and of what pulls, if there is a rope. */
 hawser_status case_cables_limits(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
@@ -258,14 +280,12 @@ hawser_status case_cables_limits(CaseReader *r, const CaseNode *node)
     (void)node;
     if (!limits->present || def->n_pieces == 0) return HAWSER_OK;
     const CableDef *const cable = &def->cables[def->pieces[0].cable];
-    const CableDef *const rope = &def->cables[def->pieces[def->n_pieces - 1].cable];
-    if (!(limits->area > 0) && cable->conductor_area > 0) {
+    if (!(limits->area > 0) && cable->conductor_area > 0 && conductors_alike(def)) {
         limits->metal = cable->conductor_metal;
         limits->area = cable->conductor_area;
         limits->cores = cable->conductor_cores;
     }
-    const int roped = scene_def_eye(def) < def->n_pieces;
-    if (isnan(limits->rope_strength) && roped && rope->strength > 0) limits->rope_strength = rope->strength;
+    if (isnan(limits->rope_strength) && weakest_rope(def) > 0) limits->rope_strength = weakest_rope(def);
     return HAWSER_OK;
 }
 

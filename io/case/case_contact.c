@@ -85,7 +85,7 @@ hawser_status case_frictions_read(CaseReader *r, const CaseNode *node)
     FrictionLaw usual = r->def->friction;
     Winch winch;
     winch_init(&winch, &r->def->winch);
-    const double speed = winch_largest_speed(&winch);
+    const double speed = winch_largest_speed(&winch, r->def->duration);
     if (r->def->winch.present && speed > 0) usual.v_s = fmin(usual.v_s, SPEED_SHARE * speed);
     usual.v_d = 2 * usual.v_s;
     r->def->friction = usual;

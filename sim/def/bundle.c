@@ -108,7 +108,9 @@ hawser_status bundle_make(SceneDef *def, hawser_error *err)
 double bundle_diameter(const SceneDef *def)
 {
     if (bundle_present(&def->bundle)) return def->bundle.shape.diameter;
-    return def->cables[def->pieces[scene_def_eye(def) - 1].cable].diameter;
+    double most = 0;
+    for (int p = 0; p < scene_def_eye(def); ++p) most = fmax(most, def->cables[def->pieces[p].cable].diameter);
+    return most;
 }
 
 hawser_status bundle_in(const SceneDef *def, const SurfaceDef *duct, DuctLoad *out, hawser_error *err)

@@ -19,14 +19,14 @@ double winch_travel(const Winch *w, double t)
     return w->phase.offset + profile_integral(&w->phase.speed, t - w->phase.since);
 }
 
-double winch_largest_speed(const Winch *w)
+double winch_largest_speed(const Winch *w, double until)
 {
     const Profile *const p = &w->speed;
     double v = fmax(fabs(p->v0), fabs(p->v1));
     if (w->mode == WINCH_TENSION) return isfinite(w->speed_limit) ? w->speed_limit : 0;
     if (p->kind == PROFILE_TABLE) {
-        v = 0;
-        for (int i = 0; i < p->n; ++i) v = fmax(v, fabs(p->value[i]));
+        v = fabs(profile_value(p, until));
+        for (int i = 0; i < p->n && p->time[i] <= until; ++i) v = fmax(v, fabs(p->value[i]));
     }
     return v;
 }
@@ -308,7 +308,7 @@ static hawser_status winch_build(Room *room, Scene *scene, hawser_error *err)
     winch_init(w, &scene->def.winch);
     room->present = w->present;
     scene->weight.weightless = w->drum_mass;
-    const double speed = winch_largest_speed(w);
+    const double speed = winch_largest_speed(w, scene->def.duration);
     if (w->present && speed > 0) scene->largest_speed = speed;
     return winch_stand(w, scene, err);
 }

@@ -85,8 +85,8 @@ double winch_speed(const Winch *w, double t);
 double winch_travel(const Winch *w, double t);
 /* Either kind: a winch of set tension goes where the head's end is, which kin tells. */
 WinchMotion winch_motion(const Winch *w, const Chain *chain, const Kinematics *kin, double t);
-/* The largest speed of the profile, or the limit; 0 if there is none, m/s. */
-double winch_largest_speed(const Winch *w);
+/* The largest speed of the profile up to that time (s), or the limit; 0 if there is none, m/s. */
+double winch_largest_speed(const Winch *w, double until);
 
 /* Set tension: what it pulls with at time t when the head's end moves at `speed` along the pull (WI2); *slope (may be
  * NULL) gets d/d(speed). */

@@ -165,7 +165,10 @@ static double rope_weight(const SceneDef *def)
 {
     const double given = def->theory.rope_mass, g = v3_norm(def->gravity);
     if (!isnan(given)) return given * g;
-    return scene_def_eye(def) < def->n_pieces ? def->cables[def->pieces[def->n_pieces - 1].cable].mass * g : 0;
+    double most = 0;
+    for (int p = scene_def_eye(def); p < def->n_pieces; ++p)
+        most = fmax(most, def->cables[def->pieces[p].cable].mass * g);
+    return most;
 }
 
 /* The tension at the start, the reel's and the rope's allowances, friction by the length pulled. */

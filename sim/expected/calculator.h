@@ -42,6 +42,7 @@ typedef struct Calculator {
     TripSetting trip[PLAN_WAYS];
     int best;                   /* the way that keeps the limits better; without limits the one that needs less force */
     hawser_condition supported; /* whether anything is known of what carries it */
+    hawser_condition friction;  /* whether nothing that carries it has more friction than it is calculated with */
 } Calculator;
 
 /* start_tension: N, of all cables where the pull begins, whichever way. forward_only: what belongs to the other way
@@ -52,6 +53,9 @@ hawser_status calculator_build(const Scene *scene, double start_tension, int for
 void calculator_free(Calculator *c);
 /* Fills limits, `supported` and `pulled` of one that is solved. Errors: MEMORY. */
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err);
+/* N by which the cable may be pushed where it is pushed most: by what a machine behind that place pushes with, or by
+ * what is meant. */
+double calculator_bears(const Scene *scene, const Calculator *c, int way);
 /* Fills brake, trip and best of one that is solved; calculator_build's last step. Errors: as pull_solve, MEMORY. */
 hawser_status calculator_follow(const Scene *scene, Calculator *c, hawser_error *err);
 

@@ -28,6 +28,8 @@ static Finding roller_finding(const Scene *scene, const PlanWay *way)
     Finding worst = {.value = NAN};
     for (int r = 0; r < scene->def.n_rollers; ++r) {
         const RollerDef *const roller = &scene->def.rollers[r];
+        if (isnan(roller->s) && roller->rating > 0)
+            snprintf(worst.why, sizeof worst.why, "of rollers.list and obstacles theory knows no load: a run does");
         if (isnan(roller->s) || !(roller->rating > 0)) continue;
         const double load = way->piece[route_at(&scene->route, roller->s).piece].roller_load;
         if (load > 0) finding_load(&worst, roller->name, load, roller->rating);
@@ -61,6 +63,18 @@ static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error 
     return HAWSER_OK;
 }
 
+double calculator_bears(const Scene *scene, const Calculator *c, int way)
+{
+    const Pull *const pull = &c->plan.way[way].pull;
+    const double forth = way == PLAN_BACKWARD ? -1 : 1;
+    double most = fmax(1e-9 * fmax(1, pull->max_tension), c->def.feed); /* rounding, or what is meant */
+    for (int i = 0; i < c->n_pushers; ++i) {
+        const PullStep *const push = &c->push[way][i];
+        if (forth * (push->at - pull->min_at) <= 1e-6) most = fmax(most, push->force);
+    }
+    return fmin(most, scene->def.theory.bears);
+}
+
 /* A cable cannot be pushed, unless a machine does: where theory finds compression it slackens or runs away down a
  * slope, and no figure behind that place holds. */
 static void pulled_set(const Scene *scene, Calculator *c)
@@ -70,9 +84,7 @@ static void pulled_set(const Scene *scene, Calculator *c)
         hawser_condition *const held = &c->pulled[k];
         if (c->def.skip[k]) continue;
         const double pushed = fmax(0, -way->pull.min_tension);
-        double allowed = fmax(1e-9 * fmax(1, way->pull.max_tension), c->def.feed); /* rounding, or what is meant */
-        for (int i = 0; i < c->n_pushers; ++i) allowed = fmax(allowed, c->push[k][i].force);
-        allowed = fmin(allowed, scene->def.theory.bears);
+        const double allowed = calculator_bears(scene, c, k);
         *held = (hawser_condition){
             .name = "pulled", .unit = "N", .value = pushed, .allowed = allowed, .holds = pushed <= allowed};
     }
@@ -99,9 +111,37 @@ static hawser_condition supported_by(const Scene *scene)
     return c;
 }
 
+/* The friction of rows, listed rollers and planes is a run's; where there is more of it than of the case's, theory's
+ * pull is too small. What the case gives for theory alone counts in any case. */
+static hawser_condition friction_of(const Scene *scene)
+{
+    const SceneDef *const def = &scene->def;
+    double most = def->friction.mu_d;
+    const char *which = "";
+    for (int r = 0; r < def->n_rollers && def->theory.n_friction == 0; ++r) {
+        if (!(def->rollers[r].friction.mu_d > most)) continue;
+        most = def->rollers[r].friction.mu_d;
+        which = def->rollers[r].name;
+    }
+    for (int k = 0; k < def->n_surfaces && def->theory.n_friction == 0; ++k) {
+        const SurfaceDef *const surface = &def->surfaces[k];
+        if (surface_along_route(surface) || !(surface->friction.mu_d > most)) continue;
+        most = surface->friction.mu_d;
+        which = surface->name;
+    }
+    hawser_condition c = {.name = "friction", .unit = "1", .value = most, .allowed = def->friction.mu_d};
+    c.holds = most <= c.allowed * (1 + 1e-9);
+    snprintf(c.remedy, sizeof c.remedy,
+             "'%s' has a friction of its own, %g, and the calculation takes friction.mu, %g: give that, or "
+             "theory.stretches",
+             which, most, c.allowed);
+    return c;
+}
+
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err)
 {
     c->supported = supported_by(scene);
+    c->friction = friction_of(scene);
     const hawser_status status = limits_set(scene, c, err);
     if (!status) pulled_set(scene, c);
     return status;

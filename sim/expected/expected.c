@@ -14,7 +14,8 @@
 double expected_travel(const Scene *scene, double t)
 {
     if (!scene->winch->present) return 0;
-    return scene->winch->mode == WINCH_TENSION ? t * winch_largest_speed(scene->winch) : winch_travel(scene->winch, t);
+    return scene->winch->mode == WINCH_TENSION ? t * winch_largest_speed(scene->winch, INFINITY)
+                                               : winch_travel(scene->winch, t);
 }
 
 int expected_follows(const Scene *scene) { return scene->reel->winding.turns > 0 || scene->winch->take_in.present; }
@@ -84,23 +85,30 @@ static void stretch_of(const Scene *scene, Expected *out)
     if (scene->drum->present) out->start_tension = drum_tension(scene);
 }
 
-/* Rope lies on the route from the cable's front on: its weight instead. */
-static hawser_status rope_ahead(const Scene *scene, const Expected *e, Stretches *s, hawser_error *err)
+/* What lies from `at` on has this weight, N/m. There is room for a stretch more. */
+static void weight_from(Stretches *s, double at, double weight)
 {
-    if (!(e->rope_to > e->to)) return HAWSER_OK;
+    stretches_cut(s, at);
+    for (int i = 0; i < s->n; ++i) {
+        if (s->stretch[i].from >= at) s->stretch[i].weight = weight;
+    }
+}
+
+/* The pieces of the cable, which end at its front, and rope ahead of it have weights of their own. */
+static hawser_status weights_set(const Scene *scene, const Expected *e, Stretches *s, hawser_error *err)
+{
     const SceneDef *const def = &scene->def;
-    const double weight = def->cables[def->pieces[def->n_pieces - 1].cable].mass * v3_norm(def->gravity);
-    PullStretch *const longer = realloc(s->stretch, ((size_t)s->n + 1) * sizeof *longer);
+    const int eye = scene_def_eye(def), last = e->rope_to > e->to ? def->n_pieces : eye;
+    const double g = v3_norm(def->gravity);
+    double at = e->to;
+    PullStretch *const longer = realloc(s->stretch, (size_t)(s->n + def->n_pieces + 1) * sizeof *longer);
     if (!longer) return error_memory(err);
     s->stretch = longer;
-    int at = s->n; /* the first stretch that begins at the front or ahead of it */
-    while (at > 0 && longer[at - 1].from >= e->to) --at;
-    if (at == s->n || longer[at].from > e->to) {
-        for (int i = s->n++; i > at; --i) longer[i] = longer[i - 1];
-        longer[at] = longer[at - 1];
-        longer[at].from = e->to;
+    for (int p = 0; p < eye; ++p) at -= def->pieces[p].length;
+    for (int p = 0; p < last; ++p) {
+        weight_from(s, p > 0 ? at : s->stretch[0].from, def->cables[def->pieces[p].cable].mass * g);
+        at += def->pieces[p].length;
     }
-    for (int i = at; i < s->n; ++i) longer[i].weight = weight;
     return HAWSER_OK;
 }
 
@@ -120,7 +128,7 @@ hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, 
 {
     Stretches stretches;
     hawser_status status = stretches_find(scene, &stretches, err);
-    if (!status) status = rope_ahead(scene, e, &stretches, err);
+    if (!status) status = weights_set(scene, e, &stretches, err);
     if (status) {
         stretches_free(&stretches);
         return status;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/base/error.h"
 #include "sim/equipment/rooms.h"
@@ -30,12 +31,15 @@ static double bent_round(const Scene *scene, const Route *route, const RoutePiec
     return n[by] > 0 && bend->angle / n[by] >= WRAPPED ? smallest[by] : 2 * bend->radius;
 }
 
-/* The rope's diameter, m: as the case says, or of the rope in the chain; NAN: nobody knows. */
+/* The rope's diameter, m: as the case says, or of the thickest rope in the chain; NAN: nobody knows. */
 static double rope_diameter(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
     if (!isnan(def->limits.rope_diameter)) return def->limits.rope_diameter;
-    return scene->eye < scene->total ? def->cables[def->pieces[def->n_pieces - 1].cable].diameter : NAN;
+    double most = NAN;
+    for (int p = scene_def_eye(def); p < def->n_pieces; ++p)
+        most = fmax(most, def->cables[def->pieces[p].cable].diameter);
+    return most;
 }
 
 static Finding rope_bend(const Scene *scene, const Route *route, double head)
@@ -59,13 +63,25 @@ static Finding rope_bend(const Scene *scene, const Route *route, double head)
 
 /* --------------------------------------------------------------------------------------------- machines, winch */
 
+/* The largest force that presses the belts, in the case and in its script, N. */
+static double clamp_of(const SceneDef *def, const ConveyorDef *c)
+{
+    double clamp = c->clamp;
+    for (int i = 0; i < def->n_script; ++i) {
+        const Command *const command = &def->script[i].command;
+        if (command->kind == HAWSER_CONVEYOR_CLAMP && !strcmp(command->what, c->name))
+            clamp = fmax(clamp, command->value);
+    }
+    return clamp;
+}
+
 /* Belts press with all they have between their edges, N/m (WI13). */
 static Finding squeeze(const SceneDef *def)
 {
     Finding f = {.absent = def->n_conveyors == 0};
     for (int i = 0; i < def->n_conveyors; ++i) {
         const ConveyorDef *const c = &def->conveyors[i];
-        const double pressure = c->clamp / (c->to - c->from - c->edge);
+        const double pressure = clamp_of(def, c) / (c->to - c->from - c->edge);
         if (pressure < f.value) continue;
         f.value = pressure;
         snprintf(f.where, sizeof f.where, "%s", c->name);
@@ -81,16 +97,34 @@ static int has_row(const SceneDef *def)
     return 0;
 }
 
+static int has_rating(const SceneDef *def)
+{
+    for (int r = 0; r < def->n_rollers; ++r) {
+        if (def->rollers[r].rating > 0) return 1;
+    }
+    return 0;
+}
+
+/* As the case has it. */
+static Finding speed_said(const Scene *scene)
+{
+    const WinchDef *const winch = &scene->def.winch;
+    Finding f = {.value = winch_largest_speed(scene->winch, scene->def.duration), .absent = !winch->present};
+    if (winch->mode == WINCH_TENSION && !isfinite(scene->winch->speed_limit)) f.value = NAN;
+    snprintf(f.why, sizeof f.why, "a winch of set tension without a speed_limit: a run says");
+    return f;
+}
+
 void findings_of_scene(const Scene *scene, const Route *route, double head, Finding finding[LIMIT_KINDS])
 {
     const SceneDef *const def = &scene->def;
-    const double speed = winch_largest_speed(scene->winch);
     finding[LIMIT_ROPE_BEND] = rope_bend(scene, route, head);
     finding[LIMIT_SQUEEZE] = squeeze(def);
     finding[LIMIT_PUSH].absent = def->n_conveyors == 0;
-    finding[LIMIT_SPEED] = (Finding){.value = speed, .absent = !def->winch.present || !isfinite(speed)};
+    finding[LIMIT_SPEED] = speed_said(scene);
     if (has_row(def)) return;
-    finding[LIMIT_ROLLER_STEADY].absent = finding[LIMIT_ROLLER_PEAK].absent = finding[LIMIT_ALPHA].absent = 1;
+    finding[LIMIT_ALPHA].absent = 1;
+    if (!has_rating(def)) finding[LIMIT_ROLLER_STEADY].absent = finding[LIMIT_ROLLER_PEAK].absent = 1;
 }
 
 void findings_trip(const Scene *scene, double force, double steady, double beyond, Finding *finding)
@@ -110,7 +144,11 @@ static int holds_with(const Braked *b, double more, double *most, double *end)
 {
     Pull pull;
     if (b->solve(b, more, &pull)) return 1; /* theory has no answer, and whoever asked for the pull has said so */
-    const int holds = -pull.min_tension <= fmax(b->allowed, 1e-9 * fmax(1, pull.max_tension));
+    double allowed = 1e-9 * fmax(1, pull.max_tension);
+    for (int i = 0; i < b->n_steps; ++i) { /* machines push what is ahead of them */
+        if (b->step[i].at <= pull.min_at + 1e-6) allowed = fmax(allowed, -b->step[i].force);
+    }
+    const int holds = -pull.min_tension <= allowed;
     *most = pull.max_tension;
     *end = pull.end_tension;
     pull_clear(&pull);
@@ -164,9 +202,7 @@ static hawser_status way_run_away(const Scene *scene, const Route *route, const 
                                   hawser_error *err)
 {
     const Pull *const pull = &c->plan.way[way].pull;
-    double allowed = fmax(1e-9 * fmax(1, pull->max_tension), c->def.feed);
-    for (int i = 0; i < c->n_pushers; ++i) allowed = fmax(allowed, c->push[way][i].force);
-    allowed = fmin(allowed, scene->def.theory.bears);
+    const double allowed = calculator_bears(scene, c, way);
     *out = (Finding){.rating = pull->max_tension};
     if (-pull->min_tension <= allowed) return HAWSER_OK;
     Brake brake;
@@ -225,8 +261,12 @@ static hawser_status solve_run(const Braked *b, double more, Pull *out)
 void findings_of_run(const Scene *scene, const Expected *e, Finding finding[LIMIT_KINDS])
 {
     const RunPull run = {scene, e};
-    Braked b = {.solve = solve_run, .route = &scene->route, .beyond = scene->def.drag.force, .of = &run};
-    for (int i = 0; i < e->n_steps; ++i) b.allowed = fmax(b.allowed, -e->step[i].force);
+    Braked b = {.solve = solve_run,
+                .route = &scene->route,
+                .beyond = scene->def.drag.force,
+                .of = &run,
+                .n_steps = e->n_steps,
+                .step = e->step};
     findings_run_away(&b, &finding[LIMIT_RUN_AWAY]);
     if (!scene->def.winch.present) finding[LIMIT_RUN_AWAY].absent = 1;
 }

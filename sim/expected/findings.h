@@ -18,9 +18,10 @@ typedef struct Braked Braked;
 struct Braked {
     hawser_status (*solve)(const Braked *b, double more, Pull *out);
     const Route *route;
-    double beyond;  /* N, of the winch beyond the pull's end */
-    double allowed; /* N, by which machines may push the cable */
-    const void *of; /* what `solve` knows */
+    double beyond; /* N, of the winch beyond the pull's end */
+    int n_steps;
+    const PullStep *step; /* [n_steps]: machines, which push (below 0) the cable ahead of them */
+    const void *of;       /* what `solve` knows */
 };
 /* The brake that is missing where a pull begins, so that the cable is pushed by no more than is allowed, N; 0: none.
  * With it what the winch then needs, in words. (LI12) */

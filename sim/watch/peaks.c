@@ -88,6 +88,7 @@ void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const
     int eye = scene->eye - scene->first;
     if (eye > scene->chain.n) eye = scene->chain.n; /* it has passed the winch */
     peaks->recorded++;
+    peaks->speed = fmax(peaks->speed, fabs(sample->winch_speed));
     joints_record(peaks, scene, sample, eye);
     curvature_record(peaks, scene, kin, sample, eye);
     rollers_record(peaks, scene, kin, sample);

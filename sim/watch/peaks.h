@@ -19,6 +19,7 @@ typedef struct Peaks {
     Peak curvature; /* 1/m, of the cable between neighbouring segments */
     Peak rope;      /* N, of the rope, or on its end */
     Peak front;     /* N, at the cable's eye or net */
+    double speed;   /* m/s, of the winch */
     double push;    /* N, of a machine on the cable, and which: its name is the simulation's */
     const char *pusher;
     int n_rollers;

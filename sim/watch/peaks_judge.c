@@ -128,6 +128,12 @@ static void trip_finding(const Stats *stats, const Scene *scene, const Expected 
     findings_trip(scene, theory, fmax(theory, mean_of(&stats->pull)), scene->def.drag.force, out);
 }
 
+/* What a script or a set tension has made of the winch's speed, if that is more than the case says of it. */
+static void speed_finding(const Peaks *peaks, Finding *f)
+{
+    if (peaks->recorded > 0 && !(peaks->speed <= f->value * (1 + 1e-6))) f->value = peaks->speed;
+}
+
 int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, double share,
                 hawser_limit *out)
 {
@@ -156,6 +162,7 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         }
     }
     findings_of_scene(scene, &scene->route, scene->joint_s[scene->eye], f);
+    speed_finding(peaks, &f[LIMIT_SPEED]);
     duct_findings(def, f);
     return limits_judge(&def->limits, bundle_diameter(def), def->bundle.shape.thickest, f, out);
 }

@@ -180,10 +180,19 @@ static void add_mesh(List *list, const TrustFacts *f)
         where, place->piece, 1e3 * mesh_length(f->mesh, place->piece, MESH_AIM));
 }
 
-/* Below the speed at which friction is fully there the pull is too small. */
-static void add_friction_speed(List *list, const Scene *scene)
+/* Of the window whose means count, or of the case where nothing has moved, m/s. */
+static double pulled_at(const TrustFacts *f)
 {
-    double slowest = 0;
+    const double steady = f->figures->steady_speed_m_per_s, most = f->scene->largest_speed;
+    return steady > 1e-6 * most ? fmin(steady, most) : most;
+}
+
+/* Below the speed at which friction is fully there the pull is too small. */
+static void add_friction_speed(List *list, const TrustFacts *f)
+{
+    const Scene *const scene = f->scene;
+    const RopeDragDef *const drag = &scene->def.drag;
+    double slowest = drag->force > 0 ? drag->v_s : 0;
     for (int r = 0; r < scene->contact.n_rollers; ++r) {
         const FrictionLaw *const law = &scene->contact.roller[r].friction;
         if (friction_kind(law) == FRICTION_SPEED) slowest = fmax(slowest, law->v_s);
@@ -193,9 +202,9 @@ static void add_friction_speed(List *list, const Scene *scene)
         if (friction_kind(law) == FRICTION_SPEED) slowest = fmax(slowest, law->v_s);
     }
     if (slowest > 0 && scene->def.winch.present) {
-        add(list, "friction_speed", "1", slowest / scene->largest_speed, SLOWEST,
-            "the pull is slower than friction needs to come in: set friction.v_s below %.3g m/s",
-            scene->largest_speed / 5);
+        add(list, "friction_speed", "1", slowest / pulled_at(f), SLOWEST,
+            "the pull is slower than friction needs to come in: set %s below %.3g m/s",
+            slowest == drag->v_s && drag->force > 0 ? "rope_drag.v_s" : "friction.v_s", pulled_at(f) / 5);
     }
 }
 
@@ -450,7 +459,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     if (f->balance) add_books(&list, f);
     add_places(&list, f);
     add_mesh(&list, f);
-    add_friction_speed(&list, scene);
+    add_friction_speed(&list, f);
     if (placed) add_decided(&list, f);
     if (!dynamic) return list.n;
     if (f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);

@@ -56,6 +56,9 @@
  *                                                   trusted, for it finds no rest
  *   what error bars are blind for                   io/test_passes, what_bars_do_not_see
  *   ends that are led, a hold-down's gap, tips      io/test_closed_forms
+ *   jointed cables, ropes in pieces                 io/test_rope; io/test_judged, joined_cables
+ *   ratings, speeds, clamps that were not looked at io/test_judged
+ *   a belt far ahead that a shaft's cable hangs on  io/test_judged, belts_ahead_hold_nothing
  */
 #include "tests/io/case_fixture.h"
 

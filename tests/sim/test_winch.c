@@ -34,7 +34,7 @@ static void test_profile(void **state)
     check_equal(next_stop(&w, 0), 1);
     check_equal(next_stop(&w, 1), 5);
     check_infinite(next_stop(&w, 5));
-    check_close(winch_largest_speed(&w), 0.1, 1e-15);
+    check_close(winch_largest_speed(&w, INFINITY), 0.1, 1e-15);
 }
 
 /* Steps of dt up to `to` with stops where the winch wants them; every event must leave travel and speed as they were.

@@ -1,0 +1,229 @@
+/* What limits and trust are asked of: all that is there, as it was in the run, not as the case first says. */
+#include "tests/io/case_fixture.h"
+
+/* The limits of a run of tests/data/limits.yaml so changed; the simulation is given back. */
+static hawser_sim *judged(const char *const *settings, int *n, hawser_limit *limit)
+{
+    hawser_sim *const sim = run_of(data_text("limits"), settings);
+    *n = hawser_sim_limits(sim, limit);
+    return sim;
+}
+
+static const hawser_limit *find(int n, const hawser_limit *limit, const char *name)
+{
+    for (int i = 0; i < n; i++) {
+        if (!strcmp(limit[i].name, name)) return &limit[i];
+    }
+    fail_msg("no limit %s", name);
+    return NULL;
+}
+
+/* The answer of theory, without spaces; the caller frees it. */
+static char *theory_of(const char *text, const char *const *settings)
+{
+    char *answer = NULL;
+    hawser_error err = {0};
+    hawser_case *const c = case_with(text, settings);
+    if (hawser_case_theory(c, HAWSER_JSON, &answer, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    return answer;
+}
+
+/* Ratings of listed rollers were not asked for where no row stands. Theory knows nothing of them, and says so. */
+static void ratings_of_listed_rollers(void **state)
+{
+    (void)state;
+    char rollers[4000] = "{list: [";
+    for (int i = 0; i < 25; i++) {
+        const size_t used = strlen(rollers);
+        snprintf(rollers + used, sizeof rollers - used,
+                 "%s{centre: [%d, 0, -0.1], axis: [0, 1, 0], radius: 60 mm, rating: 100 N}", i ? ", " : "", i);
+    }
+    strcat(rollers, "]}");
+    const char *const settings[] = {"route", "{head_at: 15 m, pieces: [{straight: 24 m}]}", "rollers", rollers, NULL};
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    int n;
+    hawser_sim *const sim = judged(settings, &n, limit);
+    const hawser_limit *const steady = find(n, limit, "roller_steady"), *const peak = find(n, limit, "roller_peak");
+    assert_true(steady->judged && !steady->ok && peak->judged && !peak->ok);
+    check_above(peak->value, 150);
+    hawser_sim_free(sim);
+    char *const answer = theory_of(data_text("limits"), settings);
+    check_has(answer, "not judged: roller_steady");
+    hawser_text_free(answer);
+}
+
+/* The winch's speed in the run: by a set tension without a limit, by a script. */
+static void the_speed_that_was(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *key, *value;
+        double least;
+    } row[] = {{"drive.winch", "{tension: {force: 4 kN, ramp: none}}", 0.3},
+               {"drive.script", "[{at: 1 s, do: winch_speed, speed: 0.6 m/s, ramp: 500 ms}]", 0.599}};
+    for (int k = 0; k < 2; k++) {
+        const char *const settings[] = {row[k].key, row[k].value, NULL};
+        hawser_limit limit[HAWSER_LIMITS_MAX];
+        int n;
+        hawser_sim *const sim = judged(settings, &n, limit);
+        check_above(find(n, limit, "speed")->value, row[k].least);
+        assert_false(find(n, limit, "speed")->ok);
+        hawser_sim_free(sim);
+    }
+    const char *const tension[] = {row[0].key, row[0].value, NULL};
+    char *const answer = theory_of(data_text("limits"), tension);
+    check_has(answer, "a run says");
+    hawser_text_free(answer);
+}
+
+/* A belt is pressed as hard as the script says, once. */
+static void the_clamp_that_was(void **state)
+{
+    (void)state;
+    static const char belt[] = "[{name: B, from: 2 m, to: 4 m, clamp: 1 kN}]";
+    const char *const soft[] = {"conveyors", belt, "limits.squeeze", "2 kN/m", NULL};
+    const char *const hard[] = {
+        "conveyors", belt,           "limits.squeeze",
+        "2 kN/m",    "drive.script", "[{at: 1 s, do: conveyor_clamp, of: B, clamp: 20 kN, ramp: 100 ms}]",
+        NULL};
+    const char *const *const settings[] = {soft, hard};
+    double found[2];
+    for (int k = 0; k < 2; k++) {
+        hawser_limit limit[HAWSER_LIMITS_MAX];
+        int n;
+        hawser_sim *const sim = judged(settings[k], &n, limit);
+        found[k] = find(n, limit, "squeeze")->value;
+        assert_int_equal(find(n, limit, "squeeze")->ok, k == 0);
+        hawser_sim_free(sim);
+    }
+    check_share(found[1], 20 * found[0], 1e-9);
+}
+
+/* Friction is asked of the speed of the steady window: what the winch does behind the end, or is told, does not count.
+ */
+static void friction_at_the_speed_that_was(void **state)
+{
+    (void)state;
+    const char *const behind[] = {"drive.winch",
+                                  "{table: [[0 s, 0], [1 s, 0.4 mm/s], [3 s, 0.4 mm/s], [4 s, 0.1 m/s]]}", NULL};
+    const char *const told[] = {"drive.script", "[{at: 0.2 s, do: winch_speed, speed: 0.4 mm/s, ramp: 500 ms}]", NULL};
+    hawser_summary sum;
+    hawser_sim *sim = run_of(data_text("limits"), behind);
+    hawser_sim_summary(sim, &sum);
+    assert_true(condition_of(&sum, "friction_speed")->holds);
+    check_share(condition_of(&sum, "friction_speed")->value, 0.1, 0.02);
+    hawser_sim_free(sim);
+    sim = run_of(data_text("limits"), told);
+    hawser_sim_summary(sim, &sum);
+    assert_false(condition_of(&sum, "friction_speed")->holds);
+    check_has(condition_of(&sum, "friction_speed")->remedy, "set friction.v_s below 8e-05 m/s");
+    hawser_sim_free(sim);
+}
+
+/* Rows and planes with more friction than friction.mu were left out of theory's pull, which was called safe. */
+static void friction_that_theory_does_not_take(void **state)
+{
+    (void)state;
+    static const char row[] = "{along: {spacing: 1 m, friction: {mu: 0.5}, name: W}}";
+    const char *const more[] = {"rollers", row, NULL};
+    const char *const less[] = {"rollers", row, "friction.mu", "0.5", NULL};
+    const char *const own[] = {"rollers", row, "theory.stretches", "[{from: 0 m, to: 24 m, mu: 0.5}]", NULL};
+    char *answer = theory_of(data_text("limits"), more);
+    check_has(answer, "has a friction of its own, 0.5");
+    hawser_text_free(answer);
+    for (int k = 0; k < 2; k++) {
+        answer = theory_of(data_text("limits"), k ? own : less);
+        assert_null(strstr(answer, "has a friction of its own"));
+        hawser_text_free(answer);
+    }
+}
+
+/* A belt holds what is ahead of it, not what is behind: the cable runs away down a shaft whatever stands farther on. */
+static void belts_ahead_hold_nothing(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables: {power: {d: 80 mm, mass: 20 kg/m}}\n"
+        "route: {start: [0, 0, 63 m], slope: -90 deg, pieces: [{name: shaft, straight: 60 m}, "
+        "{name: foot, bend: 90 deg, radius: 3 m, plane: up}, {name: tunnel, straight: 500 m}]}\n"
+        "surfaces: {ducts: [{radius: 75 mm}]}\n"
+        "friction: {mu: 0.2}\ntheory: {reel: 10 m}\n"
+        "conveyors: [{name: C1, from: 545 m, to: 547 m, clamp: 25 kN, limit: 12 kN, belt: {speed: 0.11 m/s, ramp: "
+        "none}}]\n"
+        "drive: {winch: {speed: 0.1 m/s, ramp: none}}\nlimits: {pull: 30 kN, sidewall: 10 kN/m}\n";
+    char *const answer = theory_of(text, NULL);
+    check_has(answer, "the cable would run away or slacken");
+    hawser_text_free(answer);
+}
+
+/* Of pieces that are unlike the limits are those of the worst: thickest, weakest; theory's weight is the heaviest's. */
+static void joined_cables(void **state)
+{
+    (void)state;
+    static const char cables[] =
+        "{c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 2 kN m2, d: 80 mm, mass: 20 kg/m, conductor: {material: copper, "
+        "area: "
+        "800 mm2}}, t: {EA: 20 MN, GA: 8 MN, GJ: 1 kN m2, EI: 500 N m2, d: 40 mm, mass: 5 kg/m, conductor: {material: "
+        "copper, area: 35 mm2}}, r: {EA: 8 MN, GA: 3 MN, GJ: 40 N m2, EI: 40 N m2, d: 14 mm, mass: 700 g/m, strength: "
+        "100 kN}, s: {EA: 8 MN, GA: 3 MN, GJ: 40 N m2, EI: 40 N m2, d: 20 mm, mass: 700 g/m, strength: 50 kN}}";
+    static const char chain[] =
+        "[{cable: c, length: 8 m, segment: 500 mm}, {cable: t, length: 2 m, segment: 500 mm, "
+        "rope: false}, {cable: s, length: 1 m, segment: 500 mm, rope: true}, {cable: r, length: "
+        "1 m, segment: 500 mm, rope: true}]";
+    const char *const settings[] = {
+        "cables", cables, "chain", chain, "route.head_at", "11 m", "limits", "{sidewall: 3 kN/m, sheave: 400 mm}",
+        NULL};
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    hawser_summary sum;
+    int n;
+    hawser_sim *const sim = judged(settings, &n, limit);
+    check_share(find(n, limit, "bend_radius")->limit, 20 * 0.08, 1e-12);
+    assert_false(find(n, limit, "pull")->judged);
+    check_has(find(n, limit, "pull")->source, "limits.conductor");
+    check_share(find(n, limit, "rope")->limit, 50e3 / 5, 1e-12);
+    check_share(find(n, limit, "rope_bend")->value, 400 / 20.0, 1e-12);
+    hawser_sim_summary(sim, &sum);
+    check_finite(sum.reference_total_N);
+    hawser_sim_free(sim);
+}
+
+/* What is joined of unlike pieces is pulled with the weight of each: on the level, mu w L of both and the tail's. */
+static void weights_of_pieces(void **state)
+{
+    (void)state;
+    static const char cables[] =
+        "{c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 2 kN m2, d: 80 mm, mass: 20 kg/m}, t: {EA: "
+        "20 MN, GA: 8 MN, GJ: 1 kN m2, EI: 2 kN m2, d: 80 mm, mass: 5 kg/m}}";
+    const char *const settings[] = {
+        "cables",
+        cables,
+        "chain",
+        "[{cable: c, length: 6 m, segment: 500 mm}, {cable: t, length: 4 m, segment: 500 mm, "
+        "rope: false}]",
+        "route",
+        "{head_at: 11 m, pieces: [{straight: 24 m}]}",
+        "rollers",
+        "{along: [{spacing: 1 m}]}",
+        NULL};
+    hawser_summary sum;
+    hawser_sim *const sim = run_of(data_text("limits"), settings);
+    hawser_sim_summary(sim, &sum);
+    check_share(sum.reference_total_N, 2000 + 0.2 * 9.81 * (6 * 20 + 4 * 5), 1e-6);
+    hawser_sim_free(sim);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ratings_of_listed_rollers),
+        cmocka_unit_test(the_speed_that_was),
+        cmocka_unit_test(the_clamp_that_was),
+        cmocka_unit_test(friction_at_the_speed_that_was),
+        cmocka_unit_test(friction_that_theory_does_not_take),
+        cmocka_unit_test(belts_ahead_hold_nothing),
+        cmocka_unit_test(joined_cables),
+        cmocka_unit_test(weights_of_pieces),
+    };
+    return cmocka_run_group_tests_name("judged", tests, NULL, NULL);
+}
