@@ -41,6 +41,9 @@ void progress_study(Progress *p, const hawser_study_state *state);
 /* Clears the live line. */
 void progress_end(Progress *p);
 
+/* From now on SIGINT, SIGTERM and SIGHUP, where they are not ignored, end the program at once with EXIT_INTERRUPTED:
+ * what only prints has nothing to leave in order. */
+void interrupt_end(void);
 /* From now on SIGINT, SIGTERM and SIGHUP ask for an orderly end, and standard output or error that nobody reads any
  * more is a write that fails. If interrupt_wanted is not called within half a second of the signal, the program ends.
  */

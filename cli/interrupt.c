@@ -12,6 +12,8 @@
 /* How long the library has to notice, us of wall time. */
 enum { PATIENCE = 450000 };
 
+static const int ends[] = {SIGINT, SIGTERM, SIGHUP};
+
 /* Set by a signal: the only thing that a handler may touch. */
 static volatile sig_atomic_t interrupted;
 
@@ -38,9 +40,24 @@ static void on_alarm(int number)
     _exit(EXIT_INTERRUPTED);
 }
 
+static void on_end(int number)
+{
+    static const char says[] = "hawser: stopped\n";
+    (void)number;
+    if (write(STDERR_FILENO, says, sizeof says - 1) < 0) _exit(EXIT_INTERRUPTED);
+    _exit(EXIT_INTERRUPTED);
+}
+
+void interrupt_end(void)
+{
+    struct sigaction old;
+    for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {
+        if (!sigaction(ends[k], NULL, &old) && old.sa_handler == SIG_DFL) signal(ends[k], on_end);
+    }
+}
+
 void interrupt_watch(void)
 {
-    static const int ends[] = {SIGINT, SIGTERM, SIGHUP};
     struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART}, old;
     sigemptyset(&action.sa_mask);
     for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {

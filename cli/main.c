@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <stdio.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 /* A program may be started with standard input, output or error closed. The next file that it opens, a file of results,
@@ -19,10 +20,23 @@ static int take_descriptors(void)
     return fd > 2;
 }
 
+/* Less than this and the program would end by a signal somewhere on its way. Returns 0 if there is less. */
+static int stack_suffices(void)
+{
+    enum { LEAST = 512 }; /* KiB */
+    struct rlimit limit;
+    if (getrlimit(RLIMIT_STACK, &limit) || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= LEAST * 1024) return 1;
+    complain("the stack is limited to %lu KiB (RLIMIT_STACK, ulimit -s): at least %d are needed",
+             (unsigned long)(limit.rlim_cur / 1024), LEAST);
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
     static char room[BUFSIZ]; /* without a buffer of its own standard output drops what it is given */
     if (!take_descriptors()) return EXIT_INTERNAL;
+    if (!stack_suffices()) return EXIT_INTERNAL;
+    interrupt_end();
     setvbuf(stdout, room, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, sizeof room);
     return program(argc, argv);
 }

@@ -9,6 +9,27 @@
 
 enum { WORD_MAX = 64 };
 
+/* Whether the three bytes are a mark of UTF-8 that turns or hides what stands beside it, as the library tells them:
+ * U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069, U+FEFF. */
+static int turns_text(const unsigned char *c)
+{
+    if (c[0] == 0xEF) return c[1] == 0xBB && c[2] == 0xBF;
+    if (c[0] != 0xE2) return 0;
+    if (c[1] == 0x80) return c[2] == 0x8E || c[2] == 0x8F || (c[2] >= 0xA8 && c[2] <= 0xAE);
+    return c[1] == 0x81 && c[2] >= 0xA6 && c[2] <= 0xA9;
+}
+
+static void make_printable(char *text)
+{
+    for (unsigned char *c = (unsigned char *)text; *c; c++) {
+        const int two = (*c == 0xC2 && c[1] >= 0x80 && c[1] < 0xA0) || (*c == 0xD8 && c[1] == 0x9C),
+                  three = turns_text(c);
+        if (two || three) c[1] = '?';
+        if (three) c[2] = '?';
+        if (two || three || *c < ' ' || *c == 127) *c = '?';
+    }
+}
+
 /* One line on standard error, named after the program as shells expect it. Words of the command line stand in it: what
  * in them a terminal would obey becomes a question mark, as in the library's messages. */
 void complain(const char *format, ...)
@@ -18,11 +39,7 @@ void complain(const char *format, ...)
     va_start(args, format);
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
-    for (unsigned char *c = (unsigned char *)text; *c; c++) {
-        const int long_one = *c == 0xC2 && c[1] >= 0x80 && c[1] < 0xA0; /* in UTF-8 */
-        if (long_one) c[1] = '?';
-        if (long_one || *c < ' ' || *c == 127) *c = '?';
-    }
+    make_printable(text);
     fprintf(stderr, "hawser: %s\n", text);
 }
 

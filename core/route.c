@@ -124,6 +124,15 @@ RoutePoint route_on_piece(const Route *route, int piece, double s)
     return at;
 }
 
+RoutePoint route_way_on_piece(const Route *route, int piece, double s)
+{
+    const RoutePiece *const p = &route->piece[piece];
+    assert(p->kind >= ROUTE_CURVE);
+    RoutePoint at = route_curve_way(route, p, fmin(fmax(s - p->s0, 0), p->length));
+    at.piece = piece;
+    return at;
+}
+
 double route_turn(const Route *route, double s)
 {
     const RoutePiece *const p = &route->piece[piece_find(route, s)];

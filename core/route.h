@@ -94,6 +94,8 @@ void route_clear(Route *route);
 RoutePoint route_at(const Route *route, double s);
 /* The same on one piece, whose law holds up to both its ends. */
 RoutePoint route_on_piece(const Route *route, int piece, double s);
+/* The same of a curve or cubic, without the position. */
+RoutePoint route_way_on_piece(const Route *route, int piece, double s);
 /* Curvature at s alone, 1/m. */
 double route_turn(const Route *route, double s);
 /* Slope of the tangent above the horizontal at s, rad. */
@@ -116,6 +118,8 @@ const char *route_piece_word(const RoutePiece *piece);
 hawser_status route_curve_set(Route *route, RoutePiece *p, const RoutePieceDef *def, Vec3 left, hawser_error *err);
 /* At distance x from its start, within its length. */
 RoutePoint route_curve_at(const Route *route, const RoutePiece *p, double x);
+/* The same without the position, which costs an integral: tangent and curvature only. */
+RoutePoint route_curve_way(const Route *route, const RoutePiece *p, double x);
 
 /* The level unit vector to the left of a tangent, e_z x t (R2); the zero vector for a vertical tangent. */
 Vec3 route_level_left(Vec3 tangent);

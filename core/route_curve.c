@@ -36,17 +36,28 @@ static const double gauss_at[GAUSS / 2] = {0.18343464249564980494, 0.52553240991
 static const double gauss_by[GAUSS / 2] = {0.36268378337836198297, 0.31370664587788728734, 0.22238103445337447054,
                                            0.10122853629037625915};
 
-/* What has been gone through since the knot at u0 (RO4), (RO6). */
-static RouteKnot integrate(const RoutePiece *p, double u0, double u)
+static double gauss_place(double u0, double u, int i)
 {
     const double middle = (u0 + u) / 2, half = (u - u0) / 2;
-    const int timed = is_timed(p), planned = p->kind == ROUTE_CURVE;
-    RouteKnot sum = {.u = u};
-    for (int i = 0; i < GAUSS; ++i) {
-        const double at = middle + (i % 2 ? half : -half) * gauss_at[i / 2], by = half * gauss_by[i / 2];
-        if (timed) sum.x += by * speed_at(p, at);
-        if (!planned) continue;
-        const double heading = heading_at(&p->curve, at);
+    return middle + (i % 2 ? half : -half) * gauss_at[i / 2];
+}
+
+/* The arc length since the knot at u0. */
+static double integrate_length(const RoutePiece *p, double u0, double u)
+{
+    const double half = (u - u0) / 2;
+    double sum = 0;
+    for (int i = 0; i < GAUSS; ++i) sum += half * gauss_by[i / 2] * speed_at(p, gauss_place(u0, u, i));
+    return sum;
+}
+
+/* What has been gone through since then (RO4), (RO6). */
+static RouteKnot integrate(const RoutePiece *p, double u0, double u)
+{
+    const double half = (u - u0) / 2;
+    RouteKnot sum = {.u = u, .x = is_timed(p) ? integrate_length(p, u0, u) : 0};
+    for (int i = 0; i < GAUSS && p->kind == ROUTE_CURVE; ++i) {
+        const double heading = heading_at(&p->curve, gauss_place(u0, u, i)), by = half * gauss_by[i / 2];
         sum.along += by * cos(heading);
         sum.aside += by * sin(heading);
     }
@@ -77,7 +88,7 @@ static double parameter_at(const RoutePiece *p, const RouteKnot *knot, double x)
 {
     double u = knot->u + (x - knot->x) / speed_at(p, knot->u);
     for (int i = 0; i < 20; ++i) {
-        const double off = knot->x + integrate(p, knot->u, u).x - x, step = off / speed_at(p, u);
+        const double off = knot->x + integrate_length(p, knot->u, u) - x, step = off / speed_at(p, u);
         u -= step;
         if (fabs(step) <= 1e-15 * p->curve.end) break;
     }
@@ -113,34 +124,55 @@ static RoutePoint curve_point(const RoutePiece *p, double u, double slope, const
     return at;
 }
 
+/* Where x is along a curve that is no cubic: its parameter, slope and height over the start. */
+typedef struct CurvePlace {
+    double u, slope, height;
+} CurvePlace;
+
+static CurvePlace curve_place(const RoutePiece *p, const RouteKnot *knot, double x)
+{
+    const RouteCurve *const c = &p->curve;
+    if (c->profile == PROFILE_PARABOLA) { /* (RO5), (RO7) */
+        const double u = parameter_at(p, knot_before(knot, c->n, x), x);
+        return (CurvePlace){u, atan(tan(c->slope) + c->vertical * u), u * (tan(c->slope) + c->vertical * u / 2)};
+    }
+    const double half = (c->profile == PROFILE_ARC ? c->vertical : 0) * x / 2; /* (RO8) */
+    return (CurvePlace){x * sinc(half) * cos(c->slope + half), c->slope + 2 * half,
+                        x * sinc(half) * sin(c->slope + half)};
+}
+
+/* NULL: no piece is timed. */
+static const RouteKnot *knots_of(const Route *route, const RoutePiece *p)
+{
+    return route->knot ? route->knot + p->curve.first : NULL;
+}
+
 RoutePoint route_curve_at(const Route *route, const RoutePiece *p, double x)
 {
     const RouteCurve *const c = &p->curve;
-    const RouteKnot *const knot = route->knot ? route->knot + c->first : NULL; /* NULL: no piece is timed */
+    const RouteKnot *const knot = knots_of(route, p);
     if (p->kind == ROUTE_CUBIC) return cubic_at(p, parameter_at(p, knot_before(knot, c->n, x), x));
-    double u, slope, height;
-    if (c->profile == PROFILE_PARABOLA) { /* (RO5), (RO7) */
-        u = parameter_at(p, knot_before(knot, c->n, x), x);
-        slope = atan(tan(c->slope) + c->vertical * u);
-        height = u * (tan(c->slope) + c->vertical * u / 2);
-    } else { /* (RO8) */
-        const double half = (c->profile == PROFILE_ARC ? c->vertical : 0) * x / 2;
-        u = x * sinc(half) * cos(c->slope + half);
-        height = x * sinc(half) * sin(c->slope + half);
-        slope = c->slope + 2 * half;
-    }
-    RouteKnot plan = {.u = u};
+    const CurvePlace at = curve_place(p, knot, x);
+    RouteKnot plan = {.u = at.u};
     if (c->n == 0) { /* the plan is a circle */
-        const double half = c->bend * u / 2;
-        plan.along = u * sinc(half) * cos(half);
-        plan.aside = u * sinc(half) * sin(half);
+        const double half = c->bend * at.u / 2;
+        plan.along = at.u * sinc(half) * cos(half);
+        plan.aside = at.u * sinc(half) * sin(half);
     } else {
         assert(knot);
-        int i = (int)(c->n * u / c->end);
+        int i = (int)(c->n * at.u / c->end);
         i = i < 0 ? 0 : i > c->n - 1 ? c->n - 1 : i;
-        plan = knot_after(&knot[i], integrate(p, knot[i].u, u));
+        plan = knot_after(&knot[i], integrate(p, knot[i].u, at.u));
     }
-    return curve_point(p, u, slope, &plan, height);
+    return curve_point(p, at.u, at.slope, &plan, at.height);
+}
+
+RoutePoint route_curve_way(const Route *route, const RoutePiece *p, double x)
+{
+    const RouteKnot none = {0};
+    if (p->kind == ROUTE_CUBIC) return route_curve_at(route, p, x);
+    const CurvePlace at = curve_place(p, knots_of(route, p), x);
+    return curve_point(p, at.u, at.slope, &none, 0);
 }
 
 /* ------------------------------------------------------------------------------------------------------ building */
@@ -163,7 +195,7 @@ static int steps_wanted(const RoutePiece *p)
         double before = 0;
         for (int n = 4; n < 4096; n *= 2) {
             double sum = 0;
-            for (int i = 0; i < n; ++i) sum += integrate(p, (double)i / n, (i + 1.0) / n).x;
+            for (int i = 0; i < n; ++i) sum += integrate_length(p, (double)i / n, (i + 1.0) / n);
             if (fabs(sum - before) <= 1e-14 * sum) return n;
             before = sum;
         }
@@ -229,7 +261,7 @@ static void measure(const Route *route, RoutePiece *p)
     double k[LOOKS + 1], most = 0, sum = 0;
     RoutePoint before = {.piece = 0};
     for (int i = 0; i <= LOOKS; ++i) {
-        const RoutePoint at = route_curve_at(route, p, i * h);
+        const RoutePoint at = route_curve_way(route, p, i * h);
         k[i] = v3_norm(at.curvature);
         most = fmax(most, k[i]);
         sum += k[i] * (i == 0 || i == LOOKS ? 1 : i % 2 ? 4 : 2) * h / 3;

@@ -81,19 +81,24 @@ static void piece_closed(const Route *route, const PullSpan *span, PlanPiece *pi
     }
 }
 
+/* What is largest on the piece of which span i is the first: a piece's spans follow each other. */
+static void piece_loads(const PlanDef *def, PlanWay *way, int i)
+{
+    const int p = way->pull.span[i].piece;
+    PlanPiece *const piece = &way->piece[p];
+    const PieceExtremes most = pull_extremes_from(&way->pull, i);
+    const double spacing = def->spacing ? def->spacing[p] : def->roller_spacing;
+    piece->max_tension = most.tension;
+    piece->sidewall = most.sidewall;
+    piece->roller_load = fmax(most.down * spacing, most.aside * (def->guides ? def->guides[p] : spacing));
+}
+
 static void fill_pieces(const PlanDef *def, PlanWay *way)
 {
-    for (int i = 0; i < def->route->n; i++) {
-        PlanPiece *piece = &way->piece[i];
-        *piece = (PlanPiece){.t_in = NAN, .t_out = NAN, .closed = NAN};
-        const PieceExtremes most = pull_piece_extremes(&way->pull, i);
-        const double spacing = def->spacing ? def->spacing[i] : def->roller_spacing;
-        piece->max_tension = most.tension;
-        piece->sidewall = most.sidewall;
-        piece->roller_load = fmax(most.down * spacing, most.aside * (def->guides ? def->guides[i] : spacing));
-    }
+    for (int i = 0; i < def->route->n; i++) way->piece[i] = (PlanPiece){.t_in = NAN, .t_out = NAN, .closed = NAN};
     for (int i = 0; i < way->pull.n; i++) {
         const PullSpan *span = &way->pull.span[i];
+        if (i == 0 || span->piece != span[-1].piece) piece_loads(def, way, i);
         PlanPiece *piece = &way->piece[span->piece];
         assert(span->piece < def->route->n);
         if (isnan(piece->t_in)) {

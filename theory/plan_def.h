@@ -41,6 +41,7 @@ typedef struct PlanDef {
     int n_wear;           /* by rising `from`; 0: friction stays */
     const PlanWear *wear;
     WearKind wear_by;
+    double enough;       /* N: a cable's tension beyond it ends the pull as an error, as a PullDef's; 0: none */
     int skip[PLAN_WAYS]; /* this way is not asked for */
 } PlanDef;
 

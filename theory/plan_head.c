@@ -175,6 +175,117 @@ static hawser_status peaks_find(const PlanDef *def, const DuctLoad *load, int wa
     return status;
 }
 
+/* ------------------------------------------------------------------------------------------- the peaks alone */
+
+/* Whether friction behind the head depends on where the head is. */
+static int wears_by_head(const PlanDef *def) { return def->n_wear > 0 && def->wear_by == WEAR_PLACE; }
+
+/* The cable's tension where its head is at s; `span`, the one that s lies in, moves on with it. */
+static double cable_tension(const Pull *pull, int *span, double s)
+{
+    while (*span < pull->n && pull->span[*span].law.direction * (s - pull->span[*span].s1) >= 0) ++*span;
+    if (*span == pull->n) return pull->end_tension;
+    const PullSpan *const at = &pull->span[*span];
+    return s == at->s0 ? at->t0 : span_integrate(&at->law, at->s0, at->t0, s, NULL);
+}
+
+/* The rope's tension at `to`, from `from` on, without a corner between them. */
+static double rope_onward(const PlanDef *def, int way, double from, double to, double tension)
+{
+    const double middle = from + (to - from) / 2;
+    const PullStretch *const s = stretch_at(def->n_stretches, def->stretch, middle);
+    const SpanLaw law = {.law = def->law,
+                         .direction = sign_of(way),
+                         .weight = def->rope_weight,
+                         .mu = s->mu_rope,
+                         .separate = s->separate,
+                         .line = span_line(def->route, middle)};
+    return span_integrate(&law, from, tension, to, NULL);
+}
+
+/* The place of the head, of those of the section that begins with places->s[*i], at which the winch needs most, and
+ * that force. Of two ropes the one that is tighter at a place is so at the section's end: only the tightest is
+ * followed. *i becomes the next section's. */
+static hawser_status section_top(const PlanDef *def, const DuctLoad *load, int way, int restart, const Places *places,
+                                 int *i, int *top, double *most, hawser_error *err)
+{
+    const PlanSection section = plan_section_at(def, way, places->s[*i]);
+    const PlanPullDef what = {.way = way, .restart = restart, .head = section.to, .forces_only = 1};
+    Pull cable;
+    hawser_status status = plan_pull(def, load, &what, &cable, err);
+    if (status) return status;
+    double tightest = -INFINITY;
+    for (int span = 0, first = *i; *i < places->n && sign_of(way) * (places->s[*i] - section.to) <= 0; ++*i) {
+        const double s = places->s[*i];
+        if (*i > first) tightest = rope_onward(def, way, places->s[*i - 1], s, tightest);
+        const double own = cable_tension(&cable, &span, s);
+        if (own > tightest) *top = *i;
+        tightest = fmax(own, tightest);
+    }
+    pull_clear(&cable);
+    *most = tightest;
+    if (isfinite(tightest)) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT, "the tension grows past all bounds: too much friction and turn");
+}
+
+/* One of both peaks: the place by all sections, then beside it. */
+static hawser_status peak_find(const PlanDef *def, const DuctLoad *load, int way, int restart, const Places *places,
+                               Pull before[2], HeadForce *peak, hawser_error *err)
+{
+    int top = 0;
+    double most = -INFINITY;
+    for (int i = 0; i < places->n;) {
+        int here = i;
+        double force;
+        const hawser_status status = section_top(def, load, way, restart, places, &i, &here, &force, err);
+        if (status) return status;
+        if (force > most) top = here;
+        most = fmax(force, most);
+    }
+    const hawser_status status = head_solve(def, load, way, places->s[top], before, peak, err);
+    if (status || top == 0 || top == places->n - 1) return status;
+    return peak_refine(def, load, way, restart, places->s[top - 1], places->s[top + 1], before, peak, err);
+}
+
+static hawser_status peaks_by_sections(const PlanDef *def, const DuctLoad *load, int way, const Places *places,
+                                       HeadSeries *s, hawser_error *err)
+{
+    Pull before[2] = {{0}, {0}};
+    hawser_status status = peak_find(def, load, way, 0, places, before, &s->peak, err);
+    s->restart_peak = s->peak;
+    if (!status && !restarts_alike(def)) status = peak_find(def, load, way, 1, places, before, &s->restart_peak, err);
+    pull_clear(&before[0]);
+    pull_clear(&before[1]);
+    return status;
+}
+
+hawser_status plan_peaks(const PlanDef *def, const DuctLoad *load, int way, HeadSeries *out, hawser_error *err)
+{
+    Places places;
+    if (wears_by_head(def)) return plan_heads(def, load, way, INFINITY, out, err);
+    *out = (HeadSeries){0};
+    hawser_status status = places_find(def, way, INFINITY, &places, err);
+    if (!status) status = peaks_by_sections(def, load, way, &places, out, err);
+    free(places.s);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------------- the rows */
+
+/* Each row costs as much as there are corners: of a route with more than a thousand only so many rows that both
+ * together stay below a million. */
+static void places_thin(Places *places)
+{
+    enum { CORNERS = 1000, FEWEST = 100, WORK = 1000000 };
+    const int all = places->n, rows = WORK / all > FEWEST ? WORK / all : FEWEST;
+    if (all <= CORNERS) return;
+    const int every = (all + rows - 1) / rows;
+    places->n = 0;
+    for (int i = 0; i < all; i++) {
+        if (i % every == 0 || i == all - 1) places->s[places->n++] = places->s[i];
+    }
+}
+
 hawser_status plan_heads(const PlanDef *def, const DuctLoad *load, int way, double apart, HeadSeries *out,
                          hawser_error *err)
 {
@@ -182,18 +293,27 @@ hawser_status plan_heads(const PlanDef *def, const DuctLoad *load, int way, doub
     Pull before[2] = {{0}, {0}};
     *out = (HeadSeries){0};
     hawser_status status = places_find(def, way, apart, &places, err);
+    const int all = status ? 0 : places.n;
     if (!status) {
         assert(places.n > 0); /* both ends of the way are places */
+        places_thin(&places);
         out->row = malloc((size_t)places.n * sizeof *out->row);
         if (!out->row) status = error_memory(err);
     }
     for (; !status && out->n < places.n; out->n++) {
         status = head_solve(def, load, way, places.s[out->n], before, &out->row[out->n], err);
     }
+    const int thinned = places.n < all && !wears_by_head(def);
     free(places.s);
-    if (!status) status = peaks_find(def, load, way, before, out, err);
+    if (!status && !thinned) status = peaks_find(def, load, way, before, out, err);
     pull_clear(&before[0]);
     pull_clear(&before[1]);
+    if (!status && thinned) {
+        HeadSeries peaks;
+        status = plan_peaks(def, load, way, &peaks, err);
+        out->peak = peaks.peak;
+        out->restart_peak = peaks.restart_peak;
+    }
     if (status) plan_heads_free(out);
     return status;
 }
@@ -242,7 +362,7 @@ static hawser_status brake_force(const PlanDef *def, const DuctLoad *load, int w
     out->force = pull.end_tension + allowance(def, way);
     if (fabs(out->force) < 1e-9 * pull.max_tension) out->force = 0; /* rounding */
     pull_clear(&pull);
-    status = plan_heads(def, load, way, INFINITY, &heads, err);
+    status = plan_peaks(def, load, way, &heads, err);
     if (status) return status;
     out->peak = heads.peak.force;
     plan_heads_free(&heads);

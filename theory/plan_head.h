@@ -23,10 +23,14 @@ typedef struct HeadSeries {
 /* One place. `load` as plan_pull's. Errors: as pull_solve. */
 hawser_status plan_head(const PlanDef *def, const DuctLoad *load, int way, double head, HeadForce *out,
                         hawser_error *err);
-/* All of them; between corners no farther apart than `apart` m (INFINITY: corners only). plan_heads_free gives them
- * back. Errors: as pull_solve, MEMORY; nothing is left allocated then. */
+/* All of them; between corners no farther apart than `apart` m (INFINITY: corners only); of more than a thousand
+ * corners only some have a row. plan_heads_free gives them back. Errors: as pull_solve, MEMORY; nothing is left
+ * allocated then. */
 hawser_status plan_heads(const PlanDef *def, const DuctLoad *load, int way, double apart, HeadSeries *out,
                          hawser_error *err);
+/* The peaks alone, in a time that is linear in the number of corners (but where friction goes by the length that has
+ * passed a place): rows are none then. Give it back likewise. */
+hawser_status plan_peaks(const PlanDef *def, const DuctLoad *load, int way, HeadSeries *out, hawser_error *err);
 void plan_heads_free(HeadSeries *s);
 
 /* The smallest brake where the pull begins with which the cable is nowhere pushed, and the pull with it (PN8). */

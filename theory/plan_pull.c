@@ -189,6 +189,7 @@ hawser_status plan_pull(const PlanDef *def, const DuctLoad *load, const PlanPull
                               .to = section.to,
                               .start_tension = section.start,
                               .restart = what->restart,
+                              .enough = def->enough,
                               .forces_only = what->forces_only,
                               .like = what->like,
                               .n_stretches = course.n,

@@ -32,7 +32,7 @@ SpanLine span_line(const Route *route, double s)
 /* On a curve: the centre's direction where it bends, else a straight's frame (RO16). */
 static SpanFrame curve_frame(const SpanLine *line, double s)
 {
-    const RoutePoint at = route_on_piece(line->route, line->piece, s);
+    const RoutePoint at = route_way_on_piece(line->route, line->piece, s);
     const double k = v3_norm(at.curvature), level = hypot(at.tangent.x, at.tangent.y);
     if (!(k > STRAIGHT_MAX)) return (SpanFrame){.tz = at.tangent.z, .nz = level};
     const Vec3 n = v3_scale(1 / k, at.curvature);
@@ -202,7 +202,8 @@ static double pressure_inside(const SpanLaw *p, double s, double tension, double
     return fabs(end) * span_frame(&p->line, s + p->direction * x).curvature;
 }
 
-/* The largest T times curvature of a step on a curve: looks along it, then thirds about the best. */
+/* The largest T times curvature of a step on a curve: looks along it, then thirds about the best, unless that is far
+ * from the largest so far: between two looks a step's pressure grows by some per cent at most. */
 static void pressure_take(SpanExtremes *e, const SpanLaw *p, double s, double tension, double h, const double k[7])
 {
     enum { LOOKS = 8 };
@@ -215,6 +216,7 @@ static void pressure_take(SpanExtremes *e, const SpanLaw *p, double s, double te
             best = i;
         }
     }
+    if (2 * most < e->max_pressure) return;
     double low = h * fmax(best - 1, 0) / LOOKS, high = h * fmin(best + 1, LOOKS) / LOOKS;
     for (int i = 0; i < 30; ++i) {
         const double a = low + (high - low) / 3, b = high - (high - low) / 3;
@@ -266,6 +268,7 @@ double span_integrate(const SpanLaw *p, double s0, double tension, double s1, Sp
         if (extremes) extremes_take_step(extremes, p, s, tension, h, s_end, end, k);
         x = last ? length : x + h;
         tension = end;
+        if (extremes && extremes->enough > 0 && tension > extremes->enough) return INFINITY;
         k[0] = k[6];
         h *= grow;
     }

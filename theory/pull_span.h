@@ -32,6 +32,7 @@ typedef struct SpanExtremes {
     double min_tension, min_at;
     double max_down, max_aside;       /* N/m, sizes of span_parts */
     double max_pressure, pressure_at; /* N/m */
+    double enough;                    /* N: beyond it the span is given up, with INFINITY; 0: no matter how much */
 } SpanExtremes;
 
 typedef struct SpanLaw {

@@ -162,9 +162,13 @@ static void run_spans(const PullDef *def, int n, const double *cut, Pull *pull)
         span->piece = route_at(def->route, low + (high - low) / 2).piece;
         span->law = law_between(def, low, high);
         span->share = a->share > 0 ? a->share : 1;
-        span->extremes = (SpanExtremes){.max_tension = -INFINITY, .min_tension = INFINITY};
+        span->extremes = (SpanExtremes){.max_tension = -INFINITY, .min_tension = INFINITY, .enough = def->enough};
         SpanExtremes *const extremes = def->forces_only ? NULL : &span->extremes;
         tension = span->t1 = span_integrate(&span->law, span->s0, span->t0, span->s1, extremes);
+        if (!isfinite(tension)) {
+            pull->end_tension = tension;
+            return;
+        }
         if (extremes) take_span(pull, span);
     }
     pull->end_tension = steps_pass(def, def->to, tension);
@@ -239,16 +243,23 @@ PullPoint pull_at(const Pull *pull, double s)
     return point;
 }
 
-PieceExtremes pull_piece_extremes(const Pull *pull, int piece)
+PieceExtremes pull_extremes_from(const Pull *pull, int first)
 {
     PieceExtremes out = {0};
-    for (int i = 0; i < pull->n; i++) {
+    for (int i = first; i < pull->n && pull->span[i].piece == pull->span[first].piece; i++) {
         const PullSpan *span = &pull->span[i];
-        if (span->piece != piece) continue;
         out.tension = fmax(out.tension, span->extremes.max_tension);
         out.sidewall = fmax(out.sidewall, span_sidewall(span));
         out.down = fmax(out.down, span->extremes.max_down);
         out.aside = fmax(out.aside, span->extremes.max_aside);
     }
     return out;
+}
+
+PieceExtremes pull_piece_extremes(const Pull *pull, int piece)
+{
+    for (int i = 0; i < pull->n; i++) {
+        if (pull->span[i].piece == piece) return pull_extremes_from(pull, i);
+    }
+    return (PieceExtremes){0};
 }

@@ -41,6 +41,7 @@ typedef struct PullDef {
     double from, to;      /* m along the route; to < from: pulled toward smaller s. Beyond the route it is straight. */
     double start_tension; /* N at `from` */
     int restart;          /* friction is static: the pull starts from rest */
+    double enough;        /* N: a tension beyond it has grown past all bounds; not where forces_only; 0: none */
     int n_stretches;      /* >= 1, by rising `from` */
     const PullStretch *stretch;
     int forces_only;         /* tensions at the spans' ends are all that is wanted: extremes are not looked for */
@@ -97,5 +98,7 @@ typedef struct PieceExtremes {
     double aside;    /* N/m, on separate supports beside it */
 } PieceExtremes;
 PieceExtremes pull_piece_extremes(const Pull *pull, int piece);
+/* The same of the piece whose spans begin with that one: they follow each other. */
+PieceExtremes pull_extremes_from(const Pull *pull, int first);
 
 #endif

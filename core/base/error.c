@@ -5,15 +5,25 @@
 #include <stdlib.h>
 #include <string.h>
 
+int text_control_at(const char *text)
+{
+    const unsigned char *const c = (const unsigned char *)text;
+    if (*c < ' ' || *c == 0x7F) return 1;
+    if (*c == 0xC2 && c[1] >= 0x80 && c[1] < 0xA0) return 2;
+    if (*c == 0xD8 && c[1] == 0x9C) return 2; /* U+061C */
+    if (*c == 0xE2 && c[1] == 0x80 && (c[2] == 0x8E || c[2] == 0x8F || (c[2] >= 0xA8 && c[2] <= 0xAE))) return 3;
+    if (*c == 0xE2 && c[1] == 0x81 && c[2] >= 0xA6 && c[2] <= 0xA9) return 3;
+    return *c == 0xEF && c[1] == 0xBB && c[2] == 0xBF ? 3 : 0;
+}
+
 int text_make_printable(char *text)
 {
     int made = 0;
-    for (unsigned char *c = (unsigned char *)text; *c; ++c) {
-        const int long_one = *c == 0xC2 && c[1] >= 0x80 && c[1] < 0xA0;
-        if (!long_one && *c >= ' ' && *c != 0x7F) continue;
-        if (long_one) c[1] = '?';
-        *c = '?';
-        made++;
+    for (char *c = text; *c;) {
+        const int bytes = text_control_at(c);
+        made += bytes > 0;
+        for (int k = 0; k < bytes; ++k) c[k] = '?';
+        c += bytes > 0 ? bytes : 1;
     }
     return made;
 }

@@ -17,8 +17,13 @@ hawser_status error_set(hawser_error *err, hawser_status status, const char *for
 void error_place(hawser_error *err, const char *file, int line);
 void error_moment(hawser_error *err, double t, int segment);
 
-/* What a file brings into a message must not command a terminal: control characters, of UTF-8 too (C2 80 to C2 9F),
- * become question marks. Returns how many did. */
+/* How many bytes the character at `text` has if it would command a terminal, or turn or hide what stands beside it:
+ * control characters, of UTF-8 too (C2 80 to C2 9F); marks of direction (U+061C, U+200E, U+200F, U+202A to U+202E,
+ * U+2066 to U+2069), ends of lines (U+2028, U+2029), the invisible U+FEFF. 0: any other. */
+int text_control_at(const char *text);
+
+/* What a file brings into a message must not do that: the bytes of such characters become question marks. Returns how
+ * many characters did. */
 int text_make_printable(char *text);
 
 /* An argument that must not be NULL is: what only a program can get wrong. */

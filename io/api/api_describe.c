@@ -44,6 +44,15 @@ static const Column route_column[] = {
     {COLUMN("rise_m", NUMBER, RouteRow, rise), .label = "rise, m", .decimals = 3},
 };
 
+static const Column plausible_column[] = {
+    {COLUMN("name", CHARS, PlausibleRow, of), .label = "of"},
+    {COLUMN("what", TEXT, PlausibleRow, what), .label = "what"},
+    {COLUMN("value", NUMBER, PlausibleRow, value), .label = "value", .decimals = -1},
+    {COLUMN("unit", TEXT, PlausibleRow, unit), .label = "unit"},
+    {COLUMN("least", NUMBER, PlausibleRow, least), .label = "usual from", .decimals = -1},
+    {COLUMN("most", NUMBER, PlausibleRow, most), .label = "to", .decimals = -1},
+};
+
 /* Ducts, trays and planes. */
 typedef struct SurfaceRow {
     hawser_surface surface;
@@ -142,6 +151,8 @@ typedef struct Description {
     ChainRow chain[STRANDS_MAX]; /* [n_chains] of several; none of one */
     MeshRow *demand;             /* [n_demands] places that ask for less than the usual length */
     int n_demands;
+    PlausibleRow odd[PLAUSIBLE_ROWS]; /* [n_odd] */
+    int n_odd;
     char grades[480]; /* what bends to the side do to the route's grade, in words */
     char advice[160]; /* what the lengths of the segments are worth, in words */
 } Description;
@@ -313,6 +324,7 @@ static hawser_status write_description(Description *d, const char *title, hawser
          s->bundle ? s->bundle->ducts : NULL},
         {"mesh", "Places that ask for short segments", COLUMNS(MeshRow, mesh_column), d->n_demands, d->demand},
         {"drawing", "Equipment from the drawing", COLUMNS(DrawnDef, drawn_column), def->n_drawn, def->drawn},
+        {"unusual", "Hardly ever so: is the unit right?", COLUMNS(PlausibleRow, plausible_column), d->n_odd, d->odd},
         {"assumptions", "Given, from the catalogue, estimated", COLUMNS(hawser_assumption, assumption_column),
          def->n_assumptions, def->assumptions},
     };
@@ -340,6 +352,7 @@ static hawser_status gather(Description *d, hawser_error *err)
     fill_rows(d);
     fill_chains(d);
     fill_grades(d);
+    d->n_odd = plausible_find(def, &d->route, d->odd);
     const hawser_status found = mesh_find(def, &d->route, &d->mesh, err);
     if (found) return found;
     d->demand = calloc((size_t)d->mesh.n + 1, sizeof *d->demand);

@@ -105,6 +105,16 @@ void *theory_table_add(TheoryTables *t, const char *key, const char *heading, Co
 extern const char *const theory_ways[PLAN_WAYS];
 void theory_tables_free(TheoryTables *t);
 
+/* A figure of the case that is hardly ever so. */
+typedef struct PlausibleRow {
+    char of[NAME_MAX_LENGTH]; /* the cable, surface, piece of the route that has it */
+    const char *what, *unit;
+    double value, least, most; /* in `unit` */
+} PlausibleRow;
+enum { PLAUSIBLE_ROWS = 32 };
+/* Those outside of their ranges, as far as there is room; none of rods under test. Returns how many. */
+int plausible_find(const SceneDef *def, const Route *route, PlausibleRow row[PLAUSIBLE_ROWS]);
+
 /* The answer that a report begins with: verdict, pull against what is allowed, the worst place and what to do. */
 typedef struct Answer {
     char *text; /* whole lines, cut where there is no more room */

@@ -224,6 +224,15 @@ static size_t number_length(const char *text)
     return (size_t)(p - text);
 }
 
+/* Whether a number, of so many characters, is written with a digit that is not 0 ahead of its exponent. */
+static int number_is_something(const char *text, size_t length)
+{
+    for (size_t i = 0; i < length && text[i] != 'e' && text[i] != 'E'; i++) {
+        if (text[i] >= '1' && text[i] <= '9') return 1;
+    }
+    return 0;
+}
+
 /* The number at the start of text; *unit gets what follows it, without blanks. */
 static int number_read(const Units *units, const char *text, double *value, const char **unit, char *why)
 {
@@ -237,6 +246,8 @@ static int number_read(const Units *units, const char *text, double *value, cons
     }
     *value = strtod_l(text, NULL, units->numbers);
     if (!isfinite(*value)) return snprintf(why, UNITS_WHY_MAX, "is too large a number"), 0;
+    if (*value == 0 && number_is_something(text, length)) /* it would be taken for 0 */
+        return snprintf(why, UNITS_WHY_MAX, "is too small a number: write 0 if none is meant"), 0;
     *unit = text + length + strspn(text + length, " ");
     return 1;
 }
@@ -320,6 +331,7 @@ int units_read(const Units *units, const char *text, Dimension dimension, double
     if (factor == 0) return 0;
     *value = number * factor;
     if (!isfinite(*value)) return snprintf(why, UNITS_WHY_MAX, "is too large a number"), 0;
+    if (*value == 0 && number != 0) return snprintf(why, UNITS_WHY_MAX, "is too small a number"), 0;
     return 1;
 }
 

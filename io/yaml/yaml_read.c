@@ -29,9 +29,8 @@ static hawser_status node_convert(Reading *r, int id, int depth, CaseNode **out)
 /* Characters that would command a terminal when a name or title is printed; the ends of lines and tabs do not. */
 static int has_control(const char *text)
 {
-    for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
-        if ((*c < ' ' && *c != '\n' && *c != '\t') || *c == 0x7F) return 1;
-        if (*c == 0xC2 && c[1] >= 0x80 && c[1] < 0xA0) return 1;
+    for (const char *c = text; *c; c++) {
+        if (*c != '\n' && *c != '\t' && text_control_at(c)) return 1;
     }
     return 0;
 }
@@ -45,7 +44,9 @@ static hawser_status key_convert(Reading *r, int id, const CaseNode *map, char *
         return case_text_error(r->err, r->origin, *line, "a key must be a plain word", NULL);
     const char *text = (const char *)node->data.scalar.value;
     if (!*text) return case_text_error(r->err, r->origin, *line, "a key is empty", NULL);
-    if (has_control(text)) return case_text_error(r->err, r->origin, *line, "a control character in a key", NULL);
+    if (has_control(text))
+        return case_text_error(r->err, r->origin, *line,
+                               "a control character, or one that turns or hides text, in a key", NULL);
     if (case_node_key(map, text))
         return case_text_error(r->err, r->origin, *line, "this key stands here twice: ", text);
     if (map->count >= KEYS_MAX) return case_text_error(r->err, r->origin, *line, "too many keys in one map", NULL);
@@ -94,7 +95,8 @@ static hawser_status text_convert(Reading *r, const yaml_node_t *from, CaseNode 
     if (strlen(value) != from->data.scalar.length)
         return case_text_error(r->err, r->origin, text->line, "a NUL character in a text", NULL);
     if (has_control(value))
-        return case_text_error(r->err, r->origin, text->line, "a control character in a text", NULL);
+        return case_text_error(r->err, r->origin, text->line,
+                               "a control character, or one that turns or hides text, in a text", NULL);
     text->text = strdup(value);
     return text->text ? HAWSER_OK : error_memory(r->err);
 }

@@ -145,14 +145,34 @@ static int items_named(const CaseNode *list, const char *name, CaseNode **out)
     return n;
 }
 
+/* A name that is the number of another item: either could be meant. */
+static hawser_status item_ambiguous(const Setting *s, const CaseNode *list, long index, const CaseNode *named)
+{
+    int place = 0;
+    for (const CaseNode *item = list->first; item && item != named; item = item->next) place++;
+    const CaseNode *const own = case_node_key(case_node_item(list, (int)index), "name");
+    char shown[CASE_SHOWN_MAX];
+    return error_set(s->err, HAWSER_ERR_INPUT,
+                     "%s: %ld is the number of the item %s and the name of the item with the number %d: give that one "
+                     "a name that is no number",
+                     s->origin, index, own && own->kind == NODE_TEXT ? case_shown(own->text, shown) : "without a name",
+                     place);
+}
+
 /* The item of a list that `step` numbers or names. */
 static hawser_status item_find(const Setting *s, const CaseNode *list, const char *step, CaseNode **out)
 {
     char *end, shown[CASE_SHOWN_MAX];
     const long index = isdigit((unsigned char)*step) ? strtol(step, &end, 10) : LONG_MAX;
     const int whole = index != LONG_MAX && !*end;
-    *out = whole && index < list->count ? (CaseNode *)(size_t)case_node_item(list, (int)index) : NULL;
-    const int named = *out ? 1 : items_named(list, step, out);
+    CaseNode *by_name = NULL;
+    const int named = items_named(list, step, &by_name);
+    *out = by_name;
+    if (whole && index < list->count) {
+        *out = (CaseNode *)(size_t)case_node_item(list, (int)index);
+        if (named == 0 || (named == 1 && by_name == *out)) return HAWSER_OK;
+        return item_ambiguous(s, list, index, by_name);
+    }
     if (named == 1) return HAWSER_OK;
     if (named > 1) {
         return error_set(s->err, HAWSER_ERR_INPUT, "%s: %d items have the name %s: give the number, from 0", s->origin,

@@ -73,6 +73,7 @@ static hawser_status pushes_find(const Scene *scene, Calculator *c, int way, haw
     PullStep *const push = c->push[way];
     for (int i = 0; i < c->n_pushers; ++i) push[i] = (PullStep){.at = c->pusher[i].at};
     def.push = def.push_back = push;
+    def.enough = 0; /* the pushes to come may take it off */
     for (int k = 0; k < c->n_pushers; ++k) {
         const int i = way == PLAN_BACKWARD ? c->n_pushers - 1 - k : k;
         const Pusher *const by = &c->pusher[i];
@@ -135,13 +136,11 @@ static hawser_status rules_find(const Scene *scene, Calculator *c, hawser_error 
 {
     c->rule = calloc((size_t)scene->route.n, sizeof *c->rule);
     if (!c->rule) return error_memory(err);
-    for (int p = 0; p < scene->route.n; ++p) {
-        int seen[2] = {0, 0};
-        const Pull *const pull = &c->plan.way[PLAN_FORWARD].pull;
-        for (int i = 0; i < pull->n; ++i) {
-            if (pull->span[i].piece == p) seen[pull->span[i].law.separate != 0] = 1;
-        }
-        c->rule[p] = seen[1] ? seen[0] ? SUPPORT_MIXED : SUPPORT_SEPARATE : SUPPORT_RESULTANT;
+    const Pull *const pull = &c->plan.way[PLAN_FORWARD].pull; /* a piece's spans follow each other */
+    for (int i = 0; i < pull->n; ++i) {
+        const int p = pull->span[i].piece, first = i == 0 || pull->span[i - 1].piece != p;
+        const SupportRule rule = pull->span[i].law.separate ? SUPPORT_SEPARATE : SUPPORT_RESULTANT;
+        c->rule[p] = first || c->rule[p] == rule ? rule : SUPPORT_MIXED;
     }
     return HAWSER_OK;
 }
@@ -200,7 +199,8 @@ static void plan_borrow(Calculator *c)
     c->def.step = c->step;
 }
 
-/* Pushes, plan, the head's places no farther apart than `apart` (m; NAN: they are not asked for), limits. */
+/* Pushes, plan, the head's places no farther apart than `apart` (m; INFINITY: their peaks alone; NAN: they are not
+ * asked for), limits. */
 static hawser_status solve(const Scene *scene, double apart, Calculator *c, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
@@ -212,7 +212,9 @@ static hawser_status solve(const Scene *scene, double apart, Calculator *c, haws
     }
     if (!status) status = plan_build(&c->def, &c->plan, err);
     for (int k = 0; k < PLAN_WAYS && !status; ++k) {
-        if (!c->def.skip[k] && !isnan(apart)) status = plan_heads(&c->def, &c->plan.duct, k, apart, &c->heads[k], err);
+        if (c->def.skip[k] || isnan(apart)) continue;
+        status = apart < INFINITY ? plan_heads(&c->def, &c->plan.duct, k, apart, &c->heads[k], err)
+                                  : plan_peaks(&c->def, &c->plan.duct, k, &c->heads[k], err);
     }
     return status ? status : calculator_judge(scene, c, err);
 }
@@ -322,6 +324,7 @@ hawser_status calculator_vary(const Scene *scene, const Calculator *base, const 
     *out = (Calculator){.cables = base->cables, .route = base->route, .def = base->def};
     out->def.n_steps = 0;
     out->def.beyond = by->beyond;
+    out->def.enough = by->enough;
     out->def.skip[!by->way] = 1;
     hawser_status status = HAWSER_OK;
     if (by->radius != 1) {

@@ -69,6 +69,7 @@ typedef struct Variation {
     int n_machines;        /* so many more machines ... */
     const double *machine; /* [n_machines] ... here (m along the route) ... */
     double push;           /* ... that take off up to so much (N) */
+    double enough;         /* N: no tension beyond it is of interest, it is an error; 0: none */
 } Variation;
 
 /* Solved as far as plan, limits and `pulled` of that way go. Errors as calculator_build; give it back likewise. `base`

@@ -16,6 +16,7 @@ typedef struct Question {
     InverseKind kind;
     int way, bend;                    /* bend: the piece that INVERSE_BEND is about */
     int untouched[HAWSER_LIMITS_MAX]; /* by limit: the question does not change its value */
+    double enough;                    /* N: a tension that certainly breaks a limit; 0: none does */
     hawser_status status; /* what ended the search; values that cannot be computed do not hold, and do not */
     hawser_error *err;
 } Question;
@@ -82,12 +83,29 @@ static void stays_find(const Question *q, const Calculator *c, char stays[24])
     }
 }
 
+/* Where the cable's tension is judged both at speed and from rest, more than is allowed of either need not be known:
+ * without this a friction of a thousand times is followed through all that it makes of the tension. */
+static void enough_find(Question *q)
+{
+    int judged = 0;
+    double most = 0;
+    for (int i = 0; i < q->base->n_limits; ++i) {
+        const hawser_limit *const l = &q->base->limit[q->way][i];
+        const int tension = !strcmp(l->name, limits_name(LIMIT_PULL)) || !strcmp(l->name, limits_name(LIMIT_RESTART));
+        if (!tension || !l->judged || q->untouched[i]) continue;
+        ++judged;
+        most = fmax(most, l->limit);
+    }
+    q->enough = judged == 2 ? (1 + 1e-6) * most : 0;
+}
+
 static int question_holds(void *what, double x)
 {
     Question *const q = what;
     Calculator c;
     if (q->status) return 0;
-    const Variation by = variation_of(q, x);
+    Variation by = variation_of(q, x);
+    by.enough = q->enough;
     const int holds = varied(q, &by, &c) && keeps(q, &c);
     calculator_free(&c);
     return holds;
@@ -144,6 +162,7 @@ static InverseAnswer answer_find(Question *q)
     InverseAnswer a = {.kind = q->kind, .way = q->way, .now = now_of(q), .value = NAN};
     const SearchDef search = {question_holds, q, 1, less ? 1 / FARTHEST : FARTHEST};
     touched_find(q);
+    enough_find(q);
     const SearchBound bound = search_bound(&search);
     a.end = bound.end;
     if (q->kind == INVERSE_BEND) snprintf(a.what, sizeof a.what, "%s", q->base->route->piece[q->bend].name);

@@ -99,7 +99,21 @@ static double cell_value(const Reader *r, const char *cell)
     return units_read(r->units, text, DIM_NONE, &value, why) ? value : NAN;
 }
 
-/* "10:31:07.5", also behind a date, in s; NAN: no clock. */
+/* Of a clock of twelve hours that `text` follows: 1 "am", 2 "pm", "p.m.", in either case; 0: it is none. */
+static int half_of_day(const char *text)
+{
+    char word[3] = "";
+    size_t n = 0;
+    text += strspn(text, " \t");
+    for (; isalpha((unsigned char)*text) || (*text == '.' && n > 0); text++) {
+        if (*text == '.') continue;
+        if (n == 2) return 0;
+        word[n++] = (char)tolower((unsigned char)*text);
+    }
+    return strcmp(word, "am") == 0 ? 1 : strcmp(word, "pm") == 0 ? 2 : 0;
+}
+
+/* "10:31:07.5", "1:05 PM", also behind a date, in s; NAN: no clock. */
 static double cell_clock(const char *cell)
 {
     const char *const colon = strchr(cell, ':');
@@ -109,13 +123,17 @@ static double cell_clock(const char *cell)
     const char *from = colon - 1;
     if (from > cell && isdigit((unsigned char)from[-1])) from--;
     if (sscanf(from, "%2d:%2d%n", &h, &m, &used) < 2) return NAN;
-    if (from[used] == ':') {
-        const char *c = from + used + 1;
+    const char *c = from + used;
+    if (*c == ':') {
         double place = 1;
+        c++;
         for (; isdigit((unsigned char)*c); c++) s = 10 * s + (*c - '0');
         if (*c == '.' || *c == ',')
             for (c++; isdigit((unsigned char)*c); c++) s += (place /= 10) * (*c - '0');
     }
+    const int half = half_of_day(c);
+    if (half && (h < 1 || h > 12)) return NAN;
+    if (half) h = h % 12 + (half == 2 ? 12 : 0);
     return h < 24 && m < 60 && s < 61 ? 3600.0 * h + 60.0 * m + s : NAN;
 }
 

@@ -64,6 +64,21 @@ wait $pid
 status=$?
 [ $status = 130 ] || fail "$what: exit status $status, not 130"
 says err "stopped on the way to equilibrium"
+# commands that only print end at once: a case that is a pipe without a writer holds them up for seconds
+mkfifo "$work/pipe"
+for signal in INT TERM HUP; do
+    what="hawser check, then SIG$signal"
+    (cd "$work" && exec env --default-signal=INT --default-signal=HUP "$hawser" check pipe >out 2>err) &
+    pid=$!
+    # until it is the program, with its handlers
+    while [ -d /proc/$pid ] && ! grep -q '^SigCgt:.*0*4003$' /proc/$pid/status; do sleep 0.02; done
+    kill -$signal $pid
+    wait $pid
+    status=$?
+    [ $status = 130 ] || fail "$what: exit status $status, not 130"
+    says err "hawser: stopped"
+done
+
 # a run that would take for ever says what holds it up, on standard error, while it goes on
 what="hawser run with steps of a millionth of a second"
 (cd "$work" && exec env --default-signal=INT "$hawser" run pull.yaml -o held --set run.duration='100000 s' \

@@ -114,6 +114,12 @@ else
     echo "skipped: the program cannot be run as another user here"
 fi
 
+# a stack that would not do is told
+what="hawser check with a stack of 64 KiB"
+(cd "$work" && ulimit -s 64 && exec "$hawser" check pull.yaml >out 2>err)
+[ $? = 5 ] || fail "$what: not 5"
+says err "stack is limited to 64 KiB" "ulimit -s" "512"
+
 # good results stay until others are whole
 run_hawser 0 run pull.yaml -o twice $short --quiet
 cp "$work/twice/series.csv" "$work/first.csv"

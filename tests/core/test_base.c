@@ -101,6 +101,11 @@ static void test_printable(void **state)
     char edge[] = "\xc2\x7f\xc2\x80\xc2z";
     assert_int_equal(text_make_printable(edge), 2);
     assert_string_equal(edge, "\xc2???\xc2z");
+    char turned[] = "a\xe2\x80\xae"
+                    "b\xe2\x81\xa9\xef\xbb\xbf\xd8\x9c"
+                    "c\xe2\x80\x94\xe2\x80";
+    assert_int_equal(text_make_printable(turned), 4);
+    assert_string_equal(turned, "a???b????????c\xe2\x80\x94\xe2\x80");
     char fine[] = "hawser";
     assert_int_equal(text_make_printable(fine), 0);
     assert_string_equal(fine, "hawser");

@@ -323,14 +323,51 @@ static void near_words(void **state)
     assert_null(case_nearest("averyveryveryveryverylongwordindeed", names, 5));
 }
 
-/* Items of a list go by their name too, if one alone has it; the number comes first. */
+/* A number that is another item's name is refused; as the name of the item that has it, or beyond the list, it is
+ * clear. */
+static void names_that_are_numbers(void **state)
+{
+    (void)state;
+    CaseTree *tree;
+    hawser_error err;
+    const char *const text = "pieces: [{name: 1, straight: 1 m}, {name: B, straight: 2 m}, {name: 2}, {name: 7}]";
+    assert_int_equal(case_tree_parse(text, "numbers", &tree, &err), HAWSER_OK);
+    assert_int_equal(case_tree_set(tree, "pieces.1.straight", "5 m", &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "1 is the number of the item 'B' and the name of the item with the number 0");
+    assert_int_equal(case_tree_set(tree, "pieces.0.straight", "5 m", &err), HAWSER_OK);
+    assert_int_equal(case_tree_set(tree, "pieces.2.straight", "6 m", &err), HAWSER_OK);
+    assert_int_equal(case_tree_set(tree, "pieces.7.straight", "7 m", &err), HAWSER_OK);
+    const CaseNode *const pieces = case_node_key(tree->root, "pieces");
+    assert_string_equal(case_node_key(case_node_item(pieces, 0), "straight")->text, "5 m");
+    assert_string_equal(case_node_key(case_node_item(pieces, 3), "straight")->text, "7 m");
+    case_tree_free(tree);
+}
+
+/* What turns or hides text is no more welcome in a name than what commands a terminal. */
+static void texts_that_turn(void **state)
+{
+    (void)state;
+    static const char *const marks[] = {"\xe2\x80\xae", "\xe2\x80\x8f", "\xe2\x81\xa6", "\xef\xbb\xbf", "\xd8\x9c"};
+    for (size_t k = 0; k < sizeof marks / sizeof *marks; ++k) {
+        char text[64];
+        CaseTree *tree;
+        hawser_error err;
+        snprintf(text, sizeof text, "title: a%sb", marks[k]);
+        assert_int_equal(case_tree_parse(text, "turned", &tree, &err), HAWSER_ERR_INPUT);
+        check_has(err.message, "turned:1");
+        snprintf(text, sizeof text, "a%sb: 1", marks[k]);
+        assert_int_equal(case_tree_parse(text, "turned", &tree, &err), HAWSER_ERR_INPUT);
+    }
+}
+
+/* Items of a list go by their name too, if one alone has it. */
 static void items_by_name(void **state)
 {
     (void)state;
     CaseTree *tree;
     hawser_error err;
     const char *const text =
-        "pieces: [{name: A, straight: 1 m}, {name: B-C, straight: 2 m}, {name: twin}, {name: twin}, {name: 0}]";
+        "pieces: [{name: A, straight: 1 m}, {name: B-C, straight: 2 m}, {name: twin}, {name: twin}]";
     assert_int_equal(case_tree_parse(text, "named", &tree, &err), HAWSER_OK);
     assert_int_equal(case_tree_set(tree, "pieces.B-C.straight", "5 m", &err), HAWSER_OK);
     assert_int_equal(case_tree_set(tree, "pieces.0.straight", "6 m", &err), HAWSER_OK);
@@ -354,6 +391,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(items_by_name),
+        cmocka_unit_test(names_that_are_numbers),
+        cmocka_unit_test(texts_that_turn),
         cmocka_unit_test(nodes_know_their_places),
         cmocka_unit_test(aliases_are_written_out),
         cmocka_unit_test(not_a_case),

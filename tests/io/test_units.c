@@ -158,6 +158,9 @@ static void what_is_not_a_number(void **state)
     bad(state, "1,5 m", DIM_LENGTH, "comma");
     bad(state, "1e400", DIM_LENGTH, "too large");
     bad(state, "1e308 Gm", DIM_LENGTH, "too large");
+    bad(state, "1e-400", DIM_LENGTH, "too small");
+    bad(state, "-0.003e-500 m", DIM_LENGTH, "too small");
+    bad(state, "1e-320 nm", DIM_LENGTH, "too small");
 }
 
 static void trailing_garbage(void **state)

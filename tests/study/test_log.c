@@ -40,6 +40,20 @@ static void heads_and_units(void **state)
     log_free(&night);
 }
 
+/* A clock of twelve hours: noon and midnight are both 12. */
+static void halves_of_the_day(void **state)
+{
+    (void)state;
+    PullLog log =
+        log_of("time,pull [N]\n12:59:00 AM,1\n01:05:00 am,2\n11:59:59 a.m.,3\n12:00:30 PM,4\n1:05:00.5 p.m.,5\n"
+               "13:05 PM,6\n");
+    const double s[] = {3540, 3900, 43199, 43230, 47100.5};
+    assert_int_equal(log.n, 6);
+    for (int i = 0; i < 5; i++) check_close(log.time[i], s[i], 1e-9);
+    check_nan(log.time[5]);
+    log_free(&log);
+}
+
 static void refused(void **state)
 {
     (void)state;
@@ -183,8 +197,9 @@ static void agreement(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(heads_and_units),  cmocka_unit_test(refused),
-                                       cmocka_unit_test(what_counts),      cmocka_unit_test(lengths_by_speed),
-                                       cmocka_unit_test(counter_set_back), cmocka_unit_test(agreement)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(heads_and_units),   cmocka_unit_test(refused),
+                                       cmocka_unit_test(halves_of_the_day), cmocka_unit_test(what_counts),
+                                       cmocka_unit_test(lengths_by_speed),  cmocka_unit_test(counter_set_back),
+                                       cmocka_unit_test(agreement)};
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
