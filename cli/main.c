@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <unistd.h>
 
@@ -23,6 +24,7 @@ int main(int argc, char **argv)
 {
     static char room[BUFSIZ]; /* without a buffer of its own standard output drops what it is given */
     if (!take_descriptors()) return EXIT_INTERNAL;
+    signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is a write that fails: as a disk that is full */
     setvbuf(stdout, room, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, sizeof room);
     return program(argc, argv);
 }

@@ -122,6 +122,7 @@ hawser_status folder_open(const char *dir, Folder *folder, hawser_error *err)
 hawser_status folder_read(const char *dir, Folder *folder, hawser_error *err)
 {
     hawser_status status = folder_open(dir, folder, err);
+    if (!status && is_running(folder->summary)) folder_say(folder, "%s", FOLDER_UNFINISHED);
     if (!status) status = table_read(folder, "stations.csv", &folder->stations, err);
     if (!status) status = table_read(folder, "rollers.csv", &folder->rollers, err);
     if (!status) status = table_read(folder, "series.csv", &folder->series, err);

@@ -8,6 +8,11 @@ struct json_t;
 
 enum { FOLDER_NOTES_MAX = 8, FOLDER_NOTE_MAX = 400 };
 
+/* What there is to say of a folder without an end. */
+#define FOLDER_UNFINISHED                                                                                              \
+    "This run has not ended: it is under way, or it was cut off before it could say how it ended. What is shown is "   \
+    "what it had written by then."
+
 typedef struct Folder {
     const char *dir;                                /* borrowed */
     struct json_t *summary;                         /* an object */

@@ -77,9 +77,12 @@ void file_unseal(const char *path);
 hawser_status file_broken(const char *path, int *broken, hawser_error *err);
 /* The n text files of a run that are in a folder. Errors: as file_sum. */
 hawser_status folder_sums(const char *dir, int *n, FileSum sum[FILE_SUMS_MAX], hawser_error *err);
-/* Whether the files of a folder are those of its summary; that of an older hawser is not asked. Errors: INPUT (which
- * file is not), MEMORY. */
 struct json_t;
+/* Whether a summary is that of a run which has not said how it ended: it is under way, its program was killed, or the
+ * disk had no room for the end. */
+int is_running(const struct json_t *summary);
+/* Whether the files of a folder are those of its summary; that of an older hawser is not asked, and of a run without an
+ * end only the states and what was computed of it. Errors: INPUT (which file is not), MEMORY. */
 hawser_status belong_check(const char *dir, const struct json_t *summary, hawser_error *err);
 
 /* -------------------------------------------------------------------------------------------------------- CSV */

@@ -32,6 +32,7 @@ typedef struct Agreement {
 /* All of a comparison. */
 typedef struct Comparison {
     hawser_compare_options options;
+    int unended; /* the run has not said how it ended */
     PullLog log;
     double *axis; /* [log.n] where a reading is on the models' axis */
     double from, to;
@@ -179,6 +180,8 @@ static const char *answer_say(const Comparison *c, char *text, size_t size)
     n += snprintf(text + n, size - (size_t)n,
                   "  left out  %ld at rest or starting, %ld no reading, %ld drop-outs, %ld spikes\n",
                   k[LOG_AT_REST] + k[LOG_RESTART], k[LOG_LOST], k[LOG_DROPPED], k[LOG_SPIKE]);
+    if (c->unended)
+        n += snprintf(text + n, size - (size_t)n, "  results   the run has not ended: as far as it had come\n");
     for (int i = 0; i < c->log.n_notes && (size_t)n < size; i++)
         n += snprintf(text + n, size - (size_t)n, "  log       %s\n", c->log.note[i]);
     return text;
@@ -322,6 +325,7 @@ hawser_status hawser_compare(const char *results, const char *log, const hawser_
     *text = NULL;
     if (c.options.band == 0) c.options.band = 0.1;
     hawser_status status = folder_read(results, &folder, e);
+    c.unended = !status && is_running(folder.summary);
     if (!status) status = log_read(log, &c.log, e);
     if (!status) status = log_judge(&c.log, usual_speed(&folder), c.options.raw, e);
     if (!status) status = axis_make(&c, e);

@@ -60,14 +60,33 @@ done
 
 # the disk fills while it runs (a limit on the size of a file, in blocks of 512 bytes, stands in for it)
 what="hawser run under ulimit -f"
-(
-    cd "$work"
-    ulimit -f 200
-    trap '' XFSZ
-    "$hawser" run pull.yaml -o small --set output.states='5 ms' >out 2>err
-)
+(cd "$work" && ulimit -f 200 && exec "$hawser" run pull.yaml -o small --set output.states='5 ms' >out 2>err)
 status=$?
 [ $status = 4 ] || fail "$what: exit status $status, not 4"
 says err "small/results.h5" "File too large"
 grep -q '"outcome": "failed"' "$work/small/summary.json" || fail "$what: not failed in summary.json"
+what="hawser run under a ulimit -f that leaves no room for a summary"
+(cd "$work" && ulimit -f 1 && exec "$hawser" run pull.yaml -o tiny >out 2>err)
+status=$?
+[ $status = 4 ] || fail "$what: exit status $status, not 4"
+says err "tiny/" "File too large"
+missing tiny/summary.json.part
+what="hawser run under a ulimit -f that leaves no room for the last summary"
+one="--set output.states=0 --set solver.passes=1 --quiet"
+run_hawser 0 run pull.yaml -o ample $one
+blocks=$(($(wc -c <"$work/ample/summary.json") / 512 - 1))
+(cd "$work" && ulimit -f $blocks && exec "$hawser" run pull.yaml -o endless $one 2>err)
+status=$?
+[ $status = 4 ] || fail "$what: exit status $status, not 4"
+says err "endless/summary.json" "File too large"
+grep -q '"outcome": "running"' "$work/endless/summary.json" || fail "$what: the summary is not the first one"
+run_hawser 0 report endless
+run_hawser 0 plot endless
+what="hawser report under ulimit -f"
+run_hawser 0 run pull.yaml -o paged
+(cd "$work" && ulimit -f 8 && exec "$hawser" report paged >out 2>err)
+status=$?
+[ $status = 4 ] || fail "$what: exit status $status, not 4"
+says err "paged/report.html" "File too large"
+missing paged/report.html paged/report.html.part
 finish

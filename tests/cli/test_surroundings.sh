@@ -114,6 +114,18 @@ else
     echo "skipped: the program cannot be run as another user here"
 fi
 
+# shows_unended WHAT: pages and figures of the folder `twice` are made, and say that its run has no end.
+shows_unended() {
+    run_hawser 0 report twice -o unended.html --quiet
+    what="$what, $1"
+    grep -q "This run has not ended: it is under way, or it was cut off" "$work/unended.html" || fail "$what: not said"
+    run_hawser 0 plot twice series -o unended --quiet
+    grep -q "run not ended" "$work/unended/series.svg" || fail "$what, $1: not said"
+    awk 'BEGIN {print "time [s],pull [kN]"; for (i = 0; i < 90; i++) print i / 100 "," 2 + i / 1000}' >"$work/unended.csv"
+    run_hawser 0 compare twice unended.csv --align start
+    says out "the run has not ended"
+}
+
 # good results stay until others are whole
 run_hawser 0 run pull.yaml -o twice $short --quiet
 cp "$work/twice/series.csv" "$work/first.csv"
@@ -125,8 +137,15 @@ while ! grep -q running "$work/twice/summary.json" 2>/dev/null && [ $tries -lt 3
     sleep 0.1
     tries=$((tries + 1))
 done
+tries=0
+while [ "$(wc -l <"$work/twice/series.csv")" -lt 100 ] && [ $tries -lt 300 ]; do
+    sleep 0.1
+    tries=$((tries + 1))
+done
+shows_unended "under way"
 kill -KILL $pid
 wait $pid 2>/dev/null
+shows_unended "killed"
 cmp -s "$work/twice/earlier/series.csv" "$work/first.csv" || fail "$what: the good results are lost"
 grep -q '"finished"' "$work/twice/earlier/summary.json" || fail "$what: their summary is lost"
 run_hawser 4 run pull.yaml -o twice/summary.json $short --quiet
