@@ -38,6 +38,8 @@ static const char *const *const run_files = folder_files + FOLDER_FILES - RUN_FI
 
 /* Within the folder: the results of an earlier run that ended as it should, until those of this one have. */
 #define EARLIER "earlier"
+/* Within that, while they move there: what a killed program has left is to be gone on with. */
+#define MOVING "moving"
 
 struct Results {
     OutFile series, tables[TABLES];
@@ -106,6 +108,7 @@ static void files_remove(const OutDir *dir, const char *from, int n, const char 
     OutSpot spot;
     if (!out_within(&inner, dir, from)) return;
     while (n-- > 0) out_remove(&inner, files[n]);
+    out_remove(&inner, MOVING);
     out_leave(&inner);
     if (!out_spot(&spot, dir, from, NULL)) unlinkat(spot.at, spot_name(&spot), AT_REMOVEDIR);
 }
@@ -127,18 +130,36 @@ static hawser_status files_move(const OutDir *to, const OutDir *from, int n, con
     return s;
 }
 
-/* Good results wait in EARLIER for those that are to replace them; others are not worth keeping. */
+/* An empty EARLIER with its mark, on the disk. */
+static hawser_status earlier_begin(const OutDir *dir, OutDir *earlier, hawser_error *err)
+{
+    OutSpot spot;
+    OutFile mark;
+    files_remove(dir, EARLIER, FOLDER_FILES, folder_files);
+    hawser_status s = out_spot(&spot, dir, EARLIER, err);
+    if (!s && mkdirat(spot.at, spot_name(&spot), 0777) && errno != EEXIST) s = out_error(spot.path, errno, err);
+    if (!s && !out_within(earlier, dir, EARLIER)) s = out_error(spot.path, errno, err);
+    if (!s) s = out_open_in(&mark, earlier, MOVING, err);
+    if (!s) s = out_close(&mark, err);
+    if (!s) s = out_sync_in(earlier, ".", err);
+    return s ? s : out_sync_in(dir, ".", err);
+}
+
+/* Good results wait in EARLIER for those that are to replace them; others are not worth keeping. They are in both
+ * folders while they move, the summary still where they come from: who finds it so goes on with that. */
 static hawser_status earlier_keep(const Results *r, hawser_error *err)
 {
     OutDir earlier;
-    OutSpot spot;
-    if (!is_finished(&r->dir)) return HAWSER_OK;
-    files_remove(&r->dir, EARLIER, FOLDER_FILES, folder_files);
-    hawser_status s = out_spot(&spot, &r->dir, EARLIER, err);
-    if (!s && mkdirat(spot.at, spot_name(&spot), 0777) && errno != EEXIST) s = out_error(spot.path, errno, err);
-    if (!s && !out_within(&earlier, &r->dir, EARLIER)) s = out_error(spot.path, errno, err);
-    if (s) return s;
-    s = files_move(&earlier, &r->dir, FOLDER_FILES, folder_files, err);
+    const int there = out_within(&earlier, &r->dir, EARLIER), finished = is_finished(&r->dir);
+    const int begun = there && is_there(&earlier, MOVING) && !is_there(&earlier, "summary.json");
+    hawser_status s = HAWSER_OK;
+    if (finished && !begun) {
+        out_leave(&earlier);
+        s = earlier_begin(&r->dir, &earlier, err);
+    }
+    if (!s && finished) s = files_move(&earlier, &r->dir, FOLDER_FILES, folder_files, err);
+    if (!s && finished) s = out_sync_in(&earlier, ".", err);
+    if (!s && earlier.at >= 0) out_remove(&earlier, MOVING);
     out_leave(&earlier);
     return s;
 }
