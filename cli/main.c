@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -37,6 +38,7 @@ int main(int argc, char **argv)
     if (!take_descriptors()) return EXIT_INTERNAL;
     if (!stack_suffices()) return EXIT_INTERNAL;
     interrupt_end();
+    signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is a write that fails: as a disk that is full */
     setvbuf(stdout, room, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, sizeof room);
     return program(argc, argv);
 }

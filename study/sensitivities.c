@@ -378,6 +378,5 @@ hawser_status hawser_case_position_sensitivities(hawser_case *c, size_t n, const
 hawser_status hawser_sensitivities_write(const char *json, const char *dir, hawser_error *err)
 {
     if (!json || !dir) return error_argument(err, json ? "dir" : "json");
-    const hawser_status status = out_make_dir(dir, err);
-    return status ? status : out_whole(dir, "sensitivities.json", json, err);
+    return companion_write(dir, "sensitivities.json", json, err);
 }

@@ -73,15 +73,15 @@ static hawser_status tables_write(hawser_study *s, const char *dir, hawser_error
 }
 
 /* The workers of a study that was killed end a moment after it, and hold its folder until then. */
-static hawser_status folder_lock(const char *dir, int *lock, hawser_error *err)
+static hawser_status folder_lock(const char *dir, OutDir *folder, hawser_error *err)
 {
     static const double PATIENCE = 2; /* s */
     const struct timespec pause = {.tv_nsec = 20000000};
     const double start = clock_now();
-    hawser_status status = out_lock_dir(dir, lock, err);
+    hawser_status status = out_take(folder, NULL, dir, 1, err);
     while (status && clock_now() - start < PATIENCE) {
         nanosleep(&pause, NULL);
-        status = out_lock_dir(dir, lock, err);
+        status = out_take(folder, NULL, dir, 1, err);
     }
     return status;
 }
@@ -120,10 +120,12 @@ static hawser_status parts_run(hawser_study *s, const char *dir, const hawser_st
 }
 
 /* The folder becomes ours, and what it has is read. */
-static hawser_status folder_begin(hawser_study *s, const char *dir, int fresh, int slurm, int *lock, hawser_error *err)
+static hawser_status folder_begin(hawser_study *s, const char *dir, int fresh, int slurm, OutDir *folder,
+                                  hawser_error *err)
 {
-    hawser_status status = out_make_dir(dir, err);
-    if (!status) status = folder_lock(dir, lock, err);
+    hawser_status status = store_spare(s->study, dir, err);
+    if (!status) status = out_make_dir(dir, err);
+    if (!status) status = folder_lock(dir, folder, err);
     if (!status) status = rows_make(s->study, &s->rows, err);
     if (!status && fresh && slurm) status = slurm_idle(s->study, dir, err);
     if (!status && !fresh) status = store_read(s->study, dir, &s->rows, err);
@@ -140,20 +142,21 @@ hawser_status hawser_study_run_on(hawser_study *s, const char *dir, const hawser
     hawser_error local, late;
     hawser_error *const e = err ? err : &local;
     const int first = !on->ranks || on->ranks->rank == 0;
-    int lock = -1;
+    OutDir folder = {.at = -1};
     if (!s || !dir) return error_argument(err, s ? "dir" : "s");
     drop_rows(s);
     s->efficiency = NAN;
     hawser_status status =
-        first ? folder_begin(s, dir, o->fresh, on->slurm != NULL, &lock, e) : rows_make(s->study, &s->rows, e);
+        first ? folder_begin(s, dir, o->fresh, on->slurm != NULL, &folder, e) : rows_make(s->study, &s->rows, e);
     if (on->ranks) status = ranks_agree(on->ranks, status, e);
     const int begun = !status;
     if (begun) status = parts_run(s, dir, o, on, e);
     if (begun && first) {
-        const hawser_status written = tables_write(s, dir, &late);
+        hawser_status written = out_stays(&folder, &late);
+        if (!written) written = tables_write(s, dir, &late);
         if (written && (!status || status == HAWSER_STOPPED)) status = error_set(e, written, "%s", late.message);
     }
-    if (lock >= 0) close(lock);
+    out_leave(&folder);
     return status;
 }
 
@@ -191,6 +194,7 @@ hawser_status hawser_study_report(const char *dir, const char *page, hawser_erro
     const char *const name = path_split(page, folder);
     hawser_status status = store_study(dir, path, e);
     if (!status) status = hawser_study_load(path, &s, e);
+    if (!status) status = file_marks_spare(&s->study->files, page, e);
     if (!status) status = rows_make(s->study, &s->rows, e);
     if (!status) status = store_read(s->study, dir, &s->rows, e);
     if (!status && s->study->pilot) pilots_bands(s->study, &s->rows, s->study->close);

@@ -88,8 +88,8 @@ void hawser_certificate_free(hawser_certificate *certificate);
  * malloc'ed: hawser_text_free. Errors: MEMORY. */
 hawser_status hawser_certificate_text(const hawser_certificate *certificate, hawser_format format, char **text,
                                       hawser_error *err);
-/* The same JSON as the file certificate.json of a folder, which is made if need be; readers of the folder refuse it
- * beside another run's summary. Errors: OUTPUT, MEMORY. */
+/* The same JSON as the file certificate.json of a folder, which is made if need be. Errors: OUTPUT (also: the folder
+ * has another run's summary), MEMORY. */
 hawser_status hawser_certificate_write(const hawser_certificate *certificate, const char *dir, hawser_error *err);
 
 #ifdef __cplusplus

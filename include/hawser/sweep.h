@@ -80,8 +80,8 @@ hawser_status hawser_case_position_sensitivities(hawser_case *c, size_t n, const
                                                  hawser_format format, int (*stop)(void *user), void *user, char **text,
                                                  char **json, hawser_error *err);
 
-/* The JSON of either as sensitivities.json of a folder; readers of the folder refuse it beside another run's summary.
- * Errors: OUTPUT, MEMORY. */
+/* The JSON of either as sensitivities.json of a folder. Errors: OUTPUT (also: the folder has another run's summary),
+ * MEMORY. */
 hawser_status hawser_sensitivities_write(const char *json, const char *dir, hawser_error *err);
 
 #ifdef __cplusplus

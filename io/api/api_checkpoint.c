@@ -205,11 +205,12 @@ hawser_status checkpoint_read(hawser_sim *s, const char *path, const void *bytes
 /* ------------------------------------------------------------------------------------------------------- files */
 
 /* All of a file, malloc'ed. */
-static hawser_status file_read(const char *path, void **bytes, size_t *size, hawser_error *err)
+static hawser_status file_read(const OutSpot *spot, void **bytes, size_t *size, hawser_error *err)
 {
+    const char *const path = spot->path;
     struct stat info;
     errno = 0;
-    const int fd = open(path, O_RDONLY | O_CLOEXEC);
+    const int fd = openat(spot->at, spot_name(spot), O_RDONLY | O_CLOEXEC);
     int ok = fd >= 0 && !fstat(fd, &info) && S_ISREG(info.st_mode);
     *bytes = ok ? checkpoint_memory((size_t)info.st_size) : NULL;
     *size = 0;
@@ -230,15 +231,21 @@ static hawser_status file_read(const char *path, void **bytes, size_t *size, haw
                      number ? strerror(number) : "it is not a file");
 }
 
-hawser_status checkpoint_read_dir(hawser_sim *s, const char *dir, RunKept *run, hawser_error *err)
+/* The checkpoint of a folder. */
+static hawser_status kept_read(OutSpot *spot, const OutDir *dir, void **bytes, size_t *size, hawser_error *err)
 {
-    char path[OUT_PATH_MAX];
+    const hawser_status status = out_spot(spot, dir, CHECKPOINT_FILE, err);
+    return status ? status : file_read(spot, bytes, size, err);
+}
+
+hawser_status checkpoint_read_dir(hawser_sim *s, const OutDir *dir, RunKept *run, hawser_error *err)
+{
+    OutSpot spot;
     void *bytes;
     size_t size;
-    hawser_status status = out_join(path, dir, CHECKPOINT_FILE, err);
-    if (!status) status = file_read(path, &bytes, &size, err);
+    hawser_status status = kept_read(&spot, dir, &bytes, &size, err);
     if (status) return status;
-    status = checkpoint_read(s, path, bytes, size, run, err);
+    status = checkpoint_read(s, spot.path, bytes, size, run, err);
     free(bytes);
     return status;
 }
@@ -293,15 +300,17 @@ void hawser_bytes_free(void *bytes) { free(bytes); }
 hawser_status hawser_sim_save(hawser_sim *s, const char *path, hawser_error *err)
 {
     Checkpoint c;
-    char dir[OUT_PATH_MAX] = ".";
+    OutDir dir;
     s = SHOWN(s);
     if (!s || !path) return error_argument(err, s ? "path" : "s");
     if (s->inside) return error_inside(err);
     const char *const slash = strrchr(path, '/');
-    if (strlen(path) >= sizeof dir) return out_error(path, ENAMETOOLONG, err);
-    if (slash) snprintf(dir, sizeof dir, "%.*s", (int)(slash > path ? slash - path : 1), path);
-    hawser_status status = checkpoint_write(s, NULL, &c, err);
-    if (!status) status = out_whole_bytes(dir, slash ? slash + 1 : path, c.bytes, c.size, err);
+    hawser_status status = file_marks_spare(&s->stage.scene.def.files, path, err);
+    if (!status) status = out_dir(&dir, slash ? path : ".", err);
+    if (status) return status;
+    if (slash) dir.path[slash > path ? slash - path : 1] = 0;
+    status = checkpoint_write(s, NULL, &c, err);
+    if (!status) status = out_bytes_in(&dir, slash ? slash + 1 : path, c.bytes, c.size, err);
     checkpoint_free(&c);
     return status;
 }
@@ -312,17 +321,31 @@ hawser_status hawser_sim_load(hawser_sim *s, const char *path, hawser_error *err
     size_t size;
     if (!s || !path) return error_argument(err, s ? "path" : "s");
     if (SHOWN(s)->inside || SHOWN(s)->running) return error_inside(err);
-    hawser_status status = file_read(path, &bytes, &size, err);
+    OutSpot spot;
+    hawser_status status = out_spot_of(&spot, path, err);
+    if (!status) status = file_read(&spot, &bytes, &size, err);
     if (status) return status;
     status = state_read(s, path, bytes, size, err);
     free(bytes);
     return status;
 }
 
+/* The case's file is where it was, unless somebody has moved it. */
+static hawser_status path_keep(CaseTree *tree, const char *name, hawser_error *err)
+{
+    const char *const slash = strrchr(name, '/');
+    const size_t size = strlen(tree->folder) + strlen(name) + 2;
+    tree->path = malloc(size);
+    if (!tree->path) return error_memory(err);
+    snprintf(tree->path, size, "%s/%s", tree->folder, slash ? slash + 1 : name);
+    return HAWSER_OK;
+}
+
 /* The case that is in front. */
 hawser_status hawser_case_resume(const char *dir, hawser_case **out, hawser_error *err)
 {
-    char path[OUT_PATH_MAX];
+    OutDir folder;
+    OutSpot spot = {0};
     TextPool pool = {0};
     Preface preface = {0};
     RunKept run;
@@ -331,14 +354,15 @@ hawser_status hawser_case_resume(const char *dir, hawser_case **out, hawser_erro
     int kept;
     if (!dir || !out) return error_argument(err, dir ? "out" : "dir");
     *out = NULL;
-    hawser_status status = out_join(path, dir, CHECKPOINT_FILE, err);
-    if (!status) status = file_read(path, &bytes, &size, err);
+    hawser_status status = out_dir(&folder, dir, err);
+    if (!status) status = kept_read(&spot, &folder, &bytes, &size, err);
     Checkpoint c = checkpoint_over(bytes, size, &pool);
-    if (!status) status = preface_read(&c, path, &preface, &kept, &run, err);
+    if (!status) status = preface_read(&c, spot.path, &preface, &kept, &run, err);
     if (!status && (!preface.text || !preface.name))
-        status = error_set(err, HAWSER_ERR_INPUT, "the checkpoint '%.500s' has no case in it", path);
+        status = error_set(err, HAWSER_ERR_INPUT, "the checkpoint '%.500s' has no case in it", spot.path);
     if (!status) status = hawser_case_parse(preface.text, preface.name, out, err);
     if (!status && preface.folder) status = hawser_case_folder(*out, preface.folder, err);
+    if (!status && preface.folder) status = path_keep((*out)->tree, preface.name, err);
     if (status && *out) {
         hawser_case_free(*out);
         *out = NULL;

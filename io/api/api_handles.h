@@ -33,20 +33,23 @@ hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser
 
 /* ------------------------------------------------------------------------------------ one pass of a run (api_run.c) */
 
-/* One pass of a run: hawser_sim_run without a second one; err is not NULL. The last checkpoint stays in dir. */
-hawser_status pass_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
+/* One pass of a run: hawser_sim_run without a second one; err is not NULL. dir: the folder, which is taken (out_take);
+ * NULL: nothing is written. The last checkpoint stays in it. */
+hawser_status pass_run(hawser_sim *s, const OutDir *dir, hawser_progress progress, void *user, hawser_error *err);
 /* The same from the checkpoint in dir. *over: the pass had ended when that was made, and its files are left as they
  * are. */
-hawser_status pass_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, int *over,
+hawser_status pass_resume(hawser_sim *s, const OutDir *dir, hawser_progress progress, void *user, int *over,
                           hawser_error *err);
+/* Why a run ended, for its summary and its caller; returns status. */
+hawser_status pass_settle(hawser_sim *s, hawser_status status, hawser_error *err);
 /* A pass has ended and dir has its files, whole; what follows it can be gone on with. Errors: OUTPUT, MEMORY, RUN. */
-hawser_status pass_keep(hawser_sim *s, const char *dir, hawser_error *err);
+hawser_status pass_keep(hawser_sim *s, const OutDir *dir, hawser_error *err);
 /* Tables and summary of a run that is over once more into its folder. Errors: OUTPUT, MEMORY. */
-hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err);
+hawser_status pass_tell(hawser_sim *s, const OutDir *dir, hawser_error *err);
 
 /* The text of summary.json; errors: MEMORY. dir: the folder whose files are whole, with their sums then, or NULL;
  * errors: OUTPUT too. */
-hawser_status sim_summary_text(const hawser_sim *s, const char *dir, char **text, hawser_error *err);
+hawser_status sim_summary_text(const hawser_sim *s, const OutDir *dir, char **text, hawser_error *err);
 
 /* ------------------------------------------------------------------------------- checkpoints (api_checkpoint.c) */
 
@@ -68,7 +71,7 @@ hawser_status checkpoint_write(hawser_sim *s, RunKept *run, Checkpoint *c, hawse
 hawser_status checkpoint_read(hawser_sim *s, const char *path, const void *bytes, size_t size, RunKept *run,
                               hawser_error *err);
 /* That of a results folder. */
-hawser_status checkpoint_read_dir(hawser_sim *s, const char *dir, RunKept *run, hawser_error *err);
+hawser_status checkpoint_read_dir(hawser_sim *s, const OutDir *dir, RunKept *run, hawser_error *err);
 
 /* -------------------------------------------------------------------------------------------------------- theory */
 

@@ -2,6 +2,7 @@
  * docs/model.md, "Error bars" (EB19), (EB20), (EB27) to (EB30); what a user needs to know of it is in docs/limits.md.
  */
 #include <assert.h>
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -239,12 +240,11 @@ static void say_more(hawser_passes *p, const char *format, ...)
 typedef struct Passes {
     int n; /* that are over */
     hawser_sim *sim[PASSES_MAX];
-    const char *own;  /* a setting that is the case's; NULL: none */
-    int slower;       /* v_s is refined too */
-    const char *home; /* the first one's folder; NULL: nothing is written */
-    int lock;         /* of that; -1: none */
-    int resumed;      /* what was begun is gone on with */
-    PassesSaid *says; /* the first's */
+    const char *own;    /* a setting that is the case's; NULL: none */
+    int slower;         /* v_s is refined too */
+    const OutDir *home; /* the first one's folder; NULL: nothing is written */
+    int resumed;        /* what was begun is gone on with */
+    PassesSaid *says;   /* the first's */
     hawser_progress progress;
     void *user;
 } Passes;
@@ -252,30 +252,12 @@ typedef struct Passes {
 /* Whether what stops the run here can be gone on with. */
 static int is_kept(const Passes *z) { return z->home && z->sim[0]->plan->output.checkpoint > 0; }
 
-/* The folder of pass k within the first one's. Errors: OUTPUT. */
-static hawser_status pass_folder(const Passes *z, int k, char dir[OUT_PATH_MAX], hawser_error *err)
-{
-    const int n = snprintf(dir, OUT_PATH_MAX, "%s/%s-pass", z->home, PASS[k]);
-    return n < OUT_PATH_MAX ? HAWSER_OK : error_set(err, HAWSER_ERR_OUTPUT, "the results folder's name is too long");
-}
+/* The folders of the others within the first one's. */
+static const char *const FOLDER[PASSES_MAX] = {NULL, "second-pass", "third-pass"};
 
 static void folders_remove(const Passes *z)
 {
-    char dir[OUT_PATH_MAX];
-    for (int k = 1; k < PASSES_MAX && z->home; ++k)
-        if (!pass_folder(z, k, dir, NULL)) results_remove(dir);
-}
-
-/* The folders belong to this run alone, and have nothing in them that an earlier one has left: but for what is gone on
- * with. Errors: OUTPUT. */
-static hawser_status passes_house(Passes *z, hawser_error *err)
-{
-    char dir[OUT_PATH_MAX];
-    if (!z->home) return HAWSER_OK;
-    hawser_status status = pass_folder(z, 1, dir, err);
-    if (!status) status = out_lock_dir(z->home, &z->lock, err);
-    if (!status && !z->resumed) folders_remove(z);
-    return status;
+    for (int k = 1; k < PASSES_MAX && z->home; ++k) results_remove(z->home, FOLDER[k]);
 }
 
 /* The next one, built from the definition of the last with finer settings. Errors: MEMORY, INPUT, RUN. */
@@ -314,14 +296,15 @@ static hawser_status pass_build(Passes *z, hawser_error *err)
 static hawser_status pass_go(Passes *z, hawser_error *err)
 {
     hawser_sim *const s = z->sim[z->n];
-    char folder[OUT_PATH_MAX];
+    OutDir folder;
     int over = 0;
-    hawser_status status = z->home ? pass_folder(z, z->n, folder, err) : HAWSER_OK;
-    const char *const dir = z->home ? folder : NULL;
+    const OutDir *const dir = z->home ? &folder : NULL;
+    hawser_status status = dir ? out_take(&folder, z->home, FOLDER[z->n], 1, err) : HAWSER_OK;
     if (status) return status;
     status = z->resumed ? pass_resume(s, dir, z->progress, z->user, &over, err) : HAWSER_ERR_INPUT;
     if (status == HAWSER_ERR_INPUT) status = pass_run(s, dir, z->progress, z->user, err); /* there is no checkpoint */
     if (!status && !over && is_kept(z)) status = pass_keep(s, dir, err);
+    if (dir) out_leave(&folder);
     return status;
 }
 
@@ -404,7 +387,6 @@ static int third_is_wanted(Passes *z)
 static hawser_status passes_settle(Passes *z, hawser_error *err)
 {
     hawser_sim *const first = z->sim[0];
-    char dir[OUT_PATH_MAX];
     hawser_status status = HAWSER_OK;
     if (!z->own) {
         hawser_sim *const last = z->sim[z->n - 1];
@@ -412,8 +394,7 @@ static hawser_status passes_settle(Passes *z, hawser_error *err)
         first->passes = NULL;
         first->finer = last;
         z->sim[z->n - 1] = NULL;
-        if (z->home) status = pass_folder(z, z->n - 1, dir, err);
-        if (z->home && !status) status = results_replace(z->home, dir, err);
+        if (z->home) status = results_replace(z->home, FOLDER[z->n - 1], err);
     }
     if (!status && z->home) status = pass_tell(SHOWN(first), z->home, err);
     if (!status) folders_remove(z);
@@ -476,11 +457,11 @@ static hawser_status second_ask(hawser_sim *s, int *wanted, hawser_error *err)
 
 /* After a first pass. resumed: that had ended when the run was stopped, and is as it was then. Errors: OUTPUT, MEMORY,
  * STOPPED. */
-static hawser_status finer_passes(hawser_sim *s, const char *dir, int resumed, hawser_progress progress, void *user,
+static hawser_status finer_passes(hawser_sim *s, const OutDir *dir, int resumed, hawser_progress progress, void *user,
                                   hawser_error *err)
 {
     hawser_error late = {.status = HAWSER_OK};
-    Passes z = {.n = 1, .sim = {s}, .home = dir, .lock = -1, .resumed = resumed, .progress = progress, .user = user};
+    Passes z = {.n = 1, .sim = {s}, .home = dir, .resumed = resumed, .progress = progress, .user = user};
     int wanted;
     hawser_status status = second_ask(s, &wanted, err);
     if (status) return status;
@@ -488,8 +469,8 @@ static hawser_status finer_passes(hawser_sim *s, const char *dir, int resumed, h
     z.says = s->passes;
     z.own = given(s->plan, is_setting);
     z.slower = z.own || !given(s->plan, is_v_s); /* in a pass that is only compared no law is another one */
-    status = passes_house(&z, err);
-    if (!status && is_kept(&z) && !resumed) status = pass_keep(s, dir, err);
+    if (!resumed) folders_remove(&z);            /* what an earlier run has left */
+    if (is_kept(&z) && !resumed) status = pass_keep(s, dir, err);
     if (!status) {
         do {
             status = pass_build(&z, &late);
@@ -499,7 +480,6 @@ static hawser_status finer_passes(hawser_sim *s, const char *dir, int resumed, h
         status = status ? passes_give_up(&z, status, &late, err) : passes_settle(&z, err);
     }
     for (int k = 1; k < PASSES_MAX; ++k) sim_free(z.sim[k]);
-    if (z.lock >= 0) close(z.lock);
     return status;
 }
 
@@ -510,36 +490,74 @@ static int is_whole(const hawser_sim *s)
 }
 
 /* What follows a pass that has ended, and the checkpoint of a run that there is nothing more to do for. */
-static hawser_status go_on(hawser_sim *s, const char *dir, int whole, int over, hawser_status status,
+static hawser_status go_on(hawser_sim *s, const OutDir *dir, int whole, int over, hawser_status status,
                            hawser_progress progress, void *user, hawser_error *err)
 {
     if (!status && whole && !s->led) status = finer_passes(s, dir, over, progress, user, err);
     if (dir && (!status || status == HAWSER_ERR_RUN)) results_no_checkpoint(dir);
+    if (dir && !status) status = out_stays(dir, err); /* who looks there finds another folder */
     return status;
 }
 
+/* Whether a run into `dir` writes over none of the files that the case was read from: in the folder, and in those of
+ * its passes and its chains within. Errors: INPUT. */
+static hawser_status inputs_spare(hawser_sim *s, const char *dir, hawser_error *err)
+{
+    const FileMarks *const files = &s->stage.scene.def.files;
+    char path[OUT_PATH_MAX];
+    hawser_status status = results_spare(dir, files, err);
+    for (int k = 1; k < PASSES_MAX + sim_chains(s) && !status; ++k) {
+        const int pass = k < PASSES_MAX;
+        status = out_join(path, dir, pass ? FOLDER[k] : sim_chain(s, k - PASSES_MAX)->stage.scene.def.strand.name, err);
+        if (!status) status = results_spare(path, files, err);
+    }
+    return status;
+}
+
+/* Whether it can be told to move: INPUT if not. */
+static hawser_status can_run(const hawser_sim *s, hawser_error *err)
+{
+    if (s->inside || s->running) return error_inside(err);
+    return s->leader ? error_led(err) : HAWSER_OK;
+}
+
+/* The folder is one run's from its beginning to its end. */
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
 {
     hawser_error local = {.status = HAWSER_OK};
     hawser_error *const e = err ? err : &local;
+    OutDir folder, *const home = dir ? &folder : NULL;
     s = SHOWN(s);
     if (!s) return error_argument(e, "s");
-    if (s->inside || s->running) return error_inside(e);
-    if (s->leader) return error_led(e);
+    hawser_status status = can_run(s, e);
+    if (status) return status;
     const int whole = is_whole(s);
-    return go_on(s, dir, whole, 0, pass_run(s, dir, progress, user, e), progress, user, e);
+    if (home) status = inputs_spare(s, dir, e);
+    if (home && !status) status = out_take(home, NULL, dir, 1, e);
+    if (status) return pass_settle(s, status, e);
+    status = go_on(s, home, whole, 0, pass_run(s, home, progress, user, e), progress, user, e);
+    if (home) out_leave(home);
+    return status;
 }
 
 hawser_status hawser_sim_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
 {
     hawser_error local = {.status = HAWSER_OK};
     hawser_error *const e = err ? err : &local;
+    OutDir folder;
     s = SHOWN(s);
     if (!s || !dir) return error_argument(e, s ? "dir" : "s");
-    if (s->inside || s->running) return error_inside(e);
-    if (s->leader) return error_led(e);
+    hawser_status status = can_run(s, e);
+    if (status) return status;
     const int whole = is_whole(s);
     int over = 0;
-    const hawser_status status = pass_resume(s, dir, progress, user, &over, e);
-    return go_on(s, dir, whole, over, status, progress, user, e);
+    if (access(dir, F_OK))
+        return error_set(e, HAWSER_ERR_INPUT, "no run to go on with in '%.700s': %s", dir, strerror(errno));
+    status = inputs_spare(s, dir, e);
+    if (!status) status = out_take(&folder, NULL, dir, 0, e);
+    if (status) return pass_settle(s, status, e);
+    status = pass_resume(s, &folder, progress, user, &over, e);
+    status = go_on(s, &folder, whole, over, status, progress, user, e);
+    out_leave(&folder);
+    return status;
 }

@@ -29,7 +29,7 @@ typedef struct Beat {
 typedef struct Run {
     hawser_sim *s;
     Results *results[STRANDS_MAX]; /* of each chain; the first NULL: nothing is written */
-    const char *dir;               /* where they go */
+    const OutDir *dir;             /* where they go */
     hawser_progress progress;      /* may be NULL */
     void *user;
     double started, last_progress; /* clock_now() */
@@ -106,7 +106,7 @@ static hawser_status keep_now(Run *run, hawser_error *err)
     return status;
 }
 
-hawser_status pass_keep(hawser_sim *s, const char *dir, hawser_error *err)
+hawser_status pass_keep(hawser_sim *s, const OutDir *dir, hawser_error *err)
 {
     Checkpoint c = {0};
     RunKept kept = {.over = 1};
@@ -228,10 +228,10 @@ static hawser_status run_steps(Run *run, int resumed, hawser_error *err)
     return status;
 }
 
-/* Sizes, names and wishes for the results folder. at: where the files of a run that is resumed were; NULL: it is new.
- */
-static hawser_status results_of(hawser_sim *s, Results **out, const char *dir, const ResultsPosition *at,
-                                hawser_error *err)
+/* Sizes, names and wishes for the results folder: `home`, or the folder `chain` within it. at: where the files of a run
+ * that is resumed were; NULL: it is new. */
+static hawser_status results_of(hawser_sim *s, Results **out, const OutDir *home, const char *chain,
+                                const ResultsPosition *at, hawser_error *err)
 {
     const hawser_sample *const look = &s->look.sample;
     const OutputDef *output = &s->stage.scene.def.output;
@@ -267,7 +267,8 @@ static hawser_status results_of(hawser_sim *s, Results **out, const char *dir, c
     if (!at) envelope_free(&s->envelope); /* of a run before */
     if (!status && !at && def.states > 0) status = envelope_new(&s->envelope, &s->stage.scene, err);
     if (!status) {
-        status = at ? results_resume(out, dir, &def, at, summary, err) : results_open(out, dir, &def, summary, err);
+        status = at ? results_resume(out, home, chain, &def, at, summary, err)
+                    : results_open(out, home, chain, &def, summary, err);
     }
     geometry_free(&geometry);
     hawser_text_free(summary);
@@ -275,27 +276,17 @@ static hawser_status results_of(hawser_sim *s, Results **out, const char *dir, c
     return status;
 }
 
-/* Where the files of chain k go: those of the first are the run's. Errors: OUTPUT. */
-static hawser_status chain_folder(const Run *run, int k, char path[OUT_PATH_MAX], hawser_error *err)
-{
-    if (k > 0) return out_join(path, run->dir, sim_chain(run->s, k)->stage.scene.def.strand.name, err);
-    return snprintf(path, OUT_PATH_MAX, "%s", run->dir) < OUT_PATH_MAX
-               ? HAWSER_OK
-               : error_set(err, HAWSER_ERR_OUTPUT, "the results folder's name is too long");
-}
-
 /* The first chain's in the folder itself, those of the others in folders of their names within. at [chains]: as
  * results_of. */
-static hawser_status open_results(Run *run, const char *dir, const ResultsPosition *at, hawser_error *err)
+static hawser_status open_results(Run *run, const OutDir *dir, const ResultsPosition *at, hawser_error *err)
 {
     run->dir = dir;
     hawser_status status = HAWSER_OK;
     for (int k = 0; !status && k < sim_chains(run->s); ++k) {
         hawser_sim *const each = sim_chain(run->s, k);
-        char path[OUT_PATH_MAX];
-        status = chain_folder(run, k, path, err);
-        if (!status && k > 0) hawser_sim_sample(each);
-        if (!status) status = results_of(each, &run->results[k], path, at ? &at[k] : NULL, err);
+        const char *const name = k > 0 ? each->stage.scene.def.strand.name : NULL;
+        if (k > 0) hawser_sim_sample(each);
+        status = results_of(each, &run->results[k], dir, name, at ? &at[k] : NULL, err);
     }
     return status;
 }
@@ -325,14 +316,14 @@ static hawser_status finish_tables(Run *run, hawser_error *err)
     return first;
 }
 
-hawser_status pass_tell(hawser_sim *s, const char *dir, hawser_error *err)
+hawser_status pass_tell(hawser_sim *s, const OutDir *dir, hawser_error *err)
 {
     const ResultsTables tables = tables_of(s);
     char *summary;
     hawser_status status = results_again(dir, &tables, err);
     if (!status) status = sim_summary_text(s, dir, &summary, err);
     if (status) return status;
-    status = out_whole(dir, "summary.json", summary, err);
+    status = out_whole_in(dir, "summary.json", summary, err);
     hawser_text_free(summary);
     return status;
 }
@@ -342,9 +333,8 @@ static hawser_status finish_summary(Run *run, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     for (int k = 0; !status && k < sim_chains(run->s); ++k) {
-        char *summary = NULL, dir[OUT_PATH_MAX];
-        status = chain_folder(run, k, dir, err);
-        if (!status) status = sim_summary_text(sim_chain(run->s, k), dir, &summary, err);
+        char *summary = NULL;
+        status = sim_summary_text(sim_chain(run->s, k), results_dir(run->results[k]), &summary, err);
         if (!status) status = results_summary(run->results[k], summary, run->s->outcome == HAWSER_OK, err);
         hawser_text_free(summary);
     }
@@ -365,7 +355,7 @@ static void start_beats(Run *run, double t)
 
 /* Why it ended, for the summary and the caller. A result that could not be written weighs more than a stop.
  */
-static hawser_status settle(hawser_sim *s, hawser_status status, hawser_error *err)
+hawser_status pass_settle(hawser_sim *s, hawser_status status, hawser_error *err)
 {
     for (int k = 0; k < sim_chains(s); ++k) {
         hawser_sim *const each = sim_chain(s, k);
@@ -382,7 +372,7 @@ static hawser_status weigh(hawser_sim *s, hawser_status status, hawser_status wr
 {
     if (!written || (status && status != HAWSER_STOPPED)) return status;
     *err = *late;
-    return settle(s, written, err);
+    return pass_settle(s, written, err);
 }
 
 /* Steps and tables: the tables are written whatever ended the steps. The first error counts. */
@@ -392,7 +382,7 @@ static hawser_status run_all(Run *run, int resumed, hawser_error *err)
     hawser_error late = {HAWSER_OK, ""};
     hawser_status status = run_steps(run, resumed, err);
     hawser_status written = write_last(run, &late);
-    settle(s, status, err);
+    pass_settle(s, status, err);
     if (run->results[0]) {
         const hawser_status finished = finish_tables(run, written ? NULL : &late);
         if (!written) written = finished;
@@ -428,24 +418,24 @@ static void run_begin(Run *run)
     start_beats(run, hawser_sim_time(run->s));
 }
 
-hawser_status pass_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
+hawser_status pass_run(hawser_sim *s, const OutDir *dir, hawser_progress progress, void *user, hawser_error *err)
 {
     Run run = run_new(s, progress, user);
     run_begin(&run);
     const hawser_status status = dir ? open_results(&run, dir, NULL, err) : HAWSER_OK;
     if (!status) return run_all(&run, 0, err);
     for (int k = 0; k < sim_chains(s); ++k) results_free(run.results[k]);
-    return settle(s, status, err);
+    return pass_settle(s, status, err);
 }
 
 /* The simulation first: nothing is touched in the folder of a run that cannot be gone on with. */
-hawser_status pass_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, int *over,
+hawser_status pass_resume(hawser_sim *s, const OutDir *dir, hawser_progress progress, void *user, int *over,
                           hawser_error *err)
 {
     RunKept kept = {.over = 0};
     hawser_status status = checkpoint_read_dir(s, dir, &kept, err);
     *over = kept.over != 0;
-    if (status || kept.over) return settle(s, status, err);
+    if (status || kept.over) return pass_settle(s, status, err);
     Run run = run_new(s, progress, user);
     run_begin(&run);
     run.row.count = kept.rows;
@@ -453,5 +443,5 @@ hawser_status pass_resume(hawser_sim *s, const char *dir, hawser_progress progre
     run.last_row = kept.last_row;
     run.last_state = kept.last_state;
     status = open_results(&run, dir, kept.files, err);
-    return status ? settle(s, status, err) : run_all(&run, 1, err);
+    return status ? pass_settle(s, status, err) : run_all(&run, 1, err);
 }

@@ -171,7 +171,7 @@ static int remedies_find(const Scene *scene, int n, const hawser_limit *limit, c
     return found;
 }
 
-hawser_status sim_summary_text(const hawser_sim *s, const char *dir, char **text, hawser_error *err)
+hawser_status sim_summary_text(const hawser_sim *s, const OutDir *dir, char **text, hawser_error *err)
 {
     FileSum file[FILE_SUMS_MAX];
     char run[SUM_SIZE];

@@ -139,8 +139,7 @@ hawser_status hawser_certificate_write(const hawser_certificate *certificate, co
     if (!certificate || !dir) return error_argument(err, certificate ? "dir" : "certificate");
     hawser_status status = hawser_certificate_text(certificate, HAWSER_JSON, &text, err);
     if (status) return status;
-    status = out_make_dir(dir, err);
-    if (!status) status = out_whole(dir, "certificate.json", text, err);
+    status = companion_write(dir, "certificate.json", text, err);
     hawser_text_free(text);
     return status;
 }

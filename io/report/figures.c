@@ -2,6 +2,7 @@
 
 #include "io/report/svg.h"
 #include "io/results/column.h"
+#include "io/results/results_file.h"
 
 #include <jansson.h>
 #include <math.h>
@@ -96,7 +97,8 @@ static Label label(const char *what, Scale scale)
 
 static void title_of(const Folder *folder, const char *what, char *text, size_t size)
 {
-    snprintf(text, size, "%s: %.150s", what, folder_title(folder));
+    const char *const how = is_running(folder->summary) ? " (run not ended)" : "";
+    snprintf(text, size, "%s%s: %.140s", what, how, folder_title(folder));
 }
 
 /* One curve of a figure that has several. */

@@ -122,11 +122,26 @@ hawser_status folder_open(const char *dir, Folder *folder, hawser_error *err)
 hawser_status folder_read(const char *dir, Folder *folder, hawser_error *err)
 {
     hawser_status status = folder_open(dir, folder, err);
+    if (!status && is_running(folder->summary)) folder_say(folder, "%s", FOLDER_UNFINISHED);
     if (!status) status = table_read(folder, "stations.csv", &folder->stations, err);
     if (!status) status = table_read(folder, "rollers.csv", &folder->rollers, err);
     if (!status) status = table_read(folder, "series.csv", &folder->series, err);
     if (!status) status = table_read(folder, "inputs.csv", &folder->inputs, err);
     if (!status) status = table_read(folder, "route.csv", &folder->route, err);
+    return status;
+}
+
+hawser_status folder_files(const Folder *folder, FileMarks *files, hawser_error *err)
+{
+    static const char *const names[] = {"summary.json", "stations.csv",     "rollers.csv",
+                                        "series.csv",   "inputs.csv",       "route.csv",
+                                        "results.h5",   "certificate.json", "sensitivities.json"};
+    hawser_status status = HAWSER_OK;
+    for (size_t k = 0; k < sizeof names / sizeof *names && !status; k++) {
+        char *const path = folder_path(folder, names[k]);
+        status = path ? file_marks_add(files, path, err) : error_memory(err);
+        free(path);
+    }
     return status;
 }
 

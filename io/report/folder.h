@@ -2,11 +2,17 @@
 #ifndef HAWSER_IO_REPORT_FOLDER_H
 #define HAWSER_IO_REPORT_FOLDER_H
 
+#include "core/base/file_marks.h"
 #include "io/report/sheet.h"
 
 struct json_t;
 
 enum { FOLDER_NOTES_MAX = 8, FOLDER_NOTE_MAX = 400 };
+
+/* What there is to say of a folder without an end. */
+#define FOLDER_UNFINISHED                                                                                              \
+    "This run has not ended: it is under way, or it was cut off before it could say how it ended. What is shown is "   \
+    "what it had written by then."
 
 typedef struct Folder {
     const char *dir;                                /* borrowed */
@@ -24,6 +30,8 @@ hawser_status folder_read(const char *dir, Folder *folder, hawser_error *err);
 void folder_clear(Folder *folder);
 /* The summary alone, and whether the files beside it belong to it. Arguments and errors as folder_read. */
 hawser_status folder_open(const char *dir, Folder *folder, hawser_error *err);
+/* Adds the folder's files of which pages and figures are made: nothing is to be written over them. Errors: MEMORY. */
+hawser_status folder_files(const Folder *folder, FileMarks *files, hawser_error *err);
 void folder_say(Folder *folder, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* dir/name, malloc'ed; NULL without memory. */

@@ -32,7 +32,9 @@ static const json_t *said_of(const json_t *files, const char *name)
 static hawser_status table_check(const char *dir, const json_t *files, const char *name, hawser_error *err)
 {
     FileSum sum;
-    const hawser_status status = file_sum(dir, name, &sum, err);
+    OutDir folder;
+    hawser_status status = out_dir(&folder, dir, err);
+    if (!status) status = file_sum(&folder, name, &sum, err);
     if (status || sum.bytes < 0) return status;
     const json_t *const said = said_of(files, name);
     const char *const wanted = json_string_value(json_object_get(said, "sum"));
@@ -134,14 +136,39 @@ static hawser_status companion_check(const char *dir, const char *run, const cha
     return status;
 }
 
+/* Between a run and what is computed of it another one may have taken its folder's name. */
+hawser_status companion_write(const char *dir, const char *name, const char *text, hawser_error *err)
+{
+    char path[OUT_PATH_MAX];
+    json_t *summary = NULL, *const own = json_loads(text, 0, NULL);
+    const char *const run = json_string_value(json_object_get(own, "run"));
+    hawser_status status = out_make_dir(dir, err);
+    if (!status) status = out_join(path, dir, "summary.json", err);
+    if (!status) status = json_read(path, &summary, err);
+    if (status == HAWSER_ERR_INPUT) status = HAWSER_OK; /* it says nothing */
+    const char *const there = json_string_value(json_object_get(summary, "run"));
+    if (!status && run && *run && there && strcmp(run, there) != 0)
+        status = error_set(err, HAWSER_ERR_OUTPUT,
+                           "cannot write '%.500s/%s': the results in this folder are of another run", dir, name);
+    json_decref(summary);
+    json_decref(own);
+    return status ? status : out_whole(dir, name, text, err);
+}
+
+int is_running(const json_t *summary)
+{
+    const char *const outcome = json_string_value(json_object_get(summary, "outcome"));
+    return outcome && !strcmp(outcome, "running");
+}
+
 hawser_status belong_check(const char *dir, const json_t *summary, hawser_error *err)
 {
     const json_t *const files = json_object_get(summary, "files");
     const char *const run = json_string_value(json_object_get(summary, "run"));
+    const int listed = json_is_array(files) && !is_running(summary); /* its tables grow until the end */
     hawser_status status = HAWSER_OK;
     if (!run) return HAWSER_OK; /* of a hawser that did not say it yet */
-    for (int k = 0; k < FILE_SUMS_MAX && !status && json_is_array(files); k++)
-        status = table_check(dir, files, sum_files[k], err);
+    for (int k = 0; k < FILE_SUMS_MAX && !status && listed; k++) status = table_check(dir, files, sum_files[k], err);
     if (!status) status = companion_check(dir, run, "certificate.json", err);
     if (!status) status = companion_check(dir, run, "sensitivities.json", err);
     if (status) return status;

@@ -8,10 +8,12 @@
 #include "io/results/results_file.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 /* States between two flushes at most; their frames enter results.xdmf together. */
@@ -36,13 +38,15 @@ static const char *const *const run_files = folder_files + FOLDER_FILES - RUN_FI
 
 /* Within the folder: the results of an earlier run that ended as it should, until those of this one have. */
 #define EARLIER "earlier"
+/* Within that, while they move there: what a killed program has left is to be gone on with. */
+#define MOVING "moving"
 
 struct Results {
     OutFile series, tables[TABLES];
     XdmfFile xdmf;
     H5File *h5; /* NULL: no states wanted */
-    char dir[OUT_PATH_MAX];
-    int lock; /* of the folder; -1: none */
+    OutDir dir;
+    int taken; /* by us, not by our caller */
     Series columns;
     int n_pending;               /* states that results.xdmf does not know of yet */
     double pending[PENDING_MAX]; /* their times, s */
@@ -50,19 +54,33 @@ struct Results {
     double last_flush;
 };
 
+static hawser_status folder_spare(const char *dir, const FileMarks *files, hawser_error *err)
+{
+    static const char *const more[] = {CHECKPOINT_FILE, "results.h5.journal", MOVING};
+    enum { MORE = sizeof more / sizeof *more };
+    OutDir folder;
+    OutSpot spot;
+    hawser_status s = out_dir(&folder, dir, err);
+    for (int k = 0; k < FOLDER_FILES + MORE && !s; k++) {
+        s = out_spot(&spot, &folder, k < FOLDER_FILES ? folder_files[k] : more[k - FOLDER_FILES], err);
+        if (!s) s = file_marks_spare(files, spot.path, err);
+    }
+    return s;
+}
+
+hawser_status results_spare(const char *dir, const FileMarks *files, hawser_error *err)
+{
+    char earlier[OUT_PATH_MAX];
+    hawser_status s = folder_spare(dir, files, err);
+    if (!s) s = out_join(earlier, dir, EARLIER, err);
+    return s ? s : folder_spare(earlier, files, err);
+}
+
 /* Both files or none: one is of no use without the other. */
 static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error *err)
 {
-    const hawser_status status = h5_open(&r->h5, r->dir, def, err);
-    return status ? status : xdmf_open(&r->xdmf, r->dir, def, err);
-}
-
-/* If it is there. */
-static void file_remove(const char *dir, const char *name)
-{
-    char path[OUT_PATH_MAX];
-    hawser_error unused;
-    if (!out_join(path, dir, name, &unused)) unlink(path);
+    const hawser_status status = h5_open(&r->h5, &r->dir, def, err);
+    return status ? status : xdmf_open(&r->xdmf, &r->dir, def, err);
 }
 
 /* What an earlier run left and this one may not write, or gives its name late: a folder holds the results of one run.
@@ -73,71 +91,112 @@ static hawser_status remove_old(const Results *r, int count, hawser_error *err)
     static const char *const names[OLD_ALL] = {
         "positions.csv", "modes.csv", "certificate.json",   "sensitivities.json", "report.html", "report.pdf",
         CHECKPOINT_FILE, "route.csv", "results.h5.journal", "results.h5",         "results.xdmf"};
-    char path[OUT_PATH_MAX];
+    OutSpot spot;
     hawser_status s = HAWSER_OK;
     for (int k = 0; k < count && !s; k++) {
-        s = out_join(path, r->dir, names[k], err);
-        if (!s && unlink(path) && errno != ENOENT) s = out_error(path, errno, err);
+        s = out_spot(&spot, &r->dir, names[k], err);
+        if (!s && unlinkat(spot.at, spot_name(&spot), 0) && errno != ENOENT) s = out_error(spot.path, errno, err);
     }
     return s;
 }
 
-/* Whether the folder's summary is one of a run that was finished. */
-static int is_finished(const char *dir)
+static int is_there(const OutDir *dir, const char *name)
 {
-    char path[OUT_PATH_MAX];
-    if (out_join(path, dir, "summary.json", NULL)) return 0;
-    json_t *const summary = json_load_file(path, 0, NULL);
+    OutSpot spot;
+    struct stat info;
+    return !out_spot(&spot, dir, name, NULL) && !fstatat(spot.at, spot_name(&spot), &info, 0);
+}
+
+/* Whether the folder's summary is one of a run that was finished. */
+static int is_finished(const OutDir *dir)
+{
+    OutSpot spot;
+    if (out_spot(&spot, dir, "summary.json", NULL)) return 0;
+    const int fd = openat(spot.at, spot_name(&spot), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (fd < 0) return 0;
+    json_t *const summary = json_loadfd(fd, 0, NULL);
+    close(fd);
     const char *const outcome = json_string_value(json_object_get(summary, "outcome"));
     const int finished = outcome && !strcmp(outcome, "finished");
     json_decref(summary);
     return finished;
 }
 
-/* Takes what there is of a list of files away from a folder, and the folder if nothing is left in it. */
-static void files_remove(const char *from, int n, const char *const *files)
+/* Takes what there is of a list of files away from a folder within another one, the last of them first, and the folder
+ * if nothing is left in it. */
+static void files_remove(const OutDir *dir, const char *from, int n, const char *const *files)
 {
-    for (int k = 0; k < n; k++) file_remove(from, files[k]);
-    rmdir(from);
+    OutDir inner;
+    OutSpot spot;
+    if (!out_within(&inner, dir, from)) return;
+    while (n-- > 0) out_remove(&inner, files[n]);
+    out_remove(&inner, MOVING);
+    out_leave(&inner);
+    if (!out_spot(&spot, dir, from, NULL)) unlinkat(spot.at, spot_name(&spot), AT_REMOVEDIR);
 }
 
 /* Renames what there is of a list of files into another folder. The last one moves when the others have, whatever
  * happens to the machine meanwhile. */
-static hawser_status files_move(const char *to, const char *from, int n, const char *const *files, hawser_error *err)
+static hawser_status files_move(const OutDir *to, const OutDir *from, int n, const char *const *files,
+                                hawser_error *err)
 {
-    char old[OUT_PATH_MAX], new[OUT_PATH_MAX];
+    OutSpot old, new;
     hawser_status s = HAWSER_OK;
     for (int k = 0; k < n && !s; k++) {
-        if (k == n - 1) s = out_sync(to, err);
-        if (!s) s = out_join(old, from, files[k], err);
-        if (!s) s = out_join(new, to, files[k], err);
-        if (!s && rename(old, new) && errno != ENOENT) s = out_error(new, errno, err);
+        if (k == n - 1) s = out_sync_in(to, ".", err);
+        if (!s) s = out_spot(&old, from, files[k], err);
+        if (!s) s = out_spot(&new, to, files[k], err);
+        if (!s && renameat(old.at, spot_name(&old), new.at, spot_name(&new)) && errno != ENOENT)
+            s = out_error(new.path, errno, err);
     }
     return s;
 }
 
-/* Good results wait in EARLIER for those that are to replace them; others are not worth keeping. */
+/* An empty EARLIER with its mark, on the disk. */
+static hawser_status earlier_begin(const OutDir *dir, OutDir *earlier, hawser_error *err)
+{
+    OutSpot spot;
+    OutFile mark;
+    files_remove(dir, EARLIER, FOLDER_FILES, folder_files);
+    hawser_status s = out_spot(&spot, dir, EARLIER, err);
+    if (!s && mkdirat(spot.at, spot_name(&spot), 0777) && errno != EEXIST) s = out_error(spot.path, errno, err);
+    if (!s && !out_within(earlier, dir, EARLIER)) s = out_error(spot.path, errno, err);
+    if (!s) s = out_open_in(&mark, earlier, MOVING, err);
+    if (!s) s = out_close(&mark, err);
+    if (!s) s = out_sync_in(earlier, ".", err);
+    return s ? s : out_sync_in(dir, ".", err);
+}
+
+/* Good results wait in EARLIER for those that are to replace them; others are not worth keeping. They are in both
+ * folders while they move, the summary still where they come from: who finds it so goes on with that. */
 static hawser_status earlier_keep(const Results *r, hawser_error *err)
 {
-    char path[OUT_PATH_MAX];
-    if (!is_finished(r->dir)) return HAWSER_OK;
-    hawser_status s = out_join(path, r->dir, EARLIER, err);
-    if (!s) files_remove(path, FOLDER_FILES, folder_files);
-    if (!s) s = out_make_dir(path, err);
-    return s ? s : files_move(path, r->dir, FOLDER_FILES, folder_files, err);
+    OutDir earlier;
+    const int there = out_within(&earlier, &r->dir, EARLIER), finished = is_finished(&r->dir);
+    const int begun = there && is_there(&earlier, MOVING) && !is_there(&earlier, "summary.json");
+    hawser_status s = HAWSER_OK;
+    if (finished && !begun) {
+        out_leave(&earlier);
+        s = earlier_begin(&r->dir, &earlier, err);
+    }
+    if (!s && finished) s = files_move(&earlier, &r->dir, FOLDER_FILES, folder_files, err);
+    if (!s && finished) s = out_sync_in(&earlier, ".", err);
+    if (!s && earlier.at >= 0) out_remove(&earlier, MOVING);
+    out_leave(&earlier);
+    return s;
 }
 
 /* What does not change: the case as it was read, and the route with its theory, where there is one. */
 static hawser_status write_known(const Results *r, const ResultsDef *def, hawser_error *err)
 {
     OutFile out;
-    hawser_status status = out_open(&out, r->dir, "inputs.csv", err);
+    hawser_status status = out_open_in(&out, &r->dir, "inputs.csv", err);
     if (status) return status;
     status = inputs_write(&out, def->n_inputs, def->inputs, err);
     hawser_status closed = out_close(&out, status ? NULL : err);
     if (!status) status = closed;
     if (status || def->n_route == 0) return status;
-    status = out_open(&out, r->dir, "route.csv", err);
+    status = out_open_in(&out, &r->dir, "route.csv", err);
     if (status) return status;
     status = csv_head(&out, &route_columns, err);
     if (!status) status = csv_rows(&out, &route_columns, def->n_route, def->route, err);
@@ -150,7 +209,7 @@ static hawser_status open_tables(Results *r, hawser_error *err)
 {
     hawser_status s = HAWSER_OK;
     for (int k = 0; k < TABLES && !s; k++) {
-        s = out_open(&r->tables[k], r->dir, tables[k].file, err);
+        s = out_open_in(&r->tables[k], &r->dir, tables[k].file, err);
         if (!s) s = csv_head(&r->tables[k], tables[k].columns, err);
     }
     return s;
@@ -160,13 +219,11 @@ static hawser_status open_tables(Results *r, hawser_error *err)
  * killed says "running", not what the run before had to say. */
 static hawser_status open_all(Results *r, const ResultsDef *def, const char *summary, hawser_error *err)
 {
-    hawser_status s = out_make_dir(r->dir, err);
-    if (!s) s = out_lock_dir(r->dir, &r->lock, err);
-    if (!s) s = earlier_keep(r, err);
-    if (!s) s = out_whole(r->dir, "summary.json", summary, err);
+    hawser_status s = earlier_keep(r, err);
+    if (!s) s = out_whole_in(&r->dir, "summary.json", summary, err);
     if (!s) s = remove_old(r, def->states > 0 ? OLD_BUT_XDMF : OLD_ALL, err);
     if (!s) s = write_known(r, def, err);
-    if (!s) s = out_open(&r->series, r->dir, "series.csv", err);
+    if (!s) s = out_open_in(&r->series, &r->dir, "series.csv", err);
     if (!s) s = series_make(&r->columns, def, err);
     if (!s) s = series_head(&r->series, &r->columns, err);
     if (!s) s = open_tables(r, err);
@@ -178,29 +235,37 @@ static hawser_status open_all(Results *r, const ResultsDef *def, const char *sum
 static hawser_status resume_all(Results *r, const ResultsDef *def, const ResultsPosition *at, const char *summary,
                                 hawser_error *err)
 {
-    hawser_status s = out_lock_dir(r->dir, &r->lock, err);
-    if (!s) s = out_resume(&r->series, r->dir, "series.csv", at->series, err);
+    hawser_status s = out_resume(&r->series, &r->dir, "series.csv", at->series, err);
     if (!s) s = series_make(&r->columns, def, err);
-    if (!s && def->states > 0) s = h5_resume(&r->h5, r->dir, def, at->states, err);
-    if (!s && def->states > 0) s = xdmf_resume(&r->xdmf, r->dir, def, at->xdmf, err);
-    if (!s) s = out_whole(r->dir, "summary.json", summary, err);
+    if (!s && def->states > 0) s = h5_resume(&r->h5, &r->dir, def, at->states, err);
+    if (!s && def->states > 0) s = xdmf_resume(&r->xdmf, &r->dir, def, at->xdmf, err);
+    if (!s) s = out_whole_in(&r->dir, "summary.json", summary, err);
     if (!s) s = remove_old(r, OLD_ENDS, err);
     if (!s) s = open_tables(r, err);
     r->states = at->states;
     return s;
 }
 
+/* The folder `name` of `home`, or that itself. */
+static hawser_status folder_take(Results *r, const OutDir *home, const char *name, int make, hawser_error *err)
+{
+    if (!name) {
+        r->dir = *home;
+        return HAWSER_OK;
+    }
+    r->taken = 1;
+    return out_take(&r->dir, home, name, make, err);
+}
+
 /* Nothing stays open after a failure; files that were made by then are left, empty. at: NULL for a new run. */
-static hawser_status results_begin(Results **out, const char *dir, const ResultsDef *def, const ResultsPosition *at,
-                                   const char *summary, hawser_error *err)
+static hawser_status results_begin(Results **out, const OutDir *home, const char *name, const ResultsDef *def,
+                                   const ResultsPosition *at, const char *summary, hawser_error *err)
 {
     *out = NULL;
-    if (strlen(dir) >= OUT_PATH_MAX) return error_set(err, HAWSER_ERR_OUTPUT, "the results folder's name is too long");
     Results *r = calloc(1, sizeof *r);
     if (!r) return error_memory(err);
-    strcpy(r->dir, dir);
-    r->lock = -1;
-    const hawser_status status = at ? resume_all(r, def, at, summary, err) : open_all(r, def, summary, err);
+    hawser_status status = folder_take(r, home, name, !at, err);
+    if (!status) status = at ? resume_all(r, def, at, summary, err) : open_all(r, def, summary, err);
     if (status) {
         results_free(r);
         return status;
@@ -209,17 +274,19 @@ static hawser_status results_begin(Results **out, const char *dir, const Results
     return HAWSER_OK;
 }
 
-hawser_status results_open(Results **out, const char *dir, const ResultsDef *def, const char *summary,
-                           hawser_error *err)
+hawser_status results_open(Results **out, const OutDir *home, const char *name, const ResultsDef *def,
+                           const char *summary, hawser_error *err)
 {
-    return results_begin(out, dir, def, NULL, summary, err);
+    return results_begin(out, home, name, def, NULL, summary, err);
 }
 
-hawser_status results_resume(Results **out, const char *dir, const ResultsDef *def, const ResultsPosition *position,
-                             const char *summary, hawser_error *err)
+hawser_status results_resume(Results **out, const OutDir *home, const char *name, const ResultsDef *def,
+                             const ResultsPosition *position, const char *summary, hawser_error *err)
 {
-    return results_begin(out, dir, def, position, summary, err);
+    return results_begin(out, home, name, def, position, summary, err);
 }
+
+const OutDir *results_dir(const Results *r) { return &r->dir; }
 
 hawser_status results_row(Results *r, const hawser_sample *s, hawser_error *err)
 {
@@ -263,22 +330,20 @@ hawser_status results_tick(Results *r, hawser_error *err)
 
 hawser_status results_position(Results *r, ResultsPosition *position, hawser_error *err)
 {
-    char path[OUT_PATH_MAX];
     hawser_status s = flush_all(r, err);
-    if (!s) s = out_sync(r->series.path, err);
-    if (!s && r->h5) s = out_sync(r->xdmf.out.path, err);
-    if (!s && r->h5) s = out_join(path, r->dir, "results.h5", err);
-    if (!s && r->h5) s = out_sync(path, err);
+    if (!s) s = out_sync_in(&r->dir, "series.csv", err);
+    if (!s && r->h5) s = out_sync_in(&r->dir, "results.xdmf", err);
+    if (!s && r->h5) s = out_sync_in(&r->dir, "results.h5", err);
     *position = (ResultsPosition){ftell(r->series.f), r->h5 ? r->xdmf.end : 0, r->states};
     return s;
 }
 
-hawser_status results_checkpoint(const char *dir, const void *bytes, size_t size, hawser_error *err)
+hawser_status results_checkpoint(const OutDir *dir, const void *bytes, size_t size, hawser_error *err)
 {
-    return out_whole_bytes(dir, CHECKPOINT_FILE, bytes, size, err);
+    return out_bytes_in(dir, CHECKPOINT_FILE, bytes, size, err);
 }
 
-void results_no_checkpoint(const char *dir) { file_remove(dir, CHECKPOINT_FILE); }
+void results_no_checkpoint(const OutDir *dir) { out_remove(dir, CHECKPOINT_FILE); }
 
 /* The first error of a sequence that goes on all the same; err is given only to calls before it. */
 static void keep_first(hawser_status *first, hawser_status status)
@@ -291,7 +356,7 @@ static hawser_status write_modes(Results *r, const ResultsTables *t, hawser_erro
 {
     OutFile out;
     if (t->n_modes == 0) return HAWSER_OK;
-    hawser_status status = out_open(&out, r->dir, "modes.csv", err);
+    hawser_status status = out_open_in(&out, &r->dir, "modes.csv", err);
     if (status) return status;
     status = modes_write(&out, t->n_modes, t->segments, t->mode, err);
     const hawser_status closed = out_close(&out, status ? NULL : err);
@@ -302,7 +367,7 @@ static hawser_status write_modes(Results *r, const ResultsTables *t, hawser_erro
 static hawser_status states_tie(Results *r, hawser_error *err)
 {
     FileSum series;
-    const hawser_status status = file_sum(r->dir, "series.csv", &series, err);
+    const hawser_status status = file_sum(&r->dir, "series.csv", &series, err);
     return status ? status : h5_series(r->h5, series.sum, err);
 }
 
@@ -311,7 +376,7 @@ static hawser_status write_places(Results *r, const ResultsTables *t, hawser_err
 {
     OutFile out;
     if (t->n_places == 0) return HAWSER_OK;
-    hawser_status status = out_open(&out, r->dir, "positions.csv", err);
+    hawser_status status = out_open_in(&out, &r->dir, "positions.csv", err);
     if (status) return status;
     status = places_write(&out, t->n_places, t->place, t->n_stations, t->station, t->place_station, err);
     const hawser_status closed = out_close(&out, status ? NULL : err);
@@ -328,10 +393,8 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
     keep_first(&s, out_close(&r->series, s ? NULL : err));
     if (!s && r->h5) keep_first(&s, states_tie(r, err));
     const int states = r->h5 != NULL;
-    char path[OUT_PATH_MAX];
     keep_first(&s, h5_close(&r->h5, s ? NULL : err));
-    if (!s && states) s = out_join(path, r->dir, "results.h5", err);
-    if (!s && states) s = file_seal(path, err);
+    if (!s && states) s = file_seal(&r->dir, "results.h5", err);
     keep_first(&s, xdmf_close(&r->xdmf, s ? NULL : err));
     for (int k = 0; k < TABLES; k++) {
         keep_first(&s, csv_rows(&r->tables[k], tables[k].columns, n[k], rows[k], s ? NULL : err));
@@ -345,26 +408,23 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
 /* The others are on the disk before it says what became of them. */
 hawser_status results_summary(Results *r, const char *summary, int whole, hawser_error *err)
 {
-    char path[OUT_PATH_MAX];
     hawser_status s = HAWSER_OK;
-    for (int k = 0; k < RUN_FILES - 1 && !s; k++) {
-        s = out_join(path, r->dir, run_files[k], err);
-        if (!s && !access(path, F_OK)) s = out_sync(path, err);
-    }
-    if (!s) s = out_whole(r->dir, "summary.json", summary, err);
-    if (!s && whole && !out_join(path, r->dir, EARLIER, err)) files_remove(path, FOLDER_FILES, folder_files);
+    for (int k = 0; k < RUN_FILES - 1 && !s; k++)
+        if (is_there(&r->dir, run_files[k])) s = out_sync_in(&r->dir, run_files[k], err);
+    if (!s) s = out_whole_in(&r->dir, "summary.json", summary, err);
+    if (!s && whole) files_remove(&r->dir, EARLIER, FOLDER_FILES, folder_files);
     return s;
 }
 
 /* While files change, no summary says that they belong together, and no page or certificate what they say. */
-static void summary_withdraw(const char *dir)
+static void summary_withdraw(const OutDir *dir)
 {
     static const char *const names[] = {"summary.json", "certificate.json", "sensitivities.json", "report.html",
                                         "report.pdf"};
-    for (size_t k = 0; k < sizeof names / sizeof *names; k++) file_remove(dir, names[k]);
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) out_remove(dir, names[k]);
 }
 
-hawser_status results_again(const char *dir, const ResultsTables *t, hawser_error *err)
+hawser_status results_again(const OutDir *dir, const ResultsTables *t, hawser_error *err)
 {
     const int n[TABLES] = {t->n_stations, t->n_rollers};
     const void *const rows[TABLES] = {t->station, t->roller};
@@ -372,35 +432,42 @@ hawser_status results_again(const char *dir, const ResultsTables *t, hawser_erro
     summary_withdraw(dir);
     for (int k = 0; k < TABLES && !s; k++) {
         OutFile out;
-        s = out_open(&out, dir, tables[k].file, err);
+        s = out_open_in(&out, dir, tables[k].file, err);
         if (s) break;
         s = csv_head(&out, tables[k].columns, err);
         if (!s) s = csv_rows(&out, tables[k].columns, n[k], rows[k], err);
         keep_first(&s, out_close(&out, s ? NULL : err));
-        if (!s) s = out_sync(out.path, err);
+        if (!s) s = out_sync_in(dir, tables[k].file, err);
     }
     return s;
 }
 
 /* The summary comes last: what it says is there. The case is the same: what `to` says of it, with the lines of the file
  * that it was read from, stays. */
-hawser_status results_replace(const char *to, const char *from, hawser_error *err)
+hawser_status results_replace(const OutDir *to, const char *from, hawser_error *err)
 {
+    OutDir inner;
     summary_withdraw(to);
-    file_remove(from, "inputs.csv");
-    return files_move(to, from, RUN_FILES, run_files, err);
+    if (!out_within(&inner, to, from)) return errno == ENOENT ? HAWSER_OK : out_error(from, errno, err);
+    out_remove(&inner, "inputs.csv");
+    const hawser_status s = files_move(to, &inner, RUN_FILES, run_files, err);
+    out_leave(&inner);
+    return s;
 }
 
 /* With what a kill leaves, too. */
-void results_remove(const char *from)
+void results_remove(const OutDir *dir, const char *from)
 {
     static const char *const kept[] = {CHECKPOINT_FILE, CHECKPOINT_FILE ".part", "results.h5.journal"};
+    OutDir inner;
     char part[64];
+    if (!out_within(&inner, dir, from)) return;
     for (int k = 0; k < RUN_FILES; k++) {
-        if (snprintf(part, sizeof part, "%s.part", run_files[k]) > 0) file_remove(from, part);
+        if (snprintf(part, sizeof part, "%s.part", run_files[k]) > 0) out_remove(&inner, part);
     }
-    for (size_t k = 0; k < sizeof kept / sizeof *kept; k++) file_remove(from, kept[k]);
-    files_remove(from, RUN_FILES, run_files);
+    for (size_t k = 0; k < sizeof kept / sizeof *kept; k++) out_remove(&inner, kept[k]);
+    out_leave(&inner);
+    files_remove(dir, from, RUN_FILES, run_files);
 }
 
 /* After results_finish only memory is left to free; without it, everything is closed as it stands. */
@@ -411,7 +478,7 @@ Results *results_free(Results *r)
     xdmf_close(&r->xdmf, NULL);
     out_close(&r->series, NULL);
     for (int k = 0; k < TABLES; k++) out_close(&r->tables[k], NULL);
-    if (r->lock >= 0) close(r->lock);
+    if (r->taken) out_leave(&r->dir);
     free(r->columns.column);
     free(r);
     return NULL;

@@ -5,6 +5,7 @@
 #define HAWSER_IO_RESULTS_RESULTS_H
 
 #include "io/results/results_def.h"
+#include "io/results/results_file.h"
 
 typedef struct Results Results;
 
@@ -22,10 +23,11 @@ typedef struct ResultsTables {
     const double *place_station; /* [n_places][n_stations] N */
 } ResultsTables;
 
-/* Makes the folder and opens all its files, so that what cannot be written shows before anything is computed.
- * `summary`: summary.json until the end. Errors: OUTPUT, MEMORY. */
-hawser_status results_open(Results **out, const char *dir, const ResultsDef *def, const char *summary,
-                           hawser_error *err);
+/* Opens all files of a folder, so that what cannot be written shows before anything is computed: of `home`, which its
+ * caller has taken (out_take) and keeps; or of the folder `name` within it, or of that path where home is NULL, which
+ * is made and taken. `summary`: summary.json until the end. Errors: OUTPUT, MEMORY. */
+hawser_status results_open(Results **out, const OutDir *home, const char *name, const ResultsDef *def,
+                           const char *summary, hawser_error *err);
 /* How far the files that grow had come when a checkpoint was made. */
 typedef struct ResultsPosition {
     long series, xdmf; /* bytes */
@@ -35,13 +37,13 @@ typedef struct ResultsPosition {
 hawser_status results_position(Results *r, ResultsPosition *position, hawser_error *err);
 /* Opens the folder of such a run: what its files have beyond that is taken away. Arguments and errors as results_open.
  */
-hawser_status results_resume(Results **out, const char *dir, const ResultsDef *def, const ResultsPosition *position,
-                             const char *summary, hawser_error *err);
+hawser_status results_resume(Results **out, const OutDir *home, const char *name, const ResultsDef *def,
+                             const ResultsPosition *position, const char *summary, hawser_error *err);
 /* CHECKPOINT_FILE of the folder, whole and on the disk, in place of the one before; or none any more. Errors: OUTPUT,
  * MEMORY. */
 #define CHECKPOINT_FILE "checkpoint.hawser"
-hawser_status results_checkpoint(const char *dir, const void *bytes, size_t size, hawser_error *err);
-void results_no_checkpoint(const char *dir);
+hawser_status results_checkpoint(const OutDir *dir, const void *bytes, size_t size, hawser_error *err);
+void results_no_checkpoint(const OutDir *dir);
 /* A row of series.csv. Errors: OUTPUT. */
 hawser_status results_row(Results *r, const hawser_sample *sample, hawser_error *err);
 /* A state of results.h5; nothing if no states are wanted. Errors: OUTPUT. */
@@ -56,13 +58,18 @@ hawser_status results_finish(Results *r, const ResultsTables *tables, hawser_err
  * should, and results of a run before, which wait in the folder "earlier", are not needed any more. Errors: OUTPUT,
  * MEMORY. */
 hawser_status results_summary(Results *r, const char *summary, int whole, hawser_error *err);
+const OutDir *results_dir(const Results *r);
 Results *results_free(Results *r);
+
+/* Whether nothing that a run writes, moves or takes away in a folder is one of these files. Errors: INPUT that names
+ * it. */
+hawser_status results_spare(const char *dir, const FileMarks *files, hawser_error *err);
 
 /* Of folders whose runs are over. The tables once more, without the summary, which is to follow, and what had been made
  * of them; the results of `from`, a folder within the folder `to`, of the same case, in the place of those of `to`
  * (what has been moved already is there); `from` with all that a run leaves away. Errors: OUTPUT, MEMORY. */
-hawser_status results_again(const char *dir, const ResultsTables *tables, hawser_error *err);
-hawser_status results_replace(const char *to, const char *from, hawser_error *err);
-void results_remove(const char *from);
+hawser_status results_again(const OutDir *dir, const ResultsTables *tables, hawser_error *err);
+hawser_status results_replace(const OutDir *to, const char *from, hawser_error *err);
+void results_remove(const OutDir *dir, const char *from);
 
 #endif

@@ -23,6 +23,7 @@
 /* What the property list carries. */
 typedef struct DiskInfo {
     int *error;
+    int at; /* the folder's descriptor, to which names are relative behind their last slash; AT_FDCWD: as they are */
 } DiskInfo;
 
 enum { PAGE = 4096 };
@@ -35,7 +36,7 @@ typedef struct DiskPage {
 
 typedef struct DiskFile {
     H5FD_t base; /* HDF5's part, first */
-    int fd;
+    int fd, at;  /* its descriptor, its folder's */
     int *error;
     haddr_t allocated, size; /* bytes that HDF5 uses, bytes there */
     haddr_t kept;            /* bytes that are as the last flush left them */
@@ -43,7 +44,7 @@ typedef struct DiskFile {
     size_t pages, page_room;
     dev_t device;
     ino_t inode;
-    char journal[OUT_PATH_MAX]; /* its path; "": the file's is too long */
+    char journal[OUT_PATH_MAX]; /* its name or path; "": the file's is too long */
 } DiskFile;
 
 static const haddr_t address_max = ((haddr_t)1 << 62) - 1;
@@ -84,10 +85,10 @@ static void journal_write(const DiskFile *f)
     }
     const JournalHead head = {f->pages, f->allocated, checkpoint_hash(all + sizeof head, size - sizeof head)};
     memcpy(all, &head, sizeof head);
-    const int fd = open(f->journal, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    const int fd = openat(f->at, f->journal, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     const int whole = fd >= 0 && write(fd, all, size) == (ssize_t)size;
     if (fd >= 0) close(fd);
-    if (!whole) unlink(f->journal); /* nor one that was left */
+    if (!whole) unlinkat(f->at, f->journal, 0); /* nor one that was left */
     free(all);
 }
 
@@ -104,13 +105,13 @@ static int journal_apply(int fd, const char *all, const JournalHead *head)
 }
 
 /* A journal that is not whole was being written when nothing had been done to the file yet. */
-void disk_recover(const char *name)
+void disk_recover(int at, const char *name)
 {
     char path[OUT_PATH_MAX];
     struct stat state;
     JournalHead head = {0};
     journal_path(path, name);
-    const int from = *path ? open(path, O_RDONLY | O_CLOEXEC) : -1;
+    const int from = *path ? openat(at, path, O_RDONLY | O_CLOEXEC) : -1;
     if (from < 0) return;
     const size_t size = fstat(from, &state) ? 0 : (size_t)state.st_size;
     char *const all = size > sizeof head ? malloc(size) : NULL;
@@ -118,14 +119,21 @@ void disk_recover(const char *name)
     close(from);
     const int whole = head.pages > 0 && size == sizeof head + head.pages * (sizeof(uint64_t) + PAGE) &&
                       head.hash == checkpoint_hash(all + sizeof head, size - sizeof head);
-    const int to = whole ? open(name, O_WRONLY | O_CLOEXEC) : -1;
+    const int to = whole ? openat(at, name, O_WRONLY | O_CLOEXEC) : -1;
     const int done = !whole || (to >= 0 && journal_apply(to, all, &head));
     if (to >= 0) close(to);
-    if (done) unlink(path);
+    if (done) unlinkat(at, path, 0);
     free(all);
 }
 
 /* --------------------------------------------------------------------------------------------------- the driver */
+
+/* The name within the folder of a file that HDF5 knows by its path. */
+static const char *name_at(const DiskInfo *info, const char *path)
+{
+    const char *const slash = info->at == AT_FDCWD ? NULL : strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
 
 /* Called by HDF5, also to look whether the file can be opened at all. H5F_ACC flags are translated to open(2). */
 static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t max)
@@ -135,7 +143,7 @@ static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t
     (void)max;
     const int mode = (flags & H5F_ACC_RDWR ? O_RDWR : O_RDONLY) | (flags & H5F_ACC_TRUNC ? O_TRUNC : 0) |
                      (flags & H5F_ACC_CREAT ? O_CREAT : 0) | (flags & H5F_ACC_EXCL ? O_EXCL : 0) | O_CLOEXEC;
-    const int fd = info ? open(name, mode, 0666) : -1;
+    const int fd = info ? openat(info->at, name_at(info, name), mode, 0666) : -1;
     DiskFile *f = fd < 0 || fstat(fd, &state) ? NULL : calloc(1, sizeof *f);
     if (!f) {
         if (info) *info->error = errno;
@@ -144,11 +152,12 @@ static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t
     }
     *info->error = 0; /* HDF5 tries softer ways to open a file first */
     f->fd = fd;
+    f->at = info->at;
     f->error = info->error;
     f->size = f->kept = (haddr_t)state.st_size;
     f->device = state.st_dev;
     f->inode = state.st_ino;
-    journal_path(f->journal, name);
+    journal_path(f->journal, name_at(info, name));
     return &f->base;
 }
 
@@ -330,7 +339,7 @@ static herr_t disk_flush(H5FD_t *file, hid_t transfer, hbool_t closing)
     f->pages = 0;
     fit_size(f);
     f->kept = f->size;
-    if (journal && *f->journal && !*f->error) unlink(f->journal);
+    if (journal && *f->journal && !*f->error) unlinkat(f->at, f->journal, 0);
     return 0;
 }
 
@@ -339,7 +348,7 @@ static herr_t disk_close(H5FD_t *file)
 {
     DiskFile *f = (DiskFile *)file;
     disk_flush(file, H5P_DEFAULT, 1);
-    if (*f->journal && !*f->error) unlink(f->journal); /* if that failed before */
+    if (*f->journal && !*f->error) unlinkat(f->at, f->journal, 0); /* if that failed before */
     if (close(f->fd)) keep_error(f);
     free(f->page);
     free(f);
@@ -347,7 +356,7 @@ static herr_t disk_close(H5FD_t *file)
 }
 
 /* The driver is registered for each file, so that no state is shared between simulations. */
-hid_t disk_driver_use(hid_t access, int *error)
+hid_t disk_driver_use(hid_t access, int at, int *error)
 {
     const H5FD_class_t driver = {.name = "hawser_disk",
                                  .maxaddr = address_max,
@@ -365,7 +374,7 @@ hid_t disk_driver_use(hid_t access, int *error)
                                  .flush = disk_flush,
                                  .truncate = disk_truncate,
                                  .fl_map = H5FD_FLMAP_DICHOTOMY};
-    const DiskInfo info = {error};
+    const DiskInfo info = {error, at};
     const hid_t id = H5FDregister(&driver);
     *error = 0;
     if (id >= 0 && H5Pset_driver(access, id, &info) < 0) {

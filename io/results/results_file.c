@@ -55,16 +55,12 @@ hawser_status out_make_dir(const char *dir, hawser_error *err)
     return number ? out_error(path, number, err) : HAWSER_OK;
 }
 
-/* The lock is the open folder's: it leaves no file behind, and ends with the program, however that ends. */
-hawser_status out_lock_dir(const char *dir, int *lock, hawser_error *err)
+/* The lock is the open folder's: it leaves no file behind, and ends with the program, however that ends. A file system
+ * without locks is none of our business. */
+static hawser_status dir_lock(int fd, const char *path, hawser_error *err)
 {
-    *lock = open(dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (*lock < 0 || flock(*lock, LOCK_EX | LOCK_NB) == 0) return HAWSER_OK;
-    const int in_use = errno == EWOULDBLOCK;
-    close(*lock);
-    *lock = -1;
-    if (!in_use) return HAWSER_OK;
-    return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': the folder is in use by another run", dir);
+    if (flock(fd, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': the folder is in use by another run", path);
 }
 
 /* A doubled slash does no harm. */
@@ -73,6 +69,90 @@ hawser_status out_join(char *path, const char *dir, const char *name, hawser_err
     const int n = snprintf(path, OUT_PATH_MAX, "%s/%s", dir, name);
     return n < OUT_PATH_MAX ? HAWSER_OK : out_error(dir, ENAMETOOLONG, err);
 }
+
+/* ----------------------------------------------------------------------------------------------------- folders */
+
+hawser_status out_dir(OutDir *dir, const char *path, hawser_error *err)
+{
+    dir->at = AT_FDCWD;
+    const int n = snprintf(dir->path, sizeof dir->path, "%s", path);
+    return n < OUT_PATH_MAX ? HAWSER_OK : out_error(path, ENAMETOOLONG, err);
+}
+
+hawser_status out_spot(OutSpot *spot, const OutDir *dir, const char *name, hawser_error *err)
+{
+    spot->at = dir->at;
+    spot->name = dir->at == AT_FDCWD ? 0 : strlen(dir->path) + 1;
+    return out_join(spot->path, dir->path, name, err);
+}
+
+const char *spot_name(const OutSpot *spot) { return spot->path + spot->name; }
+
+hawser_status out_spot_of(OutSpot *spot, const char *path, hawser_error *err)
+{
+    *spot = (OutSpot){.at = AT_FDCWD};
+    const int n = snprintf(spot->path, sizeof spot->path, "%s", path);
+    return n < OUT_PATH_MAX ? HAWSER_OK : out_error(path, ENAMETOOLONG, err);
+}
+
+static int dir_open(OutDir *out, const OutSpot *spot)
+{
+    strcpy(out->path, spot->path);
+    out->at = openat(spot->at, spot_name(spot), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    return out->at >= 0;
+}
+
+hawser_status out_take(OutDir *out, const OutDir *within, const char *name, int make, hawser_error *err)
+{
+    OutSpot spot;
+    out->at = -1;
+    hawser_status status = within ? out_spot(&spot, within, name, err) : out_spot_of(&spot, name, err);
+    if (!status && make && !within) status = out_make_dir(name, err);
+    if (status) return status;
+    if (make && within && mkdirat(spot.at, spot_name(&spot), 0777) && errno != EEXIST)
+        return out_error(spot.path, errno, err);
+    if (!dir_open(out, &spot)) return out_error(spot.path, errno, err);
+    status = dir_lock(out->at, out->path, err);
+    if (status) out_leave(out);
+    return status;
+}
+
+void out_leave(OutDir *dir)
+{
+    if (dir->at >= 0) close(dir->at);
+    dir->at = -1;
+}
+
+int out_within(OutDir *out, const OutDir *dir, const char *name)
+{
+    OutSpot spot;
+    out->at = -1;
+    return !out_spot(&spot, dir, name, NULL) && dir_open(out, &spot);
+}
+
+/* The system knows what an open folder is called now. */
+hawser_status out_stays(const OutDir *dir, hawser_error *err)
+{
+    struct stat mine, there;
+    char link[40], now[OUT_PATH_MAX];
+    if (fstat(dir->at, &mine)) return out_error(dir->path, errno, err);
+    if (!stat(dir->path, &there) && there.st_dev == mine.st_dev && there.st_ino == mine.st_ino) return HAWSER_OK;
+    snprintf(link, sizeof link, "/proc/self/fd/%d", dir->at);
+    const ssize_t n = readlink(link, now, sizeof now - 1);
+    now[n > 0 ? n : 0] = 0;
+    return error_set(err, HAWSER_ERR_OUTPUT,
+                     "the results folder '%.400s' was renamed or replaced while the run went on: its results are in "
+                     "'%.400s'",
+                     dir->path, n > 0 ? now : "the folder of a new name");
+}
+
+void out_remove(const OutDir *dir, const char *name)
+{
+    OutSpot spot;
+    if (!out_spot(&spot, dir, name, NULL)) unlinkat(spot.at, spot_name(&spot), 0);
+}
+
+/* ------------------------------------------------------------------------------------------------------- files */
 
 static int fd_of(void *cookie) { return (int)(size_t)cookie - 1; }
 
@@ -108,9 +188,9 @@ static int cut_to(int fd, long size)
 
 /* A stream for writing, with a buffer, behind the first `size` bytes of a file that is there; < 0: of a new one. NULL
  * with errno. */
-static FILE *stream_open(const char *path, long size, char *buffer)
+static FILE *stream_open(const OutSpot *spot, long size, char *buffer)
 {
-    const int fd = open(path, O_WRONLY | O_CLOEXEC | (size < 0 ? O_CREAT | O_TRUNC : 0), 0666);
+    const int fd = openat(spot->at, spot_name(spot), O_WRONLY | O_CLOEXEC | (size < 0 ? O_CREAT | O_TRUNC : 0), 0666);
     if (fd < 0) return NULL;
     if (size >= 0 && !cut_to(fd, size)) {
         const int number = errno;
@@ -140,41 +220,63 @@ static int out_release(OutFile *out)
 }
 
 /* The locale is made for each file: there is no place for a shared one. size: as stream_open. */
-static hawser_status out_begin(OutFile *out, const char *dir, const char *name, long size, hawser_error *err)
+static hawser_status out_begin(OutFile *out, const OutDir *dir, const char *name, long size, hawser_error *err)
 {
     memset(out, 0, sizeof *out);
-    const hawser_status status = out_join(out->path, dir, name, err);
+    const hawser_status status = out_spot(&out->spot, dir, name, err);
     if (status) return status;
     out->c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     out->buffer = malloc(BUFFER);
     const int room = out->c && out->buffer;
     errno = 0;
-    out->f = room ? stream_open(out->path, size, out->buffer) : NULL;
+    out->f = room ? stream_open(&out->spot, size, out->buffer) : NULL;
     if (out->f) return HAWSER_OK;
     const int number = errno;
     out_release(out);
-    return !room || number == ENOMEM ? error_memory(err) : out_error(out->path, number, err);
+    return !room || number == ENOMEM ? error_memory(err) : out_error(out->spot.path, number, err);
 }
 
-hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err)
+hawser_status out_open_in(OutFile *out, const OutDir *dir, const char *name, hawser_error *err)
 {
     return out_begin(out, dir, name, -1, err);
 }
 
-hawser_status out_resume(OutFile *out, const char *dir, const char *name, long size, hawser_error *err)
+hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err)
+{
+    OutDir by_path;
+    const hawser_status status = out_dir(&by_path, dir, err);
+    memset(out, 0, sizeof *out);
+    return status ? status : out_open_in(out, &by_path, name, err);
+}
+
+hawser_status out_resume(OutFile *out, const OutDir *dir, const char *name, long size, hawser_error *err)
 {
     assert(size >= 0);
     return out_begin(out, dir, name, size, err);
 }
 
-hawser_status out_sync(const char *path, hawser_error *err)
+static hawser_status spot_sync(const OutSpot *spot, hawser_error *err)
 {
     errno = 0;
-    const int fd = open(path, O_RDONLY | O_CLOEXEC);
+    const int fd = openat(spot->at, spot_name(spot), O_RDONLY | O_CLOEXEC);
     const int ok = fd >= 0 && (!fsync(fd) || errno == EINVAL); /* where there is nothing to be written through */
     const int number = errno;
     if (fd >= 0) close(fd);
-    return ok ? HAWSER_OK : out_error(path, number, err);
+    return ok ? HAWSER_OK : out_error(spot->path, number, err);
+}
+
+hawser_status out_sync_in(const OutDir *dir, const char *name, hawser_error *err)
+{
+    OutSpot spot;
+    const hawser_status status = out_spot(&spot, dir, name, err);
+    return status ? status : spot_sync(&spot, err);
+}
+
+hawser_status out_sync(const char *path, hawser_error *err)
+{
+    OutSpot spot;
+    const hawser_status status = out_spot_of(&spot, path, err);
+    return status ? status : spot_sync(&spot, err);
 }
 
 /* The locale is the thread's, and only for the duration of the call. */
@@ -188,7 +290,7 @@ hawser_status out_print(OutFile *out, hawser_error *err, const char *format, ...
     const int n = vfprintf(out->f, format, args);
     uselocale(before);
     va_end(args);
-    return n < 0 ? out_error(out->path, errno, err) : HAWSER_OK;
+    return n < 0 ? out_error(out->spot.path, errno, err) : HAWSER_OK;
 }
 
 hawser_status out_cell(OutFile *out, const char *separator, Cell cell, int digits, hawser_error *err)
@@ -198,7 +300,7 @@ hawser_status out_cell(OutFile *out, const char *separator, Cell cell, int digit
     fputs(separator, out->f);
     csv_cell(out->f, cell, digits);
     uselocale(before);
-    return ferror(out->f) ? out_error(out->path, errno, err) : HAWSER_OK;
+    return ferror(out->f) ? out_error(out->spot.path, errno, err) : HAWSER_OK;
 }
 
 hawser_status out_end_row(OutFile *out, hawser_error *err)
@@ -212,7 +314,7 @@ hawser_status out_flush(OutFile *out, hawser_error *err)
 {
     errno = 0;
     /* an error of an earlier write stays in the stream, so that none is lost */
-    if (fflush(out->f) || ferror(out->f)) return out_error(out->path, errno, err);
+    if (fflush(out->f) || ferror(out->f)) return out_error(out->spot.path, errno, err);
     return HAWSER_OK;
 }
 
@@ -221,53 +323,80 @@ hawser_status out_close(OutFile *out, hawser_error *err)
 {
     if (!out->f) return HAWSER_OK;
     const int bad = ferror(out->f), number = out_release(out);
-    return bad || number ? out_error(out->path, number, err) : HAWSER_OK;
+    return bad || number ? out_error(out->spot.path, number, err) : HAWSER_OK;
 }
 
 /* What is written under "NAME.part" gets its name once it is on the disk: a loss of power leaves the old file or the
  * new one, never an empty one. */
-hawser_status out_name(const char *part, const char *path, hawser_status status, hawser_error *err)
+static hawser_status spot_rename(const OutSpot *part, const OutSpot *to, hawser_status status, hawser_error *err)
 {
-    if (!status) status = out_sync(part, err);
-    if (!status && rename(part, path)) status = out_error(path, errno, err);
-    if (status) unlink(part);
+    if (!status) status = spot_sync(part, err);
+    if (!status && renameat(part->at, spot_name(part), to->at, spot_name(to))) status = out_error(to->path, errno, err);
+    if (status) unlinkat(part->at, spot_name(part), 0);
     return status;
 }
 
-static hawser_status part_name(OutFile *out, const char *path, hawser_status status, hawser_error *err)
+hawser_status out_name(const char *part, const char *path, hawser_status status, hawser_error *err)
 {
-    const hawser_status closed = out_close(out, status ? NULL : err);
-    return out_name(out->path, path, status ? status : closed, err);
+    OutSpot from, to;
+    if (!status) status = out_spot_of(&to, path, err);
+    const hawser_status known = out_spot_of(&from, part, status ? NULL : err);
+    return known ? known : spot_rename(&from, &to, status, err);
 }
 
-static hawser_status part_open(OutFile *out, const char *dir, const char *name, char *path, hawser_error *err)
+hawser_status out_name_in(const OutDir *dir, const char *part, const char *name, hawser_status status,
+                          hawser_error *err)
+{
+    OutSpot from, to;
+    if (!status) status = out_spot(&to, dir, name, err);
+    const hawser_status known = out_spot(&from, dir, part, status ? NULL : err);
+    return known ? known : spot_rename(&from, &to, status, err);
+}
+
+/* The name, too, is on the disk then. */
+static hawser_status part_name(OutFile *out, const OutDir *dir, const OutSpot *to, hawser_status status,
+                               hawser_error *err)
+{
+    const hawser_status closed = out_close(out, status ? NULL : err);
+    status = spot_rename(&out->spot, to, status ? status : closed, err);
+    return status ? status : out_sync_in(dir, ".", err);
+}
+
+static hawser_status part_open(OutFile *out, const OutDir *dir, const char *name, OutSpot *to, hawser_error *err)
 {
     char part[OUT_PATH_MAX];
     if (snprintf(part, sizeof part, "%s.part", name) >= (int)sizeof part) return out_error(name, ENAMETOOLONG, err);
-    hawser_status status = out_join(path, dir, name, err);
+    OutSpot from;
+    hawser_status status = out_spot(to, dir, name, err);
+    if (!status) status = out_spot(&from, dir, part, err);
     if (status) return status;
-    status = out_open(out, dir, part, err);
-    if (status) unlink(out->path);
+    status = out_open_in(out, dir, part, err);
+    if (status) unlinkat(from.at, spot_name(&from), 0);
     return status;
+}
+
+hawser_status out_whole_in(const OutDir *dir, const char *name, const char *text, hawser_error *err)
+{
+    OutFile out;
+    OutSpot to;
+    const hawser_status status = part_open(&out, dir, name, &to, err);
+    return status ? status : part_name(&out, dir, &to, out_print(&out, err, "%s", text), err);
 }
 
 hawser_status out_whole(const char *dir, const char *name, const char *text, hawser_error *err)
 {
-    OutFile out;
-    char path[OUT_PATH_MAX];
-    hawser_status status = part_open(&out, dir, name, path, err);
-    if (!status) status = part_name(&out, path, out_print(&out, err, "%s", text), err);
-    return status ? status : out_sync(dir, err); /* the name, too */
+    OutDir by_path;
+    const hawser_status status = out_dir(&by_path, dir, err);
+    return status ? status : out_whole_in(&by_path, name, text, err);
 }
 
-hawser_status out_whole_bytes(const char *dir, const char *name, const void *bytes, size_t size, hawser_error *err)
+hawser_status out_bytes_in(const OutDir *dir, const char *name, const void *bytes, size_t size, hawser_error *err)
 {
     OutFile out;
-    char path[OUT_PATH_MAX];
-    hawser_status status = part_open(&out, dir, name, path, err);
+    OutSpot to;
+    hawser_status status = part_open(&out, dir, name, &to, err);
     if (status) return status;
     errno = 0;
-    if (fwrite(bytes, 1, size, out.f) != size) status = out_error(out.path, errno, err);
-    status = part_name(&out, path, status, err);
-    return status ? status : out_sync(dir, err);
+    if (fwrite(bytes, 1, size, out.f) != size) status = out_error(out.spot.path, errno, err);
+    return part_name(&out, dir, &to, status, err);
 }

@@ -14,21 +14,48 @@
 
 enum { OUT_PATH_MAX = 4096 };
 
+/* A folder: by a descriptor, so that what is written and taken away is in it whatever becomes of its name; or by its
+ * path alone (at: AT_FDCWD). */
+typedef struct OutDir {
+    int at;
+    char path[OUT_PATH_MAX]; /* for messages, too */
+} OutDir;
+
+/* A file of a folder as the calls with `at` take it: its path, or within that its name alone. */
+typedef struct OutSpot {
+    int at;
+    size_t name; /* where in the path */
+    char path[OUT_PATH_MAX];
+} OutSpot;
+
+/* Errors: OUTPUT if a path is too long. */
+hawser_status out_dir(OutDir *dir, const char *path, hawser_error *err);
+hawser_status out_spot(OutSpot *spot, const OutDir *dir, const char *name, hawser_error *err);
+hawser_status out_spot_of(OutSpot *spot, const char *path, hawser_error *err); /* of any path */
+const char *spot_name(const OutSpot *spot);
+
+/* Opens a folder and keeps other runs out of it until out_leave; within NULL: its name is a path, of which missing
+ * levels are made. make 0: it must be there. Errors: OUTPUT, also if another run has it. */
+hawser_status out_take(OutDir *out, const OutDir *within, const char *name, int make, hawser_error *err);
+void out_leave(OutDir *dir);
+/* Whether its path still leads to it. Errors: OUTPUT that says where it is now. */
+hawser_status out_stays(const OutDir *dir, hawser_error *err);
+/* A folder within another one, without a lock; 0: it is not there. out_leave follows. */
+int out_within(OutDir *out, const OutDir *dir, const char *name);
+void out_remove(const OutDir *dir, const char *name); /* a file, if it is there */
+
 /* A text file open for writing; zeroed: closed. Numbers are written with a decimal point whatever the locale of the
  * calling program. */
 typedef struct OutFile {
     FILE *f;
     char *buffer; /* owned: what waits for a flush */
     locale_t c;   /* the "C" locale */
-    char path[OUT_PATH_MAX];
+    OutSpot spot;
 } OutFile;
 
 /* Makes a directory and those above it that are missing; one that is there is fine. Errors: OUTPUT, with the
  * path and what the system says. */
 hawser_status out_make_dir(const char *dir, hawser_error *err);
-/* Keeps other runs out of a folder until the descriptor *lock is closed; -1 where the file system knows no locks.
- * Errors: OUTPUT if another run has it. */
-hawser_status out_lock_dir(const char *dir, int *lock, hawser_error *err);
 /* dir/name into path[OUT_PATH_MAX]. Errors: OUTPUT if that is too long. */
 hawser_status out_join(char *path, const char *dir, const char *name, hawser_error *err);
 /* Writes "cannot write 'path': reason" and returns OUTPUT; `number` is errno's value (0: no reason known). */
@@ -36,11 +63,13 @@ hawser_status out_error(const char *path, int number, hawser_error *err);
 
 /* Creates dir/name or empties it. Errors: OUTPUT, MEMORY; the file is then closed. */
 hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err);
+hawser_status out_open_in(OutFile *out, const OutDir *dir, const char *name, hawser_error *err);
 /* Opens dir/name to go on behind its first `size` bytes; what is there beyond is cut off. Errors: OUTPUT (it is not
  * there, or shorter), MEMORY; the file is then closed. */
-hawser_status out_resume(OutFile *out, const char *dir, const char *name, long size, hawser_error *err);
-/* Has the system write a file to the disk, where it outlives the machine. Errors: OUTPUT. */
+hawser_status out_resume(OutFile *out, const OutDir *dir, const char *name, long size, hawser_error *err);
+/* Has the system write a file to the disk, where it outlives the machine; of a folder "." is itself. Errors: OUTPUT. */
 hawser_status out_sync(const char *path, hawser_error *err);
+hawser_status out_sync_in(const OutDir *dir, const char *name, hawser_error *err);
 /* Appends text; errors that the system only finds later come from out_flush or out_close. */
 hawser_status out_print(OutFile *out, hawser_error *err, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* A separator and a cell of CSV. */
@@ -55,11 +84,13 @@ hawser_status out_close(OutFile *out, hawser_error *err);
 /* A file that was written under another name, `part`, gets its own once it is on the disk; after an error (status) it
  * is taken away. Errors: OUTPUT. */
 hawser_status out_name(const char *part, const char *path, hawser_status status, hawser_error *err);
-/* The same for bytes, and to the disk, before they have their name. */
-hawser_status out_whole_bytes(const char *dir, const char *name, const void *bytes, size_t size, hawser_error *err);
-/* A file of one text: beside its name first ("NAME.part"), so that what stands under the name is whole at any time.
- * Errors: OUTPUT, MEMORY; what stood there before stays. */
+hawser_status out_name_in(const OutDir *dir, const char *part, const char *name, hawser_status status,
+                          hawser_error *err);
+/* A file of one text, or of bytes: beside its name first ("NAME.part"), so that what stands under the name is whole at
+ * any time; on the disk then. Errors: OUTPUT, MEMORY; what stood there before stays. */
 hawser_status out_whole(const char *dir, const char *name, const char *text, hawser_error *err);
+hawser_status out_whole_in(const OutDir *dir, const char *name, const char *text, hawser_error *err);
+hawser_status out_bytes_in(const OutDir *dir, const char *name, const void *bytes, size_t size, hawser_error *err);
 
 /* ------------------------------------------------------------------------------------------------- what belongs
  * together */
@@ -68,19 +99,25 @@ hawser_status out_whole(const char *dir, const char *name, const char *text, haw
 extern const char *const sum_files[FILE_SUMS_MAX];
 void sum_text(char text[SUM_SIZE], uint64_t sum);
 /* A file of a folder. Errors: INPUT (it cannot be read), MEMORY. */
-hawser_status file_sum(const char *dir, const char *name, FileSum *sum, hawser_error *err);
+hawser_status file_sum(const OutDir *dir, const char *name, FileSum *sum, hawser_error *err);
 /* A sum of a whole file at its own end, where readers of HDF5 pass over it: file_seal puts it there, file_unseal takes
  * it away, file_broken is 1 if there is one that is not that of the bytes before it. Errors: OUTPUT; file_broken:
  * INPUT, MEMORY. */
-hawser_status file_seal(const char *path, hawser_error *err);
-void file_unseal(const char *path);
+hawser_status file_seal(const OutDir *dir, const char *name, hawser_error *err);
+void file_unseal(const OutDir *dir, const char *name);
 hawser_status file_broken(const char *path, int *broken, hawser_error *err);
 /* The n text files of a run that are in a folder. Errors: as file_sum. */
-hawser_status folder_sums(const char *dir, int *n, FileSum sum[FILE_SUMS_MAX], hawser_error *err);
-/* Whether the files of a folder are those of its summary; that of an older hawser is not asked. Errors: INPUT (which
- * file is not), MEMORY. */
+hawser_status folder_sums(const OutDir *dir, int *n, FileSum sum[FILE_SUMS_MAX], hawser_error *err);
 struct json_t;
+/* Whether a summary is that of a run which has not said how it ended: it is under way, its program was killed, or the
+ * disk had no room for the end. */
+int is_running(const struct json_t *summary);
+/* Whether the files of a folder are those of its summary; that of an older hawser is not asked, and of a run without an
+ * end only the states and what was computed of it. Errors: INPUT (which file is not), MEMORY. */
 hawser_status belong_check(const char *dir, const struct json_t *summary, hawser_error *err);
+/* What was computed of a run, a JSON object that says of which, into a folder, which is made. Errors: OUTPUT (also: the
+ * summary there is of another run), MEMORY. */
+hawser_status companion_write(const char *dir, const char *name, const char *text, hawser_error *err);
 
 /* -------------------------------------------------------------------------------------------------------- CSV */
 
@@ -172,10 +209,10 @@ extern const int envelope_sets;
 typedef struct H5File H5File;
 
 /* Creates dir/results.h5 with everything that does not change. Errors: OUTPUT, MEMORY. */
-hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, hawser_error *err);
+hawser_status h5_open(H5File **out, const OutDir *dir, const ResultsDef *def, hawser_error *err);
 /* Opens dir/results.h5 to go on behind its first `rows` states; what was added later, also at the end, is taken away.
  * Errors: OUTPUT, MEMORY. */
-hawser_status h5_resume(H5File **out, const char *dir, const ResultsDef *def, long rows, hawser_error *err);
+hawser_status h5_resume(H5File **out, const OutDir *dir, const ResultsDef *def, long rows, hawser_error *err);
 /* Adds one state. Errors: OUTPUT; the states before it stay readable. */
 hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *err);
 /* The group "envelope", once. Errors: OUTPUT. */
@@ -200,9 +237,9 @@ typedef struct XdmfFile {
 } XdmfFile;
 
 /* Creates dir/results.xdmf without states. Errors: OUTPUT, MEMORY. */
-hawser_status xdmf_open(XdmfFile *x, const char *dir, const ResultsDef *def, hawser_error *err);
+hawser_status xdmf_open(XdmfFile *x, const OutDir *dir, const ResultsDef *def, hawser_error *err);
 /* Opens it to go on behind byte `end`, where its last state ended. Errors: OUTPUT, MEMORY. */
-hawser_status xdmf_resume(XdmfFile *x, const char *dir, const ResultsDef *def, long end, hawser_error *err);
+hawser_status xdmf_resume(XdmfFile *x, const OutDir *dir, const ResultsDef *def, long end, hawser_error *err);
 /* Adds states first .. first+n-1, whose frames are in results.h5 by now, at times t[n], s. Errors: OUTPUT. */
 hawser_status xdmf_append(XdmfFile *x, int n, long first, const double *t, hawser_error *err);
 hawser_status xdmf_close(XdmfFile *x, hawser_error *err);

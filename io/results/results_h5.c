@@ -32,7 +32,7 @@ struct H5File {
     size_t room;    /* bytes that HDF5 must find when it is entered */
     void *reserve;  /* [room] given back when the file is closed */
     float *frame;   /* [3*segments] scratch of the frames */
-    char path[OUT_PATH_MAX];
+    OutSpot spot;
 };
 
 /* HAWSER_OK: HDF5 can be entered. */
@@ -44,7 +44,7 @@ static hawser_status h5_room(const H5File *h, hawser_error *err)
 /* The result of a call: what HDF5 says and what the disk said. */
 static hawser_status h5_result(const H5File *h, int ok, hawser_error *err)
 {
-    return ok && !h->disk_error ? HAWSER_OK : out_error(h->path, h->disk_error, err);
+    return ok && !h->disk_error ? HAWSER_OK : out_error(h->spot.path, h->disk_error, err);
 }
 
 /* How many items a row of this kind has in this scene. */
@@ -146,11 +146,12 @@ static int write_rollers(H5File *h, const ResultsDef *def)
 static hid_t driven_file(H5File *h, int resume)
 {
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-    h->driver = disk_driver_use(access, &h->disk_error);
+    h->driver = disk_driver_use(access, h->spot.at, &h->disk_error);
     H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
     hid_t file = -1;
     if (h->driver >= 0) {
-        file = resume ? H5Fopen(h->path, H5F_ACC_RDWR, access) : H5Fcreate(h->path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
+        file = resume ? H5Fopen(h->spot.path, H5F_ACC_RDWR, access)
+                      : H5Fcreate(h->spot.path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
     }
     H5Pclose(access);
     return file;
@@ -180,18 +181,18 @@ static int make_file(H5File *h, const ResultsDef *def)
 }
 
 /* The file gets its name once it is whole: a kill before that leaves none. */
-static int name_file(H5File *h, const char *path)
+static int name_file(H5File *h, const OutSpot *to)
 {
-    if (rename(h->path, path)) {
+    if (renameat(h->spot.at, spot_name(&h->spot), to->at, spot_name(to))) {
         h->disk_error = errno;
         return 0;
     }
-    strcpy(h->path, path);
+    h->spot = *to;
     return 1;
 }
 
 /* Sizes and memory, without a file. */
-static hawser_status h5_new(H5File **out, const char *dir, const ResultsDef *def, char *path, hawser_error *err)
+static hawser_status h5_new(H5File **out, const OutDir *dir, const ResultsDef *def, OutSpot *spot, hawser_error *err)
 {
     H5File *const h = *out = calloc(1, sizeof *h);
     if (!h) return error_memory(err);
@@ -203,33 +204,35 @@ static hawser_status h5_new(H5File **out, const char *dir, const ResultsDef *def
     h->room = ROOM + (size_t)ROOM_EACH * (size_t)(def->segments + def->rollers);
     h->reserve = malloc(h->room);
     hawser_status status = h->frame && h->set && h->reserve ? h5_room(h, err) : error_memory(err);
-    if (!status) status = out_join(path, dir, "results.h5", err);
+    if (!status) status = out_spot(spot, dir, "results.h5", err);
     if (status) h5_close(out, NULL);
     return status;
 }
 
 /* Flushed at once, so that a full disk shows before anything is computed; what has no name by then is taken away. */
-hawser_status h5_open(H5File **out, const char *dir, const ResultsDef *def, hawser_error *err)
+hawser_status h5_open(H5File **out, const OutDir *dir, const ResultsDef *def, hawser_error *err)
 {
-    char path[OUT_PATH_MAX] = "", part[OUT_PATH_MAX] = "";
+    static const char part_name[] = "results.h5.part";
+    OutSpot spot, part;
     H5File *h;
     *out = NULL;
-    hawser_status status = h5_new(&h, dir, def, path, err);
+    hawser_status status = h5_new(&h, dir, def, &spot, err);
     if (status) return status;
-    status = out_join(part, dir, "results.h5.part", err);
+    status = out_spot(&part, dir, part_name, err);
+    const int named = !status;
     if (!status) {
         int ok = 0;
-        strcpy(h->path, part);
+        h->spot = part;
         H5E_BEGIN_TRY { ok = make_file(h, def); }
         H5E_END_TRY
         ok = ok && !h->disk_error;
-        if (ok) status = out_sync(part, err);
-        ok = ok && !status && name_file(h, path);
+        if (ok) status = out_sync_in(dir, part_name, err);
+        ok = ok && !status && name_file(h, &spot);
         if (!status) status = h5_result(h, ok, err);
     }
     if (status) {
         h5_close(&h, NULL);
-        if (*part) unlink(part);
+        if (named) unlinkat(part.at, spot_name(&part), 0);
         return status;
     }
     *out = h;
@@ -267,10 +270,10 @@ static int frames_resume(H5File *h)
     return ok;
 }
 
-static int file_resume(H5File *h, const char *run)
+static int file_resume(H5File *h, const OutDir *dir, const char *run)
 {
-    disk_recover(h->path);
-    file_unseal(h->path);
+    disk_recover(h->spot.at, spot_name(&h->spot));
+    file_unseal(dir, "results.h5");
     h->file = driven_file(h, 1);
     int ok = h->file >= 0 && states_belong(h->file, run, NULL) && frames_resume(h);
     for (int k = 0; k < sample_columns && ok; k++) ok = set_resume(h, k);
@@ -279,21 +282,21 @@ static int file_resume(H5File *h, const char *run)
     return ok && H5Fflush(h->file, H5F_SCOPE_LOCAL) >= 0;
 }
 
-hawser_status h5_resume(H5File **out, const char *dir, const ResultsDef *def, long rows, hawser_error *err)
+hawser_status h5_resume(H5File **out, const OutDir *dir, const ResultsDef *def, long rows, hawser_error *err)
 {
-    char path[OUT_PATH_MAX] = "";
+    OutSpot spot;
     H5File *h;
     *out = NULL;
-    hawser_status status = h5_new(&h, dir, def, path, err);
+    hawser_status status = h5_new(&h, dir, def, &spot, err);
     if (status) return status;
     int ok = 0;
-    strcpy(h->path, path);
+    h->spot = spot;
     h->rows = (hsize_t)rows;
-    H5E_BEGIN_TRY { ok = file_resume(h, def->run); }
+    H5E_BEGIN_TRY { ok = file_resume(h, dir, def->run); }
     H5E_END_TRY
     if (!ok && !h->disk_error) {
         status = error_set(err, HAWSER_ERR_OUTPUT,
-                           "cannot go on with '%.700s': it has not the states of the checkpoint", path);
+                           "cannot go on with '%.700s': it has not the states of the checkpoint", spot.path);
     } else {
         status = h5_result(h, ok, err);
     }

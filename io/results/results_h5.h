@@ -15,12 +15,13 @@
  * so that a program that is killed leaves a file that can be read. The file is not locked: readers may open it at any
  * time. */
 
-/* Makes `access` (a file access property list) use the driver. *error, 0 or errno of the first failed write,
- * must outlive the file. Returns a driver to be given to H5FDunregister when the file is closed (or could not be
+/* Makes `access` (a file access property list) use the driver. at: the descriptor of the folder in which a file is
+ * looked for by the last part of its path, which must outlive it; or AT_FDCWD. *error, 0 or errno of the first failed
+ * write, must outlive the file. Returns a driver to be given to H5FDunregister when the file is closed (or could not be
  * opened), not before: HDF5 calls the driver's close after it has let go of the driver. < 0 on failure. */
-hid_t disk_driver_use(hid_t access, int *error);
+hid_t disk_driver_use(hid_t access, int at, int *error);
 /* Brings a file whose program was killed within a flush to the state after it. */
-void disk_recover(const char *name);
+void disk_recover(int at, const char *name);
 
 /* ------------------------------------------------------------------- results_sets.c; all return 0 if HDF5 refuses */
 

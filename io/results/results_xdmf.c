@@ -94,12 +94,12 @@ static hawser_status write_geometry(XdmfFile *x, const Geometry *g, hawser_error
 }
 
 /* An empty collection is a valid document, too. */
-hawser_status xdmf_open(XdmfFile *x, const char *dir, const ResultsDef *def, hawser_error *err)
+hawser_status xdmf_open(XdmfFile *x, const OutDir *dir, const ResultsDef *def, hawser_error *err)
 {
     const Geometry *const g = def->geometry;
     x->segments = def->segments;
     x->sizes = g != NULL;
-    hawser_status status = out_open(&x->out, dir, "results.xdmf", err);
+    hawser_status status = out_open_in(&x->out, dir, "results.xdmf", err);
     if (status) return status;
     /* one write a call, so that a reader (or a kill) meets a complete document */
     setvbuf(x->out.f, NULL, _IOFBF, 1 << 16);
@@ -111,7 +111,7 @@ hawser_status xdmf_open(XdmfFile *x, const char *dir, const ResultsDef *def, haw
     return write_tail(x, err);
 }
 
-hawser_status xdmf_resume(XdmfFile *x, const char *dir, const ResultsDef *def, long end, hawser_error *err)
+hawser_status xdmf_resume(XdmfFile *x, const OutDir *dir, const ResultsDef *def, long end, hawser_error *err)
 {
     x->segments = def->segments;
     x->sizes = def->geometry != NULL;
@@ -146,7 +146,7 @@ static hawser_status write_frame(XdmfFile *x, long frame, double t, hawser_error
 hawser_status xdmf_append(XdmfFile *x, int n, long first, const double *t, hawser_error *err)
 {
     errno = 0;
-    if (fseek(x->out.f, x->end, SEEK_SET)) return out_error(x->out.path, errno, err);
+    if (fseek(x->out.f, x->end, SEEK_SET)) return out_error(x->out.spot.path, errno, err);
     hawser_status status = HAWSER_OK;
     for (int i = 0; i < n && !status; i++) status = write_frame(x, first + i, t[i], err);
     if (status) return status;

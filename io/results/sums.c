@@ -53,15 +53,16 @@ static hawser_status descriptor_sum(int fd, const char *path, long most, FileSum
     return n < 0 ? error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': %s", path, strerror(errno)) : HAWSER_OK;
 }
 
-hawser_status file_sum(const char *dir, const char *name, FileSum *sum, hawser_error *err)
+hawser_status file_sum(const OutDir *dir, const char *name, FileSum *sum, hawser_error *err)
 {
-    char path[OUT_PATH_MAX];
+    OutSpot spot;
     struct stat info;
     *sum = (FileSum){.bytes = -1};
     snprintf(sum->file, sizeof sum->file, "%s", name);
-    const hawser_status status = out_join(path, dir, name, err);
+    const hawser_status status = out_spot(&spot, dir, name, err);
     if (status) return status;
-    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    const char *const path = spot.path;
+    const int fd = openat(spot.at, spot_name(&spot), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (fd < 0 && errno == ENOENT) return HAWSER_OK;
     if (fd < 0) return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': %s", path, strerror(errno));
     const int regular = !fstat(fd, &info) && S_ISREG(info.st_mode);
@@ -86,13 +87,17 @@ static long seal_read(int fd, Seal *seal)
     return memcmp(seal->mark, seal_mark, sizeof seal->mark) ? -1 : (long)size;
 }
 
-hawser_status file_seal(const char *path, hawser_error *err)
+hawser_status file_seal(const OutDir *dir, const char *name, hawser_error *err)
 {
     FileSum sum = {0};
     Seal seal;
-    const int fd = open(path, O_RDWR | O_APPEND | O_CLOEXEC);
+    OutSpot spot;
+    hawser_status status = out_spot(&spot, dir, name, err);
+    if (status) return status;
+    const char *const path = spot.path;
+    const int fd = openat(spot.at, spot_name(&spot), O_RDWR | O_APPEND | O_CLOEXEC);
     if (fd < 0) return out_error(path, errno, err);
-    hawser_status status = descriptor_sum(fd, path, -1, &sum, err);
+    status = descriptor_sum(fd, path, -1, &sum, err);
     if (status == HAWSER_ERR_INPUT) status = out_error(path, errno, err);
     memcpy(seal.mark, seal_mark, sizeof seal.mark);
     memcpy(seal.sum, sum.sum, sizeof seal.sum);
@@ -106,10 +111,12 @@ hawser_status file_seal(const char *path, hawser_error *err)
     return status;
 }
 
-void file_unseal(const char *path)
+void file_unseal(const OutDir *dir, const char *name)
 {
     Seal seal;
-    const int fd = open(path, O_RDWR | O_CLOEXEC);
+    OutSpot spot;
+    if (out_spot(&spot, dir, name, NULL)) return;
+    const int fd = openat(spot.at, spot_name(&spot), O_RDWR | O_CLOEXEC);
     const long size = fd < 0 ? -1 : seal_read(fd, &seal);
     /* where that fails the bytes are passed over as before, and the next seal is behind them */
     if (size >= 0 && ftruncate(fd, size)) errno = 0;
@@ -130,7 +137,7 @@ hawser_status file_broken(const char *path, int *broken, hawser_error *err)
     return status;
 }
 
-hawser_status folder_sums(const char *dir, int *n, FileSum sum[FILE_SUMS_MAX], hawser_error *err)
+hawser_status folder_sums(const OutDir *dir, int *n, FileSum sum[FILE_SUMS_MAX], hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     *n = 0;

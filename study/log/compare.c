@@ -32,6 +32,7 @@ typedef struct Agreement {
 /* All of a comparison. */
 typedef struct Comparison {
     hawser_compare_options options;
+    int unended; /* the run has not said how it ended */
     PullLog log;
     double *axis; /* [log.n] where a reading is on the models' axis */
     double from, to;
@@ -179,6 +180,8 @@ static const char *answer_say(const Comparison *c, char *text, size_t size)
     n += snprintf(text + n, size - (size_t)n,
                   "  left out  %ld at rest or starting, %ld no reading, %ld drop-outs, %ld spikes\n",
                   k[LOG_AT_REST] + k[LOG_RESTART], k[LOG_LOST], k[LOG_DROPPED], k[LOG_SPIKE]);
+    if (c->unended)
+        n += snprintf(text + n, size - (size_t)n, "  results   the run has not ended: as far as it had come\n");
     for (int i = 0; i < c->log.n_notes && (size_t)n < size; i++)
         n += snprintf(text + n, size - (size_t)n, "  log       %s\n", c->log.note[i]);
     return text;
@@ -302,6 +305,17 @@ static void comparison_clear(Comparison *c)
     log_free(&c->log);
 }
 
+/* The page is none of the files that are compared. */
+static hawser_status page_spare(const Folder *folder, const char *log, const char *page, hawser_error *err)
+{
+    FileMarks files = {0};
+    hawser_status status = folder_files(folder, &files, err);
+    if (!status) status = file_marks_add(&files, log, err);
+    if (!status) status = file_marks_spare(&files, page, err);
+    file_marks_free(&files);
+    return status;
+}
+
 /* The usual speed of the run's winch: of a log that has neither length nor speed. NAN: not known. */
 static double usual_speed(const Folder *folder)
 {
@@ -322,6 +336,7 @@ hawser_status hawser_compare(const char *results, const char *log, const hawser_
     *text = NULL;
     if (c.options.band == 0) c.options.band = 0.1;
     hawser_status status = folder_read(results, &folder, e);
+    c.unended = !status && is_running(folder.summary);
     if (!status) status = log_read(log, &c.log, e);
     if (!status) status = log_judge(&c.log, usual_speed(&folder), c.options.raw, e);
     if (!status) status = axis_make(&c, e);
@@ -331,6 +346,7 @@ hawser_status hawser_compare(const char *results, const char *log, const hawser_
         c.n_points = log_points(&c.log, c.axis, c.from, c.to, BINS, &c.point);
         if (c.n_points < 0) status = error_memory(e);
     }
+    if (!status && c.options.page) status = page_spare(&folder, log, c.options.page, e);
     if (!status && c.options.page) status = page_write_to(&c, results, log, e);
     if (!status) status = document_make(&c, results, log, text, e);
     comparison_clear(&c);

@@ -1,6 +1,7 @@
 /* All samples as a table: samples.csv, and the same columns as sets of study.h5. */
 #include <assert.h>
 #include <ctype.h>
+#include <fcntl.h>
 #include <hdf5.h>
 #include <math.h>
 #include <stdio.h>
@@ -173,7 +174,7 @@ hawser_status table_csv(const Study *s, const Rows *rows, const char *dir, hawse
         }
         const hawser_status closed = out_close(&out, status ? NULL : err);
         if (!status) status = closed;
-        status = table_name(dir, "samples.csv", out.path, status, err);
+        status = table_name(dir, "samples.csv", out.spot.path, status, err);
     }
     free(there);
     return status;
@@ -267,7 +268,7 @@ static hawser_status file_write(const Study *s, const Rows *rows, const Kept *ke
     enum { ROOM = 4 << 20 };
     int disk = 0;
     if (!memory_room(ROOM)) return error_memory(err);
-    const hid_t access = H5Pcreate(H5P_FILE_ACCESS), driver = disk_driver_use(access, &disk);
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS), driver = disk_driver_use(access, AT_FDCWD, &disk);
     const hid_t file = driver < 0 ? -1 : H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
     int ok = file >= 0 && sets_write(file, s, rows, kept);
     if (file >= 0) ok &= H5Fclose(file) >= 0;

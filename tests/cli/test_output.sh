@@ -48,6 +48,34 @@ wait "$first" 2>"$work/wait"
 run_hawser 0 run pull.yaml -o shared
 awk -F, 'NR == 1 {n = NF} NF != n {exit 1}' "$work/shared/series.csv" || fail "$what: rows are ragged"
 
+# a folder that is renamed while a run writes into it, and another run that makes the name anew: each has its own
+sums() { (cd "$work/$1" && find . -type f -exec cksum {} + | sort); }
+for more in "" "--certify"; do
+    rm -rf "$work/moved" "$work/kept"
+    (cd "$work" && exec "$hawser" run pull.yaml -o moved $more --set run.duration='60 s' --set run.checkpoint='1 ms' >out 2>first) &
+    first=$!
+    for tenth in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+        [ -s "$work/moved/series.csv" ] && [ -s "$work/moved/checkpoint.hawser" ] && break
+        sleep 0.1
+    done
+    kill -STOP $first
+    mv "$work/moved" "$work/kept"
+    run_hawser 0 run pull.yaml -o moved --set friction.mu=0.31
+    sums moved >"$work/second.sums"
+    kill -CONT $first
+    wait $first
+    status=$?
+    what="hawser run $more, its folder renamed and its name made anew"
+    [ $status = 4 ] || fail "$what: exit status $status, not 4"
+    grep -q "'moved' was renamed or replaced while the run went on: its results are in '.*/kept'" "$work/first" ||
+        fail "$what: $(cat "$work/first")"
+    sums moved | cmp -s - "$work/second.sums" || fail "$what: the second run's results are not as they were"
+    grep -q '"outcome": "finished"' "$work/kept/summary.json" || fail "$what: the first run's results are not whole"
+    missing kept/second-pass kept/checkpoint.hawser kept/results.h5.journal
+    run_hawser 0 report kept -o kept.html
+    run_hawser 0 report moved -o moved.html
+done
+
 # standard descriptors that are closed are not taken by files of results
 for closed in 0 2; do
     what="hawser run with descriptor $closed closed"
@@ -60,14 +88,33 @@ done
 
 # the disk fills while it runs (a limit on the size of a file, in blocks of 512 bytes, stands in for it)
 what="hawser run under ulimit -f"
-(
-    cd "$work"
-    ulimit -f 200
-    trap '' XFSZ
-    "$hawser" run pull.yaml -o small --set output.states='5 ms' >out 2>err
-)
+(cd "$work" && ulimit -f 200 && exec "$hawser" run pull.yaml -o small --set output.states='5 ms' >out 2>err)
 status=$?
 [ $status = 4 ] || fail "$what: exit status $status, not 4"
 says err "small/results.h5" "File too large"
 grep -q '"outcome": "failed"' "$work/small/summary.json" || fail "$what: not failed in summary.json"
+what="hawser run under a ulimit -f that leaves no room for a summary"
+(cd "$work" && ulimit -f 1 && exec "$hawser" run pull.yaml -o tiny >out 2>err)
+status=$?
+[ $status = 4 ] || fail "$what: exit status $status, not 4"
+says err "tiny/" "File too large"
+missing tiny/summary.json.part
+what="hawser run under a ulimit -f that leaves no room for the last summary"
+one="--set output.states=0 --set solver.passes=1 --quiet"
+run_hawser 0 run pull.yaml -o ample $one
+blocks=$(($(wc -c <"$work/ample/summary.json") / 512 - 1))
+(cd "$work" && ulimit -f $blocks && exec "$hawser" run pull.yaml -o endless $one 2>err)
+status=$?
+[ $status = 4 ] || fail "$what: exit status $status, not 4"
+says err "endless/summary.json" "File too large"
+grep -q '"outcome": "running"' "$work/endless/summary.json" || fail "$what: the summary is not the first one"
+run_hawser 0 report endless
+run_hawser 0 plot endless
+what="hawser report under ulimit -f"
+run_hawser 0 run pull.yaml -o paged
+(cd "$work" && ulimit -f 8 && exec "$hawser" report paged >out 2>err)
+status=$?
+[ $status = 4 ] || fail "$what: exit status $status, not 4"
+says err "paged/report.html" "File too large"
+missing paged/report.html paged/report.html.part
 finish

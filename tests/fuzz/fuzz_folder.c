@@ -62,16 +62,23 @@ static void folder_empty(const char *path, int itself)
 
 static void base_remove(void) { folder_empty(base, 1); }
 
+/* Of a file by its folder's path; 0: it could not be had. */
+static int sum_take(const char *dir, const char *name, FileSum *sum)
+{
+    OutDir folder;
+    hawser_error err = {HAWSER_OK, ""};
+    return !out_dir(&folder, dir, &err) && !file_sum(&folder, name, sum, &err);
+}
+
 static void file_take(const char *name)
 {
     char path[2 * PATH];
     FileSum sum;
-    hawser_error err = {HAWSER_OK, ""};
     Whole *const w = &whole[files];
     struct stat info;
     snprintf(path, sizeof path, "%s/%s", good, name);
     FILE *const f = fopen(path, "rb");
-    FUZZ_MUST(f && files < FILES_MAX && !stat(path, &info) && !file_sum(good, name, &sum, &err));
+    FUZZ_MUST(f && files < FILES_MAX && !stat(path, &info) && sum_take(good, name, &sum));
     *w = (Whole){.size = (size_t)info.st_size, .bytes = malloc((size_t)info.st_size + 1)};
     snprintf(w->name, sizeof w->name, "%s", name);
     snprintf(w->sum, sizeof w->sum, "%s", sum.sum);
@@ -191,9 +198,8 @@ static int file_change(Draws *d, const Whole *w, int open)
 static void sum_mend(const Whole *w)
 {
     FileSum sum;
-    hawser_error err = {HAWSER_OK, ""};
     unsigned char *const summary = malloc(whole[0].size + 1);
-    FUZZ_MUST(summary && !file_sum(bad, w->name, &sum, &err));
+    FUZZ_MUST(summary && sum_take(bad, w->name, &sum));
     memcpy(summary, whole[0].bytes, whole[0].size + 1);
     char *const at = strstr((char *)summary, w->sum);
     if (at) memcpy(at, sum.sum, SUM_SIZE - 1);

@@ -1,12 +1,17 @@
 /* Preloaded into the program under test: the k-th call of a kind fails. Calls are counted from 1 over all threads. What
  * fails, and when, comes through the environment:
  *
- *   INJECT_KIND  memory: malloc, calloc, realloc, strdup and their like return NULL; not those of HDF5, nor those
- * within SUNContext_Create: docs/reliability.md says why heap:   the same where more than INJECT_AT KiB would be in
- * use; what is counted is the most KiB in use disk:   open for writing, write, pwrite, ftruncate, fsync, rename, mkdir,
- * unlink: EIO or ENOSPC eintr:  read, write, pread, pwrite fail with EINTR once short:  read, write, pread, pwrite do
- * the half of what was asked INJECT_AT    k; 0: nothing fails INJECT_COUNT path of a file into which the number of
- * calls is written at the end INJECT_ALL   the k-th and all after it
+ * INJECT_KIND
+ *   memory: malloc, calloc, realloc, strdup and their like return NULL; not those of HDF5, nor those within
+ *     SUNContext_Create: docs/reliability.md says why
+ *   heap: the same where more than INJECT_AT KiB would be in use; what is counted is the most KiB in use
+ *   disk: open for writing, write, pwrite, ftruncate, fsync, rename, mkdir, unlink, also those with `at`: EIO or ENOSPC
+ *   eintr: read, write, pread, pwrite fail with EINTR once
+ *   short: read, write, pread, pwrite do the half of what was asked
+ * INJECT_AT k; 0: nothing fails
+ * INJECT_COUNT path of a file into which the number of calls is written at the end
+ * INJECT_ALL the k-th and all after it
+ * INJECT_KILL the program is killed instead, before the k-th call
  */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -14,6 +19,7 @@
 #include <fcntl.h>
 #include <link.h>
 #include <malloc.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,7 +30,7 @@
 typedef enum Kind { NOTHING, MEMORY, HEAP, DISK, EINTR_ONCE, SHORT, RESIDENT } Kind;
 static Kind kind;
 static long at, counted;
-static int all;
+static int all, kills;
 static char count_path[512];
 static int log_fd = -1;
 
@@ -47,7 +53,9 @@ static int fails(Kind k)
 {
     if (kind != k) return 0;
     const long n = __atomic_add_fetch(&counted, 1, __ATOMIC_RELAXED);
-    return at > 0 && (all ? n >= at : n == at);
+    const int hit = at > 0 && (all ? n >= at : n == at);
+    if (hit && kills) raise(SIGKILL);
+    return hit;
 }
 
 /* ------------------------------------------------------------------------------------------------------ memory */
@@ -175,7 +183,7 @@ static ssize_t allowed(int fd, size_t size, int writes)
 
 static void note(const char *what, const char *path, const char *other)
 {
-    char line[1200];
+    char line[2200];
     const int n = snprintf(line, sizeof line, "%s %s%s%s\n", what, path, *other ? " " : "", other);
     if (n > 0 && REAL(write, ssize_t(*)(int, const void *, size_t))(log_fd, line, (size_t)n) != n) _exit(97);
 }
@@ -243,6 +251,46 @@ int rename(const char *from, const char *to)
     return fails(DISK) ? broken() : REAL(rename, int (*)(const char *, const char *))(from, to);
 }
 
+/* A name within an open folder, as a path; one that is a path already stays. */
+static const char *path_at(int at, const char *name, char path[1024])
+{
+    char link[32], folder[512];
+    snprintf(link, sizeof link, "/proc/self/fd/%d", at);
+    const ssize_t n = at == AT_FDCWD ? -1 : readlink(link, folder, sizeof folder - 1);
+    if (n < 0) return name;
+    folder[n] = 0;
+    snprintf(path, 1024, "%s/%.500s", folder, name);
+    return path;
+}
+
+int mkdirat(int at_folder, const char *name, mode_t mode)
+{
+    return fails(DISK) ? broken() : REAL(mkdirat, int (*)(int, const char *, mode_t))(at_folder, name, mode);
+}
+int unlinkat(int at_folder, const char *name, int flags)
+{
+    char path[1024];
+    if (log_fd >= 0 && !flags) note("unlink", path_at(at_folder, name, path), "");
+    return fails(DISK) ? broken() : REAL(unlinkat, int (*)(int, const char *, int))(at_folder, name, flags);
+}
+int renameat(int from_at, const char *from, int to_at, const char *to)
+{
+    char old[1024], new[1024];
+    if (log_fd >= 0) note("rename", path_at(from_at, from, old), path_at(to_at, to, new));
+    return fails(DISK) ? broken()
+                       : REAL(renameat, int (*)(int, const char *, int, const char *))(from_at, from, to_at, to);
+}
+
+int openat(int at_folder, const char *path, int flags, ...)
+{
+    va_list args;
+    va_start(args, flags);
+    const mode_t mode = flags & O_CREAT ? va_arg(args, mode_t) : 0;
+    va_end(args);
+    if (flags & (O_WRONLY | O_RDWR) && fails(DISK)) return broken();
+    return REAL(openat, int (*)(int, const char *, int, ...))(at_folder, path, flags, mode);
+}
+
 int open(const char *path, int flags, ...)
 {
     va_list args;
@@ -262,6 +310,7 @@ __attribute__((constructor)) static void begin(void)
     const char *const path = getenv("INJECT_COUNT");
     at = when ? atol(when) : 0;
     all = getenv("INJECT_ALL") != NULL;
+    kills = getenv("INJECT_KILL") != NULL;
     const char *const log = getenv("INJECT_LOG");
     if (log) log_fd = open(log, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_APPEND, 0666);
     if (path) snprintf(count_path, sizeof count_path, "%s", path);

@@ -22,7 +22,7 @@ static Results *open_results(Fixture *f)
 {
     Results *r = NULL;
     hawser_error err = {0};
-    const hawser_status status = results_open(&r, f->dir, &fixture_def, "{\"outcome\": \"running\"}\n", &err);
+    const hawser_status status = results_open(&r, NULL, f->dir, &fixture_def, "{\"outcome\": \"running\"}\n", &err);
     if (status) fail_msg("%s", err.message);
     return r;
 }
@@ -139,7 +139,7 @@ static void test_long_names(void **state)
     char read[R][64];
     for (int i = 0; i < R; i++) rollers[i].name = names[i];
     def.roller = rollers;
-    assert_int_equal(results_open(&r, f->dir, &def, "", NULL), HAWSER_OK);
+    assert_int_equal(results_open(&r, NULL, f->dir, &def, "", NULL), HAWSER_OK);
     results_free(r);
     const hid_t file = H5Fopen(fixture_path(f, "results.h5"), H5F_ACC_RDONLY, H5P_DEFAULT);
     const hid_t set = H5Dopen2(file, "roller_name", H5P_DEFAULT), type = H5Dget_type(set);
@@ -157,7 +157,7 @@ static void test_compression(void **state)
         ResultsDef def = fixture_def;
         Results *r = NULL;
         def.states = large ? 1e6 : 10;
-        assert_int_equal(results_open(&r, f->dir, &def, "", NULL), HAWSER_OK);
+        assert_int_equal(results_open(&r, NULL, f->dir, &def, "", NULL), HAWSER_OK);
         write_states(f, r, 2);
         assert_int_equal(fixture_finish(r, NULL), HAWSER_OK);
         results_free(r);
@@ -266,7 +266,7 @@ static void test_no_states_wanted(void **state)
     def.states = 0;
     def.rollers = 0;
     def.n_watched = 0;
-    assert_int_equal(results_open(&r, f->dir, &def, "", NULL), HAWSER_OK);
+    assert_int_equal(results_open(&r, NULL, f->dir, &def, "", NULL), HAWSER_OK);
     write_states(f, r, 2);
     assert_int_equal(fixture_finish(r, NULL), HAWSER_OK);
     results_free(r);
@@ -283,7 +283,7 @@ static void test_small_scenes(void **state)
     def.rollers = 0;
     def.segments = 1;
     def.n_watched = 1;
-    assert_int_equal(results_open(&r, f->dir, &def, "", NULL), HAWSER_OK);
+    assert_int_equal(results_open(&r, NULL, f->dir, &def, "", NULL), HAWSER_OK);
     write_states(f, r, 2);
     assert_int_equal(fixture_finish(r, NULL), HAWSER_OK);
     results_free(r);
@@ -294,7 +294,7 @@ static void expect_refused(const char *dir, const char *path, int number)
 {
     Results *r = NULL;
     hawser_error err = {0};
-    assert_int_equal(results_open(&r, dir, &fixture_def, "{}", &err), HAWSER_ERR_OUTPUT);
+    assert_int_equal(results_open(&r, NULL, dir, &fixture_def, "{}", &err), HAWSER_ERR_OUTPUT);
     assert_null(r);
     assert_int_equal(err.status, HAWSER_ERR_OUTPUT);
     check_has(err.message, path);
@@ -307,7 +307,7 @@ static void test_folder_is_made(void **state)
     Results *r = NULL;
     char dir[128];
     snprintf(dir, sizeof dir, "%s/a//b/c/", f->dir);
-    assert_int_equal(results_open(&r, dir, &fixture_def, "", NULL), HAWSER_OK);
+    assert_int_equal(results_open(&r, NULL, dir, &fixture_def, "", NULL), HAWSER_OK);
     results_free(r);
     assert_int_equal(access(fixture_path(f, "a/b/c/series.csv"), R_OK), 0);
 }
