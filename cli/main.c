@@ -2,8 +2,10 @@
  * says and does in program.c. */
 #include "cli/commands.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
 /* A program may be started with standard input, output or error closed. The next file that it opens, a file of results,
@@ -22,7 +24,10 @@ static int take_descriptors(void)
 int main(int argc, char **argv)
 {
     static char room[BUFSIZ]; /* without a buffer of its own standard output drops what it is given */
-    if (!take_descriptors()) return EXIT_INTERNAL;
+    if (!take_descriptors()) {
+        complain("cannot open /dev/null: %s", strerror(errno));
+        return EXIT_OUTPUT;
+    }
     setvbuf(stdout, room, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, sizeof room);
     return program(argc, argv);
 }
