@@ -44,17 +44,29 @@ static hawser_status file_read(const char *path, char **text, hawser_error *err)
     return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': it is no text", path);
 }
 
-/* A table beside the summary. */
+/* A table beside the summary. One that is none, or too large, is left out with a note; not one that the system does not
+ * give: who asked would take it for one that is not there. */
 static hawser_status table_read(Folder *folder, const char *name, Sheet *sheet, hawser_error *err)
 {
     hawser_error why = {HAWSER_OK, ""};
+    struct stat info;
+    size_t size = 0;
     char *text = NULL, *const path = folder_path(folder, name);
     if (!path) return error_memory(err);
-    hawser_status status = file_read(path, &text, &why);
-    if (!status && text) status = sheet_parse(text, path, sheet, &why);
+    const int there = !stat(path, &info), fit = there && S_ISREG(info.st_mode) && (size_t)info.st_size <= file_most;
+    hawser_status status = there && !fit ? HAWSER_OK : file_whole(path, file_most, &text, &size, err);
+    if (there && !fit) {
+        folder_say(folder, "cannot read '%.300s': not a file, or too large", path);
+    } else if (text && strlen(text) != size) {
+        folder_say(folder, "cannot read '%.300s': it is no text", path);
+        free(text);
+    } else if (text) {
+        const hawser_status parsed = sheet_parse(text, path, sheet, &why);
+        if (parsed == HAWSER_ERR_INPUT) folder_say(folder, "%.350s", why.message);
+        if (parsed == HAWSER_ERR_MEMORY) status = error_memory(err);
+    }
     free(path);
-    if (status == HAWSER_ERR_INPUT) folder_say(folder, "%.350s", why.message);
-    return status == HAWSER_ERR_MEMORY ? error_memory(err) : HAWSER_OK;
+    return status;
 }
 
 /* The one file that must be there. */

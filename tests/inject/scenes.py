@@ -132,7 +132,7 @@ def all_scenes(program, source, work):
         Scene("theory slopes", ["theory", os.path.join(data, "limits.yaml"), "--sensitivities", "--crew", "{out}/crew.csv"]),
         Scene("theory bundle", ["theory", os.path.join(data, "bundle.yaml")]),
         Scene("theory route file", ["theory", os.path.join(data, "full-route-file.yaml")])]
-    for name in ("limits", "full-library", "full-chains", "full-rod", "chains-rope", "full-ramps"):
+    for name in ("limits", "full-library", "full-chains", "full-rod", "chains-rope", "route-clothoid"):
         scenes.append(Scene("check " + name, ["check", os.path.join(data, name + ".yaml")]))
     for file, to in (("csv", ".yaml"), ("geojson", ".csv"), ("gpx", ".geojson"), ("xml", ".dxf"), ("ifc", ".csv"), ("dxf", ".yaml")):
         scenes.append(Scene("route " + file, ["route", os.path.join(routes, "tunnel." + file), "-o", "{out}/line" + to,
