@@ -2,17 +2,17 @@
  * fails, and when, comes through the environment:
  *
  *   INJECT_KIND   memory: malloc, calloc, realloc, strdup and their like return NULL; not those of HDF5 and libzip, nor
- * those within SUNContext_Create and dlopen: docs/reliability.md says why heap: the same where more than INJECT_AT KiB
- * would be in use; counted is the most KiB in use disk: opening for writing, write, pwrite, ftruncate, fsync, rename,
- * mkdir, unlink and what writes into a stream of stdio: EIO or ENOSPC full: the same where more than INJECT_AT bytes
- * would have been written; counted are the bytes read: opening for reading, read, pread, and what reads from a stream
- * of stdio: EIO eintr: read, write, pread, pwrite fail with EINTR once short: read, write, pread, pwrite do the half of
- * what was asked hdf5: a function of HDF5 that the program calls resident: nothing; counted is the most KiB of memory
- * that the program has had INJECT_AT     k; 0: nothing fails INJECT_STOP   set: a debugger stops at the call that fails
- *   INJECT_COUNT  path of a file into which the number of calls is written at the end
- *   INJECT_SITES  path of a file that gets where each call came from: a sum of 8 bytes of its call stack
- *   INJECT_LEFT   path of a file that gets the callers, within the program, of the blocks that were not given back
- *   INJECT_LOG    path of a file that gets what is done to files, a line each
+ * those within SUNContext_Create, dlopen and json_load: docs/reliability.md says why heap: the same where more than
+ * INJECT_AT KiB would be in use; counted is the most KiB in use disk: opening for writing, write, pwrite, ftruncate,
+ * fsync, rename, mkdir, unlink and what writes into a stream of stdio: EIO or ENOSPC full: the same where more than
+ * INJECT_AT bytes would have been written; counted are the bytes read: opening for reading, read, pread, and what reads
+ * from a stream of stdio: EIO eintr: read, write, pread, pwrite fail with EINTR once short: read, write, pread, pwrite
+ * do the half of what was asked hdf5: a function of HDF5 that the program calls resident: nothing; counted is the most
+ * KiB of memory that the program has had INJECT_AT     k; 0: nothing fails INJECT_STOP   set: a debugger stops at the
+ * call that fails INJECT_COUNT  path of a file into which the number of calls is written at the end INJECT_SITES  path
+ * of a file that gets where each call came from: a sum of 8 bytes of its call stack INJECT_LEFT   path of a file that
+ * gets the callers, within the program, of the blocks that were not given back INJECT_LOG    path of a file that gets
+ * what is done to files, a line each
  */
 #ifndef HAWSER_TESTS_INJECT_H
 #define HAWSER_TESTS_INJECT_H

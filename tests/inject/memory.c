@@ -115,6 +115,30 @@ void *dlopen(const char *path, int flags)
     return library;
 }
 
+/* Its reader drops letters where a text cannot grow, without a word: who reads JSON asks before whether there is
+ * memory. */
+void *json_loadf(void *file, size_t flags, void *error)
+{
+    sparing++;
+    void *const json = REAL(json_loadf, void *(*)(void *, size_t, void *))(file, flags, error);
+    sparing--;
+    return json;
+}
+void *json_loads(const char *text, size_t flags, void *error)
+{
+    sparing++;
+    void *const json = REAL(json_loads, void *(*)(const char *, size_t, void *))(text, flags, error);
+    sparing--;
+    return json;
+}
+void *json_loadb(const char *text, size_t size, size_t flags, void *error)
+{
+    sparing++;
+    void *const json = REAL(json_loadb, void *(*)(const char *, size_t, size_t, void *))(text, size, flags, error);
+    sparing--;
+    return json;
+}
+
 /* Its logger's table is not looked at before it is used. */
 int SUNContext_Create(void *communicator, void *context)
 {
