@@ -18,7 +18,7 @@
 
 enum { PATH_ROOM = 4096, IDENTIFIER_ROOM = 64 };
 /* What libzip and its random numbers may take, bytes: they do not survive an allocation that fails. */
-enum { ZIP_ROOM = 4 << 20 };
+enum { ZIP_ROOM = 4 << 20, ZLIB_NO_MEMORY = -4 };
 
 /* -------------------------------------------------------------------------------------------------- a folder for it */
 
@@ -80,7 +80,9 @@ typedef struct Packing {
 static hawser_status zip_fault(zip_error_t *why, const char *what, const char *name, hawser_error *err)
 {
     const int code = zip_error_code_zip(why); /* none is known of what was never made */
-    if (code == ZIP_ER_MEMORY || code == ZIP_ER_OK) return error_memory(err);
+    const int kind = zip_error_system_type(why), below = zip_error_code_system(why);
+    const int lacks = (kind == ZIP_ET_SYS && below == ENOMEM) || (kind == ZIP_ET_ZLIB && below == ZLIB_NO_MEMORY);
+    if (lacks || code == ZIP_ER_MEMORY || code == ZIP_ER_OK) return error_memory(err);
     return error_set(err, HAWSER_ERR_OUTPUT, "cannot %s '%.600s': %s", what, name, zip_error_strerror(why));
 }
 
