@@ -1,4 +1,7 @@
-/* Files read and written to the end: an interruption is no end, and what the system does not give is none either. */
+/* Files read and written to the end: an interruption is no end, and what the system does not give is none either. Who
+ * takes such an error for an end reads less than there is, and says that a file is empty, cut off or another's. stdio
+ * and jansson do so; what they have read is asked for its error afterwards (survey/input.h), or read here first.
+ */
 #ifndef HAWSER_CORE_BASE_FILE_H
 #define HAWSER_CORE_BASE_FILE_H
 
@@ -18,7 +21,8 @@ hawser_status file_unread(const char *path, const char *why, hawser_error *err);
 ssize_t whole_read(int fd, void *to, size_t size);
 ssize_t whole_pread(int fd, void *to, size_t size, off_t at);
 
-/* Writes them all, or returns 0 with errno. */
+/* Writes so many bytes from the byte `at` on, all of them, however many the system takes at once; or returns 0 with
+ * errno (0: it took none, and said no reason). */
 int whole_pwrite(int fd, const void *from, size_t size, off_t at);
 
 #endif
