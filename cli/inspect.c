@@ -2,7 +2,9 @@
 #include "cli/commands.h"
 #include "hawser/hawser.h"
 
+#include <errno.h>
 #include <stdio.h>
+#include <string.h>
 
 #define SETTING "      --set KEY=VALUE     changes a value of the case; may be given many times\n"
 #define FORMAT                                                                                                         \
@@ -80,13 +82,17 @@ static int write_crew(const Arguments *args)
     if (!status) status = hawser_case_equipment(c, HAWSER_CSV, &text, &err);
     if (!status) status = hawser_case_spares(c, args->crew, &err);
     FILE *const file = status ? NULL : fopen(args->crew, "w");
-    const int written = file && fputs(text, file) >= 0;
-    const int closed = file && fclose(file) == 0;
+    int number = file || status ? 0 : errno;
+    errno = 0;
+    if (file && fputs(text, file) < 0) number = errno ? errno : EIO;
+    if (file && fclose(file) && !number) number = errno ? errno : EIO;
     hawser_text_free(text);
     hawser_case_free(c);
     if (status) return exit_status(status, &err);
-    if (written && closed) return 0;
-    complain("%s: cannot be written", args->crew);
+    if (!number) return 0;
+    if (number == ENOMEM) return exit_status(HAWSER_ERR_MEMORY, &(hawser_error){.message = "out of memory"});
+    complain("%s: cannot be written: %s", args->crew, strerror(number));
+    if (file) remove(args->crew); /* no half of it */
     return EXIT_OUTPUT;
 }
 

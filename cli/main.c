@@ -2,9 +2,11 @@
  * says and does in program.c. */
 #include "cli/commands.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
+#include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -35,7 +37,10 @@ static int stack_suffices(void)
 int main(int argc, char **argv)
 {
     static char room[BUFSIZ]; /* without a buffer of its own standard output drops what it is given */
-    if (!take_descriptors()) return EXIT_INTERNAL;
+    if (!take_descriptors()) {
+        complain("cannot open /dev/null: %s", strerror(errno));
+        return EXIT_OUTPUT;
+    }
     if (!stack_suffices()) return EXIT_INTERNAL;
     interrupt_end();
     signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is a write that fails: as a disk that is full */

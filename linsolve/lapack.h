@@ -19,7 +19,10 @@ typedef struct Lapack {
     __typeof__(LAPACKE_dggev) *dggev;
 } Lapack;
 
-/* Loads the library; 0 if it is not there. */
+/* What it takes to load the library, about, bytes. */
+enum { LAPACK_ROOM = 1 << 20 };
+
+/* Loads the library, for which there is memory; 0 if it is not there. */
 int lapack_load(Lapack *lapack);
 /* Lets go of it; may be called on a zeroed struct. */
 void lapack_unload(Lapack *lapack);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/base/error.h"
 #include "linsolve/backend.h"
 #include "linsolve/lapack.h"
 
@@ -58,7 +59,7 @@ static void *lapack_make(const LinMatrix *a, const LinOptions *options)
     s->rows = banded ? 2 * s->below + s->above + 1 : m->n;
     s->lu = malloc((size_t)s->rows * (size_t)m->n * sizeof *s->lu);
     s->pivot = malloc((size_t)m->n * sizeof *s->pivot);
-    if (s->lu && s->pivot && lapack_load(&s->lapack)) return s;
+    if (s->lu && s->pivot && memory_room(LAPACK_ROOM) && lapack_load(&s->lapack)) return s;
     lapack_drop(s);
     return NULL;
 }

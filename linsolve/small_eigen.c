@@ -34,6 +34,7 @@ hawser_status small_eigen(int n, int symmetric, double *s, double *t, double *mu
                           hawser_error *err)
 {
     Lapack lapack;
+    if (!memory_room(LAPACK_ROOM)) return error_memory(err); /* Fortran's library ends the program without */
     if (!lapack_load(&lapack)) {
         return error_set(err, HAWSER_ERR_RUN, "modes need LAPACK (liblapacke.so.3), which was not found");
     }

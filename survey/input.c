@@ -45,6 +45,18 @@ void input_close(SurveyInput *in)
     in->numbers = (locale_t)0;
 }
 
+/* Unlike rewind, which forgets that something could not be read. */
+void input_seek(SurveyInput *in, long byte)
+{
+    if (fseek(in->file, byte, SEEK_SET)) in->lost = errno;
+}
+
+int input_lost(const SurveyInput *in)
+{
+    if (in->lost || !in->file) return in->lost;
+    return ferror(in->file) ? EIO : 0;
+}
+
 hawser_status input_error(const SurveyInput *in, const char *format, ...)
 {
     char text[sizeof in->err->message];

@@ -18,6 +18,7 @@ typedef struct SurveyOptions {
 typedef struct SurveyInput {
     const char *path;
     FILE *file;
+    int lost;  /* errno of a place in the file that could not be gone to */
     long line; /* the one being read, from 1; 0: lines say nothing */
     SurveyOptions options;
     double unit; /* metres in the file's unit */
@@ -30,6 +31,11 @@ typedef struct SurveyInput {
 hawser_status input_open(SurveyInput *in, const char *path, const SurveyOptions *options, Survey *out,
                          hawser_error *err);
 void input_close(SurveyInput *in);
+
+/* Goes on at that byte. */
+void input_seek(SurveyInput *in, long byte);
+/* 0, or errno of what the system did not give: to who reads it looks like the file's end. */
+int input_lost(const SurveyInput *in);
 
 /* INPUT, "path:line: ..." */
 hawser_status input_error(const SurveyInput *in, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -73,12 +73,15 @@ void order_log(ValidationLog *log, int n, const double *x, const double *error, 
     log_near(log, quantity, "1", expected, order_of(n, x, error), tolerance);
 }
 
-/* A case that cannot be run is a quantity of its own, and the suite goes on. */
+/* A case that cannot be run is a quantity of its own, and the suite goes on: but not without memory, of which a
+ * quantity says nothing. */
 static void case_run(const ValidationCase *c, ValidationLog *log)
 {
     hawser_error err = {HAWSER_OK, ""};
     log->now = c;
-    if (!c->run(c->setup, log, &err)) return;
+    const hawser_status status = c->run(c->setup, log, &err);
+    log->no_memory |= status == HAWSER_ERR_MEMORY;
+    if (!status || log->no_memory) return;
     snprintf(log->failure, sizeof log->failure, "%s: %s", c->name, err.message);
     log_limit(log, "could not be run", "", NAN, 0);
 }
@@ -96,7 +99,7 @@ hawser_status validation_run(const char *filter, int fast, ValidationLog *log, i
     memset(log, 0, sizeof *log);
     *ran = 0;
     const ValidationCase *c;
-    for (int i = 0; (c = validation_case(i)); ++i) {
+    for (int i = 0; (c = validation_case(i)) && !log->no_memory; ++i) {
         if ((filter && !strstr(c->name, filter)) || (fast && !c->fast)) continue;
         case_run(c, log);
         ++*ran;

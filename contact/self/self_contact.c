@@ -282,6 +282,23 @@ int self_details(const SelfModel *model, const SelfLines *lines, double friction
     return count;
 }
 
+void self_line_loads(const SelfModel *model, const SelfLines *lines, SelfPairs *pairs, double *most)
+{
+    for (int part = 0; part < SELF_PARTS; ++part) {
+        SelfNext next = hits_begin(lines, part, pairs);
+        for (int hits; (hits = hits_next(lines, &next, pairs)) > 0;) {
+            for (int h = 0; h < hits; ++h) {
+                Patch patch;
+                const SelfHit *const hit = &pairs->hit[part][h];
+                patch_of(model, lines, 1, hit, &patch);
+                const double load = patch.force / patch.length;
+                most[hit->line] = fmax(most[hit->line], load);
+                most[hit->other] = fmax(most[hit->other], load);
+            }
+        }
+    }
+}
+
 SelfDetail self_deepest(const SelfModel *model, const SelfLines *lines, SelfPairs *pairs)
 {
     SelfDetail deepest = {.depth = -INFINITY};

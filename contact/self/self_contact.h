@@ -135,6 +135,9 @@ typedef struct SelfDetail {
 int self_details(const SelfModel *model, const SelfLines *lines, double friction_scale, SelfPairs *pairs, int room,
                  SelfDetail *out);
 
+/* The largest normal force on a piece over its length at rest, N/m, of each line: most[lines]. Allocates nothing. */
+void self_line_loads(const SelfModel *model, const SelfLines *lines, SelfPairs *pairs, double *most);
+
 /* The deepest contact now; its depth is -INFINITY if nothing touches. For the check of a scene's start. */
 SelfDetail self_deepest(const SelfModel *model, const SelfLines *lines, SelfPairs *pairs);
 

@@ -320,7 +320,7 @@ static double **presumed_bed(SurfacePresumed *out, const SurfaceModel *model, in
     }
     const SurfacePatch *const p = &model->patch[patch];
     double **const bed = out->bed[SURFACE_FACES_MAX * p->surface + p->face];
-    return bed[0] || chain_arrays_new(bed, SURFACE_POINTS, n, 0) ? bed : NULL;
+    return bed[0] || chain_struct_new(bed, SURFACE_POINTS, n) ? bed : NULL;
 }
 
 void surface_presumed_free(SurfacePresumed *presumed)

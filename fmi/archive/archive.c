@@ -3,6 +3,7 @@
 #include "fmi/archive/archive.h"
 
 #include <ctype.h>
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,17 +14,21 @@
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
 #include "io/library/library.h"
+#include "io/results/results_file.h"
 
 enum { PATH_ROOM = 4096, IDENTIFIER_ROOM = 64 };
+/* What libzip and its random numbers may take, bytes: they do not survive an allocation that fails. */
+enum { ZIP_ROOM = 4 << 20, ZLIB_NO_MEMORY = -4 };
 
 /* -------------------------------------------------------------------------------------------------- a folder for it */
 
 static hawser_status file_write(const char *path, const char *bytes, size_t size, hawser_error *err)
 {
+    errno = 0;
     FILE *const f = fopen(path, "wb");
-    const int ok = f && fwrite(bytes, 1, size, f) == size;
-    if (!f || fclose(f) != 0 || !ok) return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.800s'", path);
-    return HAWSER_OK;
+    int ok = f && fwrite(bytes, 1, size, f) == size;
+    if (f && fclose(f)) ok = 0;
+    return ok ? HAWSER_OK : out_error(path, errno, err);
 }
 
 static hawser_status file_copy(const char *from, const char *to, hawser_error *err)
@@ -71,6 +76,16 @@ typedef struct Packing {
     hawser_status status;
 } Packing;
 
+/* Why something could not be packed. */
+static hawser_status zip_fault(zip_error_t *why, const char *what, const char *name, hawser_error *err)
+{
+    const int code = zip_error_code_zip(why); /* none is known of what was never made */
+    const int kind = zip_error_system_type(why), below = zip_error_code_system(why);
+    const int lacks = (kind == ZIP_ET_SYS && below == ENOMEM) || (kind == ZIP_ET_ZLIB && below == ZLIB_NO_MEMORY);
+    if (lacks || code == ZIP_ER_MEMORY || code == ZIP_ER_OK) return error_memory(err);
+    return error_set(err, HAWSER_ERR_OUTPUT, "cannot %s '%.600s': %s", what, name, zip_error_strerror(why));
+}
+
 /* A source under a name; two archives of the same case are the same, so that all have the same date. libzip packs as
  * small as it can where nobody says how: a sixth of the time makes them 7 % larger. */
 static void source_add(Packing *p, const char *name, zip_source_t *source)
@@ -87,7 +102,7 @@ static void source_add(Packing *p, const char *name, zip_source_t *source)
         !zip_set_file_compression(p->zip, entry, ZIP_CM_DEFLATE, effort))
         return;
     if (at < 0) zip_source_free(source);
-    p->status = error_set(p->err, HAWSER_ERR_OUTPUT, "cannot pack %s: %s", name, zip_strerror(p->zip));
+    p->status = zip_fault(zip_get_error(p->zip), "pack", name, p->err);
 }
 
 static void text_pack(Packing *p, const char *name, const Text *text)
@@ -106,13 +121,14 @@ static hawser_status parts_pack(const char *path, hawser_fmi version, const char
 {
     char name[PATH_ROOM], from[PATH_ROOM];
     int code = 0;
+    if (!memory_room(ZIP_ROOM)) return error_memory(err);
     Packing p = {.zip = zip_open(path, ZIP_CREATE | ZIP_TRUNCATE, &code), .err = err};
     if (!p.zip) {
         zip_error_t why;
         zip_error_init_with_code(&why, code);
-        error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.600s': %s", path, zip_error_strerror(&why));
+        const hawser_status status = zip_fault(&why, "write", path, err);
         zip_error_fini(&why);
-        return HAWSER_ERR_OUTPUT;
+        return status;
     }
     text_pack(&p, "modelDescription.xml", description);
     snprintf(name, sizeof name, "binaries/%s/%s.so", version == HAWSER_FMI_2 ? "linux64" : "x86_64-linux", identifier);
@@ -122,7 +138,7 @@ static hawser_status parts_pack(const char *path, hawser_fmi version, const char
         file_pack(&p, path_below("resources", r->file[i].name, name), path_below(folder, r->file[i].name, from));
     }
     if (!p.status && zip_close(p.zip) == 0) return HAWSER_OK;
-    if (!p.status) p.status = error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.600s': %s", path, zip_strerror(p.zip));
+    if (!p.status) p.status = zip_fault(zip_get_error(p.zip), "write", path, err);
     zip_discard(p.zip);
     return p.status;
 }
@@ -180,7 +196,7 @@ hawser_status hawser_fmu_write(hawser_case *c, hawser_fmi version, const char *p
     if (!status) status = resources_make(c->tree, &r, err);
     snprintf(folder, sizeof folder, "%.2000s/hawser-XXXXXX", temporary && *temporary ? temporary : "/tmp");
     if (!status && !mkdtemp(folder))
-        status = error_set(err, HAWSER_ERR_OUTPUT, "cannot make a folder like '%.800s'", folder);
+        status = error_set(err, HAWSER_ERR_OUTPUT, "cannot make a folder like '%.800s': %s", folder, strerror(errno));
     if (!status) {
         status = archive_write(c, &r, folder, version, path, err);
         folder_remove(&r, folder);

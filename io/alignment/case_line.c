@@ -35,7 +35,7 @@ static hawser_status pick_read(const CaseReader *r, const CaseNode *section, con
     out->path = *path;
     if (status || !*in->units) return status;
     status = line_unit(in->units, &out->unit, &why);
-    return status ? case_key_error(r->err, section, "units", "%s", why.message) : HAWSER_OK;
+    return status ? case_key_cause(r->err, section, "units", "", &why) : HAWSER_OK;
 }
 
 /* Reads, chooses and uses the line. */

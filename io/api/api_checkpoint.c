@@ -4,6 +4,7 @@
  * kernels, the case, and what follows from it, all of which are compared before anything is read; then, of a run with
  * results, how far these have come; then the simulation. */
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/isa.h"
 #include "io/api/api_handles.h"
 #include "io/results/results_file.h"
@@ -213,17 +214,12 @@ static hawser_status file_read(const OutSpot *spot, void **bytes, size_t *size, 
     const int fd = openat(spot->at, spot_name(spot), O_RDONLY | O_CLOEXEC);
     int ok = fd >= 0 && !fstat(fd, &info) && S_ISREG(info.st_mode);
     *bytes = ok ? checkpoint_memory((size_t)info.st_size) : NULL;
-    *size = 0;
-    while (*bytes && *size < (size_t)info.st_size) {
-        const ssize_t n = read(fd, (char *)*bytes + *size, (size_t)info.st_size - *size);
-        if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) break;
-        *size += (size_t)n;
-    }
+    const ssize_t n = *bytes ? whole_read(fd, *bytes, (size_t)info.st_size) : -1;
     const int number = errno;
     if (fd >= 0) close(fd);
     if (ok && !*bytes) return error_memory(err);
-    ok = ok && *size == (size_t)info.st_size;
+    ok = ok && n == info.st_size;
+    *size = ok ? (size_t)n : 0;
     if (ok) return HAWSER_OK;
     free(*bytes);
     *bytes = NULL;

@@ -328,27 +328,37 @@ static hawser_status others_take(hawser_sim *s, int n, hawser_sim *const other[]
     others.unsound = others.finer && !is_sound(&sum);
     for (int k = 0; k < n && !status; ++k) status = figures_of(other[k], &others.other[k], err);
     for (int k = 0; k <= n; ++k) others.peak_alone[k] = said->peak_alone[n - k];
+    if (status) {
+        other_passes_free(&others);
+        return status;
+    }
     other_passes_free(&s->others);
     s->others = others;
-    return status;
+    return HAWSER_OK;
 }
 
-/* The figures of the pass that is over now, and what passes know of each other. Errors: MEMORY. */
+/* The figures of the pass that is over now, and what passes know of each other. It counts when all of that is known.
+ * Errors: MEMORY. */
 static hawser_status passes_take(Passes *z, hawser_error *err)
 {
-    hawser_sim *const first = z->sim[0], *const last = z->sim[z->n++];
-    hawser_sim *const coarser[] = {z->sim[z->n - 2], first}, *const finer[] = {last, z->sim[1]};
+    hawser_sim *const first = z->sim[0], *const last = z->sim[z->n];
+    hawser_sim *const coarser[] = {z->sim[z->n - 1], first}, *const finer[] = {last, z->sim[1]};
     const double slower = z->slower ? refinement_slower(first->plan, last->pass) : 1;
     hawser_passes *const said = &z->says->said;
     hawser_summary sum;
     hawser_sim_summary(last, &sum);
     pass_describe(z->says, last, &sum, slower);
-    said->n = z->n;
+    hawser_status status = others_take(last, z->n, coarser, z->says, err);
+    if (!status && z->own) status = others_take(first, z->n, finer, z->says, err);
+    if (status) return status;
+    said->n = z->n + 1;
+    if (!say_all(said, z->own)) {
+        said->n = z->n;
+        return error_memory(err);
+    }
     said->outcome = z->own ? "compared" : "replaced";
-    if (!say_all(said, z->own)) return error_memory(err);
-    hawser_status status = others_take(last, z->n - 1, coarser, z->says, err);
-    if (!status && z->own) status = others_take(first, z->n - 1, finer, z->says, err);
-    return status;
+    ++z->n;
+    return HAWSER_OK;
 }
 
 /* Whose results are shown. */
@@ -401,8 +411,8 @@ static hawser_status passes_settle(Passes *z, hawser_error *err)
     return status;
 }
 
-/* A pass that was not to be: the results of those before stand. What the caller stopped, and what no memory was there
- * for, is said to him. */
+/* A pass that was not to be: the results of those before stand. What the caller stopped, and what there was no memory
+ * or no disk for, is said to him: with more of either, or resumed, the run would have another answer. */
 static hawser_status passes_give_up(Passes *z, hawser_status status, const hawser_error *why, hawser_error *err)
 {
     hawser_passes *const said = &z->says->said;
@@ -412,11 +422,14 @@ static hawser_status passes_give_up(Passes *z, hawser_status status, const hawse
         error_set(err, status, "stopped in the %s pass; the results are those of the %s%s", pass, stands,
                   waits ? " until it is resumed" : "");
     if (status == HAWSER_ERR_MEMORY) error_memory(err);
+    if (status == HAWSER_ERR_OUTPUT)
+        error_set(err, status, "%.700s; the results are those of the %s pass", why->message, stands);
+    const int own = status == HAWSER_STOPPED || status == HAWSER_ERR_MEMORY || status == HAWSER_ERR_OUTPUT;
     if (third && !waits) { /* two passes say what they have to */
         say_more(said, status == HAWSER_STOPPED ? "; a third one was stopped" : "; a third one failed: %.150s",
                  why->message);
-        const hawser_status told = passes_settle(z, status == HAWSER_STOPPED ? NULL : err);
-        return status == HAWSER_STOPPED || status == HAWSER_ERR_MEMORY ? status : told;
+        const hawser_status told = passes_settle(z, own ? NULL : err);
+        return own ? status : told;
     }
     other_passes_free(&z->sim[0]->others);
     said->outcome = "failed";
@@ -428,9 +441,8 @@ static hawser_status passes_give_up(Passes *z, hawser_status status, const hawse
              pass, why->message);
     if (!waits) folders_remove(z);
     if (status == HAWSER_ERR_MEMORY) return status;
-    const hawser_status told =
-        z->home ? pass_tell(z->sim[0], z->home, status == HAWSER_STOPPED ? NULL : err) : HAWSER_OK;
-    return status == HAWSER_STOPPED ? status : told;
+    const hawser_status told = z->home ? pass_tell(z->sim[0], z->home, own ? NULL : err) : HAWSER_OK;
+    return own ? status : told;
 }
 
 /* Whether a second one is to be made, and what is said if it is open. Errors: MEMORY. */

@@ -136,6 +136,7 @@ static void keep_last(Run *run)
 static hawser_status write_last(Run *run, hawser_error *err)
 {
     const double t = hawser_sim_time(run->s);
+    if (run->s->stage.torn) return HAWSER_OK; /* there is nothing to be seen */
     const int row = t > run->last_row, state = run->state.interval > 0 && t > run->last_state;
     if (state && !row) hawser_sim_sample(run->s);
     return row || state ? write_now(run, row, state, err) : HAWSER_OK;

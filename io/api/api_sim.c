@@ -177,9 +177,8 @@ hawser_status sim_summary_text(const hawser_sim *s, const OutDir *dir, char **te
     char run[SUM_SIZE];
     int n_files = 0;
     *text = NULL;
-    const hawser_status summed = dir ? folder_sums(dir, &n_files, file, err) : HAWSER_OK;
-    if (summed == HAWSER_ERR_INPUT && err) err->status = HAWSER_ERR_OUTPUT;
-    if (summed) return summed == HAWSER_ERR_INPUT ? HAWSER_ERR_OUTPUT : summed;
+    const hawser_status summed = dir ? out_own(folder_sums(dir, &n_files, file, err), err) : HAWSER_OK;
+    if (summed) return summed;
     run_identity(s, run);
     const Scene *const scene = &s->stage.scene;
     const LimitsDef *const limits = &scene->def.limits;

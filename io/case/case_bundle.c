@@ -136,8 +136,7 @@ static hawser_status bundle_finish(CaseReader *r, const CaseNode *node, BundleRe
     r->def->bundle = *b;
     hawser_error why = {.message = ""};
     status = bundle_make(r->def, &why);
-    if (status == HAWSER_ERR_MEMORY) return error_memory(r->err);
-    if (status) return case_key_error(r->err, members ? members : node, NULL, "%s", why.message);
+    if (status) return case_key_cause(r->err, members ? members : node, NULL, "", &why);
     return layout_check(r, node);
 }
 

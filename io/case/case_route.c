@@ -315,7 +315,7 @@ static hawser_status pieces_line(const CaseReader *r, const CaseNode *list, cons
     if (!status && sloped) {
         hawser_error why = {.message = ""};
         status = route_round_slopes(n, def, in->heading, in->slope, in->transition, out, &why);
-        if (status) status = case_key_error(r->err, list, NULL, "%s", why.message);
+        if (status) status = case_key_cause(r->err, list, NULL, "", &why);
         free(def);
         return status;
     }
@@ -352,7 +352,7 @@ static hawser_status points_line(const CaseReader *r, const CaseNode *list, cons
     }
     if (!status) {
         status = in->spline ? route_from_spline(n, point, out, &why) : route_from_corners(n, corner, out, &why);
-        if (status) status = case_key_error(r->err, list, NULL, "%s", why.message);
+        if (status) status = case_key_cause(r->err, list, NULL, "", &why);
     }
     free(point);
     return status;
@@ -407,13 +407,13 @@ static hawser_status plan_line(const CaseReader *r, const CaseNode *plan, const 
         status = case_value_error(r->err, rise, " of %d points: expected two at least", n_corners);
     if (!status && rise) {
         status = route_profile_from_corners(n_corners, corner, in->transition, &profile, &why);
-        if (status) status = case_key_error(r->err, rise, NULL, "%s", why.message);
+        if (status) status = case_key_cause(r->err, rise, NULL, "", &why);
     }
     if (!status) {
         const Vec3 from = v3(start.x, start.y, rise ? 0 : start.z);
         status =
             route_from_plan_and_profile(n, element, rise ? &profile : NULL, in->station, from, in->heading, out, &why);
-        if (status) status = case_key_error(r->err, rise ? rise : plan, NULL, "%s", why.message);
+        if (status) status = case_key_cause(r->err, rise ? rise : plan, NULL, "", &why);
     }
     free(element);
     free(corner);
@@ -469,7 +469,7 @@ static hawser_status file_line(const CaseReader *r, const CaseNode *node, const 
     status = origin_read(r, case_node_key(node, "origin"), alignment_measure(&used.line).start);
     if (!status) {
         status = line_route(&used, &options, r->def->route_origin, out, &why);
-        if (status) status = case_key_error(r->err, node, "file", "%s: %s", in->line.file, why.message);
+        if (status) status = case_key_cause(r->err, node, "file", in->line.file, &why);
     }
     alignment_clear(&used.line);
     return status;

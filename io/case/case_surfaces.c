@@ -164,6 +164,7 @@ static hawser_status bundle_room(const CaseReader *r, const CaseNode *node, Surf
     DuctLoad load;
     out->bore = out->shape.radius;
     if (bundle_in(r->def, out, &load, &why)) {
+        if (why.status == HAWSER_ERR_MEMORY) return error_memory(r->err);
         return case_key_error(r->err, node, "radius", "duct '%s': %s", out->name, why.message);
     }
     out->shape.radius = r->def->bundle.shape.touch / 2 + load.room;

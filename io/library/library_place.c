@@ -15,10 +15,13 @@
 
 static const char PLACE[] = "share/hawser/library";
 
+/* 0: errno says why not. */
 static int is_folder(const char *path)
 {
     struct stat is;
-    return stat(path, &is) == 0 && S_ISDIR(is.st_mode);
+    if (stat(path, &is)) return 0;
+    errno = ENOTDIR;
+    return S_ISDIR(is.st_mode);
 }
 
 /* A place beside the folder of a program or library, or up to two above it: bin, lib, lib/x86_64-linux-gnu; in a build
@@ -56,8 +59,9 @@ char *library_folder(char *looked, size_t room)
     program[length > 0 ? length : 0] = 0;
     char *found = shipped_find(PLACE);
     if (found && !is_folder(found)) {
+        snprintf(looked, room, "%.800s: %s", found, strerror(errno));
         free(found);
-        found = NULL;
+        return NULL;
     }
     snprintf(looked, room, "there is no %s beside %.700s: name its folder in the environment's HAWSER_LIBRARY", PLACE,
              *program ? program : "the program");
@@ -81,7 +85,9 @@ hawser_status library_ship(Library *library, hawser_error *err)
     hawser_status status = HAWSER_OK;
     if (n < 0 && errno == ENOMEM)
         status = error_memory(err);
-    else if (n <= 0)
+    else if (n < 0)
+        status = error_set(err, HAWSER_ERR_INPUT, "%s: cannot be read: %s", folder, strerror(errno));
+    else if (n == 0)
         status = error_set(err, HAWSER_ERR_INPUT, "%s: no files of a catalogue (*.yaml)", folder);
     for (int i = 0; i < n; i++) {
         snprintf(path, sizeof path, "%s/%s", folder, file[i]->d_name);

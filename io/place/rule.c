@@ -91,8 +91,7 @@ hawser_status case_rule_place(const CaseReader *r, const CaseNode *node, const R
                             .hold_downs = in.hold_downs};
     hawser_error why = {HAWSER_OK, ""};
     status = place_by_rule(&line, &rule, row->most, placed, n, &why);
-    if (status == HAWSER_ERR_INPUT) status = case_key_error(r->err, node, NULL, "%s", why.message);
-    if (status == HAWSER_ERR_MEMORY) status = error_memory(r->err);
+    if (status) status = case_key_cause(r->err, node, NULL, "", &why);
     pull_clear(&pull);
     return status;
 }

@@ -1,10 +1,10 @@
 #include "io/report/folder.h"
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "io/results/results_file.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <jansson.h>
 #include <math.h>
 #include <stdarg.h>
@@ -12,10 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 /* Of a file of text, bytes: far above what a run writes that one would want to look at on a page. */
-static const long file_most = 1L << 30;
+static const size_t file_most = (size_t)1 << 30;
 
 void folder_say(Folder *folder, const char *format, ...)
 {
@@ -34,57 +33,40 @@ char *folder_path(const Folder *folder, const char *name)
     return path;
 }
 
-/* Up to `size` bytes of a descriptor and a NUL behind them; a file that has become shorter is as long as it is. */
-static hawser_status bytes_read(int fd, const char *path, size_t size, char **text, hawser_error *err)
+/* A whole file of text, malloc'ed. One that is not there is NULL with HAWSER_OK. Errors: INPUT, MEMORY. */
+static hawser_status file_read(const char *path, char **text, hawser_error *err)
 {
-    size_t done = 0;
-    *text = malloc(size + 1);
-    if (!*text) return error_memory(err);
-    while (done < size) {
-        const ssize_t n = read(fd, *text + done, size - done);
-        if (n == 0) break;
-        if (n > 0) done += (size_t)n;
-        if (n > 0 || errno == EINTR) continue;
-        free(*text);
-        *text = NULL;
-        return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': %s", path, strerror(errno));
-    }
-    (*text)[done] = 0;
-    if (strlen(*text) == done) return HAWSER_OK;
+    size_t size;
+    const hawser_status status = file_whole(path, file_most, text, &size, err);
+    if (!*text || strlen(*text) == size) return status;
     free(*text);
     *text = NULL;
     return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': it is no text", path);
 }
 
-/* A whole file, malloc'ed. One that is not there is NULL with HAWSER_OK. Errors: INPUT, MEMORY. */
-static hawser_status file_read(const char *path, char **text, hawser_error *err)
-{
-    struct stat info;
-    *text = NULL;
-    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-    if (fd < 0 && errno == ENOENT) return HAWSER_OK;
-    if (fd < 0) return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': %s", path, strerror(errno));
-    hawser_status status = HAWSER_OK;
-    if (fstat(fd, &info) || !S_ISREG(info.st_mode))
-        status = error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': not a file", path);
-    else if (info.st_size > file_most)
-        status = error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': it is too large", path);
-    if (!status) status = bytes_read(fd, path, (size_t)info.st_size, text, err);
-    close(fd);
-    return status;
-}
-
-/* A table beside the summary. */
+/* A table beside the summary. One that is none, or too large, is left out with a note; not one that the system does not
+ * give: who asked would take it for one that is not there. */
 static hawser_status table_read(Folder *folder, const char *name, Sheet *sheet, hawser_error *err)
 {
     hawser_error why = {HAWSER_OK, ""};
+    struct stat info;
+    size_t size = 0;
     char *text = NULL, *const path = folder_path(folder, name);
     if (!path) return error_memory(err);
-    hawser_status status = file_read(path, &text, &why);
-    if (!status && text) status = sheet_parse(text, path, sheet, &why);
+    const int there = !stat(path, &info), fit = there && S_ISREG(info.st_mode) && (size_t)info.st_size <= file_most;
+    hawser_status status = there && !fit ? HAWSER_OK : file_whole(path, file_most, &text, &size, err);
+    if (there && !fit) {
+        folder_say(folder, "cannot read '%.300s': not a file, or too large", path);
+    } else if (text && strlen(text) != size) {
+        folder_say(folder, "cannot read '%.300s': it is no text", path);
+        free(text);
+    } else if (text) {
+        const hawser_status parsed = sheet_parse(text, path, sheet, &why);
+        if (parsed == HAWSER_ERR_INPUT) folder_say(folder, "%.350s", why.message);
+        if (parsed == HAWSER_ERR_MEMORY) status = error_memory(err);
+    }
     free(path);
-    if (status == HAWSER_ERR_INPUT) folder_say(folder, "%.350s", why.message);
-    return status == HAWSER_ERR_MEMORY ? error_memory(err) : HAWSER_OK;
+    return status;
 }
 
 /* The one file that must be there. */

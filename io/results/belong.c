@@ -3,13 +3,12 @@
  * series.
  */
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "io/results/results_h5.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <jansson.h>
+#include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 /* What HDF5 may take to open a file and read two attributes, bytes. */
@@ -102,23 +101,25 @@ static hawser_status states_check(const char *dir, const char *run, const char *
 }
 
 /* A file of JSON; *json NULL: it is not there. Without memory jansson finds fault with some word of it, so that it is
- * asked before whether there is any . Errors: INPUT, MEMORY. */
+ * asked before whether there is any, and what it finds is looked for twice. Errors: INPUT, MEMORY. */
 static hawser_status json_read(const char *path, json_t **json, hawser_error *err)
 {
     enum { MORE = 1 << 16, TIMES = 24, MOST = 1 << 28 };
-    struct stat info;
     json_error_t where;
+    char *text;
+    size_t size;
     *json = NULL;
-    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-    if (fd < 0 && errno == ENOENT) return HAWSER_OK;
-    if (fd < 0) return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': %s", path, strerror(errno));
-    const int regular = !fstat(fd, &info) && S_ISREG(info.st_mode) && info.st_size < MOST;
-    const int room = regular && memory_room(MORE + TIMES * (size_t)info.st_size);
-    if (room) *json = json_loadfd(fd, JSON_REJECT_DUPLICATES, &where);
-    close(fd);
-    if (*json) return HAWSER_OK;
-    if (regular && !room) return error_memory(err);
-    return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.600s': %.200s", path, regular ? where.text : "not a file");
+    hawser_status status = file_whole(path, MOST, &text, &size, err);
+    if (!text) return status;
+    const int room = memory_room(MORE + TIMES * size);
+    for (int twice = 0; twice < 2 && room && !*json; twice++)
+        *json = json_loadb(text, size, JSON_REJECT_DUPLICATES, &where);
+    if (!room)
+        status = error_memory(err);
+    else if (!*json)
+        status = error_set(err, HAWSER_ERR_INPUT, "cannot read '%.600s': %.200s", path, where.text);
+    free(text);
+    return status;
 }
 
 /* What was computed of a run says of which. */

@@ -5,6 +5,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "io/results/results_file.h"
 
 #include <errno.h>
@@ -107,15 +108,22 @@ static int is_there(const OutDir *dir, const char *name)
     return !out_spot(&spot, dir, name, NULL) && !fstatat(spot.at, spot_name(&spot), &info, 0);
 }
 
-/* Whether the folder's summary is one of a run that was finished. */
+/* Whether the folder's summary is one of a run that was finished: also of one that cannot be read now, so that no good
+ * results are lost for that. */
 static int is_finished(const OutDir *dir)
 {
+    enum { MOST = 1 << 28, MORE = 1 << 16, TIMES = 24 };
     OutSpot spot;
+    char *text;
+    size_t size;
     if (out_spot(&spot, dir, "summary.json", NULL)) return 0;
-    const int fd = openat(spot.at, spot_name(&spot), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-    if (fd < 0) return 0;
-    json_t *const summary = json_loadfd(fd, 0, NULL);
-    close(fd);
+    if (file_whole_at(spot.at, spot_name(&spot), MOST, &text, &size, NULL)) return 1;
+    if (!text) return 0;
+    const int room = memory_room(MORE + TIMES * size);
+    json_t *summary = room ? json_loadb(text, size, 0, NULL) : NULL;
+    if (room && !summary) summary = json_loadb(text, size, 0, NULL); /* there may have been no memory for a word */
+    free(text);
+    if (!room) return 1;
     const char *const outcome = json_string_value(json_object_get(summary, "outcome"));
     const int finished = outcome && !strcmp(outcome, "finished");
     json_decref(summary);
@@ -367,7 +375,7 @@ static hawser_status write_modes(Results *r, const ResultsTables *t, hawser_erro
 static hawser_status states_tie(Results *r, hawser_error *err)
 {
     FileSum series;
-    const hawser_status status = file_sum(&r->dir, "series.csv", &series, err);
+    const hawser_status status = out_own(file_sum(&r->dir, "series.csv", &series, err), err);
     return status ? status : h5_series(r->h5, series.sum, err);
 }
 

@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include "core/base/checkpoint.h"
+#include "core/base/file.h"
 
 /* What the property list carries. */
 typedef struct DiskInfo {
@@ -27,6 +28,8 @@ typedef struct DiskInfo {
 } DiskInfo;
 
 enum { PAGE = 4096 };
+/* Bytes of a journal that is read: far above what changes between two flushes. */
+static const size_t JOURNAL_MOST = (size_t)1 << 32;
 
 /* What is to be bytes number*PAGE and on of the file. */
 typedef struct DiskPage {
@@ -99,31 +102,41 @@ static int journal_apply(int fd, const char *all, const JournalHead *head)
     for (uint64_t k = 0; k < head->pages; k++, at += sizeof(uint64_t) + PAGE) {
         uint64_t number;
         memcpy(&number, at, sizeof number);
-        if (pwrite(fd, at + sizeof number, PAGE, (off_t)(number * PAGE)) != PAGE) return 0;
+        if (!whole_pwrite(fd, at + sizeof number, PAGE, (off_t)(number * PAGE))) return 0;
     }
     return !ftruncate(fd, (off_t)head->size);
 }
 
-/* A journal that is not whole was being written when nothing had been done to the file yet. */
-void disk_recover(int at, const char *name)
+/* Whether a journal is as it was written, and what it says it holds. */
+static int journal_is_whole(const char *all, size_t size, JournalHead *head)
 {
-    char path[OUT_PATH_MAX];
-    struct stat state;
-    JournalHead head = {0};
+    const size_t each = sizeof(uint64_t) + PAGE;
+    if (size <= sizeof *head) return 0;
+    memcpy(head, all, sizeof *head);
+    return head->pages == (size - sizeof *head) / each && (size - sizeof *head) % each == 0 &&
+           head->hash == checkpoint_hash(all + sizeof *head, size - sizeof *head);
+}
+
+/* A journal that is not whole was being written when nothing had been done to the file yet. One that cannot be read, or
+ * not be followed, stays for the next time. */
+hawser_status disk_recover(int at, const char *name, hawser_error *err)
+{
+    char path[OUT_PATH_MAX], *all = NULL;
+    JournalHead head;
+    size_t size;
     journal_path(path, name);
-    const int from = *path ? openat(at, path, O_RDONLY | O_CLOEXEC) : -1;
-    if (from < 0) return;
-    const size_t size = fstat(from, &state) ? 0 : (size_t)state.st_size;
-    char *const all = size > sizeof head ? malloc(size) : NULL;
-    if (all && read(from, all, size) == (ssize_t)size) memcpy(&head, all, sizeof head);
-    close(from);
-    const int whole = head.pages > 0 && size == sizeof head + head.pages * (sizeof(uint64_t) + PAGE) &&
-                      head.hash == checkpoint_hash(all + sizeof head, size - sizeof head);
-    const int to = whole ? openat(at, name, O_WRONLY | O_CLOEXEC) : -1;
-    const int done = !whole || (to >= 0 && journal_apply(to, all, &head));
-    if (to >= 0) close(to);
-    if (done) unlinkat(at, path, 0);
+    if (!*path) return HAWSER_OK;
+    hawser_status status = out_own(file_whole_at(at, path, JOURNAL_MOST, &all, &size, err), err);
+    if (!all) return status;
+    if (journal_is_whole(all, size, &head)) {
+        errno = 0;
+        const int to = openat(at, name, O_WRONLY | O_CLOEXEC);
+        if (to < 0 || !journal_apply(to, all, &head)) status = out_error(name, errno, err);
+        if (to >= 0 && close(to) && !status) status = out_error(name, errno, err);
+    }
+    if (!status) unlinkat(at, path, 0);
     free(all);
+    return status;
 }
 
 /* --------------------------------------------------------------------------------------------------- the driver */
@@ -203,33 +216,16 @@ static haddr_t disk_get_size(const H5FD_t *file, H5FD_mem_t type)
 /* Bytes from the disk; beyond the file's end they are zeros. 0: none of it. */
 static int read_all(const DiskFile *f, haddr_t at, size_t size, char *p)
 {
-    while (size > 0) {
-        const ssize_t n = pread(f->fd, p, size, (off_t)at);
-        if (n < 0 && errno == EINTR) continue;
-        if (n < 0) return 0;
-        if (n == 0) {
-            memset(p, 0, size);
-            return 1;
-        }
-        p += n, at += (haddr_t)n, size -= (size_t)n;
-    }
-    return 1;
+    const ssize_t n = whole_pread(f->fd, p, size, (off_t)at);
+    if (n >= 0) memset(p + n, 0, size - (size_t)n);
+    return n >= 0;
 }
 
 /* Bytes to the disk. After an error nothing is written any more: metadata must not point to data that did not get out.
  */
 static void write_all(DiskFile *f, haddr_t at, size_t size, const char *p)
 {
-    while (size > 0 && !*f->error) {
-        errno = 0;
-        const ssize_t n = pwrite(f->fd, p, size, (off_t)at);
-        if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) {
-            keep_error(f);
-            return;
-        }
-        p += n, at += (haddr_t)n, size -= (size_t)n;
-    }
+    if (!*f->error && !whole_pwrite(f->fd, p, size, (off_t)at)) keep_error(f);
 }
 
 /* The first changed page with that number or a higher one; f->pages if there is none. */
@@ -274,7 +270,11 @@ static herr_t disk_read(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t a
     const DiskFile *f = (const DiskFile *)file;
     char *to = buffer;
     (void)type, (void)transfer;
-    if (!read_all(f, at, size, to)) return -1;
+    errno = 0;
+    if (!read_all(f, at, size, to)) {
+        keep_error(f);
+        return -1;
+    }
     for (size_t k = page_find(f, at / PAGE); k < f->pages && f->page[k].number * PAGE < at + size; k++) {
         const haddr_t page = f->page[k].number * PAGE, first = page > at ? page : at;
         const haddr_t page_end = page + PAGE < f->kept ? page + PAGE : f->kept;

@@ -19,11 +19,20 @@
 /* Of a file, bytes: more than any row, and than the states that results.xdmf takes at once. */
 enum { BUFFER = 1 << 17 };
 
-/* One form for every file, so that a user always learns the same three things: what, where, why. */
+/* One form for every file, so that a user always learns the same three things: what, where, why. A lack of memory is no
+ * fault of the file's. */
 hawser_status out_error(const char *path, int number, hawser_error *err)
 {
+    if (number == ENOMEM) return error_memory(err);
     const char *reason = number ? strerror(number) : "the write failed";
     return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': %s", path, reason);
+}
+
+hawser_status out_own(hawser_status status, hawser_error *err)
+{
+    if (status != HAWSER_ERR_INPUT) return status;
+    if (err) err->status = HAWSER_ERR_OUTPUT;
+    return HAWSER_ERR_OUTPUT;
 }
 
 /* mkdir of one level; an existing directory is fine, anything else in its place is ENOTDIR. */
@@ -233,7 +242,7 @@ static hawser_status out_begin(OutFile *out, const OutDir *dir, const char *name
     if (out->f) return HAWSER_OK;
     const int number = errno;
     out_release(out);
-    return !room || number == ENOMEM ? error_memory(err) : out_error(out->spot.path, number, err);
+    return room ? out_error(out->spot.path, number, err) : error_memory(err);
 }
 
 hawser_status out_open_in(OutFile *out, const OutDir *dir, const char *name, hawser_error *err)

@@ -58,8 +58,11 @@ typedef struct OutFile {
 hawser_status out_make_dir(const char *dir, hawser_error *err);
 /* dir/name into path[OUT_PATH_MAX]. Errors: OUTPUT if that is too long. */
 hawser_status out_join(char *path, const char *dir, const char *name, hawser_error *err);
-/* Writes "cannot write 'path': reason" and returns OUTPUT; `number` is errno's value (0: no reason known). */
+/* Writes "cannot write 'path': reason" and returns OUTPUT; `number` is errno's value (0: no reason known). Of ENOMEM it
+ * is MEMORY. */
 hawser_status out_error(const char *path, int number, hawser_error *err);
+/* What a run cannot read of its own files is no fault of the case's: INPUT becomes OUTPUT. */
+hawser_status out_own(hawser_status status, hawser_error *err);
 
 /* Creates dir/name or empties it. Errors: OUTPUT, MEMORY; the file is then closed. */
 hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err);

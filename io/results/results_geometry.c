@@ -1,6 +1,7 @@
 /* What stands around the cable, in the group "geometry" of results.h5: sets that do not grow. */
 #include "io/results/results_h5.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -102,11 +103,12 @@ const FixedSet envelope_set[] = {
 const int envelope_sets = sizeof envelope_set / sizeof *envelope_set;
 
 /* The pairs that a polyline's elements join, for readers of XDMF. */
-static int line_write(hid_t file, const Geometry *g)
+static int line_write(hid_t file, const Geometry *g, int *error)
 {
     const hsize_t dims[2] = {(hsize_t)g->n_route - 1, 2};
     if (g->n_route < 2) return 1;
     int *const pairs = malloc(2 * sizeof *pairs * (size_t)g->n_route);
+    if (!pairs) *error = ENOMEM;
     if (!pairs) return 0;
     for (int i = 0; i + 1 < g->n_route; i++) {
         pairs[2 * i] = i;
@@ -159,11 +161,11 @@ static int winch_write(hid_t file, const GeometryWinch *w)
     return ok;
 }
 
-int geometry_write(hid_t file, const Geometry *g)
+int geometry_write(hid_t file, const Geometry *g, int *error)
 {
     const hid_t group = H5Gcreate2(file, "geometry", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     int ok = group >= 0 && h5_text(group, "description", "what stands around the cable, where it begins") &&
-             h5_fixed(file, "", geometry_sets, geometry_set, g) && line_write(file, g);
+             h5_fixed(file, "", geometry_sets, geometry_set, g) && line_write(file, g, error);
     if (group >= 0) H5Gclose(group);
     for (int i = 0; i < g->n_surfaces && ok; i++) ok = surface_write(file, i, &g->surface[i]);
     ok = ok && reel_write(file, &g->reel) && winch_write(file, &g->winch);

@@ -110,6 +110,7 @@ static int write_connectivity(H5File *h)
 {
     const hsize_t dims[2] = {(hsize_t)h->segments - 1, 2};
     int *pairs = malloc(2 * sizeof *pairs * (size_t)(h->segments));
+    if (!pairs) h->disk_error = ENOMEM;
     if (!pairs) return 0;
     for (int i = 0; i + 1 < h->segments; i++) {
         pairs[2 * i] = i;
@@ -128,6 +129,7 @@ static int write_rollers(H5File *h, const ResultsDef *def)
     char(*name)[NAME_MAX_LENGTH] = calloc((size_t)n, sizeof *name);
     double *s = malloc(sizeof *s * (size_t)n);
     int ok = name && s;
+    if (!ok) h->disk_error = ENOMEM;
     for (int i = 0; i < def->rollers && ok; i++) {
         strncpy(name[i], def->roller[i].name, NAME_MAX_LENGTH - 1);
         s[i] = def->roller[i].s;
@@ -175,7 +177,7 @@ static int make_file(H5File *h, const ResultsDef *def)
     if (frames < 0) return 0;
     h->frames = frames;
     ok = h5_text(frames, "description", "single precision copies for results.xdmf, one group a state");
-    ok = ok && (!def->geometry || geometry_write(file, def->geometry));
+    ok = ok && (!def->geometry || geometry_write(file, def->geometry, &h->disk_error));
     return ok && write_rollers(h, def) && (h->segments < 2 || write_connectivity(h)) &&
            H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
 }
@@ -272,7 +274,6 @@ static int frames_resume(H5File *h)
 
 static int file_resume(H5File *h, const OutDir *dir, const char *run)
 {
-    disk_recover(h->spot.at, spot_name(&h->spot));
     file_unseal(dir, "results.h5");
     h->file = driven_file(h, 1);
     int ok = h->file >= 0 && states_belong(h->file, run, NULL) && frames_resume(h);
@@ -292,9 +293,14 @@ hawser_status h5_resume(H5File **out, const OutDir *dir, const ResultsDef *def, 
     int ok = 0;
     h->spot = spot;
     h->rows = (hsize_t)rows;
-    H5E_BEGIN_TRY { ok = file_resume(h, dir, def->run); }
-    H5E_END_TRY
-    if (!ok && !h->disk_error) {
+    status = disk_recover(h->spot.at, spot_name(&h->spot), err);
+    if (!status) {
+        H5E_BEGIN_TRY { ok = file_resume(h, dir, def->run); }
+        H5E_END_TRY
+    }
+    if (status) {
+        /* what it was to be is not known */
+    } else if (!ok && !h->disk_error) {
         status = error_set(err, HAWSER_ERR_OUTPUT,
                            "cannot go on with '%.700s': it has not the states of the checkpoint", spot.path);
     } else {

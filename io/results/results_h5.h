@@ -20,8 +20,8 @@
  * write, must outlive the file. Returns a driver to be given to H5FDunregister when the file is closed (or could not be
  * opened), not before: HDF5 calls the driver's close after it has let go of the driver. < 0 on failure. */
 hid_t disk_driver_use(hid_t access, int at, int *error);
-/* Brings a file whose program was killed within a flush to the state after it. */
-void disk_recover(int at, const char *name);
+/* Brings a file whose program was killed within a flush to the state after it. Errors: OUTPUT, MEMORY. */
+hawser_status disk_recover(int at, const char *name, hawser_error *err);
 
 /* ------------------------------------------------------------------- results_sets.c; all return 0 if HDF5 refuses */
 
@@ -36,7 +36,7 @@ int h5_set(hid_t parent, const char *name, hid_t file_type, hid_t type, int rank
 /* The sets of a table, of the struct at `from`, below `parent` and behind `prefix` in their paths. Those without items
  * are left out. */
 int h5_fixed(hid_t parent, const char *prefix, int n, const FixedSet *set, const void *from);
-/* The groups "geometry" and "chain" (results_geometry.c). */
-int geometry_write(hid_t file, const Geometry *g);
+/* The groups "geometry" and "chain" (results_geometry.c). *error becomes ENOMEM without memory of our own. */
+int geometry_write(hid_t file, const Geometry *g, int *error);
 
 #endif

@@ -376,10 +376,12 @@ const Columns summary_columns = COLUMNS(Summary, summary_column);
 /* JSON has no NAN, which becomes null. */
 static json_t *json_number(double v) { return isfinite(v) ? json_real(v) : json_null(); }
 
-/* Text that is not UTF-8 (a name from a strange file) becomes null. */
+/* Text that is not UTF-8 (a name from a strange file) becomes null. Where there was no memory for a text there is none
+ * a moment later. */
 static json_t *json_words(const char *v)
 {
-    json_t *const text = v ? json_string(v) : NULL;
+    json_t *text = v ? json_string(v) : NULL;
+    if (v && !text) text = json_string(v);
     return text ? text : json_null();
 }
 

@@ -1,6 +1,7 @@
 /* The files of a folder in a few digits each: what a summary says of them. */
 #include "core/base/checkpoint.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "io/results/results_file.h"
 
 #include <errno.h>
@@ -19,19 +20,6 @@ enum { BLOCK = 1 << 18 };
 
 void sum_text(char text[SUM_SIZE], uint64_t sum) { snprintf(text, SUM_SIZE, "%016" PRIx64, sum); }
 
-/* So many bytes, fewer at the file's end; < 0: errno says why. */
-static ssize_t block_read(int fd, unsigned char *block)
-{
-    size_t done = 0;
-    while (done < BLOCK) {
-        const ssize_t n = read(fd, block + done, BLOCK - done);
-        if (n == 0) break;
-        if (n < 0 && errno != EINTR) return -1;
-        if (n > 0) done += (size_t)n;
-    }
-    return (ssize_t)done;
-}
-
 /* The sum of each block goes into that of all, up to so many bytes (< 0: all). Errors: INPUT, MEMORY. */
 static hawser_status descriptor_sum(int fd, const char *path, long most, FileSum *sum, hawser_error *err)
 {
@@ -41,16 +29,17 @@ static hawser_status descriptor_sum(int fd, const char *path, long most, FileSum
     ssize_t n = BLOCK;
     sum->bytes = 0;
     while (n == BLOCK) {
-        n = block_read(fd, block);
+        n = whole_read(fd, block, BLOCK);
         if (most >= 0 && n > most - sum->bytes) n = (ssize_t)(most - sum->bytes);
         if (n <= 0) break;
         const uint64_t both[2] = {all, checkpoint_hash(block, (size_t)n)};
         all = checkpoint_hash(both, sizeof both);
         sum->bytes += (long)n;
     }
+    const int number = errno;
     free(block);
     sum_text(sum->sum, all);
-    return n < 0 ? error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': %s", path, strerror(errno)) : HAWSER_OK;
+    return n < 0 ? file_unread(path, strerror(number), err) : HAWSER_OK;
 }
 
 hawser_status file_sum(const OutDir *dir, const char *name, FileSum *sum, hawser_error *err)
@@ -64,10 +53,9 @@ hawser_status file_sum(const OutDir *dir, const char *name, FileSum *sum, hawser
     const char *const path = spot.path;
     const int fd = openat(spot.at, spot_name(&spot), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (fd < 0 && errno == ENOENT) return HAWSER_OK;
-    if (fd < 0) return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': %s", path, strerror(errno));
-    const int regular = !fstat(fd, &info) && S_ISREG(info.st_mode);
-    const hawser_status read = regular ? descriptor_sum(fd, path, -1, sum, err)
-                                       : error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': not a file", path);
+    if (fd < 0) return file_unread(path, strerror(errno), err);
+    const char *const why = fstat(fd, &info) ? strerror(errno) : S_ISREG(info.st_mode) ? NULL : "not a file";
+    const hawser_status read = why ? file_unread(path, why, err) : descriptor_sum(fd, path, -1, sum, err);
     close(fd);
     return read;
 }
@@ -78,13 +66,17 @@ typedef struct Seal {
 } Seal;
 static const char seal_mark[16] = "hawser: sum of\n";
 
-/* The bytes before a file's seal; < 0: it has none. */
-static long seal_read(int fd, Seal *seal)
+/* The bytes before a file's seal, *size; < 0: it has none. 0: errno says why nobody knows. */
+static int seal_read(int fd, Seal *seal, long *size)
 {
     struct stat info;
-    const off_t size = fstat(fd, &info) ? 0 : info.st_size - (off_t)sizeof *seal;
-    if (size <= 0 || pread(fd, seal, sizeof *seal, size) != (ssize_t)sizeof *seal) return -1;
-    return memcmp(seal->mark, seal_mark, sizeof seal->mark) ? -1 : (long)size;
+    *size = -1;
+    if (fstat(fd, &info)) return 0;
+    const off_t before = info.st_size - (off_t)sizeof *seal;
+    const ssize_t done = before > 0 ? whole_pread(fd, seal, sizeof *seal, before) : 0;
+    if (done < 0) return 0;
+    if (done == (ssize_t)sizeof *seal && !memcmp(seal->mark, seal_mark, sizeof seal->mark)) *size = (long)before;
+    return 1;
 }
 
 hawser_status file_seal(const OutDir *dir, const char *name, hawser_error *err)
@@ -97,8 +89,7 @@ hawser_status file_seal(const OutDir *dir, const char *name, hawser_error *err)
     const char *const path = spot.path;
     const int fd = openat(spot.at, spot_name(&spot), O_RDWR | O_APPEND | O_CLOEXEC);
     if (fd < 0) return out_error(path, errno, err);
-    status = descriptor_sum(fd, path, -1, &sum, err);
-    if (status == HAWSER_ERR_INPUT) status = out_error(path, errno, err);
+    status = out_own(descriptor_sum(fd, path, -1, &sum, err), err);
     memcpy(seal.mark, seal_mark, sizeof seal.mark);
     memcpy(seal.sum, sum.sum, sizeof seal.sum);
     for (size_t done = 0; !status && done < sizeof seal;) {
@@ -117,9 +108,9 @@ void file_unseal(const OutDir *dir, const char *name)
     OutSpot spot;
     if (out_spot(&spot, dir, name, NULL)) return;
     const int fd = openat(spot.at, spot_name(&spot), O_RDWR | O_CLOEXEC);
-    const long size = fd < 0 ? -1 : seal_read(fd, &seal);
+    long size = -1;
     /* where that fails the bytes are passed over as before, and the next seal is behind them */
-    if (size >= 0 && ftruncate(fd, size)) errno = 0;
+    if (fd >= 0 && seal_read(fd, &seal, &size) && size >= 0 && ftruncate(fd, size)) errno = 0;
     if (fd >= 0) close(fd);
 }
 
@@ -129,9 +120,12 @@ hawser_status file_broken(const char *path, int *broken, hawser_error *err)
     Seal seal;
     *broken = 0;
     const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-    if (fd < 0) return HAWSER_OK;
-    const long size = seal_read(fd, &seal);
-    const hawser_status status = size < 0 ? HAWSER_OK : descriptor_sum(fd, path, size, &sum, err);
+    if (fd < 0 && errno == ENOENT) return HAWSER_OK;
+    long size = -1;
+    hawser_status status = HAWSER_OK;
+    if (fd < 0 || !seal_read(fd, &seal, &size)) status = file_unread(path, strerror(errno), err);
+    if (size >= 0) status = descriptor_sum(fd, path, size, &sum, err);
+    if (fd < 0) return status;
     close(fd);
     *broken = size >= 0 && !status && memcmp(sum.sum, seal.sum, sizeof seal.sum) != 0;
     return status;

@@ -96,6 +96,13 @@ hawser_status case_key_error(hawser_error *err, const CaseNode *node, const char
     return status;
 }
 
+hawser_status case_key_cause(hawser_error *err, const CaseNode *node, const char *key, const char *before,
+                             const hawser_error *why)
+{
+    if (why->status == HAWSER_ERR_MEMORY) return error_memory(err);
+    return case_key_error(err, node, key, "%s%s%s", before, *before ? ": " : "", why->message);
+}
+
 static int least(int a, int b) { return a < b ? a : b; }
 
 /* Optimal string alignment; words of up to 63 letters. */

@@ -94,6 +94,9 @@ hawser_status case_value_error(hawser_error *err, const CaseNode *node, const ch
 /* "PLACE: key 'PATH': WHAT" about the node, or about its child `key` that may be absent. */
 hawser_status case_key_error(hawser_error *err, const CaseNode *node, const char *key, const char *what, ...)
     __attribute__((format(printf, 4, 5)));
+/* The same of what has been found wrong below, `before` it: a lack of memory stays one. */
+hawser_status case_key_cause(hawser_error *err, const CaseNode *node, const char *key, const char *before,
+                             const hawser_error *why);
 
 /* How many letters must be changed, added, dropped or swapped with their neighbour to make b of a. */
 int case_distance(const char *a, const char *b);

@@ -1,4 +1,4 @@
-#include <stdlib.h>
+#include <math.h>
 
 #include "sim/bunch/bunch.h"
 #include "sim/dynamics.h"
@@ -6,22 +6,14 @@
 
 /* ------------------------------------------------------------------------------------------- what presses on what */
 
-/* The most with which others press on each chain (SC12). Without memory there is nothing to be said of it. */
+/* The most with which others press on each chain (SC12). */
 static void between_look(Bunch *b, ChainsLook *out)
 {
+    double most[STRANDS_MAX] = {0};
     if (!b->contact.present) return;
     const SelfLines lines = bunch_lines(b);
-    const int n = self_details(&b->contact, &lines, 1, &b->pairs, 0, NULL);
-    SelfDetail *const detail = malloc(((size_t)n + 1) * sizeof *detail);
-    if (!detail) return;
-    self_details(&b->contact, &lines, 1, &b->pairs, n, detail);
-    for (int i = 0; i < n; ++i) {
-        const SelfDetail *const d = &detail[i];
-        const double load = d->normal / d->length;
-        out->chain[d->line].between = fmax(out->chain[d->line].between, load);
-        out->chain[d->other].between = fmax(out->chain[d->other].between, load);
-    }
-    free(detail);
+    self_line_loads(&b->contact, &lines, &b->pairs, most);
+    for (int k = 0; k < b->n; ++k) out->chain[k].between = most[k];
 }
 
 /* Normal forces of rollers and surfaces on a chain, and the weight that they bear (SC13). */

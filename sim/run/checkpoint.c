@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/base/error.h"
 #include "sim/control/forces.h"
 #include "sim/equipment/reel.h"
 #include "sim/run/commands.h"
@@ -196,6 +197,7 @@ static hawser_status watched_checkpoint(Checkpoint *c, Sim *s, hawser_error *err
 hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
+    if (s->stage.torn) return error_memory(err);
     if (s->leader)
         return error_set(err, HAWSER_ERR_INPUT,
                          "this is one of several chains: a checkpoint is of the simulation that moves them all");

@@ -364,7 +364,14 @@ static hawser_status advance_still(Sim *s, double t, int one_step, hawser_error 
     return events_watch(s, err);
 }
 
-hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
+/* Without memory parts may be half renewed: from then on nothing of them is looked at. */
+static hawser_status torn_or(Sim *s, hawser_status status)
+{
+    for (int k = 0; k < sim_chains(s) && status == HAWSER_ERR_MEMORY; ++k) sim_chain(s, k)->stage.torn = 1;
+    return status;
+}
+
+static hawser_status advance(Sim *s, double t, int one_step, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     if (s->stage.scene.def.analysis.kind == ANALYSIS_POSITIONS) return advance_positions(s, t, one_step, err);
@@ -381,6 +388,11 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
         if (one_step) break;
     }
     return status;
+}
+
+hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
+{
+    return s->stage.torn ? error_memory(err) : torn_or(s, advance(s, t, one_step, err));
 }
 
 double hawser_sim_time(const Sim *s) { return s ? SHOWN(s)->stage.t : NAN; }
@@ -430,6 +442,7 @@ static void record_one(Sim *s, SampleParts parts)
 /* The first last, whose look is at all of them. */
 static void record_now(Sim *s, SampleParts parts)
 {
+    if (s->stage.torn) return;
     for (int k = sim_chains(s) - 1; k >= 0; --k) record_one(sim_chain(s, k), parts);
     overlap_watch(s);
 }

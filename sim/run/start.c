@@ -102,6 +102,7 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     const double start = clock_now();
     const Scene *const scene = &s->stage.scene;
     hawser_status status;
+    if (s->stage.torn) return error_memory(err);
     for (int k = 0; k < sim_chains(s); ++k) {
         Sim *const each = sim_chain(s, k);
         Stage *const st = &each->stage;

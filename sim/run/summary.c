@@ -34,7 +34,8 @@ static void integration_fill(const Sim *s, hawser_summary *out)
                                   .vector = fmax(0, i.total + balance - other)};
     out->wall_time_s = i.total + balance;
     out->steps_per_second = i.total > 0 ? (double)i.steps / (i.total + balance) : 0;
-    if (still && s->stage.balance) out->balance = balance_left(s->stage.balance);
+    if (!s->stage.balance || s->stage.torn) return; /* there was no memory */
+    if (still) out->balance = balance_left(s->stage.balance);
     if (!still) out->balance = balance_close(s->stage.balance, sim_motion(s), s->stage.t, sim_state(s));
 }
 

@@ -57,14 +57,13 @@ static hawser_status bunch_make(Together *all, hawser_error *err)
 
 /* N, what theory says of chain k when its winch, or that of the rope that draws it, has come so far: a rope begins with
  * the pulls of all that it draws (SC15). */
-static double theory_at(const Together *all, int k, PullLaw law, double travel, double t)
+static double theory_at(Together *all, int k, PullLaw law, double travel, double t)
 {
     const Scene *const scene = &all->sim[k]->stage.scene;
     double back = expected_back(scene, t);
-    int no_memory = 0; /* there is no figure then */
     for (int j = 0; j < all->n; ++j)
         if (all->sim[j]->stage.scene.def.strand.joined == k) back += theory_at(all, j, law, travel, t);
-    return by_position_theory(scene, law, scene->joint_s[scene->eye] + travel, back, &no_memory);
+    return by_position_theory(scene, law, scene->joint_s[scene->eye] + travel, back, &all->no_memory);
 }
 
 /* The pulls of ropes and of what they draw in mid steady window. */
@@ -93,6 +92,7 @@ hawser_status together_new(Sim **sim, int n, hawser_error *err)
     hawser_status status = bunch_make(all, err);
     if (status) return status;
     totals_set(all);
+    if (all->no_memory) return error_memory(err);
     for (int k = 0; !status && k < n; ++k) status = sim_trip_set(sim[k], err);
     return status;
 }
@@ -118,7 +118,7 @@ hawser_status together_relax(struct Together *all, hawser_relaxation *out, hawse
     return status;
 }
 
-double together_expected(const struct Together *all, const Sim *of)
+double together_expected(struct Together *all, const Sim *of)
 {
     const StrandDef *const strand = &of->stage.scene.def.strand;
     const Sim *const rope = strand->joined >= 0 ? all->sim[strand->joined] : of;
@@ -141,6 +141,7 @@ static Steps steps_of(Together *all)
 hawser_status together_step(struct Together *all, double stop, hawser_error *err)
 {
     Stage *const st = &all->sim[0]->stage;
+    if (all->no_memory) return error_memory(err); /* of a row before */
     if (!st->integrator) bunch_gather(&all->bunch, all->state, all->y);
     const Steps steps = steps_of(all);
     const hawser_status status = steps_take(&steps, stop, &st->t, err);

@@ -13,6 +13,7 @@ struct Together {
     double *y;      /* [bunch.motion.size] the state of all */
     double **state; /* [n] each one's own, which stays where it is */
     Workspace **ws; /* [n] */
+    int no_memory;  /* theory of a rope lacked it: a figure is missing */
 };
 
 /* What moves n simulations together, of which the first leads: takes over the list, not what is in it. Errors: INPUT,
@@ -41,6 +42,6 @@ int together_conditions(int n, hawser_condition *out, int more, const hawser_con
 int together_limits(int n, hawser_limit *out, int more, const hawser_limit *theirs, const char *chain);
 
 /* N, what theory says now of a chain: of a rope with all that it draws. */
-double together_expected(const struct Together *all, const Sim *of);
+double together_expected(struct Together *all, const Sim *of);
 
 #endif

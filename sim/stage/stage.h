@@ -33,6 +33,7 @@ typedef struct Stage {
     Balance *balance;              /* made at the first step too */
     double balance_s;              /* s, spent on it */
     double t, *y;                  /* s; [motion->size] */
+    int torn; /* its parts were being renewed when there was no memory: nothing of it can be looked at any more */
     LinOptions options;
     long joined, left;   /* segments so far */
     Stability stability; /* of equilibria; statics only */

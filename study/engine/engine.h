@@ -97,8 +97,9 @@ int store_open(const char *dir, const char *crew, int k);
 int store_append(int fd, const Row *row, const double *value, int width);
 /* Cuts off a row that its worker did not finish writing, before another is appended; 0 or errno. */
 int store_mend(int fd, int width);
-/* Whether the last row of a file that is mended is this sample's. */
-int store_ends_with(int fd, int width, long sample);
+/* Whether the last row of a file that is mended is this sample's; *number: 0, or errno of a file that cannot be read.
+ */
+int store_ends_with(int fd, int width, long sample, int *number);
 /* Worker k's rows, with those that came since the folder was read. Errors: OUTPUT. */
 hawser_status store_take(const char *dir, const char *crew, int k, Rows *rows, hawser_error *err);
 /* A name for the study in this folder that no other has; dir as realpath has it. Errors: MEMORY. */

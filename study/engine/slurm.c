@@ -65,6 +65,7 @@ static hawser_status sheet_lines(FILE *f, const char *path, Study *s, int task, 
     }
     char end[8] = "";
     if (fine && fscanf(f, "%7s", end) == 1 && strcmp(end, "end") == 0) return HAWSER_OK;
+    if (ferror(f)) return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.400s': %s", path, strerror(errno));
     return error_set(err, HAWSER_ERR_INPUT, "'%.400s' has no task %d: hawser study --slurm writes it", path, task);
 }
 

@@ -13,11 +13,12 @@
 #include <unistd.h>
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "io/api/api_handles.h"
 #include "io/results/results_file.h"
 #include "study/engine/engine.h"
 
-enum { STORE_FORMAT = 2, IDENTITY_MAX = 128, RECORD_MAX = 1 << 16 };
+enum { STORE_FORMAT = 2, IDENTITY_MAX = 128, RECORD_MAX = 1 << 16, OWNER_MOST = 1 << 16 };
 
 /* ------------------------------------------------------------------------------------------------------- identity */
 
@@ -139,19 +140,27 @@ static int is_rows(const struct dirent *entry)
     return n > end && strcmp(entry->d_name + n - end, ENDING) == 0;
 }
 
+/* A file of rows that cannot be "read" or "written". */
+static hawser_status rows_error(const char *what, const char *path, int number, hawser_error *err)
+{
+    return error_set(err, HAWSER_ERR_OUTPUT, "cannot %s '%.700s': %s", what, path, strerror(number));
+}
+
 /* Calls `with` on every file of rows in dir/workers, in the order of their names, until one returns another number than
- * 0. Errors: OUTPUT. */
+ * 0, which is why the file cannot be done `what` with. Errors: OUTPUT, MEMORY. */
 typedef int (*RowsFile)(void *user, const char *path);
-static hawser_status files_each(const char *dir, RowsFile with, void *user, hawser_error *err)
+static hawser_status files_each(const char *dir, const char *what, RowsFile with, void *user, hawser_error *err)
 {
     char folder[OUT_PATH_MAX], path[OUT_PATH_MAX];
     struct dirent **list = NULL;
     hawser_status status = out_join(folder, dir, "workers", err);
     const int n = status ? 0 : scandir(folder, &list, is_rows, alphasort);
+    if (n < 0 && errno == ENOMEM) return error_memory(err);
+    if (n < 0 && errno != ENOENT) return rows_error("read", folder, errno, err);
     for (int k = 0; k < n; k++) {
         if (!status) status = out_join(path, folder, list[k]->d_name, err);
         const int number = status ? 0 : with(user, path);
-        if (number) status = out_error(path, number, err);
+        if (number) status = rows_error(what, path, number, err);
         free(list[k]);
     }
     free(list);
@@ -263,15 +272,25 @@ int store_mend(int fd, int width)
     return cut && ftruncate(fd, info.st_size - cut) ? errno : 0;
 }
 
-int store_ends_with(int fd, int width, long sample)
+/* A record that begins there; 0: the file ends before it does. < 0: errno says why nobody knows. */
+static int record_read(int fd, off_t at, size_t size, char record[RECORD_MAX])
+{
+    const ssize_t n = whole_pread(fd, record, size, at);
+    return n < 0 ? -1 : n == (ssize_t)size;
+}
+
+int store_ends_with(int fd, int width, long sample, int *number)
 {
     char record[RECORD_MAX];
     struct stat info;
     Row row;
     const size_t size = record_size(width);
-    if (fstat(fd, &info) || info.st_size < (off_t)size) return 0;
-    if (pread(fd, record, size, info.st_size - (off_t)size) != (ssize_t)size || !record_is_sound(record, size))
-        return 0;
+    const int known = !fstat(fd, &info);
+    const int there = !known                       ? -1
+                      : info.st_size < (off_t)size ? 0
+                                                   : record_read(fd, info.st_size - (off_t)size, size, record);
+    *number = there < 0 ? errno : 0;
+    if (there <= 0 || !record_is_sound(record, size)) return 0;
     memcpy(&row, record, sizeof row);
     return row.sample == sample;
 }
@@ -284,11 +303,14 @@ static int records_take(void *user, const char *path)
     const size_t size = record_size(rows->width);
     const int fd = open(path, O_RDONLY | O_CLOEXEC);
     if (fd < 0) return errno == ENOENT ? 0 : errno;
-    for (off_t at = 0; pread(fd, record, size, at) == (ssize_t)size; at += (off_t)size) {
+    int there = record_read(fd, 0, size, record);
+    for (off_t at = (off_t)size; there > 0; at += (off_t)size) {
         if (record_is_sound(record, size)) record_take(record, rows);
+        there = record_read(fd, at, size, record);
     }
+    const int number = there < 0 ? errno : 0;
     close(fd);
-    return 0;
+    return number;
 }
 
 /* ----------------------------------------------------------------------------------------------------- the folder */
@@ -296,16 +318,17 @@ static int records_take(void *user, const char *path)
 /* Whose the files are: 1 this study's, 0 there are none, -1 another's. */
 static hawser_status owner_find(const Study *s, const char *dir, int *own, hawser_error *err)
 {
-    char path[OUT_PATH_MAX], mine[IDENTITY_MAX], theirs[IDENTITY_MAX] = "";
+    char path[OUT_PATH_MAX], mine[IDENTITY_MAX];
     hawser_status status = workers_path(path, dir, "study", err);
     if (!status) status = identity_say(s, mine, err);
     if (status) return status;
-    FILE *const f = fopen(path, "r");
-    *own = 0;
-    if (!f) return HAWSER_OK;
-    *own = fgets(theirs, sizeof theirs, f) && strcmp(mine, theirs) == 0 ? 1 : -1;
-    fclose(f);
-    return HAWSER_OK;
+    char *text;
+    size_t size;
+    status = file_whole(path, OWNER_MOST, &text, &size, err);
+    *own = text ? -1 : 0;
+    if (text && strncmp(text, mine, strlen(mine)) == 0) *own = 1;
+    free(text);
+    return status;
 }
 
 /* A row of a search at a point that the study does not have is not computed yet: a choice is one of its choices. */
@@ -332,7 +355,7 @@ hawser_status store_read(const Study *s, const char *dir, Rows *rows, hawser_err
                          "folder, or begin anew with --fresh",
                          dir);
     }
-    status = files_each(dir, records_take, rows, err);
+    status = files_each(dir, "read", records_take, rows, err);
     if (!status && study_searches(s)) points_look(s, rows);
     return status;
 }
@@ -342,7 +365,7 @@ hawser_status store_take(const char *dir, const char *crew, int k, Rows *rows, h
     char path[OUT_PATH_MAX];
     const hawser_status status = store_path(path, dir, crew, k, err);
     const int number = status ? 0 : records_take(rows, path);
-    return number ? out_error(path, number, err) : status;
+    return number ? rows_error("read", path, number, err) : status;
 }
 
 static int file_remove(void *user, const char *path)
@@ -366,7 +389,7 @@ hawser_status store_begin(const Study *s, const char *dir, int fresh, hawser_err
     char folder[OUT_PATH_MAX];
     hawser_status status = out_join(folder, dir, "workers", err);
     if (!status) status = out_make_dir(folder, err);
-    if (!status && fresh) status = files_each(dir, file_remove, NULL, err);
+    if (!status && fresh) status = files_each(dir, "write", file_remove, NULL, err);
     return status ? status : owner_write(s, folder, err);
 }
 
@@ -390,15 +413,16 @@ hawser_status store_spare(const Study *s, const char *dir, hawser_error *err)
 
 hawser_status store_study(const char *dir, char path[], hawser_error *err)
 {
-    char from[OUT_PATH_MAX], first[IDENTITY_MAX];
-    const hawser_status status = workers_path(from, dir, "study", err);
+    char from[OUT_PATH_MAX], *text;
+    size_t size;
+    hawser_status status = workers_path(from, dir, "study", err);
+    if (!status) status = file_whole(from, OWNER_MOST, &text, &size, err);
     if (status) return status;
-    FILE *const f = fopen(from, "r");
-    const int found = f && fgets(first, sizeof first, f) && fgets(path, OUT_PATH_MAX, f);
-    if (f) fclose(f);
-    if (!found) return error_set(err, HAWSER_ERR_INPUT, "'%.400s' holds no study", dir);
-    path[strcspn(path, "\n")] = 0;
-    return HAWSER_OK;
+    const char *const second = text ? strchr(text, '\n') : NULL;
+    const int found = second && second[1] && strcspn(second + 1, "\n") < OUT_PATH_MAX;
+    if (found) snprintf(path, OUT_PATH_MAX, "%.*s", (int)strcspn(second + 1, "\n"), second + 1);
+    free(text);
+    return found ? HAWSER_OK : error_set(err, HAWSER_ERR_INPUT, "'%.400s' holds no study", dir);
 }
 
 hawser_status store_name(const Study *s, const char *dir, char name[STORE_NAME_MAX], hawser_error *err)

@@ -210,7 +210,7 @@ static int row_for(const Engine *e, int k, int wait_status)
     } else {
         snprintf(row.reason, sizeof row.reason, "its process ended with status %d", WEXITSTATUS(wait_status));
     }
-    const int there = !number && store_ends_with(fd, width, slot->sample);
+    const int there = !number && store_ends_with(fd, width, slot->sample, &number);
     if (!number && !there) number = store_append(fd, &row, value, width);
     if (!number && !there) count_row(slot, &row);
     if (fd >= 0) close(fd);

@@ -55,7 +55,7 @@ static hawser_status base_load(const CaseReader *r, const char *name, Study *s)
         if (node->kind != NODE_TEXT) return case_value_error(r->err, node, ": expected a value in one line, in quotes");
         hawser_error found = {HAWSER_OK, ""};
         status = hawser_case_set(s->base, node->key, node->text, &found);
-        if (status) status = case_key_error(r->err, node, NULL, "%.600s", found.message);
+        if (status) status = case_key_cause(r->err, node, NULL, "", &found);
     }
     return status;
 }

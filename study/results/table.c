@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "core/base/error.h"
 #include "io/results/results_file.h"
@@ -175,6 +176,8 @@ hawser_status table_csv(const Study *s, const Rows *rows, const char *dir, hawse
         const hawser_status closed = out_close(&out, status ? NULL : err);
         if (!status) status = closed;
         status = table_name(dir, "samples.csv", out.spot.path, status, err);
+    } else if (*out.spot.path) {
+        unlink(out.spot.path); /* it may have been made before memory ran out */
     }
     free(there);
     return status;

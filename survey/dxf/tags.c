@@ -16,10 +16,7 @@ void dxf_begin(DxfStream *s, SurveyInput *in)
     const size_t n = fread(head, 1, sizeof head, in->file); /* with the sign's own 0, and two bytes behind it */
     s->binary = n == sizeof head && !memcmp(head, sign, sizeof sign);
     s->short_codes = s->binary && head[sizeof sign + 1] != 0; /* 0 and a text at once: codes of one byte */
-    if (s->binary)
-        fseek(in->file, (long)sizeof sign, SEEK_SET);
-    else
-        rewind(in->file);
+    input_seek(in, s->binary ? (long)sizeof sign : 0);
 }
 
 void dxf_end(DxfStream *s)

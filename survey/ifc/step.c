@@ -1,6 +1,7 @@
 #include "survey/ifc/step.h"
 
 #include <ctype.h>
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,7 +66,7 @@ static hawser_status text_read(StepFile *file)
 {
     SurveyInput *const in = file->in;
     struct stat state;
-    if (fstat(fileno(in->file), &state)) return input_error(in, "its size cannot be asked for");
+    if (fstat(fileno(in->file), &state)) return input_error(in, "cannot be read: %s", strerror(errno));
     if ((size_t)state.st_size > SIZE_MOST) return input_error(in, "larger than 1 GiB");
     file->text = malloc((size_t)state.st_size + 1);
     if (!file->text) return error_memory(in->err);

@@ -1,5 +1,6 @@
 /* GeoJSON: LineString and MultiLineString as lines, Point and MultiPoint as marks, in features, collections or alone.
  */
+#include <errno.h>
 #include <jansson.h>
 #include <math.h>
 #include <string.h>
@@ -163,14 +164,15 @@ hawser_status geojson_read(SurveyInput *in)
     MapPlaces places = {.in = in};
     json_error_t where;
     struct stat state;
-    if (fstat(fileno(in->file), &state) || state.st_size > SIZE_MOST) {
+    if (fstat(fileno(in->file), &state)) return input_error(in, "cannot be read: %s", strerror(errno));
+    if (state.st_size > SIZE_MOST) {
         return input_error(in, "larger than %ld MB, the most of a GeoJSON file", SIZE_MOST >> 20);
     }
     /* without memory jansson finds fault with some word of the text, so that it is asked for before */
     if (!memory_room(ROOM + ROOM_TIMES * (size_t)state.st_size)) return error_memory(in->err);
     json_t *root = json_loadf(in->file, JSON_DISABLE_EOF_CHECK, &where);
     if (!root) { /* so what it finds is looked for twice */
-        rewind(in->file);
+        input_seek(in, 0);
         root = json_loadf(in->file, JSON_DISABLE_EOF_CHECK, &where);
     }
     if (!root) {

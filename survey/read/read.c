@@ -49,7 +49,7 @@ static void head_of(SurveyInput *in, char head[HEAD_SIZE], int *wide)
     const char *from = text + (strncmp(text, "\xEF\xBB\xBF", 3) ? 0 : 3);
     from += strspn(from, " \t\r\n");
     snprintf(head, HEAD_SIZE, "%s", from);
-    rewind(in->file);
+    input_seek(in, 0);
 }
 
 /* Alignments without a name are called as the file, without folder and ending. */
@@ -156,8 +156,10 @@ hawser_status survey_read(const char *path, const SurveyOptions *options, Survey
         status = readers[i].read(&in);
         break;
     }
-    /* what a disk does not give looks like the file's end */
-    if (!status && ferror(in.file)) status = input_error(&in, "cannot be read: %s", strerror(EIO));
+    /* what a disk does not give looks like the file's end, and is taken for the file's fault */
+    const int lost = status == HAWSER_ERR_MEMORY ? 0 : input_lost(&in);
+    in.line = lost ? 0 : in.line;
+    if (lost) status = input_error(&in, "cannot be read: %s", strerror(lost));
     if (!status) status = nonsense_drop(&in);
     input_close(&in);
     if (!status) names_fill(path, out);

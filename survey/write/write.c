@@ -56,11 +56,14 @@ hawser_status alignment_write(const Alignment *a, const char *system, WriteForma
                               hawser_error *err)
 {
     FILE *const to = fopen(path, "wbe");
+    if (!to && errno == ENOMEM) return error_memory(err);
     if (!to) return error_set(err, HAWSER_ERR_OUTPUT, "%.200s: cannot be written: %s", path, strerror(errno));
     hawser_status status = alignment_print(a, system, format, to, err);
+    errno = 0;
     const int failed = ferror(to) | fclose(to);
     if (failed && !status)
-        status = error_set(err, HAWSER_ERR_OUTPUT, "%.200s: cannot be written: %s", path, strerror(errno));
+        status = error_set(err, HAWSER_ERR_OUTPUT, "%.200s: cannot be written: %s", path,
+                           errno ? strerror(errno) : "the write failed");
     if (status) remove(path);
     return status;
 }

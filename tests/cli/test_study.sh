@@ -17,6 +17,12 @@ silent out
 silent err
 cmp -s "$work/before" "$work/friction/samples.csv" || fail "the second time the table is another"
 
+# rows that cannot be read are not taken for rows that are not there
+mkdir "$work/friction/workers/zz.rows"
+run_hawser 4 study "$source/cases/studies/friction.yaml" -o friction --quiet
+says err "zz.rows': Is a directory"
+rmdir "$work/friction/workers/zz.rows"
+
 run_hawser 0 study "$source/cases/studies/what-matters.yaml" -o matters --quiet --jobs 2
 grep -q '"parameter": "friction"' "$work/matters/summary.json" || fail "no indices in summary.json"
 run_hawser 0 study "$source/cases/studies/spacing.yaml" --units us

@@ -89,6 +89,20 @@ static hawser_status read_back(int scene, long k, Sim **s, hawser_error *err)
     return status;
 }
 
+/* What a run does when it has ended: all of it, whatever the state in which memory ran out. */
+static void looked_at(Sim *s)
+{
+    hawser_summary summary;
+    hawser_error err;
+    Checkpoint c = checkpoint_new(0);
+    hawser_sim_sample(s);
+    hawser_sim_record(s);
+    hawser_sim_summary(s, &summary);
+    if (!s->stage.torn) return;
+    assert_int_equal(sim_advance(s, 10, 1, &err), HAWSER_ERR_MEMORY);
+    assert_int_equal(sim_checkpoint(&c, s, &err), HAWSER_ERR_MEMORY);
+}
+
 /* Every allocation of an attempt fails once; how many were missed. */
 static long every_allocation(int scene, Attempt *attempt, const char *what)
 {
@@ -106,6 +120,7 @@ static long every_allocation(int scene, Attempt *attempt, const char *what)
                 fail_msg("%s, %s, allocation %ld: status %d, '%s'", scenes[scene].name, what, k, status, err.message);
             ++told;
         }
+        if (s && attempt == relaxed_and_moved) looked_at(s);
         sim_free(s);
         if (k < 0) live = lack_live();
         if (lack_live() != live)
@@ -172,6 +187,7 @@ static void test_windows(void **state)
             if (status) {
                 if (!met || status != HAWSER_ERR_MEMORY || !strstr(err.message, "out of memory"))
                     fail_msg("allocation %ld: status %d, '%s'", k, status, err.message);
+                looked_at(s);
                 ++told;
             } else if (met) {
                 ++without;

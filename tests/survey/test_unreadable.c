@@ -1,0 +1,27 @@
+/* A file that the disk does not give is not at its end, and has no fault of its own. /proc/self/mem is such a file:
+ * there is nothing at its start. */
+#include <errno.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "survey/read/read.h"
+#include "tests/support/check.h"
+
+static const char UNREADABLE[] = "/proc/self/mem";
+
+static void test_unreadable(void **state)
+{
+    Survey survey;
+    hawser_error err = {0};
+    const SurveyOptions options = {.unit = NAN};
+    (void)state;
+    if (access(UNREADABLE, R_OK)) skip();
+    assert_int_equal(survey_read(UNREADABLE, &options, &survey, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, strerror(EIO));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_unreadable)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
