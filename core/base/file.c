@@ -33,6 +33,18 @@ ssize_t whole_pread(int fd, void *to, size_t size, off_t at)
     return (ssize_t)done;
 }
 
+int whole_write(int fd, const void *from, size_t size)
+{
+    size_t done = 0;
+    while (done < size) {
+        errno = 0;
+        const ssize_t n = write(fd, (const char *)from + done, size - done);
+        if (n <= 0 && errno != EINTR) return 0;
+        if (n > 0) done += (size_t)n;
+    }
+    return 1;
+}
+
 int whole_pwrite(int fd, const void *from, size_t size, off_t at)
 {
     size_t done = 0;

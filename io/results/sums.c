@@ -92,12 +92,7 @@ hawser_status file_seal(const OutDir *dir, const char *name, hawser_error *err)
     status = out_own(descriptor_sum(fd, path, -1, &sum, err), err);
     memcpy(seal.mark, seal_mark, sizeof seal.mark);
     memcpy(seal.sum, sum.sum, sizeof seal.sum);
-    for (size_t done = 0; !status && done < sizeof seal;) {
-        errno = 0;
-        const ssize_t n = write(fd, (const char *)&seal + done, sizeof seal - done);
-        if (n > 0) done += (size_t)n;
-        if (n <= 0 && errno != EINTR) status = out_error(path, errno, err);
-    }
+    if (!status && !whole_write(fd, &seal, sizeof seal)) status = out_error(path, errno, err);
     if (close(fd) && !status) status = out_error(path, errno, err);
     return status;
 }

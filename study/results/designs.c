@@ -5,24 +5,19 @@
 #include "core/base/error.h"
 #include "study/results/results.h"
 
-/* What the search made of a row that is there: what it sought, and (SR1). */
-static DesignRow design_of(const Study *s, const Rows *rows, long i)
+/* What the search made of a row that is there: what it sought, and (SR1). broken [constraints]: scratch. */
+static DesignRow design_of(const Study *s, const Rows *rows, long i, double *broken)
 {
     double x[PARAMETERS_MAX];
     const Row *const row = &rows->row[i];
-    double *const broken = malloc((size_t)aim_constraints(s) * sizeof *broken);
     DesignRow d = {.sample = i, .search = i / s->aim.evaluations, .value = NAN, .broken = NAN};
-    if (!broken || row->state == ROW_OPEN) {
-        free(broken);
-        return d;
-    }
+    if (row->state == ROW_OPEN) return d;
     row_point(s, rows, i, x);
     d.value = aim_value(s, row, rows->value + i * rows->width, x, broken);
     d.broken = search_broken(d.value, broken, aim_constraints(s));
     d.verdict = row_verdicts[row->verdict];
     d.limited_by = row->limited_by < 0 ? "" : limits_name((LimitKind)row->limited_by);
     d.margin = row->limited_by < 0 ? NAN : row->margin[row->limited_by];
-    free(broken);
     return d;
 }
 
@@ -65,13 +60,17 @@ static int design_place(const Study *s, const Rows *rows, DesignRow *best, int n
  * has been seen to its end nobody can say. */
 hawser_status designs_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err)
 {
-    f->search = calloc((size_t)s->blocks + 1, sizeof *f->search);
-    if (!f->search) return error_memory(err);
+    double *const broken = malloc((size_t)aim_constraints(s) * sizeof *broken + 1);
+    f->search = broken ? calloc((size_t)s->blocks + 1, sizeof *f->search) : NULL;
+    if (!f->search) {
+        free(broken);
+        return error_memory(err);
+    }
     for (long c = 0; c < s->blocks; c++) {
         SearchRow *const row = &f->search[f->n_searches++];
         *row = (SearchRow){.search = c, .value = NAN, .broken = NAN, .best = -1};
         for (long i = c * s->aim.evaluations; i < (c + 1) * s->aim.evaluations; i++) {
-            const DesignRow d = design_of(s, rows, i);
+            const DesignRow d = design_of(s, rows, i, broken);
             if (rows->row[i].state == ROW_OPEN) break;
             row->evaluations++;
             if (isnan(d.value)) continue;
@@ -90,5 +89,6 @@ hawser_status designs_find(const Study *s, const Rows *rows, Findings *f, hawser
         point_say(s, rows, d->sample, d->values);
         d->keeps = d->broken == 0 ? "yes" : "no";
     }
+    free(broken);
     return HAWSER_OK;
 }

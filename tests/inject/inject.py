@@ -4,8 +4,8 @@
 Usage: inject.py HAWSER SHIM SOURCE_DIR [--sites | --all] [--kind KIND]... [--scene TEXT]... [--jobs N]
 
 A call is told by where it comes from, its call stack. --sites: of each place the first call fails, and the last one; what another
-scene of the same command has tried is not tried again. --all: every call. Else a few of the places, evenly, of memory and of
-one other kind for each scene. Memory that is
+scene of the same command has tried is not tried again. --all: every call. Else a few of the places, evenly, of one kind
+for each scene. Memory that is
 refused from a size on (heap) and a disk that is full after so many bytes (full) are tried at even distances.
 
 Memory that is refused must end with status 5 and "out of memory", a disk with status 4 and the file, a file that cannot be read with its reason;
@@ -22,7 +22,7 @@ import tempfile
 import judge
 import scenes
 
-FEW = 2  # places of a scene and kind that are sampled
+FEW = 3  # places of a scene and kind that are sampled
 PARTS = 40  # of the memory, and of the bytes written, where all places are tried
 COUNTED = {"heap": "KiB", "full": "bytes"}
 
@@ -101,9 +101,9 @@ def look(trial, scene, kind, tried, how, pool):
 
 
 def kinds_of(number, how):
-    """The kinds that are tried on a scene: of a sample memory and one of the others in turns."""
+    """The kinds that are tried on a scene: of a sample memory on every other one, and on those between the others in turns."""
     others = [kind for kind in judge.STATUS if kind != "memory"]
-    return judge.STATUS if how else ["memory", others[number % len(others)]]
+    return judge.STATUS if how else ["memory" if number % 2 else others[number // 2 % len(others)]]
 
 
 def main():
