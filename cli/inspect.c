@@ -78,6 +78,7 @@ static int write_crew(const Arguments *args)
     char *text = NULL;
     hawser_status status = load_case(args, &c, &err);
     if (!status) status = hawser_case_equipment(c, HAWSER_CSV, &text, &err);
+    if (!status) status = hawser_case_spares(c, args->crew, &err);
     FILE *const file = status ? NULL : fopen(args->crew, "w");
     const int written = file && fputs(text, file) >= 0;
     const int closed = file && fclose(file) == 0;

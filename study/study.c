@@ -123,7 +123,8 @@ static hawser_status parts_run(hawser_study *s, const char *dir, const hawser_st
 static hawser_status folder_begin(hawser_study *s, const char *dir, int fresh, int slurm, OutDir *folder,
                                   hawser_error *err)
 {
-    hawser_status status = out_make_dir(dir, err);
+    hawser_status status = store_spare(s->study, dir, err);
+    if (!status) status = out_make_dir(dir, err);
     if (!status) status = folder_lock(dir, folder, err);
     if (!status) status = rows_make(s->study, &s->rows, err);
     if (!status && fresh && slurm) status = slurm_idle(s->study, dir, err);
@@ -193,6 +194,7 @@ hawser_status hawser_study_report(const char *dir, const char *page, hawser_erro
     const char *const name = path_split(page, folder);
     hawser_status status = store_study(dir, path, e);
     if (!status) status = hawser_study_load(path, &s, e);
+    if (!status) status = file_marks_spare(&s->study->files, page, e);
     if (!status) status = rows_make(s->study, &s->rows, e);
     if (!status) status = store_read(s->study, dir, &s->rows, e);
     if (!status && s->study->pilot) pilots_bands(s->study, &s->rows, s->study->close);

@@ -71,8 +71,8 @@ typedef struct Packing {
     hawser_status status;
 } Packing;
 
-/* A source under a name; two archives of the same case are the same, so that all have the same date. libzip packs as small as it can
- * where nobody says how: a sixth of the time makes them 7 % larger. */
+/* A source under a name; two archives of the same case are the same, so that all have the same date. libzip packs as
+ * small as it can where nobody says how: a sixth of the time makes them 7 % larger. */
 static void source_add(Packing *p, const char *name, zip_source_t *source)
 {
     static const time_t date = 631152000; /* 1990-01-01 */
@@ -83,7 +83,9 @@ static void source_add(Packing *p, const char *name, zip_source_t *source)
     }
     const zip_int64_t at = source ? zip_file_add(p->zip, name, source, ZIP_FL_ENC_UTF_8) : -1;
     const zip_uint64_t entry = (zip_uint64_t)at;
-    if (at >= 0 && !zip_file_set_mtime(p->zip, entry, date, 0) && !zip_set_file_compression(p->zip, entry, ZIP_CM_DEFLATE, effort)) return;
+    if (at >= 0 && !zip_file_set_mtime(p->zip, entry, date, 0) &&
+        !zip_set_file_compression(p->zip, entry, ZIP_CM_DEFLATE, effort))
+        return;
     if (at < 0) zip_source_free(source);
     p->status = error_set(p->err, HAWSER_ERR_OUTPUT, "cannot pack %s: %s", name, zip_strerror(p->zip));
 }
@@ -174,6 +176,7 @@ hawser_status hawser_fmu_write(hawser_case *c, hawser_fmi version, const char *p
     if (version != HAWSER_FMI_2 && version != HAWSER_FMI_3)
         return error_set(err, HAWSER_ERR_INPUT, "version %d of FMI: 2 or 3 can be written", (int)version);
     hawser_status status = case_ensure_read(c, err); /* mistakes are found where the user made them */
+    if (!status) status = file_marks_spare(&c->def.files, path, err);
     if (!status) status = resources_make(c->tree, &r, err);
     snprintf(folder, sizeof folder, "%.2000s/hawser-XXXXXX", temporary && *temporary ? temporary : "/tmp");
     if (!status && !mkdtemp(folder))

@@ -78,6 +78,8 @@ hawser_status case_line_use(const CaseReader *r, const CaseNode *node, const Lin
             status = error_memory(r->err);
         }
     }
+    if (!status) status = file_marks_add(&r->def->files, path, r->err);
+    if (!status && profile_path) status = file_marks_add(&r->def->files, profile_path, r->err);
     free(path);
     free(profile_path);
     return status;

@@ -134,6 +134,13 @@ hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser
     return status;
 }
 
+hawser_status hawser_case_spares(hawser_case *c, const char *path, hawser_error *err)
+{
+    if (!c || !path) return error_argument(err, c ? "path" : "c");
+    const hawser_status status = case_ensure_read(c, err);
+    return status ? status : file_marks_spare(&c->def.files, path, err);
+}
+
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err) { return case_ensure_read(c, err); }
 
 /* NULL is fine, as for every free. */

@@ -305,7 +305,8 @@ hawser_status hawser_sim_save(hawser_sim *s, const char *path, hawser_error *err
     if (!s || !path) return error_argument(err, s ? "path" : "s");
     if (s->inside) return error_inside(err);
     const char *const slash = strrchr(path, '/');
-    hawser_status status = out_dir(&dir, slash ? path : ".", err);
+    hawser_status status = file_marks_spare(&s->stage.scene.def.files, path, err);
+    if (!status) status = out_dir(&dir, slash ? path : ".", err);
     if (status) return status;
     if (slash) dir.path[slash > path ? slash - path : 1] = 0;
     status = checkpoint_write(s, NULL, &c, err);
@@ -329,6 +330,17 @@ hawser_status hawser_sim_load(hawser_sim *s, const char *path, hawser_error *err
     return status;
 }
 
+/* The case's file is where it was, unless somebody has moved it. */
+static hawser_status path_keep(CaseTree *tree, const char *name, hawser_error *err)
+{
+    const char *const slash = strrchr(name, '/');
+    const size_t size = strlen(tree->folder) + strlen(name) + 2;
+    tree->path = malloc(size);
+    if (!tree->path) return error_memory(err);
+    snprintf(tree->path, size, "%s/%s", tree->folder, slash ? slash + 1 : name);
+    return HAWSER_OK;
+}
+
 /* The case that is in front. */
 hawser_status hawser_case_resume(const char *dir, hawser_case **out, hawser_error *err)
 {
@@ -350,6 +362,7 @@ hawser_status hawser_case_resume(const char *dir, hawser_case **out, hawser_erro
         status = error_set(err, HAWSER_ERR_INPUT, "the checkpoint '%.500s' has no case in it", spot.path);
     if (!status) status = hawser_case_parse(preface.text, preface.name, out, err);
     if (!status && preface.folder) status = hawser_case_folder(*out, preface.folder, err);
+    if (!status && preface.folder) status = path_keep((*out)->tree, preface.name, err);
     if (status && *out) {
         hawser_case_free(*out);
         *out = NULL;

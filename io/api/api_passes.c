@@ -499,6 +499,21 @@ static hawser_status go_on(hawser_sim *s, const OutDir *dir, int whole, int over
     return status;
 }
 
+/* Whether a run into `dir` writes over none of the files that the case was read from: in the folder, and in those of
+ * its passes and its chains within. Errors: INPUT. */
+static hawser_status inputs_spare(hawser_sim *s, const char *dir, hawser_error *err)
+{
+    const FileMarks *const files = &s->stage.scene.def.files;
+    char path[OUT_PATH_MAX];
+    hawser_status status = results_spare(dir, files, err);
+    for (int k = 1; k < PASSES_MAX + sim_chains(s) && !status; ++k) {
+        const int pass = k < PASSES_MAX;
+        status = out_join(path, dir, pass ? FOLDER[k] : sim_chain(s, k - PASSES_MAX)->stage.scene.def.strand.name, err);
+        if (!status) status = results_spare(path, files, err);
+    }
+    return status;
+}
+
 /* Whether it can be told to move: INPUT if not. */
 static hawser_status can_run(const hawser_sim *s, hawser_error *err)
 {
@@ -517,7 +532,8 @@ hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress pro
     hawser_status status = can_run(s, e);
     if (status) return status;
     const int whole = is_whole(s);
-    if (home) status = out_take(home, NULL, dir, 1, e);
+    if (home) status = inputs_spare(s, dir, e);
+    if (home && !status) status = out_take(home, NULL, dir, 1, e);
     if (status) return pass_settle(s, status, e);
     status = go_on(s, home, whole, 0, pass_run(s, home, progress, user, e), progress, user, e);
     if (home) out_leave(home);
@@ -537,7 +553,8 @@ hawser_status hawser_sim_resume(hawser_sim *s, const char *dir, hawser_progress 
     int over = 0;
     if (access(dir, F_OK))
         return error_set(e, HAWSER_ERR_INPUT, "no run to go on with in '%.700s': %s", dir, strerror(errno));
-    status = out_take(&folder, NULL, dir, 0, e);
+    status = inputs_spare(s, dir, e);
+    if (!status) status = out_take(&folder, NULL, dir, 0, e);
     if (status) return pass_settle(s, status, e);
     status = pass_resume(s, &folder, progress, user, &over, e);
     status = go_on(s, &folder, whole, over, status, progress, user, e);

@@ -72,14 +72,18 @@ static hawser_status report_make(const char *const *dirs, size_t n, const char *
     Folder folder[REPORT_RUNS_MAX] = {0};
     char *beside[REPORT_RUNS_MAX] = {NULL};
     Text data = {0}, page = {0};
+    FileMarks files = {0};
     hawser_status status = HAWSER_OK;
     for (size_t i = 0; i < n && !status; i++) status = folder_read(dirs[i], &folder[i], err);
     if (!status && n == 1) status = chains_read(folder, &n, beside, err);
+    for (size_t i = 0; i < n && !status; i++) status = folder_files(&folder[i], &files, err);
+    if (!status) status = file_marks_spare(&files, path, err);
     if (!status) status = data_write(n, folder, &data, err);
     if (!status) status = page_write(n, folder, &data, &page, err);
     text_clear(&data);
     if (!status) status = file_write(path, page.at, err);
     text_clear(&page);
+    file_marks_free(&files);
     for (size_t i = 0; i < n; i++) folder_clear(&folder[i]);
     for (size_t i = 0; i < REPORT_RUNS_MAX; i++) free(beside[i]);
     return status;
@@ -138,11 +142,26 @@ static hawser_status figure_write(const Folder *folder, const char *dir, const F
     return status;
 }
 
+/* Before any is drawn: none of them is a file of the results. */
+static hawser_status figures_spare(const Folder *folder, const char *dir, hawser_error *err)
+{
+    char path[OUT_PATH_MAX];
+    FileMarks files = {0};
+    hawser_status status = folder_files(folder, &files, err);
+    for (int k = 0; k < FIGURES && !status; k++) {
+        if (snprintf(path, sizeof path, "%s/%s.svg", dir, figures[k].name) < (int)sizeof path)
+            status = file_marks_spare(&files, path, err);
+    }
+    file_marks_free(&files);
+    return status;
+}
+
 static hawser_status plot_make(const char *results, const char *dir, size_t n, const char *const *names,
                                hawser_units units, int *drawn, hawser_error *err)
 {
     Folder folder;
     hawser_status status = folder_read(results, &folder, err);
+    if (!status) status = figures_spare(&folder, dir, err);
     for (int k = 0; k < FIGURES && !status; k++) {
         int wanted = 0;
         for (size_t i = 0; i < n; i++) wanted |= figure_named(names[i]) == k;

@@ -523,7 +523,13 @@ hawser_status hawser_routes_write(const hawser_routes *r, int i, const char *pat
         return error_set(err, HAWSER_ERR_INPUT,
                          "%.300s: the ending says what is written: .csv, .dxf, .geojson or .yaml", path);
     }
-    hawser_status status = i < 0 ? line_choose(&r->options.line, &r->survey, &meant, err) : HAWSER_OK;
+    FileMarks files = {0};
+    hawser_status status = file_marks_add(&files, r->path, err);
+    if (!status && r->profile) status = file_marks_add(&files, r->profile, err);
+    if (!status) status = file_marks_spare(&files, path, err);
+    file_marks_free(&files);
+    if (status) return status;
+    status = i < 0 ? line_choose(&r->options.line, &r->survey, &meant, err) : HAWSER_OK;
     if (!status) status = row_good(r, i < 0 ? (int)(meant - r->survey.alignment) : i, &row, err);
     if (!status) status = alignment_write(&row->use->line.line, r->survey.system, (WriteFormat)format, path, err);
     return status;

@@ -159,6 +159,16 @@ static const struct {
     {"cables", case_assumptions_read},
 };
 
+/* The case's own file and those of the catalogue that it has taken from; those of routes and drawings are added where
+ * they are read. */
+static hawser_status files_note(const CaseTree *tree, const Library *library, SceneDef *def, hawser_error *err)
+{
+    hawser_status status = tree->path ? file_marks_add(&def->files, tree->path, err) : HAWSER_OK;
+    for (int k = 0; library && k < library->n_files && !status; k++)
+        status = file_marks_add(&def->files, library->file[k]->path, err);
+    return status;
+}
+
 /* The reader's own things are given back on every way out; so is the definition, if there is an error. What the
  * catalogue brings is in a copy of the tree, so that a later setting finds the case as it was written. */
 static hawser_status case_read_one(const CaseTree *tree, SceneDef *def, hawser_error *err)
@@ -178,6 +188,7 @@ static hawser_status case_read_one(const CaseTree *tree, SceneDef *def, hawser_e
         status = parts[k].read(&r, case_node_key(r.root, parts[k].key));
     }
     if (!status && !tree->unlisted) status = case_inputs_read(&r, &case_top);
+    if (!status && !tree->unlisted) status = files_note(tree, library, def, err);
     route_clear(&r.route);
     units_free(r.units);
     node_free(typed);

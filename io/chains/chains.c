@@ -298,8 +298,10 @@ static hawser_status definitions_read(Reading *all, CaseReadOne *read)
     for (int k = 0; k < all->n; ++k) {
         const StrandRecord *const record = &all->record[k];
         const ChainRole role = {.led = record->def.joined >= 0, .rope = record->def.rope, .still = record->still};
-        CaseTree own = {
-            .origins = all->tree->origins, .folder = all->tree->folder, .unlisted = all->tree->unlisted || k > 0};
+        CaseTree own = {.origins = all->tree->origins,
+                        .path = all->tree->path,
+                        .folder = all->tree->folder,
+                        .unlisted = all->tree->unlisted || k > 0};
         own.root = chain_tree(all->tree->root, all->node[k], &role);
         if (!own.root) return error_memory(all->r->err);
         const hawser_status status = read(&own, &all->def[k], all->r->err);

@@ -126,7 +126,7 @@ static hawser_status file_read(Drawing *d)
     if (length >= (int)sizeof path) return case_value_error(d->r->err, node, " is too long a path");
     hawser_error why = {HAWSER_OK, ""};
     const hawser_status status = survey_read(path, &options, &d->survey, &why);
-    if (!status) return HAWSER_OK;
+    if (!status) return file_marks_add(&d->r->def->files, path, d->r->err);
     return error_set(d->r->err, status, "%s: %.700s", case_place(node->origin, node->line, where), why.message);
 }
 

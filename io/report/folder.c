@@ -131,6 +131,20 @@ hawser_status folder_read(const char *dir, Folder *folder, hawser_error *err)
     return status;
 }
 
+hawser_status folder_files(const Folder *folder, FileMarks *files, hawser_error *err)
+{
+    static const char *const names[] = {"summary.json", "stations.csv",     "rollers.csv",
+                                        "series.csv",   "inputs.csv",       "route.csv",
+                                        "results.h5",   "certificate.json", "sensitivities.json"};
+    hawser_status status = HAWSER_OK;
+    for (size_t k = 0; k < sizeof names / sizeof *names && !status; k++) {
+        char *const path = folder_path(folder, names[k]);
+        status = path ? file_marks_add(files, path, err) : error_memory(err);
+        free(path);
+    }
+    return status;
+}
+
 void folder_clear(Folder *folder)
 {
     Sheet *const sheet[] = {&folder->stations, &folder->rollers, &folder->series, &folder->inputs, &folder->route};

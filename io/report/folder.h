@@ -2,6 +2,7 @@
 #ifndef HAWSER_IO_REPORT_FOLDER_H
 #define HAWSER_IO_REPORT_FOLDER_H
 
+#include "core/base/file_marks.h"
 #include "io/report/sheet.h"
 
 struct json_t;
@@ -29,6 +30,8 @@ hawser_status folder_read(const char *dir, Folder *folder, hawser_error *err);
 void folder_clear(Folder *folder);
 /* The summary alone, and whether the files beside it belong to it. Arguments and errors as folder_read. */
 hawser_status folder_open(const char *dir, Folder *folder, hawser_error *err);
+/* Adds the folder's files of which pages and figures are made: nothing is to be written over them. Errors: MEMORY. */
+hawser_status folder_files(const Folder *folder, FileMarks *files, hawser_error *err);
 void folder_say(Folder *folder, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* dir/name, malloc'ed; NULL without memory. */

@@ -54,6 +54,28 @@ struct Results {
     double last_flush;
 };
 
+static hawser_status folder_spare(const char *dir, const FileMarks *files, hawser_error *err)
+{
+    static const char *const more[] = {CHECKPOINT_FILE, "results.h5.journal", MOVING};
+    enum { MORE = sizeof more / sizeof *more };
+    OutDir folder;
+    OutSpot spot;
+    hawser_status s = out_dir(&folder, dir, err);
+    for (int k = 0; k < FOLDER_FILES + MORE && !s; k++) {
+        s = out_spot(&spot, &folder, k < FOLDER_FILES ? folder_files[k] : more[k - FOLDER_FILES], err);
+        if (!s) s = file_marks_spare(files, spot.path, err);
+    }
+    return s;
+}
+
+hawser_status results_spare(const char *dir, const FileMarks *files, hawser_error *err)
+{
+    char earlier[OUT_PATH_MAX];
+    hawser_status s = folder_spare(dir, files, err);
+    if (!s) s = out_join(earlier, dir, EARLIER, err);
+    return s ? s : folder_spare(earlier, files, err);
+}
+
 /* Both files or none: one is of no use without the other. */
 static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error *err)
 {

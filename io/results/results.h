@@ -61,6 +61,10 @@ hawser_status results_summary(Results *r, const char *summary, int whole, hawser
 const OutDir *results_dir(const Results *r);
 Results *results_free(Results *r);
 
+/* Whether nothing that a run writes, moves or takes away in a folder is one of these files. Errors: INPUT that names
+ * it. */
+hawser_status results_spare(const char *dir, const FileMarks *files, hawser_error *err);
+
 /* Of folders whose runs are over. The tables once more, without the summary, which is to follow, and what had been made
  * of them; the results of `from`, a folder within the folder `to`, of the same case, in the place of those of `to`
  * (what has been moved already is there); `from` with all that a run leaves away. Errors: OUTPUT, MEMORY. */

@@ -2,6 +2,7 @@
 #ifndef HAWSER_IO_RESULTS_RESULTS_DEF_H
 #define HAWSER_IO_RESULTS_RESULTS_DEF_H
 
+#include "core/base/file_marks.h"
 #include "hawser/hawser.h"
 #include "sim/picture/envelope.h"
 #include "sim/picture/geometry.h"

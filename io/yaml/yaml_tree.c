@@ -44,6 +44,7 @@ CaseTree *case_tree_free(CaseTree *tree)
         free(origin);
         origin = next;
     }
+    free(tree->path);
     free(tree->folder);
     free(tree);
     return NULL;
@@ -92,7 +93,8 @@ hawser_status case_tree_load(const char *path, CaseTree **out, hawser_error *err
     status = tree_new(text, size, path, out, err);
     free(text);
     if (!status) (*out)->folder = folder_of(path);
-    if (!status && !(*out)->folder) {
+    if (!status) (*out)->path = strdup(path);
+    if (!status && (!(*out)->folder || !(*out)->path)) {
         *out = case_tree_free(*out);
         status = error_memory(err);
     }
@@ -105,7 +107,8 @@ CaseTree *case_tree_copy(const CaseTree *tree)
     if (!copy) return NULL;
     copy->root = node_clone(tree->root, NULL);
     copy->folder = tree->folder ? strdup(tree->folder) : NULL;
-    return copy->root && (copy->folder || !tree->folder) ? copy : case_tree_free(copy);
+    copy->path = tree->path ? strdup(tree->path) : NULL;
+    return copy->root && (copy->folder || !tree->folder) && (copy->path || !tree->path) ? copy : case_tree_free(copy);
 }
 
 /* One setting being made: where it comes from, and its key cut at the dots. */

@@ -44,6 +44,7 @@ void node_replace(CaseNode *old, CaseNode *by);
 typedef struct CaseTree {
     CaseNode *root;             /* a map */
     struct CaseOrigin *origins; /* the names of the places that nodes point at */
+    char *path;                 /* of its file; NULL: it came as a text */
     char *folder;               /* where the files that it includes are looked for; NULL: it came as a text, none are */
     int unlisted;               /* nobody will write down its inputs: they are not listed */
 } CaseTree;

@@ -35,6 +35,7 @@ static const OwnedArray owned[] = {
     OWNED(drawn, n_drawn),
     OWNED(assumptions, n_assumptions),
     OWNED(inputs, inputs_size),
+    OWNED(files.mark, files.n),
     OWNED(theory.wear, theory.n_wear),
     OWNED(theory.friction, theory.n_friction),
     OWNED(theory.machines, theory.n_machines),

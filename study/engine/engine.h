@@ -83,6 +83,8 @@ hawser_status quantities_check(const Study *s, hawser_error *err);
 hawser_status store_read(const Study *s, const char *dir, Rows *rows, hawser_error *err);
 /* Makes dir/workers and says whose it is; `fresh`: what is there is removed. Errors: OUTPUT, MEMORY. */
 hawser_status store_begin(const Study *s, const char *dir, int fresh, hawser_error *err);
+/* Whether nothing that a study writes into a folder is a file that it reads. Errors: INPUT that names it. */
+hawser_status store_spare(const Study *s, const char *dir, hawser_error *err);
 /* Which study's rows are in a folder: its file, path[OUT_PATH_MAX]. Errors: INPUT (there is none). */
 hawser_status store_study(const char *dir, char path[], hawser_error *err);
 /* A crew is the workers of one engine; its name begins those of its files. */

@@ -370,6 +370,24 @@ hawser_status store_begin(const Study *s, const char *dir, int fresh, hawser_err
     return status ? status : owner_write(s, folder, err);
 }
 
+hawser_status store_spare(const Study *s, const char *dir, hawser_error *err)
+{
+    static const char *const names[] = {"samples.csv", "study.h5", "study.html", "summary.json"};
+    char folder[OUT_PATH_MAX], path[OUT_PATH_MAX];
+    hawser_status status = out_join(folder, dir, "workers", err);
+    for (size_t k = 0; k < sizeof names / sizeof *names && !status; k++) {
+        status = out_join(path, dir, names[k], err);
+        if (!status) status = file_marks_spare(&s->files, path, err);
+    }
+    DIR *const workers = status ? NULL : opendir(folder);
+    for (const struct dirent *each; workers && !status && (each = readdir(workers));) {
+        status = out_join(path, folder, each->d_name, err);
+        if (!status) status = file_marks_spare(&s->files, path, err);
+    }
+    if (workers) closedir(workers);
+    return status;
+}
+
 hawser_status store_study(const char *dir, char path[], hawser_error *err)
 {
     char from[OUT_PATH_MAX], first[IDENTITY_MAX];

@@ -305,6 +305,17 @@ static void comparison_clear(Comparison *c)
     log_free(&c->log);
 }
 
+/* The page is none of the files that are compared. */
+static hawser_status page_spare(const Folder *folder, const char *log, const char *page, hawser_error *err)
+{
+    FileMarks files = {0};
+    hawser_status status = folder_files(folder, &files, err);
+    if (!status) status = file_marks_add(&files, log, err);
+    if (!status) status = file_marks_spare(&files, page, err);
+    file_marks_free(&files);
+    return status;
+}
+
 /* The usual speed of the run's winch: of a log that has neither length nor speed. NAN: not known. */
 static double usual_speed(const Folder *folder)
 {
@@ -335,6 +346,7 @@ hawser_status hawser_compare(const char *results, const char *log, const hawser_
         c.n_points = log_points(&c.log, c.axis, c.from, c.to, BINS, &c.point);
         if (c.n_points < 0) status = error_memory(e);
     }
+    if (!status && c.options.page) status = page_spare(&folder, log, c.options.page, e);
     if (!status && c.options.page) status = page_write_to(&c, results, log, e);
     if (!status) status = document_make(&c, results, log, text, e);
     comparison_clear(&c);

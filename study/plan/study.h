@@ -91,7 +91,8 @@ typedef struct Measured {
 
 typedef struct Study {
     CaseTree *tree;
-    char *path; /* of the file */
+    char *path;      /* of the file */
+    FileMarks files; /* from which it was read, with those of its base case */
     char title[256];
     hawser_case *base; /* with what the study sets */
     StudyKind kind;

@@ -36,7 +36,7 @@ hawser_status aim_read(const CaseReader *r, const CaseNode *section, Study *s);
 /* The log into s->measured, once parameters are known. Errors: INPUT, MEMORY. */
 hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study *s);
 /* A path beside the study's file, malloc'ed; NULL without memory. */
-char *path_beside(const Study *s, const char *path);
+char *path_beside(Study *s, const char *path);
 /* The correlations into s->factor. Errors: INPUT, MEMORY. */
 hawser_status correlations_read(const CaseReader *r, const CaseNode *list, Study *s);
 

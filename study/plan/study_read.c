@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "io/api/api_handles.h"
 #include "study/plan/study_keys.h"
 
 /* The ways to go about it; a sensitivity says which. */
@@ -32,12 +33,15 @@ static hawser_status kind_find(const CaseReader *r, Study *s, const CaseNode **w
                           n ? "there is another way to go about it beside it" : "nothing says how to vary");
 }
 
-char *path_beside(const Study *s, const char *path)
+/* What is named so is read. */
+char *path_beside(Study *s, const char *path)
 {
     char *const full = malloc(strlen(s->tree->folder) + strlen(path) + 2);
     if (full && *path == '/') strcpy(full, path);
     if (full && *path != '/') sprintf(full, "%s/%s", s->tree->folder, path);
-    return full;
+    if (!full || !file_marks_add(&s->files, full, NULL)) return full;
+    free(full);
+    return NULL;
 }
 
 /* The base case, with what the study sets. Its own messages name it. */
@@ -201,7 +205,9 @@ static hawser_status middle_check(const CaseReader *r, Study *s)
     hawser_case *c = NULL;
     study_middle(s, x);
     hawser_status status = study_case(s, x, &c, &found);
+    if (!status) c->tree->unlisted = 0;
     if (!status) status = hawser_case_check(c, &found);
+    if (!status) status = file_marks_join(&s->files, &c->def.files, &found);
     hawser_case_free(c);
     if (status != HAWSER_ERR_INPUT) return status ? error_set(r->err, status, "%s", found.message) : HAWSER_OK;
     const CaseNode *blame = r->root;
@@ -255,6 +261,7 @@ hawser_status study_read(const char *path, Study **out, hawser_error *err)
     if (!status) s->path = strdup(path);
     if (!status && !s->path) status = error_memory(err);
     if (!status) status = case_tree_load(path, &s->tree, err);
+    if (!status) status = file_marks_add(&s->files, path, err);
     if (!status) {
         const CaseReader r = {.units = units, .root = s->tree->root, .folder = s->tree->folder, .err = err};
         status = study_fill(&r, s);
@@ -286,6 +293,7 @@ Study *study_free(Study *s)
     free((char *)(size_t)s->aim.name);
     hawser_case_free(s->base);
     case_tree_free(s->tree);
+    file_marks_free(&s->files);
     free(s->path);
     free(s);
     return NULL;

@@ -49,6 +49,8 @@ static void cases(void)
     REFUSED("value", hawser_case_set, c, "a", NULL);
     REFUSED("c", hawser_case_folder, NULL, ".");
     REFUSED("folder", hawser_case_folder, c, NULL);
+    REFUSED("c", hawser_case_spares, NULL, "x");
+    REFUSED("path", hawser_case_spares, c, NULL);
     error = (hawser_error){.status = HAWSER_OK};
     assert_int_equal(hawser_case_check(NULL, &error), HAWSER_ERR_INPUT);
     REFUSED("c", hawser_case_describe, NULL, HAWSER_JSON, &text);
