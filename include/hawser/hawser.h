@@ -146,7 +146,7 @@ void hawser_sim_record(hawser_sim *s);
  * Where that leaves numerical errors alone open it is done once or twice more with finer settings, unless solver.passes
  * forbids it (hawser_summary, `passes`); where those results replace the first, all calls speak of the last pass then.
  * `progress` (may be NULL) is called a few times a second; a value other than 0 stops the run cleanly (HAWSER_STOPPED,
- * with what was computed written; in a finer pass the results are those before it). */
+ * with what was computed written; in a finer pass the results are those before it). OUTPUT: a renamed `dir`, too. */
 typedef int (*hawser_progress)(void *user, const hawser_sample *sample, double wall_s, double end_s);
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
 

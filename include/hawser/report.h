@@ -29,6 +29,10 @@ hawser_status hawser_plot_write(const char *folder, const char *dir, size_t n, c
  * Errors: INPUT (no results; which file is not the run's), MEMORY. */
 hawser_status hawser_results_check(const char *folder, hawser_error *err);
 
+/* Whether a file may be written without harm to the case: INPUT if `path` leads to one that the case is read from
+ * (itself, what it includes, its route, its drawing). Runs and whatever else the library writes look themselves. */
+hawser_status hawser_case_spares(hawser_case *c, const char *path, hawser_error *err);
+
 #ifdef __cplusplus
 }
 #endif

@@ -210,13 +210,11 @@ typedef struct SceneDef {
     int n_beside, between_chains;
     struct SceneDef *beside; /* [n_beside] the others, whose own of this are empty; they touch if between_chains */
 
-    int n_drawn;
+    int n_drawn, n_assumptions, n_inputs, inputs_size;
     DrawnDef *drawn;
-    int n_assumptions;
     hawser_assumption *assumptions; /* what the case did not say itself */
-    int n_inputs, inputs_size;
-    char *inputs;    /* [inputs_size] n_inputs times INPUT_TEXTS texts, each with a NUL */
-    FileMarks files; /* from which it was read */
+    char *inputs;                   /* [inputs_size] n_inputs times INPUT_TEXTS texts, each with a NUL */
+    FileMarks files;                /* from which it was read */
 } SceneDef;
 
 /* What is known of a key of the case, for those who read the results: its dotted name, its value as it was written, the
