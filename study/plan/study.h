@@ -87,6 +87,8 @@ typedef struct Measured {
     double *weight;  /* [n] of a residual */
     long lost, starts;
     double width; /* m: of the parts that readings are averaged over */
+    int n_notes;
+    char note[LOG_NOTES][LOG_NOTE_MAX]; /* of the log: which columns were taken, what was assumed */
 } Measured;
 
 typedef struct Study {
