@@ -2,6 +2,7 @@
  * the layout here may change. It begins with the answer; what it cost to compute is said on request alone. */
 #include "cli/commands.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -239,7 +240,8 @@ static void report_limits(const Report *r, int n, const hawser_limit *limit)
     if (n > 0) printf("\nLimits\n  %-14s %13s %13s %9s\n", "", "found", "allowed", "margin");
     for (int i = 0; i < n; i++) {
         const hawser_limit *l = &limit[i];
-        hawser_show_text(l->where, r->units, where, sizeof where);
+        if (isdigit((unsigned char)*l->where)) hawser_show_text(l->where, r->units, where, sizeof where);
+        if (!isdigit((unsigned char)*l->where)) snprintf(where, sizeof where, "%s", l->where); /* a name */
         hawser_show_text(l->source, r->units, source, sizeof source);
         int used = printf("  %-14s %13s %13s ", l->name, hawser_show(l->value, l->unit, r->units, found),
                           hawser_show(l->limit, l->unit, r->units, allowed));

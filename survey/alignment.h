@@ -56,8 +56,8 @@ typedef struct Alignment {
 /* A point with a name on a layer: what a drawing says of equipment. */
 typedef struct SurveyMark {
     char name[SURVEY_NAME_MAX], layer[SURVEY_NAME_MAX];
-    Vec3 at;        /* m; of a table by stations NAN */
-    double station; /* m along the line, of such a table; else NAN */
+    Vec3 at;        /* m; NAN in a table where it is not said */
+    double station; /* m, by the table; else NAN */
     double heading; /* rad, by which its symbol is turned; NAN: it has none */
     long line;      /* of the file, where it begins; 0: lines say nothing */
 } SurveyMark;

@@ -83,10 +83,10 @@ static const hawser_limit *limit_called(int n, const hawser_limit *limit, const 
 /* What was found at its worst place, and what to do if that is too much, unless that was `said` just before. */
 static void limit_lines(Answer *a, const Scene *scene, const char *word, const hawser_limit *l, char said[REMEDY_MAX])
 {
-    char found[HAWSER_SHOWN_MAX], margin[128], remedy[REMEDY_MAX];
+    char found[HAWSER_SHOWN_MAX], margin[128], remedy[REMEDY_MAX], where[sizeof l->where + 2];
     say_margin(l, a->units, margin, sizeof margin);
     answer_line(a, word, "%s %s%s%s; %s", l->name, hawser_show(l->value, l->unit, a->units, found),
-                *l->where ? " at " : "", l->where, margin);
+                *l->where ? " at " : "", place_mark(l->where, where, sizeof where), margin);
     if (l->ok) return;
     limit_remedy(scene, l, a->units, remedy);
     if (*remedy && strcmp(remedy, said) != 0) answer_line(a, "remedy", "%s", remedy);
@@ -227,8 +227,8 @@ static void place_lines(Answer *a, const hawser_summary *s)
                     hawser_show(p->sidewall_N_per_m, "N/m", a->units, what),
                     hawser_show(p->sidewall_at_m, "m", a->units, at));
     if (p->roller)
-        answer_line(a, "", "roller load there up to %s, on %s", hawser_show(p->roller_N, "N", a->units, what),
-                    p->roller);
+        answer_line(a, "", "roller load there up to %s, on %c%s%c", hawser_show(p->roller_N, "N", a->units, what),
+                    NAME_BEGINS, p->roller, NAME_ENDS);
 }
 
 /* Why the figures are not to be trusted, one reason a line; or that they are. */

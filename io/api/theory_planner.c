@@ -168,7 +168,8 @@ static void answer_say(const InverseAnswer *a, AnswerRow *row)
                        .value = a->value,
                        .binds = a->binds,
                        .place = a->where};
-    snprintf(row->question, sizeof row->question, "%s%s%s", questions[a->kind], *a->what ? ": " : "", a->what);
+    snprintf(row->question, sizeof row->question, "%s%s%s%s", questions[a->kind], *a->what ? ": '" : "", a->what,
+             *a->what ? "'" : "");
     result_say(a, row->result);
 }
 

@@ -442,7 +442,7 @@ static hawser_status origin_read(const CaseReader *r, const CaseNode *node, Vec3
 /* -------------------------------------------------------------------------------------------------- of a file */
 
 /* The line of a file, with its own heights or another file's. */
-static hawser_status file_line(const CaseReader *r, const CaseNode *node, const RouteRecord *in, RouteLine *out)
+static hawser_status file_line(CaseReader *r, const CaseNode *node, const RouteRecord *in, RouteLine *out)
 {
     const CaseNode *const profile = case_node_key(node, "profile");
     HeightRecord heights = {.line = {.file = ""}};
@@ -471,6 +471,8 @@ static hawser_status file_line(const CaseReader *r, const CaseNode *node, const 
         status = line_route(&used, &options, r->def->route_origin, out, &why);
         if (status) status = case_key_cause(r->err, node, "file", in->line.file, &why);
     }
+    r->route_station = used.line.station;
+    r->stations = in->reverse ? -1 : 1;
     alignment_clear(&used.line);
     return status;
 }
@@ -539,7 +541,7 @@ static hawser_status transition_read(const CaseReader *r, RouteRecord *in)
 }
 
 /* The route as a line of pieces that counts from the origin. */
-static hawser_status line_read(const CaseReader *r, const CaseNode *node, const RouteRecord *in, RouteLine *out)
+static hawser_status line_read(CaseReader *r, const CaseNode *node, const RouteRecord *in, RouteLine *out)
 {
     const CaseNode *const points = case_node_key(node, "points"), *const plan = case_node_key(node, "plan");
     const CaseNode *profile;

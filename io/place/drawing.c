@@ -166,6 +166,39 @@ static void name_make(const Layer *layer, const SurveyMark *mark, int number, ch
         snprintf(name, NAME_ROOM, "%.*s", (int)length, text);
 }
 
+/* Where along the route a station of its file is: such count level lengths, from the file's number for its beginning.
+ * Past the ends they go on. */
+static double along_of(const Drawing *d, double station)
+{
+    enum { STEPS_LEAST = 200, STEPS_MOST = 20000 };
+    static const double STEP = 0.25; /* m */
+    const CaseReader *const r = d->r;
+    const double length = r->route.length, level = r->stations * (station - r->route_station);
+    const int n = (int)fmin(fmax(length / STEP, STEPS_LEAST), STEPS_MOST);
+    double done = 0;
+    if (r->stations == 0) return station;
+    if (level <= 0) return level;
+    for (int k = 0; k < n; ++k) {
+        const Vec3 t = route_at(&r->route, (k + 0.5) * length / n).tangent;
+        const double part = hypot(t.x, t.y) * length / n;
+        if (part > 0 && done + part >= level) return (k + (level - done) / part) * length / n;
+        done += part;
+    }
+    return length + level - done;
+}
+
+/* What a table says by x and y and by a station must agree; stations may count along the route too, as our own lists
+ * of equipment do. */
+static hawser_status station_check(const Drawing *d, const Placed *p)
+{
+    const double along = along_of(d, p->mark->station), s = p->near.s, tolerance = d->record.tolerance;
+    if (fmin(fabs(s - along), fabs(s - p->mark->station)) <= tolerance) return HAWSER_OK;
+    return mark_error(d, p->mark,
+                      "is at %.6g m along the route by x and y, and at %.6g m by its station %.6g m: allowed are %g m "
+                      "between them (drawing.tolerance)",
+                      s, along, p->mark->station, tolerance);
+}
+
 /* (PC1), or the station that the mark gives. *far: too far away, which is not an error with `far: skip`. */
 static hawser_status mark_place(const Drawing *d, const Layer *layer, Placed *p, int *far)
 {
@@ -173,8 +206,9 @@ static hawser_status mark_place(const Drawing *d, const Layer *layer, Placed *p,
     const double tolerance = d->record.tolerance, length = d->r->route.length;
     const int at_end = !layer->what && layer->record.mark != MARK_HEAD;
     *far = 0;
-    if (!isnan(mark->station)) {
-        p->near = (Nearest){.s = mark->station, .other = INFINITY};
+    const int placed = !isnan(mark->at.x), of_file = d->path != NULL;
+    if (!placed) {
+        p->near = (Nearest){.s = of_file ? along_of(d, mark->station) : mark->station, .other = INFINITY};
     } else {
         p->near = route_nearest(&d->grid, v3_sub(mark->at, d->r->def->route_origin), d->record.heights);
     }
@@ -193,7 +227,7 @@ static hawser_status mark_place(const Drawing *d, const Layer *layer, Placed *p,
         return mark_error(d, mark, "is as near to %.6g m along the route as to %.6g m: %s", near->s, near->other_s,
                           d->record.heights ? "move it" : "give it a height, with 'heights: true'");
     }
-    return HAWSER_OK;
+    return placed && !isnan(mark->station) ? station_check(d, p) : HAWSER_OK;
 }
 
 /* ------------------------------------------------------------------------------------------- into the tree */

@@ -144,4 +144,11 @@ void document_print(FILE *f, const Document *doc, hawser_units units);
 /* The text in a format; malloc'ed. Errors: MEMORY. */
 hawser_status document_write(const Document *doc, hawser_format format, char **text, hawser_error *err);
 
+/* In a text that hawser_show_text is to have: what stands between these two is a name of the user's, which stays as it
+ * is; they go. */
+enum { NAME_BEGINS = '\x02', NAME_ENDS = '\x03' };
+/* A place as a limit has it ("17.3 m (out)", "3.0 m on floor", "R12"), its name between them; a place with a name in
+ * brackets needs none. Returns `text`. */
+const char *place_mark(const char *place, char *text, size_t size);
+
 #endif

@@ -72,6 +72,33 @@ static double column_size(const Page *page, const Column *of)
     return size;
 }
 
+/* Whether a name is that of a station that nobody has named, "30 m" at 30 m. */
+static int is_plain_place(const Page *page, int row, const char *name)
+{
+    char metres[HAWSER_SHOWN_MAX] = "";
+    for (int c = 0; c < page->table->columns.n; ++c) {
+        const Column *const column = &page->table->columns.column[c];
+        if (!strcmp(column->key, "s_m")) snprintf(metres, sizeof metres, "%g m", cell_of(page, row, column).value);
+    }
+    return strcmp(metres, name) == 0;
+}
+
+/* A text of a cell: names are the user's and stay; elsewhere quantities are turned. */
+static const char *say_words(const Page *page, const Column *column, int row, const char *words, char *text)
+{
+    static const char *const names[] = {"name",       "piece",     "layer", "chain", "cable",
+                                        "max_roller", "parameter", "key",   "file",  "case"};
+    static const char *const places[] = {"ends_at"};
+    char marked[CELL_MAX];
+    for (size_t k = 0; k < sizeof names / sizeof *names; ++k) {
+        if (!strcmp(column->key, names[k]) && !is_plain_place(page, row, words)) return words;
+    }
+    for (size_t k = 0; k < sizeof places / sizeof *places; ++k) {
+        if (!strcmp(column->key, places[k])) words = place_mark(words, marked, sizeof marked);
+    }
+    return hawser_show_text(words, page->units, text, CELL_MAX);
+}
+
 /* A cell as people read it; `text` has CELL_MAX bytes. */
 static const char *say_cell(const Page *page, const Shape *shape, int row, char *text)
 {
@@ -80,7 +107,7 @@ static const char *say_cell(const Page *page, const Shape *shape, int row, char 
         const char *const unit = scale_of(cell.text, row_size(page, row, shape->column), page->units).unit;
         return strcmp(unit, "1") ? unit : "";
     }
-    if (cell.text) return hawser_show_text(cell.text, page->units, text, CELL_MAX);
+    if (cell.text) return say_words(page, shape->column, row, cell.text, text);
     if (!isfinite(cell.value)) return "-";
     if (shape->unit_at >= 0) {
         const Column *const by = &page->table->columns.column[shape->unit_at];

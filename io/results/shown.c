@@ -303,14 +303,67 @@ static double value_of(const char *number, size_t length)
     return (*number == '-' ? -1 : 1) * value * pow(10, (double)power);
 }
 
+/* Where what is in brackets at p ends, behind the last one; NULL: they do not close. */
+static const char *bracket_end(const char *p)
+{
+    int open = 0;
+    for (; *p; ++p) {
+        open += (*p == '(') - (*p == ')');
+        if (open == 0) return p + 1;
+    }
+    return NULL;
+}
+
+/* How long the user's own words at p are, which stay as they are: in quotes, between marks, or in brackets behind a
+ * length, as the name of a place is ("17.3 m (out)"). 0: none. behind: where the last length has ended. */
+static size_t name_at(const char *start, const char *p, const char *behind)
+{
+    const char *end = NULL;
+    if (*p == NAME_BEGINS) end = strchr(p, NAME_ENDS);
+    if (*p == NAME_BEGINS) return end ? (size_t)(end + 1 - p) : 0;
+    if (*p == '(' && behind && p == behind + 1) end = bracket_end(p);
+    if (*p == '\'' && (p == start || !isalnum((unsigned char)p[-1]))) {
+        end = strchr(p + 1, '\'');
+        while (end && isalnum((unsigned char)end[1])) end = strchr(end + 1, '\'');
+        if (end) ++end;
+    }
+    return end ? (size_t)(end - p) : 0;
+}
+
+/* Adds n bytes without marks, as far as there is room. */
+static size_t plain_add(const char *from, size_t n, char *text, size_t used, size_t size)
+{
+    for (size_t i = 0; i < n && used + 1 < size; ++i) {
+        if (from[i] != NAME_BEGINS && from[i] != NAME_ENDS) text[used++] = from[i];
+    }
+    return used;
+}
+
+const char *place_mark(const char *place, char *text, size_t size)
+{
+    static const char on[] = " m on ";
+    const size_t digits = number_at(place, place);
+    const int bare = digits > 0 && !strncmp(place + digits, " m", 2) &&
+                     (!place[digits + 2] || !strncmp(place + digits + 2, " (", 2));
+    const size_t before = digits > 0 && !strncmp(place + digits, on, sizeof on - 1) ? digits + sizeof on - 1 : 0;
+    if (bare || !*place) snprintf(text, size, "%s", place);
+    if (!bare && *place) snprintf(text, size, "%.*s%c%s%c", (int)before, place, NAME_BEGINS, place + before, NAME_ENDS);
+    return text;
+}
+
 const char *hawser_show_text(const char *sentence, hawser_units units, char *text, size_t size)
 {
-    const char *p = sentence;
+    const char *p = sentence, *behind = NULL; /* where the last length has ended */
     size_t used = 0;
     if (!sentence || !text || size == 0) return "";
-    if (units == HAWSER_SI) return snprintf(text, size, "%s", sentence), text;
-    while (*p && used + HAWSER_SHOWN_MAX < size) {
-        const size_t length = number_at(sentence, p);
+    if (units == HAWSER_SI) used = plain_add(sentence, strlen(sentence), text, 0, size);
+    while (units != HAWSER_SI && *p && used + HAWSER_SHOWN_MAX < size) {
+        const size_t own = name_at(sentence, p, behind), length = number_at(sentence, p);
+        if (own > 0) {
+            used = plain_add(p, own, text, used, size);
+            p += own;
+            continue;
+        }
         int gap = -1;
         const Pair *const unit = length > 0 ? unit_behind(sentence, p + length, &gap) : NULL;
         if (!unit || !unit->us) {
@@ -326,6 +379,7 @@ const char *hawser_show_text(const char *sentence, hawser_units units, char *tex
         used += (size_t)snprintf(text + used, size - used, "%s", shown);
         p += length;
         if (gap >= 0) p += (size_t)gap + strlen(unit->si);
+        if (gap >= 0 && !strcmp(unit->si, "m")) behind = p;
     }
     text[used] = 0;
     return text;

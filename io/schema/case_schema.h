@@ -77,7 +77,9 @@ extern const char *const case_ramps[];
 typedef struct CaseReader {
     Units *units;
     SceneDef *def;
-    Route route; /* built once its section is read, for what lies along it */
+    Route route;          /* built once its section is read, for what lies along it */
+    double route_station; /* m: the number of the route's file for where the route begins */
+    int stations;         /* how these numbers go along it: 1 rising, -1 falling, 0: it has none */
     const CaseNode *root;
     CaseNode *own;      /* the same where it may be added to: a copy; NULL: nobody adds to it */
     const char *folder; /* where files are looked for that it names; NULL: nowhere */

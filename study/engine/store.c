@@ -14,103 +14,17 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "io/api/api_handles.h"
 #include "io/results/results_file.h"
 #include "study/engine/engine.h"
+#include "study/engine/hash.h"
 
-enum { STORE_FORMAT = 2, IDENTITY_MAX = 128, RECORD_MAX = 1 << 16, OWNER_MOST = 1 << 16 };
+enum { IDENTITY_MAX = 128, RECORD_MAX = 1 << 16, OWNER_MOST = 1 << 16 };
 
-/* ------------------------------------------------------------------------------------------------------- identity */
-
-/* FNV-1a, 64 bits. */
-typedef uint64_t Hash;
-static const Hash HASH_BEGIN = 14695981039346656037u;
-
-static Hash hash_bytes(Hash h, const void *from, size_t size)
-{
-    for (const unsigned char *p = from, *end = p + size; p < end; p++) h = (h ^ *p) * 1099511628211u;
-    return h;
-}
-
-/* With its end, so that "ab", "c" is not "a", "bc". */
-static Hash hash_text(Hash h, const char *text)
-{
-    return hash_bytes(h, text ? text : "\1", text ? strlen(text) + 1 : 2);
-}
-static Hash hash_number(Hash h, double x) { return hash_bytes(h, &x, sizeof x); }
-
-static Hash hash_node(Hash h, const CaseNode *node)
-{
-    h = hash_number(hash_text(hash_text(h, node->key), node->text), node->kind);
-    for (const CaseNode *child = node->first; child; child = child->next) h = hash_node(h, child);
-    return hash_text(h, "end");
-}
-
-static Hash hash_parameter(Hash h, const Parameter *p)
-{
-    const double law[] = {p->law.kind, p->law.a,  p->law.b,     p->law.c, p->law.low,
-                          p->law.high, p->chosen, p->n_choices, p->whole, p->start};
-    h = hash_text(hash_text(h, p->name), p->unit);
-    for (int k = 0; k < p->n_keys; k++) h = hash_text(h, p->key[k]);
-    h = hash_bytes(h, law, sizeof law);
-    for (int k = 0; k < p->n_choices; k++) {
-        h = hash_text(h, p->choice[k]);
-        if (p->weight) h = hash_number(h, p->weight[k]);
-    }
-    return h;
-}
-
-static Hash hash_aim(Hash h, const Aim *a)
-{
-    const double plain[] = {a->most, a->limits, a->method, a->searches, a->tolerance, (double)a->evaluations};
-    h = hash_bytes(h, plain, sizeof plain);
-    for (int k = 0; k < a->n_terms; k++) {
-        const double one[] = {a->term[k].of.parameter, a->term[k].of.quantity, a->term[k].weight};
-        h = hash_bytes(h, one, sizeof one);
-    }
-    for (int k = 0; k < a->n_constraints; k++) {
-        const Constraint *const c = &a->constraint[k];
-        const double one[] = {c->of.parameter, c->of.quantity, c->least, c->most};
-        h = hash_bytes(h, one, sizeof one);
-    }
-    return h;
-}
-
-/* All that a row depends on: the program, the base case and the files that it takes in, as far as they show in what is
- * built; what is varied and looked at. The number of samples only where the points depend on it, so that a study may be
- * made longer. */
-static hawser_status identity(const Study *s, Hash *out, hawser_error *err)
-{
-    char *built = NULL;
-    const hawser_status status = hawser_case_describe(s->base, HAWSER_JSON, &built, NULL);
-    if (status == HAWSER_ERR_MEMORY) return error_memory(err);
-    Hash h = hash_text(hash_text(HASH_BEGIN, hawser_version()), built); /* a base that is no case by itself: nothing */
-    hawser_text_free(built);
-    h = hash_node(h, s->base->tree->root);
-    char version[32];
-    const int whole = s->kind != STUDY_MONTE_CARLO || s->points == POINTS_LATIN;
-    const double plain[] = {s->kind,          s->fidelity,     s->pilot ? 0 : s->close[0],
-                            (double)s->pilot, (double)s->seed, s->kind == STUDY_MONTE_CARLO ? s->points : 0,
-                            STORE_FORMAT,     sizeof(Row),     whole ? (double)s->samples : 0};
-    h = hash_bytes(h, plain, sizeof plain);
-    for (int j = 0; j < s->n_parameters; j++) h = hash_parameter(h, &s->parameter[j]);
-    const size_t d = (size_t)s->n_parameters;
-    if (s->factor) h = hash_bytes(h, s->factor, d * d * sizeof *s->factor);
-    for (int q = 0; q < s->n_quantities; q++) h = hash_number(hash_text(h, s->quantity[q].path), s->quantity[q].of);
-    for (int k = 0; k < s->measured.n; k++) {
-        const LogPoint *const p = &s->measured.point[k];
-        const double one[] = {p->at, p->force, p->restart, s->measured.weight[k]};
-        h = hash_bytes(h, one, sizeof one);
-    }
-    if (study_searches(s)) h = hash_text(hash_aim(h, &s->aim), search_version(version));
-    *out = h;
-    return HAWSER_OK;
-}
-
+/* The line by which a folder knows whose it is. */
 static hawser_status identity_say(const Study *s, char text[IDENTITY_MAX], hawser_error *err)
 {
-    Hash h = 0;
-    const hawser_status status = identity(s, &h, err);
+    uint64_t h = 0;
+    const hawser_status status = study_identity(s, NULL, &h, err);
     snprintf(text, IDENTITY_MAX, "hawser study %016llx\n", (unsigned long long)h);
     return status;
 }
@@ -427,8 +341,8 @@ hawser_status store_study(const char *dir, char path[], hawser_error *err)
 
 hawser_status store_name(const Study *s, const char *dir, char name[STORE_NAME_MAX], hawser_error *err)
 {
-    Hash h = 0;
-    const hawser_status status = identity(s, &h, err);
-    snprintf(name, STORE_NAME_MAX, "hawser-%016llx", (unsigned long long)hash_text(h, dir));
+    uint64_t h = 0;
+    const hawser_status status = study_identity(s, dir, &h, err);
+    snprintf(name, STORE_NAME_MAX, "hawser-%016llx", (unsigned long long)h);
     return status;
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "core/base/error.h"
 #include "io/yaml/units.h"
@@ -161,36 +162,72 @@ static int has_word(const char *name, const char *list)
     return 0;
 }
 
-/* How many SI units a unit of a kind is; 0: it is none. Loggers weigh forces. */
+/* Units by other names than a case takes, whatever their letters; loggers weigh forces. */
+static const struct UnitName {
+    const char *name, *unit;
+    double times;
+} unit_names[] = {
+    {"kg", "kgf", 1},       {"kp", "kgf", 1},        {"lb", "lbf", 1},       {"lbs", "lbf", 1},
+    {"kn", "kN", 1},        {"sec", "s", 1},         {"secs", "s", 1},       {"second", "s", 1},
+    {"seconds", "s", 1},    {"sekunden", "s", 1},    {"min", "min", 1},      {"mins", "min", 1},
+    {"minute", "min", 1},   {"minutes", "min", 1},   {"minuten", "min", 1},  {"hr", "h", 1},
+    {"hrs", "h", 1},        {"hour", "h", 1},        {"hours", "h", 1},      {"stunden", "h", 1},
+    {"metre", "m", 1},      {"metres", "m", 1},      {"meter", "m", 1},      {"meters", "m", 1},
+    {"ft", "ft", 1},        {"foot", "ft", 1},       {"feet", "ft", 1},      {"inch", "in", 1},
+    {"inches", "in", 1},    {"yd", "ft", 3},         {"yard", "ft", 3},      {"yards", "ft", 3},
+    {"kilometre", "km", 1}, {"kilometres", "km", 1}, {"kilometer", "km", 1}, {"kilometers", "km", 1},
+};
+
+/* The entry of a word; NULL: there is none. */
+static const struct UnitName *unit_name_of(const char *word, size_t length)
+{
+    for (size_t k = 0; k < sizeof unit_names / sizeof *unit_names; k++) {
+        if (strlen(unit_names[k].name) == length && strncasecmp(word, unit_names[k].name, length) == 0)
+            return &unit_names[k];
+    }
+    return NULL;
+}
+
+/* How many SI units a unit of a kind is; 0: it is none. */
 static double unit_scale(const Reader *r, const char *unit, LogColumn kind)
 {
-    static const char *const other[][2] = {{"kg", "kgf"},  {"kp", "kgf"},  {"lb", "lbf"}, {"lbs", "lbf"},
-                                           {"KN", "kN"},   {"kn", "kN"},   {"sec", "s"},  {"Sekunden", "s"},
-                                           {"meter", "m"}, {"metres", "m"}};
-    char text[UNIT_TEXT_MAX + 8], why[UNITS_WHY_MAX];
-    double scale;
+    char text[2 * UNIT_TEXT_MAX + 8] = "1 ", why[UNITS_WHY_MAX];
+    double scale, times = 1;
+    size_t n = 2;
     if (!*unit || strlen(unit) >= UNIT_TEXT_MAX) return 0;
     if (kind == OF_FORCE && strcmp(unit, "daN") == 0) return 10;
     if (kind == OF_FORCE && (strcmp(unit, "t") == 0 || strcmp(unit, "to") == 0)) return 1000 * UNIT_GRAVITY;
-    for (size_t k = 0; k < sizeof other / sizeof *other; k++) {
-        if (strcmp(unit, other[k][0]) == 0) unit = other[k][1];
+    for (const char *at = unit; *at;) {
+        size_t length = 0;
+        while (isalpha((unsigned char)at[length])) length++;
+        const struct UnitName *const name = unit_name_of(at, length);
+        if (name && name->times != 1 && at != unit) return 0;
+        if (name) times = name->times * times;
+        const size_t size = name ? strlen(name->unit) : length > 0 ? length : 1;
+        memcpy(text + n, name ? name->unit : at, size);
+        n += size;
+        at += length > 0 ? length : 1;
     }
-    snprintf(text, sizeof text, "1 %s", unit);
-    return units_read(r->units, text, kinds[kind].dimension, &scale, why) && scale > 0 ? scale : 0;
+    text[n] = 0;
+    return units_read(r->units, text, kinds[kind].dimension, &scale, why) && scale > 0 ? times * scale : 0;
 }
 
-/* The unit in a name: in brackets, behind "/" or "in", or its last words behind "_", "per" a "/"; 0: there is none. */
-static double head_scale(const Reader *r, const char *name, LogColumn kind)
+/* A text without blanks around it, and no more than n of it. */
+static void unit_trim(const char *text, size_t n, char unit[UNIT_TEXT_MAX])
 {
-    char unit[UNIT_TEXT_MAX] = "";
-    const size_t open = strcspn(name, "[(");
-    if (name[open]) {
-        snprintf(unit, sizeof unit, "%.*s", (int)strcspn(name + open + 1, "])"), name + open + 1);
-        return unit_scale(r, unit, kind);
-    }
-    const char *const in = strstr(name, " in "), *const slash = strstr(name, " / ");
-    if (in || slash) return unit_scale(r, in ? in + 4 : slash + 3, kind);
-    for (const char *at = strpbrk(name, "_ "); at; at = strpbrk(at + 1, "_ ")) {
+    while (n > 0 && *text == ' ') text++, n--;
+    while (n > 0 && text[n - 1] == ' ') n--;
+    snprintf(unit, UNIT_TEXT_MAX, "%.*s", (int)n, text);
+}
+
+static const char parts[] = "_ /-,:";
+
+/* The unit among a name's words: its end from some word on, "per" a "/"; else one word, "length_ft_raw". 0: none. */
+static double words_scale(const Reader *r, const char *name, LogColumn kind)
+{
+    char unit[UNIT_TEXT_MAX];
+    double last = unit_scale(r, name, kind);
+    for (const char *at = strpbrk(name, parts); at && !(last > 0); at = strpbrk(at + 1, parts)) {
         size_t n = 0;
         for (const char *c = at + 1; *c && n < sizeof unit - 1; n++) {
             const int per = strncmp(c, "_per_", 5) == 0;
@@ -198,10 +235,38 @@ static double head_scale(const Reader *r, const char *name, LogColumn kind)
             c += per ? 5 : 1;
         }
         unit[n] = 0;
-        const double scale = unit_scale(r, unit, kind);
-        if (scale > 0) return scale;
+        last = unit_scale(r, unit, kind);
     }
-    return 0;
+    if (last > 0) return last;
+    for (const char *at = strpbrk(name, parts); at; at = strpbrk(at + 1, parts)) {
+        unit_trim(at + 1, strcspn(at + 1, parts), unit);
+        const double scale = unit_scale(r, unit, kind);
+        if (scale > 0) last = scale;
+    }
+    return last;
+}
+
+/* The unit in a name: in the last of its brackets that has one, behind "/" or "in", or among its words. 0: there is
+ * none; -1: what stands there as `unit` is none that is known. */
+static double head_scale(const Reader *r, const char *name, LogColumn kind, char unit[UNIT_TEXT_MAX])
+{
+    double found = 0;
+    for (const char *at = strpbrk(name, "[("); at; at = strpbrk(at + 1, "[(")) {
+        char inside[UNIT_TEXT_MAX];
+        unit_trim(at + 1, strcspn(at + 1, "])"), inside);
+        const double scale = unit_scale(r, inside, kind);
+        if (scale > 0) found = scale;
+        if (found > 0 || !*inside) continue;
+        strcpy(unit, inside);
+        found = -1;
+    }
+    if (found != 0) return found;
+    const char *const in = strstr(name, " in "), *const slash = strstr(name, " / ");
+    if (!in && !slash) return words_scale(r, name, kind);
+    const char *const behind = in ? in + 4 : slash + 3;
+    unit_trim(behind, strlen(behind), unit);
+    found = unit_scale(r, unit, kind);
+    return found > 0 ? found : -1;
 }
 
 /* Which column is what; whether there is a force and something that it is over. */
@@ -220,34 +285,55 @@ static int head_read(Reader *r)
     return r->column[OF_FORCE] >= 0 && (r->column[OF_TIME] >= 0 || r->column[OF_LENGTH] >= 0);
 }
 
-/* The units of the columns from the head, or from the row below it where that has no number; *below: it was read so. */
-static hawser_status units_find(Reader *r, char *const name[CELLS_MAX], int names, PullLog *log, int *below)
+/* Head and units as they stand. */
+typedef struct Head {
+    int line, names, units; /* cells of the row of names, of that of units; 0: not there */
+    char *name[CELLS_MAX], *unit[CELLS_MAX];
+} Head;
+
+/* What a column's unit may be. */
+static hawser_status unit_refuse(const Reader *r, const Head *h, LogColumn kind, const char *unit)
 {
-    char place[CASE_PLACE_MAX];
-    const int force = r->column[OF_FORCE];
-    *below = force < r->n && isnan(cell_value(r, r->cell[force])) && *r->cell[force];
-    for (int k = 0; k < LOG_COLUMNS; k++) {
-        const int c = r->column[k];
-        if (c < 0 || c >= names) continue;
-        char unit[UNIT_TEXT_MAX] = "";
-        if (*below && c < r->n) {
-            const char *const text = r->cell[c] + strspn(r->cell[c], "[( ");
-            snprintf(unit, sizeof unit, "%.*s", (int)strcspn(text, "])"), text);
-        }
-        r->scale[k] = head_scale(r, name[c], (LogColumn)k);
-        if (r->scale[k] == 0) r->scale[k] = unit_scale(r, unit, (LogColumn)k);
-        if (r->scale[k] > 0) continue;
-        r->scale[k] = 1;
-        if (k == OF_TIME && c < r->n && !*below && isfinite(cell_clock(r->cell[c]))) continue;
-        if (k == OF_FORCE || k == OF_SPEED) {
-            return error_set(r->err, HAWSER_ERR_INPUT,
-                             "%s: column '%.100s' has no unit that is known: write it into the head, as in '%s [%s]'",
-                             case_place(r->path, r->line, place), name[c], kinds[k].name, k ? "m/min" : "kN");
-        }
-        say(log, "Column '%.100s' names no unit: taken as %s", name[c], k == OF_TIME ? "s" : "m");
+    static const char *const known[LOG_COLUMNS] = {"N, daN, kN, kgf, t, lbf, kip", "m/s, m/min, km/h, ft/min",
+                                                   "mm, cm, m, km, in, ft, yd", "ms, s, min, h"};
+    static const char *const example[LOG_COLUMNS] = {"kN", "m/min", "m", "s"};
+    char place[CASE_PLACE_MAX], has[UNIT_TEXT_MAX + 40] = "has no unit";
+    if (*unit) snprintf(has, sizeof has, "has the unit '%s', which is not known", unit);
+    return error_set(r->err, HAWSER_ERR_INPUT, "%s: column '%.100s' %s: write it into the head, as in '%s [%s]'; %s",
+                     case_place(r->path, h->line, place), h->name[r->column[kind]], has, kinds[kind].name,
+                     example[kind], known[kind]);
+}
+
+/* The scale of a column from the head, or the row of units. A clock needs none, whatever stands there. */
+static hawser_status unit_find(Reader *r, const Head *h, LogColumn kind, PullLog *log)
+{
+    char unit[UNIT_TEXT_MAX] = "", below[UNIT_TEXT_MAX] = "";
+    const int c = r->column[kind];
+    double *const scale = &r->scale[kind];
+    *scale = head_scale(r, h->name[c], kind, unit);
+    if (*scale > 0) return HAWSER_OK;
+    if (c < h->units && isnan(cell_value(r, h->unit[c])) && isnan(cell_clock(h->unit[c]))) {
+        const char *const text = h->unit[c] + strspn(h->unit[c], "[( ");
+        unit_trim(text, strcspn(text, "])"), below);
     }
-    say(log, "Force from column '%.80s'%s", name[force], "");
+    *scale = unit_scale(r, below, kind);
+    if (*scale > 0) return HAWSER_OK;
+    *scale = 1;
+    if (kind == OF_TIME && c < r->n && isfinite(cell_clock(r->cell[c]))) return HAWSER_OK;
+    if (*unit || *below || kind == OF_FORCE || kind == OF_SPEED) return unit_refuse(r, h, kind, *unit ? unit : below);
+    say(log, "Column '%.100s' names no unit: taken as %s", h->name[c], kind == OF_TIME ? "s" : "m");
     return HAWSER_OK;
+}
+
+/* The units of all columns, at the first reading. */
+static hawser_status units_find(Reader *r, const Head *h, PullLog *log)
+{
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; k < LOG_COLUMNS && !status; k++) {
+        if (r->column[k] >= 0) status = unit_find(r, h, (LogColumn)k, log);
+    }
+    say(log, "Force from column '%.80s'%s", h->name[r->column[OF_FORCE]], "");
+    return status;
 }
 
 /* -------------------------------------------------------------------------------------------------------- readings */
@@ -303,31 +389,40 @@ static char *line_next(char **at)
     return line;
 }
 
+/* Whether a row below the head has the units: a text where the force is. */
+static int has_units(const Reader *r)
+{
+    const int force = r->column[OF_FORCE];
+    return force < r->n && isnan(cell_value(r, r->cell[force])) && *r->cell[force];
+}
+
 /* All lines: head, units, readings. */
 static hawser_status lines_read(Reader *r, char *text, PullLog *log)
 {
-    char *name[CELLS_MAX], *line, place[CASE_PLACE_MAX];
-    int names = 0, units = 0, below = 0;
+    char *line, place[CASE_PLACE_MAX];
+    Head h = {.names = 0};
     hawser_status status = HAWSER_OK;
     while (!status && (line = line_next(&text))) {
         r->line++;
         if (!*line || *line == '#') continue;
-        if (names == 0 && r->line > HEAD_WITHIN) break;
-        if (names == 0) r->separator = separator_of(line);
+        if (h.names == 0 && r->line > HEAD_WITHIN) break;
+        if (h.names == 0) r->separator = separator_of(line);
         line_cut(r, line);
-        if (names == 0 && head_read(r)) {
-            names = r->n;
-            memcpy(name, r->cell, sizeof name);
-        } else if (names > 0 && !units) {
-            units = 1;
-            status = units_find(r, name, names, log, &below);
-            if (!status && !below) reading_take(r, log);
-        } else if (names > 0) {
-            reading_take(r, log);
+        if (h.names == 0) {
+            if (!head_read(r)) continue;
+            h.line = r->line;
+            h.names = r->n;
+            memcpy(h.name, r->cell, sizeof h.name);
+        } else if (log->n == 0 && h.units == 0 && has_units(r)) {
+            h.units = r->n;
+            memcpy(h.unit, r->cell, sizeof h.unit);
+        } else {
+            if (log->n == 0) status = units_find(r, &h, log);
+            if (!status) reading_take(r, log);
         }
     }
     if (status) return status;
-    if (names == 0) {
+    if (h.names == 0) {
         return error_set(r->err, HAWSER_ERR_INPUT,
                          "%.700s: no row names a force and a time or a length, as 'time [s]; pull [kN]' does", r->path);
     }

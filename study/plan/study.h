@@ -31,13 +31,14 @@ typedef struct Parameter {
     int n_keys;
     const char **key;    /* [n_keys] of the case, dotted; owned, the texts are not */
     char unit[UNIT_MAX]; /* of all its numbers, as the case takes it; "": bare */
+    int numbered;        /* a number has said what the unit is */
     int chosen;          /* by choices, not by the law */
     Distribution law;
     int whole;    /* of a range: whole numbers, or the numbers of choices */
     double start; /* of a range: where a search begins */
     int n_choices;
     char **choice;  /* [n_choices] owned; NULL: the base case's own value */
-    double *number; /* [n_choices] owned, in `unit`; NAN: no number, or in another unit */
+    double *number; /* [n_choices] owned, in `unit`; NAN: no number, or none that can be had in it */
     double *weight; /* [n_choices] owned */
 } Parameter;
 
@@ -87,6 +88,8 @@ typedef struct Measured {
     double *weight;  /* [n] of a residual */
     long lost, starts;
     double width; /* m: of the parts that readings are averaged over */
+    int n_notes;
+    char note[LOG_NOTES][LOG_NOTE_MAX]; /* of the log: which columns were taken, what was assumed */
 } Measured;
 
 typedef struct Study {
@@ -123,6 +126,10 @@ Study *study_free(Study *s);
 hawser_status list_read(Study *s, const CaseNode *file, const char *path, hawser_error *err);
 /* Number and unit of a text: 1, or 0 if no decimal number begins it or the unit is too long. */
 int value_split(const Units *units, const char *text, double *value, char unit[UNIT_MAX]);
+
+/* A choice's text as a number in the parameter's unit, which the first number says; NAN: it is none, or in a unit of
+ * another kind. Bare numbers are SI beside others with units, as the case takes them. */
+double choice_number(const Units *units, const char *text, Parameter *p);
 
 /* Whether a sample's point follows from what came of others, so that the sample itself says where it was. */
 int study_searches(const Study *s);

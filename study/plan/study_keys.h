@@ -35,6 +35,9 @@ hawser_status parameter_read(const CaseReader *r, const CaseNode *node, StudyKin
 hawser_status aim_read(const CaseReader *r, const CaseNode *section, Study *s);
 /* The log into s->measured, once parameters are known. Errors: INPUT, MEMORY. */
 hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study *s);
+/* Whether each key of the case is one parameter's alone; way: the section that a list's columns are blamed on. Errors:
+ * INPUT. */
+hawser_status twice_check(const CaseReader *r, const Study *s, const CaseNode *way);
 /* A path beside the study's file, malloc'ed; NULL without memory. */
 char *path_beside(Study *s, const char *path);
 /* The correlations into s->factor. Errors: INPUT, MEMORY. */

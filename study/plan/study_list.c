@@ -123,20 +123,15 @@ static hawser_status head_read(Study *s, Csv *c, int rows, int *columns)
     return status;
 }
 
-/* A cell becomes a choice; the first number says the unit of all. */
+/* A cell becomes a choice. */
 static hawser_status cell_take(const Units *units, Csv *c, const char *cell, Parameter *p)
 {
-    char unit[UNIT_MAX];
     double *const number = &p->number[p->n_choices];
     p->choice[p->n_choices++] = *cell ? strdup(cell) : NULL;
     *number = NAN;
     if (!*cell) return HAWSER_OK;
     if (!p->choice[p->n_choices - 1]) return error_memory(c->err);
-    if (!value_split(units, cell, number, unit)) return HAWSER_OK;
-    int first = 1;
-    for (int k = 0; k < p->n_choices - 1; k++) first &= isnan(p->number[k]);
-    if (first) strcpy(p->unit, unit);
-    if (strcmp(p->unit, unit) != 0) *number = NAN;
+    *number = choice_number(units, cell, p);
     return HAWSER_OK;
 }
 

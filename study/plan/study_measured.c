@@ -65,6 +65,8 @@ hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study 
         m->width = (to - from) / (double)record.samples;
         m->lost = log.count[LOG_LOST] + log.count[LOG_DROPPED] + log.count[LOG_SPIKE];
         m->starts = log.starts;
+        m->n_notes = log.n_notes;
+        memcpy(m->note, log.note, sizeof m->note);
         status = m->n < 0 ? error_memory(r->err) : points_weigh(m, record.starts, r->err);
     }
     if (!status && m->n <= s->n_parameters)

@@ -42,10 +42,43 @@ static hawser_status value_read(const CaseReader *r, const CaseNode *node, Param
     if (node->kind != NODE_TEXT || !value_split(r->units, node->text, value, unit))
         return case_value_error(r->err, node, ": expected a number, with the unit that the case takes");
     if (*value == 0 && !*unit) return HAWSER_OK;
-    if (!*p->unit) strcpy(p->unit, unit);
+    if (!p->numbered) strcpy(p->unit, unit);
+    p->numbered = 1;
     if (strcmp(unit, p->unit) == 0) return HAWSER_OK;
-    return case_value_error(r->err, node, " has the unit '%s', other numbers of this parameter '%s': give all in one",
-                            unit, p->unit);
+    const char *const quote = *unit ? "'" : "", *const other = *p->unit ? "'" : "";
+    return case_value_error(r->err, node,
+                            " has %s%s%s%s, other numbers of this parameter %s%s%s%s: give all in one unit",
+                            *unit ? "the unit " : "no unit", quote, unit, quote, *p->unit ? "the unit " : "have none",
+                            other, p->unit, other);
+}
+
+/* How many of the second unit one of the first is; "": SI. NAN: they are of no kind in common, or it depends on the
+ * kind. */
+static double unit_ratio(const Units *units, const char *from, const char *to)
+{
+    char one[UNIT_MAX + 8], other[UNIT_MAX + 8], why[UNITS_WHY_MAX];
+    double a, b, found = NAN;
+    snprintf(one, sizeof one, "1 %s", from);
+    snprintf(other, sizeof other, "1 %s", to);
+    if (strcmp(from, to) == 0) return 1;
+    for (int d = DIM_NONE + 1; d < DIM_COUNT; d++) {
+        if (d == DIM_STIFFNESS || !units_read(units, one, (Dimension)d, &a, why) ||
+            !units_read(units, other, (Dimension)d, &b, why))
+            continue;
+        if (!isnan(found) && fabs(a / b - found) > 1e-12 * found) return NAN;
+        found = a / b;
+    }
+    return found;
+}
+
+double choice_number(const Units *units, const char *text, Parameter *p)
+{
+    char unit[UNIT_MAX];
+    double value;
+    if (!value_split(units, text, &value, unit)) return NAN;
+    if (!p->numbered) strcpy(p->unit, unit);
+    p->numbered = 1;
+    return value * unit_ratio(units, unit, p->unit);
 }
 
 /* What cannot be: a law of no width, or of no sense. `node`: its section. */
@@ -91,23 +124,20 @@ static int choices_alloc(Parameter *p, int n)
     return p->choice && p->number && p->weight;
 }
 
-/* Any texts, of which those that are numbers in one unit are known as numbers. */
+/* Any texts, of which those that are numbers are known as such. */
 static hawser_status choices_read(const CaseReader *r, const CaseNode *list, Parameter *p)
 {
     if (list->kind != NODE_LIST || list->count == 0)
         return case_value_error(r->err, list, ": expected a list of values");
     if (!choices_alloc(p, list->count)) return error_memory(r->err);
     for (const CaseNode *node = list->first; node; node = node->next) {
-        char unit[UNIT_MAX];
         const int k = p->n_choices;
         if (node->kind != NODE_TEXT) return case_value_error(r->err, node, ": expected a value in one line, in quotes");
         p->choice[k] = strdup(node->text);
         if (!p->choice[k]) return error_memory(r->err);
         p->n_choices++;
         p->weight[k] = 1;
-        const int known = value_split(r->units, node->text, &p->number[k], unit);
-        if (known && k == 0) strcpy(p->unit, unit);
-        if (!known || strcmp(unit, p->unit) != 0) p->number[k] = NAN;
+        p->number[k] = choice_number(r->units, node->text, p);
     }
     return HAWSER_OK;
 }
@@ -255,18 +285,29 @@ static int parameter_named(const CaseReader *r, const Study *s, const CaseNode *
     return -1;
 }
 
-/* A pair and its correlation into R, in s->factor for now. */
-static hawser_status correlation_read(const CaseReader *r, const CaseNode *node, Study *s)
+/* Which two a pair names: a, b. */
+static hawser_status pair_read(const CaseReader *r, const CaseNode *node, const Study *s, int pair[2])
 {
-    double value = 0;
-    hawser_status status = case_section_read(r, node, &study_correlation, &value);
-    if (status) return status;
     const CaseNode *const of = case_node_key(node, "of");
     if (of->count != 2) return case_value_error(r->err, of, ": expected the names of two parameters");
-    const int a = parameter_named(r, s, of->first), b = a < 0 ? -1 : parameter_named(r, s, of->last);
-    if (b < 0) return HAWSER_ERR_INPUT;
-    if (a == b) return case_value_error(r->err, of, ": expected two different parameters");
-    s->factor[a * s->n_parameters + b] = s->factor[b * s->n_parameters + a] = value;
+    pair[0] = parameter_named(r, s, of->first);
+    pair[1] = pair[0] < 0 ? -1 : parameter_named(r, s, of->last);
+    if (pair[1] < 0) return HAWSER_ERR_INPUT;
+    return pair[0] == pair[1] ? case_value_error(r->err, of, ": expected two different parameters") : HAWSER_OK;
+}
+
+/* A pair and its correlation into R, in s->factor for now; told[n * n]: which pairs there are. */
+static hawser_status correlation_read(const CaseReader *r, const CaseNode *node, Study *s, unsigned char *told)
+{
+    double value = 0;
+    int pair[2] = {-1, -1};
+    hawser_status status = case_section_read(r, node, &study_correlation, &value);
+    if (!status) status = pair_read(r, node, s, pair);
+    if (status) return status;
+    const int one = pair[0] * s->n_parameters + pair[1], other = pair[1] * s->n_parameters + pair[0];
+    if (told[one]) return case_key_error(r->err, node, "of", "this pair stands here twice");
+    told[one] = told[other] = 1;
+    s->factor[one] = s->factor[other] = value;
     return HAWSER_OK;
 }
 
@@ -276,9 +317,11 @@ hawser_status correlations_read(const CaseReader *r, const CaseNode *list, Study
     if (!list) return HAWSER_OK;
     double *const lower = calloc((size_t)n * (size_t)n, sizeof *lower);
     s->factor = calloc((size_t)n * (size_t)n, sizeof *s->factor);
-    hawser_status status = lower && s->factor ? HAWSER_OK : error_memory(r->err);
+    unsigned char *const told = calloc((size_t)n * (size_t)n, 1);
+    hawser_status status = lower && told && s->factor ? HAWSER_OK : error_memory(r->err);
     for (int j = 0; j < n && !status; j++) s->factor[j * n + j] = 1;
-    for (const CaseNode *node = list->first; node && !status; node = node->next) status = correlation_read(r, node, s);
+    for (const CaseNode *node = list->first; node && !status; node = node->next)
+        status = correlation_read(r, node, s, told);
     const int bad = status ? -1 : correlation_factor(n, s->factor, lower);
     if (bad >= 0) {
         status = case_key_error(r->err, list, NULL,
@@ -288,5 +331,6 @@ hawser_status correlations_read(const CaseReader *r, const CaseNode *list, Study
     }
     if (!status) memcpy(s->factor, lower, (size_t)n * (size_t)n * sizeof *lower);
     free(lower);
+    free(told);
     return status;
 }

@@ -249,7 +249,8 @@ static hawser_status study_fill(const CaseReader *r, Study *s)
     if (!status) status = quantities_read(r, s);
     if (!status && s->kind == STUDY_OPTIMISE) status = aim_read(r, way, s);
     if (!status && s->kind == STUDY_CALIBRATE) status = measured_read(r, way, s);
-    return status ? status : middle_check(r, s);
+    if (!status) status = middle_check(r, s);
+    return status ? status : twice_check(r, s, way);
 }
 
 hawser_status study_read(const char *path, Study **out, hawser_error *err)

@@ -205,6 +205,7 @@ static void say_fit(Lines *l, const Study *s, const Findings *f)
          x->done ? "FITTED" : "NOT FITTED, no least was reached", x->rms, f->fit_rms_pct, x->evaluations);
     line(l, "  log      %d parts, %ld starts in it; %ld readings were left out as lost, drop-outs or spikes\n",
          s->measured.n, s->measured.starts, s->measured.lost);
+    for (int k = 0; k < s->measured.n_notes; k++) line(l, "  log      %s\n", s->measured.note[k]);
     if (x->done) {
         line(l, "  errors   neighbouring residuals correlate by %.2f: they count as %.0f independent ones\n", x->lag,
              x->effective);

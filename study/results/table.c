@@ -16,8 +16,9 @@
 
 const char *parameter_column(const Parameter *p, char name[COLUMN_NAME_MAX])
 {
-    int n = snprintf(name, COLUMN_NAME_MAX, "%.100s%s", p->name, *p->unit ? "_" : "");
-    for (const char *c = p->unit; *c && n < COLUMN_NAME_MAX - 8; c++) {
+    const char *const unit = parameter_is_number(p) ? p->unit : ""; /* texts have their own */
+    int n = snprintf(name, COLUMN_NAME_MAX, "%.100s%s", p->name, *unit ? "_" : "");
+    for (const char *c = unit; *c && n < COLUMN_NAME_MAX - 8; c++) {
         if (*c == '/') n += snprintf(name + n, 8, "_per_");
         if (isalnum((unsigned char)*c)) name[n++] = *c;
     }

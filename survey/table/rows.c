@@ -258,7 +258,7 @@ static const char *name_of(const Columns *columns, int n, char *cell[CELLS_MOST]
     return name;
 }
 
-/* A row as a mark on the layer that it names, by x and y or by its station. */
+/* A row as a mark on the layer that it names, by x and y, its station, or both. */
 static hawser_status mark_add(SurveyInput *in, const Columns *columns, const Table *table, int n,
                               char *cell[CELLS_MOST], const TableRow *row)
 {
@@ -273,7 +273,7 @@ static hawser_status mark_add(SurveyInput *in, const Columns *columns, const Tab
     if (!mark) return error_memory(in->err);
     const double z = table->has[COLUMN_Z] && !isnan(value[COLUMN_Z]) ? value[COLUMN_Z] : 0;
     mark->at = placed ? v3(value[COLUMN_X], value[COLUMN_Y], z) : v3(NAN, NAN, NAN);
-    if (!placed) mark->station = value[COLUMN_STATION];
+    mark->station = value[COLUMN_STATION];
     mark->line = in->line;
     return HAWSER_OK;
 }

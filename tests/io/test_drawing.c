@@ -3,6 +3,7 @@
 #include <stddef.h>
 
 #include "tests/io/case_fixture.h"
+#include "tests/support/scratch.h"
 
 static const double PLACE = 1e-3, TURN = 0.1 * M_PI / 180;
 
@@ -197,6 +198,50 @@ static void files_name_their_lines(void **state)
                "marks.csv:4: key 'drawing.layers.ROLLERS': mark 'R2' is");
 }
 
+static void case_in_scratch(const char *route, const char *marks, SceneDef *def, hawser_error *err,
+                            hawser_status wanted)
+{
+    CaseTree *tree;
+    char text[1000];
+    snprintf(text, sizeof text,
+             "cables: {c: {EA: 1 MN, GA: 1 MN, GJ: 1 kN m2, EI: 1 kN m2, d: 60 mm, mass: 5 kg/m}}\n"
+             "route: %s\ndrawing: {file: marks.csv, layers: {P: {pit: {back: 100 N}}}}\nrun: {duration: 1 s}\n",
+             route);
+    scratch_write("marks.csv", marks);
+    assert_int_equal(case_tree_load(scratch_write("case.yaml", text), &tree, err), HAWSER_OK);
+    const hawser_status status = case_read(tree, def, err);
+    if (status != wanted) fail_msg("%d: %s", (int)status, err->message);
+    case_tree_free(tree);
+}
+
+/* A route from station 100 on, 3 in 4 steep: 40 m of stations are 50 m along it; whole, a part, turned around; and by x
+ * and y. */
+static void stations_are_the_files(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *route;
+        double along[2];
+    } cases[] = {{"{file: line.csv}", {50, 100}},
+                 {"{file: line.csv, from: 120 m}", {25, 75}},
+                 {"{file: line.csv, from: 120 m, to: 200 m, reverse: true}", {75, 25}}};
+    SceneDef def;
+    hawser_error err;
+    scratch_write("line.csv", "station,x,y,z\n100,0,0,0\n300,200,0,150\n");
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
+        case_in_scratch(cases[k].route, "layer,name,chainage,x,y\nP,A,140,,\nP,B,180,80,0\n", &def, &err, HAWSER_OK);
+        for (int i = 0; i < 2; ++i) check_close(def.theory.pits[i].at, cases[k].along[i], 1e-6);
+        scene_def_clear(&def);
+    }
+    case_in_scratch("{file: line.csv}", "layer,name,chainage,x,y\nP,A,50,40,0\n", &def, &err, HAWSER_OK); /* along it */
+    check_close(def.theory.pits[0].at, 50, 1e-6);
+    scene_def_clear(&def);
+    case_in_scratch("{file: line.csv}", "layer,name,chainage,x,y\nP,A,145,40,0\n", &def, &err, HAWSER_ERR_INPUT);
+    check_has(err.message,
+              "marks.csv:2: key 'drawing.layers.P': mark 'A' is at 50 m along the route by x and y, and at "
+              "56.25 m by its station 145 m: allowed are 1 m between them (drawing.tolerance)");
+}
+
 /* The example by rule in a run: in the sag every hold-down bears and no carrier does; away from the ends of bends loads
  * are T d/R of the tension there. */
 static void rule_holds_in_a_run(void **state)
@@ -273,10 +318,15 @@ static void crew_list(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(drawing_is_as_by_hand), cmocka_unit_test(grades_and_large_coordinates),
-        cmocka_unit_test(other_equipment),       cmocka_unit_test(symbols_turn_axes),
-        cmocka_unit_test(wrong_drawings),        cmocka_unit_test(files_name_their_lines),
-        cmocka_unit_test(rule_holds_in_a_run),   cmocka_unit_test(crew_list),
+        cmocka_unit_test(drawing_is_as_by_hand),
+        cmocka_unit_test(grades_and_large_coordinates),
+        cmocka_unit_test(other_equipment),
+        cmocka_unit_test(symbols_turn_axes),
+        cmocka_unit_test(wrong_drawings),
+        cmocka_unit_test(files_name_their_lines),
+        cmocka_unit_test(stations_are_the_files),
+        cmocka_unit_test(rule_holds_in_a_run),
+        cmocka_unit_test(crew_list),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

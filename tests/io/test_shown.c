@@ -101,6 +101,9 @@ static void sentences(void **state)
         {"12345.67 N; -1 kN.", "2775.417 lbf; -225 lbf."},
         {"1e3 N and 3.4e-3 m", "225 lbf and 0.0112 ft"},
         {"5N", "1.12 lbf"},
+        {"a radius of 24.4 m in 'bend 10 m' would do (now 10 m)",
+         "a radius of 80.1 ft in 'bend 10 m' would do (now 32.8 ft)"},
+        {"the cable's end at 1 m, Bob's 2 m", "the cable's end at 3.28 ft, Bob's 6.56 ft"},
         {"", ""},
     };
     char text[256];
@@ -109,6 +112,19 @@ static void sentences(void **state)
         assert_string_equal(hawser_show_text(pairs[k][0], HAWSER_SI, text, sizeof text), pairs[k][0]);
         assert_string_equal(hawser_show_text(pairs[k][1], HAWSER_US, text, sizeof text),
                             pairs[k][1]); /* once is enough */
+    }
+    static const char *const places[][2] = {{"17.3 m (pit 3 m)", "56.8 ft (pit 3 m)"},
+                                            {"100 m (5 kN (2 m)), by 3 m", "328 ft (5 kN (2 m)), by 9.84 ft"},
+                                            {"3 m on floor 2 m", "9.84 ft on floor 2 m"},
+                                            {"roll 3 m", "roll 3 m"},
+                                            {"12 m roll", "12 m roll"},
+                                            {"30 m", "98.4 ft"},
+                                            {"", ""}};
+    for (size_t k = 0; k < sizeof places / sizeof *places; ++k) {
+        char marked[100];
+        place_mark(places[k][0], marked, sizeof marked);
+        assert_string_equal(hawser_show_text(marked, HAWSER_US, text, sizeof text), places[k][1]);
+        assert_string_equal(hawser_show_text(marked, HAWSER_SI, text, sizeof text), places[k][0]);
     }
     assert_string_equal(hawser_show_text("5 N is cut", HAWSER_US, text, 4), ""); /* never beyond its room */
 }
@@ -152,10 +168,10 @@ static void documents(void **state)
         .title = "T", .n_facts = 2, .n_tables = 1, .fact = facts, .table = &table, .answer = "SAFE\n"};
     expect_document(&doc, HAWSER_TABLE_US,
                     "T\n\nSAFE\n\n  to  10 ft along\n\nRows of 3.28 ft\n"
-                    "  name         s       T       found  unit  from\n"
-                    "              ft     lbf  lbf\n"
-                    "  a        32.81  1000.0   22   1000  lbf   rated 1124 lbf\n"
-                    "  65.6 ft  10.00   224.8   45      3  in    \n");
+                    "  name      s       T       found  unit  from\n"
+                    "           ft     lbf  lbf\n"
+                    "  a     32.81  1000.0   22   1000  lbf   rated 1124 lbf\n"
+                    "  20 m  10.00   224.8   45      3  in    \n");
     expect_document(&doc, HAWSER_TABLE,
                     "T\n\nSAFE\n\n  to  3.048 m along\n\nRows of 1 m\n"
                     "  name      s      T          found  unit  from\n"

@@ -137,6 +137,62 @@ static void longer_and_other(void **state)
     hawser_study_free(s);
 }
 
+static void compute_here(const char *dir)
+{
+    const hawser_study_options options = {.jobs = 1};
+    hawser_error err;
+    hawser_study *const s = study_open(scratch_path("study.yaml"));
+    if (hawser_study_run(s, scratch_path(dir), &options, &err)) fail_msg("%s", err.message);
+    hawser_study_free(s);
+}
+
+/* The study at folder/study.yaml is refused by folder/DIR, until `name` holds `as` again. */
+static void expect_changed(const char *dir, const char *name, const char *to, const char *as)
+{
+    const hawser_study_options options = {.jobs = 1};
+    hawser_error err;
+    for (int changed = 1; changed >= 0; changed--) {
+        scratch_write(name, changed ? to : as);
+        hawser_study *const s = study_open(scratch_path("study.yaml"));
+        assert_int_equal(hawser_study_run(s, scratch_path(dir), &options, &err),
+                         changed ? HAWSER_ERR_INPUT : HAWSER_OK);
+        if (changed) check_has(err.message, "or the case has changed since");
+        hawser_study_free(s);
+    }
+}
+
+/* Files that a variant alone reads: a route, and the catalogue of an entry that the base does not take, also by way of
+ * another file. */
+static void files_of_variants(void **state)
+{
+    (void)state;
+    static const char *const cable = "{d: 90 mm, mass: %d kg/m, EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 6 kN m2}";
+    static const char *const rest = "drive: {winch: {speed: 6 m/min, to: 1 s}, tail: {tension: 2 kN}}\n"
+                                    "run: {duration: 3 s}\nfriction: {mu: 0.2}\n";
+    char own[200], text[2000], light[400], heavy[400];
+    snprintf(own, sizeof own, cable, 20);
+    snprintf(text, sizeof text, "cables: {power: %s}\nroute: {file: a.csv}\n%s", own, rest);
+    scratch_write("base.yaml", text);
+    scratch_write("a.csv", "length\n50\n");
+    scratch_write("b.csv", "length\n60\n");
+    scratch_write("study.yaml", "case: base.yaml\nparameters: {route.file: {values: [a.csv, b.csv]}}\n"
+                                "grid: [route.file]\n");
+    compute_here("routes");
+    expect_changed("routes", "b.csv", "length\n90\n", "length\n60\n");
+
+    snprintf(text, sizeof text,
+             "include: [first.yaml]\ncables: {power: {type: c1}}\nroute: {pieces: [{straight: 60 m}]}\n%s", rest);
+    scratch_write("base.yaml", text);
+    scratch_write("first.yaml", "include: second.yaml\n");
+    snprintf(light, sizeof light, "cables: {c1: %s, c2: {d: 90 mm, mass: 30 kg/m, EA: 50 MN, EI: 6 kN m2}}\n", own);
+    snprintf(heavy, sizeof heavy, "cables: {c1: %s, c2: {d: 90 mm, mass: 60 kg/m, EA: 50 MN, EI: 6 kN m2}}\n", own);
+    scratch_write("second.yaml", light);
+    scratch_write("study.yaml", "case: base.yaml\nparameters: {cables.power.type: {values: [c1, c2]}}\n"
+                                "grid: [cables.power.type]\n");
+    compute_here("types");
+    expect_changed("types", "second.yaml", heavy, light);
+}
+
 /* What cannot be a case, what takes too long: rows with a reason, and the others are as ever. */
 static void rows_with_reasons(void **state)
 {
@@ -346,8 +402,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(workers_alike),     cmocka_unit_test(killed_and_resumed),
                                        cmocka_unit_test(damaged_files),     cmocka_unit_test(longer_and_other),
-                                       cmocka_unit_test(rows_with_reasons), cmocka_unit_test(too_much_memory),
-                                       cmocka_unit_test(workers_that_die),  cmocka_unit_test(stopped),
-                                       cmocka_unit_test(ranks_alike)};
+                                       cmocka_unit_test(files_of_variants), cmocka_unit_test(rows_with_reasons),
+                                       cmocka_unit_test(too_much_memory),   cmocka_unit_test(workers_that_die),
+                                       cmocka_unit_test(stopped),           cmocka_unit_test(ranks_alike)};
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

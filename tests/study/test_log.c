@@ -26,6 +26,10 @@ static void heads_and_units(void **state)
         "\"time, s\";\"Zug / t\";\"L\xc3\xa4nge [m]\"\n90;1,2746452;9,5\n",
         "tail_tension_N,pull_kN,t,position_m\n7,12.5,90,9.5\r\n",
         "timestamp,force (lbf),station\n2026-03-05 00:01:30.00,2810.1118,9.5\n",
+        "time (of day) [minutes],pull (winch) [kN],length (cable) [feet]\n1.5,12.5,31.167979003\n",
+        "time in hours,pull_kN_raw,length_yd_raw\n0.025,12.5,10.389326334\n",
+        "seconds,pull/kN,length/ft\n90,12.5,31.167979003\n",
+        "time,pull,length\n[hh:mm:ss],[kN],[Meter]\n00:01:30,12.5,9.5\n",
     };
     for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
         PullLog log = log_of(files[k]);
@@ -57,11 +61,19 @@ static void halves_of_the_day(void **state)
 static void refused(void **state)
 {
     (void)state;
-    static const char *const files[][2] = {{"a,b\n1,2\n", "no row names a force and a time or a length"},
-                                           {"time,pull\n1,2\n", "has no unit that is known"},
-                                           {"time,pull [furlong]\n1,2\n", "has no unit that is known"},
-                                           {"time,pull [kN]\n", "no readings below the head"},
-                                           {"time,pull [kN]\n1,\n2,-\n", "nothing moves in it"}};
+    static const char *const files[][2] = {
+        {"a,b\n1,2\n", "no row names a force and a time or a length"},
+        {"time,pull\n1,2\n", "log.csv:1: column 'pull' has no unit: write it"},
+        {"time,pull [furlong]\n1,2\n", "has the unit 'furlong', which is not known"},
+        {"length [cubits],pull [kN]\n1,2\n",
+         "column 'length [cubits]' has the unit 'cubits', which is not known: write it "
+         "into the head, as in 'length [m]'; mm, cm, m, km, in, ft, yd"},
+        {"length (cable),pull [kN]\n1,2\n", "has the unit 'cable'"},
+        {"time,pull\nfortnights,kN\n1,2\n", "log.csv:1: column 'time' has the unit 'fortnights'"},
+        {"time (ticks),pull [kN]\n1,2\n", "has the unit 'ticks'"},
+        {"time [s],pull [kN],speed [knots]\n1,2,3\n", "has the unit 'knots'"},
+        {"time,pull [kN]\n", "no readings below the head"},
+        {"time,pull [kN]\n1,\n2,-\n", "nothing moves in it"}};
     for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
         PullLog log;
         hawser_error err = {HAWSER_OK, ""};

@@ -102,6 +102,23 @@ static void list(void **state)
     study_free(s);
 }
 
+/* Numbers of a list are told in the unit of the first, whatever each is given in; a bare one is SI. */
+static void mixed_units(void **state)
+{
+    (void)state;
+    scratch_write(
+        "variants.csv",
+        "drive.tail.tension,cables.power.mass\n2 kN,20 kg/m\n2000 N,196.133 N/m\n2000,20\n0.002 MN,2e4 g/m\n");
+    Study *const s = read_lines("list: {file: variants.csv}\n");
+    char name[COLUMN_NAME_MAX];
+    for (int k = 0; k < 4; k++) {
+        check_close(parameter_number(&s->parameter[0], k), 2, 1e-12);
+        check_close(parameter_number(&s->parameter[1], k), 20, 1e-9);
+    }
+    assert_string_equal(parameter_column(&s->parameter[0], name), "drive.tail.tension_kN");
+    study_free(s);
+}
+
 static void sensitivities(void **state)
 {
     (void)state;
@@ -145,7 +162,23 @@ static void bad_studies(void **state)
                "study.yaml:4: key 'parameters.friction.mu.uniform.frm': unknown key");
     expect_bad("from: 0.1", "from: 0.4", "'from' must be below 'to'");
     expect_bad("from: 0.1", "from: a lot", "expected a number, with the unit that the case takes");
-    expect_bad("sd: 0.1 kN", "sd: 100 N", "has the unit 'N', other numbers of this parameter 'kN': give all in one");
+    expect_bad("sd: 0.1 kN", "sd: 100 N",
+               "has the unit 'N', other numbers of this parameter the unit 'kN': give all in one");
+    expect_bad("sd: 0.1 kN", "sd: 100", "value '100' has no unit, other numbers of this parameter the unit 'kN'");
+    expect_bad("mean: 1 kN", "mean: 1000",
+               "value '0.1 kN' has the unit 'kN', other numbers of this parameter have none");
+    expect_bad(NULL, "parameters: {t: {key: drive.tail.tension, steps: {from: 1, to: 3 kN, count: 3}}}\ngrid: [t]\n",
+               "value '3 kN' has the unit 'kN', other numbers of this parameter have none");
+    expect_bad("r: 0.5}", "r: 0.5}, {of: [tail, friction.mu], r: 0}", "correlated.1.of': this pair stands here twice");
+    expect_bad("key: drive.tail.tension, normal: {mean: 1 kN, sd: 0.1 kN, from: 0, to: 2 kN}",
+               "key: friction.mu, uniform: {from: 0.1, to: 0.2}",
+               "study.yaml:5: key 'parameters.tail': 'tail' sets 'friction.mu', and so does 'friction.mu' with");
+    expect_bad("tail: {", "again: {key: route.pieces.00.straight, uniform: {from: 20 m, to: 21 m}}\n  tail: {",
+               "'piece' sets 'route.pieces.row.straight', and so does 'again' with 'route.pieces.00.straight'");
+    expect_bad(NULL,
+               "parameters: {a: {key: drive.tail.tension, values: [1 kN]}, b: {key: drive.tail, values: ['{tension: 2 "
+               "kN}']}}\ngrid: [a, b]\n",
+               "'b' sets 'drive.tail', and so does 'a' with 'drive.tail.tension', which would be lost");
     expect_bad("sd: 0.1 kN", "sd: 0", "'sd' must be above 0");
     expect_bad("{uniform: {from: 0.1, to: 0.3}}", "{}", "give one of uniform, normal, lognormal, triangular, discrete");
     expect_bad("{uniform: {from: 0.1, to: 0.3}}", "{values: [1, 2]}", "give one of uniform");
@@ -218,9 +251,9 @@ static void bad_lists(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(monte_carlo),    cmocka_unit_test(settings),
-                                       cmocka_unit_test(grid),           cmocka_unit_test(list),
-                                       cmocka_unit_test(sensitivities),  cmocka_unit_test(bad_studies),
-                                       cmocka_unit_test(bad_quantities), cmocka_unit_test(bad_lists)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(monte_carlo),    cmocka_unit_test(settings),      cmocka_unit_test(grid),
+        cmocka_unit_test(list),           cmocka_unit_test(sensitivities), cmocka_unit_test(bad_studies),
+        cmocka_unit_test(bad_quantities), cmocka_unit_test(bad_lists),     cmocka_unit_test(mixed_units)};
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
