@@ -80,6 +80,7 @@ static int nodes_thin(const Line *l, double least, Line *out)
             sum->x += p->weight / w * (p->x - sum->x);
             sum->y += p->weight / w * (p->y - sum->y);
             sum->weight = w;
+            sum->drawn = p->drawn;
             continue;
         }
         begun = *p;
@@ -100,32 +101,47 @@ static double turn_at(const Line *l, int i)
     return remainder(atan2(p[1].y - p->y, p[1].x - p->x) - atan2(p->y - p[-1].y, p->x - p[-1].x), 2 * PI);
 }
 
-/* A corner of a drawn line, not a point on a bend: it turns much, or alone. */
+/* From node i to the next one. */
+static double leg_of(const Line *l, int i)
+{
+    return hypot(l->node[i + 1].x - l->node[i].x, l->node[i + 1].y - l->node[i].y);
+}
+
+/* A corner of a drawn line, not a point on a bend: it turns much, or farther than a bend through its neighbours may lie
+ * beside the legs. Where legs are not known to be straight it does so alone: neighbours that turn to the same side make
+ * it a bend. */
 static int is_corner(const Line *l, int i, double scatter, double deviation)
 {
     if (i < 1 || i + 1 >= l->n) return 0;
-    const Node *const p = &l->node[i];
-    const double h = fmin(hypot(p[1].x - p->x, p[1].y - p->y), hypot(p->x - p[-1].x, p->y - p[-1].y));
-    const double turn = fabs(turn_at(l, i)) - 12 * scatter / h;
-    const double beside = fmax(fabs(turn_at(l, i - 1)), fabs(turn_at(l, i + 1)));
-    return turn > 0.5 || (turn > 4 * beside && turn * h / 8 > deviation);
+    const int drawn = l->node[i - 1].drawn && l->node[i].drawn;
+    const double h = fmin(leg_of(l, i - 1), leg_of(l, i)), side = copysign(1, turn_at(l, i));
+    const double turn = fabs(turn_at(l, i)) - (drawn ? 0 : 12 * scatter / h);
+    const double beside = fmax(side * turn_at(l, i - 1), side * turn_at(l, i + 1));
+    return turn > 0.5 || ((drawn || turn > 4 * beside) && turn * h / 8 > deviation);
 }
 
-/* The straights beside corners get points of their own: they are straight, and not the chords of a bend. 0: no
- * memory. */
-static int corners_fill(const Line *l, double scatter, double deviation, Line *out)
+/* Whether a bend through the ends of the leg behind node i could leave it by more than `unseen`, m. */
+static int is_leg(const Line *l, int i, double scatter, double deviation, double unseen)
+{
+    const double turn = fmax(fabs(turn_at(l, i)), fabs(turn_at(l, i + 1)));
+    return (l->node[i].drawn && turn * leg_of(l, i) / 8 > unseen) || is_corner(l, i, scatter, deviation) ||
+           is_corner(l, i + 1, scatter, deviation);
+}
+
+/* Legs that are known to be straight, and those beside corners, get points of their own: they are not the chords of a
+ * bend. 0: no memory. */
+static int corners_fill(const Line *l, double scatter, double deviation, double unseen, Line *out)
 {
     *out = (Line){0, malloc((size_t)l->n * CORNER_PARTS * sizeof *out->node)};
     if (!out->node) return 0;
     for (int i = 0; i < l->n; ++i) {
         out->node[out->n] = l->node[i];
         out->node[out->n++].corner = is_corner(l, i, scatter, deviation);
-        if (i + 1 == l->n || !(is_corner(l, i, scatter, deviation) || is_corner(l, i + 1, scatter, deviation)))
-            continue;
+        if (i + 1 == l->n || !is_leg(l, i, scatter, deviation, unseen)) continue;
         for (int k = 1; k < CORNER_PARTS; ++k) {
             const double part = (double)k / CORNER_PARTS;
             const Node *const a = &l->node[i], *const b = a + 1;
-            out->node[out->n++] = (Node){a->x + part * (b->x - a->x), a->y + part * (b->y - a->y), 1, 0};
+            out->node[out->n++] = (Node){a->x + part * (b->x - a->x), a->y + part * (b->y - a->y), 1, 0, 1};
         }
     }
     return 1;
@@ -134,9 +150,9 @@ static int corners_fill(const Line *l, double scatter, double deviation, Line *o
 /* ---------------------------------------------------------------------------------------------------------- a chain */
 
 typedef struct Fitted {
-    int n;
+    int n, n_seen;
     Piece *piece; /* [n] */
-    Foot *foot;   /* [n of the line] of every point */
+    Foot *foot;   /* [n_seen] of every point, and of those along legs that are straight */
     double scatter;
 } Fitted;
 
@@ -197,11 +213,11 @@ static hawser_status arcs_widen(Fitted *f, int m, const Node *node, const FitOpt
     return status;
 }
 
-static double rms_of(const Fitted *f, int n)
+static double rms_of(const Fitted *f)
 {
     double sum = 0;
-    for (int i = 0; i < n; ++i) sum += f->foot[i].away * f->foot[i].away;
-    return sqrt(sum / n);
+    for (int i = 0; i < f->n_seen; ++i) sum += f->foot[i].away * f->foot[i].away;
+    return sqrt(sum / f->n_seen);
 }
 
 /* How well the points tell each arc's curvature, in its k_sd; what stays as the file has it, or is as wide as the
@@ -227,17 +243,19 @@ static hawser_status radii_judge(Fitted *f, int m, const Node *node, const Foot 
 /* The chain through the line, from given pieces on if there are some (in f->piece). */
 static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids, Fitted *f, hawser_error *err)
 {
-    Line thin = {0, NULL}, full = {0, NULL};
+    Line thin = {0, NULL}, full = {0, NULL}, seen = {0, NULL};
     Foot *foot = NULL;
     assert(l->n > 0);
     f->scatter = scatter_of(l);
     const double sigma = fmin(fmax(f->scatter, o->deviation / 5), o->deviation / 2);
     const double step = fmin(10 * f->scatter, 5 * o->deviation);
     int memory = !isnan(f->scatter) && nodes_thin(l, step, &thin);
-    if (memory) memory = corners_fill(&thin, f->scatter, o->deviation, &full);
-    assert(!memory || full.n > 0);
+    if (memory) memory = corners_fill(&thin, f->scatter, o->deviation, o->deviation, &full);
+    if (memory) memory = corners_fill(l, f->scatter, o->deviation, 0.25 * o->deviation, &seen);
+    assert(!memory || (full.n > 0 && seen.n > 0));
+    f->n_seen = seen.n;
     if (memory) memory = (foot = malloc((size_t)full.n * sizeof *foot)) != NULL;
-    if (memory) memory = (f->foot = malloc((size_t)l->n * sizeof *f->foot)) != NULL;
+    if (memory) memory = (f->foot = malloc((size_t)seen.n * sizeof *f->foot)) != NULL;
     hawser_status status = memory ? HAWSER_OK : error_memory(err);
     const int kept = f->piece != NULL;
     if (!status && !kept)
@@ -248,19 +266,20 @@ static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids,
     if (!status) status = arcs_widen(f, full.n, full.node, o, foot, err);
     if (!status) {
         chain_close(f->n, f->piece);
-        status = chain_refine(f->n, f->piece, l->n, l->node, 0, f->foot, err);
+        status = chain_refine(f->n, f->piece, seen.n, seen.node, 0, f->foot, err);
     }
-    if (!status) status = radii_judge(f, l->n, l->node, f->foot, fmax(f->scatter, rms_of(f, l->n)), err);
+    if (!status) status = radii_judge(f, seen.n, seen.node, f->foot, fmax(f->scatter, rms_of(f)), err);
     free(thin.node);
     free(full.node);
+    free(seen.node);
     free(foot);
     return status;
 }
 
-static void deviations(const Fitted *f, int n, double *largest, double *rms)
+static void deviations(const Fitted *f, double *largest, double *rms)
 {
-    *largest = farthest(n, f->foot);
-    *rms = rms_of(f, n);
+    *largest = farthest(f->n_seen, f->foot);
+    *rms = rms_of(f);
 }
 
 /* ------------------------------------------------------------------------------------------------------- the plan */
@@ -280,7 +299,8 @@ static int is_smooth_plan(const Alignment *a)
     return a->n_plan > 0 && m.gap < 1e-3 && m.turn < 1e-3;
 }
 
-static int node_add(Line *l, double x, double y)
+/* drawn: the way to it is straight. */
+static int node_add(Line *l, double x, double y, int drawn)
 {
     if (l->n && hypot(l->node[l->n - 1].x - x, l->node[l->n - 1].y - y) < 1e-6) return 1;
     if ((l->n & (l->n - 1)) == 0) {
@@ -288,7 +308,8 @@ static int node_add(Line *l, double x, double y)
         if (!wider) return 0;
         l->node = wider;
     }
-    l->node[l->n++] = (Node){x, y, 1, 0};
+    if (l->n) l->node[l->n - 1].drawn = drawn;
+    l->node[l->n++] = (Node){x, y, 1, 0, 0};
     return 1;
 }
 
@@ -297,13 +318,13 @@ static int plan_line(const Alignment *a, Vec3 origin, Line *l)
 {
     int fine = 1;
     for (int i = 0; i < a->n_points && fine; ++i) {
-        fine = node_add(l, a->point[i].x - origin.x, a->point[i].y - origin.y);
+        fine = node_add(l, a->point[i].x - origin.x, a->point[i].y - origin.y, a->drawn);
     }
     for (int i = 0; i < a->n_plan && fine; ++i) {
         const int parts = a->plan[i].k0 != 0 || a->plan[i].k1 != 0 ? CURVE_PARTS : 1;
         for (int k = 0; k <= parts && fine; ++k) {
             const PlanElement at = plan_at(&a->plan[i], a->plan[i].length * k / parts);
-            fine = node_add(l, at.x - origin.x, at.y - origin.y);
+            fine = node_add(l, at.x - origin.x, at.y - origin.y, parts == 1);
         }
     }
     return fine;
@@ -358,7 +379,7 @@ static hawser_status plan_fit(const Alignment *a, const FitOptions *o, Alignment
         report->fitted = 1;
         report->points = l.n;
         report->scatter = f.scatter;
-        deviations(&f, l.n, &report->largest, &report->rms);
+        deviations(&f, &report->largest, &report->rms);
     }
     fitted_clear(&f);
     free(l.node);
@@ -384,13 +405,13 @@ static hawser_status heights_of_points(const Alignment *plan, const Alignment *f
         start[q] = q ? start[q - 1] + plan->plan[q - 1].length : 0;
     }
     for (int i = 0; i < n && !status; ++i) {
-        node[i] = (Node){from->point[i].x - origin.x, from->point[i].y - origin.y, 1, 0};
+        node[i] = (Node){.x = from->point[i].x - origin.x, .y = from->point[i].y - origin.y, .weight = 1};
     }
     if (!status) status = chain_refine(plan->n_plan, piece, n, node, 0, foot, err);
     for (int i = 0; i < n && !status; ++i) {
         const double s = start[foot[i].piece] + foot[i].s;
         if (l->n && s < l->node[l->n - 1].x + 1e-6) continue; /* back or straight up */
-        if (!node_add(l, s, from->point[i].z)) status = error_memory(err);
+        if (!node_add(l, s, from->point[i].z, from->drawn)) status = error_memory(err);
     }
     free(piece);
     free(node);
@@ -408,7 +429,7 @@ static int heights_of_profile(const Alignment *from, Line *l)
         const int parts = e->bend != 0 ? CURVE_PARTS : 1;
         for (int k = 0; k <= parts && fine; ++k) {
             const ProfileElement at = profile_at(e, e->length * k / parts);
-            if (!l->n || at.station > l->node[l->n - 1].x + 1e-9) fine = node_add(l, at.station, at.z);
+            if (!l->n || at.station > l->node[l->n - 1].x + 1e-9) fine = node_add(l, at.station, at.z, parts == 1);
         }
     }
     return fine;
@@ -457,7 +478,7 @@ static hawser_status heights_fit(Line *l, const FitOptions *o, Alignment *out, F
         f.piece[i].e.y += z0;
         status = profile_take(&f.piece[i], out, err);
     }
-    if (!status) deviations(&f, l->n, &report->largest_height, &report->rms_height);
+    if (!status) deviations(&f, &report->largest_height, &report->rms_height);
     fitted_clear(&f);
     return status;
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/worst.h"
 #include "survey/fit/fit.h"
+#include "survey/fit/join.h"
 #include "tests/survey/noise.h"
 #include "tests/survey/survey_fixture.h"
 
@@ -243,6 +244,60 @@ static Alignment polyline(int n, const Vec3 *point)
     return a;
 }
 
+/* How far the middles of the legs are from the line that came of them, m. */
+static double legs_off(const Alignment *out, int n, const Vec3 *point)
+{
+    double worst = 0;
+    for (int i = 0; i + 1 < n; ++i) {
+        const Vec3 middle = v3_scale(0.5, v3_add(point[i], point[i + 1]));
+        worst = larger_of(worst, line_away(out, middle.x, middle.y));
+    }
+    return worst;
+}
+
+/* The legs of a drawn line are straight, however alike its corners are: none becomes a bend. Of points alone it is
+ * known where corners turn to different sides. */
+static void legs_stay_straight(void **state)
+{
+    (void)state;
+    const Vec3 same[] = {{0, 0, 0}, {60, 0, 0}, {116.4, 20.5, 0}, {150, 70, 0}, {160, 130, 0}};
+    Vec3 other[10], zigzag[] = {{0, 0, 0}, {60, 0, 0}, {116.4, 20.5, 0}, {176.4, 20.5, 0}};
+    for (int i = 0; i < 10; ++i) other[i] = v3(40 * i, i % 2 * 12, 0);
+    const struct {
+        int n, drawn;
+        const Vec3 *point;
+    } lines[] = {{4, 1, zigzag}, {4, 0, zigzag}, {5, 1, same}, {10, 1, other}};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; ++i) {
+        Alignment line = polyline(lines[i].n, lines[i].point), out;
+        line.drawn = lines[i].drawn;
+        const FitReport r = fitted(&line, &out);
+        check_below(legs_off(&out, lines[i].n, lines[i].point), 0.05);
+        check_below(r.largest, 0.051);
+        assert_int_equal(out.n_plan, 2 * lines[i].n - 3);
+        alignment_clear(&line);
+        alignment_clear(&out);
+    }
+}
+
+/* So are the grades of a profile whose corners have no curves; the deviation is that of the whole line. */
+static void grades_stay_straight(void **state)
+{
+    (void)state;
+    Alignment line = {.stated_length = NAN}, out;
+    hawser_error err;
+    add(&line, 180, 0, 0);
+    const ProfileCorner corner[] = {
+        {.station = 0}, {.station = 60}, {.station = 120, .z = 12}, {.station = 180, .z = 12}};
+    assert_int_equal(profile_from_corners(&line, 4, corner, &err), HAWSER_OK);
+    const FitReport r = fitted(&line, &out);
+    check_close(alignment_at(&out, 30).at.z, 0, 0.05);
+    check_close(alignment_at(&out, 90).at.z, 6, 0.05);
+    check_close(alignment_at(&out, 150).at.z, 12, 0.05);
+    assert_true(r.largest_height > 1e-3 && r.largest_height < 0.051);
+    alignment_clear(&line);
+    alignment_clear(&out);
+}
+
 /* A drawn line with sharp corners gets bends there, within the deviation, and says that they are sharp. */
 static void corners_get_bends(void **state)
 {
@@ -361,7 +416,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(noisy_route_comes_back), cmocka_unit_test(radii_that_points_tell),
         cmocka_unit_test(long_line_is_within),    cmocka_unit_test(spacing_and_noise),
-        cmocka_unit_test(corners_get_bends),      cmocka_unit_test(smooth_lines_stay),
+        cmocka_unit_test(corners_get_bends),      cmocka_unit_test(legs_stay_straight),
+        cmocka_unit_test(grades_stay_straight),   cmocka_unit_test(smooth_lines_stay),
         cmocka_unit_test(arcs_are_kept),          cmocka_unit_test(heights_from_elsewhere),
         cmocka_unit_test(rough_lines_are_within), cmocka_unit_test(bends_have_error_bars),
         cmocka_unit_test(what_is_wrong)};
