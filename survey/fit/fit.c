@@ -5,19 +5,13 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "survey/fit/chain.h"
+#include "survey/fit/line.h"
 
-enum { NODES_MOST = 50000, CORNER_PARTS = 12, CURVE_PARTS = 16, CLOSE_STEPS = 60 };
+enum { NODES_MOST = 50000, CORNER_PARTS = 12, CLOSE_STEPS = 60 };
 
 static const double PI = 3.14159265358979323846;
 
 FitOptions fit_options(void) { return (FitOptions){.deviation = 0.05, .least_radius = NAN, .clothoids = 1}; }
-
-/* A line of places in a plane, in their order: x and y, or station and height. */
-typedef struct Line {
-    int n;
-    Node *node; /* [n] weights 1 */
-} Line;
 
 /* ------------------------------------------------------------------------------------------------------- scatter */
 
@@ -149,14 +143,7 @@ static int corners_fill(const Line *l, double scatter, double deviation, double 
 
 /* ---------------------------------------------------------------------------------------------------------- a chain */
 
-typedef struct Fitted {
-    int n, n_seen;
-    Piece *piece; /* [n] */
-    Foot *foot;   /* [n_seen] of every point, and of those along legs that are straight */
-    double scatter;
-} Fitted;
-
-static void fitted_clear(Fitted *f)
+void fitted_clear(Fitted *f)
 {
     free(f->piece);
     free(f->foot);
@@ -241,7 +228,7 @@ static hawser_status radii_judge(Fitted *f, int m, const Node *node, const Foot 
 }
 
 /* The chain through the line, from given pieces on if there are some (in f->piece). */
-static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids, Fitted *f, hawser_error *err)
+hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids, Fitted *f, hawser_error *err)
 {
     Line thin = {0, NULL}, full = {0, NULL}, seen = {0, NULL};
     Foot *foot = NULL;
@@ -276,22 +263,13 @@ static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids,
     return status;
 }
 
-static void deviations(const Fitted *f, double *largest, double *rms)
+void fitted_deviations(const Fitted *f, double *largest, double *rms)
 {
     *largest = farthest(f->n_seen, f->foot);
     *rms = rms_of(f);
 }
 
 /* ------------------------------------------------------------------------------------------------------- the plan */
-
-static int is_smooth_profile(const Alignment *a)
-{
-    for (int i = 1; i < a->n_profile; ++i) {
-        const ProfileElement end = profile_at(&a->profile[i - 1], a->profile[i].station - a->profile[i - 1].station);
-        if (fabs(end.z - a->profile[i].z) > 1e-3 || fabs(end.grade - a->profile[i].grade) > 1e-3) return 0;
-    }
-    return 1;
-}
 
 static int is_smooth_plan(const Alignment *a)
 {
@@ -300,7 +278,7 @@ static int is_smooth_plan(const Alignment *a)
 }
 
 /* drawn: the way to it is straight. */
-static int node_add(Line *l, double x, double y, int drawn)
+int node_add(Line *l, double x, double y, int drawn)
 {
     if (l->n && hypot(l->node[l->n - 1].x - x, l->node[l->n - 1].y - y) < 1e-6) return 1;
     if ((l->n & (l->n - 1)) == 0) {
@@ -314,7 +292,7 @@ static int node_add(Line *l, double x, double y, int drawn)
 }
 
 /* The line's points, or its elements' ends with points along curves, all from `origin` on. 0: no memory. */
-static int plan_line(const Alignment *a, Vec3 origin, Line *l)
+int plan_line(const Alignment *a, Vec3 origin, Line *l)
 {
     int fine = 1;
     for (int i = 0; i < a->n_points && fine; ++i) {
@@ -379,136 +357,9 @@ static hawser_status plan_fit(const Alignment *a, const FitOptions *o, Alignment
         report->fitted = 1;
         report->points = l.n;
         report->scatter = f.scatter;
-        deviations(&f, &report->largest, &report->rms);
+        fitted_deviations(&f, &report->largest, &report->rms);
     }
     fitted_clear(&f);
-    free(l.node);
-    return status;
-}
-
-/* ------------------------------------------------------------------------------------------------------- heights */
-
-/* Stations and heights of points beside the plan, in their order. */
-static hawser_status heights_of_points(const Alignment *plan, const Alignment *from, Line *l, hawser_error *err)
-{
-    const Vec3 origin = alignment_at(plan, 0).at;
-    const int n = from->n_points;
-    Piece *const piece = malloc((size_t)plan->n_plan * sizeof *piece);
-    Node *const node = malloc((size_t)n * sizeof *node);
-    Foot *const foot = malloc((size_t)n * sizeof *foot);
-    double *const start = malloc((size_t)plan->n_plan * sizeof *start);
-    hawser_status status = piece && node && foot && start ? HAWSER_OK : error_memory(err);
-    for (int q = 0; q < plan->n_plan && !status; ++q) {
-        piece[q] = (Piece){.e = plan->plan[q]};
-        piece[q].e.x -= origin.x;
-        piece[q].e.y -= origin.y;
-        start[q] = q ? start[q - 1] + plan->plan[q - 1].length : 0;
-    }
-    for (int i = 0; i < n && !status; ++i) {
-        node[i] = (Node){.x = from->point[i].x - origin.x, .y = from->point[i].y - origin.y, .weight = 1};
-    }
-    if (!status) status = chain_refine(plan->n_plan, piece, n, node, 0, foot, err);
-    for (int i = 0; i < n && !status; ++i) {
-        const double s = start[foot[i].piece] + foot[i].s;
-        if (l->n && s < l->node[l->n - 1].x + 1e-6) continue; /* back or straight up */
-        if (!node_add(l, s, from->point[i].z, from->drawn)) status = error_memory(err);
-    }
-    free(piece);
-    free(node);
-    free(foot);
-    free(start);
-    return status;
-}
-
-/* The corners of a profile's elements, with points along its curves. */
-static int heights_of_profile(const Alignment *from, Line *l)
-{
-    int fine = 1;
-    for (int i = 0; i < from->n_profile && fine; ++i) {
-        const ProfileElement *const e = &from->profile[i];
-        const int parts = e->bend != 0 ? CURVE_PARTS : 1;
-        for (int k = 0; k <= parts && fine; ++k) {
-            const ProfileElement at = profile_at(e, e->length * k / parts);
-            if (!l->n || at.station > l->node[l->n - 1].x + 1e-9) fine = node_add(l, at.station, at.z, parts == 1);
-        }
-    }
-    return fine;
-}
-
-/* A drawn profile: its points or elements' ends, x the station. */
-static int heights_drawn(const Alignment *from, Line *l)
-{
-    if (!plan_line(from, V3_ZERO, l)) return 0;
-    for (int i = 0, j = l->n - 1; i < j && l->node[0].x > l->node[l->n - 1].x; ++i, --j) {
-        const Node kept = l->node[i];
-        l->node[i] = l->node[j];
-        l->node[j] = kept;
-    }
-    return 1;
-}
-
-static hawser_status profile_take(const Piece *p, Alignment *out, hawser_error *err)
-{
-    const PlanElement end = plan_at(&p->e, p->e.length);
-    if (fmax(fabs(p->e.heading), fabs(end.heading)) > 80 * PI / 180) {
-        return error_set(err, HAWSER_ERR_INPUT,
-                         "'%.60s' is steeper than 80 deg %.1f m from its start: no profile can say that", out->name,
-                         p->e.x);
-    }
-    ProfileElement *const e = alignment_add_profile(out);
-    if (!e) return error_memory(err);
-    *e = (ProfileElement){.kind = p->kind == PIECE_ARC ? PROFILE_ARC : PROFILE_PARABOLA,
-                          .station = p->e.x,
-                          .length = end.x - p->e.x,
-                          .z = p->e.y,
-                          .grade = tan(p->e.heading),
-                          .bend = p->kind == PIECE_ARC ? p->e.k0 : 0};
-    return HAWSER_OK;
-}
-
-static hawser_status heights_fit(Line *l, const FitOptions *o, Alignment *out, FitReport *report, hawser_error *err)
-{
-    Fitted f = {0};
-    if (l->n < 2)
-        return error_set(err, HAWSER_ERR_INPUT, "the profile of '%.60s' has fewer than two points", out->name);
-    const double z0 = l->node[0].y;
-    for (int i = 0; i < l->n; ++i) l->node[i].y -= z0;
-    hawser_status status = line_fit(l, o, 0, &f, err);
-    for (int i = 0; i < f.n && !status; ++i) {
-        f.piece[i].e.y += z0;
-        status = profile_take(&f.piece[i], out, err);
-    }
-    if (!status) deviations(&f, &report->largest_height, &report->rms_height);
-    fitted_clear(&f);
-    return status;
-}
-
-static hawser_status profile_copy(const Alignment *from, Alignment *out, hawser_error *err)
-{
-    for (int i = 0; i < from->n_profile; ++i) {
-        ProfileElement *const e = alignment_add_profile(out);
-        if (!e) return error_memory(err);
-        *e = from->profile[i];
-    }
-    return HAWSER_OK;
-}
-
-static hawser_status profile_fit(const Alignment *from, const FitOptions *o, Alignment *out, FitReport *report,
-                                 hawser_error *err)
-{
-    Line l = {0, NULL};
-    hawser_status status = HAWSER_OK;
-    if (o->profile_drawn && from->n_profile == 0)
-        status = heights_drawn(from, &l) ? HAWSER_OK : error_memory(err);
-    else if (from->n_profile == 0 && (from->flat || from->n_points == 0))
-        return HAWSER_OK; /* level at 0 */
-    else if (from->n_profile && is_smooth_profile(from))
-        return profile_copy(from, out, err);
-    else if (from->n_profile)
-        status = heights_of_profile(from, &l) ? HAWSER_OK : error_memory(err);
-    else
-        status = heights_of_points(out, from, &l, err);
-    if (!status) status = heights_fit(&l, o, out, report, err);
     free(l.node);
     return status;
 }
@@ -551,7 +402,7 @@ hawser_status fit_alignment(const Alignment *line, const Alignment *profile, con
         if (!alignment_copy(&plan, out)) status = error_memory(err);
     }
     if (!status && out->n_plan == 0) status = plan_fit(line, options, out, report, err);
-    if (!status) status = profile_fit(profile ? profile : line, options, out, report, err);
+    if (!status) status = profile_fit(line, profile, options, out, report, err);
     if (status) alignment_clear(out);
     radii_report(out, options->least_radius, report);
     return status;

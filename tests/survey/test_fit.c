@@ -387,6 +387,64 @@ static void heights_from_elsewhere(void **state)
     alignment_clear(&drawn);
 }
 
+/* A straight of 200 m from station 1000 on, without heights. */
+static Alignment plain_line(void)
+{
+    Alignment a = {.name = "A", .stated_length = NAN, .station = 1000};
+    add(&a, 200, 0, 0);
+    return a;
+}
+
+static Alignment ramp(double station, double from, double to)
+{
+    Alignment a = {.name = "P", .stated_length = NAN, .station = station};
+    const ProfileCorner corner[] = {{.station = 0, .z = (from - 1000) / 10},
+                                    {.station = to - from, .z = (to - 1000) / 10}};
+    hawser_error err;
+    assert_int_equal(profile_from_corners(&a, 2, corner, &err), HAWSER_OK);
+    return a;
+}
+
+/* Heights of another file count from the stations of the line, and points stand where they are: z is a tenth of the way
+ * along, and nothing is taken that does not reach. */
+static void heights_have_stations(void **state)
+{
+    (void)state;
+    const Vec3 beyond[] = {{-50, 1, -5}, {100, 2, 10}, {250, 0, 25}},
+               back[] = {{250, 0, 25}, {100, 2, 10}, {-50, 1, -5}};
+    const Vec3 drawn[] = {{1000, 0, 0}, {1200, 20, 0}}, other[] = {{0, 0, 0}, {200, 20, 0}};
+    const Vec3 far[] = {{0, 30, 0}, {200, 30, 20}}, shorter[] = {{50, 0, 5}, {100, 0, 10}};
+    const Vec3 mixed[] = {{50, 0, 5}, {200, 0, 20}, {0, 0, 0}};
+    const struct {
+        Alignment from;
+        const char *refused;
+    } runs[] = {{ramp(1000, 1000, 1200), NULL},
+                {ramp(950, 950, 1250), NULL},
+                {ramp(0, 1000, 1200), "same stations"},
+                {ramp(1100, 1100, 1200), "same stations"},
+                {polyline(3, beyond), NULL},
+                {polyline(3, back), NULL},
+                {polyline(2, drawn), NULL},
+                {polyline(2, other), "same stations"},
+                {polyline(2, far), "30 m beside"},
+                {polyline(2, shorter), "same stations"},
+                {polyline(3, mixed), "no farther along"}};
+    for (int i = 0; i < (int)(sizeof runs / sizeof *runs); ++i) {
+        Alignment line = plain_line(), from = runs[i].from, out;
+        FitOptions options = fit_options();
+        options.profile_drawn = i == 6 || i == 7;
+        FitReport r;
+        hawser_error err = {.message = ""};
+        fit_alignment(&line, &from, &options, &out, &r, &err);
+        if (runs[i].refused) check_has(err.message, runs[i].refused);
+        if (!runs[i].refused) assert_string_equal(err.message, "");
+        for (double s = 0; s <= 200 && !runs[i].refused; s += 50) check_close(alignment_at(&out, s).at.z, s / 10, 1e-3);
+        alignment_clear(&out);
+        alignment_clear(&line);
+        alignment_clear(&from);
+    }
+}
+
 static void what_is_wrong(void **state)
 {
     (void)state;
@@ -401,6 +459,11 @@ static void what_is_wrong(void **state)
     a = polyline(4, wall);
     assert_int_equal(fit_alignment(&a, NULL, &options, &out, &r, &err), HAWSER_ERR_INPUT);
     check_has(err.message, "steeper than 80 deg");
+    alignment_clear(&a);
+    const Vec3 shaft[] = {{0, 0, 0}, {50, 0, 0}, {50, 0, 30}, {50, 0, 0}, {100, 0, 0}};
+    a = polyline(5, shaft);
+    assert_int_equal(fit_alignment(&a, NULL, &options, &out, &r, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "the point at 50.000, 0.000, 30.000 is 30 m above or below");
     alignment_clear(&a);
     a = (Alignment){.stated_length = NAN,
                     .flat = 1}; /* every point a metre on, up to 0.5 m beside: the fit took minutes */
@@ -420,6 +483,6 @@ int main(void)
         cmocka_unit_test(grades_stay_straight),   cmocka_unit_test(smooth_lines_stay),
         cmocka_unit_test(arcs_are_kept),          cmocka_unit_test(heights_from_elsewhere),
         cmocka_unit_test(rough_lines_are_within), cmocka_unit_test(bends_have_error_bars),
-        cmocka_unit_test(what_is_wrong)};
+        cmocka_unit_test(heights_have_stations),  cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
