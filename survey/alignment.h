@@ -49,6 +49,7 @@ typedef struct Alignment {
     Vec3 *point;             /* [n_points] corners of a line of straights; then there are no elements in plan */
     PieceNames names;        /* of elements in plan */
     int flat;                /* the points have no heights of their own */
+    int drawn;               /* the points are corners with straights between; else they may be places along bends */
     double stated_length;    /* m, in plan, by the file's own word; NAN: it says nothing */
     double station;          /* the file's number for where the alignment begins */
 } Alignment;

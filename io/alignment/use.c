@@ -62,7 +62,7 @@ static hawser_status fit(const Alignment *from, const Alignment *profile, const 
         alignment_clear(&used->line);
         status = fit_alignment(from, profile, &how, &used->line, &report, err);
         const double off = larger_of(report.largest, report.largest_height);
-        if (!report.fitted || off <= options->tolerance || off > FAR_OFF * options->tolerance) break;
+        if (off <= options->tolerance || off > FAR_OFF * options->tolerance) break;
     }
     used->fitted = report.fitted;
     used->deviation = larger_of(report.largest, report.largest_height);

@@ -113,6 +113,7 @@ hawser_status dxf_add_corners(const SurveyInput *in, const DxfEntity *e, int n, 
     const int level = !space && fabs(s.axis.z) > 1 - 1e-12, last = closed ? n : n - 1;
     Alignment *const a = n > 1 ? alignment_of(in, e) : NULL;
     if (n < 2) return HAWSER_OK;
+    if (a) a->drawn = 1;
     int fine = a != NULL && (level || point_add(a, dxf_world(&s, corner[0].at)));
     for (int i = 0; i < last && fine; ++i) {
         const DxfCorner *const from = &corner[i], *const to = &corner[(i + 1) % n];

@@ -125,7 +125,7 @@ static hawser_status corners_add(const SurveyInput *in, const DxfEntity *e, cons
     return status;
 }
 
-/* Without control points the fit points are the line's corners. */
+/* Without control points the fit points are places along the line. */
 static hawser_status fits_add(const SurveyInput *in, const DxfEntity *e, const Spline *s)
 {
     DxfCorner *const corner = calloc((size_t)s->n_fits + 1, sizeof *corner);
@@ -133,6 +133,7 @@ static hawser_status fits_add(const SurveyInput *in, const DxfEntity *e, const S
     survey_ignore(in->out, "SPLINE: what is between its fit points, for it has no control points");
     for (int i = 0; i < s->n_fits; ++i) corner[i].at = s->fit[i];
     const hawser_status status = dxf_add_corners(in, e, s->n_fits, corner, 0, 1);
+    if (!status && in->out->n > 0) in->out->alignment[in->out->n - 1].drawn = 0;
     free(corner);
     return status;
 }

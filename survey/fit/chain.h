@@ -22,6 +22,7 @@ typedef struct Node {
     double x, y;
     double weight; /* how many points it stands for */
     int corner;    /* the line has a corner there: no piece goes over it */
+    int drawn;     /* the way to the next one is known to be straight */
 } Node;
 
 /* Where a node is beside the chain. */

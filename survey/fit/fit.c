@@ -5,19 +5,13 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "survey/fit/chain.h"
+#include "survey/fit/line.h"
 
-enum { NODES_MOST = 50000, CORNER_PARTS = 12, CURVE_PARTS = 16, CLOSE_STEPS = 60 };
+enum { NODES_MOST = 50000, CORNER_PARTS = 12, CLOSE_STEPS = 60 };
 
 static const double PI = 3.14159265358979323846;
 
 FitOptions fit_options(void) { return (FitOptions){.deviation = 0.05, .least_radius = NAN, .clothoids = 1}; }
-
-/* A line of places in a plane, in their order: x and y, or station and height. */
-typedef struct Line {
-    int n;
-    Node *node; /* [n] weights 1 */
-} Line;
 
 /* ------------------------------------------------------------------------------------------------------- scatter */
 
@@ -80,6 +74,7 @@ static int nodes_thin(const Line *l, double least, Line *out)
             sum->x += p->weight / w * (p->x - sum->x);
             sum->y += p->weight / w * (p->y - sum->y);
             sum->weight = w;
+            sum->drawn = p->drawn;
             continue;
         }
         begun = *p;
@@ -100,32 +95,47 @@ static double turn_at(const Line *l, int i)
     return remainder(atan2(p[1].y - p->y, p[1].x - p->x) - atan2(p->y - p[-1].y, p->x - p[-1].x), 2 * PI);
 }
 
-/* A corner of a drawn line, not a point on a bend: it turns much, or alone. */
+/* From node i to the next one. */
+static double leg_of(const Line *l, int i)
+{
+    return hypot(l->node[i + 1].x - l->node[i].x, l->node[i + 1].y - l->node[i].y);
+}
+
+/* A corner of a drawn line, not a point on a bend: it turns much, or farther than a bend through its neighbours may lie
+ * beside the legs. Where legs are not known to be straight it does so alone: neighbours that turn to the same side make
+ * it a bend. */
 static int is_corner(const Line *l, int i, double scatter, double deviation)
 {
     if (i < 1 || i + 1 >= l->n) return 0;
-    const Node *const p = &l->node[i];
-    const double h = fmin(hypot(p[1].x - p->x, p[1].y - p->y), hypot(p->x - p[-1].x, p->y - p[-1].y));
-    const double turn = fabs(turn_at(l, i)) - 12 * scatter / h;
-    const double beside = fmax(fabs(turn_at(l, i - 1)), fabs(turn_at(l, i + 1)));
-    return turn > 0.5 || (turn > 4 * beside && turn * h / 8 > deviation);
+    const int drawn = l->node[i - 1].drawn && l->node[i].drawn;
+    const double h = fmin(leg_of(l, i - 1), leg_of(l, i)), side = copysign(1, turn_at(l, i));
+    const double turn = fabs(turn_at(l, i)) - (drawn ? 0 : 12 * scatter / h);
+    const double beside = fmax(side * turn_at(l, i - 1), side * turn_at(l, i + 1));
+    return turn > 0.5 || ((drawn || turn > 4 * beside) && turn * h / 8 > deviation);
 }
 
-/* The straights beside corners get points of their own: they are straight, and not the chords of a bend. 0: no
- * memory. */
-static int corners_fill(const Line *l, double scatter, double deviation, Line *out)
+/* Whether a bend through the ends of the leg behind node i could leave it by more than `unseen`, m. */
+static int is_leg(const Line *l, int i, double scatter, double deviation, double unseen)
+{
+    const double turn = fmax(fabs(turn_at(l, i)), fabs(turn_at(l, i + 1)));
+    return (l->node[i].drawn && turn * leg_of(l, i) / 8 > unseen) || is_corner(l, i, scatter, deviation) ||
+           is_corner(l, i + 1, scatter, deviation);
+}
+
+/* Legs that are known to be straight, and those beside corners, get points of their own: they are not the chords of a
+ * bend. 0: no memory. */
+static int corners_fill(const Line *l, double scatter, double deviation, double unseen, Line *out)
 {
     *out = (Line){0, malloc((size_t)l->n * CORNER_PARTS * sizeof *out->node)};
     if (!out->node) return 0;
     for (int i = 0; i < l->n; ++i) {
         out->node[out->n] = l->node[i];
         out->node[out->n++].corner = is_corner(l, i, scatter, deviation);
-        if (i + 1 == l->n || !(is_corner(l, i, scatter, deviation) || is_corner(l, i + 1, scatter, deviation)))
-            continue;
+        if (i + 1 == l->n || !is_leg(l, i, scatter, deviation, unseen)) continue;
         for (int k = 1; k < CORNER_PARTS; ++k) {
             const double part = (double)k / CORNER_PARTS;
             const Node *const a = &l->node[i], *const b = a + 1;
-            out->node[out->n++] = (Node){a->x + part * (b->x - a->x), a->y + part * (b->y - a->y), 1, 0};
+            out->node[out->n++] = (Node){a->x + part * (b->x - a->x), a->y + part * (b->y - a->y), 1, 0, 1};
         }
     }
     return 1;
@@ -133,14 +143,7 @@ static int corners_fill(const Line *l, double scatter, double deviation, Line *o
 
 /* ---------------------------------------------------------------------------------------------------------- a chain */
 
-typedef struct Fitted {
-    int n;
-    Piece *piece; /* [n] */
-    Foot *foot;   /* [n of the line] of every point */
-    double scatter;
-} Fitted;
-
-static void fitted_clear(Fitted *f)
+void fitted_clear(Fitted *f)
 {
     free(f->piece);
     free(f->foot);
@@ -197,11 +200,11 @@ static hawser_status arcs_widen(Fitted *f, int m, const Node *node, const FitOpt
     return status;
 }
 
-static double rms_of(const Fitted *f, int n)
+static double rms_of(const Fitted *f)
 {
     double sum = 0;
-    for (int i = 0; i < n; ++i) sum += f->foot[i].away * f->foot[i].away;
-    return sqrt(sum / n);
+    for (int i = 0; i < f->n_seen; ++i) sum += f->foot[i].away * f->foot[i].away;
+    return sqrt(sum / f->n_seen);
 }
 
 /* How well the points tell each arc's curvature, in its k_sd; what stays as the file has it, or is as wide as the
@@ -225,19 +228,21 @@ static hawser_status radii_judge(Fitted *f, int m, const Node *node, const Foot 
 }
 
 /* The chain through the line, from given pieces on if there are some (in f->piece). */
-static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids, Fitted *f, hawser_error *err)
+hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids, Fitted *f, hawser_error *err)
 {
-    Line thin = {0, NULL}, full = {0, NULL};
+    Line thin = {0, NULL}, full = {0, NULL}, seen = {0, NULL};
     Foot *foot = NULL;
     assert(l->n > 0);
     f->scatter = scatter_of(l);
     const double sigma = fmin(fmax(f->scatter, o->deviation / 5), o->deviation / 2);
     const double step = fmin(10 * f->scatter, 5 * o->deviation);
     int memory = !isnan(f->scatter) && nodes_thin(l, step, &thin);
-    if (memory) memory = corners_fill(&thin, f->scatter, o->deviation, &full);
-    assert(!memory || full.n > 0);
+    if (memory) memory = corners_fill(&thin, f->scatter, o->deviation, o->deviation, &full);
+    if (memory) memory = corners_fill(l, f->scatter, o->deviation, 0.25 * o->deviation, &seen);
+    assert(!memory || (full.n > 0 && seen.n > 0));
+    f->n_seen = seen.n;
     if (memory) memory = (foot = malloc((size_t)full.n * sizeof *foot)) != NULL;
-    if (memory) memory = (f->foot = malloc((size_t)l->n * sizeof *f->foot)) != NULL;
+    if (memory) memory = (f->foot = malloc((size_t)seen.n * sizeof *f->foot)) != NULL;
     hawser_status status = memory ? HAWSER_OK : error_memory(err);
     const int kept = f->piece != NULL;
     if (!status && !kept)
@@ -248,31 +253,23 @@ static hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids,
     if (!status) status = arcs_widen(f, full.n, full.node, o, foot, err);
     if (!status) {
         chain_close(f->n, f->piece);
-        status = chain_refine(f->n, f->piece, l->n, l->node, 0, f->foot, err);
+        status = chain_refine(f->n, f->piece, seen.n, seen.node, 0, f->foot, err);
     }
-    if (!status) status = radii_judge(f, l->n, l->node, f->foot, fmax(f->scatter, rms_of(f, l->n)), err);
+    if (!status) status = radii_judge(f, seen.n, seen.node, f->foot, fmax(f->scatter, rms_of(f)), err);
     free(thin.node);
     free(full.node);
+    free(seen.node);
     free(foot);
     return status;
 }
 
-static void deviations(const Fitted *f, int n, double *largest, double *rms)
+void fitted_deviations(const Fitted *f, double *largest, double *rms)
 {
-    *largest = farthest(n, f->foot);
-    *rms = rms_of(f, n);
+    *largest = farthest(f->n_seen, f->foot);
+    *rms = rms_of(f);
 }
 
 /* ------------------------------------------------------------------------------------------------------- the plan */
-
-static int is_smooth_profile(const Alignment *a)
-{
-    for (int i = 1; i < a->n_profile; ++i) {
-        const ProfileElement end = profile_at(&a->profile[i - 1], a->profile[i].station - a->profile[i - 1].station);
-        if (fabs(end.z - a->profile[i].z) > 1e-3 || fabs(end.grade - a->profile[i].grade) > 1e-3) return 0;
-    }
-    return 1;
-}
 
 static int is_smooth_plan(const Alignment *a)
 {
@@ -280,7 +277,8 @@ static int is_smooth_plan(const Alignment *a)
     return a->n_plan > 0 && m.gap < 1e-3 && m.turn < 1e-3;
 }
 
-static int node_add(Line *l, double x, double y)
+/* drawn: the way to it is straight. */
+int node_add(Line *l, double x, double y, int drawn)
 {
     if (l->n && hypot(l->node[l->n - 1].x - x, l->node[l->n - 1].y - y) < 1e-6) return 1;
     if ((l->n & (l->n - 1)) == 0) {
@@ -288,22 +286,23 @@ static int node_add(Line *l, double x, double y)
         if (!wider) return 0;
         l->node = wider;
     }
-    l->node[l->n++] = (Node){x, y, 1, 0};
+    if (l->n) l->node[l->n - 1].drawn = drawn;
+    l->node[l->n++] = (Node){x, y, 1, 0, 0};
     return 1;
 }
 
 /* The line's points, or its elements' ends with points along curves, all from `origin` on. 0: no memory. */
-static int plan_line(const Alignment *a, Vec3 origin, Line *l)
+int plan_line(const Alignment *a, Vec3 origin, Line *l)
 {
     int fine = 1;
     for (int i = 0; i < a->n_points && fine; ++i) {
-        fine = node_add(l, a->point[i].x - origin.x, a->point[i].y - origin.y);
+        fine = node_add(l, a->point[i].x - origin.x, a->point[i].y - origin.y, a->drawn);
     }
     for (int i = 0; i < a->n_plan && fine; ++i) {
         const int parts = a->plan[i].k0 != 0 || a->plan[i].k1 != 0 ? CURVE_PARTS : 1;
         for (int k = 0; k <= parts && fine; ++k) {
             const PlanElement at = plan_at(&a->plan[i], a->plan[i].length * k / parts);
-            fine = node_add(l, at.x - origin.x, at.y - origin.y);
+            fine = node_add(l, at.x - origin.x, at.y - origin.y, parts == 1);
         }
     }
     return fine;
@@ -358,136 +357,9 @@ static hawser_status plan_fit(const Alignment *a, const FitOptions *o, Alignment
         report->fitted = 1;
         report->points = l.n;
         report->scatter = f.scatter;
-        deviations(&f, l.n, &report->largest, &report->rms);
+        fitted_deviations(&f, &report->largest, &report->rms);
     }
     fitted_clear(&f);
-    free(l.node);
-    return status;
-}
-
-/* ------------------------------------------------------------------------------------------------------- heights */
-
-/* Stations and heights of points beside the plan, in their order. */
-static hawser_status heights_of_points(const Alignment *plan, const Alignment *from, Line *l, hawser_error *err)
-{
-    const Vec3 origin = alignment_at(plan, 0).at;
-    const int n = from->n_points;
-    Piece *const piece = malloc((size_t)plan->n_plan * sizeof *piece);
-    Node *const node = malloc((size_t)n * sizeof *node);
-    Foot *const foot = malloc((size_t)n * sizeof *foot);
-    double *const start = malloc((size_t)plan->n_plan * sizeof *start);
-    hawser_status status = piece && node && foot && start ? HAWSER_OK : error_memory(err);
-    for (int q = 0; q < plan->n_plan && !status; ++q) {
-        piece[q] = (Piece){.e = plan->plan[q]};
-        piece[q].e.x -= origin.x;
-        piece[q].e.y -= origin.y;
-        start[q] = q ? start[q - 1] + plan->plan[q - 1].length : 0;
-    }
-    for (int i = 0; i < n && !status; ++i) {
-        node[i] = (Node){from->point[i].x - origin.x, from->point[i].y - origin.y, 1, 0};
-    }
-    if (!status) status = chain_refine(plan->n_plan, piece, n, node, 0, foot, err);
-    for (int i = 0; i < n && !status; ++i) {
-        const double s = start[foot[i].piece] + foot[i].s;
-        if (l->n && s < l->node[l->n - 1].x + 1e-6) continue; /* back or straight up */
-        if (!node_add(l, s, from->point[i].z)) status = error_memory(err);
-    }
-    free(piece);
-    free(node);
-    free(foot);
-    free(start);
-    return status;
-}
-
-/* The corners of a profile's elements, with points along its curves. */
-static int heights_of_profile(const Alignment *from, Line *l)
-{
-    int fine = 1;
-    for (int i = 0; i < from->n_profile && fine; ++i) {
-        const ProfileElement *const e = &from->profile[i];
-        const int parts = e->bend != 0 ? CURVE_PARTS : 1;
-        for (int k = 0; k <= parts && fine; ++k) {
-            const ProfileElement at = profile_at(e, e->length * k / parts);
-            if (!l->n || at.station > l->node[l->n - 1].x + 1e-9) fine = node_add(l, at.station, at.z);
-        }
-    }
-    return fine;
-}
-
-/* A drawn profile: its points or elements' ends, x the station. */
-static int heights_drawn(const Alignment *from, Line *l)
-{
-    if (!plan_line(from, V3_ZERO, l)) return 0;
-    for (int i = 0, j = l->n - 1; i < j && l->node[0].x > l->node[l->n - 1].x; ++i, --j) {
-        const Node kept = l->node[i];
-        l->node[i] = l->node[j];
-        l->node[j] = kept;
-    }
-    return 1;
-}
-
-static hawser_status profile_take(const Piece *p, Alignment *out, hawser_error *err)
-{
-    const PlanElement end = plan_at(&p->e, p->e.length);
-    if (fmax(fabs(p->e.heading), fabs(end.heading)) > 80 * PI / 180) {
-        return error_set(err, HAWSER_ERR_INPUT,
-                         "'%.60s' is steeper than 80 deg %.1f m from its start: no profile can say that", out->name,
-                         p->e.x);
-    }
-    ProfileElement *const e = alignment_add_profile(out);
-    if (!e) return error_memory(err);
-    *e = (ProfileElement){.kind = p->kind == PIECE_ARC ? PROFILE_ARC : PROFILE_PARABOLA,
-                          .station = p->e.x,
-                          .length = end.x - p->e.x,
-                          .z = p->e.y,
-                          .grade = tan(p->e.heading),
-                          .bend = p->kind == PIECE_ARC ? p->e.k0 : 0};
-    return HAWSER_OK;
-}
-
-static hawser_status heights_fit(Line *l, const FitOptions *o, Alignment *out, FitReport *report, hawser_error *err)
-{
-    Fitted f = {0};
-    if (l->n < 2)
-        return error_set(err, HAWSER_ERR_INPUT, "the profile of '%.60s' has fewer than two points", out->name);
-    const double z0 = l->node[0].y;
-    for (int i = 0; i < l->n; ++i) l->node[i].y -= z0;
-    hawser_status status = line_fit(l, o, 0, &f, err);
-    for (int i = 0; i < f.n && !status; ++i) {
-        f.piece[i].e.y += z0;
-        status = profile_take(&f.piece[i], out, err);
-    }
-    if (!status) deviations(&f, l->n, &report->largest_height, &report->rms_height);
-    fitted_clear(&f);
-    return status;
-}
-
-static hawser_status profile_copy(const Alignment *from, Alignment *out, hawser_error *err)
-{
-    for (int i = 0; i < from->n_profile; ++i) {
-        ProfileElement *const e = alignment_add_profile(out);
-        if (!e) return error_memory(err);
-        *e = from->profile[i];
-    }
-    return HAWSER_OK;
-}
-
-static hawser_status profile_fit(const Alignment *from, const FitOptions *o, Alignment *out, FitReport *report,
-                                 hawser_error *err)
-{
-    Line l = {0, NULL};
-    hawser_status status = HAWSER_OK;
-    if (o->profile_drawn && from->n_profile == 0)
-        status = heights_drawn(from, &l) ? HAWSER_OK : error_memory(err);
-    else if (from->n_profile == 0 && (from->flat || from->n_points == 0))
-        return HAWSER_OK; /* level at 0 */
-    else if (from->n_profile && is_smooth_profile(from))
-        return profile_copy(from, out, err);
-    else if (from->n_profile)
-        status = heights_of_profile(from, &l) ? HAWSER_OK : error_memory(err);
-    else
-        status = heights_of_points(out, from, &l, err);
-    if (!status) status = heights_fit(&l, o, out, report, err);
     free(l.node);
     return status;
 }
@@ -530,7 +402,7 @@ hawser_status fit_alignment(const Alignment *line, const Alignment *profile, con
         if (!alignment_copy(&plan, out)) status = error_memory(err);
     }
     if (!status && out->n_plan == 0) status = plan_fit(line, options, out, report, err);
-    if (!status) status = profile_fit(profile ? profile : line, options, out, report, err);
+    if (!status) status = profile_fit(line, profile, options, out, report, err);
     if (status) alignment_clear(out);
     radii_report(out, options->least_radius, report);
     return status;

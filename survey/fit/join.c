@@ -264,6 +264,15 @@ static int point_add(Alignment *a, Vec3 p)
     return to != NULL;
 }
 
+/* Whether all elements are straights, in plan and in height. */
+static int is_straight(const Alignment *a)
+{
+    for (int i = 0; i < a->n_plan; ++i) {
+        if (a->plan[i].k0 != 0 || a->plan[i].k1 != 0 || a->n_profile > 1) return 0;
+    }
+    return 1;
+}
+
 /* A piece as points: its own, or places along its elements. */
 static int points_take(const Alignment *from, Alignment *to)
 {
@@ -306,11 +315,12 @@ static int elements_take(const Alignment *from, Alignment *to)
  */
 static int line_make(const Net *net, int n, double tolerance, Joined *joined, Survey *to)
 {
-    int heights = 0, elements = 0, jump = 0;
+    int heights = 0, elements = 0, jump = 0, drawn = 1;
     for (int k = 0; k < n; ++k) {
         const Alignment *const a = net->piece[net->order[k] < 0 ? -1 - net->order[k] : net->order[k]];
         heights |= !is_flat(a) && n > 1;
         elements |= a->n_plan > 0;
+        drawn &= a->n_plan == 0 ? a->drawn : is_straight(a);
     }
     Alignment *const line = survey_add(to, "");
     int fine = line != NULL;
@@ -324,6 +334,7 @@ static int line_make(const Net *net, int n, double tolerance, Joined *joined, Su
             memcpy(line->name, piece.name, sizeof line->name);
             memcpy(line->layer, piece.layer, sizeof line->layer);
             line->flat = !heights;
+            line->drawn = drawn;
         }
         if (n == 1) { /* as it is */
             *line = piece;

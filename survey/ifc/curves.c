@@ -144,6 +144,7 @@ static hawser_status polyline_add(const IfcFile *file, const StepEntity *curve, 
 {
     hawser_status status = HAWSER_OK;
     const StepValue *v = step_item(curve, step_attribute(curve, 0), 0);
+    a->drawn = 1;
     for (Vec3 at; v && !status; v = step_behind(curve, v)) {
         status = ifc_triple(file, v->reference, &at);
         if (!status) status = point_add(file, at, a);
@@ -247,6 +248,7 @@ static hawser_status indexed_add(const IfcFile *file, const StepEntity *curve, A
         status = index_add(file, curve, part, &c, a);
     for (int i = 0; i < c.n && !first && !status && fine; ++i) fine = straight_add(&c, c.at[i], c.at[i], a);
     a->flat = c.flat;
+    a->drawn = 1;
     if (fine && !status && c.elements && c.at[0].z != 0) {
         ProfileElement *const level = alignment_add_profile(a);
         if (level) *level = (ProfileElement){.length = alignment_measure(a).plan_length, .z = c.at[0].z};

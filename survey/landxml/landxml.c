@@ -16,6 +16,7 @@ typedef struct Geometry {
     PointOf have[GEOMETRY_POINTS];     /* Start, End, Center, PI */
     double length, radius, radius_end; /* m; NAN: not given, infinite: straight */
     int right;                         /* turns clockwise */
+    int turns;                         /* it says which way it turns */
     char kind[WORD_MOST];              /* of a spiral */
 } Geometry;
 
@@ -148,6 +149,10 @@ static void spiral_add(Reader *r)
         FAIL(r, "a Spiral needs length, radiusStart and radiusEnd, none of them 0");
         return;
     }
+    if (!g->turns) {
+        FAIL(r, "a %s without rot, cw or ccw: which way it turns", "Spiral");
+        return;
+    }
     const PlanElement level = {0, 0, 0, g->length, side / g->radius, side / g->radius_end, 0, 0};
     const PlanElement tip = plan_at(&level, g->length);
     const double heading = atan2(end.y - start.y, end.x - start.x) - atan2(tip.y, tip.x);
@@ -204,7 +209,8 @@ static void geometry_begin(Reader *r, const char **attributes)
     r->geometry = (Geometry){.length = number(r, attributes, "length", unit),
                              .radius = radius,
                              .radius_end = number(r, attributes, "radiusEnd", unit),
-                             .right = rot && !strcmp(rot, "cw")};
+                             .right = rot && !strcasecmp(rot, "cw"),
+                             .turns = rot && (!strcasecmp(rot, "cw") || !strcasecmp(rot, "ccw"))};
     word(r->geometry.kind, attribute(attributes, "spiType"));
 }
 

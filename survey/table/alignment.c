@@ -17,7 +17,12 @@ typedef struct Convention {
     int side;    /* +1: positive is left */
 } Convention;
 
-static double curvature(double radius, int side) { return isnan(radius) || radius == 0 ? 0 : side / radius; }
+/* A word for the side counts more than the radius' sign. */
+static double curvature(double radius, const TableRow *row, int side)
+{
+    if (isnan(radius) || radius == 0 || row->straight) return 0;
+    return row->turn == TURN_NONE ? side / radius : (row->turn == TURN_RIGHT ? -1 : 1) / fabs(radius);
+}
 
 /* A row's element, heading for `heading`. */
 static PlanElement element_of(const TableRow *row, Convention c, double heading)
@@ -28,8 +33,8 @@ static PlanElement element_of(const TableRow *row, Convention c, double heading)
                          .y = v[COLUMN_Y],
                          .heading = heading,
                          .length = v[COLUMN_LENGTH],
-                         .k0 = row->straight ? 0 : curvature(from, c.side),
-                         .k1 = row->straight ? 0 : curvature(to, c.side)};
+                         .k0 = curvature(from, row, c.side),
+                         .k1 = curvature(to, row, c.side)};
 }
 
 /* Row i's element; before: the one before it, which tells the heading of a last one. */
@@ -82,6 +87,15 @@ static Convention convention_find(SurveyInput *in, const Table *t)
     return best;
 }
 
+/* Heights that lead on: where element `before` ends, m, the next one begins, z. */
+static hawser_status rise_check(const SurveyInput *in, const ProfileElement *before, double z)
+{
+    const double jump = 0.1, end = profile_at(before, before->length).z;
+    if (fabs(z - end) <= jump) return HAWSER_OK;
+    return input_error(
+        in, "the element before ends at a height of %.3f m by its gradients, and this one begins at %.3f m", end, z);
+}
+
 /* The profile over row i, which begins `station` m from the first one: z with the gradients at both ends. */
 static hawser_status rise_add(SurveyInput *in, const TableRow *row, double station, Alignment *a)
 {
@@ -89,6 +103,13 @@ static hawser_status rise_add(SurveyInput *in, const TableRow *row, double stati
     const double to = isnan(v[COLUMN_GRADE_END]) ? from : v[COLUMN_GRADE_END];
     const int arc = isfinite(radius) && radius != 0;
     if (isnan(v[COLUMN_Z]) || isnan(from)) return input_error(in, "an element with a height needs its gradient too");
+    if (arc && (to - from) * radius < 0)
+        return input_error(in,
+                           "a vertical radius of %g m, and gradients from %g to %g: it is positive in a sag, negative "
+                           "on a crest",
+                           radius, from, to);
+    const hawser_status status = a->n_profile ? rise_check(in, &a->profile[a->n_profile - 1], v[COLUMN_Z]) : HAWSER_OK;
+    if (status) return status;
     ProfileElement *const e = alignment_add_profile(a);
     if (!e) return error_memory(in->err);
     *e = (ProfileElement){.kind = arc ? PROFILE_ARC : PROFILE_PARABOLA,
@@ -100,15 +121,37 @@ static hawser_status rise_add(SurveyInput *in, const TableRow *row, double stati
     return HAWSER_OK;
 }
 
+/* A row that is no element: without place or length, with heights that no gradient leads to, or too long or short for
+ * the way to the next one's place. */
+static hawser_status element_check(SurveyInput *in, const Table *t, int i)
+{
+    const int heights = t->has[COLUMN_Z] && t->has[COLUMN_GRADE];
+    const TableRow *const row = &t->row[i];
+    const double *const v = row->value, *const next = i + 1 < t->n ? t->row[i + 1].value : v, length = v[COLUMN_LENGTH];
+    in->line = row->line;
+    if (!(length > 0) || isnan(v[COLUMN_X]) || isnan(v[COLUMN_Y]))
+        return input_error(in, "an element needs x, y and a length above 0");
+    if (row->turn == TURN_UP || row->turn == TURN_DOWN)
+        return input_error(in, "an element in plan turns left or right: z and gradients say how it rises");
+    if (fabs(v[COLUMN_SLOPE]) > 0 || (!heights && (fabs(v[COLUMN_Z]) > 0 || fabs(v[COLUMN_GRADE]) > 0)))
+        return input_error(in, "an element in plan that rises needs the columns z and start gradient, both");
+    const double way = hypot(next[COLUMN_X] - v[COLUMN_X], next[COLUMN_Y] - v[COLUMN_Y]);
+    const PlanElement e = element_of(row, (Convention){.side = 1}, 0);
+    const int straight = e.k0 == 0 && e.k1 == 0;
+    if (i + 1 < t->n && (length < 0.9 * way - 1 || (straight && length > 1.1 * way + 1)))
+        return input_error(
+            in,
+            "an element of %.10g m, and the next one begins %.10g m away: does its column count from the "
+            "line's start? That is a station",
+            length, way);
+    return HAWSER_OK;
+}
+
 static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
 {
-    for (int i = 0; i < t->n; ++i) {
-        const double *const v = t->row[i].value;
-        in->line = t->row[i].line;
-        if (!(v[COLUMN_LENGTH] > 0) || isnan(v[COLUMN_X]) || isnan(v[COLUMN_Y])) {
-            return input_error(in, "an element needs x, y and a length above 0");
-        }
-    }
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < t->n && !status; ++i) status = element_check(in, t, i);
+    if (status) return status;
     const Convention c = convention_find(in, t);
     for (int i = 0; i < t->n; ++i) {
         PlanElement *const e = alignment_add_plan(a);
@@ -117,7 +160,6 @@ static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
         e->name = t->row[i].name;
     }
     double station = 0;
-    hawser_status status = HAWSER_OK;
     for (int i = 0; i < t->n && !status && t->has[COLUMN_Z] && t->has[COLUMN_GRADE]; ++i) {
         in->line = t->row[i].line;
         status = rise_add(in, &t->row[i], station, a);
@@ -128,11 +170,12 @@ static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
 
 /* ---------------------------------------------------------------------------------------------------- profiles */
 
-/* What a row leaves out: the first one begins at 0, a grade leads to the next height. */
+/* What a row leaves out: the first one begins at 0, a slope is a gradient, a grade leads to the next height. */
 static void profile_fill(const Table *t, int i, double v[COLUMN_TYPE])
 {
     const double *const next = i + 1 < t->n ? t->row[i + 1].value : NULL;
     for (int c = 0; c < COLUMN_TYPE; ++c) v[c] = t->row[i].value[c];
+    if (!t->has[COLUMN_GRADE]) v[COLUMN_GRADE] = v[COLUMN_SLOPE];
     if (i == 0 && isnan(v[COLUMN_STATION])) v[COLUMN_STATION] = 0;
     if (next && isnan(v[COLUMN_GRADE])) {
         v[COLUMN_GRADE] = (next[COLUMN_Z] - v[COLUMN_Z]) / (next[COLUMN_STATION] - v[COLUMN_STATION]);
@@ -157,6 +200,8 @@ static hawser_status profile_make(SurveyInput *in, const Table *t, Alignment *a)
         if (fabs(stated - length) > 1e-3 + 1e-5 * length) {
             survey_ignore(in->out, "lengths that differ from the way to the next station");
         }
+        const hawser_status status = i ? rise_check(in, &a->profile[i - 1], v[COLUMN_Z]) : HAWSER_OK;
+        if (status) return status;
         const double radius = fabs(v[COLUMN_RADIUS]), change = v[COLUMN_GRADE_END] - v[COLUMN_GRADE];
         const int arc = change != 0 && radius > 0;
         ProfileElement *const e = alignment_add_profile(a);
@@ -200,12 +245,26 @@ static hawser_status corners_make(SurveyInput *in, const Table *t, Alignment *a)
 
 /* ------------------------------------------------------------------------------------------------------ pieces */
 
+/* Stations of points rise about as far as the points are apart: what jumps, as stations that begin anew do, is on no
+ * line that could be told by them. */
+static hawser_status station_check(const SurveyInput *in, const Table *t, int i)
+{
+    const double *const v = t->row[i].value, *const was = t->row[i > 0 ? i - 1 : 0].value;
+    const double way = hypot(v[COLUMN_X] - was[COLUMN_X], v[COLUMN_Y] - was[COLUMN_Y]);
+    const double on = v[COLUMN_STATION] - was[COLUMN_STATION];
+    if (i == 0 || isnan(on) || (on >= 0 && on > 0.5 * way - 1 && on < 2 * way + 1)) return HAWSER_OK;
+    return input_error(in, "station %.10g m is %.10g m on from the one before, and the points are %.10g m apart",
+                       v[COLUMN_STATION], on, way);
+}
+
 static hawser_status points_make(SurveyInput *in, const Table *t, Alignment *a)
 {
     for (int i = 0; i < t->n; ++i) {
         const double *const v = t->row[i].value, z = v[COLUMN_Z];
         in->line = t->row[i].line;
         if (isnan(v[COLUMN_X]) || isnan(v[COLUMN_Y])) return input_error(in, "a point needs x and y");
+        const hawser_status status = station_check(in, t, i);
+        if (status) return status;
         Vec3 *const p = alignment_add_point(a);
         if (!p) return error_memory(in->err);
         *p = v3(v[COLUMN_X], v[COLUMN_Y], isnan(z) ? 0 : z);
@@ -251,13 +310,15 @@ static hawser_status piece_lay(SurveyInput *in, const TableRow *row, Alignment *
     if (!bend && radius > 0) return input_error(in, "a piece with a radius is a bend, and needs its angle and turn");
     if (bend && fabs(v[COLUMN_LENGTH] - radius * fabs(angle)) > 1e-3 + 1e-3 * radius * fabs(angle))
         survey_ignore(in->out, "lengths of bends that are not their radius times their angle");
+    if (bend && angle < 0 && (row->turn == TURN_LEFT || row->turn == TURN_UP))
+        return input_error(in, "a negative angle is to the right or down, and its turn says left or up");
     if (bend && row->turn == TURN_NONE && angle > 0)
         return input_error(in, "a bend needs a turn: left, right, up or down");
     if (!bend && !(v[COLUMN_LENGTH] > 0))
         return input_error(in, "a straight needs a length above 0, a bend an angle and a radius");
     double plan = bend ? radius * fabs(angle) : v[COLUMN_LENGTH] * cos(at->slope), k = 0, rise = 0;
     if (bend && upright) {
-        const double to = at->slope + (row->turn == TURN_UP ? angle : -angle);
+        const double to = at->slope + (row->turn == TURN_UP ? 1 : -1) * fabs(angle);
         if (fabs(to) > 1.5) return input_error(in, "the route would be steeper than 86 deg: a table has no shafts");
         rise = (row->turn == TURN_UP ? 1 : -1) / radius;
         plan = (sin(to) - sin(at->slope)) / rise;
@@ -312,7 +373,23 @@ hawser_status table_alignment(SurveyInput *in, Table *t)
 {
     static const int points[] = {COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_STATION, -1};
     static const int pieces[] = {COLUMN_LENGTH, COLUMN_ANGLE, COLUMN_RADIUS, COLUMN_SLOPE, COLUMN_STATION, -1};
-
+    static const int elements[] = {COLUMN_X,
+                                   COLUMN_Y,
+                                   COLUMN_Z,
+                                   COLUMN_LENGTH,
+                                   COLUMN_RADIUS,
+                                   COLUMN_SLOPE,
+                                   COLUMN_RADIUS_START,
+                                   COLUMN_RADIUS_END,
+                                   COLUMN_HEADING,
+                                   COLUMN_STATION,
+                                   COLUMN_GRADE,
+                                   COLUMN_GRADE_END,
+                                   COLUMN_VERTICAL_RADIUS,
+                                   -1};
+    static const int rises[] = {COLUMN_Z,       COLUMN_LENGTH, COLUMN_RADIUS,    COLUMN_SLOPE,
+                                COLUMN_STATION, COLUMN_GRADE,  COLUMN_GRADE_END, -1};
+    static const int corners[] = {COLUMN_Z, COLUMN_RADIUS, COLUMN_STATION, COLUMN_CURVE_LENGTH, -1};
     const int *const has = t->has, plan = has[COLUMN_X] && has[COLUMN_Y];
     Alignment *const a = survey_add(in->out, "");
     if (!a) return error_memory(in->err);
@@ -320,10 +397,12 @@ hawser_status table_alignment(SurveyInput *in, Table *t)
     t->names = (PieceNames){.text = NULL};
     const double station = has[COLUMN_STATION] ? t->row[0].value[COLUMN_STATION] : NAN;
     a->station = isnan(station) ? 0 : station;
-    if (plan && has[COLUMN_LENGTH]) return plan_make(in, t, a);
+    if (plan && has[COLUMN_LENGTH]) return unused_say(in, t, "elements", elements), plan_make(in, t, a);
     if (plan) return unused_say(in, t, "points", points), points_make(in, t, a);
-    if (has[COLUMN_STATION] && has[COLUMN_Z] && has[COLUMN_GRADE]) return profile_make(in, t, a);
-    if (has[COLUMN_STATION] && has[COLUMN_Z]) return corners_make(in, t, a);
+    if (has[COLUMN_STATION] && has[COLUMN_Z] && (has[COLUMN_GRADE] || has[COLUMN_SLOPE]))
+        return unused_say(in, t, "a profile's elements", rises), profile_make(in, t, a);
+    if (has[COLUMN_STATION] && has[COLUMN_Z])
+        return unused_say(in, t, "a profile's corners", corners), corners_make(in, t, a);
     if (has[COLUMN_LENGTH] || has[COLUMN_ANGLE]) return unused_say(in, t, "pieces", pieces), pieces_make(in, t, a);
     in->line = 0;
     return input_error(in,

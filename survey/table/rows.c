@@ -53,6 +53,11 @@ static const struct {
                {"rad", 1},
                {"gon", 0.015707963267948967},
                {"%", 1e-2},
+               {"\xE2\x80\xB0", 1e-3}, /* per mille and degree, in UTF-8 and as code pages have them */
+               {"\x89", 1e-3},
+               {"\xC2\xB0", 0.017453292519943295},
+               {"\xB0", 0.017453292519943295},
+               {"permille", 1e-3},
                {"degrees", 0.017453292519943295},
                {"percent", 1e-2}};
 
@@ -61,6 +66,7 @@ typedef struct Columns {
     TableColumn meaning[CELLS_MOST]; /* TABLE_COLUMNS: none */
     double factor[CELLS_MOST];
     char tangent[CELLS_MOST]; /* a slope that is given as an angle */
+    char percent[CELLS_MOST]; /* the header has the percent sign that a cell may repeat */
     char separator;
 } Columns;
 
@@ -88,11 +94,14 @@ static int split(SurveyInput *in, char *text, char separator, char *cell[CELLS_M
     }
 }
 
-/* The unit that stands behind a header's name: in brackets, behind a comma, or as a percent sign; NULL: none. */
+/* The unit that stands behind a header's name: in brackets, behind a comma, or as a sign of percent, per mille or
+ * degrees; NULL: none. */
 static const char *unit_of(const char *text)
 {
-    const char *const bracket = strpbrk(text, "([,");
-    return bracket ? bracket + 1 + strspn(bracket + 1, " ") : strchr(text, '%');
+    static const char *const signs[] = {"%", "\xE2\x80\xB0", "\xC2\xB0", "\xB0", "\x89"};
+    const char *const bracket = strpbrk(text, "([,"), *sign = NULL;
+    for (size_t i = 0; i < sizeof signs / sizeof *signs && !sign; ++i) sign = strstr(text, signs[i]);
+    return bracket ? bracket + 1 + strspn(bracket + 1, " ") : sign;
 }
 
 /* German letters with two of the alphabet, in UTF-8 or Latin-1: Laenge, Hoehe. NULL: another. */
@@ -143,7 +152,8 @@ static TableColumn column_of(const char *letters)
 static int is_angle(const char *text)
 {
     const char *const unit = unit_of(text);
-    return unit && (!strncasecmp(unit, "deg", 3) || !strncasecmp(unit, "rad", 3) || !strncasecmp(unit, "gon", 3));
+    return unit && (*unit == '\xC2' || *unit == '\xB0' || !strncasecmp(unit, "deg", 3) ||
+                    !strncasecmp(unit, "rad", 3) || !strncasecmp(unit, "gon", 3));
 }
 
 static int is_length(TableColumn c)
@@ -183,13 +193,15 @@ static hawser_status header_read(SurveyInput *in, char *text, Columns *columns, 
             return input_error(in, "column '%.60s' means the same as one before it", cell[i]);
         table->has[c] = 1;
         columns->factor[i] = unit_of(cell[i]) ? factor : usual_factor(in, c);
+        columns->percent[i] = unit_of(cell[i]) && *unit_of(cell[i]) == '%';
         columns->tangent[i] = (char)(is_slope(c) && is_angle(cell[i]));
     }
     return columns->n < 0 ? HAWSER_ERR_INPUT : HAWSER_OK;
 }
 
-/* One number; a decimal comma where commas do not separate. A percent sign or nothing behind it. */
-static int cell_number(const SurveyInput *in, const Columns *columns, char *text, double *value)
+/* One number; a decimal comma where commas do not separate. Behind it nothing, or of a slope a percent sign, which
+ * counts once if the header has it too. */
+static int cell_number(const SurveyInput *in, const Columns *columns, int i, char *text, double *value)
 {
     char *end;
     for (char *c = text; columns->separator != ',' && *c; ++c) {
@@ -197,7 +209,8 @@ static int cell_number(const SurveyInput *in, const Columns *columns, char *text
     }
     if (!input_number(in, text, &end, value)) return 0;
     end += strspn(end, " ");
-    if (*end == '%') *value /= 100, ++end;
+    if (*end == '%' && is_slope(columns->meaning[i]) && !columns->tangent[i])
+        *value /= columns->percent[i] ? 1 : 100 * columns->factor[i], ++end;
     return end[strspn(end, " ")] == 0;
 }
 
@@ -227,7 +240,7 @@ static hawser_status cell_read(SurveyInput *in, const Columns *columns, int i, c
         row->value[c] = 0; /* of a radius: straight */
         return HAWSER_OK;
     }
-    if (!cell_number(in, columns, text, &row->value[c])) return input_error(in, "'%.40s' is no number", text);
+    if (!cell_number(in, columns, i, text, &row->value[c])) return input_error(in, "'%.40s' is no number", text);
     row->value[c] *= columns->factor[i];
     if (columns->tangent[i] && !(fabs(row->value[c]) < 1.57)) return input_error(in, "'%.40s' is too steep", text);
     if (columns->tangent[i]) row->value[c] = tan(row->value[c]);
@@ -283,6 +296,12 @@ static hawser_status row_read(SurveyInput *in, const Columns *columns, char *tex
     char *cell[CELLS_MOST];
     const int n = split(in, text, columns->separator, cell);
     if (n < 0) return HAWSER_ERR_INPUT;
+    for (int i = columns->n; i < n; ++i) {
+        if (cell[i][strspn(cell[i], " \r")])
+            return input_error(
+                in, "'%.40s' is cell %d of a row, and there are %d columns: are decimal commas among commas?", cell[i],
+                i + 1, columns->n);
+    }
     if ((table->n & (table->n - 1)) == 0) {
         TableRow *const wider = realloc(table->row, (table->n ? 2 * (size_t)table->n : 1) * sizeof *wider);
         if (!wider) return error_memory(in->err);

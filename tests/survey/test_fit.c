@@ -3,6 +3,7 @@
 
 #include "core/base/worst.h"
 #include "survey/fit/fit.h"
+#include "survey/fit/join.h"
 #include "tests/survey/noise.h"
 #include "tests/survey/survey_fixture.h"
 
@@ -243,6 +244,60 @@ static Alignment polyline(int n, const Vec3 *point)
     return a;
 }
 
+/* How far the middles of the legs are from the line that came of them, m. */
+static double legs_off(const Alignment *out, int n, const Vec3 *point)
+{
+    double worst = 0;
+    for (int i = 0; i + 1 < n; ++i) {
+        const Vec3 middle = v3_scale(0.5, v3_add(point[i], point[i + 1]));
+        worst = larger_of(worst, line_away(out, middle.x, middle.y));
+    }
+    return worst;
+}
+
+/* The legs of a drawn line are straight, however alike its corners are: none becomes a bend. Of points alone it is
+ * known where corners turn to different sides. */
+static void legs_stay_straight(void **state)
+{
+    (void)state;
+    const Vec3 same[] = {{0, 0, 0}, {60, 0, 0}, {116.4, 20.5, 0}, {150, 70, 0}, {160, 130, 0}};
+    Vec3 other[10], zigzag[] = {{0, 0, 0}, {60, 0, 0}, {116.4, 20.5, 0}, {176.4, 20.5, 0}};
+    for (int i = 0; i < 10; ++i) other[i] = v3(40 * i, i % 2 * 12, 0);
+    const struct {
+        int n, drawn;
+        const Vec3 *point;
+    } lines[] = {{4, 1, zigzag}, {4, 0, zigzag}, {5, 1, same}, {10, 1, other}};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; ++i) {
+        Alignment line = polyline(lines[i].n, lines[i].point), out;
+        line.drawn = lines[i].drawn;
+        const FitReport r = fitted(&line, &out);
+        check_below(legs_off(&out, lines[i].n, lines[i].point), 0.05);
+        check_below(r.largest, 0.051);
+        assert_int_equal(out.n_plan, 2 * lines[i].n - 3);
+        alignment_clear(&line);
+        alignment_clear(&out);
+    }
+}
+
+/* So are the grades of a profile whose corners have no curves; the deviation is that of the whole line. */
+static void grades_stay_straight(void **state)
+{
+    (void)state;
+    Alignment line = {.stated_length = NAN}, out;
+    hawser_error err;
+    add(&line, 180, 0, 0);
+    const ProfileCorner corner[] = {
+        {.station = 0}, {.station = 60}, {.station = 120, .z = 12}, {.station = 180, .z = 12}};
+    assert_int_equal(profile_from_corners(&line, 4, corner, &err), HAWSER_OK);
+    const FitReport r = fitted(&line, &out);
+    check_close(alignment_at(&out, 30).at.z, 0, 0.05);
+    check_close(alignment_at(&out, 90).at.z, 6, 0.05);
+    check_close(alignment_at(&out, 150).at.z, 12, 0.05);
+    assert_true(r.largest_height > 1e-3 && r.largest_height < 0.051);
+    alignment_clear(&line);
+    alignment_clear(&out);
+}
+
 /* A drawn line with sharp corners gets bends there, within the deviation, and says that they are sharp. */
 static void corners_get_bends(void **state)
 {
@@ -332,6 +387,64 @@ static void heights_from_elsewhere(void **state)
     alignment_clear(&drawn);
 }
 
+/* A straight of 200 m from station 1000 on, without heights. */
+static Alignment plain_line(void)
+{
+    Alignment a = {.name = "A", .stated_length = NAN, .station = 1000};
+    add(&a, 200, 0, 0);
+    return a;
+}
+
+static Alignment ramp(double station, double from, double to)
+{
+    Alignment a = {.name = "P", .stated_length = NAN, .station = station};
+    const ProfileCorner corner[] = {{.station = 0, .z = (from - 1000) / 10},
+                                    {.station = to - from, .z = (to - 1000) / 10}};
+    hawser_error err;
+    assert_int_equal(profile_from_corners(&a, 2, corner, &err), HAWSER_OK);
+    return a;
+}
+
+/* Heights of another file count from the stations of the line, and points stand where they are: z is a tenth of the way
+ * along, and nothing is taken that does not reach. */
+static void heights_have_stations(void **state)
+{
+    (void)state;
+    const Vec3 beyond[] = {{-50, 1, -5}, {100, 2, 10}, {250, 0, 25}},
+               back[] = {{250, 0, 25}, {100, 2, 10}, {-50, 1, -5}};
+    const Vec3 drawn[] = {{1000, 0, 0}, {1200, 20, 0}}, other[] = {{0, 0, 0}, {200, 20, 0}};
+    const Vec3 far[] = {{0, 30, 0}, {200, 30, 20}}, shorter[] = {{50, 0, 5}, {100, 0, 10}};
+    const Vec3 mixed[] = {{50, 0, 5}, {200, 0, 20}, {0, 0, 0}};
+    const struct {
+        Alignment from;
+        const char *refused;
+    } runs[] = {{ramp(1000, 1000, 1200), NULL},
+                {ramp(950, 950, 1250), NULL},
+                {ramp(0, 1000, 1200), "same stations"},
+                {ramp(1100, 1100, 1200), "same stations"},
+                {polyline(3, beyond), NULL},
+                {polyline(3, back), NULL},
+                {polyline(2, drawn), NULL},
+                {polyline(2, other), "same stations"},
+                {polyline(2, far), "30 m beside"},
+                {polyline(2, shorter), "same stations"},
+                {polyline(3, mixed), "no farther along"}};
+    for (int i = 0; i < (int)(sizeof runs / sizeof *runs); ++i) {
+        Alignment line = plain_line(), from = runs[i].from, out;
+        FitOptions options = fit_options();
+        options.profile_drawn = i == 6 || i == 7;
+        FitReport r;
+        hawser_error err = {.message = ""};
+        fit_alignment(&line, &from, &options, &out, &r, &err);
+        if (runs[i].refused) check_has(err.message, runs[i].refused);
+        if (!runs[i].refused) assert_string_equal(err.message, "");
+        for (double s = 0; s <= 200 && !runs[i].refused; s += 50) check_close(alignment_at(&out, s).at.z, s / 10, 1e-3);
+        alignment_clear(&out);
+        alignment_clear(&line);
+        alignment_clear(&from);
+    }
+}
+
 static void what_is_wrong(void **state)
 {
     (void)state;
@@ -347,6 +460,11 @@ static void what_is_wrong(void **state)
     assert_int_equal(fit_alignment(&a, NULL, &options, &out, &r, &err), HAWSER_ERR_INPUT);
     check_has(err.message, "steeper than 80 deg");
     alignment_clear(&a);
+    const Vec3 shaft[] = {{0, 0, 0}, {50, 0, 0}, {50, 0, 30}, {50, 0, 0}, {100, 0, 0}};
+    a = polyline(5, shaft);
+    assert_int_equal(fit_alignment(&a, NULL, &options, &out, &r, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "the point at 50.000, 0.000, 30.000 is 30 m above or below");
+    alignment_clear(&a);
     a = (Alignment){.stated_length = NAN,
                     .flat = 1}; /* every point a metre on, up to 0.5 m beside: the fit took minutes */
     unsigned long long seed = 88172645463325252ULL;
@@ -361,9 +479,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(noisy_route_comes_back), cmocka_unit_test(radii_that_points_tell),
         cmocka_unit_test(long_line_is_within),    cmocka_unit_test(spacing_and_noise),
-        cmocka_unit_test(corners_get_bends),      cmocka_unit_test(smooth_lines_stay),
+        cmocka_unit_test(corners_get_bends),      cmocka_unit_test(legs_stay_straight),
+        cmocka_unit_test(grades_stay_straight),   cmocka_unit_test(smooth_lines_stay),
         cmocka_unit_test(arcs_are_kept),          cmocka_unit_test(heights_from_elsewhere),
         cmocka_unit_test(rough_lines_are_within), cmocka_unit_test(bends_have_error_bars),
-        cmocka_unit_test(what_is_wrong)};
+        cmocka_unit_test(heights_have_stations),  cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -170,6 +170,24 @@ static void what_is_wrong(void **state)
         "do not rise");
 }
 
+/* Which way a Spiral turns is said, in any case of letters. */
+static void spirals_turn(void **state)
+{
+    (void)state;
+    static const char *const form =
+        "<LandXML><Units><Metric linearUnit=\"meter\"/></Units><Alignments><Alignment name=\"A\"><CoordGeom>"
+        "<Spiral %s length=\"40\" radiusStart=\"INF\" radiusEnd=\"100\"><Start>0 50</Start><End>-2.65 89.84</End>"
+        "</Spiral></CoordGeom></Alignment></Alignments></LandXML>";
+    char text[600];
+    Survey s;
+    snprintf(text, sizeof text, form, "rot=\"CW\"");
+    assert_string_equal(read_text(text, &s), "");
+    check_close(s.alignment[0].plan[0].k1, -0.01, 1e-12);
+    survey_clear(&s);
+    snprintf(text, sizeof text, form, "");
+    bad(text, "a Spiral without rot, cw or ccw");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(tramway),
@@ -177,6 +195,7 @@ int main(void)
                                        cmocka_unit_test(all_elements),
                                        cmocka_unit_test(what_is_left_out),
                                        cmocka_unit_test(what_contradicts_itself),
+                                       cmocka_unit_test(spirals_turn),
                                        cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -186,12 +186,71 @@ static void what_is_wrong(void **state)
     bad("colour,size\nred,3\n", "the columns are none of these");
 }
 
+/* What a table says is built or refused: no column of numbers, no cell and no sign is left out without a word. */
+static void nothing_is_dropped(void **state)
+{
+    (void)state;
+    bad("length,slope\n100,5,2\n", "2: '2' is cell 3 of a row, and there are 2 columns");
+    bad("length,angle,radius,turn\n,90%,20,left\n", "2: '90%' is no number");
+    bad("length,angle,radius,turn\n,-90,20,left\n", "2: a negative angle is to the right or down");
+    bad("x,y,length,direction,z\n0,0,100,0,0\n100,0,100,0,10\n", "3: an element in plan that rises needs the columns");
+    bad("x,y,length,direction,slope %\n0,0,100,0,5\n", "2: an element in plan that rises needs the columns");
+    bad("x,y,length,radius,turn\n0,0,100,50,up\n", "2: an element in plan turns left or right");
+    bad("x,y,z,distance\n0,0,0,50\n50,0,0,120\n120,0,0,200\n",
+        "3: an element of 120 m, and the next one begins 70 m away");
+    bad("x,y,length,direction,z,start gradient,end gradient,vertical radius\n0,0,99.503719,0,10,0.1,-0.1,500\n",
+        "2: a vertical radius of 500 m, and gradients from 0.1 to -0.1");
+    bad("station,z,grade\n0,0,5\n100,5,0\n200,5,0\n", "3: the element before ends at a height of 500.000 m");
+    bad("station,x,y\n0,0,0\n100,100,0\n50,200,0\n", "4: station 50 m is -50 m on from the one before");
+    bad("station,x,y\n0,0,0\n100,100,0\n50000,200,0\n", "4: station 50000 m is 49900 m on");
+}
+
+/* Slopes of a straight of 100 m, in every way that a header and a cell can have them. */
+static void slopes_have_signs(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        double grade;
+    } slopes[] = {{"length;slope %\n100;3\n", 0.03},
+                  {"length;slope %\n100;3%\n", 0.03},
+                  {"length;slope\n100;3 %\n", 0.03},
+                  {"length;slope \xE2\x80\xB0\n100;3\n", 0.003},
+                  {"length;slope \xC2\xB0\n100;45\n", 1},
+                  {"length;slope \xB0\n100;45\n", 1},
+                  {"station,z,slope %,length\n0,0,5,100\n100,5,5,100\n", 0.05}};
+    for (size_t i = 0; i < sizeof slopes / sizeof *slopes; ++i) {
+        Survey s;
+        assert_string_equal(read_text(slopes[i].text, &s), "");
+        check_close(s.alignment[0].profile[0].grade, slopes[i].grade, 1e-12);
+        survey_clear(&s);
+    }
+}
+
+/* Words for the side, beside radii and angles with and without signs. */
+static void turns_have_sides(void **state)
+{
+    (void)state;
+    Survey s;
+    assert_string_equal(read_text("x,y,direction,length,radius,turn\n0,0,0,50,,\n50,0,0,31.415926536,20,right\n"
+                                  "70,-20,270,50,,\n70,-70,270,31.415926536,-20,left\n",
+                                  &s),
+                        "");
+    check_close(s.alignment[0].plan[1].k0, -0.05, 1e-12);
+    check_close(s.alignment[0].plan[3].k1, 0.05, 1e-12);
+    survey_clear(&s);
+    assert_string_equal(read_text("length,angle,radius,turn\n50,,,\n,-20,30,down\n50,,,\n", &s), "");
+    check_close(s.alignment[0].profile[2].grade, -tan(20 * acos(-1) / 180), 1e-9);
+    survey_clear(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(railway_as_tables),  cmocka_unit_test(tables_with_other_signs),
         cmocka_unit_test(planners_pieces),    cmocka_unit_test(rows_have_names),
         cmocka_unit_test(points_and_corners), cmocka_unit_test(as_spreadsheets_write_them),
-        cmocka_unit_test(what_is_wrong)};
+        cmocka_unit_test(what_is_wrong),      cmocka_unit_test(nothing_is_dropped),
+        cmocka_unit_test(slopes_have_signs),  cmocka_unit_test(turns_have_sides)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
