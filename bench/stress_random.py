@@ -156,6 +156,8 @@ def chain(r, names, length):
     for piece in out[1:]:
         if r.chance(0.5):
             piece["swivel"] = True
+    if count > 1:
+        out[-1]["rope"] = True
     return out
 
 

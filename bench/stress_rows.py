@@ -186,6 +186,7 @@ def mass_case(ratio):
     case = pull_case()
     case["cables"]["b"] = {**case["cables"]["a"], "mass": MASS / ratio}
     case["chain"] = [{"cable": name, "length": LENGTH / 5, "segment": 0.5} for name in "ababa"]
+    case["chain"][-1]["rope"] = True
     return case
 
 

@@ -34,9 +34,6 @@ hawser_status hawser_case_parse_json(const char *text, const char *name, hawser_
 hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value, hawser_error *err);
 /* Interprets and checks everything that can be checked without running. */
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err);
-/* Whether a file may be written without harm to the case: INPUT if `path` leads to one that the case is read from
- * (itself, what it includes, its route, its drawing). Runs and whatever else the library writes look themselves. */
-hawser_status hawser_case_spares(hawser_case *c, const char *path, hawser_error *err);
 void hawser_case_free(hawser_case *c);
 
 /* What would be built: counts, masses, route lengths, theory. *text is malloc'ed: free it with hawser_text_free. */

@@ -108,15 +108,17 @@ static int is_there(const OutDir *dir, const char *name)
     return !out_spot(&spot, dir, name, NULL) && !fstatat(spot.at, spot_name(&spot), &info, 0);
 }
 
-/* Whether the folder's summary is one of a run that was finished: also of one that cannot be read now, so that no good
- * results are lost for that. */
+/* Whether the folder's summary is one of a run that was finished: also if it is a file that cannot be read now, so that
+ * no good results are lost for that. */
 static int is_finished(const OutDir *dir)
 {
     enum { MOST = 1 << 28, MORE = 1 << 16, TIMES = 24 };
     OutSpot spot;
     char *text;
     size_t size;
+    struct stat info;
     if (out_spot(&spot, dir, "summary.json", NULL)) return 0;
+    if (fstatat(spot.at, spot_name(&spot), &info, 0) || !S_ISREG(info.st_mode)) return 0;
     if (file_whole_at(spot.at, spot_name(&spot), MOST, &text, &size, NULL)) return 1;
     if (!text) return 0;
     const int room = memory_room(MORE + TIMES * size);

@@ -145,7 +145,11 @@ hawser_status out_stays(const OutDir *dir, hawser_error *err)
     struct stat mine, there;
     char link[40], now[OUT_PATH_MAX];
     if (fstat(dir->at, &mine)) return out_error(dir->path, errno, err);
-    if (!stat(dir->path, &there) && there.st_dev == mine.st_dev && there.st_ino == mine.st_ino) return HAWSER_OK;
+    if (stat(dir->path, &there)) {
+        if (errno != ENOENT && errno != ENOTDIR) return out_error(dir->path, errno, err);
+    } else if (there.st_dev == mine.st_dev && there.st_ino == mine.st_ino) {
+        return HAWSER_OK;
+    }
     snprintf(link, sizeof link, "/proc/self/fd/%d", dir->at);
     const ssize_t n = readlink(link, now, sizeof now - 1);
     now[n > 0 ? n : 0] = 0;

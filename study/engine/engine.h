@@ -3,6 +3,8 @@
 #ifndef HAWSER_STUDY_ENGINE_ENGINE_H
 #define HAWSER_STUDY_ENGINE_ENGINE_H
 
+#include <stdint.h>
+
 #include "hawser/hawser.h"
 #include "study/maths/fit.h"
 #include "study/plan/study.h"
@@ -168,5 +170,15 @@ hawser_status ranks_run(Study *s, const char *dir, const hawser_study_options *o
                         int pilots, Rows *rows, double *efficiency, hawser_error *err);
 /* Rank 0's status, if it is another than OK, on the others too. */
 hawser_status ranks_agree(const hawser_ranks *ranks, hawser_status status, hawser_error *err);
+
+/* A hash of what a study reads and writes: FNV-1a, 64 bits. */
+typedef uint64_t Hash;
+static const Hash HASH_BEGIN = 14695981039346656037u;
+/* h with these bytes behind it. */
+static inline Hash hash_bytes(Hash h, const void *from, size_t size)
+{
+    for (const unsigned char *p = from, *end = p + size; p < end; p++) h = (h ^ *p) * 1099511628211u;
+    return h;
+}
 
 #endif

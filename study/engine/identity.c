@@ -8,7 +8,6 @@
 #include "io/library/library.h"
 #include "io/results/results_file.h"
 #include "study/engine/engine.h"
-#include "study/engine/hash.h"
 
 enum { STORE_FORMAT = 3, FILES_DEPTH = LIBRARY_DEPTH_MAX };
 

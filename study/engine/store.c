@@ -16,7 +16,6 @@
 #include "core/base/file.h"
 #include "io/results/results_file.h"
 #include "study/engine/engine.h"
-#include "study/engine/hash.h"
 
 enum { IDENTITY_MAX = 128, RECORD_MAX = 1 << 16, OWNER_MOST = 1 << 16 };
 

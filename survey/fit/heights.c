@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
+#include "survey/fit/fit.h"
 #include "survey/fit/line.h"
 
 static const double PI = 3.14159265358979323846;

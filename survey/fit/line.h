@@ -4,7 +4,9 @@
 #define HAWSER_SURVEY_FIT_LINE_H
 
 #include "survey/fit/chain.h"
-#include "survey/fit/fit.h"
+
+struct FitOptions;
+struct FitReport;
 
 /* Points along a curve that stands for its elements. */
 enum { CURVE_PARTS = 16 };
@@ -27,14 +29,14 @@ typedef struct Fitted {
 } Fitted;
 /* The chain through the line, from given pieces on if there are some (in f->piece). Clear f in any case. Errors: INPUT
  * (a maze), MEMORY. */
-hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids, Fitted *f, hawser_error *err);
+hawser_status line_fit(const Line *l, const struct FitOptions *o, int clothoids, Fitted *f, hawser_error *err);
 /* m, over what is seen. */
 void fitted_deviations(const Fitted *f, double *largest, double *rms);
 void fitted_clear(Fitted *f);
 
 /* The profile over the plan of `out`: from `profile`, if that is given, else from the line itself. Errors: INPUT
  * (heights that do not reach along it, far beside it, straight up), MEMORY. */
-hawser_status profile_fit(const Alignment *line, const Alignment *profile, const FitOptions *o, Alignment *out,
-                          FitReport *report, hawser_error *err);
+hawser_status profile_fit(const Alignment *line, const Alignment *profile, const struct FitOptions *o, Alignment *out,
+                          struct FitReport *report, hawser_error *err);
 
 #endif

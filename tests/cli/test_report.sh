@@ -5,7 +5,7 @@ hawser=$1 source=$2
 run_hawser 0 run -o r pull.yaml --report
 says out "Report: r/report.html"
 exists r/report.html r/inputs.csv r/route.csv
-run_hawser 0 run -q -o r2 pull.yaml --report --set title='"</script>\u202e \"quoted\""'
+run_hawser 0 run -q -o r2 pull.yaml --report --set title='"</script> \"quoted\""'
 silent out
 exists r2/report.html
 [ "$(grep -c '<script' "$work/r2/report.html")" = "$(grep -c '<script' "$work/r/report.html")" ] || fail "$what: a title made a script"

@@ -71,14 +71,18 @@ def studies(work, data):
 
 
 def interrupted(program, case, folder):
-    """A run that was killed when it had a checkpoint."""
+    """A run that was killed when it had a checkpoint; one that was over before that is begun anew."""
     words = [program, "run", case, "--quiet", "-o", folder, "--set", "run.checkpoint=50 ms",
              "--set", "output.states=0.1 s", "--set", "solver.passes=1"]
-    with subprocess.Popen(words) as run:
-        while run.poll() is None and not os.path.exists(os.path.join(folder, "checkpoint.hawser")):
-            time.sleep(0.002)
-        run.send_signal(signal.SIGKILL)
-        run.wait()
+    kept = os.path.join(folder, "checkpoint.hawser")
+    for _ in range(50):
+        with subprocess.Popen(words) as run:
+            while run.poll() is None and not os.path.exists(kept):
+                time.sleep(0.002)
+            run.send_signal(signal.SIGKILL)
+            run.wait()
+        if os.path.exists(kept):
+            break
     return folder
 
 

@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 /* A title that would end the script, the page and the line, turn the text around and fill the page. */
-static const char evil[] = "</script><script>alert(1)</script><!-- ' &amp; \xe2\x80\xae backwards \xe2\x80\xa8 end";
+static const char evil[] = "</script><script>alert(1)</script><!-- ' &amp; end";
 
 /* Runs the short pull under a title into the folder. stop: after so many calls; 0: never. */
 static int calls_left;
@@ -144,7 +144,7 @@ static void hostile_titles_do_no_harm(void **state)
     (void)state;
     char *const quoted = malloc(20000);
     strcpy(quoted, "\"");
-    strcat(quoted, "</script><script>alert(1)</script><!-- ' &amp; \xe2\x80\xae backwards \\u2028 end");
+    strcat(quoted, "</script><script>alert(1)</script><!-- ' &amp; end");
     strcat(quoted, "\"");
     run_pull(quoted, scratch_folder(), 0);
     json_t *const all = report_on(scratch_folder());
@@ -164,8 +164,9 @@ static void hostile_titles_do_no_harm(void **state)
     char *const longer = malloc(strlen(summary) + 11000);
     const size_t before = (size_t)(title - summary);
     memcpy(longer, summary, before);
-    memset(longer + before + sprintf(longer + before, "\"title\": \"%s", ""), 'x', 10000);
-    strcpy(longer + before + strlen("\"title\": \"") + 10000, "\"");
+    const int begun = sprintf(longer + before, "\"title\": \"\xe2\x80\xae\xe2\x80\xa8"); /* turns and ends lines */
+    memset(longer + before + begun, 'x', 10000 - 6);
+    strcpy(longer + before + begun + 10000 - 6, "\"");
     strcat(longer, strstr(title, ",\n"));
     file_write(scratch_path("summary.json"), longer);
     json_t *const again = report_on(scratch_folder());
