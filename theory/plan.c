@@ -124,6 +124,9 @@ static hawser_status solve_way(const PlanDef *def, const DuctLoad *load, int k, 
     way->restart_max = restart.max_tension;
     way->restart_at = restart.max_at;
     way->restart_piece = restart.max_piece;
+    way->restart_sidewall = restart.max_sidewall;
+    way->restart_sidewall_at = restart.sidewall_at;
+    way->restart_sidewall_piece = restart.sidewall_piece;
     pull_clear(&restart);
     what.restart = 0;
     status = plan_pull(def, load, &what, &way->pull, err);

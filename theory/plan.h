@@ -27,7 +27,9 @@ typedef struct PlanWay {
     double restart_force;           /* N: the same with static friction */
     double restart_max, restart_at; /* N, m; of the cable then */
     int restart_piece;              /* of the route, where that is */
-    PlanPiece *piece;               /* [n], by the route's order */
+    double restart_sidewall, restart_sidewall_at; /* N/m, m; from rest */
+    int restart_sidewall_piece;
+    PlanPiece *piece; /* [n], by the route's order */
 } PlanWay;
 
 typedef struct Plan {

@@ -22,6 +22,17 @@ static Finding bend_finding(const Calculator *c, int way)
     return f;
 }
 
+/* At speed or from rest, whichever presses more; a route that is straight presses nowhere. */
+static Finding sidewall_finding(const Route *route, const PlanWay *way)
+{
+    const Pull *const pull = &way->pull;
+    Finding f = finding_on(route, pull->max_sidewall, pull->sidewall_at, pull->sidewall_piece);
+    if (way->restart_sidewall > pull->max_sidewall)
+        f = finding_on(route, way->restart_sidewall, way->restart_sidewall_at, way->restart_sidewall_piece);
+    if (!(f.value > 0)) *f.where = 0;
+    return f;
+}
+
 /* The rated roller whose piece loads it most for its rating. */
 static Finding roller_finding(const Scene *scene, const PlanWay *way)
 {
@@ -46,8 +57,7 @@ static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error 
         Finding f[LIMIT_KINDS] = {[LIMIT_ROLLER_PEAK] = {.absent = 1}, [LIMIT_ALPHA] = {.absent = 1}};
         f[LIMIT_PULL] = finding_on(route, way->pull.max_tension, way->pull.max_at, way->pull.max_piece);
         f[LIMIT_RESTART] = finding_on(route, way->restart_max, way->restart_at, way->restart_piece);
-        f[LIMIT_SIDEWALL] = finding_on(route, way->pull.max_sidewall, way->pull.sidewall_at, way->pull.sidewall_piece);
-        if (!(way->pull.max_sidewall > 0)) *f[LIMIT_SIDEWALL].where = 0;
+        f[LIMIT_SIDEWALL] = sidewall_finding(route, way);
         f[LIMIT_BEND] = bend_finding(c, k);
         f[LIMIT_ROLLER_STEADY] = roller_finding(scene, way);
         f[LIMIT_ROPE].value = fmax(c->heads[k].peak.force, c->heads[k].restart_peak.restart);
@@ -111,23 +121,42 @@ static hawser_condition supported_by(const Scene *scene)
     return c;
 }
 
+/* Whether the case gives friction for theory alone at s, or along the whole route if that is not known (NAN). */
+static int friction_given(const Scene *scene, double s)
+{
+    const TheoryDef *const theory = &scene->def.theory;
+    double given = 0;
+    for (int i = 0; i < theory->n_friction; ++i) {
+        const TheoryFrictionDef *const f = &theory->friction[i];
+        if (s >= f->from && s <= f->to) return 1;
+        given += fmax(0, fmin(f->to, scene->route.length) - fmax(f->from, 0));
+    }
+    return isnan(s) && given >= scene->route.length * (1 - 1e-9);
+}
+
+static void friction_take(const FrictionLaw *law, const char *name, double *most, const char **which)
+{
+    if (!(law->mu_d > *most)) return;
+    *most = law->mu_d;
+    *which = name;
+}
+
 /* The friction of rows, listed rollers and planes is a run's; where there is more of it than of the case's, theory's
- * pull is too small. What the case gives for theory alone counts in any case. */
+ * pull is too small. A roller that spins holds the cable by its bearing, which the case's friction stands for. */
 static hawser_condition friction_of(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
     double most = def->friction.mu_d;
     const char *which = "";
-    for (int r = 0; r < def->n_rollers && def->theory.n_friction == 0; ++r) {
-        if (!(def->rollers[r].friction.mu_d > most)) continue;
-        most = def->rollers[r].friction.mu_d;
-        which = def->rollers[r].name;
+    for (int r = 0; r < def->n_rollers; ++r) {
+        const RollerDef *const roller = &def->rollers[r];
+        if (!(roller->spin.inertia > 0) && !friction_given(scene, roller->s))
+            friction_take(&roller->friction, roller->name, &most, &which);
     }
-    for (int k = 0; k < def->n_surfaces && def->theory.n_friction == 0; ++k) {
+    for (int k = 0; k < def->n_surfaces; ++k) {
         const SurfaceDef *const surface = &def->surfaces[k];
-        if (surface_along_route(surface) || !(surface->friction.mu_d > most)) continue;
-        most = surface->friction.mu_d;
-        which = surface->name;
+        if (!surface_along_route(surface) && !friction_given(scene, NAN))
+            friction_take(&surface->friction, surface->name, &most, &which);
     }
     hawser_condition c = {.name = "friction", .unit = "1", .value = most, .allowed = def->friction.mu_d};
     c.holds = most <= c.allowed * (1 + 1e-9);

@@ -1,6 +1,8 @@
 /* What limits and trust are asked of: all that is there, as it was in the run, not as the case first says. */
 #include "tests/io/case_fixture.h"
 
+#include <jansson.h>
+
 /* The limits of a run of tests/data/limits.yaml so changed; the simulation is given back. */
 static hawser_sim *judged(const char *const *settings, int *n, hawser_limit *limit)
 {
@@ -139,6 +141,46 @@ static void friction_that_theory_does_not_take(void **state)
     }
 }
 
+/* Friction for theory alone on a metre of the route says nothing of the rest; a roller that spins holds by its bearing.
+ */
+static void friction_that_is_given_in_part(void **state)
+{
+    (void)state;
+    static const char row[] = "{along: {spacing: 1 m, friction: {mu: 0.5}, name: W}}";
+    static const char spins[] = "{along: {spacing: 1 m, friction: {mu: 0.5}, name: W, spin: {inertia: 0.01 kg m2}}}";
+    const char *const part[] = {"rollers", row, "theory.stretches", "[{from: 0 m, to: 1 m, mu: 0.5}]", NULL};
+    const char *const turns[] = {"rollers", spins, NULL};
+    char *answer = theory_of(data_text("limits"), part);
+    check_has(answer, "has a friction of its own, 0.5");
+    hawser_text_free(answer);
+    answer = theory_of(data_text("limits"), turns);
+    assert_null(strstr(answer, "has a friction of its own"));
+    hawser_text_free(answer);
+}
+
+/* A pull that begins anew presses with static friction: only its tension was judged. */
+static void sidewall_pressure_from_rest(void **state)
+{
+    (void)state;
+    double found[2];
+    for (int k = 0; k < 2; k++) {
+        const char *const settings[] = {"friction", k ? "{mu: 0.5}" : "{mu_s: 0.5, mu_d: 0.2}", NULL};
+        char *const answer = theory_of(data_text("limits"), settings);
+        json_t *const o = json_loads(answer, 0, NULL), *limit;
+        size_t i;
+        json_array_foreach(json_object_get(o, "limits"), i, limit)
+        {
+            if (strcmp(json_string_value(json_object_get(limit, "name")), "sidewall") ||
+                strcmp(json_string_value(json_object_get(limit, "direction")), "forward"))
+                continue;
+            found[k] = json_number_value(json_object_get(limit, "value"));
+        }
+        json_decref(o);
+        hawser_text_free(answer);
+    }
+    check_share(found[0], found[1], 1e-9);
+}
+
 /* A belt holds what is ahead of it, not what is behind: the cable runs away down a shaft whatever stands farther on. */
 static void belts_ahead_hold_nothing(void **state)
 {
@@ -221,6 +263,8 @@ int main(void)
         cmocka_unit_test(the_clamp_that_was),
         cmocka_unit_test(friction_at_the_speed_that_was),
         cmocka_unit_test(friction_that_theory_does_not_take),
+        cmocka_unit_test(friction_that_is_given_in_part),
+        cmocka_unit_test(sidewall_pressure_from_rest),
         cmocka_unit_test(belts_ahead_hold_nothing),
         cmocka_unit_test(joined_cables),
         cmocka_unit_test(weights_of_pieces),
