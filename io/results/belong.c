@@ -137,6 +137,21 @@ static hawser_status companion_check(const char *dir, const char *run, const cha
     return status;
 }
 
+/* Before a run goes on: its checkpoint may have come from elsewhere. A summary that is not there says nothing. */
+hawser_status summary_is_of(const OutDir *dir, const char *run, hawser_error *err)
+{
+    OutSpot spot;
+    json_t *summary = NULL;
+    hawser_status status = out_spot(&spot, dir, "summary.json", err);
+    if (!status) status = out_own(json_read(spot.path, &summary, err), err);
+    const char *const there = json_string_value(json_object_get(summary, "run"));
+    if (!status && run && *run && there && strcmp(run, there) != 0)
+        status = error_set(err, HAWSER_ERR_OUTPUT,
+                           "cannot go on in '%.600s': its results are of another run than its checkpoint", dir->path);
+    json_decref(summary);
+    return status;
+}
+
 /* Between a run and what is computed of it another one may have taken its folder's name. */
 hawser_status companion_write(const char *dir, const char *name, const char *text, hawser_error *err)
 {

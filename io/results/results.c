@@ -245,7 +245,8 @@ static hawser_status open_all(Results *r, const ResultsDef *def, const char *sum
 static hawser_status resume_all(Results *r, const ResultsDef *def, const ResultsPosition *at, const char *summary,
                                 hawser_error *err)
 {
-    hawser_status s = out_resume(&r->series, &r->dir, "series.csv", at->series, err);
+    hawser_status s = summary_is_of(&r->dir, def->run, err);
+    if (!s) s = out_resume(&r->series, &r->dir, "series.csv", at->series, err);
     if (!s) s = series_make(&r->columns, def, err);
     if (!s && def->states > 0) s = h5_resume(&r->h5, &r->dir, def, at->states, err);
     if (!s && def->states > 0) s = xdmf_resume(&r->xdmf, &r->dir, def, at->xdmf, err);

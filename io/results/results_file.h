@@ -95,8 +95,8 @@ hawser_status out_whole(const char *dir, const char *name, const char *text, haw
 hawser_status out_whole_in(const OutDir *dir, const char *name, const char *text, hawser_error *err);
 hawser_status out_bytes_in(const OutDir *dir, const char *name, const void *bytes, size_t size, hawser_error *err);
 
-/* ------------------------------------------------------------------------------------------------- what belongs
- * together */
+/* ---------------------------------------------------------------------------------------------- what belongs together
+ */
 
 /* The text files of a run beside its summary. */
 extern const char *const sum_files[FILE_SUMS_MAX];
@@ -112,14 +112,14 @@ hawser_status file_broken(const char *path, int *broken, hawser_error *err);
 /* The n text files of a run that are in a folder. Errors: as file_sum. */
 hawser_status folder_sums(const OutDir *dir, int *n, FileSum sum[FILE_SUMS_MAX], hawser_error *err);
 struct json_t;
-/* Whether a summary is that of a run which has not said how it ended: it is under way, its program was killed, or the
- * disk had no room for the end. */
+/* Whether a summary's run has not said how it ended: it is under way, was killed, or had no room on the disk. */
 int is_running(const struct json_t *summary);
 /* Whether the files of a folder are those of its summary; that of an older hawser is not asked, and of a run without an
  * end only the states and what was computed of it. Errors: INPUT (which file is not), MEMORY. */
 hawser_status belong_check(const char *dir, const struct json_t *summary, hawser_error *err);
-/* What was computed of a run, a JSON object that says of which, into a folder, which is made. Errors: OUTPUT (also: the
- * summary there is of another run), MEMORY. */
+/* Whether a folder's summary is of this run. Errors: OUTPUT (of another one), MEMORY. */
+hawser_status summary_is_of(const OutDir *dir, const char *run, hawser_error *err);
+/* A JSON object that says of which run it is, into a folder, which is made. Errors: OUTPUT (another run's), MEMORY. */
 hawser_status companion_write(const char *dir, const char *name, const char *text, hawser_error *err);
 
 /* -------------------------------------------------------------------------------------------------------- CSV */

@@ -33,6 +33,14 @@ for signal in KILL INT; do
     done
 done
 
+# a checkpoint of another run does no harm to the results beside it
+run_hawser 0 run pull.yaml -q -o foreign --set friction.mu=0.3
+cp "$work/kept-KILL/checkpoint.hawser" "$work/foreign/"
+(cd "$work/foreign" && cksum series.csv results.h5 summary.json >../sums 2>/dev/null)
+run_hawser 4 run --resume foreign
+says err "its results are of another run than its checkpoint"
+(cd "$work/foreign" && cksum series.csv results.h5 summary.json 2>/dev/null) | cmp - "$work/sums" || fail "$what: changed"
+
 run_hawser 2 run --resume KILL
 says err "cannot read the checkpoint 'KILL/checkpoint.hawser'"
 run_hawser 2 run --resume nowhere
