@@ -26,8 +26,7 @@ typedef struct hawser_case hawser_case;
 hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error *err);
 /* The same from text; `name` stands in for the file's name in messages. It has no folder (hawser_case_folder). */
 hawser_status hawser_case_parse(const char *text, const char *name, hawser_case **out, hawser_error *err);
-/* The same from JSON, for programs that have a case as data: same keys, values and errors, with lines of the text.
- * Numbers without a unit are SI. */
+/* The same from JSON, for programs that have a case as data: same keys, values and errors; bare numbers are SI. */
 hawser_status hawser_case_parse_json(const char *text, const char *name, hawser_case **out, hawser_error *err);
 /* Sets one value by its dotted key, as --set does: "drive.winch.speed", "3 m/min"; list items by number, from 0, or by
  * name: "chain.0.segment", "route.pieces.C-D.straight". A key that is allowed but absent is added. */

@@ -209,7 +209,6 @@ typedef struct SceneDef {
     TiesDef ties;     /* what ties them together, */
     int n_beside, between_chains;
     struct SceneDef *beside; /* [n_beside] the others, whose own of this are empty; they touch if between_chains */
-
     int n_drawn, n_assumptions, n_inputs, inputs_size;
     DrawnDef *drawn;
     hawser_assumption *assumptions; /* what the case did not say itself */

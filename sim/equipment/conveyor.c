@@ -12,7 +12,6 @@
 
 /* How far from a machine's line a cable can be and still count as passing through it, m. */
 static const double ASIDE_MAX = 1;
-
 /* Of the belts' give over v_s (WI21), s: their lean at the full grip is v_s times this. */
 static const double GIVE = 0.02;
 
