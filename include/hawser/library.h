@@ -14,9 +14,10 @@ enum { HAWSER_ASSUMPTION_KEY_MAX = 96, HAWSER_ASSUMPTION_VALUE_MAX = 40, HAWSER_
 typedef struct hawser_assumption {
     char key[HAWSER_ASSUMPTION_KEY_MAX];       /* dotted, as hawser_case_set has it: "cables.power.EI" */
     char value[HAWSER_ASSUMPTION_VALUE_MAX];   /* with its unit, as it was written */
-    const char *origin;                        /* "given", "catalogue" or "estimated"; lives for ever */
+    const char *origin;                        /* "given", "catalogue", "estimated" or "not read"; lives for ever */
     char source[HAWSER_ASSUMPTION_SOURCE_MAX]; /* the entry and where its figures are from; how it was estimated, what
-                                                * it may be off by, and where that matters. Of a given value empty */
+                                                * it may be off by, and where that matters; what of a file is not in
+                                                * the route, and how often in value. Of a given value empty */
 } hawser_assumption;
 
 /* Given, from the catalogue, estimated: the values of every part of the case that has one of the latter two. A value

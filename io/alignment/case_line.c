@@ -38,8 +38,17 @@ static hawser_status pick_read(const CaseReader *r, const CaseNode *section, con
     return status ? case_key_cause(r->err, section, "units", "", &why) : HAWSER_OK;
 }
 
-/* Reads, chooses and uses the line. */
-static hawser_status line_find(const LineOptions *options, UsedLine *used, hawser_error *err)
+/* What files have that is not in the route stands among what the case did not say: in `hawser check` and summaries. */
+static hawser_status unread_say(const CaseReader *r, const CaseNode *section, int n, const SurveyIgnored *left)
+{
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < n && !status; ++i) status = case_unread_add(r, section, left[i].what, left[i].times);
+    return status;
+}
+
+/* Reads, chooses and uses the line of `node`'s file. */
+static hawser_status line_find(const CaseReader *r, const CaseNode *node, const LineOptions *options, UsedLine *used,
+                               hawser_error *err)
 {
     Survey s;
     const Alignment *line;
@@ -47,6 +56,7 @@ static hawser_status line_find(const LineOptions *options, UsedLine *used, hawse
     if (status) return status;
     status = line_choose(&options->line, &s, &line, err);
     if (!status) status = line_use(line, options, used, err);
+    if (!status) status = unread_say(r, node, s.n_ignored, s.ignored);
     survey_clear(&s);
     const int pieces = used->line.n_plan + used->line.n_points;
     if (!status && pieces > LINE_PIECES_MOST) {
@@ -54,7 +64,7 @@ static hawser_status line_find(const LineOptions *options, UsedLine *used, hawse
             error_set(err, HAWSER_ERR_INPUT,
                       "'%.60s' has %d pieces, and a case's route at most %d: take a part of it with 'from' and 'to'",
                       used->line.name, pieces, LINE_PIECES_MOST);
-        alignment_clear(&used->line);
+        line_clear(used);
     }
     return status;
 }
@@ -69,7 +79,8 @@ hawser_status case_line_use(const CaseReader *r, const CaseNode *node, const Lin
     if (!status && heights) status = pick_read(r, heights, profile, &options->profile, &profile_path);
     if (!status) {
         assert(path);
-        status = line_find(options, used, &why);
+        status = line_find(r, node, options, used, &why);
+        if (!status && heights) status = unread_say(r, heights, used->n_unread, used->unread);
         if (status == HAWSER_ERR_INPUT) {
             const int named = strncmp(why.message, path, strlen(path)) == 0 ||
                               (profile_path && strncmp(why.message, profile_path, strlen(profile_path)) == 0);

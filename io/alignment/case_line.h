@@ -25,7 +25,7 @@ typedef struct LineRecord {
     }
 
 /* The line of node's file as it will be built, by the options' other members; heights: the section of the file that the
- * profile is in, NULL: none. Errors: INPUT with the case's line and the file's, MEMORY. Clear used->line. */
+ * profile is in, NULL: none. Errors: INPUT with the case's line and the file's, MEMORY. Clear it. */
 hawser_status case_line_use(const CaseReader *r, const CaseNode *node, const LineRecord *line, const CaseNode *heights,
                             const LineRecord *profile, LineOptions *options, UsedLine *used);
 

@@ -67,12 +67,14 @@ static void doubts_say(const char *layer, const Joined *j, Survey *notes)
     const int few = j->n_forks + j->n_gaps <= FEW;
     for (int i = 0; few && i < j->n_doubts; ++i) {
         const JoinDoubt *const d = &j->doubt[i];
+        char rise[40] = "";
+        if (d->rise > 0) snprintf(rise, sizeof rise, ", and %.4g m in height,", d->rise);
         if (d->kind == JOIN_FORK)
             snprintf(text, sizeof text, "%s%d ends at %.3f, %.3f, layer '%.40s': lines end there", fork_word, d->ends,
                      d->at.x, d->at.y, layer);
         else
-            snprintf(text, sizeof text, "%s%.4g m at %.3f, %.3f, layer '%.40s': not joined", gap_word, d->away, d->at.x,
-                     d->at.y, layer);
+            snprintf(text, sizeof text, "%s%.4g m%s at %.3f, %.3f, layer '%.40s': not joined", gap_word, d->away, rise,
+                     d->at.x, d->at.y, layer);
         survey_ignore(notes, text);
     }
     snprintf(text, sizeof text, "forks, at which lines end, layer '%.60s'", layer);
@@ -81,6 +83,8 @@ static void doubts_say(const char *layer, const Joined *j, Survey *notes)
     for (int i = 0; !few && i < j->n_gaps; ++i) survey_ignore(notes, text);
     snprintf(text, sizeof text, "pieces drawn twice, layer '%.60s'", layer);
     for (int i = 0; i < j->doubles; ++i) survey_ignore(notes, text);
+    snprintf(text, sizeof text, "pieces straight up or down, layer '%.60s'", layer);
+    for (int i = 0; i < j->upright; ++i) survey_ignore(notes, text);
     snprintf(text, sizeof text, "heights of a line of which some pieces have none, layer '%.60s'", layer);
     for (int i = 0; i < j->lost_heights; ++i) survey_ignore(notes, text);
 }

@@ -46,10 +46,13 @@ typedef struct UsedLine {
     double rms;                    /* m, of the fit */
     double file_length, file_plan; /* m, of the file's own line, in space and in plan */
     Vec3 file_start, file_end;     /* m, its ends */
+    int n_unread;
+    SurveyIgnored *unread; /* [n_unread] what was left out of the profile's file; allocated */
 } UsedLine;
 /* Errors: INPUT (farther off than the tolerance, stations that are not on the line, no heights along it), MEMORY. Then
- * nothing is left allocated; else clear used->line. */
+ * nothing is left allocated; else clear it. */
 hawser_status line_use(const Alignment *from, const LineOptions *options, UsedLine *used, hawser_error *err);
+void line_clear(UsedLine *used);
 /* What route_build needs; coordinates count from `origin`. Errors: INPUT (corners without room for their radius, a
  * profile that cannot be rounded), MEMORY. */
 hawser_status line_route(const UsedLine *used, const LineOptions *options, Vec3 origin, RouteLine *out,

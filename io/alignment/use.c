@@ -1,5 +1,6 @@
 /* A line of a file as it will be built: with its heights, fitted, cut, turned around, chained. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "core/base/error.h"
 #include "core/base/worst.h"
@@ -104,6 +105,14 @@ static hawser_status measure(const Alignment *from, int own_heights, const LineO
     return status;
 }
 
+void line_clear(UsedLine *used)
+{
+    alignment_clear(&used->line);
+    free(used->unread);
+    used->unread = NULL;
+    used->n_unread = 0;
+}
+
 hawser_status line_use(const Alignment *from, const LineOptions *options, UsedLine *used, hawser_error *err)
 {
     Survey s;
@@ -117,7 +126,11 @@ hawser_status line_use(const Alignment *from, const LineOptions *options, UsedLi
     if (!status) status = part_take(options, &used->line, err);
     if (!status) status = measure(from, !profile, options, used, err);
     if (!status) status = chain(options, used, err);
+    used->unread = s.ignored; /* handed over */
+    used->n_unread = s.n_ignored;
+    s.ignored = NULL;
+    s.n_ignored = 0;
     survey_clear(&s);
-    if (status) alignment_clear(&used->line);
+    if (status) line_clear(used);
     return status;
 }

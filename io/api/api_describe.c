@@ -325,7 +325,7 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"mesh", "Places that ask for short segments", COLUMNS(MeshRow, mesh_column), d->n_demands, d->demand},
         {"drawing", "Equipment from the drawing", COLUMNS(DrawnDef, drawn_column), def->n_drawn, def->drawn},
         {"unusual", "Hardly ever so: is the unit right?", COLUMNS(PlausibleRow, plausible_column), d->n_odd, d->odd},
-        {"assumptions", "Given, from the catalogue, estimated", COLUMNS(hawser_assumption, assumption_column),
+        {"assumptions", "Given, from the catalogue, estimated, not read", COLUMNS(hawser_assumption, assumption_column),
          def->n_assumptions, def->assumptions},
     };
     Table tables[sizeof all / sizeof *all];

@@ -172,7 +172,7 @@ void hawser_routes_free(hawser_routes *r)
     for (int i = 0; r->row && i < r->survey.n; ++i) {
         RouteUse *const use = r->row[i].use;
         if (!use) continue;
-        alignment_clear(&use->line.line);
+        line_clear(&use->line);
         if (use->built) route_clear(&use->route);
         free(use);
     }

@@ -240,11 +240,27 @@ static const Columns note_columns = COLUMNS(NoteRow, note_column);
 
 static const double COLD = -10, FREEZING = 0; /* degrees Celsius; docs/limits.md, "Cold" */
 
+/* What of a file is not in the route, if there is something. 1: a note. */
+static int unread_say(const SceneDef *def, char *text, size_t room)
+{
+    const hawser_assumption *first = NULL;
+    int n = 0;
+    for (int i = 0; i < def->n_assumptions; ++i) {
+        const hawser_assumption *const a = &def->assumptions[i];
+        if (strcmp(a->origin, "not read") != 0) continue;
+        if (n++ == 0) first = a;
+    }
+    if (!first) return 0;
+    snprintf(text, room, "not in the route, of its file: %.240s%s", first->source,
+             n > 1 ? ", and more (hawser check lists it)" : "");
+    return 1;
+}
+
 /* What the calculation leaves to the planner. */
 static int notes_add(const Scene *scene, const Calculator *c, TheoryTables *t)
 {
     const TheoryDef *const theory = &scene->def.theory;
-    NoteRow *const row = theory_table_add(t, "notes", "Notes", note_columns, 3);
+    NoteRow *const row = theory_table_add(t, "notes", "Notes", note_columns, 4);
     int n = 0;
     if (!row) return 0;
     if (theory->temperature < COLD) {
@@ -275,6 +291,7 @@ static int notes_add(const Scene *scene, const Calculator *c, TheoryTables *t)
                  theory->wear_by == WEAR_CABLE ? "that a place of the cable has been pulled"
                                                : "of cable that has passed a place");
     }
+    n += unread_say(&scene->def, row[n].text, sizeof row->text);
     t->table[t->n - 1].n = n;
     if (n == 0) free(t->rows[--t->n]);
     return 1;

@@ -458,8 +458,7 @@ static hawser_status file_line(CaseReader *r, const CaseNode *node, const RouteR
     options.height = in->height;
     hawser_status status = HAWSER_OK;
     if (profile && profile->kind != NODE_MAP)
-        return case_value_error(r->err, profile,
-                                ": with 'file' a map that names another file, as in {file: profile.csv}");
+        return case_value_error(r->err, profile, ": with 'file' a map that names another file, {file: profile.csv}");
     if (profile) status = case_section_read(r, profile, &case_route_heights, &heights);
     if (!status && case_node_key(profile, "corners"))
         return case_key_error(r->err, profile, "corners", "not with the 'file' of a route: they belong to a 'plan'");
@@ -472,7 +471,7 @@ static hawser_status file_line(CaseReader *r, const CaseNode *node, const RouteR
     }
     r->route_station = used.line.station;
     r->stations = in->reverse ? -1 : 1;
-    alignment_clear(&used.line);
+    line_clear(&used);
     return status;
 }
 

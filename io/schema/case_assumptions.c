@@ -9,7 +9,7 @@
 #include "io/library/library.h"
 #include "io/schema/case_schema.h"
 
-static const char GIVEN[] = "given", CATALOGUE[] = "catalogue", ESTIMATED[] = "estimated";
+static const char GIVEN[] = "given", CATALOGUE[] = "catalogue", ESTIMATED[] = "estimated", NOT_READ[] = "not read";
 
 /* The list as it grows, and the entries' values that are in it already. */
 typedef struct Gathering {
@@ -146,9 +146,21 @@ static hawser_status types_add(Gathering *g, const CaseNode *node)
     return status;
 }
 
+hawser_status case_unread_add(const CaseReader *r, const CaseNode *node, const char *what, long times)
+{
+    char path[CASE_PATH_MAX], count[HAWSER_ASSUMPTION_VALUE_MAX];
+    Gathering g = {.r = r, .room = r->def->n_assumptions};
+    snprintf(count, sizeof count, "%ld times", times);
+    hawser_assumption *const a =
+        assumption_add(&g, case_path(node, "file", path), times == 1 ? "once" : count, NOT_READ);
+    if (!a) return error_memory(r->err);
+    snprintf(a->source, sizeof a->source, "%s", what);
+    return HAWSER_OK;
+}
+
 hawser_status case_assumptions_read(CaseReader *r, const CaseNode *node)
 {
-    Gathering g = {.r = r};
+    Gathering g = {.r = r, .room = r->def->n_assumptions};
     hawser_status status = HAWSER_OK;
     for (const CaseNode *cable = node->first; cable && !status; cable = cable->next) {
         const CableDef *const def = &r->def->cables[cable->index];

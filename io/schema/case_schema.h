@@ -119,6 +119,8 @@ int case_word_place(const CaseNode *node, const char *const *word);
 /* The row of a key that the section is known to have. */
 const CaseKey *case_key_of(const CaseSection *section, const char *name);
 
+/* Adds to r->def->assumptions what of a file that node names is not in the route. Errors: MEMORY. */
+hawser_status case_unread_add(const CaseReader *r, const CaseNode *node, const char *what, long times);
 /* Fills r->def->assumptions with what the catalogue and estimates have put in, once all else has been read. node: the
  * section of cables. Errors: MEMORY. */
 hawser_status case_assumptions_read(CaseReader *r, const CaseNode *node);

@@ -111,7 +111,7 @@ class Looking:
 
     @property
     def assumptions(self) -> pd.DataFrame:
-        """Values that the case did not give itself: key, value, origin ("given", "catalogue", "estimated"), source."""
+        """Values that the case did not give itself: key, value, origin ("given", "catalogue", "estimated", "not read"), source."""
         return self._table(lib.hawser_sim_assumptions, "hawser_assumption")
 
     @property

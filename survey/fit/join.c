@@ -190,16 +190,20 @@ static int is_double(const Net *net, int i, int k, double tolerance)
     return hypot(a.x - b.x, a.y - b.y) <= 2 * tolerance;
 }
 
-/* Hangs the ends to their knots; pieces drawn twice, and those that are shorter than the tolerance, are left out. */
+/* Hangs the ends to their knots; pieces drawn twice, those that go straight up or down, and those that are shorter than
+ * the tolerance, are left out. */
 static void ends_hang(const JoinOptions *o, Net *net, Joined *joined)
 {
     for (int i = 0; i < net->n; ++i) {
         const int a = net->knot[2 * i], b = net->knot[2 * i + 1];
-        int twice = a == b && net->length[i] <= 2 * o->tolerance, looked = 0;
+        const int upright =
+            net->length[i] <= 2 * o->tolerance && fabs(net->end[2 * i].z - net->end[2 * i + 1].z) > o->tolerance;
+        int twice = upright || (a == b && net->length[i] <= 2 * o->tolerance), looked = 0;
         for (int e = net->first[a]; e >= 0 && !twice && looked < LOOKED_AT; e = net->other[e], ++looked) {
             twice = is_double(net, e / 2, i, o->tolerance);
         }
-        joined->doubles += twice;
+        joined->doubles += twice && !upright;
+        joined->upright += upright;
         net->used[i] = (char)twice;
         for (int k = 0; k < 2 && !twice; ++k) {
             const int e = 2 * i + k, knot = net->knot[e];
@@ -220,17 +224,25 @@ static void doubt_add(Joined *j, JoinDoubt d)
     if (j->n_doubts < MOST) j->doubt[j->n_doubts++] = d;
 }
 
+/* m, between the heights of two ends; 0: one has none. */
+static double rise_between(const Net *net, int i, int k)
+{
+    const int level = is_flat(net->piece[i / 2]) || is_flat(net->piece[k / 2]);
+    return level ? 0 : fabs(net->end[i].z - net->end[k].z);
+}
+
 static int doubts_find(const JoinOptions *o, const Net *net, Joined *joined)
 {
     Grid g;
     const int fine = grid_alloc(2 * net->n, net->end, gap_reach(o->tolerance), &g);
     for (int i = 0; fine && i < 2 * net->n; ++i) {
         if (net->knot[i] == i && net->ends[i] > 2)
-            doubt_add(joined, (JoinDoubt){JOIN_FORK, net->end[i], net->ends[i], 0});
+            doubt_add(joined, (JoinDoubt){JOIN_FORK, net->end[i], net->ends[i], 0, 0});
         if (net->knot[i] != i || net->ends[i] == 0) continue;
         Search s = {net, i, -1, 1, gap_reach(o->tolerance), INFINITY};
         if (net->ends[i] == 1) grid_near(&g, net->end[i], end_near, &s);
-        if (s.found >= 0) doubt_add(joined, (JoinDoubt){JOIN_GAP, net->end[i], 1, s.least});
+        if (s.found >= 0)
+            doubt_add(joined, (JoinDoubt){JOIN_GAP, net->end[i], 1, s.least, rise_between(net, i, s.found)});
         if (net->ends[i] == 1) grid_put(&g, i); /* each pair once */
     }
     grid_free(&g);

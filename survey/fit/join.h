@@ -20,11 +20,13 @@ typedef struct JoinDoubt {
     Vec3 at;     /* m */
     int ends;    /* fork: how many meet */
     double away; /* gap: m to the nearest other end, within 100 tolerances and 1 m */
+    double rise; /* gap: m between their heights; 0: one has none */
 } JoinDoubt;
 
 typedef struct Joined {
     int pieces;       /* taken */
     int doubles;      /* left out because they lie on another */
+    int upright;      /* left out because they go straight up or down */
     int lost_heights; /* lines made level, since some of their pieces have heights and others none */
     int n_forks, n_gaps, n_doubts;
     JoinDoubt doubt[16]; /* the first of them */

@@ -288,6 +288,41 @@ static void wrong_cases(void **state)
     hawser_case_free(c);
 }
 
+/* What of a file is not in the route is said where the case is looked at: a gap cuts the line off. */
+static void what_is_not_in_the_route(void **state)
+{
+    (void)state;
+    char folder[] = "/tmp/hawser-route-XXXXXX", path[80], name[80];
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/gap.dxf", folder);
+    snprintf(name, sizeof name, "%s/case.yaml", folder);
+    FILE *f = fopen(path, "w");
+    fputs("0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n6\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n", f);
+    for (int k = 0; k < 2; ++k)
+        fprintf(f, "0\nLINE\n8\nA\n10\n%g\n20\n0\n11\n%g\n21\n0\n", k ? 300.02 : 0, k ? 320.0 : 300.0);
+    fputs("0\nENDSEC\n0\nEOF\n", f);
+    fclose(f);
+    f = fopen(name, "w");
+    fputs("cables: {c: {d: 90 mm, mass: 20 kg/m}}\nroute: {file: gap.dxf}\nrollers: {along: [{spacing: 2 m}]}\n"
+          "friction: {mu: 0.2}\nlimits: {pull: 30 kN}\n",
+          f);
+    fclose(f);
+    hawser_case *c = NULL;
+    hawser_error err;
+    char *theory = NULL, *check = NULL;
+    assert_int_equal(hawser_case_load(name, &c, &err), HAWSER_OK);
+    if (hawser_case_theory(c, HAWSER_JSON, &theory, &err)) fail_msg("%s", err.message);
+    if (hawser_case_describe(c, HAWSER_JSON, &check, &err)) fail_msg("%s", err.message);
+    check_has(theory, "not in the route, of its file: gap of 0.02 m at 300.0");
+    check_has(check, "\"not read\"");
+    hawser_text_free(theory);
+    hawser_text_free(check);
+    hawser_case_free(c);
+    unlink(path);
+    unlink(name);
+    rmdir(folder);
+}
+
 /* Of a table's row the file's line is named, beside the case's. */
 static void both_lines_are_named(void **state)
 {
@@ -464,6 +499,7 @@ int main(void)
         cmocka_unit_test(a_drawing_in_a_case),
         cmocka_unit_test(large_coordinates),
         cmocka_unit_test(wrong_cases),
+        cmocka_unit_test(what_is_not_in_the_route),
         cmocka_unit_test(both_lines_are_named),
         cmocka_unit_test(many_lines_in_little_memory),
         cmocka_unit_test(shared_figures),
