@@ -63,7 +63,7 @@ static const char *const fork_word = "fork of ", *const gap_word = "gap of ";
 static void doubts_say(const char *layer, const Joined *j, Survey *notes)
 {
     enum { FEW = 4 };
-    char text[SURVEY_NAME_MAX];
+    char text[2 * SURVEY_NAME_MAX]; /* with room for a layer's name, a rise and places far away */
     const int few = j->n_forks + j->n_gaps <= FEW;
     for (int i = 0; few && i < j->n_doubts; ++i) {
         const JoinDoubt *const d = &j->doubt[i];

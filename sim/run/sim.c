@@ -75,9 +75,11 @@ static hawser_status beside_new(Sim *s, const SceneDef *def, hawser_error *err)
         status = sim_new(&def->beside[k], 1, &sim[n], err);
         n += !status;
     }
-    if (!status) status = together_new(sim, n, err);
-    if (!status) sim_motion(s)->ops->lin_stats(sim_motion(s), &s->lin);
-    if (s->together) return status; /* it has taken them over */
+    if (!status) {
+        status = together_new(sim, n, err);
+        if (!status) sim_motion(s)->ops->lin_stats(sim_motion(s), &s->lin);
+        if (s->together) return status; /* it has taken them over */
+    }
     for (int k = 1; k < n; ++k) sim_free(sim[k]);
     free(sim);
     return status;

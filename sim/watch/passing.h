@@ -6,7 +6,7 @@
 #include "contact/self/self_overlap.h"
 #include "sim/dynamics.h"
 
-enum { PASSING_SAYS_MAX = 160, OVERLAP_SAYS_MAX = 150 };
+enum { PASSING_SAYS_MAX = 160, OVERLAP_SAYS_MAX = 160 };
 
 /* How far cables have been inside each other, or one inside itself: the worst of all looks. */
 typedef struct Overlap {
