@@ -1,6 +1,7 @@
 #include "core/profile.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stddef.h>
 
 /* D of (P1) and (P2): the share of the ramp that is done, 0..1. */
@@ -94,6 +95,14 @@ double profile_value(const Profile *p, double t)
         break;
     }
     return p->v1;
+}
+
+double profile_largest(const Profile *p)
+{
+    if (p->kind == PROFILE_CONSTANT) return p->v1;
+    double most = p->kind == PROFILE_TABLE ? p->value[0] : fmax(p->v0, p->v1);
+    for (int i = 1; p->kind == PROFILE_TABLE && i < p->n; ++i) most = fmax(most, p->value[i]);
+    return most;
 }
 
 double profile_rate(const Profile *p, double t)

@@ -25,6 +25,8 @@ double step_cubic(double x, double x0, double h0, double x1, double h1, double *
 double step_quintic(double x, double x0, double h0, double x1, double h1, double *slope);
 
 double profile_value(const Profile *p, double t);
+/* The largest value at any time. */
+double profile_largest(const Profile *p);
 /* d(value)/dt; at a table's corner, the slope to the right. */
 double profile_rate(const Profile *p, double t);
 /* Integral of the value from 0 to t (t >= 0), exact for every kind. */

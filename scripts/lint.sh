@@ -3,6 +3,13 @@
 # Usage: sh scripts/lint.sh [--fix]        (--fix: formats the files instead of complaining)
 set -eu
 
+case "${1-}" in
+'' | --fix) ;;
+*)
+    echo "usage: sh scripts/lint.sh [--fix]" >&2
+    exit 2
+    ;;
+esac
 cd "$(dirname "$0")/.."
 sh scripts/setup.sh --lint
 each_source() { # each_source COMMAND...: the command with every C file of the tree

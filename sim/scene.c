@@ -140,3 +140,13 @@ int scene_pushers(const Scene *scene, Pusher **out)
     }
     return n;
 }
+
+double scene_next_stop(const Scene *scene, double t, double stop)
+{
+    const double behind = t + 1e-9; /* a stop of now is none */
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        const Room *const room = &scene->room[r];
+        if (room->present && room->kind->next_stop) stop = fmin(stop, room->kind->next_stop(room, scene, behind));
+    }
+    return stop;
+}

@@ -123,6 +123,9 @@ void scene_launch(const Scene *scene, double *y);
 /* What pushes the cable along, by the route's order: *out is malloc'ed. How many; -1 without memory. */
 int scene_pushers(const Scene *scene, Pusher **out);
 
+/* The first time after t (s) at which a room is not smooth, a corner of a table say, or `stop` if that comes first. */
+double scene_next_stop(const Scene *scene, double t, double stop);
+
 /* How far a point of the cable may go at once, m; INFINITY where there is nothing to pass through. Contacts are looked
  * at where a step ends, so that a longer one could carry the cable through a roller, a wall or itself without either
  * having been noticed: W of (N14) but for the reach. */

@@ -54,8 +54,12 @@ double limits_pull(const LimitsDef *def, int cables, char *source)
     Grasp at = grasp_of(def);
     const Allowed share = together(def, cables);
     at.stress = given_or(def->stress, "limits.stress", at.stress);
-    snprintf(source, SOURCE_SIZE, "%s", "limits.pull");
-    if (!isnan(def->pull)) return cables * def->pull;
+    if (!isnan(def->pull)) { /* of one cable, with what the code says of its own conductors */
+        const double of_several = share.value / together(def, 1).value;
+        snprintf(source, SOURCE_SIZE, "limits.pull%s%s", of_several < 1 ? "; " : "",
+                 of_several < 1 ? share.source : "");
+        return of_several * cables * def->pull; /* (LI9) */
+    }
     if (isnan(at.stress.value)) {
         snprintf(source, SOURCE_SIZE, "code %s has no stress for this %s: needs limits.stress or limits.pull",
                  limits_code_name(def->code), at.key);

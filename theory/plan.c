@@ -112,12 +112,10 @@ static void fill_pieces(const PlanDef *def, PlanWay *way)
 /* The route pulled one way: reel, pull, rope; then again from rest. */
 static hawser_status solve_way(const PlanDef *def, const DuctLoad *load, int k, PlanWay *way, hawser_error *err)
 {
-    /* of what lies where the pull starts: it is what the reel pays out */
-    const double weight = stretch_at(def->n_stretches, def->stretch, plan_first(def, k))->weight;
     PlanPullDef what = {.way = k, .whole = 1, .restart = 1};
     Pull restart;
     way->start = plan_section(def, k, 0).start;
-    way->rope = weight * def->rope_length + def->rope_force; /* (T25) */
+    way->rope = plan_allowance(def, k);
     hawser_status status = plan_pull(def, load, &what, &restart, err);
     if (status) return status;
     way->restart_force = restart.end_tension + way->rope;

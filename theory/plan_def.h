@@ -22,17 +22,18 @@ typedef struct PlanDef {
     PullLaw law;
     int n_stretches; /* >= 1: weight of all cables together (N/m) and friction, without a duct's correction */
     const PullStretch *stretch;
-    const DuctDef *duct;   /* NULL: none; else its weight and sidewall factors apply on the whole route */
-    double reel_length;    /* m of cable whose weight is the reel's back tension (eq. 3: 15) */
-    double rope_length;    /* m of cable whose weight is the allowance for the rope (eq. 9: 5) */
-    double back_tension;   /* N, added to the reel's: a brake */
-    double feed;           /* N, by which the cable is pushed where the pull begins */
-    double rope_force;     /* N, added to the rope's allowance: a drag */
-    double rope_weight;    /* N/m, of the rope ahead of the cable */
-    double beyond;         /* m: the pull goes so far beyond the route's end; below 0: it stops short of it */
-    double roller_spacing; /* m; 0: no roller loads asked for */
-    const double *spacing; /* [pieces] m, in its place; NULL: roller_spacing everywhere */
-    const double *guides;  /* [pieces] m, of the rollers beside the cable; NULL: as the others */
+    const DuctDef *duct;     /* NULL: none; else its weight and sidewall factors apply on the whole route */
+    double reel_length;      /* m of cable whose weight is the reel's back tension (eq. 3: 15) */
+    double rope_length;      /* m of cable whose weight is the allowance for the rope (eq. 9: 5) */
+    double back_tension;     /* N, added to the reel's: a brake */
+    double feed;             /* N, by which the cable is pushed where the pull begins */
+    double rope_force;       /* N, added to the rope's allowance: a drag */
+    double drawn[PLAN_WAYS]; /* N, the same of each way: of the cables behind, if it is a rope that is pulled (SC15) */
+    double rope_weight;      /* N/m, of the rope ahead of the cable */
+    double beyond;           /* m: the pull goes so far beyond the route's end; below 0: it stops short of it */
+    double roller_spacing;   /* m; 0: no roller loads asked for */
+    const double *spacing;   /* [pieces] m, in its place; NULL: roller_spacing everywhere */
+    const double *guides;    /* [pieces] m, of the rollers beside the cable; NULL: as the others */
     int n_pushes;
     const PullStep *push;      /* conveyors and the like, by what they add; force > 0: along the pull; < 0: brake */
     const PullStep *push_back; /* the same when pulled back, by the same order; NULL: as push */

@@ -8,13 +8,6 @@
 
 static int sign_of(int way) { return way == PLAN_BACKWARD ? -1 : 1; }
 
-/* The rope's allowance (T25), of every winch. */
-static double allowance(const PlanDef *def, int way)
-{
-    const double weight = stretch_at(def->n_stretches, def->stretch, plan_first(def, way))->weight;
-    return weight * def->rope_length + def->rope_force;
-}
-
 /* Whether no friction is larger at rest, so that a restart is the pull at speed (PN2). */
 static int restarts_alike(const PlanDef *def)
 {
@@ -37,7 +30,7 @@ static hawser_status head_solve(const PlanDef *def, const DuctLoad *load, int wa
         Pull pull;
         const hawser_status status = plan_pull(def, load, &what, &pull, err);
         if (status) return status;
-        const double force = pull.end_tension + allowance(def, way);
+        const double force = pull.end_tension + plan_allowance(def, way);
         if (!restart) out->tension = pull_at(&pull, head).tension;
         if (!restart) out->force = force;
         if (restart || alike) out->restart = force;
@@ -359,7 +352,7 @@ static hawser_status brake_force(const PlanDef *def, const DuctLoad *load, int w
     hawser_status status = plan_pull(def, load, &whole, &pull, err);
     if (status) return status;
     out->max_tension = pull.max_tension;
-    out->force = pull.end_tension + allowance(def, way);
+    out->force = pull.end_tension + plan_allowance(def, way);
     if (fabs(out->force) < 1e-9 * pull.max_tension) out->force = 0; /* rounding */
     pull_clear(&pull);
     status = plan_peaks(def, load, way, &heads, err);

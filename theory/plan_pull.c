@@ -14,6 +14,13 @@ double plan_last(const PlanDef *def, int way)
     return way == PLAN_BACKWARD ? 0 - def->beyond : def->route->length + def->beyond;
 }
 
+double plan_allowance(const PlanDef *def, int way)
+{
+    /* of what lies where the pull starts: it is what the reel pays out */
+    const double weight = stretch_at(def->n_stretches, def->stretch, plan_first(def, way))->weight;
+    return weight * def->rope_length + def->rope_force + def->drawn[way];
+}
+
 /* --------------------------------------------------------------------------------------------- sections */
 
 /* The pit that comes next behind s along the pull and before its end; -1: none. */

@@ -9,6 +9,9 @@
 double plan_first(const PlanDef *def, int way);
 double plan_last(const PlanDef *def, int way);
 
+/* What every winch pulls beside cable and rope on the route (T25), N. */
+double plan_allowance(const PlanDef *def, int way);
+
 /* A part of the route that is pulled on its own: from the start or a pit to the next pit or the end. */
 typedef struct PlanSection {
     double from, to; /* m along the route, in the pull's order */

@@ -18,7 +18,7 @@ typedef struct LineOptions {
     int reverse;
     double from, to;  /* m, stations of the file between which it is used; NAN: its ends */
     double tolerance; /* m, by which the route may be off the file's line */
-    double corner;    /* m, radius of the corners of a line of points; NAN: it is fitted */
+    double corner;    /* m, radius of the corners of a line of straights; NAN: it is fitted */
     double rounding;  /* m, radius of corners of the profile */
     double height;    /* m, of a line without heights; NAN: 0 */
 } LineOptions;
@@ -49,8 +49,9 @@ typedef struct UsedLine {
     int n_unread;
     SurveyIgnored *unread; /* [n_unread] what was left out of the profile's file; allocated */
 } UsedLine;
-/* Errors: INPUT (farther off than the tolerance, stations that are not on the line, no heights along it), MEMORY. Then
- * nothing is left allocated; else clear it. */
+/* Errors: INPUT (farther off than the tolerance, stations that are not on the line, no heights along it; a height for a
+ * line that has some, a radius for one with bends or a profile), MEMORY. Then nothing is left allocated; else clear it.
+ */
 hawser_status line_use(const Alignment *from, const LineOptions *options, UsedLine *used, hawser_error *err);
 void line_clear(UsedLine *used);
 /* What route_build needs; coordinates count from `origin`. Errors: INPUT (corners without room for their radius, a

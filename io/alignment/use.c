@@ -71,10 +71,39 @@ static hawser_status fit(const Alignment *from, const Alignment *profile, const 
     return status;
 }
 
-/* Corners that get a radius need no fit. */
+/* What is asked for and this line has no use for: nothing that is asked for is passed over in silence. */
+static hawser_status asked_check(const Alignment *from, const Alignment *profile, const LineOptions *options,
+                                 hawser_error *err)
+{
+    const int heights = from->n_profile > 0 || (from->n_points > 0 && !from->flat);
+    int bent = 0;
+    for (int i = 0; i < from->n_plan; ++i) bent |= from->plan[i].k0 != 0 || from->plan[i].k1 != 0;
+    if (!isnan(options->height) && heights && !profile)
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "'%.60s' has heights of its own: a 'height' is for a line without, leave it out", from->name);
+    if (!isnan(options->corner) && (bent || profile || from->n_profile > 0))
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "'%.60s' has %s: a 'radius' rounds the corners of a line of straights without, leave it out",
+                         from->name, bent ? "bends of its own" : "a profile");
+    return HAWSER_OK;
+}
+
+/* Corners that get a radius need no fit; straights that were joined are a line of points then. */
 static hawser_status keep(const Alignment *from, UsedLine *used, hawser_error *err)
 {
-    return alignment_copy(from, &used->line) ? HAWSER_OK : error_memory(err);
+    Alignment *const a = &used->line;
+    if (!alignment_copy(from, a)) return error_memory(err);
+    a->n_plan = 0;
+    for (int i = 0; i < from->n_plan; ++i) {
+        const PlanElement end = plan_at(&from->plan[i], from->plan[i].length);
+        Vec3 *const first = i ? NULL : alignment_add_point(a);
+        if (first) *first = v3(from->plan[0].x, from->plan[0].y, 0);
+        Vec3 *const next = alignment_add_point(a);
+        if (!next || (i == 0 && !first)) return error_memory(err);
+        *next = v3(end.x, end.y, 0);
+        a->flat = a->drawn = 1;
+    }
+    return HAWSER_OK;
 }
 
 static hawser_status part_take(const LineOptions *options, Alignment *a, hawser_error *err)
@@ -121,8 +150,8 @@ hawser_status line_use(const Alignment *from, const LineOptions *options, UsedLi
     if (from->n_plan == 0 && from->n_points < 2)
         return error_set(err, HAWSER_ERR_INPUT, "'%.60s' is a profile without a plan: no route", from->name);
     hawser_status status = profile_find(options, &s, &profile, err);
-    const int corners = !isnan(options->corner) && from->n_plan == 0 && !profile;
-    if (!status) status = corners ? keep(from, used, err) : fit(from, profile, options, used, err);
+    if (!status) status = asked_check(from, profile, options, err);
+    if (!status) status = !isnan(options->corner) ? keep(from, used, err) : fit(from, profile, options, used, err);
     if (!status) status = part_take(options, &used->line, err);
     if (!status) status = measure(from, !profile, options, used, err);
     if (!status) status = chain(options, used, err);

@@ -45,13 +45,15 @@ static const SurfaceDef *duct_called(const SceneDef *def, const char *name)
     return NULL;
 }
 
-/* N/m: how much a bend's tension grows at most with its radius. A longer bend has more weight on it, of which friction
- * takes mu at its beginning and by exp(mu angle) more at its end; where it climbs, all of it. */
+static double largest_friction(const FrictionLaw *law) { return fmax(law->mu_s, law->mu_d); }
+
+/* N/m: how much a bend's tension grows at most with its radius, also from rest. A longer bend has more weight on it, of
+ * which friction takes mu at its beginning and by exp(mu angle) more at its end; where it climbs, all of it. */
 static double tension_by_radius(const Scene *scene, const RoutePiece *bend)
 {
     const SceneDef *const def = &scene->def;
-    double mu = def->friction.mu_d;
-    for (int i = 0; i < def->n_surfaces; ++i) mu = fmax(mu, def->surfaces[i].friction.mu_d);
+    double mu = largest_friction(&def->friction);
+    for (int i = 0; i < def->n_surfaces; ++i) mu = fmax(mu, largest_friction(&def->surfaces[i].friction));
     const double rise =
         fabs(route_slope(&scene->route, bend->s0)) + fabs(route_slope(&scene->route, bend->s0 + bend->length));
     return scene->cable_weight * bend->angle * (mu * exp(mu * bend->angle) + (rise > 1e-6 ? 1 : 0));

@@ -130,7 +130,7 @@ static hawser_status solve(Theory *t, const TheoryWish *wish, hawser_error *err)
     collect_places(t);
     status = expected_fill(&t->scene, 0, NULL, &t->expected, err);
     if (!status) {
-        status = calculator_build(&t->scene, t->expected.start_tension, wish->forward_only, &t->calculator, err);
+        status = calculator_build(&t->scene, t->expected.largest_start, wish->forward_only, &t->calculator, err);
     }
     if (!status) status = solve_paper(t, err);
     if (!status && !wish->no_inverse) status = inverse_find(&t->scene, &t->calculator, &t->inverse, err);
@@ -350,7 +350,6 @@ static const Column chain_column[] = {
 
 static const SceneDef *chain_def(const SceneDef *def, int k) { return k > 0 ? &def->beside[k - 1] : def; }
 
-/* A rope bears what it draws beside its own (SC15). */
 static void chain_rows(const SceneDef *def, Theory *const t[], ChainRow row[])
 {
     double sum = 0;
@@ -361,10 +360,8 @@ static void chain_rows(const SceneDef *def, Theory *const t[], ChainRow row[])
         row[k].pulled = rope >= 0 ? chain_def(def, rope)->strand.name : own->winch.present ? "its winch" : "nothing";
         row[k].factor = 1;
         for (int s = 0; s < own->n_surfaces; ++s) row[k].factor = fmax(row[k].factor, own->surfaces[s].weight_factor);
-        const double pull = rope >= 0 || own->winch.present ? t[k]->calculator.plan.way[PLAN_FORWARD].force : 0;
-        row[k].pull += pull;
-        if (rope >= 0) row[rope].pull += pull;
-        if (!own->strand.rope) sum += pull;
+        row[k].pull = rope >= 0 || own->winch.present ? t[k]->calculator.plan.way[PLAN_FORWARD].force : 0;
+        if (!own->strand.rope) sum += row[k].pull;
     }
     for (int k = 0; k <= def->n_beside; ++k)
         row[k].share = chain_def(def, k)->strand.rope || !(sum > 0) ? NAN : row[k].pull / sum;
@@ -425,15 +422,33 @@ static hawser_status chains_write(const hawser_case *c, Theory *const t[], hawse
     return status;
 }
 
+/* A rope bears what it draws beside its own (SC15): the sum, of friction on rope and cables apart, is no less than that
+ * on all together. */
+static void drawn_set(const SceneDef *def, Theory *const t[], int rope, TheoryDef *out)
+{
+    for (int k = 0; k <= def->n_beside; ++k) {
+        if (chain_def(def, k)->strand.joined != rope) continue;
+        const Calculator *const c = &t[k]->calculator;
+        for (int way = 0; way < PLAN_WAYS; ++way) {
+            out->drawn[way] += c->plan.way[way].force;
+            out->drawn_more[way] += calculator_peak(&t[k]->scene, c, way) - c->plan.way[way].force;
+        }
+    }
+}
+
 static hawser_status chains_theory(const hawser_case *c, hawser_format format, char **text, hawser_error *err)
 {
     const TheoryWish wish = {0};
     Theory *t[STRANDS_MAX] = {NULL};
     hawser_status status = HAWSER_OK;
-    for (int k = 0; !status && k <= c->def.n_beside; ++k) {
-        t[k] = calloc(1, sizeof *t[k]);
-        status = t[k] ? case_name_error(c, build_and_solve(t[k], chain_def(&c->def, k), &wish, err), err)
-                      : error_memory(err);
+    for (int ropes = 0; ropes < 2; ++ropes) { /* they come behind what they draw */
+        for (int k = 0; !status && k <= c->def.n_beside; ++k) {
+            SceneDef own = *chain_def(&c->def, k); /* the scene makes its own copy */
+            if (own.strand.rope != ropes) continue;
+            if (ropes) drawn_set(&c->def, t, k, &own.theory);
+            t[k] = calloc(1, sizeof *t[k]);
+            status = t[k] ? case_name_error(c, build_and_solve(t[k], &own, &wish, err), err) : error_memory(err);
+        }
     }
     if (!status) status = chains_write(c, t, format, text, err);
     for (int k = 0; k <= c->def.n_beside; ++k) theory_free(t[k]);

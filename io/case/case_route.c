@@ -57,7 +57,7 @@ static const CaseKey route_keys[] = {
     {"to", KEY_NUMBER, DIM_LENGTH, .otherwise = "where it ends", FROM(-FAR, FAR), AT(RouteRecord, to)},
     {"tolerance", KEY_NUMBER, DIM_LENGTH, .fallback = "50 mm", ABOVE(0, 1000), AT(RouteRecord, tolerance)},
     {"join", KEY_NUMBER, DIM_LENGTH, .fallback = "10 mm", ABOVE(0, 10), AT(RouteRecord, join)},
-    {"height", KEY_NUMBER, DIM_LENGTH, .fallback = "0 m", FROM(-LONG, LONG), AT(RouteRecord, height)},
+    {"height", KEY_NUMBER, DIM_LENGTH, .otherwise = "0 m", FROM(-LONG, LONG), AT(RouteRecord, height)},
 };
 SECTION(case_route, "route", route_keys);
 

@@ -179,6 +179,7 @@ static void plan_set(const Scene *scene, double start_tension, Calculator *c)
     c->def.back_tension = fmax(0, start_tension);
     c->def.feed = theory->feed;
     c->def.rope_force = scene->def.drag.force;
+    memcpy(c->def.drawn, theory->drawn, sizeof c->def.drawn);
     c->def.rope_weight = rope_weight(&scene->def);
     c->def.n_wear = theory->n_wear;
     c->def.wear = theory->wear;

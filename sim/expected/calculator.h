@@ -53,6 +53,9 @@ hawser_status calculator_build(const Scene *scene, double start_tension, int for
 void calculator_free(Calculator *c);
 /* Fills limits, `supported` and `pulled` of one that is solved. Errors: MEMORY. */
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err);
+/* N, of the winch, wherever the head is, at speed or from rest; of a rope with all that it draws, whatever each pulls
+ * at most (SC15). */
+double calculator_peak(const Scene *scene, const Calculator *c, int way);
 /* N by which the cable may be pushed where it is pushed most: by what a machine behind that place pushes with, or by
  * what is meant. */
 double calculator_bears(const Scene *scene, const Calculator *c, int way);

@@ -48,6 +48,12 @@ static Finding roller_finding(const Scene *scene, const PlanWay *way)
     return worst;
 }
 
+double calculator_peak(const Scene *scene, const Calculator *c, int way)
+{
+    const HeadSeries *const heads = &c->heads[way];
+    return fmax(heads->peak.force, heads->restart_peak.restart) + scene->def.theory.drawn_more[way];
+}
+
 static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error *err)
 {
     const Route *const route = c->route;
@@ -60,9 +66,10 @@ static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error 
         f[LIMIT_SIDEWALL] = sidewall_finding(route, way);
         f[LIMIT_BEND] = bend_finding(c, k);
         f[LIMIT_ROLLER_STEADY] = roller_finding(scene, way);
-        f[LIMIT_ROPE].value = fmax(c->heads[k].peak.force, c->heads[k].restart_peak.restart);
+        f[LIMIT_ROPE].value = calculator_peak(scene, c, k);
         const hawser_status status = findings_of_way(scene, route, c, k, f, err);
         if (status) return status;
+        if (scene->def.strand.joined >= 0) f[LIMIT_ROPE].absent = f[LIMIT_WINCH].absent = 1; /* a rope's, with others */
         limits_duct(&scene->def.limits, c->cables, NULL, NULL, f);
         for (int i = 0; i < c->n_ducts; ++i)
             limits_duct(&scene->def.limits, bundle_cables_in(&scene->def, c->duct[i].surface), c->duct[i].surface->name,
@@ -213,8 +220,8 @@ static void best_set(Calculator *c)
 static void trip_set(const Scene *scene, Calculator *c)
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {
-        c->trip[k] = limits_trip(&scene->def.limits, scene->def.bundle.shape.thickest,
-                                 fmax(c->heads[k].peak.force, c->heads[k].restart_peak.restart), c->plan.way[k].rope);
+        c->trip[k] = limits_trip(&scene->def.limits, scene->def.bundle.shape.thickest, calculator_peak(scene, c, k),
+                                 c->plan.way[k].rope);
         if (!c->pulled[k].holds) c->trip[k] = (TripSetting){NAN, "not known before the cable is held back"};
     }
 }

@@ -74,7 +74,10 @@ static void stretch_of(const Scene *scene, Expected *out)
                  front = scene->joint_s[scene->eye];
     if (expected_follows(scene)) {
         const double end = scene->winch->take_in.present ? winch_place(scene) : scene->route.length;
-        front_set(scene, fmin(front + moved, end), expected_back(scene, (from + to) / 2), out);
+        const double place = fmin(front + moved, end);
+        front_set(scene, place, expected_back_most(scene), out);
+        out->largest_start = out->start_tension;
+        front_set(scene, place, expected_back(scene, (from + to) / 2), out);
         out->passed = fmin(front + expected_travel(scene, from), end);
         return;
     }
@@ -82,7 +85,8 @@ static void stretch_of(const Scene *scene, Expected *out)
     out->from = scene->weight.lead_in ? 0 : scene->joint_s[0] + shift;
     out->to = out->rope_to = out->passed = front + shift;
     out->start_tension = profile_value(&scene->tail, scene->def.duration);
-    if (scene->drum->present) out->start_tension = drum_tension(scene);
+    out->largest_start = profile_largest(&scene->tail);
+    if (scene->drum->present) out->start_tension = out->largest_start = drum_tension(scene);
 }
 
 /* What lies from `at` on has this weight, N/m. There is room for a stretch more. */
@@ -177,10 +181,14 @@ double expected_push(const Expected *e, const Room *room, int item)
     return NAN;
 }
 
-double expected_back(const Scene *scene, double t)
+static const Profile *back_profile(const Scene *scene)
 {
-    return profile_value(scene->reel->winding.turns > 0 ? &scene->reel->tension : &scene->tail, t);
+    return scene->reel->winding.turns > 0 ? &scene->reel->tension : &scene->tail;
 }
+
+double expected_back(const Scene *scene, double t) { return profile_value(back_profile(scene), t); }
+
+double expected_back_most(const Scene *scene) { return profile_largest(back_profile(scene)); }
 
 hawser_status expected_at(const Scene *scene, double front, double back, Expected *out, hawser_error *err)
 {

@@ -231,7 +231,7 @@ hawser_status findings_of_way(const Scene *scene, const Route *route, const Calc
                               Finding finding[LIMIT_KINDS], hawser_error *err)
 {
     const PlanWay *const w = &c->plan.way[way];
-    finding[LIMIT_ATTACHMENT].value = finding[LIMIT_ROPE].value - w->rope;
+    finding[LIMIT_ATTACHMENT].value = finding[LIMIT_ROPE].value - w->rope - scene->def.theory.drawn_more[way];
     finding[LIMIT_WINCH].value = finding[LIMIT_ROPE].value;
     finding[LIMIT_PUSH] = conveyor_push(c, way);
     const hawser_status status = way_run_away(scene, route, c, way, &finding[LIMIT_RUN_AWAY], err);

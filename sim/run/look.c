@@ -15,17 +15,6 @@ void sim_relaxation_take(Sim *s, const hawser_relaxation *found)
     worst->iterations = iterations;
 }
 
-double rooms_next_stop(const Sim *s, double stop)
-{
-    const Scene *const scene = &s->stage.scene;
-    for (int r = 0; r < scene->n_rooms; ++r) {
-        const Room *const room = &scene->room[r];
-        if (room->present && room->kind->next_stop)
-            stop = fmin(stop, room->kind->next_stop(room, scene, s->stage.t + 1e-9));
-    }
-    return stop;
-}
-
 const hawser_sample *sim_look(Sim *s, SampleParts parts)
 {
     if (s->stage.torn) return &s->look.sample; /* what was seen last */

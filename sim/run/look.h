@@ -8,7 +8,5 @@
 const hawser_sample *sim_look(Sim *s, SampleParts parts);
 /* The worst equilibrium so far is the run's. */
 void sim_relaxation_take(Sim *s, const hawser_relaxation *found);
-/* Where a room is not smooth next, or `stop`, s. */
-double rooms_next_stop(const Sim *s, double stop);
 
 #endif

@@ -144,7 +144,7 @@ static double goes_until(Sim *s, double t)
     const double apart = (scene->def.duration - q->said.first_s) / (CHECKS + 1);
     if (s->calls.law || s->calls.stop || may_trip(s, q->look[QUASI_KEPT - 1][0])) return now;
     if (apart > STRETCH * passing_time(scene, winch_speed(scene->winch, now)) && now > q->checked + apart) return now;
-    return quasi_steady_until(scene, now, rooms_next_stop(s, end));
+    return quasi_steady_until(scene, now, scene_next_stop(scene, now, end));
 }
 
 /* The next position, ahead of the time of now; no more than a step on. Where there is none nearer and nearer either,

@@ -183,7 +183,7 @@ static double next_stop(Sim *s, double stop)
 {
     for (int k = 0; k < sim_chains(s); ++k) {
         const Sim *const each = sim_chain(s, k);
-        stop = fmin(rooms_next_stop(each, stop), script_next(each));
+        stop = fmin(scene_next_stop(&each->stage.scene, each->stage.t, stop), script_next(each));
     }
     return stop;
 }

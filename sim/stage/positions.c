@@ -116,7 +116,35 @@ static hawser_status place_check(const Scene *scene, double s, double end, doubl
                      s, first);
 }
 
-/* Evenly from the first to the last; so many that none is farther from the next than `step`. */
+static int by_size(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Adds where something that goes with time has a corner, a table of the back tension say: the worst is there, if it is
+ * not at an end. */
+static hawser_status corners_add(Positions *p, const Scene *scene, hawser_error *err)
+{
+    const double begins = p->time[0], end = p->time[p->n - 1], apart = 1e-6 * (end - begins);
+    const int even = p->n;
+    int n = 0;
+    for (double t = begins; (t = scene_next_stop(scene, t, end)) < end;) ++n;
+    double *const more = n > 0 ? realloc(p->time, (size_t)(p->n + n) * sizeof *more) : NULL;
+    if (n > 0 && !more) return error_memory(err);
+    if (more) p->time = more;
+    int k = 1;
+    for (double t = begins; (t = scene_next_stop(scene, t, end)) < end;) {
+        while (k < even - 1 && p->time[k] < t) ++k;
+        const int taken = fabs(p->time[k] - t) < apart || fabs(p->time[k - 1] - t) < apart;
+        if (!taken && at_speed(scene, t)) p->time[p->n++] = t;
+    }
+    qsort(p->time, (size_t)p->n, sizeof *p->time, by_size);
+    return HAWSER_OK;
+}
+
+/* Evenly from the first to the last; so many that none is farther from the next than `step`, and where there are
+ * corners. */
 static hawser_status list_even(Positions *p, const Scene *scene, double end, hawser_error *err)
 {
     const PositionsDef *const def = &scene->def.analysis.positions;
@@ -136,13 +164,7 @@ static hawser_status list_even(Positions *p, const Scene *scene, double end, haw
         const double s = k == parts ? to : from + k * step;
         status = place_check(scene, s, end, &p->time[k], err);
     }
-    return status;
-}
-
-static int by_size(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
+    return status ? status : corners_add(p, scene, err);
 }
 
 static hawser_status list_given(Positions *p, const Scene *scene, double end, hawser_error *err)

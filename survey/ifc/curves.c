@@ -144,9 +144,11 @@ static hawser_status polyline_add(const IfcFile *file, const StepEntity *curve, 
 {
     hawser_status status = HAWSER_OK;
     const StepValue *v = step_item(curve, step_attribute(curve, 0), 0);
+    int given = 3;
     a->drawn = 1;
     for (Vec3 at; v && !status; v = step_behind(curve, v)) {
-        status = ifc_triple(file, v->reference, &at);
+        status = ifc_triple(file, v->reference, &at, &given);
+        a->flat |= given < 3;
         if (!status) status = point_add(file, at, a);
     }
     return status;

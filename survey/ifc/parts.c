@@ -21,7 +21,7 @@ const IfcNest *ifc_parts(const IfcFile *file, long whole, int *n)
     return *n ? file->nest + low : NULL;
 }
 
-hawser_status ifc_triple(const IfcFile *file, long id, Vec3 *out)
+hawser_status ifc_triple(const IfcFile *file, long id, Vec3 *out, int *given)
 {
     StepEntity e = {0};
     double v[3] = {0};
@@ -35,6 +35,7 @@ hawser_status ifc_triple(const IfcFile *file, long id, Vec3 *out)
         if (n < 2) status = input_error(file->step.in, "#%ld: expected coordinates", id);
     }
     *out = v3(v[0], v[1], v[2]);
+    if (given) *given = n;
     step_entity_free(&e);
     return status;
 }
@@ -48,10 +49,10 @@ hawser_status ifc_axes(const IfcFile *file, long id, Vec3 *origin, Vec3 *x_axis,
     hawser_status status = step_entity(&file->step, id, &e);
     const int space =
         !status && step_attribute(&e, 2)->kind != STEP_NONE ? 1 : !status && e.name[0] && strstr(e.name, "3D");
-    if (!status) status = ifc_triple(file, step_reference(&e, 0), origin);
+    if (!status) status = ifc_triple(file, step_reference(&e, 0), origin, NULL);
     const long axis = !status && space ? step_reference(&e, 1) : 0, x = status ? 0 : step_reference(&e, space ? 2 : 1);
-    if (axis) status = ifc_triple(file, axis, &z);
-    if (!status && x) status = ifc_triple(file, x, x_axis);
+    if (axis) status = ifc_triple(file, axis, &z, NULL);
+    if (!status && x) status = ifc_triple(file, x, x_axis, NULL);
     step_entity_free(&e);
     *tilted = v3_unit(z).z < 1 - 1e-9 || fabs(v3_unit(*x_axis).z) > 1e-9;
     if (!status && hypot(x_axis->x, x_axis->y) == 0) *x_axis = v3(1, 0, 0);

@@ -20,9 +20,9 @@ typedef struct IfcFile {
 /* The first of a whole's parts in file->nest; *n of them, 0: none. */
 const IfcNest *ifc_parts(const IfcFile *file, long whole, int *n);
 
-/* A point or direction's coordinates, in the file's numbers; missing ones are 0. Errors: as step_entity, and INPUT if
- * it has fewer than two. */
-hawser_status ifc_triple(const IfcFile *file, long id, Vec3 *out);
+/* A point or direction's coordinates, in the file's numbers; missing ones are 0; *given: how many it has, NULL: not
+ * asked for. Errors: as step_entity, and INPUT if it has fewer than two. */
+hawser_status ifc_triple(const IfcFile *file, long id, Vec3 *out, int *given);
 /* A placement in a plane: where its origin lies and which way its x-axis points; of one in space the plan, z of the
  * origin kept. *tilted is set if its z-axis is not upright. */
 hawser_status ifc_axes(const IfcFile *file, long id, Vec3 *origin, Vec3 *x_axis, int *tilted);

@@ -26,7 +26,7 @@ hawser_status ifc_horizontal_segment(const IfcFile *file, const StepEntity *e, A
     Vec3 start;
     const StepValue *const type = step_attribute(e, 8);
     const int line = step_is(type, "LINE");
-    const hawser_status status = ifc_triple(file, step_reference(e, 2), &start);
+    const hawser_status status = ifc_triple(file, step_reference(e, 2), &start, NULL);
     if (status) return status;
     if (step_number(e, 6) > 0) transition_note(file, type);
     return ifc_add_plan(file, a,
@@ -70,7 +70,7 @@ static hawser_status old_horizontal(const IfcFile *file, long id, Alignment *a)
     StepEntity e = {0};
     Vec3 start = V3_ZERO;
     hawser_status status = step_entity(&file->step, id, &e);
-    if (!status) status = ifc_triple(file, step_reference(&e, 0), &start);
+    if (!status) status = ifc_triple(file, step_reference(&e, 0), &start, NULL);
     double k0 = 0, k1 = 0;
     if (!status && !strcmp(e.name, "IFCCIRCULARARCSEGMENT2D")) {
         k0 = k1 = (is_true(step_attribute(&e, 4)) ? 1 : -1) * curvature(unit * step_number(&e, 3));

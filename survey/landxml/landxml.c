@@ -116,6 +116,10 @@ static void curve_add(Reader *r)
         FAIL(r, "a Curve has neither Center nor radius");
         return;
     }
+    if (!g->turns && !(has_centre && g->length > 0)) { /* about a centre its length would say */
+        FAIL(r, "a %s without rot, cw or ccw: which way it turns", "Curve");
+        return;
+    }
     const Vec3 start = g->have[POINT_START].at, end = g->have[POINT_END].at;
     const Vec3 centre = has_centre ? g->have[POINT_CENTER].at : centre_guess(g, start, end);
     const double radius = hypot(start.x - centre.x, start.y - centre.y), side = g->right ? -1 : 1;
@@ -132,7 +136,7 @@ static void curve_add(Reader *r)
     }
     const double other = 2 * acos(-1) - turn; /* the way around the other side */
     if (fabs(radius * turn - g->length) > fabs(radius * other - g->length) + 1e-3) {
-        survey_ignore(r->in->out, "rot of a Curve: its length says the other side");
+        if (g->turns) survey_ignore(r->in->out, "rot of a Curve: its length says the other side");
         element_add(r, start, from - side * acos(0), radius * other, -side / radius, -side / radius);
         return;
     }

@@ -148,7 +148,8 @@ static hawser_status system_find(MapPlaces *p, const json_t *root)
     const char *const crs =
         json_string_value(json_object_get(json_object_get(json_object_get(root, "crs"), "properties"), "name"));
     p->plain = (in && !strcmp(in, "m")) || !is_in_degrees(p->in->out, crs, root);
-    input_unit(p->in, 1, p->plain ? "" : "projected");
+    const hawser_status status = map_unit(p);
+    if (status) return status;
     const json_t *const origin = json_object_get(root, "origin");
     if (!p->plain && json_is_number(json_array_get(origin, 0)) && json_is_number(json_array_get(origin, 1))) {
         Vec3 none;

@@ -216,8 +216,8 @@ hawser_status gpx_read(SurveyInput *in)
     XML_SetElementHandler(r.parser, begin, end);
     XML_SetCharacterDataHandler(r.parser, text);
     XML_SetEntityDeclHandler(r.parser, entity);
-    input_unit(in, 1, "projected");
-    parse(&r);
+    r.status = map_unit(&r.places);
+    if (!r.status) parse(&r);
     XML_ParserFree(r.parser);
     return r.status;
 }

@@ -89,6 +89,14 @@ int map_system_read(const char *system, MapOrigin *origin)
                   &origin->latitude) == 2;
 }
 
+hawser_status map_unit(MapPlaces *p)
+{
+    if (!p->plain && !isnan(p->in->options.unit))
+        return input_error(p->in, "its places are degrees and its heights metres: no unit of length can be chosen");
+    input_unit(p->in, 1, p->plain ? "" : "projected");
+    return HAWSER_OK;
+}
+
 hawser_status map_place(MapPlaces *p, double longitude, double latitude, double height, Vec3 *at)
 {
     *at = v3(longitude, latitude, isnan(height) ? 0 : height);

@@ -26,6 +26,9 @@ typedef struct MapPlaces {
     int begun, plain; /* plain: the numbers are metres already */
     MapOrigin origin;
 } MapPlaces;
+/* Says of which unit they are: metres, of which degrees are made by projection. Errors: INPUT (another unit is asked
+ * for of places in degrees). */
+hawser_status map_unit(MapPlaces *p);
 /* Errors: INPUT (no longitude or latitude, or farther than 300 km from the first one). height: NAN, none. */
 hawser_status map_place(MapPlaces *p, double longitude, double latitude, double height, Vec3 *at);
 

@@ -45,6 +45,13 @@ says out '"length_m": 19.7' '"pieces": 1' '"ignored": []'
 run_hawser 2 route gap.dxf --join 0
 says err "within 0 m: must be above 0 m"
 
+# corners of straights that are drawn one by one get the radius that is asked for; bends keep their own, and say so
+printf '%s\n' 0 SECTION 2 ENTITIES 0 LINE 8 C 10 0 20 0 11 10 21 0 0 LINE 8 C 10 10 20 0 11 10 21 10 0 ENDSEC 0 EOF >"$work/corner.dxf"
+run_hawser 0 route corner.dxf --radius 2m --json
+says out '"pieces": 2, "fitted": false'
+run_hawser 0 route tunnel.xml --radius 2m
+says out "has bends of its own: a 'radius' rounds the corners"
+
 # a drawing whose lines are in blocks alone says so
 printf '%s\n' 0 SECTION 2 BLOCKS 0 BLOCK 2 tunnel 0 LINE 8 C 10 0 20 0 11 10 21 0 0 ENDBLK 0 ENDSEC 0 SECTION 2 ENTITIES 0 CIRCLE 8 C \
     0 ENDSEC 0 EOF >"$work/blocks.dxf"
@@ -54,6 +61,8 @@ says err "there is none; not read: lines inside of blocks, CIRCLE"
 # millimetres, whatever the file says; a unit that is none
 run_hawser 0 route tunnel.dxf --layer WALLS --units mm --json
 says out '"horizontal_length_m": 0.0300' "where the file says m"
+run_hawser 2 route tunnel.gpx --units mm
+says err "its places are degrees and its heights metres"
 run_hawser 2 route tunnel.dxf --units kg
 says err "'kg' is no unit of length"
 run_hawser 0 route --help

@@ -70,8 +70,8 @@ for signal in INT TERM HUP; do
     what="hawser check, then SIG$signal"
     (cd "$work" && exec env --default-signal=INT --default-signal=HUP "$hawser" check pipe >out 2>err) &
     pid=$!
-    # until it is the program, with its handlers
-    while [ -d /proc/$pid ] && ! grep -q '^SigCgt:.*0*4003$' /proc/$pid/status; do sleep 0.02; done
+    # until it is the program, with its handlers of SIGTERM, SIGINT and SIGHUP; a sanitizer has others besides
+    while [ -d /proc/$pid ] && ! grep -q '^SigCgt:.*[4-7c-f]..[37bf]$' /proc/$pid/status; do sleep 0.02; done
     kill -$signal $pid
     wait $pid
     status=$?

@@ -1,6 +1,7 @@
 /* Several chains from the case to the figures: three that do nothing to each other are three runs, bit for bit; what
  * holds them together balances and closes the books; how cables lie in a duct gives the formulas' weight correction;
  * what cannot be computed is refused. */
+#include <jansson.h>
 #include <stdio.h>
 #include <unistd.h>
 
@@ -239,7 +240,7 @@ static void test_theory(void **state)
 {
     (void)state;
     const double x = 41.0 / (90 - 41), factor = 1 / sqrt(1 - x * x);
-    hawser_case *const c = load(FOLDER "chains-rope.yaml", NULL);
+    hawser_case *c = load(FOLDER "chains-rope.yaml", NULL);
     hawser_error err;
     char *text;
     double found[4][3];
@@ -262,6 +263,28 @@ static void test_theory(void **state)
     check_below(fabs(found[0][1] / (3 * cable + rope) - 1), 1e-3);
     if (hawser_case_theory(c, HAWSER_JSON, &text, &err)) fail_msg("%s", err.message);
     assert_non_null(strstr(text, "\"theory\""));
+    hawser_text_free(text);
+    /* the rope is judged with what it draws, and each cable by what is its own */
+    hawser_case_free(c);
+    const char *const rated[] = {"limits", "{pull: 1 kN, rope_strength: 3 kN, rope_factor: 5}", NULL};
+    c = load(FOLDER "chains-rope.yaml", rated);
+    if (hawser_case_theory(c, HAWSER_JSON, &text, &err)) fail_msg("%s", err.message);
+    json_t *const all = json_loads(text, 0, NULL), *const each = json_object_get(all, "theory");
+    for (int k = 0; k < 4; ++k) {
+        const char *const name = (const char *const[]){"rope", "one", "two", "three"}[k];
+        const json_t *const limits = json_object_get(json_object_get(each, name), "limits");
+        const json_t *judged = NULL, *row;
+        size_t i;
+        json_array_foreach(limits, i, row)
+        {
+            const int it = !strcmp(json_string_value(json_object_get(row, "name")), "rope");
+            if (it && !strcmp(json_string_value(json_object_get(row, "direction")), "forward")) judged = row;
+        }
+        assert_int_equal(judged != NULL, k == 0);
+        if (judged) check_share(json_number_value(json_object_get(judged, "value")), found[0][1], 1e-3);
+        if (judged) assert_string_equal(json_string_value(json_object_get(judged, "ok")), "NO");
+    }
+    json_decref(all);
     hawser_text_free(text);
     if (hawser_case_theory(c, HAWSER_TABLE, &text, &err)) fail_msg("%s", err.message);
     assert_non_null(strstr(text, "What the chains pull by theory"));

@@ -55,6 +55,24 @@ static void ratings_of_listed_rollers(void **state)
     hawser_text_free(answer);
 }
 
+/* When the whole pull's back tension is what, nobody has said: it is calculated with the largest, not with that at the
+ * end of the run. */
+static void the_largest_back_tension(void **state)
+{
+    (void)state;
+    const char *const tail[] = {"{table: [[0 s, 0 N], [1 s, 3 kN], [2 s, 0 N]]}", "{tension: 3 kN, ramp: none}"};
+    double start[2];
+    for (int k = 0; k < 2; k++) {
+        char *const answer = theory_of(data_text("limits"), (const char *const[]){"drive.tail", tail[k], NULL});
+        json_t *const all = json_loads(answer, 0, NULL);
+        start[k] = json_number_value(json_object_get(all, "start_tension_N"));
+        json_decref(all);
+        hawser_text_free(answer);
+    }
+    check_above(start[1], 2999);
+    check_share(start[0], start[1], 1e-12);
+}
+
 /* The winch's speed in the run: by a set tension without a limit, by a script. */
 static void the_speed_that_was(void **state)
 {
@@ -259,6 +277,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ratings_of_listed_rollers),
+        cmocka_unit_test(the_largest_back_tension),
         cmocka_unit_test(the_speed_that_was),
         cmocka_unit_test(the_clamp_that_was),
         cmocka_unit_test(friction_at_the_speed_that_was),

@@ -142,6 +142,26 @@ static void test_way(void **state)
     hawser_sim_free(two);
 }
 
+/* A back tension that rises and falls between two places that are evenly apart: what is pulled with at its corners is
+ * known, too. */
+static void test_corners(void **state)
+{
+    (void)state;
+    const hawser_place *place;
+    hawser_summary sum;
+    hawser_sim *const sim =
+        run_of(data_with("positions-bend", "{tension: 5 kN, ramp: none}",
+                         "{table: [[0 s, 5 kN], [6 s, 5 kN], [6.1 s, 20 kN], [6.2 s, 5 kN], [99 s, 5 kN]]}"),
+               (const char *const[]){"run.positions", "{step: 350 mm}", NULL});
+    const int n = hawser_sim_places(sim, &place);
+    hawser_sim_summary(sim, &sum);
+    check_close(sum.worst_place->time_s, 6.1, 1e-9);
+    check_share(sum.worst_place->pull_N, 20e3 * exp(0.3 * M_PI / 2), 0.02);
+    for (int k = 1; k < n; ++k) check_below(place[k - 1].time_s, place[k].time_s);
+    assert_int_equal(n, 5 + 3);
+    hawser_sim_free(sim);
+}
+
 /* What a steady state does not know is refused, and says so. */
 static void test_refused(void **state)
 {
@@ -197,6 +217,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_straight), cmocka_unit_test(test_bend), cmocka_unit_test(test_between_segments),
         cmocka_unit_test(test_run),      cmocka_unit_test(test_way),  cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_corners),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -245,6 +245,7 @@ static void a_drawing_in_a_case(void **state)
     check_vec(route_at(&level, 0).position, v3(19, 0, 2), 1e-6);
     route_clear(&level);
     scene_def_clear(&def);
+    expect_bad(data_text("full-route-file"), "route.radius", "1 m", "has a profile: a 'radius'");
 }
 
 /* A northing of 6.7e6 m comes down to an origin, which coordinates of the case count from too. */
@@ -318,6 +319,47 @@ static void what_is_not_in_the_route(void **state)
     hawser_text_free(theory);
     hawser_text_free(check);
     hawser_case_free(c);
+    unlink(path);
+    unlink(name);
+    rmdir(folder);
+}
+
+/* Corners of straights that are drawn one by one get the radius that the case asks for, at the height that it says; a
+ * line that has heights wants none. */
+static void corners_of_straights(void **state)
+{
+    (void)state;
+    char folder[] = "/tmp/hawser-route-XXXXXX", path[80], name[80];
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/corner.dxf", folder);
+    snprintf(name, sizeof name, "%s/case.yaml", folder);
+    for (int high = 0; high < 2; ++high) {
+        FILE *f = fopen(path, "w");
+        fputs("0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n6\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n", f);
+        fprintf(f, "0\nLINE\n8\nA\n10\n0\n20\n0\n30\n%d\n11\n10\n21\n0\n31\n%d\n", high, 2 * high);
+        fprintf(f, "0\nLINE\n8\nA\n10\n10\n20\n0\n30\n%d\n11\n10\n21\n10\n31\n%d\n", 2 * high, 3 * high);
+        fputs("0\nENDSEC\n0\nEOF\n", f);
+        fclose(f);
+        f = fopen(name, "w");
+        fputs("cables: {c: {d: 90 mm, mass: 20 kg/m}}\nroute: {file: corner.dxf, radius: 2 m, height: 3 m}\n", f);
+        fclose(f);
+        CaseTree *tree;
+        hawser_error err;
+        SceneDef def;
+        assert_int_equal(case_tree_load(name, &tree, &err), HAWSER_OK);
+        const hawser_status status = case_read(tree, &def, &err);
+        assert_int_equal(status, high ? HAWSER_ERR_INPUT : HAWSER_OK);
+        if (high) check_has(err.message, "has heights of its own: a 'height' is for a line without");
+        if (!high) {
+            Route r = route_of(&def);
+            check_close(r.length, 20 - 2 * 2 + 2 * M_PI / 2, 1e-9);
+            check_vec(route_at(&r, 0).position, v3(0, 0, 3), 1e-9);
+            check_vec(route_at(&r, r.length).position, v3(10, 10, 3), 1e-9);
+            route_clear(&r);
+        }
+        if (!status) scene_def_clear(&def);
+        case_tree_free(tree);
+    }
     unlink(path);
     unlink(name);
     rmdir(folder);
@@ -500,6 +542,7 @@ int main(void)
         cmocka_unit_test(large_coordinates),
         cmocka_unit_test(wrong_cases),
         cmocka_unit_test(what_is_not_in_the_route),
+        cmocka_unit_test(corners_of_straights),
         cmocka_unit_test(both_lines_are_named),
         cmocka_unit_test(many_lines_in_little_memory),
         cmocka_unit_test(shared_figures),

@@ -25,6 +25,7 @@ NOT_WRAPPED = {
     "hawser_show_figure": "the command's tables need it",
     "hawser_show_text": "texts are in SI",
     "hawser_validate": "a check of hawser itself, by the command",
+    "hawser_case_spares": "for who writes files of his own beside the library's, which look themselves",
     "hawser_certificate_write": "Certificate.data is the same JSON",
     "hawser_sensitivities_write": "Theory.data is the same JSON",
     "hawser_routes_describe": "Route has the figures",

@@ -161,6 +161,8 @@ static void what_is_wrong(void **state)
     bad(XML(METRIC, ALIGNMENT("<Line><Start pntRef=\"z\"/><End>1 2</End></Line>", "")), "refers to point 'z'");
     bad(XML(METRIC, ALIGNMENT("<Curve rot=\"cw\"><Start>0 0</Start><End>1 2</End></Curve>", "")),
         "neither Center nor radius");
+    bad(XML(METRIC, ALIGNMENT("<Curve radius=\"9\"><Start>0 0</Start><End>1 2</End></Curve>", "")),
+        "a Curve without rot, cw or ccw: which way it turns");
     bad(XML(METRIC, ALIGNMENT("<Curve rot=\"cw\" radius=\"x\"><Start>0 0</Start><End>1 2</End></Curve>", "")),
         "expected a number");
     bad(XML(METRIC, ALIGNMENT("<Spiral length=\"9\"><Start>0 0</Start><End>1 2</End></Spiral>", "")), "a Spiral needs");

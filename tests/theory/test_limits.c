@@ -159,6 +159,15 @@ static void other_codes(void **state)
         def.attachment = net ? ATTACH_NET : ATTACH_EYE;
         for (int n = 1; n <= 4; n++) check_share(limits_pull(&def, n, source), counted[n - 1] * 50 * 240, 1e-12);
     }
+    def.pull = 10e3; /* the maker's word is of one cable: several share a rope no better for it */
+    check_share(limits_pull(&def, 3, source), 20e3, 1e-12);
+    check_has(source, "limits.pull; 3 single cables count as 2");
+    def.code = CODE_AEIC, def.cores = 4; /* has the share of its own conductors in it already */
+    check_share(limits_pull(&def, 3, source), 30e3, 1e-12);
+    def.cores = 3;
+    check_share(limits_pull(&def, 3, source), 24e3, 1e-12);
+    check_share(limits_pull(&def, 1, source), 10e3, 1e-12);
+    def.pull = NAN, def.code = CODE_IEC, def.cores = 1;
     def.metal = METAL_ALUMINIUM;
     check_share(limits_pull(&def, 1, source), 30 * 240, 1e-12);
     def.code = CODE_TES, def.attachment = ATTACH_NET, def.sheath = SHEATH_LEAD, def.sheath_area = 500e-6;

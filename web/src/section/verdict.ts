@@ -149,9 +149,11 @@ export function verdictSection(context: Context): HTMLElement {
     ? reason(summary.verdict)
     : 'These results hold no verdict: they are of an older hawser, or of a run that was cut short.';
   const ended =
-    summary.outcome && summary.outcome !== 'finished'
-      ? `The run ended early (${summary.outcome}). ${summary.message ?? ''}`
-      : '';
+    summary.outcome === 'running'
+      ? 'The run has not ended, or was killed: this is what it had written by then.'
+      : summary.outcome && summary.outcome !== 'finished'
+        ? `The run ended early (${summary.outcome}). ${summary.message ?? ''}`
+        : '';
   return el(
     'section',
     { id: 'verdict', class: `verdict ${now}`, 'aria-labelledby': 'verdict-heading' },
