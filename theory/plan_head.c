@@ -227,6 +227,7 @@ static hawser_status peak_find(const PlanDef *def, const DuctLoad *load, int way
 {
     int top = 0;
     double most = -INFINITY;
+    assert(places->n > 0); /* the ends of the route */
     for (int i = 0; i < places->n;) {
         int here = i;
         double force;

@@ -427,7 +427,7 @@ static hawser_status chains_write(const hawser_case *c, Theory *const t[], hawse
 static void drawn_set(const SceneDef *def, Theory *const t[], int rope, TheoryDef *out)
 {
     for (int k = 0; k <= def->n_beside; ++k) {
-        if (chain_def(def, k)->strand.joined != rope) continue;
+        if (chain_def(def, k)->strand.joined != rope || !t[k]) continue;
         const Calculator *const c = &t[k]->calculator;
         for (int way = 0; way < PLAN_WAYS; ++way) {
             out->drawn[way] += c->plan.way[way].force;
