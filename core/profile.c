@@ -105,6 +105,16 @@ double profile_largest(const Profile *p)
     return most;
 }
 
+double profile_least_risen(const Profile *p)
+{
+    if (p->kind != PROFILE_TABLE) return p->v1;
+    int i = 0;
+    while (i + 1 < p->n && p->value[i + 1] >= p->value[i]) ++i;
+    double least = p->value[i];
+    for (; i < p->n; ++i) least = fmin(least, p->value[i]);
+    return least;
+}
+
 double profile_rate(const Profile *p, double t)
 {
     double slope = 0;

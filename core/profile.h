@@ -25,8 +25,9 @@ double step_cubic(double x, double x0, double h0, double x1, double h1, double *
 double step_quintic(double x, double x0, double h0, double x1, double h1, double *slope);
 
 double profile_value(const Profile *p, double t);
-/* The largest value at any time. */
+/* The largest value at any time, and the smallest once it has risen from where it begins. */
 double profile_largest(const Profile *p);
+double profile_least_risen(const Profile *p);
 /* d(value)/dt; at a table's corner, the slope to the right. */
 double profile_rate(const Profile *p, double t);
 /* Integral of the value from 0 to t (t >= 0), exact for every kind. */

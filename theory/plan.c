@@ -109,6 +109,25 @@ static void fill_pieces(const PlanDef *def, PlanWay *way)
     }
 }
 
+/* The least tension is that with the least back tension. */
+static hawser_status least_take(const PlanDef *def, const DuctLoad *load, const PlanPullDef *what, Pull *pull,
+                                hawser_error *err)
+{
+    PlanDef slack = *def;
+    Pull low;
+    if (!(def->back_fall > 0)) return HAWSER_OK;
+    slack.back_tension -= def->back_fall;
+    const hawser_status status = plan_pull(&slack, load, what, &low, err);
+    if (status) return status;
+    if (low.min_tension < pull->min_tension) {
+        pull->min_tension = low.min_tension;
+        pull->min_at = low.min_at;
+        pull->min_piece = low.min_piece;
+    }
+    pull_clear(&low);
+    return HAWSER_OK;
+}
+
 /* The route pulled one way: reel, pull, rope; then again from rest. */
 static hawser_status solve_way(const PlanDef *def, const DuctLoad *load, int k, PlanWay *way, hawser_error *err)
 {
@@ -128,6 +147,7 @@ static hawser_status solve_way(const PlanDef *def, const DuctLoad *load, int k, 
     pull_clear(&restart);
     what.restart = 0;
     status = plan_pull(def, load, &what, &way->pull, err);
+    if (!status) status = least_take(def, load, &what, &way->pull, err);
     if (status) return status;
     way->force = way->pull.end_tension + way->rope;
     way->piece = calloc((size_t)def->route->n, sizeof *way->piece);

@@ -26,6 +26,7 @@ typedef struct PlanDef {
     double reel_length;      /* m of cable whose weight is the reel's back tension (eq. 3: 15) */
     double rope_length;      /* m of cable whose weight is the allowance for the rope (eq. 9: 5) */
     double back_tension;     /* N, added to the reel's: a brake */
+    double back_fall;        /* N, by which that is less at times: what slackens or runs away does so then */
     double feed;             /* N, by which the cable is pushed where the pull begins */
     double rope_force;       /* N, added to the rope's allowance: a drag */
     double drawn[PLAN_WAYS]; /* N, the same of each way: of the cables behind, if it is a rope that is pulled (SC15) */

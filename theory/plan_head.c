@@ -366,12 +366,14 @@ static hawser_status brake_force(const PlanDef *def, const DuctLoad *load, int w
 hawser_status plan_brake(const PlanDef *def, const DuctLoad *load, int way, Brake *out, hawser_error *err)
 {
     const PlanPullDef whole = {.way = way, .whole = 1};
+    PlanDef slack = *def; /* when there is least that holds it back */
     Pull pull;
     *out = (Brake){0};
-    hawser_status status = plan_pull(def, load, &whole, &pull, err);
+    slack.back_tension -= def->back_fall;
+    hawser_status status = plan_pull(&slack, load, &whole, &pull, err);
     if (status) return status;
     const double pushed = -pull.min_tension;
-    BrakeTrial t = {*def, load, way, def->back_tension, 1e-9 * fmax(1, pull.max_tension), HAWSER_OK, err};
+    BrakeTrial t = {slack, load, way, slack.back_tension, 1e-9 * fmax(1, pull.max_tension), HAWSER_OK, err};
     out->where = pull.min_at;
     out->piece = pull.min_piece;
     pull_clear(&pull);
@@ -383,5 +385,6 @@ hawser_status plan_brake(const PlanDef *def, const DuctLoad *load, int way, Brak
         out->brake = least.end == SEARCH_NOWHERE ? NAN : least.value;
         t.def.back_tension = t.before + (least.end == SEARCH_NOWHERE ? 0 : least.value);
     }
+    t.def.back_tension += def->back_fall;
     return brake_force(&t.def, load, way, out, err);
 }

@@ -40,10 +40,10 @@ enum { LINE_PIECES_MOST = 50000 };
 
 /* A line as it will be built. */
 typedef struct UsedLine {
-    Alignment line;                /* elements; points where their corners get a radius */
-    int fitted;                    /* it is not the file's own elements */
-    double deviation;              /* m, the largest from the file's line, chaining included, in plan or height */
-    double rms;                    /* m, of the fit */
+    Alignment line;   /* elements; points where their corners get a radius */
+    int fitted;       /* it is not the file's own elements */
+    double deviation; /* m, the largest from the file's line, chains and corners included, in plan or height */
+    double rms;       /* m, of the fit */
     double file_length, file_plan; /* m, of the file's own line, in space and in plan */
     Vec3 file_start, file_end;     /* m, its ends */
     int n_unread;

@@ -106,6 +106,19 @@ static hawser_status keep(const Alignment *from, UsedLine *used, hawser_error *e
     return HAWSER_OK;
 }
 
+/* m, by which arcs of radius R cut the corners of a line of points, each that turns by an angle a: R (1/cos(a/2) - 1).
+ */
+static double corners_cut(const Alignment *a, double radius)
+{
+    double most = 0;
+    for (int i = 1; i + 1 < a->n_points; ++i) {
+        const Vec3 in = v3_sub(a->point[i], a->point[i - 1]), out = v3_sub(a->point[i + 1], a->point[i]);
+        const double angle = atan2(v3_norm(v3_cross(in, out)), v3_dot(in, out));
+        most = larger_of(most, radius * (1 / cos(angle / 2) - 1));
+    }
+    return most;
+}
+
 static hawser_status part_take(const LineOptions *options, Alignment *a, hawser_error *err)
 {
     const double length = alignment_measure(a).plan_length;
@@ -155,6 +168,7 @@ hawser_status line_use(const Alignment *from, const LineOptions *options, UsedLi
     if (!status) status = part_take(options, &used->line, err);
     if (!status) status = measure(from, !profile, options, used, err);
     if (!status) status = chain(options, used, err);
+    if (!status && !isnan(options->corner)) used->deviation = corners_cut(&used->line, options->corner);
     used->unread = s.ignored; /* handed over */
     used->n_unread = s.n_ignored;
     s.ignored = NULL;

@@ -24,7 +24,7 @@ static hawser_status along_solve(const hawser_sim *s, Along *a, hawser_error *er
     const Scene *const scene = &s->stage.scene;
     const PlanPullDef whole = {.way = PLAN_FORWARD, .whole = 1};
     hawser_error quiet = {HAWSER_OK, ""};
-    hawser_status status = calculator_build(scene, s->expected.largest_start, 0, &a->calculator, &quiet);
+    hawser_status status = calculator_build(scene, &s->expected, 0, &a->calculator, &quiet);
     a->solved = !status;
     if (!status) {
         PlanDef plan = a->calculator.def;

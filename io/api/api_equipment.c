@@ -190,7 +190,7 @@ static hawser_status crew_make(const Scene *scene, const char *title, hawser_for
     c.support = calloc((size_t)def->n_rollers + 1, sizeof *c.support);
     hawser_status status = c.row && c.support ? HAWSER_OK : error_memory(err);
     if (!status) status = expected_fill(scene, 0, NULL, &expected, err);
-    if (!status) status = calculator_build(scene, expected.largest_start, 0, &calculator, err);
+    if (!status) status = calculator_build(scene, &expected, 0, &calculator, err);
     if (!status) status = rollers_list(&c, err);
     if (!status) others_list(&c);
     if (!status) status = crew_write(&c, title, format, text, err);

@@ -71,7 +71,7 @@ static hawser_status changes_solve(const hawser_case *c, Changes *x, hawser_erro
     hawser_status status = scene_build(&c->def, &x->scene, err);
     x->built = !status;
     if (!status) status = expected_fill(&x->scene, 0, NULL, &x->expected, err);
-    if (!status) status = calculator_build(&x->scene, x->expected.largest_start, 0, &x->calculator, err);
+    if (!status) status = calculator_build(&x->scene, &x->expected, 0, &x->calculator, err);
     const Calculator *const k = &x->calculator;
     for (int w = 0; w < PLAN_WAYS && !status; w++) status = plan_change(&k->def, &k->plan, w, &x->way[w], err);
     return status;

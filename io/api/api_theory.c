@@ -130,7 +130,7 @@ static hawser_status solve(Theory *t, const TheoryWish *wish, hawser_error *err)
     collect_places(t);
     status = expected_fill(&t->scene, 0, NULL, &t->expected, err);
     if (!status) {
-        status = calculator_build(&t->scene, t->expected.largest_start, wish->forward_only, &t->calculator, err);
+        status = calculator_build(&t->scene, &t->expected, wish->forward_only, &t->calculator, err);
     }
     if (!status) status = solve_paper(t, err);
     if (!status && !wish->no_inverse) status = inverse_find(&t->scene, &t->calculator, &t->inverse, err);
@@ -429,6 +429,7 @@ static void drawn_set(const SceneDef *def, Theory *const t[], int rope, TheoryDe
     for (int k = 0; k <= def->n_beside; ++k) {
         if (chain_def(def, k)->strand.joined != rope || !t[k]) continue;
         const Calculator *const c = &t[k]->calculator;
+        out->n_drawn++;
         for (int way = 0; way < PLAN_WAYS; ++way) {
             out->drawn[way] += c->plan.way[way].force;
             out->drawn_more[way] += calculator_peak(&t[k]->scene, c, way) - c->plan.way[way].force;

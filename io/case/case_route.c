@@ -396,12 +396,12 @@ static hawser_status profile_read(const CaseReader *r, const CaseNode *node, voi
 static hawser_status plan_line(const CaseReader *r, const CaseNode *plan, const CaseNode *rise, const RouteRecord *in,
                                Vec3 start, RouteLine *out)
 {
-    RoutePlanElement *arc = NULL;
+    RoutePlanElement *part = NULL;
     RouteProfileCorner *corner = NULL;
     RouteProfile profile = {.n = 0};
     hawser_error why = {.message = ""};
     int n = 0, n_corners = 0;
-    hawser_status status = case_list_read(r, plan, sizeof *arc, plan_read, &arc, &n);
+    hawser_status status = case_list_read(r, plan, sizeof *part, plan_read, &part, &n);
     if (!status) status = case_list_read(r, rise, sizeof *corner, profile_read, &corner, &n_corners);
     if (!status && rise && n_corners < 2)
         status = case_value_error(r->err, rise, " of %d points: expected two at least", n_corners);
@@ -411,10 +411,11 @@ static hawser_status plan_line(const CaseReader *r, const CaseNode *plan, const 
     }
     if (!status) {
         const Vec3 from = v3(start.x, start.y, rise ? 0 : start.z);
-        status = route_from_plan_and_profile(n, arc, rise ? &profile : NULL, in->station, from, in->heading, out, &why);
+        status =
+            route_from_plan_and_profile(n, part, rise ? &profile : NULL, in->station, from, in->heading, out, &why);
         if (status) status = case_key_cause(r->err, rise ? rise : plan, NULL, "", &why);
     }
-    free(arc);
+    free(part);
     free(corner);
     free(profile.element);
     return status;

@@ -95,8 +95,7 @@ hawser_status out_whole(const char *dir, const char *name, const char *text, haw
 hawser_status out_whole_in(const OutDir *dir, const char *name, const char *text, hawser_error *err);
 hawser_status out_bytes_in(const OutDir *dir, const char *name, const void *bytes, size_t size, hawser_error *err);
 
-/* ---------------------------------------------------------------------------------------------- what belongs together
- */
+/* ------------------------------------------------------------------------------------------ what belongs together */
 
 /* The text files of a run beside its summary. */
 extern const char *const sum_files[FILE_SUMS_MAX];

@@ -171,12 +171,13 @@ static double rope_weight(const SceneDef *def)
 }
 
 /* The tension at the start, the reel's and the rope's allowances, friction by the length pulled. */
-static void plan_set(const Scene *scene, double start_tension, Calculator *c)
+static void plan_set(const Scene *scene, const Expected *expected, Calculator *c)
 {
     const TheoryDef *const theory = &scene->def.theory;
     c->def.reel_length = theory->reel;
     c->def.rope_length = theory->rope;
-    c->def.back_tension = fmax(0, start_tension);
+    c->def.back_tension = fmax(0, expected->largest_start);
+    c->def.back_fall = fmin(expected->start_fall, c->def.back_tension);
     c->def.feed = theory->feed;
     c->def.rope_force = scene->def.drag.force;
     memcpy(c->def.drawn, theory->drawn, sizeof c->def.drawn);
@@ -232,7 +233,7 @@ static hawser_status weight_check(const SceneDef *def, hawser_error *err)
 
 enum { HEAD_PLACES = 40 }; /* of the head between the ends of the route, at least */
 
-hawser_status calculator_build(const Scene *scene, double start_tension, int forward_only, Calculator *out,
+hawser_status calculator_build(const Scene *scene, const Expected *expected, int forward_only, Calculator *out,
                                hawser_error *err)
 {
     *out = (Calculator){.cables = scene->def.bundle.shape.cables, .route = &scene->route};
@@ -243,7 +244,7 @@ hawser_status calculator_build(const Scene *scene, double start_tension, int for
     if (!status) status = steps_set(&scene->def.theory, 0, out, err);
     if (!status) out->n_pushers = scene_pushers(scene, &out->pusher);
     if (!status && out->n_pushers < 0) status = error_memory(err);
-    plan_set(scene, start_tension, out);
+    plan_set(scene, expected, out);
     if (!status) status = solve(scene, scene->route.length / HEAD_PLACES, out, err);
     if (!status) status = rules_find(scene, out, err);
     return status ? status : calculator_follow(scene, out, err);

@@ -45,10 +45,10 @@ typedef struct Calculator {
     hawser_condition friction;  /* whether nothing that carries it has more friction than it is calculated with */
 } Calculator;
 
-/* start_tension: N, of all cables where the pull begins, whichever way. forward_only: what belongs to the other way
- * stays zero, and `best` and `plan.better` say nothing. Errors: INPUT (as plan_build), MEMORY. Give it back with
+/* expected: has the tension of all cables where the pull begins, whichever way. forward_only: what belongs to the other
+ * way stays zero, and `best` and `plan.better` say nothing. Errors: INPUT (as plan_build), MEMORY. Give it back with
  * calculator_free, also after an error. The scene must stay. */
-hawser_status calculator_build(const Scene *scene, double start_tension, int forward_only, Calculator *out,
+hawser_status calculator_build(const Scene *scene, const Expected *expected, int forward_only, Calculator *out,
                                hawser_error *err);
 void calculator_free(Calculator *c);
 /* Fills limits, `supported` and `pulled` of one that is solved. Errors: MEMORY. */

@@ -54,6 +54,24 @@ double calculator_peak(const Scene *scene, const Calculator *c, int way)
     return fmax(heads->peak.force, heads->restart_peak.restart) + scene->def.theory.drawn_more[way];
 }
 
+/* How many cables the winch pulls at: that of the scene, or those that it draws as their rope. */
+static int cables_pulled(const Scene *scene)
+{
+    return scene->def.theory.n_drawn > 0 ? scene->def.theory.n_drawn : scene->def.bundle.shape.thickest;
+}
+
+/* Of chains with a rope: what rope and winch bear is asked where all that they pull is known, and of all cables
+ * together what their heads bear (LI9). */
+static void rope_findings(const Scene *scene, int way, Finding f[LIMIT_KINDS])
+{
+    const TheoryDef *const theory = &scene->def.theory;
+    const double all = theory->drawn[way], most = all + theory->drawn_more[way];
+    if (scene->def.strand.joined >= 0) f[LIMIT_ROPE].absent = f[LIMIT_WINCH].absent = 1;
+    if (theory->n_drawn == 0) return;
+    f[LIMIT_PULL] = (Finding){.value = all, .where = "the eye"};
+    f[LIMIT_RESTART] = f[LIMIT_ATTACHMENT] = (Finding){.value = most, .where = "the eye"};
+}
+
 static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error *err)
 {
     const Route *const route = c->route;
@@ -69,13 +87,13 @@ static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error 
         f[LIMIT_ROPE].value = calculator_peak(scene, c, k);
         const hawser_status status = findings_of_way(scene, route, c, k, f, err);
         if (status) return status;
-        if (scene->def.strand.joined >= 0) f[LIMIT_ROPE].absent = f[LIMIT_WINCH].absent = 1; /* a rope's, with others */
+        rope_findings(scene, k, f);
         limits_duct(&scene->def.limits, c->cables, NULL, NULL, f);
         for (int i = 0; i < c->n_ducts; ++i)
             limits_duct(&scene->def.limits, bundle_cables_in(&scene->def, c->duct[i].surface), c->duct[i].surface->name,
                         &c->duct[i].load, f);
-        c->n_limits = limits_judge(&scene->def.limits, bundle_diameter(&scene->def), scene->def.bundle.shape.thickest,
-                                   f, c->limit[k]);
+        c->n_limits =
+            limits_judge(&scene->def.limits, bundle_diameter(&scene->def), cables_pulled(scene), f, c->limit[k]);
     }
     return HAWSER_OK;
 }
@@ -220,8 +238,8 @@ static void best_set(Calculator *c)
 static void trip_set(const Scene *scene, Calculator *c)
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {
-        c->trip[k] = limits_trip(&scene->def.limits, scene->def.bundle.shape.thickest, calculator_peak(scene, c, k),
-                                 c->plan.way[k].rope);
+        c->trip[k] = limits_trip(&scene->def.limits, cables_pulled(scene), calculator_peak(scene, c, k),
+                                 c->plan.way[k].rope - scene->def.theory.drawn[k]);
         if (!c->pulled[k].holds) c->trip[k] = (TripSetting){NAN, "not known before the cable is held back"};
     }
 }

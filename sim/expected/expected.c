@@ -65,6 +65,12 @@ static void front_set(const Scene *scene, double front, double back, Expected *o
     out->start_tension = scene->reel->winding.turns > 0 ? reel_tension(scene, front, back) : back;
 }
 
+/* Of the tail or the reel, N. */
+static const Profile *back_profile(const Scene *scene)
+{
+    return scene->reel->winding.turns > 0 ? &scene->reel->tension : &scene->tail;
+}
+
 /* The counted stretch: up to where the cable's front was at t = 0, unless theory follows it. Without a lead-in the
  * whole cable moves along. */
 static void stretch_of(const Scene *scene, Expected *out)
@@ -75,8 +81,9 @@ static void stretch_of(const Scene *scene, Expected *out)
     if (expected_follows(scene)) {
         const double end = scene->winch->take_in.present ? winch_place(scene) : scene->route.length;
         const double place = fmin(front + moved, end);
-        front_set(scene, place, expected_back_most(scene), out);
+        front_set(scene, place, profile_largest(back_profile(scene)), out);
         out->largest_start = out->start_tension;
+        out->start_fall = profile_largest(back_profile(scene)) - profile_least_risen(back_profile(scene));
         front_set(scene, place, expected_back(scene, (from + to) / 2), out);
         out->passed = fmin(front + expected_travel(scene, from), end);
         return;
@@ -86,7 +93,10 @@ static void stretch_of(const Scene *scene, Expected *out)
     out->to = out->rope_to = out->passed = front + shift;
     out->start_tension = profile_value(&scene->tail, scene->def.duration);
     out->largest_start = profile_largest(&scene->tail);
-    if (scene->drum->present) out->start_tension = out->largest_start = drum_tension(scene);
+    out->start_fall = out->largest_start - profile_least_risen(&scene->tail);
+    if (!scene->drum->present) return;
+    out->start_tension = out->largest_start = drum_tension(scene);
+    out->start_fall = 0;
 }
 
 /* What lies from `at` on has this weight, N/m. There is room for a stretch more. */
@@ -181,14 +191,7 @@ double expected_push(const Expected *e, const Room *room, int item)
     return NAN;
 }
 
-static const Profile *back_profile(const Scene *scene)
-{
-    return scene->reel->winding.turns > 0 ? &scene->reel->tension : &scene->tail;
-}
-
 double expected_back(const Scene *scene, double t) { return profile_value(back_profile(scene), t); }
-
-double expected_back_most(const Scene *scene) { return profile_largest(back_profile(scene)); }
 
 hawser_status expected_at(const Scene *scene, double front, double back, Expected *out, hawser_error *err)
 {

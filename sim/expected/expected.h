@@ -12,7 +12,8 @@ typedef struct Expected {
     double rope_to;       /* m: up to there rope lies ahead of it on the route and counts; `to` if it does not */
     double passed;        /* m: cable passes all stations before this during the whole window */
     double start_tension; /* N, at `from` */
-    double largest_start; /* N, the same with the largest back tension that comes, at whatever time */
+    double largest_start; /* N, the same with the largest back tension that comes, at whatever time, */
+    double start_fall;    /* N, and by how much that is less at times, once it has risen from where it begins */
     int n_steps;
     Pusher *pusher;     /* [n_steps] owned, by the route's order: what pushes the cable */
     PullStep *step;     /* [n_steps] owned: their pushes, negative */
@@ -34,8 +35,6 @@ int expected_weighs(const SceneDef *def);
 int expected_follows(const Scene *scene);
 /* The case's back tension at time t, N. */
 double expected_back(const Scene *scene, double t);
-/* The largest that it comes to, N: of a pull whose times nobody has said. */
-double expected_back_most(const Scene *scene);
 /* The winch's travel at time t, m; with a set tension, if it moves at its limit. */
 double expected_travel(const Scene *scene, double t);
 /* Where the front may be for that, as far as the definition goes: from..to m; 0 if it does not move along the route. */

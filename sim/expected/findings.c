@@ -231,12 +231,13 @@ hawser_status findings_of_way(const Scene *scene, const Route *route, const Calc
                               Finding finding[LIMIT_KINDS], hawser_error *err)
 {
     const PlanWay *const w = &c->plan.way[way];
-    finding[LIMIT_ATTACHMENT].value = finding[LIMIT_ROPE].value - w->rope - scene->def.theory.drawn_more[way];
+    finding[LIMIT_ATTACHMENT].value = finding[LIMIT_ROPE].value - w->rope;
     finding[LIMIT_WINCH].value = finding[LIMIT_ROPE].value;
     finding[LIMIT_PUSH] = conveyor_push(c, way);
     const hawser_status status = way_run_away(scene, route, c, way, &finding[LIMIT_RUN_AWAY], err);
     if (status) return status;
-    findings_trip(scene, w->force, finding[LIMIT_ROPE].value, w->rope, &finding[LIMIT_TRIP]);
+    findings_trip(scene, w->force, finding[LIMIT_ROPE].value, w->rope - scene->def.theory.drawn[way],
+                  &finding[LIMIT_TRIP]);
     if (finding[LIMIT_RUN_AWAY].value > 0) finding[LIMIT_TRIP].steady = NAN;
     findings_of_scene(scene, route, 0, finding);
     return HAWSER_OK;

@@ -141,6 +141,14 @@ static void tables_that_begin_elsewhere(void **state)
     check_close(profile_integral(&early, -1), -2.5, 1e-14);
     check_close(profile_integral(&early, -3), -2.5 - 4, 1e-14);
     check_close(profile_integral(&early, -5), -2.5 - 4 - 2, 1e-14);
+    check_equal(profile_largest(&late), 6);
+    check_equal(profile_least_risen(&late), 0);
+    check_equal(profile_largest(&early), 3);
+    const Profile rises = {.kind = PROFILE_TABLE, .n = 2, .time = time, .value = value};
+    check_equal(profile_least_risen(&rises), 6);
+    const Profile ramp = {.kind = PROFILE_STEP, .v0 = 7, .t1 = 1, .v1 = 2};
+    check_equal(profile_largest(&ramp), 7);
+    check_equal(profile_least_risen(&ramp), 2);
     check_equal(profile_corner_before(&late, 0, 7), 1);
     check_equal(profile_corner_before(&late, 1, 1.5), 1.5);
     check_equal(profile_corner_before(&late, 2, 7), 4);

@@ -235,6 +235,19 @@ static void test_jam(void **state)
     check_above(most, 5); /* of three in one line */
 }
 
+/* The row of a theory's limits that is of this name and pulled forward; NULL: there is none. */
+static const json_t *forward_limit(const json_t *limits, const char *name)
+{
+    const json_t *row;
+    size_t i;
+    json_array_foreach(limits, i, row)
+    {
+        const int it = !strcmp(json_string_value(json_object_get(row, "name")), name);
+        if (it && !strcmp(json_string_value(json_object_get(row, "direction")), "forward")) return row;
+    }
+    return NULL;
+}
+
 /* The calculation of each, and a rope's the sum of what it draws and of its own; what is there to be built. */
 static void test_theory(void **state)
 {
@@ -266,23 +279,21 @@ static void test_theory(void **state)
     hawser_text_free(text);
     /* the rope is judged with what it draws, and each cable by what is its own */
     hawser_case_free(c);
-    const char *const rated[] = {"limits", "{pull: 1 kN, rope_strength: 3 kN, rope_factor: 5}", NULL};
+    const char *const rated[] = {"limits", "{pull: 300 N, rope_strength: 3 kN, rope_factor: 5}", NULL};
     c = load(FOLDER "chains-rope.yaml", rated);
     if (hawser_case_theory(c, HAWSER_JSON, &text, &err)) fail_msg("%s", err.message);
     json_t *const all = json_loads(text, 0, NULL), *const each = json_object_get(all, "theory");
     for (int k = 0; k < 4; ++k) {
         const char *const name = (const char *const[]){"rope", "one", "two", "three"}[k];
         const json_t *const limits = json_object_get(json_object_get(each, name), "limits");
-        const json_t *judged = NULL, *row;
-        size_t i;
-        json_array_foreach(limits, i, row)
-        {
-            const int it = !strcmp(json_string_value(json_object_get(row, "name")), "rope");
-            if (it && !strcmp(json_string_value(json_object_get(row, "direction")), "forward")) judged = row;
-        }
-        assert_int_equal(judged != NULL, k == 0);
-        if (judged) check_share(json_number_value(json_object_get(judged, "value")), found[0][1], 1e-3);
-        if (judged) assert_string_equal(json_string_value(json_object_get(judged, "ok")), "NO");
+        const json_t *const pull = forward_limit(limits, "pull"), *const strength = forward_limit(limits, "rope");
+        assert_non_null(pull);
+        check_share(json_number_value(json_object_get(pull, "value")), k ? cable : 3 * cable, 1e-3);
+        check_share(json_number_value(json_object_get(pull, "limit")), k ? 300 : 900, 1e-12);
+        assert_int_equal(strength != NULL, k == 0);
+        if (k) continue;
+        check_share(json_number_value(json_object_get(strength, "value")), found[0][1], 1e-3);
+        assert_string_equal(json_string_value(json_object_get(strength, "ok")), "NO");
     }
     json_decref(all);
     hawser_text_free(text);

@@ -73,6 +73,26 @@ static void the_largest_back_tension(void **state)
     check_share(start[0], start[1], 1e-12);
 }
 
+/* What runs away does so when least holds it: a back tension that falls off does not hold a shaft by its largest value,
+ * and one that is only brought on does. The brake that is missing is missing then. */
+static void the_least_back_tension(void **state)
+{
+    (void)state;
+    const char *const tail[] = {"{table: [[0 s, 0 N], [1 s, 12 kN], [9 s, 12 kN]]}",
+                                "{table: [[0 s, 0 N], [1 s, 12 kN], [5 s, 3 kN], [9 s, 12 kN]]}",
+                                "{tension: 3 kN, ramp: none}"};
+    char *answer[3];
+    for (int k = 0; k < 3; k++)
+        answer[k] = theory_of(data_text("limits-shaft"), (const char *const[]){"drive.tail", tail[k], NULL});
+    assert_null(strstr(answer[0], "run away"));
+    const char *const brake = strstr(answer[2], "it needs a brake of"), *const same =
+                                                                            strstr(answer[1], "it needs a brake of");
+    assert_non_null(brake);
+    assert_non_null(same);
+    assert_int_equal(strncmp(brake, same, strlen("it needs a brake of 8.58")), 0);
+    for (int k = 0; k < 3; k++) hawser_text_free(answer[k]);
+}
+
 /* The winch's speed in the run: by a set tension without a limit, by a script. */
 static void the_speed_that_was(void **state)
 {
@@ -278,6 +298,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ratings_of_listed_rollers),
         cmocka_unit_test(the_largest_back_tension),
+        cmocka_unit_test(the_least_back_tension),
         cmocka_unit_test(the_speed_that_was),
         cmocka_unit_test(the_clamp_that_was),
         cmocka_unit_test(friction_at_the_speed_that_was),
