@@ -272,7 +272,7 @@ static hawser_status write_description(Description *d, const char *title, hawser
     const int turns = def->winch.present && def->winch.mode == WINCH_SPEED;
     const int pulls = def->winch.present && def->winch.mode == WINCH_TENSION;
     double mass, length;
-    int worst, several = 0; /* chains but ropes; the measured cost is of one */
+    int worst, several = 0; /* chains but ropes; the measured time is of one */
     for (int k = 0; k < d->n_chains; ++k) several += !(k > 0 ? def->beside[k - 1].strand : def->strand).rope;
     sum_chain(def, &mass, &length);
     const CostCounts counts = cost_counts(def, s->planar);
@@ -307,8 +307,8 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"duration_s", placed ? "the winch has pulled for" : "to be simulated", "s", cell_number(end)},
         {"steady_from_s", "steady window from", "s", cell_number(def->output.steady_from)},
         {"linear_solver", "linear solver", "", cell_text(s->linear_solver)},
-        {"memory_MB", "memory at most, about", "MB", cell_number(several ? NAN : cost.memory / 1e6)},
-        {"disk_MB", "results, about", "MB", cell_number(several ? NAN : cost.disk / 1e6)},
+        {"memory_MB", "memory at most, about", "MB", cell_number(cost.memory / 1e6)},
+        {"disk_MB", "results, about", "MB", cell_number(cost.disk / 1e6)},
         {"time_s", "computing, about", "s", cell_number(several || placed ? NAN : cost.time)},
     };
     const Table all[] = {
@@ -366,7 +366,8 @@ static hawser_status describe(const hawser_case *c, hawser_format format, char *
 {
     Description d = {.def = &c->def};
     Sim *sim = NULL;
-    hawser_status status = sim_new(d.def, 0, &sim, err);
+    hawser_status status = cost_check(d.def, err);
+    if (!status) status = sim_new(d.def, 0, &sim, err);
     if (status) return case_name_error(c, status, err);
     hawser_sim_summary(sim, &d.summary);
     hawser_sim_surfaces(sim, &d.surfaces);

@@ -11,6 +11,9 @@
 
 /* Bytes: of the program itself; of a roller with its contacts; of HDF5, and of it for each segment. */
 static const double PROGRAM = 13.8e6, ROLLER = 2200, STATES = 7.3e6, STATES_SEGMENT = 260;
+/* Bytes of a block of several chains' matrix off its three diagonals, with derivatives and factors, where they press on
+ * each other all along (three cables in a triangle, segments of 3 to 200 mm); of another chain's file of states. */
+static const double COUPLED = 2000, STATES_BESIDE = 1.6e6;
 /* Bytes that a segment takes, in space and in the plane, and what a solver takes beside the block LU's. */
 static const double SEGMENT[2] = {7700, 3850};
 static const double KLU[2] = {4900, 1400}, KLU_FULL[2] = {76e3, 19e3}, BAND[2] = {3200, 800};
@@ -22,14 +25,62 @@ static const double STEP = 0.04, STEP_TIME = 2e-5, SEGMENT_TIME[2] = {0.9e-6, 0.
 /* Operations a second of LAPACK, and the share of the steps that factor. */
 static const double DENSE_SPEED = 5e9, DENSE_SHARE = 0.3;
 
+/* Chain k of a definition. */
+static const SceneDef *chain_def(const SceneDef *def, int k) { return k > 0 ? &def->beside[k - 1] : def; }
+
+/* What of a chain its couplings with another depend on. */
+typedef struct Side {
+    double length, segments, radius; /* m; how many; m, of the thickest piece */
+} Side;
+
+static Side side_of(const SceneDef *def)
+{
+    Side side = {0};
+    for (int i = 0; i < def->n_pieces; ++i) {
+        side.length += def->pieces[i].length;
+        side.segments += def->pieces[i].segments;
+        side.radius = fmax(side.radius, def->cables[def->pieces[i].cable].diameter / 2);
+    }
+    return side;
+}
+
+/* Blocks that couple two chains which lie along each other, in both triangles: an element finds those of the other as
+ * far on as its surface, with what candidates reach (CC20) and a piece of it (CC2), may meet them. */
+static double coupled(const Side *a, const Side *b, double reach)
+{
+    const double along = fmin(a->length, b->length), radii = a->radius + b->radius;
+    const double mine = a->length / a->segments, other = b->length / b->segments;
+    const double near = radii + reach + 1.25 * fmin(mine, 2 * a->radius);
+    const double window = sqrt(near * near - radii * radii);
+    return 2 * along / mine * (1 + 2 * window / other);
+}
+
+/* The same of all chains that are pulled beside each other; ropes run ahead of them. */
+static double coupled_blocks(const SceneDef *def)
+{
+    double blocks = 0, reach = def->contact_reach;
+    Side side[STRANDS_MAX];
+    int n = 0;
+    for (int k = 0; def->between_chains && k <= def->n_beside; ++k) {
+        const SceneDef *const chain = chain_def(def, k);
+        const Side all = side_of(chain);
+        reach = fmin(reach, all.radius);
+        if (!chain->strand.rope && all.segments > 0) side[n++] = all;
+    }
+    for (int a = 0; a < n; ++a)
+        for (int b = a + 1; b < n; ++b) blocks += coupled(&side[a], &side[b], reach);
+    return blocks;
+}
+
 CostCounts cost_counts(const SceneDef *def, int planar)
 {
     const OutputDef *const out = &def->output;
-    CostCounts c = {.rollers = def->n_rollers, .duration = def->duration, .planar = planar};
-    for (int i = 0; i < def->n_pieces; ++i) c.segments += def->pieces[i].segments;
+    CostCounts c = {.rollers = def->n_rollers, .beside = def->n_beside, .duration = def->duration, .planar = planar};
+    for (int k = 0; k <= def->n_beside; ++k) c.segments += side_of(chain_def(def, k)).segments;
+    c.blocks = coupled_blocks(def);
     c.solver = def->solver.linear.kind;
     c.step = def->solver.max_step > 0 ? def->solver.max_step : out->interval;
-    c.rows = out->interval > 0 ? def->duration / out->interval : 0;
+    c.rows = out->interval > 0 ? (1 + c.beside) * def->duration / out->interval : 0;
     c.states = out->state_interval > 0 ? 1 + def->duration / out->state_interval : 0;
     return c;
 }
@@ -64,9 +115,10 @@ Cost cost_of(const CostCounts *c)
     double each = STEP_TIME + SEGMENT_TIME[p] * c->segments + ROLLER_TIME * c->rollers;
     Cost cost = {.memory = PROGRAM + SEGMENT[p] * c->segments + ROLLER * c->rollers + solver_memory(c),
                  .disk = ROW * c->rows + STATE_SEGMENT * c->segments * c->states};
-    if (c->states > 0) cost.memory += STATES + STATES_SEGMENT * c->segments;
+    cost.memory += COUPLED * c->blocks;
+    if (c->states > 0) cost.memory += STATES + STATES_BESIDE * c->beside + STATES_SEGMENT * c->segments;
     if (c->solver == LIN_DENSE) each += DENSE_SHARE * 2 / 3 * unknowns * unknowns * unknowns / DENSE_SPEED;
-    cost.time = c->duration / longest * each;
+    cost.time = c->blocks > 0 ? NAN : c->duration / longest * each; /* chains that press take what no count says */
     return cost;
 }
 

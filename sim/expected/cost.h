@@ -8,6 +8,8 @@
 /* What it depends on. */
 typedef struct CostCounts {
     double segments, rollers;
+    double beside;       /* further chains */
+    double blocks;       /* that couple several chains beside each other: 6 x 6, off the three diagonals */
     double rows, states; /* of series.csv and of results.h5 */
     double duration;     /* s; NAN: not known */
     double step;         /* s, the longest that is allowed; 0: any */
@@ -20,7 +22,8 @@ typedef struct Cost {
     double time;         /* s, of one thread; NAN: not known */
 } Cost;
 
-/* Of a definition that is complete. All of the chain counts, as it does when all of it has come off its reel. */
+/* Of a definition that is complete. All of the chain, or of all chains, counts, as it does when all of it has come off
+ * its reel. */
 CostCounts cost_counts(const SceneDef *def, int planar);
 Cost cost_of(const CostCounts *counts);
 /* "needs 74 GB, 2.1 h": without the time where it is not known. */

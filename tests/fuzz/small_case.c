@@ -3,14 +3,14 @@
 #include <stdlib.h>
 
 #include "io/api/api_handles.h"
-#include "io/case/case_parts.h"
+#include "sim/expected/cost.h"
 #include "tests/fuzz/fuzz.h"
 
 enum { SEGMENTS = 60, PIECES = 60, ROLLERS = 300, SURFACES = 40, MACHINES = 20, STATIONS = 2000 };
 
 static int is_small(const SceneDef *def)
 {
-    return case_segments(def) <= SEGMENTS && def->n_route <= PIECES && def->n_rollers <= ROLLERS &&
+    return cost_counts(def, 0).segments <= SEGMENTS && def->n_route <= PIECES && def->n_rollers <= ROLLERS &&
            def->n_surfaces <= SURFACES && def->n_conveyors <= MACHINES && def->n_stations <= STATIONS;
 }
 
