@@ -164,6 +164,23 @@ int route_turns_aside(const RoutePiece *piece)
     return piece->kind != ROUTE_STRAIGHT && piece->curve.sideways;
 }
 
+/* Whether piece p + 1 turns as p does at its end. */
+static int turns_on(const Route *route, int p)
+{
+    const RoutePiece *const one = &route->piece[p], *const next = &route->piece[p + 1];
+    if (one->kind == ROUTE_STRAIGHT || one->kind != next->kind) return 0;
+    const Vec3 turn = route_on_piece(route, p, next->s0).curvature;
+    const Vec3 jump = v3_sub(route_on_piece(route, p + 1, next->s0).curvature, turn);
+    return v3_norm(jump) < 1e-6 * v3_norm(turn);
+}
+
+int route_turn_end(const Route *route, int first)
+{
+    int last = first;
+    while (last + 1 < route->n && turns_on(route, last)) ++last;
+    return last;
+}
+
 const char *route_piece_word(const RoutePiece *piece)
 {
     static const char *const words[] = {"straight", "bend", "curve", "cubic"};

@@ -102,6 +102,9 @@ double route_turn(const Route *route, double s);
 double route_slope(const Route *route, double s);
 /* Whether a piece turns to a side at all. */
 int route_turns_aside(const RoutePiece *piece);
+/* The last of the pieces from `first` on that turn alike, each going on with the curvature the one before it ends with:
+ * of a bend, or a curve, that is cut into parts, its last part. */
+int route_turn_end(const Route *route, int first);
 /* A bend lies in one plane: one to the side that begins on a slope ends on another. The first of the route that begins
  * with its centre at its start's height and changes the slope by more than `least` (rad); its slopes at both ends. -1:
  * none. */

@@ -81,24 +81,68 @@ static void piece_closed(const Route *route, const PullSpan *span, PlanPiece *pi
     }
 }
 
-/* What is largest on the piece of which span i is the first: a piece's spans follow each other. */
-static void piece_loads(const PlanDef *def, PlanWay *way, int i)
+/* By how much the route turns from its start up to s, rad; turned[k]: up to piece k. */
+static double turned_at(const Route *route, const double *turned, double s)
+{
+    int low = 0, high = route->n - 1;
+    while (low < high) {
+        const int middle = (low + high + 1) / 2;
+        *(route->piece[middle].s0 <= s ? &low : &high) = route->piece[middle].s0 <= s ? middle : middle - 1;
+    }
+    const RoutePiece *const p = &route->piece[low];
+    return turned[low] + p->angle * fmin(fmax((s - p->s0) / p->length, 0), 1);
+}
+
+/* What is largest on the piece of which span i is the first: a piece's spans follow each other. A support bears no more
+ * than what turns the cable as far as its neighbours are, and the weight up to them (T18). */
+static void piece_loads(const PlanDef *def, const double *turned, PlanWay *way, int i)
 {
     const int p = way->pull.span[i].piece;
+    const RoutePiece *const on = &def->route->piece[p];
     PlanPiece *const piece = &way->piece[p];
     const PieceExtremes most = pull_extremes_from(&way->pull, i);
     const double spacing = def->spacing ? def->spacing[p] : def->roller_spacing;
+    const double beside = def->guides ? def->guides[p] : spacing;
+    const double turn =
+        turned_at(def->route, turned, on->s0 + on->length + spacing) - turned_at(def->route, turned, on->s0 - spacing);
+    const double all = most.either * turn + way->pull.span[i].law.weight * spacing;
     piece->max_tension = most.tension;
     piece->sidewall = most.sidewall;
-    piece->roller_load = fmax(most.down * spacing, most.aside * (def->guides ? def->guides[p] : spacing));
+    piece->roller_load = fmax(fmin(most.down * spacing, all), most.aside * fmin(beside, piece->turn));
 }
 
-static void fill_pieces(const PlanDef *def, PlanWay *way)
+/* How long the bends are of which the pieces are parts. */
+static void fill_turns(const Route *route, PlanPiece *piece)
 {
+    for (int p = 0, last; p < route->n; p = last + 1) {
+        last = route_turn_end(route, p);
+        const double length = route->piece[last].s0 + route->piece[last].length - route->piece[p].s0;
+        const double turn = route->piece[p].kind == ROUTE_STRAIGHT ? INFINITY : length;
+        for (int k = p; k <= last; k++) piece[k].turn = turn;
+    }
+}
+
+/* The rollers of a bend bear what any part of it has. */
+static void share_loads(const Route *route, PlanPiece *piece)
+{
+    for (int p = 0, last; p < route->n; p = last + 1) {
+        double most = 0;
+        last = route_turn_end(route, p);
+        for (int k = p; k <= last; k++) most = fmax(most, piece[k].roller_load);
+        for (int k = p; k <= last; k++) piece[k].roller_load = most;
+    }
+}
+
+static hawser_status fill_pieces(const PlanDef *def, PlanWay *way, hawser_error *err)
+{
+    double *const turned = calloc((size_t)def->route->n + 1, sizeof *turned);
+    if (!turned) return error_memory(err);
+    for (int p = 0; p < def->route->n; p++) turned[p + 1] = turned[p] + def->route->piece[p].angle;
     for (int i = 0; i < def->route->n; i++) way->piece[i] = (PlanPiece){.t_in = NAN, .t_out = NAN, .closed = NAN};
+    fill_turns(def->route, way->piece);
     for (int i = 0; i < way->pull.n; i++) {
         const PullSpan *span = &way->pull.span[i];
-        if (i == 0 || span->piece != span[-1].piece) piece_loads(def, way, i);
+        if (i == 0 || span->piece != span[-1].piece) piece_loads(def, turned, way, i);
         PlanPiece *piece = &way->piece[span->piece];
         assert(span->piece < def->route->n);
         if (isnan(piece->t_in)) {
@@ -107,6 +151,9 @@ static void fill_pieces(const PlanDef *def, PlanWay *way)
         }
         piece->t_out = span->t1;
     }
+    share_loads(def->route, way->piece);
+    free(turned);
+    return HAWSER_OK;
 }
 
 /* The least tension is that with the least back tension. */
@@ -152,8 +199,7 @@ static hawser_status solve_way(const PlanDef *def, const DuctLoad *load, int k, 
     way->force = way->pull.end_tension + way->rope;
     way->piece = calloc((size_t)def->route->n, sizeof *way->piece);
     if (!way->piece) return error_memory(err);
-    fill_pieces(def, way);
-    return HAWSER_OK;
+    return fill_pieces(def, way, err);
 }
 
 hawser_status plan_build(const PlanDef *def, Plan *out, hawser_error *err)

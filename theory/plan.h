@@ -14,7 +14,9 @@ typedef struct PlanPiece {
                                    * piece that the pull enters there */
     double max_tension;           /* N */
     double sidewall;              /* N/m, the worst loaded cable's T/R; 0 on straights */
-    double roller_load;           /* N, largest force per length on one support times the spacing (T18) */
+    double turn;                  /* m, length of the bend that it is, or is a part of; straights: INFINITY */
+    double roller_load;           /* N, largest force per length on one support times the spacing, no more than (T18);
+                                   * of all parts of a bend the largest */
     double closed;                /* N, t_out by the closed form; NAN if it is refused */
     char reason[PLAN_REASON_MAX]; /* why it is refused, else empty */
 } PlanPiece;

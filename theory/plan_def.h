@@ -34,7 +34,8 @@ typedef struct PlanDef {
     double beyond;           /* m: the pull goes so far beyond the route's end; below 0: it stops short of it */
     double roller_spacing;   /* m; 0: no roller loads asked for */
     const double *spacing;   /* [pieces] m, in its place; NULL: roller_spacing everywhere */
-    const double *guides;    /* [pieces] m, of the rollers beside the cable; NULL: as the others */
+    const double *guides;    /* [pieces] m, of the rollers beside the cable; INFINITY: one has the whole bend; NULL: as
+                              * the others */
     int n_pushes;
     const PullStep *push;      /* conveyors and the like, by what they add; force > 0: along the pull; < 0: brake */
     const PullStep *push_back; /* the same when pulled back, by the same order; NULL: as push */

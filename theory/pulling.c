@@ -250,6 +250,7 @@ PieceExtremes pull_extremes_from(const Pull *pull, int first)
         const PullSpan *span = &pull->span[i];
         out.tension = fmax(out.tension, span->extremes.max_tension);
         out.sidewall = fmax(out.sidewall, span_sidewall(span));
+        out.either = fmax(out.either, fmax(span->extremes.max_tension, -span->extremes.min_tension));
         out.down = fmax(out.down, span->extremes.max_down);
         out.aside = fmax(out.aside, span->extremes.max_aside);
     }

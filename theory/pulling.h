@@ -93,6 +93,7 @@ PullPoint pull_at(const Pull *pull, double s);
 /* What is largest on a piece of the route; 0 where the pull has no span on it. */
 typedef struct PieceExtremes {
     double tension;  /* N */
+    double either;   /* N, of tension or compression */
     double sidewall; /* N/m */
     double down;     /* N/m, force on what carries the cable */
     double aside;    /* N/m, on separate supports beside it */

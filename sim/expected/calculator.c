@@ -94,38 +94,81 @@ static int compare_places(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The largest gap between neighbours that reaches into the piece and holds no duct or tray; s[n] rises. */
-static double gap_on(const SceneDef *def, const RoutePiece *piece, int n, const double *s)
+/* A length of the route: of a piece, or of a bend that several make. */
+typedef struct Part {
+    double from, to; /* m */
+} Part;
+
+static Part part_of(const Route *route, int first, int last)
+{
+    return (Part){route->piece[first].s0, route->piece[last].s0 + route->piece[last].length};
+}
+
+/* The places, rising, of the carriers, or of the guides, that stand on the part; returns how many. */
+static int places_on(const Scene *scene, int guides, Part on, double *s)
+{
+    int n = 0;
+    for (int i = 0; i < scene->def.n_rollers; ++i) {
+        const RollerDef *const r = &scene->def.rollers[i];
+        if (isnan(r->s) || r->s < on.from || r->s > on.to || roller_is_guide(&scene->route, r) != guides) continue;
+        s[n++] = r->s;
+    }
+    qsort(s, (size_t)n, sizeof *s, compare_places);
+    return n;
+}
+
+/* The largest gap between neighbours that reaches into the part and holds no duct or tray; s[n] rises. One alone has
+ * the whole of the part that it stands on. */
+static double gap_on(const SceneDef *def, Part part, int n, const double *s)
 {
     double gap = 0;
     for (int i = 0; i + 1 < n; ++i) {
-        const int on = s[i + 1] > piece->s0 && s[i] < piece->s0 + piece->length;
+        const int on = s[i + 1] > part.from && s[i] < part.to;
         if (on && !surface_at(def, (s[i] + s[i + 1]) / 2)) gap = fmax(gap, s[i + 1] - s[i]);
     }
-    return gap;
+    const int alone = n > 0 && !(s[n - 1] > s[0]) && s[0] >= part.from && s[0] <= part.to;
+    return alone && !surface_at(def, s[0]) ? part.to - part.from : gap;
 }
 
-/* Carriers along the whole route; guides only piece by piece, since there are none between bends. */
+/* The nearest carrier on either side of a bend in which none stands. */
+static void bearers_add(const Scene *scene, Part bend, int piece, Calculator *c)
+{
+    int nearest[2] = {-1, -1}; /* behind it, ahead of it */
+    for (int r = 0; r < scene->def.n_rollers; ++r) {
+        const RollerDef *const roller = &scene->def.rollers[r];
+        if (isnan(roller->s) || roller_is_guide(&scene->route, roller)) continue;
+        const int ahead = roller->s > bend.to, known = nearest[ahead];
+        const double sign = ahead ? -1 : 1;
+        if (known < 0 || sign * (roller->s - scene->def.rollers[known].s) > 0) nearest[ahead] = r;
+    }
+    for (int k = 0; k < 2; ++k)
+        if (nearest[k] >= 0) c->bearer[c->n_bearers++] = (Bearer){piece, nearest[k]};
+}
+
+/* Carriers along the whole route; guides only bend by bend, since there are none between bends. */
 static hawser_status spacings_find(const Scene *scene, Calculator *c, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
+    const Route *const route = &scene->route;
     double *const s = malloc(((size_t)def->n_rollers + 1) * sizeof *s);
-    c->spacing = calloc((size_t)scene->route.n, sizeof *c->spacing);
-    c->guides = calloc((size_t)scene->route.n, sizeof *c->guides);
-    if (!s || !c->spacing || !c->guides) {
+    c->spacing = calloc((size_t)route->n, sizeof *c->spacing);
+    c->guides = calloc((size_t)route->n, sizeof *c->guides);
+    c->bearer = calloc(2 * (size_t)route->n, sizeof *c->bearer);
+    if (!s || !c->spacing || !c->guides || !c->bearer) {
         free(s);
         return error_memory(err);
     }
-    for (int p = -1; p < scene->route.n; ++p) { /* -1: the carriers */
-        int n = 0;
-        for (int i = 0; i < def->n_rollers; ++i) {
-            const RollerDef *const r = &def->rollers[i];
-            if (isnan(r->s) || roller_is_guide(&scene->route, r) != (p >= 0)) continue;
-            if (p < 0 || route_at(&scene->route, r->s).piece == p) s[n++] = r->s;
-        }
-        qsort(s, (size_t)n, sizeof *s, compare_places);
-        if (p >= 0) c->guides[p] = gap_on(def, &scene->route.piece[p], n, s);
-        for (int k = 0; p < 0 && k < scene->route.n; ++k) c->spacing[k] = gap_on(def, &scene->route.piece[k], n, s);
+    const int carriers = places_on(scene, 0, (Part){-INFINITY, INFINITY}, s);
+    for (int k = 0; k < route->n; ++k) c->spacing[k] = gap_on(def, part_of(route, k, k), carriers, s);
+    for (int p = 0, to; p < route->n; p = to + 1) {
+        to = route_turn_end(route, p);
+        const Part bend = part_of(route, p, to);
+        const int guides = places_on(scene, 1, bend, s);
+        const int alone = guides > 0 && !(s[guides - 1] > s[0]) && route->piece[p].kind != ROUTE_STRAIGHT;
+        const double gap = alone ? INFINITY : gap_on(def, bend, guides, s);
+        for (int k = p; k <= to; ++k) c->guides[k] = gap;
+        if (guides == 0 && places_on(scene, 0, bend, s) == 0 && route->piece[p].kind != ROUTE_STRAIGHT)
+            bearers_add(scene, bend, p, c);
     }
     free(s);
     return HAWSER_OK;
@@ -304,7 +347,10 @@ static hawser_status places_vary(const Calculator *base, const Variation *by, Ca
     c->spacing = copy_of(base->spacing, n, sizeof *c->spacing);
     c->guides = copy_of(base->guides, n, sizeof *c->guides);
     c->duct = copy_of(base->duct, base->n_ducts, sizeof *c->duct);
-    if (!c->stretches.stretch || !c->pusher || !c->spacing || !c->guides || !c->duct) return error_memory(err);
+    c->bearer = copy_of(base->bearer, base->n_bearers, sizeof *c->bearer);
+    if (!c->stretches.stretch || !c->pusher || !c->spacing || !c->guides || !c->duct || !c->bearer)
+        return error_memory(err);
+    c->n_bearers = base->n_bearers;
     c->n_pushers = base->n_pushers;
     c->n_ducts = base->n_ducts;
     for (int i = 0; i < c->stretches.n; ++i) {
@@ -353,6 +399,7 @@ void calculator_free(Calculator *c)
     free(c->step);
     free(c->spacing);
     free(c->guides);
+    free(c->bearer);
     free(c->rule);
     free(c->duct);
     *c = (Calculator){0};

@@ -18,6 +18,11 @@ typedef struct CalculatorDuct {
 /* Which rule of friction holds on a piece of the route: (T6), (LI1), or each on a part. */
 typedef enum SupportRule { SUPPORT_RESULTANT, SUPPORT_SEPARATE, SUPPORT_MIXED } SupportRule;
 
+/* A roller that stands beside a bend in which none stands, and bears what that has. */
+typedef struct Bearer {
+    int piece, roller;
+} Bearer;
+
 typedef struct Calculator {
     const Route *route; /* the scene's, or `own` */
     Route own;          /* one with other bends */
@@ -30,7 +35,9 @@ typedef struct Calculator {
     PullStep *push[PLAN_WAYS]; /* [n_pushers] N along the pull */
     PullStep *step;            /* [def.n_steps] machines and pits of the section `theory` */
     double *spacing, *guides;  /* [pieces] m, the largest gap between carriers there, and between guides; 0: none */
-    SupportRule *rule;         /* [pieces] */
+    int n_bearers;
+    Bearer *bearer;    /* [n_bearers] */
+    SupportRule *rule; /* [pieces] */
     int n_ducts;
     CalculatorDuct *duct; /* [n_ducts] */
     Plan plan;

@@ -33,8 +33,8 @@ static Finding sidewall_finding(const Route *route, const PlanWay *way)
     return f;
 }
 
-/* The rated roller whose piece loads it most for its rating. */
-static Finding roller_finding(const Scene *scene, const PlanWay *way)
+/* The rated roller that is loaded most for its rating, by the piece on which it stands or a bend beside it. */
+static Finding roller_finding(const Scene *scene, const Calculator *c, const PlanWay *way)
 {
     Finding worst = {.value = NAN};
     for (int r = 0; r < scene->def.n_rollers; ++r) {
@@ -43,6 +43,11 @@ static Finding roller_finding(const Scene *scene, const PlanWay *way)
             snprintf(worst.why, sizeof worst.why, "of rollers.list and obstacles theory knows no load: a run does");
         if (isnan(roller->s) || !(roller->rating > 0)) continue;
         const double load = way->piece[route_at(&scene->route, roller->s).piece].roller_load;
+        if (load > 0) finding_load(&worst, roller->name, load, roller->rating);
+    }
+    for (int i = 0; i < c->n_bearers; ++i) {
+        const RollerDef *const roller = &scene->def.rollers[c->bearer[i].roller];
+        const double load = way->piece[c->bearer[i].piece].roller_load;
         if (load > 0) finding_load(&worst, roller->name, load, roller->rating);
     }
     return worst;
@@ -83,7 +88,7 @@ static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error 
         f[LIMIT_RESTART] = finding_on(route, way->restart_max, way->restart_at, way->restart_piece);
         f[LIMIT_SIDEWALL] = sidewall_finding(route, way);
         f[LIMIT_BEND] = bend_finding(c, k);
-        f[LIMIT_ROLLER_STEADY] = roller_finding(scene, way);
+        f[LIMIT_ROLLER_STEADY] = roller_finding(scene, c, way);
         f[LIMIT_ROPE].value = calculator_peak(scene, c, k);
         const hawser_status status = findings_of_way(scene, route, c, k, f, err);
         if (status) return status;

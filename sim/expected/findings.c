@@ -14,21 +14,26 @@
 /* Rollers that turn the rope by this much each are sheaves to it (our choice: less is no wrap), rad. */
 static const double WRAPPED = 30 * M_PI / 180;
 
-/* m, around what a bend bends the rope: its own diameter, or that of its smallest roller where few share the turn. In a
- * bend with guides it is these. */
-static double bent_round(const Scene *scene, const Route *route, const RoutePiece *bend)
+/* m, around what a bend of pieces p to `to` bends the rope: its own diameter, or that of its smallest roller where few
+ * share the turn. In a bend with guides it is these. */
+static double bent_round(const Scene *scene, const Route *route, int p, int to)
 {
     int n[2] = {0, 0}; /* carriers, guides */
-    double smallest[2] = {INFINITY, INFINITY};
+    double smallest[2] = {INFINITY, INFINITY}, turn = 0, radius = INFINITY;
+    const double begin = route->piece[p].s0, end = route->piece[to].s0 + route->piece[to].length;
+    for (int k = p; k <= to; ++k) {
+        turn += route->piece[k].angle;
+        radius = fmin(radius, route->piece[k].radius);
+    }
     for (int r = 0; r < scene->def.n_rollers; ++r) {
         const RollerDef *const roller = &scene->def.rollers[r];
-        if (!(roller->s >= bend->s0 && roller->s <= bend->s0 + bend->length) || roller->hold_down) continue;
+        if (!(roller->s >= begin && roller->s <= end) || roller->hold_down) continue;
         const int guide = roller_is_guide(route, roller);
         smallest[guide] = fmin(smallest[guide], 2 * roller->radius);
         n[guide]++;
     }
     const int by = n[1] > 0;
-    return n[by] > 0 && bend->angle / n[by] >= WRAPPED ? smallest[by] : 2 * bend->radius;
+    return n[by] > 0 && turn / n[by] >= WRAPPED ? smallest[by] : 2 * radius;
 }
 
 /* The rope's diameter, m: as the case says, or of the thickest rope in the chain; NAN: nobody knows. */
@@ -45,11 +50,12 @@ static double rope_diameter(const Scene *scene)
 static Finding rope_bend(const Scene *scene, const Route *route, double head)
 {
     Finding f = {.value = INFINITY};
-    for (int p = 0; p < route->n; ++p) {
-        const RoutePiece *const piece = &route->piece[p];
-        if (piece->kind != ROUTE_BEND || piece->s0 + piece->length <= head) continue;
-        const double round = bent_round(scene, route, piece);
-        if (round < f.value) f = finding_at(route, round, piece->s0);
+    for (int p = 0, to; p < route->n; p = to + 1) {
+        to = route_turn_end(route, p);
+        const RoutePiece *const last = &route->piece[to];
+        if (last->kind == ROUTE_STRAIGHT || last->s0 + last->length <= head) continue;
+        const double round = bent_round(scene, route, p, to);
+        if (round < f.value) f = finding_at(route, round, route->piece[p].s0);
     }
     if (scene->def.limits.sheave < f.value) {
         f = (Finding){.value = scene->def.limits.sheave};

@@ -20,26 +20,24 @@ int roller_is_guide(const Route *route, const RollerDef *roller)
     return fabs(v3_dot(roller->axis, up)) > 0.7;
 }
 
-/* The part of a piece along which guides stand: from the first to the last and half their spacing beyond. One that
- * comes within its own half spacing of the piece's end reaches it. */
-static Guided guided_part(const Scene *scene, int p)
+/* The part of a bend, of pieces p to `to`, along which guides stand: from the first to the last and half their spacing
+ * beyond. One that comes within its own half spacing of the bend's end reaches it. */
+static Guided guided_part(const Scene *scene, int p, int to)
 {
     const SceneDef *const def = &scene->def;
-    const RoutePiece *const piece = &scene->route.piece[p];
-    const double end = piece->s0 + piece->length;
+    const double begin = scene->route.piece[p].s0, end = scene->route.piece[to].s0 + scene->route.piece[to].length;
     double first = INFINITY, last = -INFINITY;
     int n = 0;
     for (int i = 0; i < def->n_rollers; ++i) {
         const RollerDef *const r = &def->rollers[i];
-        if (!(r->s >= piece->s0 && r->s <= end) || !roller_is_guide(&scene->route, r)) continue;
+        if (!(r->s >= begin && r->s <= end) || !roller_is_guide(&scene->route, r)) continue;
         if (r->s > last) ++n; /* a pair counts once */
         first = fmin(first, r->s);
         last = fmax(last, r->s);
     }
     if (n == 0) return (Guided){0};
-    const double half = n > 1 ? (last - first) / (n - 1) / 2 : piece->length;
-    return (Guided){first - piece->s0 > 1.01 * half ? first - half : piece->s0,
-                    end - last > 1.01 * half ? last + half : end};
+    const double half = n > 1 ? (last - first) / (n - 1) / 2 : end - begin;
+    return (Guided){first - begin > 1.01 * half ? first - half : begin, end - last > 1.01 * half ? last + half : end};
 }
 
 const SurfaceDef *surface_at(const SceneDef *def, double s)
@@ -51,11 +49,11 @@ const SurfaceDef *surface_at(const SceneDef *def, double s)
     return NULL;
 }
 
-/* Every place at which something changes, and the guided parts, one a piece. */
+/* Every place at which something changes, and the guided parts. */
 typedef struct Corners {
     int n;
     double *s;      /* [n] m */
-    Guided *guided; /* [pieces] */
+    Guided *guided; /* [pieces] of each bend, by its first piece */
 } Corners;
 
 static void corners_free(Corners *c)
@@ -85,9 +83,10 @@ static hawser_status corners_find(const Scene *scene, Corners *c, hawser_error *
     }
     const int by_piece = bundle_present(&def->bundle) && def->bundle.correction == CORRECT_STRAIGHTS;
     for (int p = 0; p < pieces && by_piece; ++p) c->s[c->n++] = scene->route.piece[p].s0;
-    for (int p = 0; p < pieces; ++p) {
+    for (int p = 0, to; p < pieces; p = to + 1) {
+        to = route_turn_end(&scene->route, p);
         if (!route_turns_aside(&scene->route.piece[p])) continue;
-        c->guided[p] = guided_part(scene, p);
+        c->guided[p] = guided_part(scene, p, to);
         if (!(c->guided[p].from < c->guided[p].to)) continue;
         c->s[c->n++] = c->guided[p].from;
         c->s[c->n++] = c->guided[p].to;

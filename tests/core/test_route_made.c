@@ -197,6 +197,24 @@ static void what_turns_aside(void **state)
     }
 }
 
+/* What is one turn: a bend that is cut, and a clothoid; not other radii, planes or kinds, nor straights. */
+static void turns_in_parts(void **state)
+{
+    (void)state;
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 9};
+    const RoutePieceDef left = {.kind = ROUTE_BEND, .radius = 9, .angle = 0.3};
+    const RoutePieceDef wide = {.kind = ROUTE_BEND, .radius = 9.001, .angle = 0.3};
+    const RoutePieceDef right = {.kind = ROUTE_BEND, .radius = 9.001, .angle = 0.3, .plane = M_PI};
+    const RoutePieceDef in = {.kind = ROUTE_CURVE, .length = 9, .curvature = {0, 0.1}};
+    const RoutePieceDef on = {.kind = ROUTE_CURVE, .length = 9, .curvature = {0.1, 0.2}};
+    const RoutePieceDef def[] = {straight, straight, left, left, left, wide, right, in, on, on, straight};
+    static const int last[] = {0, 1, 4, 4, 4, 5, 6, 8, 8, 9, 10};
+    enum { PIECES = sizeof def / sizeof *def };
+    Route r = route_of(PIECES, def, 0);
+    for (int p = 0; p < PIECES; ++p) assert_int_equal(route_turn_end(&r, p), last[p]);
+    route_clear(&r);
+}
+
 /* Every word of a table for a piece. */
 static void words_of_pieces(void **state)
 {
@@ -359,6 +377,7 @@ int main(void)
                                        cmocka_unit_test(lines_that_begin_upright),
                                        cmocka_unit_test(roundings_of_steep_profiles),
                                        cmocka_unit_test(what_turns_aside),
+                                       cmocka_unit_test(turns_in_parts),
                                        cmocka_unit_test(words_of_pieces),
                                        cmocka_unit_test(legs_that_become_upright),
                                        cmocka_unit_test(splines_begin),

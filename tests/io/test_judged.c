@@ -196,6 +196,21 @@ static void friction_that_is_given_in_part(void **state)
     hawser_text_free(answer);
 }
 
+/* A number of a limit of the forward pull, in an answer of theory. */
+static double limit_of(const json_t *answer, const char *name)
+{
+    json_t *limit;
+    size_t i;
+    json_array_foreach(json_object_get(answer, "limits"), i, limit)
+    {
+        const char *const way = json_string_value(json_object_get(limit, "direction"));
+        if (!strcmp(json_string_value(json_object_get(limit, "name")), name) && (!way || strcmp(way, "backward")))
+            return json_number_value(json_object_get(limit, "value"));
+    }
+    fail_msg("no limit %s", name);
+    return NAN;
+}
+
 /* A pull that begins anew presses with static friction: only its tension was judged. */
 static void sidewall_pressure_from_rest(void **state)
 {
@@ -204,19 +219,82 @@ static void sidewall_pressure_from_rest(void **state)
     for (int k = 0; k < 2; k++) {
         const char *const settings[] = {"friction", k ? "{mu: 0.5}" : "{mu_s: 0.5, mu_d: 0.2}", NULL};
         char *const answer = theory_of(data_text("limits"), settings);
-        json_t *const o = json_loads(answer, 0, NULL), *limit;
-        size_t i;
-        json_array_foreach(json_object_get(o, "limits"), i, limit)
-        {
-            if (strcmp(json_string_value(json_object_get(limit, "name")), "sidewall") ||
-                strcmp(json_string_value(json_object_get(limit, "direction")), "forward"))
-                continue;
-            found[k] = json_number_value(json_object_get(limit, "value"));
-        }
-        json_decref(o);
+        json_t *const all = json_loads(answer, 0, NULL);
+        found[k] = limit_of(all, "sidewall");
+        json_decref(all);
         hawser_text_free(answer);
     }
     check_share(found[0], found[1], 1e-9);
+}
+
+/* A bend is one whatever parts it is drawn in: guides stand along all of it, the rope turns on them through all of it.
+ * One guide alone bears all that the bend turns: T2 times its angle, with (LI1) T2 = (T1 + w R) e^(mu angle) - w R. */
+static void bends_in_parts(void **state)
+{
+    (void)state;
+    static const double spacing[] = {0.5, 2, 4.5};
+    static const int parts[] = {1, 2, 3, 7};
+    static const char *const names[] = {"roller_steady", "rope_bend", "sidewall", "rope"};
+    for (int row = 0; row < 3; row++) {
+        double whole[4] = {0};
+        for (int k = 0; k < 4; k++) {
+            char rollers[200], route[900] = "{head_at: 15 m, pieces: [{straight: 8 m}";
+            snprintf(
+                rollers, sizeof rollers,
+                "{along: [{spacing: 1 m, rating: 5 kN}, {guide: inside, spacing: %g m, rating: 4 kN, radius: 90 mm}]}",
+                spacing[row]);
+            for (int i = 0; i < parts[k]; i++) {
+                const size_t used = strlen(route);
+                snprintf(route + used, sizeof route - used, ", {bend: %.17g deg, radius: 6 m, plane: left}",
+                         40.0 / parts[k]);
+            }
+            strcat(route, ", {straight: 8 m}]}");
+            const char *const settings[] = {"route", route, "rollers", rollers, NULL};
+            char *const answer = theory_of(data_text("limits"), settings);
+            json_t *const all = json_loads(answer, 0, NULL);
+            for (int i = 0; i < 4; i++) {
+                const double found = limit_of(all, names[i]);
+                if (k == 0) whole[i] = found;
+                check_share(found, whole[i], 1e-9);
+            }
+            const double w = 20 * 9.81, R = 6, angle = 40 * M_PI / 180;
+            const double T1 = json_number_value(json_object_get(all, "start_tension_N")) + 0.2 * w * 8;
+            const double T2 = (T1 + w * R) * exp(0.2 * angle) - w * R;
+            if (row == 2) check_share(limit_of(all, "roller_steady"), T2 * angle, 1e-6);
+            if (row == 2) check_share(limit_of(all, "rope_bend"), 0.18 / 0.014, 1e-9);
+            json_decref(all);
+            hawser_text_free(answer);
+        }
+    }
+}
+
+/* A crest that is rounded between two rollers presses on them, though none stands on it: with all that it turns, T
+ * times its angle, and no more than that, however tight it is. */
+static void a_crest_between_rollers(void **state)
+{
+    (void)state;
+    static const char *const radius[] = {"500 mm", "1 m"};
+    for (int k = 0; k < 2; k++) {
+        char route[300];
+        snprintf(route, sizeof route,
+                 "{head_at: 15 m, slope: 20 deg, pieces: [{straight: 8.5 m}, {bend: 20 deg, radius: %s, plane: down}, "
+                 "{straight: 8 m}]}",
+                 radius[k]);
+        const char *const settings[] = {"route", route, "rollers", "{along: [{spacing: 1 m, rating: 5 kN, from: 0 m}]}",
+                                        NULL};
+        char *const answer = theory_of(data_text("limits"), settings);
+        json_t *const all = json_loads(answer, 0, NULL);
+        const double w = 20 * 9.81, angle = 20 * M_PI / 180, R = k ? 1 : 0.5;
+        const double T1 =
+            json_number_value(json_object_get(all, "start_tension_N")) + w * 8.5 * (sin(angle) + 0.2 * cos(angle));
+        /* T turns it: between the tension before it and more than that behind it, with weight and friction on it */
+        const double T2 = (T1 + w * R) * exp(0.2 * angle) + w * R;
+        const double found = limit_of(all, "roller_steady");
+        check_above(found, T1 * angle);
+        check_below(found, T2 * angle + w * (1 + R * angle));
+        json_decref(all);
+        hawser_text_free(answer);
+    }
 }
 
 /* A belt holds what is ahead of it, not what is behind: the cable runs away down a shaft whatever stands farther on. */
@@ -305,6 +383,8 @@ int main(void)
         cmocka_unit_test(friction_that_theory_does_not_take),
         cmocka_unit_test(friction_that_is_given_in_part),
         cmocka_unit_test(sidewall_pressure_from_rest),
+        cmocka_unit_test(bends_in_parts),
+        cmocka_unit_test(a_crest_between_rollers),
         cmocka_unit_test(belts_ahead_hold_nothing),
         cmocka_unit_test(joined_cables),
         cmocka_unit_test(weights_of_pieces),

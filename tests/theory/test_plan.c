@@ -199,11 +199,47 @@ static void refusals(void **state)
     route_clear(&route);
 }
 
+/* A bend that is shorter than the supports are apart turns no more than it has; each part of a bend has what the whole
+ * has; one support beside a level bend bears T times its angle. */
+static void loads_of_short_bends(void **state)
+{
+    (void)state;
+    enum { PARTS = 3 };
+    static const double angle = 0.3, radius = 4, spacing = 2;
+    double load[2];
+    for (int k = 0; k < 2; k++) {
+        const RoutePieceDef bend = {
+            .kind = ROUTE_BEND, .radius = radius, .angle = angle / (k ? PARTS : 1), .plane = 3 * M_PI / 2};
+        const RoutePieceDef parts[] = {{.kind = ROUTE_STRAIGHT, .length = 20}, bend, bend, bend};
+        Route route;
+        hawser_error err = {0};
+        Plan plan;
+        assert_int_equal(route_build(&route, k ? 1 + PARTS : 2, parts, v3(0, 0, 0), 0, 0, &err), HAWSER_OK);
+        const PullStretch all = {.from = -1e9, .weight = WEIGHT, .mu = MU};
+        const PlanDef def = {
+            .route = &route, .n_stretches = 1, .stretch = &all, .roller_spacing = spacing, .back_tension = 9e3};
+        assert_int_equal(plan_build(&def, &plan, &err), HAWSER_OK);
+        const PlanPiece *const piece = plan.way[PLAN_FORWARD].piece;
+        load[k] = piece[1].roller_load;
+        check_close(piece[1].turn, angle * radius, 1e-12);
+        assert_true(isinf(piece[0].turn));
+        for (int i = 2; k && i <= PARTS; i++) check_close(piece[i].roller_load, load[k], 0);
+        plan_clear(&plan);
+        route_clear(&route);
+    }
+    check_share(load[1], load[0], 1e-9);
+    /* (T5) over a crest, T/R + w cos(angle) at its end, times its length; and the weight between two supports */
+    check_between(load[0], (9e3 + 20 * MU * WEIGHT) * angle,
+                  (9e3 + 20 * MU * WEIGHT) * exp(MU * angle) * angle + WEIGHT * (spacing + 3 * radius * angle));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(both_directions),   cmocka_unit_test(closed_forms_by_piece), cmocka_unit_test(conveyors),
-        cmocka_unit_test(ways_of_their_own), cmocka_unit_test(duct_corrections),      cmocka_unit_test(refusals),
+        cmocka_unit_test(both_directions),  cmocka_unit_test(closed_forms_by_piece),
+        cmocka_unit_test(conveyors),        cmocka_unit_test(ways_of_their_own),
+        cmocka_unit_test(duct_corrections), cmocka_unit_test(loads_of_short_bends),
+        cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
