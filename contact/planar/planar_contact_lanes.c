@@ -145,9 +145,10 @@ static double kernel_moved(const PlanarChain *chain, const PlanarKinematics *kin
         const Lane2 dp = l2_sub(l2_load(kin->p, i), l2_load(at_p, i));
         const Lane2 da = l2_sub(l2_load(kin->a, i), l2_load(at_a, i));
         const Lane moved = lane_sqrt(l2_dot(dp, dp)) + lane_load(chain->half + i) * lane_sqrt(l2_dot(da, da));
-        strange |= ~(moved >= 0);
         /* what pads the arrays may be anything, the head's ghost among it */
-        most = lane_select((moved > most) & (lane_load(chain->inverse_mass + i) > lane_set(0)), moved, most);
+        const LaneMask there = lane_load(chain->inverse_mass + i) > lane_set(0);
+        strange |= there & ~(moved >= 0);
+        most = lane_select(there & (moved > most), moved, most);
     }
     double largest = lane_bits(strange) ? INFINITY : 0;
     for (int k = 0; k < LANES; ++k) largest = most[k] > largest ? most[k] : largest;

@@ -31,7 +31,7 @@ typedef struct PlanarPoint {
     Lane radius, radius1, radius2; /* rc, rc' and rc'', m */
     Lane rho;                      /* distance from the circle's centre, m */
     Lane2 normal;
-    Lane slope, curvature; /* g' and g'' (C9), (C10), m */
+    Lane curvature; /* g'' (C10), m */
 } PlanarPoint;
 
 LANE_INLINE Lane2 pair_load(const double a[2][LANES]) { return (Lane2){lane_load(a[0]), lane_load(a[1])}; }
@@ -84,14 +84,13 @@ LANE_INLINE Lane planar_rho(Lane2 p)
     return lane_sqrt(lane_select(square > tiny, square, tiny));
 }
 
-/* Adds normal, slope and curvature of the gap: (C9), (C10) with the circle's H = t t^T / rho (PL11). */
+/* Adds the normal and the curvature of the gap: (C10) with the circle's H = t t^T / rho (PL11). */
 LANE_INLINE void planar_point_gap(PlanarPoint *at)
 {
     at->rho = planar_rho(at->p);
     const Lane inverse = 1 / at->rho;
     at->normal = l2_scale(inverse, at->p);
     const Lane across = l2_cross(at->normal, at->p1);
-    at->slope = l2_dot(at->normal, at->p1) - at->radius1;
     at->curvature = inverse * across * across + l2_dot(at->normal, at->p2) - at->radius2;
 }
 

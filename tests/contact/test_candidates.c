@@ -142,6 +142,53 @@ static void test_moved_too_far(void **state)
     scene_free(&s);
 }
 
+/* What moves across the origin has moved: by the difference, whatever the two places' sizes are. */
+static void test_moved_across_the_origin(void **state)
+{
+    (void)state;
+    TestScene s;
+    scene_new(&s, GEOMETRY_SMOOTH, 3, 0.5);
+    s.model.reach = 0.4; /* of which 0.3 m may be used up */
+    for (int c = 0; c < 6; ++c) {
+        for (int far = 0; far < 2; ++far) {
+            const double by = far ? 0.301 : 0.299;
+            double *const at = c < 3 ? &s.kin.p[c][1] : &s.kin.a[c - 3][1];
+            const double was = *at, half = c < 3 ? by / 2 : by / 2 / s.chain.half[1];
+            *at = -half;
+            scene_refresh(&s);
+            assert_false(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
+            *at = half;
+            assert_int_equal(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs), far);
+            *at = was;
+        }
+    }
+    scene_free(&s);
+}
+
+/* A head so short that the arc behind it is a candidate of the roller ahead and it is not: what is no candidate is not
+ * looked at, though the nearest place is its own. */
+static void test_nothing_but_candidates(void **state)
+{
+    (void)state;
+    TestScene s;
+    ContactDetail detail[SCENE_HITS_MAX];
+    scene_new(&s, GEOMETRY_SMOOTH, 3, 1);
+    s.chain.half[2] = 0.05;
+    s.kin.p[0][2] = 2.05; /* the line ends at 2.1 m */
+    s.model.reach = 0.02;
+    scene_roller(&s, v3(2.2 + 0.04365 + 0.1, 0, 0), v3(0, 1, 0), 0.1, 0.3);
+    scene_refresh(&s);
+    assert_int_equal(s.pairs.n_ranges, 1);
+    assert_true(s.pairs.range[0].first == 2 && s.pairs.range[0].count == 1);
+    assert_int_equal(contact_details(&s.model, &s.chain, &s.kin, 1, &s.pairs, SCENE_HITS_MAX, detail), 0);
+    s.model.reach = 0.2; /* now it is one */
+    scene_refresh(&s);
+    assert_int_equal(contact_details(&s.model, &s.chain, &s.kin, 1, &s.pairs, SCENE_HITS_MAX, detail), 1);
+    assert_int_equal(detail[0].element, 3);
+    check_close(detail[0].gap, 0.1, 1e-14);
+    scene_free(&s);
+}
+
 /* No rollers, and a chain of one segment. */
 static void test_least(void **state)
 {
@@ -167,6 +214,8 @@ int main(void)
         cmocka_unit_test(test_order),
         cmocka_unit_test(test_reach_changes_nothing),
         cmocka_unit_test(test_moved_too_far),
+        cmocka_unit_test(test_moved_across_the_origin),
+        cmocka_unit_test(test_nothing_but_candidates),
         cmocka_unit_test(test_least),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

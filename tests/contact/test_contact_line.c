@@ -338,9 +338,37 @@ static void test_slope(void **state)
     scene_free(&s);
 }
 
+/* A foot just at a node is one element's only, and what is before the line or behind it is held at its ends. */
+static void test_foot_at_nodes(void **state)
+{
+    (void)state;
+    enum { SEGMENTS = 5 };
+    TestScene s;
+    scene_new(&s, GEOMETRY_SMOOTH, SEGMENTS, 0.5);
+    for (int node = 0; node < SEGMENTS; ++node) {
+        const Vec3 p = v3(0.25 + 0.5 * node, 0.3, -0.1);
+        int owners = 0;
+        for (int e = 0; e <= SEGMENTS; ++e) {
+            int inside;
+            const double v = line_foot(&s.chain, &s.kin, e, p, &inside);
+            owners += inside;
+            assert_int_equal(inside, e == node);
+            check_equal(v, e <= node ? 1 : 0);
+        }
+        assert_int_equal(owners, 1);
+    }
+    for (int head = 0; head < 2; ++head) {
+        int inside;
+        check_equal(line_foot(&s.chain, &s.kin, head ? SEGMENTS : 0, v3(head ? 2.7 : -0.2, 0.1, 0), &inside), head);
+        assert_false(inside);
+    }
+    scene_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_foot_at_nodes),
         cmocka_unit_test(test_straight),
         cmocka_unit_test(test_slope),
         cmocka_unit_test(test_bent),

@@ -223,11 +223,61 @@ static void tally_closes(void **state)
     }
 }
 
+/* What is presumed is what presses now, of every roller, whatever was found in the same place before. */
+static void test_presumed_now(void **state)
+{
+    (void)state;
+    for (int geometry = 0; geometry < 2; ++geometry) {
+        const Presume gaps = {.from = PRESUME_GAPS};
+        double force[2 * 3] = {-1, 5, 6, 7, 8, 9};
+        TestScene s;
+        scene_new(&s, geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, N, 0.5);
+        for (int k = 0; k < 3; ++k) scene_roller(&s, v3(0.3 + k, 0, 1e-3 * k - 0.1 - 0.04365), v3(0, 1, 0), 0.1, 0.3);
+        scene_refresh(&s);
+        for (int lifted = -1; lifted < 4; ++lifted) { /* by mm: one after the other lets go */
+            for (int i = 0; i < N; ++i) s.kin.p[2][i] = 1e-3 * lifted;
+            contact_presume(&s.model, &s.chain, &s.kin, &s.pairs, &gaps, NULL, force);
+            for (int k = 0; k < 3; ++k) {
+                const double depth = k > lifted ? 1e-3 * (k - lifted) : 0;
+                check_close(force[2 * k], 2e7 * pow(depth, 1.5), 1e-9); /* of 600 N at 1 mm, known to 1e-17 m */
+                check_equal(force[2 * k + 1], 0);                       /* it has one face */
+            }
+        }
+        scene_free(&s);
+    }
+}
+
+/* What presses for the first time is presumed to carry its own segment's weight and no more: of the element's second
+ * segment, behind the head of the last. */
+static void test_presumed_weight(void **state)
+{
+    (void)state;
+    for (int geometry = 0; geometry < 2; ++geometry) {
+        const Presume last = {.from = PRESUME_LAST, .gravity = 10};
+        for (int e = 0; e < element_count(geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, N); ++e) {
+            double force[2];
+            TestScene s;
+            scene_new(&s, geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, N, 0.5);
+            for (int i = 0; i < N; ++i) s.chain.mass[i] = 3 + i;
+            const double x = geometry ? 0.25 + 0.5 * e : 0.5 * e + (e == N ? -0.1 : 0.1);
+            scene_roller(&s, v3(x, 0, 1e-3 - 0.1 - 0.04365), v3(0, 1, 0), 0.1, 0.3); /* 632 N by the law */
+            scene_refresh(&s);
+            contact_presume(&s.model, &s.chain, &s.kin, &s.pairs, &last, NULL, force);
+            check_equal(force[0], 10 * (3 + (e < N ? e : N - 1)));
+            scene_free(&s);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_balance),   cmocka_unit_test(test_force_follows_laws),
-        cmocka_unit_test(test_objective), cmocka_unit_test(test_no_friction),
+        cmocka_unit_test(test_presumed_weight),
+        cmocka_unit_test(test_balance),
+        cmocka_unit_test(test_force_follows_laws),
+        cmocka_unit_test(test_objective),
+        cmocka_unit_test(test_presumed_now),
+        cmocka_unit_test(test_no_friction),
         cmocka_unit_test(tally_closes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

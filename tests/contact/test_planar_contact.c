@@ -81,6 +81,7 @@ static void rig_free(Rig *r)
 static int planar_push(Rig *r)
 {
     for (int i = 0; i < N; ++i) r->loads.f[0][i] = r->loads.f[1][i] = r->loads.m[i] = 0;
+    for (int k = 0; k < SCENE_ROLLERS_MAX; ++k) r->on_roller[k][0] = r->on_roller[k][1] = 7; /* it is overwritten */
     planar_contact_forces(&r->model, &r->chain, &r->kin, 1, &r->s.pairs, &r->loads, r->on_roller);
     return r->s.pairs.active;
 }
@@ -141,6 +142,58 @@ static void test_reaction(void **state)
     }
 }
 
+/* A level line from `start`, and one roller at (x, z) from there. */
+static void level_new(Rig *r, Vec3 start, double x, double z, double radius)
+{
+    memset(r, 0, sizeof *r);
+    scene_new(&r->s, GEOMETRY_SMOOTH, N, 0.5);
+    assert_true(planar_chain_alloc(&r->chain, N) && planar_kinematics_alloc(&r->kin, N));
+    assert_true(chain_struct_alloc(&r->loads, N));
+    for (int i = 0; i < N; ++i) vec_store(r->s.kin.p, i, v3_add(vec_load(r->s.kin.p, i), start));
+    scene_roller(&r->s, v3_add(start, v3(x, 0, z)), v3(0, 1, 0), radius, 0.3);
+    plane_copy(r);
+    scene_refresh(&r->s);
+}
+
+/* A centre exactly above the roller, where the slope is zero and not by rounding only: the one of the two elements that
+ * meet there has the contact, whichever lane it is in. */
+static void test_node_above_roller(void **state)
+{
+    (void)state;
+    const double depth = 1e-3;
+    for (int i = 0; i < N; ++i) {
+        Rig r;
+        level_new(&r, V3_ZERO, 0.25 + 0.5 * i, depth - 0.1 - 0.04365, 0.1);
+        assert_int_equal(planar_push(&r), 1);
+        assert_int_equal(r.s.pairs.n_hits, 1);
+        assert_int_equal(r.s.pairs.hit[0].element, i);
+        check_share(r.loads.f[1][i], 2e7 * pow(depth, 1.5), 1e-12); /* the depth is a difference: 1e-16 of 0.1 m */
+        rig_free(&r);
+    }
+}
+
+/* The line's ends, on a roller or beside one, press as deep as they are in it, wherever the scene lies. */
+static void test_ends_anywhere(void **state)
+{
+    (void)state;
+    static const double starts[] = {-40, -3, 0, 5, 60}, along[] = {0.1, 0.02, -0.03, -0.06};
+    const double depth = 2e-3, radius = 0.1, rc = 0.04365;
+    for (int k = 0; k < 5 * 5 * 4 * 2; ++k) {
+        const Vec3 start = v3(starts[k % 5], 0, starts[k / 5 % 5]);
+        const double on = along[k / 25 % 4], beyond = on < 0 ? -on : 0; /* m from the end inward; behind it */
+        const double z = -sqrt(pow(radius + rc - depth, 2) - beyond * beyond);
+        const int head = k / 100;
+        Rig r;
+        level_new(&r, start, head ? 0.5 * N - on : on, z, radius);
+        assert_int_equal(planar_push(&r), 1);
+        assert_int_equal(r.s.pairs.hit[0].element, head ? N : 0);
+        const double force = hypot(r.on_roller[0][0], r.on_roller[0][1]);
+        check_share(force, 2e7 * pow(depth, 1.5), 1e-10); /* places of 60 m are rounded to 7e-15 m, of 2 mm of depth */
+        check_share(r.on_roller[0][1], force * z / (radius + rc - depth), 1e-10);
+        rig_free(&r);
+    }
+}
+
 /* No line point moves farther than the kernel says; a NaN is infinitely far. */
 static void test_moved(void **state)
 {
@@ -154,6 +207,10 @@ static void test_moved(void **state)
         memcpy(then.a[c], r.kin.a[c], N * sizeof(double));
     }
     check_equal(planar_contact_kernels()->moved(&r.chain, &r.kin, then.p, then.a), 0);
+    for (int k = 0; k < 2; ++k) { /* what stands where no segment is */
+        r.kin.p[0][N] = r.kin.a[1][N] = k ? NAN : 7;
+        check_equal(planar_contact_kernels()->moved(&r.chain, &r.kin, then.p, then.a), 0);
+    }
     r.kin.p[0][4] += 0.3;
     r.kin.p[1][4] += 0.4;
     r.kin.a[0][N - 1] += 0.1;
@@ -356,12 +413,78 @@ static void test_ghosts(void **state)
     }
 }
 
+/* A level line that is lifted as a whole, off a roller under any of its elements: the sum of all blocks is the law's
+ * own stiffness and damping, upward; along, without friction, nothing. */
+static void test_lifted(void **state)
+{
+    (void)state;
+    const double depth = 2e-3; /* deeper than where the damping is whole */
+    for (int e = 0; e <= N; ++e) {
+        Rig r;
+        PlanarBlocks blocks[2];
+        level_new(&r, V3_ZERO, 0.5 * e + (e == N ? -0.1 : 0.1), depth - 0.1 - 0.04365, 0.1);
+        assert_int_equal(planar_push(&r), 1);
+        assert_int_equal(r.s.pairs.hit[0].element, e);
+        for (int m = 0; m < 2; ++m) assert_true(chain_struct_alloc(&blocks[m], N));
+        planar_contact_blocks(&r.model, &r.chain, &r.kin, 0, &r.s.pairs, &blocks[0], &blocks[1]);
+        for (int m = 0; m < 2; ++m) {
+            const double expected = m ? -2e4 : -1.5 * 2e7 * sqrt(depth);
+            double up = 0, along = 0;
+            for (int i = 0; i < N; ++i) {
+                for (int j = i > 0 ? i - 1 : 0; j <= i + 1 && j < N; ++j) {
+                    up += block_entry(&blocks[m], i, j, 4);
+                    along += block_entry(&blocks[m], i, j, 0);
+                }
+            }
+            check_share(up, expected, 1e-12); /* the depth is known to 1e-17 m */
+            check_close(along, 0, 1e-12 * fabs(expected));
+            chain_struct_free(&blocks[m]);
+        }
+        rig_free(&r);
+    }
+}
+
+/* Contacts none of which presses: the kernel says so, and leaves what it was given. */
+static void test_no_columns(void **state)
+{
+    (void)state;
+    PlanarContactMatrix k, d;
+    const ImpactLaw impact = {.k = 2e7, .e = 1.5, .c = 2e4, .d = 1e-3};
+    const FrictionLaw friction = {.mu_s = 0.2, .mu_d = 0.15, .v_s = 5e-3, .v_d = 2e-2};
+    PlanarBatch batch = {.impact = &impact, .friction_scale = 1, .count = LANES};
+    double normal[LANES];
+    for (int pressed = 0; pressed < 2; ++pressed) {
+        memset(&k, 0x5a, sizeof k);
+        memset(&d, 0x5a, sizeof d);
+        for (int l = 0; l < LANES; ++l) { /* an arc of a metre over a roller in its middle */
+            batch.friction[l] = &friction;
+            batch.arc[l] = 1;
+            for (int b = 0; b < 2; ++b) {
+                batch.x[b][0][l] = b ? 0.5 : -0.5;
+                batch.r[b][0][l] = 0.5;
+                batch.radius[b][l] = 0.04;
+            }
+            batch.circle[l] = 0.1;
+            batch.centre[1][l] = -0.141 + (pressed && l == LANES - 1 ? 2e-3 : 0);
+        }
+        assert_int_equal(planar_contact_kernels()->columns(&batch, &k, &d, normal), pressed);
+        for (int l = 0; l < LANES; ++l) assert_int_equal(normal[l] > 0, pressed && l == LANES - 1);
+        const unsigned char *const byte[2] = {(const unsigned char *)&k, (const unsigned char *)&d};
+        int kept = 1;
+        for (size_t i = 0; i < sizeof k; ++i) kept &= byte[0][i] == 0x5a && byte[1][i] == 0x5a;
+        assert_int_equal(kept, !pressed);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_space),  cmocka_unit_test(test_reaction),  cmocka_unit_test(test_moved),
-        cmocka_unit_test(test_blocks), cmocka_unit_test(test_no_blocks), cmocka_unit_test(test_narrow),
-        cmocka_unit_test(test_ghosts),
+        cmocka_unit_test(test_lifted),        cmocka_unit_test(test_no_columns),
+        cmocka_unit_test(test_space),         cmocka_unit_test(test_reaction),
+        cmocka_unit_test(test_moved),         cmocka_unit_test(test_blocks),
+        cmocka_unit_test(test_no_blocks),     cmocka_unit_test(test_narrow),
+        cmocka_unit_test(test_ghosts),        cmocka_unit_test(test_node_above_roller),
+        cmocka_unit_test(test_ends_anywhere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -488,6 +488,20 @@ static void test_turned(void **state)
             assert_int_equal(self_clear_apart(&s.lines, part, &s.pairs, r), !k);
             *z = was[0];
             *a = was[1];
+            /* six tenths from either side, by shifts or by turns: neither alone uses up the gap, both do */
+            for (int how = 0; how < 4; ++how) {
+                const int own = range->element;
+                double *const mine = how & 1 ? &s.kin[0].a[2][own] : &s.kin[0].p[2][own];
+                double *const its = how & 2 ? &s.kin[1].a[2][other] : &s.kin[1].p[2][other];
+                const double old[2] = {*mine, *its}, each = 0.6 * found;
+                *mine += each / (how & 1 ? s.chain[0].half[own] : 1);
+                assert_true(self_clear_apart(&s.lines, part, &s.pairs, r));
+                *its += each / (how & 2 ? s.chain[1].half[other] : 1);
+                assert_false(self_clear_apart(&s.lines, part, &s.pairs, r));
+                *mine = old[0];
+                assert_true(self_clear_apart(&s.lines, part, &s.pairs, r));
+                *its = old[1];
+            }
             ++both;
         }
     }
@@ -496,12 +510,129 @@ static void test_turned(void **state)
     beside_free(&s);
 }
 
+/* Line 0 bends over line 1, which lies just where the middle of the bend's two centres is, and by so much beside it. */
+static Vec3 bent_over(double beside)
+{
+    const double half = 0.25, lean = 0.55;
+    Beside s;
+    beside_new(&s);
+    for (int i = 0; i < N; ++i) {
+        const int before = i < N / 2;
+        const double out = half * (before ? 2 * (N / 2 - i) - 1 : 2 * (i - N / 2) + 1); /* m along, from the joint */
+        s.chain[0].half[i] = s.chain[1].half[i] = half;
+        vec_store(s.kin[0].a, i, v3(cos(lean), 0, before ? sin(lean) : -sin(lean)));
+        vec_store(s.kin[0].p, i, v3((before ? -out : out) * cos(lean), 0, half * sin(lean) - out * sin(lean)));
+        vec_store(s.kin[1].a, i, v3(0, 1, 0));
+        vec_store(s.kin[1].p, i, v3(0, half * (2 * i - (N - 1)), beside));
+    }
+    refresh(&s);
+    check_above(load(&s, 0), 0);
+    const Vec3 force = force_on(&s, 0);
+    beside_free(&s);
+    return force;
+}
+
+/* Where the middle between two centres is on the other line to the last bit, there is no direction from the one to the
+ * other: the bend presses as it does just above and just below. */
+static void test_through_the_middle(void **state)
+{
+    (void)state;
+    const double step = 1e-6;
+    const Vec3 on = bent_over(0), above = bent_over(step), below = bent_over(-step);
+    check_above(on.z, 0);
+    /* what is left is the second difference: step squared, over the depth of some mm squared */
+    check_vec(on, v3_scale(0.5, v3_add(above, below)), 1e-6 * on.z);
+}
+
+/* Of the ranges that are looked at, none is known to be apart. */
+static void test_apart_is_not_looked_at(void **state)
+{
+    (void)state;
+    Beside s;
+    beside_new(&s);
+    lay(&s, 0, v3(-0.93, 0, 0), v3(1, 0, 0));
+    lay(&s, 1, v3(0, -0.86, 2 * SELF_RADIUS + 0.03), v3(0, 1, 0)); /* the spheres around the elements meet */
+    refresh(&s);
+    assert_int_equal(load(&s, 1), 0);
+    int apart = 0;
+    for (int part = 0; part < SELF_PARTS; ++part) {
+        const int from = part ? s.pairs.half : 0, to = part ? s.pairs.n_ranges : s.pairs.half;
+        int may = 0;
+        for (int r = from; r < to; ++r) may += !self_clear_apart(&s.lines, part, &s.pairs, r);
+        check_at_most(s.pairs.clear[part].vain, may);
+        apart += to - from - may;
+    }
+    print_message("%d of %d ranges apart\n", apart, s.pairs.n_ranges);
+    check_above(apart, 0);
+    beside_free(&s);
+}
+
+/* Damping takes from the force in proportion to the speed at which the cables part, until nothing is left: then no
+ * piece presses, and what the bed has goes into the damping. */
+static void test_parting(void **state)
+{
+    (void)state;
+    static const double share[] = {0, 0.25, 0.75, 1, 1.5, 40};
+    double still = 0;
+    for (int k = 0; k < 6; ++k) {
+        Beside s;
+        beside_new(&s);
+        lay(&s, 0, v3(-0.93, 0, 0), v3(1, 0, 0));
+        lay(&s, 1, v3(0, -0.86, 2 * SELF_RADIUS - 4e-3), v3(0, 1, 0));
+        for (int i = 0; i < N; ++i) vec_store(s.kin[1].v, i, v3(0, 0, share[k] / s.model.law.dissipation));
+        refresh(&s);
+        const int pressed = load(&s, 0);
+        if (k == 0) still = force_on(&s, 1).z;
+        if (share[k] < 1) {
+            check_above(pressed, 0);
+            check_share(force_on(&s, 1).z, (1 - share[k]) * still, 1e-12);
+        } else {
+            assert_int_equal(pressed, 0);
+            check_vec(force_on(&s, 1), V3_ZERO, 0);
+        }
+        const double damping = s.pairs.work[0].damping + s.pairs.work[1].damping,
+                     rate = share[k] / s.model.law.dissipation;
+        check_close(damping, fmin(share[k], 1) * still * rate, 1e-12 * still * rate);
+        beside_free(&s);
+    }
+}
+
+/* Cables that have gone apart since the candidates were found do not press, at their ends either. */
+static void test_gone(void **state)
+{
+    (void)state;
+    for (int end = 0; end < 3; ++end) { /* line 0 lies across line 1's tail, its middle, its head */
+        Beside s;
+        beside_new(&s);
+        lay(&s, 0, v3(-0.93, 0, 0), v3(1, 0, 0));
+        lay(&s, 1, v3(0, -0.05 - 0.85 * end, 2 * SELF_RADIUS - 1e-3), v3(0, 1, 0));
+        refresh(&s);
+        check_above(load(&s, 1), 0);
+        for (int i = 0; i < N; ++i) s.kin[1].p[2][i] += 0.5;
+        assert_int_equal(load(&s, 1), 0);
+        check_vec(force_on(&s, 0), V3_ZERO, 0);
+        check_equal(self_deepest(&s.model, &s.lines, &s.pairs).depth, -INFINITY);
+        beside_free(&s);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_crossing),       cmocka_unit_test(test_within),        cmocka_unit_test(test_blocks),
-        cmocka_unit_test(test_pattern),        cmocka_unit_test(test_beyond_ends),   cmocka_unit_test(test_turned),
-        cmocka_unit_test(test_thick_segments), cmocka_unit_test(test_fine_segments), cmocka_unit_test(test_fine_blocks),
-        cmocka_unit_test(test_held),           cmocka_unit_test(test_eyes),          cmocka_unit_test(test_beside)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_parting),
+                                       cmocka_unit_test(test_gone),
+                                       cmocka_unit_test(test_crossing),
+                                       cmocka_unit_test(test_within),
+                                       cmocka_unit_test(test_blocks),
+                                       cmocka_unit_test(test_pattern),
+                                       cmocka_unit_test(test_beyond_ends),
+                                       cmocka_unit_test(test_turned),
+                                       cmocka_unit_test(test_thick_segments),
+                                       cmocka_unit_test(test_fine_segments),
+                                       cmocka_unit_test(test_fine_blocks),
+                                       cmocka_unit_test(test_held),
+                                       cmocka_unit_test(test_eyes),
+                                       cmocka_unit_test(test_beside),
+                                       cmocka_unit_test(test_through_the_middle),
+                                       cmocka_unit_test(test_apart_is_not_looked_at)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

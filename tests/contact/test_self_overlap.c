@@ -149,11 +149,41 @@ static void several_lines(void **state)
     for (int l = 0; l < 2; ++l) self_free(&s[l]);
 }
 
+/* A segment that is longer or thicker than all others, at any place of the other line: met near its end, or beside it,
+ * it is as deep inside as it is. */
+static void odd_segments(void **state)
+{
+    (void)state;
+    enum { SEGMENTS = 5 };
+    for (int f = 0; f < SEGMENTS; ++f) {
+        for (int thick = 0; thick < 2; ++thick) {
+            const double small = 0.05, large = 1, fat = 5 * SELF_RADIUS;
+            SelfScene s[2];
+            for (int l = 0; l < 2; ++l) self_new(&s[l], SEGMENTS, 2 * small);
+            if (thick) s[1].chain.radius[f] = fat;
+            if (!thick) s[1].chain.half[f] = large;
+            self_strand(&s[1], 0, SEGMENTS, V3_ZERO, v3(0, 1, 0));
+            const Vec3 middle = vec_load(s[1].kin.p, f);
+            const double radii = SELF_RADIUS + s[1].chain.radius[f], apart = 0.8 * radii;
+            /* across, its own middle above a place of segment f */
+            const Vec3 at = v3_add(middle, v3(0, thick ? 0 : 0.9 * large, apart));
+            self_strand(&s[0], 0, SEGMENTS, v3_sub(at, v3(SEGMENTS * small, 0, 0)), v3(1, 0, 0));
+            const SelfLine line[2] = {{&s[0].chain, &s[0].kin, 0, 0}, {&s[1].chain, &s[1].kin, SEGMENTS, 0}};
+            const SelfOverlap found = self_overlap(&(SelfLines){2, line, 0});
+            check_close(found.share, 0.2, 1e-12);
+            assert_int_equal(found.line, 0);
+            assert_int_equal(found.other, 1);
+            assert_int_equal(found.opposite, f);
+            for (int l = 0; l < 2; ++l) self_free(&s[l]);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(strands_that_cross), cmocka_unit_test(arcs),          cmocka_unit_test(coils),
-        cmocka_unit_test(every_pair_counts),  cmocka_unit_test(several_lines),
+        cmocka_unit_test(every_pair_counts),  cmocka_unit_test(several_lines), cmocka_unit_test(odd_segments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -145,6 +145,26 @@ static void test_renumbered(void **state)
     scene_free(&s);
 }
 
+/* What was freed is as good as new: empty, freed once more, and of another size. */
+static void test_freed(void **state)
+{
+    (void)state;
+    StickStore store = {0};
+    for (int rollers = 1; rollers < 4; ++rollers) {
+        assert_true(stick_reserve(&store, rollers, 5));
+        store.fresh[0] = (StickRecord){rollers - 1, 1, 3, {0, 0, 1}};
+        stick_accept(&store, 2, 1);
+        check_vec(stick_kept(&store, rollers - 1, 1, 4), v3(0, 0, 1), 0);
+        check_vec(stick_kept(&store, rollers - 1, 0, 4), V3_ZERO, 0);
+        for (int k = 0; k < 2; ++k) {
+            stick_free(&store);
+            assert_true(!store.record && !store.fresh && !store.first);
+            assert_true(store.n == 0 && store.room == 0 && store.n_faces == 0);
+            check_equal(store.since, 0);
+        }
+    }
+}
+
 /* The moment at which a step is accepted changes nothing: held, called up in part, and sliding. */
 static void test_no_jump_at_a_step(void **state)
 {
@@ -352,6 +372,7 @@ int main(void)
         cmocka_unit_test(test_slides_like_adams),
         cmocka_unit_test(test_lean_goes_along),
         cmocka_unit_test(test_renumbered),
+        cmocka_unit_test(test_freed),
         cmocka_unit_test(test_no_jump_at_a_step),
         cmocka_unit_test(test_work_is_only_taken),
         cmocka_unit_test(test_derivatives),

@@ -157,6 +157,10 @@ static void test_action_and_reaction(void **state)
     Vec3 total = {0, 0, 0};
     for (int i = 0; i < s.chain.n; ++i) total = v3_add(total, vec_load(s.loads.f, i));
     const Vec3 reaction = v3_add(s.tally[0].force, s.tally[1].force);
+    const double *const sum = s.pairs.work.force;
+    check_vec(v3(sum[0], sum[1], sum[2]), total,
+              1e-13 * v3_norm(total)); /* another order of the same hundred numbers */
+    for (int c = 0; c < 3; ++c) check_above(fabs(sum[c]), 1);
     print_message("%d points, on the cable %.3f %.3f %.3f N\n", s.pairs.active, total.x, total.y, total.z);
     check_above(s.pairs.active, 20);
     check_above(v3_norm(total), 1000);

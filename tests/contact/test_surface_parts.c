@@ -359,7 +359,7 @@ static void test_v_at_any_depth(void **state)
             const double y = 0.002 * i, up = 0.003 * i, z = r - v.depth + up;
             for (int side = 0; side < 2; ++side) {
                 const SurfaceProbe found = surface_probe(&s.patch[side], v3(10, y, z));
-                const double toward = found.normal.y > 0 ? 1 : -1;
+                const double toward = side ? 1 : -1; /* as walls: checkpoints keep what sticks by faces' numbers */
                 check_close(found.distance, r + toward * cosine * y + sine * up, 1e-14);
                 check_vec(found.normal, v3(0, toward * cosine, sine), 1e-14);
             }
@@ -433,13 +433,250 @@ static void test_pressed(void **state)
     surfaces_free(&s);
 }
 
+/* The section's axis that is level on the left where the route has this tangent, by its definition (R2). */
+static Vec3 level(Vec3 tangent) { return v3_unit(v3(-tangent.y, tangent.x, 0)); }
+
+/* Trays along what bends and climbs at once: at both ends of every arc the section stands level (DU6). */
+static void test_level_at_both_ends(void **state)
+{
+    (void)state;
+    const RoutePieceDef def[] = {
+        {.kind = ROUTE_CUBIC, .cubic = {{10, 0, 4.2279}, {0, 6, -1}, {1, -5, 2}}},
+        {.kind = ROUTE_STRAIGHT, .length = 5},
+        {.kind = ROUTE_BEND, .radius = 4, .angle = 2.5, .plane = 0.7},
+        {.kind = ROUTE_STRAIGHT, .length = 5},
+    };
+    Route route;
+    assert_int_equal(route_build(&route, 4, def, V3_ZERO, 0, 0.4, NULL), HAWSER_OK);
+    SurfaceShape tray = surfaces_shape(SURFACE_FLAT, 0.5, route.length - 0.5);
+    const int n = surface_patch_count(&tray, &route);
+    SurfacePatch *const patch = malloc((size_t)n * sizeof *patch);
+    surface_patches(&tray, &route, 0, patch);
+    int twisted = 0;
+    for (int i = 0; i < n; ++i) {
+        const SurfacePatch *const p = &patch[i];
+        if (!p->twisted) continue;
+        for (int end = 0; end < 2; ++end) {
+            const double turn = end ? p->length / p->bend : 0;
+            const Vec3 side = v3_axpy(v3_scale(cos(turn), p->side), -sin(turn), p->tangent);
+            const Vec3 axis = v3_axpy(v3_scale(cos(p->roll[end]), side), sin(p->roll[end]), p->up);
+            /* arcs meet their ends' tangents to rounding over a length of metres */
+            check_vec(axis, level(end ? p->end_tangent : p->tangent), 1e-10);
+        }
+        ++twisted;
+    }
+    check_above(twisted, 8);
+    free(patch);
+    route_clear(&route);
+}
+
+/* Where a cable in a bent duct presses most is said along the route: between the two points of the element that does,
+ * weighted by what they carry, at the bend's radius times the angle about its centre. */
+static void test_most_pressed_in_bends(void **state)
+{
+    (void)state;
+    enum { N = 4 };
+    const double radius = 3, first = 1, deep = 2e-3;
+    const RoutePieceDef def[] = {{.kind = ROUTE_STRAIGHT, .length = first},
+                                 {.kind = ROUTE_BEND, .radius = radius, .angle = 3},
+                                 {.kind = ROUTE_STRAIGHT, .length = 1}};
+    for (int k = 0; k < 12; ++k) {
+        SurfaceScene s;
+        SurfaceDetail detail[SURFACE_POINTS * (N + 1) * 4];
+        surfaces_new(&s, N, 0.2);
+        surfaces_points(&s, GEOMETRY_SMOOTH);
+        surfaces_route(&s, 3, def, 0);
+        SurfaceShape duct = surfaces_shape(SURFACE_DUCT, 0.2, s.route.length - 0.2);
+        surfaces_add(&s, &duct);
+        surfaces_lay(&s, first + 0.6 * k, 0, -(duct.radius - CABLE_RADIUS)); /* on the bottom, */
+        for (int i = 0; i < N; ++i) s.kin.p[2][i] -= deep * (i + 1) / N;     /* and deeper toward the head */
+        surfaces_refresh(&s);
+        surfaces_forces(&s, 0);
+        Loads scratch;
+        assert_true(chain_struct_alloc(&scratch, N));
+        const int count = surface_details(&s.model, &s.chain, &s.kin, &s.pairs, &scratch, detail);
+        double sum = 0, moment = 0;
+        for (int d = 0; d < count; ++d) {
+            if (detail[d].element != N) continue; /* the head's half */
+            const Vec3 off = v3_sub(detail[d].point, v3(first, radius, 0));
+            sum += detail[d].normal;
+            moment += detail[d].normal * (first + radius * atan2(off.x, -off.y));
+        }
+        check_above(sum, 0);
+        check_close(s.tally[0].at, moment / sum, 1e-12);
+        check_between(s.tally[0].at, first + 0.6 * k + 0.7, first + 0.6 * k + 0.8);
+        chain_struct_free(&scratch);
+        surfaces_free(&s);
+    }
+}
+
+/* A part that begins where the beginning has faded in, and ends where the end begins to fade, needs no weight; those
+ * before and behind it do. */
+static void test_parts_between_the_fades(void **state)
+{
+    (void)state;
+    const RoutePieceDef def[] = {{.kind = ROUTE_STRAIGHT, .length = 2},
+                                 {.kind = ROUTE_STRAIGHT, .length = 3},
+                                 {.kind = ROUTE_STRAIGHT, .length = 2}};
+    SurfaceScene s;
+    surfaces_new(&s, 2, 0.5);
+    surfaces_route(&s, 3, def, 0);
+    SurfaceShape duct = surfaces_shape(SURFACE_DUCT, 1.75, 5.25);
+    duct.fade = 0.5; /* numbers without rounding */
+    surfaces_add(&s, &duct);
+    assert_int_equal(s.model.n_patches, 3);
+    for (int k = 0; k < 3; ++k) assert_int_equal(s.patch[k].along.used, k != 1);
+    for (double x = 1.375; x < 5.75; x += 0.125) {
+        const double in = (x - 1.5) / 0.5, out = (5.5 - x) / 0.5, least = fmax(0, fmin(1, fmin(in, out)));
+        double share = 0;
+        for (int k = 0; k < 3; ++k) {
+            const SurfaceProbe at = surface_probe(&s.patch[k], v3(x, 0, 0));
+            if (at.owned) share += at.share;
+        }
+        check_close(share, least * least * (3 - 2 * least), 1e-15);
+    }
+    surfaces_free(&s);
+}
+
+/* What the points are presumed to press with does not depend on how many parts the way has: each point is one part's,
+ * though its element is a candidate of the next one too. */
+static void test_presumed_across_parts(void **state)
+{
+    (void)state;
+    enum { N = 17, PARTS = 4 };
+    const RoutePieceDef def[PARTS] = {{.kind = ROUTE_STRAIGHT, .length = 2.1},
+                                      {.kind = ROUTE_STRAIGHT, .length = 1.7},
+                                      {.kind = ROUTE_STRAIGHT, .length = 2.3},
+                                      {.kind = ROUTE_STRAIGHT, .length = 3}};
+    const Presume gaps = {.from = PRESUME_GAPS}, last = {.from = PRESUME_LAST, .gravity = 10};
+    const double depth = 1e-3, carried[PARTS] = {40, 50, 60, 70}; /* N/m, by part */
+    SurfaceScene s;
+    surfaces_new(&s, N, 0.5);
+    surfaces_points(&s, GEOMETRY_SMOOTH);
+    surfaces_route(&s, PARTS, def, 0);
+    SurfaceShape floor = surfaces_shape(SURFACE_FLAT, -1, 9.5);
+    floor.depth = CABLE_RADIUS - depth;
+    surfaces_add(&s, &floor);
+    assert_int_equal(s.model.n_patches, PARTS + 2); /* before and behind the route too */
+    surfaces_refresh(&s);
+    check_above(s.pairs.candidates, N + 1);
+    for (int k = 0; k < 2; ++k) {
+        const double before[PARTS + 2] = {30, carried[0], carried[1], carried[2], carried[3], 80};
+        SurfacePresumed out = {0};
+        assert_true(surface_presume(&s.model, &s.chain, &s.kin, &s.pairs, k ? &last : &gaps, before, &out));
+        for (int e = 0; e <= N; ++e) {
+            for (int q = 0; q < SURFACE_POINTS; ++q) {
+                const Element element = element_at(GEOMETRY_SMOOTH, N, e);
+                const double gauss = 0.5 + (q ? 1 : -1) / sqrt(12);
+                const double u = e == 0 ? (q ? 2.0 / 3 : 0) : e == N ? (q ? 1 : 1.0 / 3) : gauss;
+                const double x = element_point(&element, &s.chain, &s.kin, u).x;
+                const int part = (x >= 2.1) + (x >= 3.8) + (x >= 6.1);
+                const double expected = k ? carried[part] : 3e8 * pow(depth, 1.5);
+                check_share(out.bed[0][q][e], expected, 1e-11); /* the depth is known to 1e-17 m */
+            }
+        }
+        surface_presumed_free(&out);
+    }
+    surfaces_free(&s);
+}
+
+/* As many patches are written as are counted, and nothing behind them. */
+static void test_as_many_as_counted(void **state)
+{
+    (void)state;
+    static const SurfaceKind kinds[] = {SURFACE_DUCT, SURFACE_FLAT, SURFACE_V, SURFACE_U, SURFACE_PLANE};
+    const RoutePieceDef def[] = {{.kind = ROUTE_STRAIGHT, .length = 3},
+                                 {.kind = ROUTE_BEND, .radius = 4, .angle = 1.2},
+                                 {.kind = ROUTE_CUBIC, .cubic = {{10, 0, 0}, {0, 6, 0}, {1, -5, 0}}}};
+    for (int k = 0; k < 6; ++k) { /* the last: a floor with walls */
+        SurfaceScene s;
+        surfaces_new(&s, 2, 0.5);
+        surfaces_route(&s, 3, def, 0);
+        SurfaceShape shape = surfaces_shape(kinds[k < 5 ? k : 1], 1, s.route.length + 1);
+        if (k == 5) shape.height = 0.1;
+        const int n = surface_patch_count(&shape, &s.route);
+        const size_t size = (size_t)n * sizeof(SurfacePatch), behind = 3 * sizeof(SurfacePatch);
+        unsigned char *const bytes = malloc(size + behind);
+        memset(bytes, 0x5a, size + behind);
+        surface_patches(&shape, &s.route, 3, (SurfacePatch *)(void *)bytes);
+        for (size_t i = size; i < size + behind; ++i) assert_int_equal(bytes[i], 0x5a);
+        for (int i = 0; i < n; ++i) assert_int_equal(((const SurfacePatch *)(const void *)bytes)[i].surface, 3);
+        free(bytes);
+        surfaces_free(&s);
+    }
+}
+
+/* A trough is the lower half of a tube that touches its bottom, with upright sides from its centre on. */
+static void test_u_at_any_depth(void **state)
+{
+    (void)state;
+    const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 20};
+    for (int k = 0; k < 8; ++k) {
+        SurfaceScene s;
+        surfaces_new(&s, 2, 0.5);
+        surfaces_route(&s, 1, &straight, 0);
+        SurfaceShape u = surfaces_shape(SURFACE_U, 2, 18);
+        u.depth = 0.02 + 0.02 * k;
+        u.radius = 0.08 + 0.01 * k;
+        surfaces_add(&s, &u);
+        assert_int_equal(s.model.n_patches, 1);
+        const double centre = u.radius - u.depth; /* above the route */
+        check_close(surface_probe(&s.patch[0], V3_ZERO).distance, centre > 0 ? u.depth : u.radius, 1e-15);
+        for (int i = -6; i <= 6; ++i) {
+            for (int j = -6; j <= 6; ++j) {
+                const double y = 0.01 * i + 0.003, z = 0.01 * j + 0.002, off = hypot(y, z);
+                const SurfaceProbe found = surface_probe(&s.patch[0], v3(10, y, centre + z));
+                check_close(found.distance, u.radius - (z > 0 ? fabs(y) : off), 1e-14);
+                check_vec(found.normal, z > 0 ? v3(0, y > 0 ? -1 : 1, 0) : v3(0, -y / off, -z / off), 1e-12);
+            }
+        }
+        surfaces_free(&s);
+    }
+}
+
+/* Behind a route that ends in a curve, as before one that begins with one, the way is one straight. */
+static void test_way_beyond_curves(void **state)
+{
+    (void)state;
+    const RoutePieceDef def = {.kind = ROUTE_CUBIC, .cubic = {{10, 0, 1}, {0, 6, 0}, {1, -5, 0}}};
+    Route route;
+    assert_int_equal(route_build(&route, 1, &def, V3_ZERO, 0, 0, NULL), HAWSER_OK);
+    const double ends[2][2] = {{-2, 0}, {route.length, route.length + 2}};
+    for (int k = 0; k < 2; ++k) {
+        SurfacePatch way[SURFACE_WAY_MAX];
+        double s = ends[k][0];
+        assert_int_equal(surface_way(&route, &s, ends[k][1], 1, way), 1);
+        check_equal(s, ends[k][1]);
+        check_equal(way[0].bend, 0);
+        check_equal(way[0].length, 2);
+        const RoutePoint at = route_at(&route, k ? route.length : 0);
+        check_vec(way[0].tangent, at.tangent, 1e-15);
+        check_vec(k ? way[0].start : way[0].end, at.position, 1e-15);
+    }
+    double s = 0;
+    SurfacePatch way[SURFACE_WAY_MAX];
+    assert_int_equal(surface_way(&route, &s, route.length, 1, way), 2);
+    route_clear(&route);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_curves),           cmocka_unit_test(test_tight_bends),
-        cmocka_unit_test(test_ends_of_sections), cmocka_unit_test(test_upright_curves),
-        cmocka_unit_test(test_v_at_any_depth),   cmocka_unit_test(test_candidates_along_any_way),
-        cmocka_unit_test(test_pressed),          cmocka_unit_test(test_planes),
-        cmocka_unit_test(test_candidates),       cmocka_unit_test(test_details)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_presumed_across_parts),
+                                       cmocka_unit_test(test_as_many_as_counted),
+                                       cmocka_unit_test(test_u_at_any_depth),
+                                       cmocka_unit_test(test_way_beyond_curves),
+                                       cmocka_unit_test(test_curves),
+                                       cmocka_unit_test(test_tight_bends),
+                                       cmocka_unit_test(test_ends_of_sections),
+                                       cmocka_unit_test(test_upright_curves),
+                                       cmocka_unit_test(test_v_at_any_depth),
+                                       cmocka_unit_test(test_candidates_along_any_way),
+                                       cmocka_unit_test(test_pressed),
+                                       cmocka_unit_test(test_planes),
+                                       cmocka_unit_test(test_candidates),
+                                       cmocka_unit_test(test_details),
+                                       cmocka_unit_test(test_level_at_both_ends),
+                                       cmocka_unit_test(test_most_pressed_in_bends),
+                                       cmocka_unit_test(test_parts_between_the_fades)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,6 +10,31 @@ enum { N = 6 };
 
 static const FrictionLaw sticky = {.mu_s = 0.3, .mu_d = 0.2, .v_s = 5e-3, .v_d = 2e-2, .d_s = 1e-3};
 
+/* Some surface sticks if one does, whichever it is, and that one alone remembers. */
+static void test_which_stick(void **state)
+{
+    (void)state;
+    for (int which = 0; which < 8; ++which) {
+        SurfaceScene s;
+        surfaces_new(&s, N, 0.5);
+        for (int k = 0; k < 3; ++k) {
+            const SurfaceShape plane = surfaces_shape(SURFACE_PLANE, 0, 0);
+            surfaces_add(&s, &plane);
+            if (which >> k & 1) s.friction[k] = sticky;
+        }
+        assert_int_equal(surface_sticks(&s.model), which != 0);
+        assert_true(surface_pairs_sticks(&s.pairs, &s.model, N));
+        assert_int_equal(s.pairs.stick.n_beds, 3 * SURFACE_FACES_MAX);
+        for (int b = 0; b < 3 * SURFACE_FACES_MAX; ++b)
+            assert_int_equal(s.pairs.stick.bed[b].lean[0][0] != NULL, which >> b / SURFACE_FACES_MAX & 1);
+        for (int k = 0; k < 2; ++k) { /* twice does no harm */
+            surface_stick_free(&s.pairs.stick);
+            assert_true(s.pairs.stick.n_beds == 0 && !s.pairs.stick.bed);
+        }
+        surfaces_free(&s);
+    }
+}
+
 /* A crooked chain that moves, a little inside a surface of this kind. */
 static void scene_make(SurfaceScene *s, SurfaceKind kind, double speed, uint64_t *seed)
 {
@@ -227,11 +252,9 @@ static void test_lean_is_laid_flat(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_derivatives),
-        cmocka_unit_test(test_steps),
-        cmocka_unit_test(test_holds),
-        cmocka_unit_test(test_renumbered),
-        cmocka_unit_test(test_lean_is_laid_flat),
+        cmocka_unit_test(test_which_stick), cmocka_unit_test(test_derivatives),
+        cmocka_unit_test(test_steps),       cmocka_unit_test(test_holds),
+        cmocka_unit_test(test_renumbered),  cmocka_unit_test(test_lean_is_laid_flat),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
