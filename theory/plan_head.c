@@ -12,7 +12,8 @@ static int sign_of(int way) { return way == PLAN_BACKWARD ? -1 : 1; }
 static int restarts_alike(const PlanDef *def)
 {
     for (int i = 0; i < def->n_stretches; i++) {
-        if (def->stretch[i].mu_static > def->stretch[i].mu) return 0;
+        const PullStretch *const s = &def->stretch[i];
+        if (s->mu_static > s->mu || s->mu_rope_static > s->mu_rope) return 0;
     }
     return 1;
 }
@@ -183,14 +184,14 @@ static double cable_tension(const Pull *pull, int *span, double s)
 }
 
 /* The rope's tension at `to`, from `from` on, without a corner between them. */
-static double rope_onward(const PlanDef *def, int way, double from, double to, double tension)
+static double rope_onward(const PlanDef *def, int way, int restart, double from, double to, double tension)
 {
     const double middle = from + (to - from) / 2;
     const PullStretch *const s = stretch_at(def->n_stretches, def->stretch, middle);
     const SpanLaw law = {.law = def->law,
                          .direction = sign_of(way),
                          .weight = def->rope_weight,
-                         .mu = s->mu_rope,
+                         .mu = restart ? fmax(s->mu_rope, s->mu_rope_static) : s->mu_rope,
                          .separate = s->separate,
                          .line = span_line(def->route, middle)};
     return span_integrate(&law, from, tension, to, NULL);
@@ -210,7 +211,7 @@ static hawser_status section_top(const PlanDef *def, const DuctLoad *load, int w
     double tightest = -INFINITY;
     for (int span = 0, first = *i; *i < places->n && sign_of(way) * (places->s[*i] - section.to) <= 0; ++*i) {
         const double s = places->s[*i];
-        if (*i > first) tightest = rope_onward(def, way, places->s[*i - 1], s, tightest);
+        if (*i > first) tightest = rope_onward(def, way, restart, places->s[*i - 1], s, tightest);
         const double own = cable_tension(&cable, &span, s);
         if (own > tightest) *top = *i;
         tightest = fmax(own, tightest);

@@ -128,7 +128,8 @@ static PullStretch stretch_make(const PlanDef *def, const DuctLoad *load, int wa
     s.from = begin;
     if (sign_of(way) * (middle - head) > 0) {
         s.weight = def->rope_weight;
-        s.mu = s.mu_static = s.mu_rope;
+        s.mu = s.mu_rope;
+        s.mu_static = s.mu_rope_static;
         s.share = 1;
         return s;
     }

@@ -147,7 +147,7 @@ static const struct SimpleRemedy {
     {"rope_bend", 0, "sheaves and bends of at least ", " times the rope's diameter"},
     {"conveyor", 0, "more conveyors, each with at most ", ""},
     {"squeeze", 0, "longer conveyors or more of them, pressing with at most ", ""},
-    {"run_away", 1, "a brake of ", " where the pull begins (drive.tail.tension)"},
+    {"run_away", 1, "a brake of ", " more where the pull begins (drive.tail.tension)"},
     {"trip", 0, "a winch that stops at ", " (drive.winch.trip)"},
     {"speed", 0, "a winch that pulls with at most ", " (drive.winch.speed)"},
 };

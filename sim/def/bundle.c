@@ -147,6 +147,9 @@ double bundle_friction(const SceneDef *def, const SurfaceDef *surface, int in_be
 double bundle_share(const SceneDef *def, const SurfaceDef *surface)
 {
     DuctLoad load;
+    const int several = surface && surface->several.cables > 0; /* chains beside each other: each has its own tension */
+    if (several && !duct_load(&surface->several, &load, NULL))
+        return load.sidewall_factor * (surface->several.cables + surface->several.thinner);
     if (!bundle_present(&def->bundle)) return 1;
     return load_there(def, surface, &load) ? load.sidewall_factor : def->bundle.shape.share;
 }

@@ -23,13 +23,15 @@ static hawser_status friction_set(const Scene *scene, Stretches *s, hawser_error
             if (longer[i].from < def->from || longer[i].from >= def->to) continue;
             const double middle = i + 1 < s->n ? (longer[i].from + longer[i + 1].from) / 2 : longer[i].from + 1;
             const int in_bend = scene->route.piece[route_at(&scene->route, middle).piece].kind != ROUTE_STRAIGHT;
-            const double correction = bundle_friction(&scene->def, surface_at(&scene->def, middle), in_bend);
+            const double correction = surface_correction(&scene->def, surface_at(&scene->def, middle), in_bend);
             longer[i].mu_rope = def->mu;
+            longer[i].mu_rope_static = def->mu_s;
             longer[i].mu = correction * def->mu;
             longer[i].mu_static = correction * def->mu_s;
         }
     }
-    for (int i = 0; i < s->n && !isnan(theory->rope_mu); ++i) longer[i].mu_rope = theory->rope_mu;
+    for (int i = 0; i < s->n && !isnan(theory->rope_mu); ++i)
+        longer[i].mu_rope = longer[i].mu_rope_static = theory->rope_mu;
     return HAWSER_OK;
 }
 
@@ -359,16 +361,27 @@ static hawser_status places_vary(const Calculator *base, const Variation *by, Ca
         s->mu *= by->friction;
         s->mu_static *= by->friction;
         s->mu_rope *= by->friction;
+        s->mu_rope_static *= by->friction;
     }
     for (int i = 0; i < c->n_pushers; ++i) c->pusher[i].at = place_on(c->route, base->route, c->pusher[i].at);
     for (int i = 0; i < c->def.n_steps; ++i) c->step[i].at = place_on(c->route, base->route, c->step[i].at);
     return HAWSER_OK;
 }
 
+/* Whether a limit asks for what the winch needs, wherever the head is: of rope, winch, eye or trip. */
+static int peaks_count(const Scene *scene)
+{
+    const LimitsDef *const limits = &scene->def.limits;
+    char source[sizeof((hawser_limit *)0)->source];
+    return !isnan(limits->rope_strength) || !isnan(limits->winch_capacity) ||
+           !isnan(limits_attachment(limits, source)) || scene->def.winch.trip.force > 0 ||
+           scene->def.winch.trip.factor > 0;
+}
+
 hawser_status calculator_vary(const Scene *scene, const Calculator *base, const Variation *by, Calculator *out,
                               hawser_error *err)
 {
-    const double apart = isnan(scene->def.limits.rope_strength) ? NAN : INFINITY;
+    const double apart = peaks_count(scene) ? INFINITY : NAN;
     *out = (Calculator){.cables = base->cables, .route = base->route, .def = base->def};
     out->def.n_steps = 0;
     out->def.beyond = by->beyond;

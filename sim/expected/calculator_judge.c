@@ -36,11 +36,11 @@ static Finding sidewall_finding(const Route *route, const PlanWay *way)
 /* The rated roller that is loaded most for its rating, by the piece on which it stands or a bend beside it. */
 static Finding roller_finding(const Scene *scene, const Calculator *c, const PlanWay *way)
 {
-    Finding worst = {.value = NAN};
+    Finding worst = {.value = NAN}, unknown = {.value = NAN};
     for (int r = 0; r < scene->def.n_rollers; ++r) {
         const RollerDef *const roller = &scene->def.rollers[r];
         if (isnan(roller->s) && roller->rating > 0)
-            snprintf(worst.why, sizeof worst.why, "of rollers.list and obstacles theory knows no load: a run does");
+            snprintf(unknown.why, sizeof unknown.why, "of rollers.list and obstacles theory knows no load: a run does");
         if (isnan(roller->s) || !(roller->rating > 0)) continue;
         const double load = way->piece[route_at(&scene->route, roller->s).piece].roller_load;
         if (load > 0) finding_load(&worst, roller->name, load, roller->rating);
@@ -50,7 +50,8 @@ static Finding roller_finding(const Scene *scene, const Calculator *c, const Pla
         const double load = way->piece[c->bearer[i].piece].roller_load;
         if (load > 0) finding_load(&worst, roller->name, load, roller->rating);
     }
-    return worst;
+    const int broken = worst.value > worst.rating / scene->def.limits.roller_factor;
+    return *unknown.why && !broken ? unknown : worst;
 }
 
 double calculator_peak(const Scene *scene, const Calculator *c, int way)
@@ -164,11 +165,25 @@ static int friction_given(const Scene *scene, double s)
     return isnan(s) && given >= scene->route.length * (1 - 1e-9);
 }
 
-static void friction_take(const FrictionLaw *law, const char *name, double *most, const char **which)
+/* The largest friction that something has, in motion or from rest. */
+typedef struct Rough {
+    double mu;
+    const char *name;
+} Rough;
+
+static double at_rest(const FrictionLaw *law) { return fmax(law->mu_s, law->mu_d); }
+
+/* wedge: by how much walls that stand aslant press more than what lies between them weighs (GR9), (BU7). */
+static void friction_take(const FrictionLaw *law, double wedge, const char *name, Rough rough[2])
 {
-    if (!(law->mu_d > *most)) return;
-    *most = law->mu_d;
-    *which = name;
+    const double mu[2] = {law->mu_d * wedge, at_rest(law) * wedge};
+    for (int k = 0; k < 2; ++k)
+        if (mu[k] > rough[k].mu) rough[k] = (Rough){mu[k], name};
+}
+
+static double wedge_of(const RollerDef *roller)
+{
+    return roller->profile == SHAPE_V_GROOVE ? 1 / roller->groove.sine : 1;
 }
 
 /* The friction of rows, listed rollers and planes is a run's; where there is more of it than of the case's, theory's
@@ -176,24 +191,25 @@ static void friction_take(const FrictionLaw *law, const char *name, double *most
 static hawser_condition friction_of(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
-    double most = def->friction.mu_d;
-    const char *which = "";
+    const double given[2] = {def->friction.mu_d, at_rest(&def->friction)};
+    Rough rough[2] = {{given[0], ""}, {given[1], ""}};
     for (int r = 0; r < def->n_rollers; ++r) {
         const RollerDef *const roller = &def->rollers[r];
         if (!(roller->spin.inertia > 0) && !friction_given(scene, roller->s))
-            friction_take(&roller->friction, roller->name, &most, &which);
+            friction_take(&roller->friction, wedge_of(roller), roller->name, rough);
     }
     for (int k = 0; k < def->n_surfaces; ++k) {
         const SurfaceDef *const surface = &def->surfaces[k];
         if (!surface_along_route(surface) && !friction_given(scene, NAN))
-            friction_take(&surface->friction, surface->name, &most, &which);
+            friction_take(&surface->friction, 1, surface->name, rough);
     }
-    hawser_condition c = {.name = "friction", .unit = "1", .value = most, .allowed = def->friction.mu_d};
-    c.holds = most <= c.allowed * (1 + 1e-9);
+    const int rests = !(rough[0].mu > given[0] * (1 + 1e-9)); /* what is asked last: friction from rest */
+    hawser_condition c = {.name = "friction", .unit = "1", .value = rough[rests].mu, .allowed = given[rests]};
+    c.holds = c.value <= c.allowed * (1 + 1e-9);
     snprintf(c.remedy, sizeof c.remedy,
-             "'%s' has a friction of its own, %g, and the calculation takes friction.mu, %g: give that, or "
+             "'%s' has a friction of its own%s, %g, and the calculation takes friction.%s, %g: give that, or "
              "theory.stretches",
-             which, most, c.allowed);
+             rough[rests].name, rests ? " from rest" : "", c.value, rests ? "mu_s" : "mu", c.allowed);
     return c;
 }
 

@@ -220,10 +220,17 @@ static hawser_status way_run_away(const Scene *scene, const Route *route, const 
     return HAWSER_OK;
 }
 
-/* The largest push of a conveyor. */
-static Finding conveyor_push(const Calculator *c, int way)
+/* The largest push: of a conveyor, of what a machine of the section `theory` takes off, of what feeds the cable. */
+static Finding largest_push(const Calculator *c, int way)
 {
-    Finding f = {0};
+    const Pull *const pull = &c->plan.way[way].pull;
+    Finding f = {.value = c->def.feed};
+    snprintf(f.where, sizeof f.where, "%s", c->def.feed > 0 ? "theory.feed" : "");
+    for (int i = 0; i < c->def.n_steps; ++i) {
+        const PullStep *const step = &c->def.step[i];
+        const double taken = fmin(step->force, fmax(0, pull_at(pull, step->at).tension));
+        if (step->kind == STEP_TAKE && taken > f.value) f = finding_at(c->route, taken, step->at);
+    }
     for (int i = 0; i < c->n_pushers; ++i) {
         const double force = fabs(c->push[way][i].force);
         if (c->pusher[i].room->kind != &CONVEYOR_ROOM || force < f.value) continue;
@@ -239,13 +246,14 @@ hawser_status findings_of_way(const Scene *scene, const Route *route, const Calc
     const PlanWay *const w = &c->plan.way[way];
     finding[LIMIT_ATTACHMENT].value = finding[LIMIT_ROPE].value - w->rope;
     finding[LIMIT_WINCH].value = finding[LIMIT_ROPE].value;
-    finding[LIMIT_PUSH] = conveyor_push(c, way);
+    finding[LIMIT_PUSH] = largest_push(c, way);
     const hawser_status status = way_run_away(scene, route, c, way, &finding[LIMIT_RUN_AWAY], err);
     if (status) return status;
     findings_trip(scene, w->force, finding[LIMIT_ROPE].value, w->rope - scene->def.theory.drawn[way],
                   &finding[LIMIT_TRIP]);
     if (finding[LIMIT_RUN_AWAY].value > 0) finding[LIMIT_TRIP].steady = NAN;
     findings_of_scene(scene, route, 0, finding);
+    if (c->def.feed > 0 || scene->def.theory.n_machines > 0) finding[LIMIT_PUSH].absent = 0;
     return HAWSER_OK;
 }
 

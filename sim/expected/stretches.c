@@ -113,11 +113,14 @@ static PullStretch stretch_make(const Scene *scene, const Corners *c, int i)
     const FrictionLaw *const law = surface ? &surface->friction : &scene->def.friction;
     const int in_bend = scene->route.piece[route_at(&scene->route, middle).piece].kind != ROUTE_STRAIGHT;
     const double mu = surface ? surface_theory_friction(&scene->def, surface, in_bend) : law->mu_d;
+    const double mu_rope = surface ? mu / bundle_friction(&scene->def, surface, in_bend) : mu;
+    const double at_rest = law->mu_d > 0 ? law->mu_s / law->mu_d : NAN;
     return (PullStretch){.from = c->s[i],
                          .weight = scene->cable_weight,
                          .mu = mu,
-                         .mu_rope = surface ? mu / bundle_friction(&scene->def, surface, in_bend) : mu,
-                         .mu_static = law->mu_d > 0 ? mu * law->mu_s / law->mu_d : law->mu_s,
+                         .mu_rope = mu_rope,
+                         .mu_rope_static = law->mu_d > 0 ? mu_rope * at_rest : law->mu_s,
+                         .mu_static = law->mu_d > 0 ? mu * at_rest : law->mu_s,
                          .separate = is_separate(scene, c, surface, middle),
                          .share = bundle_share(&scene->def, surface)};
 }
