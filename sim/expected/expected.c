@@ -28,18 +28,6 @@ static double rope_end(const Scene *scene, double moved)
     return fmin(scene->route.length, scene->joint_s[scene->total] + moved);
 }
 
-/* What the reel's brake and bearing hold back with at full speed, and the back tension, with the front at s. */
-static double reel_tension(const Scene *scene, double front, double back)
-{
-    Reel r = *scene->reel;
-    const double wound = r.total - front - scene->def.reel.distance;
-    if (wound <= 0 && !r.fixed) return 0;
-    r.wound = fmax(wound, 0);
-    r.last = 0;
-    r.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = back};
-    return reel_resistance(&r, r.half, scene->largest_speed, scene->def.duration, 1, NULL, NULL);
-}
-
 /* What pulls the cable off a drum on which it is wound, in steady motion: the brake, and the work of straightening
  * (CC25). */
 static double drum_tension(const Scene *scene)
@@ -62,13 +50,7 @@ static void front_set(const Scene *scene, double front, double back, Expected *o
         out->to = out->rope_to = fmin(front, scene->route.length);
         out->from = fmin(tail, out->to);
     }
-    out->start_tension = scene->reel->winding.turns > 0 ? reel_tension(scene, front, back) : back;
-}
-
-/* Of the tail or the reel, N. */
-static const Profile *back_profile(const Scene *scene)
-{
-    return scene->reel->winding.turns > 0 ? &scene->reel->tension : &scene->tail;
+    out->start_tension = scene->reel->winding.turns > 0 ? starts_reel(scene, front, back) : back;
 }
 
 /* The counted stretch: up to where the cable's front was at t = 0, unless theory follows it. Without a lead-in the
@@ -78,12 +60,12 @@ static void stretch_of(const Scene *scene, Expected *out)
     const double from = scene->def.output.steady_from, to = scene->def.duration;
     const double moved = (expected_travel(scene, from) + expected_travel(scene, to)) / 2,
                  front = scene->joint_s[scene->eye];
+    const Starts start = starts_of_pull(scene);
+    out->largest_start = start.largest;
+    out->start_fall = start.largest - start.least;
     if (expected_follows(scene)) {
         const double end = scene->winch->take_in.present ? winch_place(scene) : scene->route.length;
         const double place = fmin(front + moved, end);
-        front_set(scene, place, profile_largest(back_profile(scene)), out);
-        out->largest_start = out->start_tension;
-        out->start_fall = profile_largest(back_profile(scene)) - profile_least_risen(back_profile(scene));
         front_set(scene, place, expected_back(scene, (from + to) / 2), out);
         out->passed = fmin(front + expected_travel(scene, from), end);
         return;
@@ -92,8 +74,6 @@ static void stretch_of(const Scene *scene, Expected *out)
     out->from = scene->weight.lead_in ? 0 : scene->joint_s[0] + shift;
     out->to = out->rope_to = out->passed = front + shift;
     out->start_tension = profile_value(&scene->tail, scene->def.duration);
-    out->largest_start = profile_largest(&scene->tail);
-    out->start_fall = out->largest_start - profile_least_risen(&scene->tail);
     if (!scene->drum->present) return;
     out->start_tension = out->largest_start = drum_tension(scene);
     out->start_fall = 0;
@@ -191,7 +171,7 @@ double expected_push(const Expected *e, const Room *room, int item)
     return NAN;
 }
 
-double expected_back(const Scene *scene, double t) { return profile_value(back_profile(scene), t); }
+double expected_back(const Scene *scene, double t) { return profile_value(starts_back(scene), t); }
 
 hawser_status expected_at(const Scene *scene, double front, double back, Expected *out, hawser_error *err)
 {

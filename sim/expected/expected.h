@@ -12,7 +12,7 @@ typedef struct Expected {
     double rope_to;       /* m: up to there rope lies ahead of it on the route and counts; `to` if it does not */
     double passed;        /* m: cable passes all stations before this during the whole window */
     double start_tension; /* N, at `from` */
-    double largest_start; /* N, the same with the largest back tension that comes, at whatever time, */
+    double largest_start; /* N, the largest that comes there in the whole pull, whenever that is, */
     double start_fall;    /* N, and by how much that is less at times, once it has risen from where it begins */
     int n_steps;
     Pusher *pusher;     /* [n_steps] owned, by the route's order: what pushes the cable */
@@ -46,6 +46,23 @@ hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, 
 /* What a room's item is reckoned to push with, N; NAN if it is no pusher. */
 double expected_push(const Expected *e, const Room *room, int item);
 void expected_free(Expected *e);
+
+/* ---------------------------------------------------------------- what holds back where the route begins: starts.c */
+
+/* Of the tail or the reel, N. */
+const Profile *starts_back(const Scene *scene);
+
+/* What the reel's brake and bearing hold back with at full speed, and the back tension, with the cable's front at
+ * `front` (m along the route), N; 0 once the cable has left it. */
+double starts_reel(const Scene *scene, double front, double back);
+
+/* The tension there while the front goes from where it begins to the route's end. */
+typedef struct Starts {
+    double largest, least; /* N; least: once the back tension has risen from where it begins */
+} Starts;
+Starts starts_of_pull(const Scene *scene);
+
+/* ------------------------------------------------------------------------------------------------------ findings */
 
 /* For limits: a value that was found at s m along the route, with the place in words; at the end of a piece that of the
  * piece ahead, or of the one that is meant. */

@@ -1,0 +1,72 @@
+#include "sim/expected/expected.h"
+
+#include <math.h>
+
+#include "hawser/hawser.h"
+#include "sim/equipment/reel.h"
+#include "sim/equipment/winch.h"
+
+const Profile *starts_back(const Scene *scene)
+{
+    return scene->reel->winding.turns > 0 ? &scene->reel->tension : &scene->tail;
+}
+
+/* ------------------------------------------------------------------------------------------------ the reel */
+
+/* The length on the drum with the front there, m; below 0: the cable has left it. */
+static double wound_at(const Scene *scene, double front)
+{
+    return scene->reel->total - front - scene->def.reel.distance;
+}
+
+/* With so much wound (m) and so much pulled at full speed. */
+static double reel_with(const Scene *scene, const Reel *reel, double wound, double back)
+{
+    Reel r = *reel;
+    r.wound = fmax(wound, 0);
+    r.last = 0;
+    r.tension = profile_level(back);
+    return reel_resistance(&r, r.half, scene->largest_speed, scene->def.duration, 1, NULL, NULL);
+}
+
+double starts_reel(const Scene *scene, double front, double back)
+{
+    const double wound = wound_at(scene, front);
+    return wound <= 0 && !scene->reel->fixed ? 0 : reel_with(scene, scene->reel, wound, back);
+}
+
+/* The largest or the least share of its torque that the brake gives, by the script (K5). */
+static double share_braked(const Scene *scene, int largest)
+{
+    double share = 1;
+    for (int i = 0; i < scene->def.n_script; ++i) {
+        const Command *const c = &scene->def.script[i].command;
+        if (c->kind != HAWSER_REEL_BRAKE || !(scene->reel->torque > 0)) continue;
+        const double told = c->value / scene->reel->torque;
+        share = largest ? fmax(share, told) : fmin(share, told);
+    }
+    return share;
+}
+
+/* The radius shrinks as the cable leaves, so that the brake holds most at the end, with the last of it still on the
+ * drum, and least at the beginning; a cable that leaves the drum on the way is held by nothing then. */
+static Starts reel_range(const Scene *scene)
+{
+    const double in = scene->winch->take_in.present ? winch_place(scene) : 0, last = fmax(scene->route.length, in);
+    const double before = wound_at(scene, scene->joint_s[scene->eye]), after = wound_at(scene, last);
+    Reel r = *scene->reel;
+    Starts out;
+    r.braked = profile_level(share_braked(scene, 1));
+    out.largest = reel_with(scene, &r, after, profile_largest(&r.tension));
+    r.braked = profile_level(share_braked(scene, 0));
+    out.least = after < 0 && !r.fixed ? 0 : reel_with(scene, &r, before, profile_least_risen(&r.tension));
+    return out;
+}
+
+/* ----------------------------------------------------------------------------------------------- the whole */
+
+Starts starts_of_pull(const Scene *scene)
+{
+    if (scene->reel->winding.turns > 0) return reel_range(scene);
+    return (Starts){profile_largest(&scene->tail), profile_least_risen(&scene->tail)};
+}
