@@ -160,10 +160,9 @@ static hawser_status fill_pieces(const PlanDef *def, PlanWay *way, hawser_error 
 static hawser_status least_take(const PlanDef *def, const DuctLoad *load, const PlanPullDef *what, Pull *pull,
                                 hawser_error *err)
 {
-    PlanDef slack = *def;
+    const PlanDef slack = plan_slack(def);
     Pull low;
-    if (!(def->back_fall > 0)) return HAWSER_OK;
-    slack.back_tension -= def->back_fall;
+    if (!plan_slackens(def)) return HAWSER_OK;
     const hawser_status status = plan_pull(&slack, load, what, &low, err);
     if (status) return status;
     if (low.min_tension < pull->min_tension) {

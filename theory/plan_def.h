@@ -27,6 +27,10 @@ typedef struct PlanDef {
     double rope_length;      /* m of cable whose weight is the allowance for the rope (eq. 9: 5) */
     double back_tension;     /* N, added to the reel's: a brake */
     double back_fall;        /* N, by which that is less at times: what slackens or runs away does so then */
+    double behind;           /* m of cable behind the route's start, on its line, as the pull forward begins, */
+    double behind_least;     /* m, and what is left of it when the head is at the end */
+    int behind_slides;       /* it lies on what the route begins with; 0: on a track without friction */
+    int slack;               /* what is asked is when all this holds back least */
     double feed;             /* N, by which the cable is pushed where the pull begins */
     double rope_force;       /* N, added to the rope's allowance: a drag */
     double drawn[PLAN_WAYS]; /* N, the same of each way: of the cables behind, if it is a rope that is pulled (SC15) */

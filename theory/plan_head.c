@@ -367,10 +367,9 @@ static hawser_status brake_force(const PlanDef *def, const DuctLoad *load, int w
 hawser_status plan_brake(const PlanDef *def, const DuctLoad *load, int way, Brake *out, hawser_error *err)
 {
     const PlanPullDef whole = {.way = way, .whole = 1};
-    PlanDef slack = *def; /* when there is least that holds it back */
+    const PlanDef slack = plan_slack(def);
     Pull pull;
     *out = (Brake){0};
-    slack.back_tension -= def->back_fall;
     hawser_status status = plan_pull(&slack, load, &whole, &pull, err);
     if (status) return status;
     const double pushed = -pull.min_tension;
@@ -387,5 +386,6 @@ hawser_status plan_brake(const PlanDef *def, const DuctLoad *load, int way, Brak
         t.def.back_tension = t.before + (least.end == SEARCH_NOWHERE ? 0 : least.value);
     }
     t.def.back_tension += def->back_fall;
+    t.def.slack = 0;
     return brake_force(&t.def, load, way, out, err);
 }

@@ -1,6 +1,7 @@
 #include "theory/plan_pull.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 
 #include "core/base/error.h"
@@ -36,15 +37,33 @@ static int next_pit(const PlanDef *def, int way, double s)
     return next;
 }
 
+/* Of what still lies behind the start, pulled forward (T27): the most or the least of the whole pull, N. */
+static double behind_tension(const PlanDef *def, int way, int restart)
+{
+    if (way == PLAN_BACKWARD) return 0;
+    const PullStretch *const s = stretch_at(def->n_stretches, def->stretch, 0);
+    const double rise = route_at(def->route, 0).tangent.z, mu = restart ? fmax(s->mu, s->mu_static) : s->mu;
+    const double metre = s->weight * (rise + (def->behind_slides ? mu * sqrt(fmax(0, 1 - rise * rise)) : 0));
+    const double first = metre * def->behind, last = metre * def->behind_least;
+    return def->slack ? fmin(first, last) : fmax(first, last);
+}
+
+/* The pit that stands where the pull begins; -1: none. */
+static int first_pit(const PlanDef *def, int way)
+{
+    int i = def->n_steps - 1;
+    while (i >= 0 && !(def->step[i].kind == STEP_ANEW && def->step[i].at == plan_first(def, way))) i--;
+    return i;
+}
+
 /* (T24) less the push: of what lies where the pull begins, which is what the reel pays out; that of a pit that is there
  * (PN3). */
 static double start_tension(const PlanDef *def, int way)
 {
-    for (int i = def->n_steps - 1; i >= 0; i--) {
-        if (def->step[i].kind == STEP_ANEW && def->step[i].at == plan_first(def, way)) return def->step[i].force;
-    }
+    const int pit = first_pit(def, way);
+    if (pit >= 0) return def->step[pit].force;
     const double weight = stretch_at(def->n_stretches, def->stretch, plan_first(def, way))->weight;
-    return weight * def->reel_length + def->back_tension - def->feed;
+    return weight * def->reel_length + def->back_tension + behind_tension(def, way, 0) - def->feed;
 }
 
 static PlanSection first_section(const PlanDef *def, int way)
@@ -181,6 +200,23 @@ static int steps_collect(const PlanDef *def, const PlanPullDef *what, double hea
     return n;
 }
 
+/* By how much a section's tension at its start is more from rest, N. */
+static double start_rest(const PlanDef *def, const PlanPullDef *what, const PlanSection *section)
+{
+    if (!what->restart || section->begins >= 0 || first_pit(def, what->way) >= 0) return 0;
+    return behind_tension(def, what->way, 1) - behind_tension(def, what->way, 0);
+}
+
+PlanDef plan_slack(const PlanDef *def)
+{
+    PlanDef slack = *def;
+    slack.back_tension -= def->back_fall;
+    slack.slack = 1;
+    return slack;
+}
+
+int plan_slackens(const PlanDef *def) { return def->back_fall > 0 || def->behind > def->behind_least; }
+
 hawser_status plan_pull(const PlanDef *def, const DuctLoad *load, const PlanPullDef *what, Pull *out, hawser_error *err)
 {
     PlanSection section = plan_section_at(def, what->way, what->whole ? plan_first(def, what->way) : what->head);
@@ -195,7 +231,7 @@ hawser_status plan_pull(const PlanDef *def, const DuctLoad *load, const PlanPull
                               .law = def->law,
                               .from = section.from,
                               .to = section.to,
-                              .start_tension = section.start,
+                              .start_tension = section.start + start_rest(def, what, &section),
                               .restart = what->restart,
                               .enough = def->enough,
                               .forces_only = what->forces_only,

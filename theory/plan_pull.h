@@ -29,6 +29,10 @@ PlanSection plan_section_at(const PlanDef *def, int way, double head);
 /* What the friction of a stretch is multiplied by at s, with the cable's head at `head`: duct and wear (PN4). */
 double plan_friction_factor(const PlanDef *def, const DuctLoad *load, int way, double head, double s);
 
+/* The same when it is held back least (the place at which it slackens or runs away first), and whether that is less. */
+PlanDef plan_slack(const PlanDef *def);
+int plan_slackens(const PlanDef *def);
+
 /* What plan_pull is asked for. */
 typedef struct PlanPullDef {
     int way, restart;

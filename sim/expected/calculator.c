@@ -223,6 +223,10 @@ static void plan_set(const Scene *scene, const Expected *expected, Calculator *c
     c->def.rope_length = theory->rope;
     c->def.back_tension = fmax(0, expected->largest_start);
     c->def.back_fall = fmin(expected->start_fall, c->def.back_tension);
+    const Behind behind = starts_behind(scene);
+    c->def.behind = behind.first;
+    c->def.behind_least = behind.last;
+    c->def.behind_slides = behind.slides;
     c->def.feed = theory->feed;
     c->def.rope_force = scene->def.drag.force;
     memcpy(c->def.drawn, theory->drawn, sizeof c->def.drawn);

@@ -51,10 +51,11 @@ static void front_set(const Scene *scene, double front, double back, Expected *o
         out->from = fmin(tail, out->to);
     }
     out->start_tension = scene->reel->winding.turns > 0 ? starts_reel(scene, front, back) : back;
+    if (scene->weight.lead_in) out->start_tension += starts_weight(scene, out->from - tail);
 }
 
 /* The counted stretch: up to where the cable's front was at t = 0, unless theory follows it. Without a lead-in the
- * whole cable moves along. */
+ * whole cable moves along, and so does its front where what is behind the start weighs too. */
 static void stretch_of(const Scene *scene, Expected *out)
 {
     const double from = scene->def.output.steady_from, to = scene->def.duration;
@@ -72,8 +73,10 @@ static void stretch_of(const Scene *scene, Expected *out)
     }
     const double shift = scene->weight.lead_in ? 0 : moved;
     out->from = scene->weight.lead_in ? 0 : scene->joint_s[0] + shift;
-    out->to = out->rope_to = out->passed = front + shift;
+    out->passed = front + shift;
+    out->to = out->rope_to = front + (v3_norm(scene->weight.behind) > 1e-9 ? moved : shift);
     out->start_tension = profile_value(&scene->tail, scene->def.duration);
+    if (scene->weight.lead_in) out->start_tension += starts_weight(scene, -scene->joint_s[0] - moved);
     if (!scene->drum->present) return;
     out->start_tension = out->largest_start = drum_tension(scene);
     out->start_fall = 0;

@@ -56,6 +56,17 @@ const Profile *starts_back(const Scene *scene);
  * `front` (m along the route), N; 0 once the cable has left it. */
 double starts_reel(const Scene *scene, double front, double back);
 
+/* Of the cable behind the route's start, what of its weight along the slope the lead-in leaves to it, N; `length` m lie
+ * there. */
+double starts_weight(const Scene *scene, double length);
+/* How much of it lies there, m, when the front begins to move and when it is at the route's end, of what holds the
+ * cable back at all; and whether on supports with friction. */
+typedef struct Behind {
+    double first, last;
+    int slides;
+} Behind;
+Behind starts_behind(const Scene *scene);
+
 /* The tension there while the front goes from where it begins to the route's end. */
 typedef struct Starts {
     double largest, least; /* N; least: once the back tension has risen from where it begins */

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "hawser/hawser.h"
+#include "sim/equipment/drum.h"
 #include "sim/equipment/reel.h"
 #include "sim/equipment/winch.h"
 
@@ -61,6 +62,50 @@ static Starts reel_range(const Scene *scene)
     r.braked = profile_level(share_braked(scene, 0));
     out.least = after < 0 && !r.fixed ? 0 : reel_with(scene, &r, before, profile_least_risen(&r.tension));
     return out;
+}
+
+/* ---------------------------------------------------------------------------------------- cable behind the start */
+
+/* Between the drum and the start there is never more. */
+static double length_behind(const Scene *scene, double length)
+{
+    const double most = scene->reel->winding.turns > 0 ? scene->def.reel.distance : INFINITY;
+    return fmin(fmax(length, 0), most);
+}
+
+double starts_weight(const Scene *scene, double length)
+{
+    const SceneDef *const def = &scene->def;
+    const int reel = scene->reel->winding.turns > 0;
+    double left = length_behind(scene, length), mass = 0;
+    if (reel) mass = left * def->cables[def->pieces[scene_def_eye(def) - 1].cable].mass;
+    for (int p = 0; p < scene_def_eye(def) && left > 0 && !reel; ++p) {
+        const double here = fmin(left, def->pieces[p].length);
+        mass += here * def->cables[def->pieces[p].cable].mass;
+        left -= here;
+    }
+    return -mass * v3_dot(scene->weight.behind, scene->weight.direction);
+}
+
+/* Whether anything that the case has may carry cable behind the start: where nothing does it hangs, and is no part of
+ * the pull. */
+static int carried_behind(const SceneDef *def)
+{
+    for (int r = 0; r < def->n_rollers; ++r)
+        if (isnan(def->rollers[r].s) || def->rollers[r].s < -1e-9) return 1;
+    for (int k = 0; k < def->n_surfaces; ++k)
+        if (!surface_along_route(&def->surfaces[k]) || def->surfaces[k].shape.from < -1e-9) return 1;
+    return 0;
+}
+
+Behind starts_behind(const Scene *scene)
+{
+    const double front = scene->joint_s[scene->eye], tail = scene->joint_s[0];
+    const double way = fmax(0, scene->route.length - front);
+    const int track = scene->weight.lead_in, weighs = v3_norm(scene->weight.behind) > 1e-9;
+    const Behind out = {length_behind(scene, -tail), length_behind(scene, -(tail + way)), !track};
+    if (scene->drum->present || scene->def.strand.rope) return (Behind){0};
+    return (track ? weighs : carried_behind(&scene->def)) ? out : (Behind){0};
 }
 
 /* ----------------------------------------------------------------------------------------------- the whole */

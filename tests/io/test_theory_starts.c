@@ -100,12 +100,89 @@ static void a_brake_by_the_script(void **state)
                "NOT TRUSTED: the cable would run away");
 }
 
+/* ---------------------------------------------------------------------------------------- cable behind the start */
+
+static const char behind[] = "cables: {c: {d: 80 mm, mass: 20 kg/m, E: 11.5 GPa, G: 4.15 GPa, A: 5000 mm2}}\n"
+                             "chain: [{cable: c, length: 150 m}]\n"
+                             "route: {pieces: [{straight: 60 m}], head_at: 50 m}\n"
+                             "friction: {mu: 0.2, mu_s: 0.3}\n"
+                             "rollers: {along: [{from: -120 m, to: 60 m, spacing: 1 m}]}\n"
+                             "run: {duration: 15 s}\n"
+                             "drive: {winch: {speed: 0.1 m/s, ramp: step, to: 2 s}}\n"
+                             "limits: {pull: 9 kN, sidewall: 30 kN/m, bend_radius: 1 m, speed: 1 m/s}\n";
+
+/* 100 m lie there at first on the same rollers: mu w of each, more from rest. Where nothing lies that would carry them
+ * they are no part of the pull. Pulled the other way it begins without them. */
+static void cable_behind_with_friction(void **state)
+{
+    (void)state;
+    const double metre = 0.2 * 20 * 9.81;
+    json_t *const all = theory_of(behind, NULL);
+    check_share(number(all, "start_tension_N"), 100 * metre, 1e-9);
+    check_share(number(all, "reference_total_N"), 160 * metre, 1e-9);
+    check_share(number(all, "backward_total_N"), 60 * metre, 1e-9);
+    json_decref(all);
+    verdict_is(behind, NULL, "NOT SAFE: 1 of 6 limits broken: restart by 4.64 %");
+    verdict_is(behind, (const char *const[]){"limits.pull", "9.5 kN", NULL}, "SAFE");
+    const char *const hangs[] = {"rollers", "{along: [{from: 0 m, to: 60 m, spacing: 1 m}]}", NULL};
+    assert_true(figure(behind, hangs, "start_tension_N") == 0);
+}
+
+/* A track without friction that leaves the cable its weight along the slope, uphill and downhill: of the 60 m that lie
+ * there at first, or of the 40 m that do at the end. */
+static void cable_behind_with_weight(void **state)
+{
+    (void)state;
+    static const char *const rise[] = {"20 deg", "-20 deg"}, *const weight[] = {"{weight: full}", "{weight: carried}"};
+    const double metre = 20 * 9.81 * sin(20 * M_PI / 180);
+    const double start[2][2] = {{60 * metre, 0}, {fmax(0, -40 * metre), 0}};
+    for (int k = 0; k < 4; k++) {
+        const char *const settings[] = {"chain.0.length",
+                                        "100 m",
+                                        "route.head_at",
+                                        "40 m",
+                                        "route.slope",
+                                        rise[k / 2],
+                                        "lead_in",
+                                        weight[k % 2],
+                                        "drive.tail",
+                                        "{tension: 10 kN, ramp: none}",
+                                        NULL};
+        const double back = 10e3 + (k == 2 ? -40 * metre : start[k / 2][k % 2]);
+        check_share(figure(behind, settings, "start_tension_N"), back, 1e-9);
+    }
+}
+
+/* The run's own theory has it too, and the run pulls that. */
+static void a_run_with_weight_behind(void **state)
+{
+    (void)state;
+    const char *const settings[] = {"chain",
+                                    "[{cable: c, length: 12 m, segment: 500 mm}]",
+                                    "route",
+                                    "{slope: 20 deg, pieces: [{straight: 8 m}], head_at: 5 m}",
+                                    "rollers",
+                                    "{along: [{spacing: 500 mm}]}",
+                                    "lead_in",
+                                    "{weight: full}",
+                                    "drive.winch",
+                                    "{speed: 0.2 m/s, ramp: step, to: 1 s}",
+                                    "run.duration",
+                                    "6 s",
+                                    NULL};
+    hawser_summary sum;
+    hawser_sim *const sim = run_of(behind, settings);
+    hawser_sim_summary(sim, &sum);
+    check_share(sum.pull_mean_N, sum.reference_total_N, 0.03);
+    hawser_sim_free(sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_drum_at_its_smallest),
-        cmocka_unit_test(a_cable_that_leaves_the_drum),
-        cmocka_unit_test(a_brake_by_the_script),
+        cmocka_unit_test(the_drum_at_its_smallest), cmocka_unit_test(a_cable_that_leaves_the_drum),
+        cmocka_unit_test(a_brake_by_the_script),    cmocka_unit_test(cable_behind_with_friction),
+        cmocka_unit_test(cable_behind_with_weight), cmocka_unit_test(a_run_with_weight_behind),
     };
     return cmocka_run_group_tests_name("theory_starts", tests, NULL, NULL);
 }
