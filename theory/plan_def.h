@@ -30,6 +30,7 @@ typedef struct PlanDef {
     double behind;           /* m of cable behind the route's start, on its line, as the pull forward begins, */
     double behind_least;     /* m, and what is left of it when the head is at the end */
     int behind_slides;       /* it lies on what the route begins with; 0: on a track without friction */
+    double lightest;         /* N/m, of the lightest piece of a cable whose stretches have the heaviest; 0: all alike */
     int slack;               /* what is asked is when all this holds back least */
     double feed;             /* N, by which the cable is pushed where the pull begins */
     double rope_force;       /* N, added to the rope's allowance: a drag */

@@ -37,13 +37,23 @@ static int next_pit(const PlanDef *def, int way, double s)
     return next;
 }
 
+/* The weight that counts of unlike pieces: of which lies there nobody says, and a pull that is held back least has the
+ * lightest where weight holds (`metre`: its share that does, >= 0) and the heaviest where it runs ahead (T28). */
+static double weight_of(const PlanDef *def, const PullStretch *s, double metre)
+{
+    return def->slack && def->lightest > 0 && metre >= 0 ? fmin(def->lightest, s->weight) : s->weight;
+}
+
+/* What a metre holds back with, as a share of its weight, on a straight that rises by so much per metre. */
+static double share_held(double rise, double mu) { return rise + mu * sqrt(fmax(0, 1 - rise * rise)); }
+
 /* Of what still lies behind the start, pulled forward (T27): the most or the least of the whole pull, N. */
 static double behind_tension(const PlanDef *def, int way, int restart)
 {
     if (way == PLAN_BACKWARD) return 0;
     const PullStretch *const s = stretch_at(def->n_stretches, def->stretch, 0);
     const double rise = route_at(def->route, 0).tangent.z, mu = restart ? fmax(s->mu, s->mu_static) : s->mu;
-    const double metre = s->weight * (rise + (def->behind_slides ? mu * sqrt(fmax(0, 1 - rise * rise)) : 0));
+    const double share = share_held(rise, def->behind_slides ? mu : 0), metre = share * weight_of(def, s, share);
     const double first = metre * def->behind, last = metre * def->behind_least;
     return def->slack ? fmin(first, last) : fmax(first, last);
 }
@@ -62,8 +72,8 @@ static double start_tension(const PlanDef *def, int way)
 {
     const int pit = first_pit(def, way);
     if (pit >= 0) return def->step[pit].force;
-    const double weight = stretch_at(def->n_stretches, def->stretch, plan_first(def, way))->weight;
-    return weight * def->reel_length + def->back_tension + behind_tension(def, way, 0) - def->feed;
+    const PullStretch *const s = stretch_at(def->n_stretches, def->stretch, plan_first(def, way));
+    return weight_of(def, s, 1) * def->reel_length + def->back_tension + behind_tension(def, way, 0) - def->feed;
 }
 
 static PlanSection first_section(const PlanDef *def, int way)
@@ -156,14 +166,30 @@ static PullStretch stretch_make(const PlanDef *def, const DuctLoad *load, int wa
     s.mu *= factor;
     s.mu_static *= factor;
     if (def->duct) s.share = load->sidewall_factor;
+    s.weight = weight_of(def, &s, share_held(sign_of(way) * route_at(def->route, middle).tangent.z, s.mu));
     return s;
+}
+
+enum { BEND_PARTS = 32 }; /* of a piece of the route, each with the weight that counts there */
+
+/* Where unlike weights are told apart, `from` of as many stretches; returns how many. */
+static int weight_places(const PlanDef *def, PullStretch *s)
+{
+    int n = 0;
+    if (!def->slack || !(def->lightest > 0)) return 0;
+    for (int p = 0; p < def->route->n; p++) {
+        const RoutePiece *const piece = &def->route->piece[p];
+        const int parts = piece->kind == ROUTE_STRAIGHT ? 1 : BEND_PARTS;
+        for (int k = 0; k < parts; k++) s[n++].from = piece->s0 + piece->length * k / parts;
+    }
+    return n;
 }
 
 /* Every place at which something changes, then what lies between. */
 static hawser_status course_make(const PlanDef *def, const DuctLoad *load, int way, double head, Course *out,
                                  hawser_error *err)
 {
-    const int most = def->n_stretches + def->n_wear + 1;
+    const int most = def->n_stretches + def->n_wear + BEND_PARTS * def->route->n + 1;
     out->stretch = malloc((size_t)most * sizeof *out->stretch);
     if (!out->stretch) return error_memory(err);
     PullStretch *const s = out->stretch;
@@ -171,6 +197,7 @@ static hawser_status course_make(const PlanDef *def, const DuctLoad *load, int w
     for (int i = 0; i < def->n_stretches; i++) s[n++].from = def->stretch[i].from;
     for (int k = 0; k < def->n_wear; k++) s[n++].from = wear_place(def, way, head, def->wear[k].from);
     s[n++].from = head;
+    n += weight_places(def, s + n);
     qsort(s, (size_t)n, sizeof *s, compare_places);
     out->n = 0;
     for (int i = 0; i < n; i++) {
@@ -215,7 +242,10 @@ PlanDef plan_slack(const PlanDef *def)
     return slack;
 }
 
-int plan_slackens(const PlanDef *def) { return def->back_fall > 0 || def->behind > def->behind_least; }
+int plan_slackens(const PlanDef *def)
+{
+    return def->back_fall > 0 || def->behind > def->behind_least || def->lightest > 0;
+}
 
 hawser_status plan_pull(const PlanDef *def, const DuctLoad *load, const PlanPullDef *what, Pull *out, hawser_error *err)
 {

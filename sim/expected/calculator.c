@@ -215,6 +215,16 @@ static double rope_weight(const SceneDef *def)
     return most;
 }
 
+/* Of the cable's lightest piece, N/m; 0: all weigh the same. */
+static double lightest_of(const Scene *scene)
+{
+    const SceneDef *const def = &scene->def;
+    double least = INFINITY;
+    for (int p = 0; p < scene_def_eye(def); ++p)
+        least = fmin(least, def->cables[def->pieces[p].cable].mass * v3_norm(def->gravity));
+    return least < scene->cable_weight * (1 - 1e-9) ? least : 0;
+}
+
 /* The tension at the start, the reel's and the rope's allowances, friction by the length pulled. */
 static void plan_set(const Scene *scene, const Expected *expected, Calculator *c)
 {
@@ -227,6 +237,7 @@ static void plan_set(const Scene *scene, const Expected *expected, Calculator *c
     c->def.behind = behind.first;
     c->def.behind_least = behind.last;
     c->def.behind_slides = behind.slides;
+    c->def.lightest = lightest_of(scene);
     c->def.feed = theory->feed;
     c->def.rope_force = scene->def.drag.force;
     memcpy(c->def.drawn, theory->drawn, sizeof c->def.drawn);

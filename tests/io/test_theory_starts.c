@@ -1,4 +1,4 @@
-/* Where the pull begins: theory is about the whole of it, with whatever holds the cable back there at any time. */
+/* Where the pull begins: theory is about the whole of it, with whatever holds the cable back at any time. */
 #include "tests/io/case_fixture.h"
 
 #include <jansson.h>
@@ -177,12 +177,42 @@ static void a_run_with_weight_behind(void **state)
     hawser_sim_free(sim);
 }
 
+/* ------------------------------------------------------------------------------------------------ unlike weights */
+
+/* 50 m on the level, 40 m down at 30 degrees, 30 m on the level. What is heavy there runs ahead; it is not held by 50 m
+ * of the same behind it if these are of a light cable. */
+static void a_light_cable_holds_less(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables: {heavy: {d: 80 mm, mass: 30 kg/m, E: 11.5 GPa, G: 4.15 GPa, A: 5000 mm2}, light: {d: 80 mm, mass: "
+        "3 kg/m, E: 11.5 GPa, G: 4.15 GPa, A: 5000 mm2}}\n"
+        "chain: [{cable: light, length: 60 m}, {cable: heavy, length: 60 m, rope: false}]\n"
+        "route: {head_at: 110 m, pieces: [{straight: 50 m, slope: 0 deg}, {straight: 40 m, slope: -30 deg}, {straight: "
+        "30 m, slope: 0 deg}], transition_radius: 5 m}\n"
+        "friction: {mu: 0.25}\n"
+        "surfaces: {ducts: [{radius: 80 mm}]}\n"
+        "drive: {winch: {speed: 0.1 m/s, ramp: step, to: 2 s}}\n"
+        "limits: {pull: 10 kN, sidewall: 30 kN/m, bend_radius: 1 m, speed: 1 m/s}\n";
+    const double held = 0.25 * 3 * 9.81 * 50, runs = 30 * 9.81 * 40 * (0.5 - 0.25 * cos(M_PI / 6));
+    const char *const alike[] = {"chain.0.cable", "heavy", NULL};
+    verdict_is(text, alike, "SAFE");
+    verdict_is(text, NULL, "NOT TRUSTED: the cable would run away");
+    json_t *const all = theory_of(text, NULL);
+    const json_t *const there = json_array_get(json_object_get(all, "directions"), 0);
+    check_share(number(there, "min_tension_N"), held - runs, 0.1); /* the changes of slope are arcs */
+    json_decref(all);
+    const char *const braked[] = {"drive.tail", "{tension: 3 kN, ramp: none}", NULL}; /* and a tenth more */
+    verdict_is(text, braked, "SAFE");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_drum_at_its_smallest), cmocka_unit_test(a_cable_that_leaves_the_drum),
         cmocka_unit_test(a_brake_by_the_script),    cmocka_unit_test(cable_behind_with_friction),
         cmocka_unit_test(cable_behind_with_weight), cmocka_unit_test(a_run_with_weight_behind),
+        cmocka_unit_test(a_light_cable_holds_less),
     };
     return cmocka_run_group_tests_name("theory_starts", tests, NULL, NULL);
 }
