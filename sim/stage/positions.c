@@ -90,6 +90,27 @@ const char *positions_unknown(const Stage *st)
     return NULL;
 }
 
+double positions_held_from(const Scene *scene)
+{
+    const ReelDef *const reel = &scene->def.reel;
+    if (reel->model != REEL_PAYOUT || !reel->end_fixed) return INFINITY;
+    const double tail = scene->joint_s[1] - scene->joint_s[0];
+    return tail - reel->distance - scene->joint_s[0];
+}
+
+/* A chain whose end is fastened to an empty drum does not run on: there is no steady motion from there. */
+static hawser_status held_check(const Scene *scene, double t, hawser_error *err)
+{
+    const double travel = winch_travel(scene->winch, t), held = positions_held_from(scene);
+    if (travel < held) return HAWSER_OK;
+    return error_set(
+        err, HAWSER_ERR_INPUT,
+        "key 'reel.end': fixed: the fastened end holds the cable from the front at %.6g m on, and there is "
+        "no steady motion with the front at %.6g m: end the pull before ('run.duration', "
+        "'run.positions'), or see 'analysis: dynamics'",
+        scene->joint_s[scene->eye] + held, head_at(scene, t));
+}
+
 static hawser_status list_alloc(Positions *p, int n, hawser_error *err)
 {
     p->n = n;
@@ -197,8 +218,9 @@ hawser_status positions_new(Positions *p, Stage *st, hawser_error *err)
     }
     positions_of(p, st);
     p->n_stations = scene->def.n_stations;
-    const hawser_status status =
+    hawser_status status =
         scene->def.analysis.positions.n > 0 ? list_given(p, scene, end, err) : list_even(p, scene, end, err);
+    if (!status) status = held_check(scene, p->time[p->n - 1], err);
     if (status) return status;
     scene->def.duration = p->time[p->n - 1];
     scene->def.output.steady_from = p->time[0];
@@ -304,7 +326,8 @@ static hawser_status lay(const Positions *p, Stage *st, double t, double back, h
     int first, n;
     window_at(st, travel, back, &first, &n);
     scene->reel->present = scene->def.reel.model == REEL_PAYOUT &&
-                           scene->joint_s[0] + travel - back < -scene->def.reel.distance + 2 * st->whole.half[0];
+                           (scene->def.reel.end_fixed ||
+                            scene->joint_s[0] + travel - back < -scene->def.reel.distance + 2 * st->whole.half[0]);
     hawser_status status = HAWSER_OK;
     if (first != scene->first || n != scene->chain.n || (st->whole.n > 0 && st->t <= 0))
         status = stage_window(st, first, n, err);

@@ -39,6 +39,8 @@ double positions_next(const Positions *p, double t, double end);
 
 /* What steady motion knows nothing of in a stage's scene, in words; NULL: there is nothing of it. */
 const char *positions_unknown(const Stage *stage);
+/* m of the winch's travel from which on the end that is fastened to an empty drum holds the chain; INFINITY: never. */
+double positions_held_from(const Scene *scene);
 /* For positions that nobody has listed: where the winch is as it was built. */
 void positions_of(Positions *p, const Stage *stage);
 /* The next position begins from the shape of now, which moves. Errors: MEMORY. */

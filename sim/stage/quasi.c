@@ -20,6 +20,9 @@ static const char *obstacle(const Stage *st)
     if (def->n_beside > 0 || def->strand.present) return "several chains are moved together";
     if (def->analysis.kind != ANALYSIS_DYNAMICS) return "there is no motion";
     if (st->motion != &st->spatial.motion) return "in a plane steps cost less than positions in space";
+    if (winch_travel(st->scene.winch, def->duration) >= positions_held_from(&st->scene))
+        return "the cable's end is fastened to the reel and holds it before the run ends: 'reel.end: free', or a "
+               "shorter 'run.duration'";
     return positions_unknown(st);
 }
 
