@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "sim/equipment/moving_rollers.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
 #include "sim/watch/events.h"
@@ -187,25 +188,64 @@ static double pulled_at(const TrustFacts *f)
     return steady > 1e-6 * most ? fmin(steady, most) : most;
 }
 
+/* The speed of the cable at which the last of what holds it back is fully there, and the key that says so. */
+typedef struct Fading {
+    double speed; /* m/s; 0: nothing fades */
+    const char *key;
+    double per; /* of the key's unit, per m/s of the cable */
+} Fading;
+
+static void fades(Fading *f, double speed, const char *key, double per)
+{
+    if (speed > f->speed) *f = (Fading){speed, key, per};
+}
+
+static void law_fades(Fading *f, const FrictionLaw *law, const char *key)
+{
+    if (friction_kind(law) == FRICTION_SPEED) fades(f, law->v_s, key, 1);
+}
+
+/* Brake and bearing of a reel, where they are of a torque that fades: a back tension does not, nor what a set speed
+ * asks of a brake; (RL8). */
+static int reel_fades(const ReelDef *r)
+{
+    return r->model == REEL_PAYOUT && (r->bearing > 0 || (r->brake == BRAKE_CONSTANT && r->torque > 0));
+}
+
+/* Rollers turn with the cable: their bearings fade by the speed of their surface. */
+static void bearings_fade(Fading *f, const Scene *scene)
+{
+    const Equipment *const q = scene->equipment;
+    for (int k = 0; k < q->n; ++k) {
+        const Bearing *const b = &q->item[k].bearing;
+        const double radius = scene->rollers[q->item[k].roller].shape.radius;
+        const int holds = b->torque > 0 || b->friction * b->journal > 0;
+        if (q->item[k].spin >= 0 && holds) fades(f, b->speed * radius, "the rollers' spin.bearing.speed", 1 / radius);
+    }
+}
+
+static Fading slowest_of(const Scene *scene)
+{
+    const SceneDef *const def = &scene->def;
+    Fading f = {.key = "friction.v_s", .per = 1};
+    if (def->drag.force > 0) fades(&f, def->drag.v_s, "rope_drag.v_s", 1);
+    for (int r = 0; r < scene->contact.n_rollers; ++r)
+        law_fades(&f, &scene->contact.roller[r].friction, "friction.v_s");
+    for (int k = 0; k < def->n_surfaces; ++k) law_fades(&f, &def->surfaces[k].friction, "friction.v_s");
+    if (def->cable_on_cable) law_fades(&f, &def->cable_friction, "contact.cable_friction.v_s");
+    if (reel_fades(&def->reel)) fades(&f, def->reel.v_s, "reel.v_s", 1);
+    bearings_fade(&f, scene);
+    return f;
+}
+
 /* Below the speed at which friction is fully there the pull is too small. */
 static void add_friction_speed(List *list, const TrustFacts *f)
 {
-    const Scene *const scene = f->scene;
-    const RopeDragDef *const drag = &scene->def.drag;
-    double slowest = drag->force > 0 ? drag->v_s : 0;
-    for (int r = 0; r < scene->contact.n_rollers; ++r) {
-        const FrictionLaw *const law = &scene->contact.roller[r].friction;
-        if (friction_kind(law) == FRICTION_SPEED) slowest = fmax(slowest, law->v_s);
-    }
-    for (int k = 0; k < scene->def.n_surfaces; ++k) {
-        const FrictionLaw *const law = &scene->def.surfaces[k].friction;
-        if (friction_kind(law) == FRICTION_SPEED) slowest = fmax(slowest, law->v_s);
-    }
-    if (slowest > 0 && scene->def.winch.present) {
-        add(list, "friction_speed", "1", slowest / pulled_at(f), SLOWEST,
-            "the pull is slower than friction needs to come in: set %s below %.3g m/s",
-            slowest == drag->v_s && drag->force > 0 ? "rope_drag.v_s" : "friction.v_s", pulled_at(f) / 5);
-    }
+    const Fading slowest = slowest_of(f->scene);
+    if (!(slowest.speed > 0) || !f->scene->def.winch.present) return;
+    add(list, "friction_speed", "1", slowest.speed / pulled_at(f), SLOWEST,
+        "the pull is slower than friction needs to come in: set %s below %.3g %s", slowest.key,
+        slowest.per * pulled_at(f) / 5, strstr(slowest.key, "bearing") ? "rad/s" : "m/s");
 }
 
 /* m/N by which the chain between a machine and the winch is longer under load, at the run's end. */

@@ -1,6 +1,12 @@
 /* Runs that were called safe and are not: what the conditions of trust and the refusals did not look at. */
 #include "tests/io/case_fixture.h"
 
+static const hawser_condition *of_run(hawser_sim *sim, hawser_summary *sum, const char *name)
+{
+    hawser_sim_summary(sim, sum);
+    return condition_of(sum, name);
+}
+
 /* ------------------------------------------------------------------------------------------------------- a reel */
 
 /* 2 m of cable are wound, whose end is fastened; the winch pulls `duration` times 0.5 m/s off it. */
@@ -53,11 +59,44 @@ static void motion_to_a_fastened_end(void **state)
     }
 }
 
+/* --------------------------------------------------------------------------------------------- slow for friction */
+
+/* A brake and bearings that are not there yet at the pull's speed make it too small, as friction does. */
+static void what_else_fades(void **state)
+{
+    (void)state;
+    static const char spins[] = "{spacing: 1 m, spin: {inertia: 0.05 kg m2, bearing: {friction: 0.5, journal: 20 mm, "
+                                "speed: 10 rad/s}}}";
+    static const char *const reel[][5] = {{"reel.brake", "{torque: 500 N m}", "reel.v_s", "500 mm/s"},
+                                          {"reel.brake", "{torque: 500 N m}", "reel.v_s", "50 mm/s"},
+                                          {"reel.back_tension", "{tension: 500 N}", "reel.v_s", "500 mm/s"}};
+    hawser_summary sum;
+    for (int k = 0; k < 3; k++) {
+        const char *const settings[] = {
+            "rollers.along", "{spacing: 2 m}", "run", "{duration: 1 s, steady_from: 500 ms}", reel[k][0], reel[k][1],
+            reel[k][2],      reel[k][3],       NULL};
+        hawser_sim *const sim = run_of(data_text("reel-payout"), settings);
+        const hawser_condition *const c = of_run(sim, &sum, "friction_speed");
+        assert_non_null(c);
+        assert_int_equal(c->holds, k > 0);
+        if (k == 0) check_has(c->remedy, "set reel.v_s below 0.01");
+        hawser_sim_free(sim);
+    }
+    const char *const settings[] = {"rollers.along", spins, NULL};
+    hawser_sim *const sim = run_of(data_text("limits"), settings);
+    const hawser_condition *const c = of_run(sim, &sum, "friction_speed");
+    assert_false(c->holds);
+    check_has(c->remedy, "set the rollers' spin.bearing.speed below");
+    check_has(c->remedy, "rad/s");
+    hawser_sim_free(sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(positions_of_a_fastened_end),
         cmocka_unit_test(motion_to_a_fastened_end),
+        cmocka_unit_test(what_else_fades),
     };
     return cmocka_run_group_tests_name("trusted runs", tests, NULL, NULL);
 }
