@@ -213,10 +213,29 @@ static hawser_condition friction_of(const Scene *scene)
     return c;
 }
 
+/* Friction that the crew raises on the way is a run's as well: the largest factor of the script counts, whatever it is
+ * of. */
+static void friction_told(const SceneDef *def, hawser_condition *c)
+{
+    double factor = 1;
+    for (int i = 0; i < def->n_script; ++i) {
+        const Command *const told = &def->script[i].command;
+        if (told->kind == HAWSER_FRICTION) factor = fmax(factor, told->value);
+    }
+    if (!(factor > 1 + 1e-9) || !c->holds) return;
+    c->value *= factor;
+    c->holds = !(c->value > c->allowed * (1 + 1e-9));
+    snprintf(c->remedy, sizeof c->remedy,
+             "drive.script makes friction %g times the case's, up to %g, and the calculation takes friction.mu, %g: "
+             "give the largest there, and factors of at most 1",
+             factor, c->value, c->allowed);
+}
+
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err)
 {
     c->supported = supported_by(scene);
     c->friction = friction_of(scene);
+    friction_told(&scene->def, &c->friction);
     const hawser_status status = limits_set(scene, c, err);
     if (!status) pulled_set(scene, c);
     return status;

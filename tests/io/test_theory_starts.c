@@ -206,13 +206,23 @@ static void a_light_cable_holds_less(void **state)
     verdict_is(text, braked, "SAFE");
 }
 
+/* Friction that the script raises is none that theory knows; one that it lowers only takes off. */
+static void friction_by_the_script(void **state)
+{
+    (void)state;
+    const char *const more[] = {"limits.pull", "20 kN", "drive.script", "[{at: 5 s, do: friction, factor: 3}]", NULL};
+    const char *const less[] = {"limits.pull", "20 kN", "drive.script", "[{at: 5 s, do: friction, factor: 0.5}]", NULL};
+    verdict_is(behind, more, "NOT TRUSTED: drive.script makes friction 3 times the case's, up to 0.6");
+    verdict_is(behind, less, "SAFE");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_drum_at_its_smallest), cmocka_unit_test(a_cable_that_leaves_the_drum),
         cmocka_unit_test(a_brake_by_the_script),    cmocka_unit_test(cable_behind_with_friction),
         cmocka_unit_test(cable_behind_with_weight), cmocka_unit_test(a_run_with_weight_behind),
-        cmocka_unit_test(a_light_cable_holds_less),
+        cmocka_unit_test(a_light_cable_holds_less), cmocka_unit_test(friction_by_the_script),
     };
     return cmocka_run_group_tests_name("theory_starts", tests, NULL, NULL);
 }
