@@ -115,6 +115,15 @@ double profile_least_risen(const Profile *p)
     return least;
 }
 
+double profile_largest_until(const Profile *p, double until)
+{
+    double most = fmax(fabs(p->v0), fabs(p->v1));
+    if (p->kind != PROFILE_TABLE) return most;
+    most = fabs(profile_value(p, until));
+    for (int i = 0; i < p->n && p->time[i] <= until; ++i) most = fmax(most, fabs(p->value[i]));
+    return most;
+}
+
 double profile_rate(const Profile *p, double t)
 {
     double slope = 0;

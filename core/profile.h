@@ -28,6 +28,8 @@ double profile_value(const Profile *p, double t);
 /* The largest value at any time, and the smallest once it has risen from where it begins. */
 double profile_largest(const Profile *p);
 double profile_least_risen(const Profile *p);
+/* The largest size of the value that is said for times up to `until`. */
+double profile_largest_until(const Profile *p, double until);
 /* d(value)/dt; at a table's corner, the slope to the right. */
 double profile_rate(const Profile *p, double t);
 /* Integral of the value from 0 to t (t >= 0), exact for every kind. */

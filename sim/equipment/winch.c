@@ -21,14 +21,8 @@ double winch_travel(const Winch *w, double t)
 
 double winch_largest_speed(const Winch *w, double until)
 {
-    const Profile *const p = &w->speed;
-    double v = fmax(fabs(p->v0), fabs(p->v1));
     if (w->mode == WINCH_TENSION) return isfinite(w->speed_limit) ? w->speed_limit : 0;
-    if (p->kind == PROFILE_TABLE) {
-        v = fabs(profile_value(p, until));
-        for (int i = 0; i < p->n && p->time[i] <= until; ++i) v = fmax(v, fabs(p->value[i]));
-    }
-    return v;
+    return profile_largest_until(&w->speed, until);
 }
 
 static const double FADE = 0.2; /* s, over which a taken segment's own motion dies out */

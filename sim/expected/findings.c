@@ -111,11 +111,23 @@ static int has_rating(const SceneDef *def)
     return 0;
 }
 
-/* As the case has it. */
+double belts_largest_speed(const SceneDef *def)
+{
+    double most = 0;
+    for (int i = 0; i < def->n_conveyors; ++i) {
+        const ConveyorDef *const c = &def->conveyors[i];
+        if (!c->sync) most = fmax(most, profile_largest_until(&c->speed, def->duration));
+    }
+    return most;
+}
+
+/* As the case has it; without a winch the belts draw. */
 static Finding speed_said(const Scene *scene)
 {
-    const WinchDef *const winch = &scene->def.winch;
-    Finding f = {.value = winch_largest_speed(scene->winch, scene->def.duration), .absent = !winch->present};
+    const SceneDef *const def = &scene->def;
+    const WinchDef *const winch = &def->winch;
+    if (!winch->present) return (Finding){.value = belts_largest_speed(def), .absent = def->n_conveyors == 0};
+    Finding f = {.value = winch_largest_speed(scene->winch, def->duration)};
     if (winch->mode == WINCH_TENSION && !isfinite(scene->winch->speed_limit)) f.value = NAN;
     snprintf(f.why, sizeof f.why, "a winch of set tension without a speed_limit: a run says");
     return f;

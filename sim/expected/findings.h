@@ -5,6 +5,8 @@
 
 #include "sim/expected/calculator.h"
 
+/* m/s, of the fastest belt with a speed of its own, as the case has it; 0: there is none. */
+double belts_largest_speed(const SceneDef *def);
 /* What the scene itself says: the bends and sheaves that the rope runs round, belts, the winch's largest speed; marks
  * absent what the scene does not have. The rope lies ahead of `head` (m along the route). */
 void findings_of_scene(const Scene *scene, const Route *route, double head, Finding finding[LIMIT_KINDS]);

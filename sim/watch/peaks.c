@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
+#include "sim/equipment/winch.h"
 #include "sim/watch/sample.h"
 
 hawser_status peaks_new(Peaks *peaks, const Scene *scene, hawser_error *err)
@@ -82,13 +83,19 @@ static void pushes_record(Peaks *peaks, const hawser_sample *sample)
     }
 }
 
+/* m/s: the winch's, or without one the cable's own. */
+static double drawn_with(const Scene *scene, const hawser_sample *sample)
+{
+    return scene->winch->present ? sample->winch_speed : sample->axial_speed[sample->first];
+}
+
 void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     if (!peaks->present) return;
     int eye = scene->eye - scene->first;
     if (eye > scene->chain.n) eye = scene->chain.n; /* it has passed the winch */
     peaks->recorded++;
-    peaks->speed = fmax(peaks->speed, fabs(sample->winch_speed));
+    peaks->speed = fmax(peaks->speed, fabs(drawn_with(scene, sample)));
     joints_record(peaks, scene, sample, eye);
     curvature_record(peaks, scene, kin, sample, eye);
     rollers_record(peaks, scene, kin, sample);

@@ -9,6 +9,7 @@
 /* Overload factors are taken where theory has at least this share of its largest tension: near a slack tail a few
  * newtons would make any ratio. */
 static const double MEASURE = 0.1;
+static const double WAVERS = 0.02; /* share by which a cable's speed may be above that of the belts that draw it */
 
 /* The route's bends by T/R, surfaces by the force per length that was found on them. */
 static Finding sidewall_finding(const Peaks *peaks, const Stats *stats, const Scene *scene)
@@ -128,10 +129,12 @@ static void trip_finding(const Stats *stats, const Scene *scene, const Expected 
     findings_trip(scene, theory, fmax(theory, mean_of(&stats->pull)), scene->def.drag.force, out);
 }
 
-/* What a script or a set tension has made of the winch's speed, if that is more than the case says of it. */
-static void speed_finding(const Peaks *peaks, Finding *f)
+/* What a script or a set tension has made of the winch's speed, if that is more than the case says of it. A cable that
+ * belts alone draw wavers about their speed. */
+static void speed_finding(const Peaks *peaks, const Scene *scene, Finding *f)
 {
-    if (peaks->recorded > 0 && !(peaks->speed <= f->value * (1 + 1e-6))) f->value = peaks->speed;
+    const double same = scene->def.winch.present ? 1e-6 : WAVERS;
+    if (peaks->recorded > 0 && !(peaks->speed <= f->value * (1 + same))) f->value = peaks->speed;
 }
 
 int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, double share,
@@ -162,7 +165,7 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         }
     }
     findings_of_scene(scene, &scene->route, scene->joint_s[scene->eye], f);
-    speed_finding(peaks, &f[LIMIT_SPEED]);
+    speed_finding(peaks, scene, &f[LIMIT_SPEED]);
     duct_findings(def, f);
     return limits_judge(&def->limits, bundle_diameter(def), def->bundle.shape.thickest, f, out);
 }

@@ -8,6 +8,7 @@
 #include "sim/equipment/moving_rollers.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
+#include "sim/expected/findings.h"
 #include "sim/watch/events.h"
 #include "sim/watch/stats.h"
 
@@ -181,9 +182,14 @@ static void add_mesh(List *list, const TrustFacts *f)
         where, place->piece, 1e3 * mesh_length(f->mesh, place->piece, MESH_AIM));
 }
 
-/* Of the window whose means count, or of the case where nothing has moved, m/s. */
+/* Of the window whose means count, or of the case where nothing has moved, m/s; 0: nothing draws. */
 static double pulled_at(const TrustFacts *f)
 {
+    const SceneDef *const def = &f->scene->def;
+    if (!def->winch.present) { /* belts draw, as fast as the cable lets them */
+        const double belts = belts_largest_speed(def), cable = f->figures->steady_speed_m_per_s;
+        return def->n_conveyors > 0 && cable > 1e-6 * belts && cable > 0 ? cable : belts;
+    }
     const double steady = f->figures->steady_speed_m_per_s, most = f->scene->largest_speed;
     return steady > 1e-6 * most ? fmin(steady, most) : most;
 }
@@ -242,10 +248,11 @@ static Fading slowest_of(const Scene *scene)
 static void add_friction_speed(List *list, const TrustFacts *f)
 {
     const Fading slowest = slowest_of(f->scene);
-    if (!(slowest.speed > 0) || !f->scene->def.winch.present) return;
-    add(list, "friction_speed", "1", slowest.speed / pulled_at(f), SLOWEST,
-        "the pull is slower than friction needs to come in: set %s below %.3g %s", slowest.key,
-        slowest.per * pulled_at(f) / 5, strstr(slowest.key, "bearing") ? "rad/s" : "m/s");
+    const double speed = pulled_at(f);
+    if (!(slowest.speed > 0 && speed > 0)) return;
+    add(list, "friction_speed", "1", slowest.speed / speed, SLOWEST,
+        "the pull is slower than friction needs to come in: set %s below %.3g %s", slowest.key, slowest.per * speed / 5,
+        strstr(slowest.key, "bearing") ? "rad/s" : "m/s");
 }
 
 /* m/N by which the chain between a machine and the winch is longer under load, at the run's end. */

@@ -91,12 +91,56 @@ static void what_else_fades(void **state)
     hawser_sim_free(sim);
 }
 
+/* --------------------------------------------------------------------------------------------------- no winch */
+
+/* What belts alone draw has a speed, too: the limit of speed and friction's were not asked where there is no winch. */
+static void drawn_by_belts(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *belt, *v_s, *script;
+        int fades, fast;
+        double speed;
+    } row[] = {
+        {"0.5 m/s", "1 mm/s", "[]", 0, 1, 0.5},
+        {"50 mm/s", "100 mm/s", "[]", 1, 0, 0.05},
+        {"50 mm/s", "10 mm/s", "[]", 0, 0, 0.05},
+        {"50 mm/s", "1 mm/s", "[{at: 1 s, do: conveyor_speed, of: K, speed: 0.5 m/s, ramp: 200 ms}]", 0, 1, 0.5}};
+    for (int k = 0; k < 4; k++) {
+        char belts[200], text[2000];
+        hawser_limit limit[HAWSER_LIMITS_MAX];
+        hawser_summary sum;
+        snprintf(belts, sizeof belts,
+                 "[{name: K, from: 9.2 m, to: 10.8 m, clamp: 10 kN, belt: {speed: %s, to: 300 ms}}]", row[k].belt);
+        snprintf(text, sizeof text,
+                 "cables: {c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 2 kN m2, d: 80 mm, mass: 20 kg/m}}\n"
+                 "chain: [{cable: c, length: 10 m, segment: 500 mm}]\n"
+                 "route: {head_at: 11 m, pieces: [{straight: 14 m}]}\nlead_in: {}\n"
+                 "rollers: {along: [{spacing: 1 m}]}\nfriction: {mu: 0.2, v_s: %s}\nconveyors: %s\n"
+                 "drive: {tail: {tension: 200 N, to: 500 ms}, script: %s}\n"
+                 "run: {duration: 2 s, steady_from: 1500 ms}\nlimits: {pull: 20 kN}\n",
+                 row[k].v_s, belts, row[k].script);
+        hawser_sim *const sim = run_of(text, NULL);
+        const int n = hawser_sim_limits(sim, limit);
+        const hawser_condition *const c = of_run(sim, &sum, "friction_speed");
+        int i = 0;
+        while (i < n && strcmp(limit[i].name, "speed") != 0) i++;
+        assert_true(i < n && limit[i].judged);
+        check_share(limit[i].value, row[k].speed, 0.03);
+        assert_int_equal(limit[i].ok, !row[k].fast);
+        assert_non_null(c);
+        assert_int_equal(c->holds, !row[k].fades);
+        hawser_sim_free(sim);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(positions_of_a_fastened_end),
         cmocka_unit_test(motion_to_a_fastened_end),
         cmocka_unit_test(what_else_fades),
+        cmocka_unit_test(drawn_by_belts),
     };
     return cmocka_run_group_tests_name("trusted runs", tests, NULL, NULL);
 }
