@@ -64,6 +64,15 @@ static double time_of(const Scene *scene, double s, double end)
     return late;
 }
 
+/* Whether a belt runs with the cable at the end: by the winch's speed, or by one of its own that is the same. */
+static int runs_with(const Scene *scene, const ConveyorDef *c)
+{
+    const double end = scene->def.duration, largest = scene->largest_speed;
+    const double apart =
+        c->sync ? (c->factor - 1) * largest : profile_value(&c->speed, end) - winch_speed(scene->winch, end);
+    return fabs(apart) <= 2 * c->v_d;
+}
+
 const char *positions_unknown(const Stage *st)
 {
     const Scene *const scene = &st->scene;
@@ -83,8 +92,7 @@ const char *positions_unknown(const Stage *st)
             return "friction that sticks depends on the way: use 'friction.law: adams'";
     }
     for (int i = 0; i < def->n_conveyors; ++i) {
-        const ConveyorDef *const c = &def->conveyors[i];
-        if (c->sync && fabs(c->factor - 1) * scene->largest_speed <= 2 * c->v_d)
+        if (runs_with(scene, &def->conveyors[i]))
             return "a belt that runs with the cable pushes by what lengths decide: use 'analysis: dynamics'";
     }
     return NULL;

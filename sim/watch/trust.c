@@ -23,6 +23,7 @@ static const double PUSHED = 0.01;       /* of the largest pull, that the cable 
 static const double PUSHED_ALONG = 0.01; /* of the largest tension of a position */
 static const double LENGTH = 1e-4;       /* m: nobody knows where a cable lies, and no mesh, to less */
 static const double SHARED = 0.02;       /* of the pull, that so much may move from a belt to the winch */
+static const double SLIPS = 0.5;         /* of the steady window, from which on a belt slips */
 static const double EDGE = 0.7;          /* of half a roller's width, that the cable may lie off its middle at rest */
 static const double SPIKE = 0.2;         /* of the largest pull, above the rows beside it */
 static const double INSIDE = 0.25;       /* of both radii, that cables may lie inside each other */
@@ -280,6 +281,21 @@ static double push_left(const ConveyorDef *c, const hawser_summary *s)
     return 0;
 }
 
+/* Whether lengths decide what a belt pushes with: it keeps the winch's speed, or has one of its own that is so near to
+ * it that it does not slip. One that slips pushes with all it has. The window's mean says so, where the cable was in
+ * the belt all along. */
+static int by_lengths(const Scene *scene, const ConveyorDef *c, const hawser_summary *s)
+{
+    const SceneDef *const def = &scene->def;
+    if (c->sync && c->factor <= 1 && c->factor >= 1) return 1;
+    if (!(def->head_at + profile_integral(&def->winch.speed, def->output.steady_from) >= c->to)) return 0;
+    for (int i = 0; i < s->n_machines; ++i) {
+        if (strcmp(s->machines[i].kind, "conveyors") || strcmp(s->machines[i].name, c->name)) continue;
+        return hawser_machine_figure(&s->machines[i], "slipping") < SLIPS;
+    }
+    return 0;
+}
+
 /* A belt that keeps the winch's speed shares the pull with it by the length of the cable between them (WI23), as far as
  * its grip and its limit let it. */
 static void add_shared(List *list, const TrustFacts *f)
@@ -291,7 +307,7 @@ static void add_shared(List *list, const TrustFacts *f)
     for (int i = 0; i < scene->def.n_conveyors; ++i) {
         const ConveyorDef *const c = &scene->def.conveyors[i];
         const double give = give_before(scene, c);
-        if (!c->sync || c->factor > 1 || c->factor < 1 || !(give > 0)) continue;
+        if (!(give > 0) || !by_lengths(scene, c, s)) continue;
         const double moves = fmin(LENGTH / give, push_left(c, s));
         if (name && moves <= most) continue;
         most = moves;
@@ -301,7 +317,7 @@ static void add_shared(List *list, const TrustFacts *f)
     const double share = most / fmax(fabs(s->pull_mean_N), s->pull_peak_N / 100);
     add(list, "shared", "1", share, SHARED,
         "0.1 mm of cable between conveyor '%s' and the winch moves %.2g %% of the pull from one to the other: give the "
-        "conveyor a limit that it reaches, a factor or a belt of its own",
+        "conveyor a limit that it reaches, or a factor or a belt of its own whose speed differs",
         name, 100 * share);
 }
 

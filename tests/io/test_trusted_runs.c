@@ -134,6 +134,42 @@ static void drawn_by_belts(void **state)
     }
 }
 
+/* A belt with a speed of its own that is the winch's pushes with what lengths decide, as one that follows it does;
+ * where it is faster it slips, and pushes with all it has. */
+static void a_belt_as_fast_as_the_winch(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *belt;
+        int shares;
+    } row[] = {{"{speed: 0.1 m/s, to: 1 s}", 1},
+               {"{speed: 0.1 m/s, to: 1.02 s}", 1},
+               {"{speed: 0.11 m/s, to: 1 s}", 0},
+               {"{speed: 0.09 m/s, to: 1 s}", 0}};
+    for (int k = 0; k < 4; k++) {
+        char belts[200];
+        snprintf(belts, sizeof belts, "[{name: K, from: 4.2 m, to: 5.8 m, clamp: 1 kN, belt: %s}]", row[k].belt);
+        const char *const settings[] = {"route",     "{head_at: 15 m, pieces: [{straight: 24 m}]}",
+                                        "rollers",   "{along: [{spacing: 1 m}]}",
+                                        "conveyors", belts,
+                                        NULL};
+        hawser_summary sum;
+        hawser_sim *const sim = run_of(data_text("limits"), settings);
+        const hawser_condition *const c = of_run(sim, &sum, "shared");
+        assert_int_equal(c && !c->holds, row[k].shares);
+        hawser_sim_free(sim);
+        hawser_error err = {0};
+        hawser_sim *placed = NULL;
+        hawser_case *const p = case_with(data_text("limits"), settings);
+        assert_int_equal(hawser_case_set(p, "run.analysis", "positions", &err), HAWSER_OK);
+        const hawser_status status = hawser_sim_new(p, NULL, &placed, &err);
+        hawser_case_free(p);
+        assert_int_equal(status, row[k].shares ? HAWSER_ERR_INPUT : HAWSER_OK);
+        if (row[k].shares) check_has(err.message, "pushes by what lengths decide");
+        hawser_sim_free(placed);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -141,6 +177,7 @@ int main(void)
         cmocka_unit_test(motion_to_a_fastened_end),
         cmocka_unit_test(what_else_fades),
         cmocka_unit_test(drawn_by_belts),
+        cmocka_unit_test(a_belt_as_fast_as_the_winch),
     };
     return cmocka_run_group_tests_name("trusted runs", tests, NULL, NULL);
 }
