@@ -97,6 +97,15 @@ static hawser_status varied_make(const hawser_case *c, Varied *v, hawser_error *
     for (size_t k = 0; k < v->n && !status; k++) {
         const char *const key = v->key[k];
         const CaseNode *const node = node_at(c->tree->root, key);
+        if (!strncmp(key, "route.", 6)) {
+            /* what moves all supports by a share of a length steps over contacts, which are a tenth of a mm deep */
+            status =
+                error_set(err, HAWSER_ERR_INPUT,
+                          "--sensitivities %.200s: the route's shape opens and closes contacts, and has no slope by "
+                          "them: 'hawser theory', or a study of runs, says what it changes",
+                          key);
+            break;
+        }
         if (!node || node->kind != NODE_TEXT || !value_split(units, node->text, &v->value[k], v->unit[k]) ||
             v->value[k] == 0) {
             status = error_set(err, HAWSER_ERR_INPUT,

@@ -17,11 +17,14 @@ exists with/sensitivities.json
 cmp -s "$work/plain/series.csv" "$work/with/series.csv" || fail "the run is another with sensitivities"
 run_hawser 2 run pull.yaml --quiet --sensitivities friction.my -o bad
 says err "friction.my: the case gives no number other than 0 there"
+run_hawser 2 run pull.yaml --quiet --sensitivities route.pieces.0.straight -o bad
+says err "route.pieces.0.straight: the route's shape opens and closes contacts"
 
 # one position by every number of the case
 run_hawser 0 run pull.yaml --sensitivities all -o all
 says out "What the figures of a position change by" "friction.mu" "cables.power.EI" "drive.winch.speed"
 exists all/sensitivities.json
+! grep -q '"route\.' "$work/all/sensitivities.json" || fail "a slope by the route's shape"
 keys=$(awk 'BEGIN { for (k = 0; k < 65; k++) printf "friction.mu,"; }')
 run_hawser 2 run pull.yaml --quiet --sensitivities "$keys" -o bad
 says err "--sensitivities: more than 64 keys"
