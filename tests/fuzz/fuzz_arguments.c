@@ -3,6 +3,7 @@
  * nothing is written but in the folder. A browser, MPI and Slurm are not started; what would take longer than a
  * few steps is interrupted, as by a user. */
 #include <dirent.h>
+#include <fcntl.h>
 #include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -57,6 +58,8 @@ enum { FILES = sizeof files / sizeof *files };
 
 /* base/work is where it is tried, base/run has a run's results, whose files are in base/work/results each time. */
 static char base[PATH], work[PATH];
+/* Where the fuzzer was started: it reads its inputs from there between calls. */
+static int home = -1;
 
 static void folder_empty(const char *path, int itself)
 {
@@ -104,6 +107,8 @@ static void results_copy(const char *from, const char *to)
 static void base_make(void)
 {
     const char *const tmp = getenv("TMPDIR");
+    home = open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    FUZZ_MUST(home >= 0);
     hawser_error err = {HAWSER_OK, ""};
     hawser_case *c = NULL;
     hawser_sim *s = NULL;
@@ -251,7 +256,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     FUZZ_MUST((status >= 0 && status <= 7) || status == EXIT_INTERRUPTED);
     error_is_good(status, said, said_size);
     nothing_else_is_there();
-    FUZZ_MUST(!chdir(base));
+    FUZZ_MUST(!fchdir(home));
     free(said);
     free(printed);
     return 0;
