@@ -203,7 +203,8 @@ static hawser_condition friction_of(const Scene *scene)
         if (!surface_along_route(surface) && !friction_given(scene, NAN))
             friction_take(&surface->friction, 1, surface->name, rough);
     }
-    const int rests = !(rough[0].mu > given[0] * (1 + 1e-9)); /* what is asked last: friction from rest */
+    /* friction from rest is named where that alone is too large */
+    const int rests = !(rough[0].mu > given[0] * (1 + 1e-9)) && rough[1].mu > given[1] * (1 + 1e-9);
     hawser_condition c = {.name = "friction", .unit = "1", .value = rough[rests].mu, .allowed = given[rests]};
     c.holds = c.value <= c.allowed * (1 + 1e-9);
     snprintf(c.remedy, sizeof c.remedy,
