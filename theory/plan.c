@@ -87,7 +87,10 @@ static double turned_at(const Route *route, const double *turned, double s)
     int low = 0, high = route->n - 1;
     while (low < high) {
         const int middle = (low + high + 1) / 2;
-        *(route->piece[middle].s0 <= s ? &low : &high) = route->piece[middle].s0 <= s ? middle : middle - 1;
+        if (route->piece[middle].s0 <= s)
+            low = middle;
+        else
+            high = middle - 1;
     }
     const RoutePiece *const p = &route->piece[low];
     return turned[low] + p->angle * fmin(fmax((s - p->s0) / p->length, 0), 1);
@@ -103,12 +106,14 @@ static void piece_loads(const PlanDef *def, const double *turned, PlanWay *way, 
     const PieceExtremes most = pull_extremes_from(&way->pull, i);
     const double spacing = def->spacing ? def->spacing[p] : def->roller_spacing;
     const double beside = def->guides ? def->guides[p] : spacing;
+    piece->max_tension = most.tension;
+    piece->sidewall = most.sidewall;
+    piece->roller_load = most.aside > 0 ? most.aside * fmin(beside, piece->turn) : 0;
+    if (!(spacing > 0)) return; /* no supports that share the load between them */
     const double turn =
         turned_at(def->route, turned, on->s0 + on->length + spacing) - turned_at(def->route, turned, on->s0 - spacing);
     const double all = most.either * turn + way->pull.span[i].law.weight * spacing;
-    piece->max_tension = most.tension;
-    piece->sidewall = most.sidewall;
-    piece->roller_load = fmax(fmin(most.down * spacing, all), most.aside * fmin(beside, piece->turn));
+    piece->roller_load = fmax(fmin(most.down * spacing, all), piece->roller_load);
 }
 
 /* How long the bends are of which the pieces are parts. */

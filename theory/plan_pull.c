@@ -37,11 +37,14 @@ static int next_pit(const PlanDef *def, int way, double s)
     return next;
 }
 
-/* The weight that counts of unlike pieces: of which lies there nobody says, and a pull that is held back least has the
- * lightest where weight holds (`metre`: its share that does, >= 0) and the heaviest where it runs ahead (T28). */
+/* Whether unlike pieces count with the weight that holds least: of which lies where nobody says. */
+static int weighs_unlike(const PlanDef *def) { return def->slack && def->lightest > 0; }
+
+/* The weight that counts: where they do, the lightest where weight holds (`metre`: its share that does, >= 0) and the
+ * heaviest where it runs ahead (T28). */
 static double weight_of(const PlanDef *def, const PullStretch *s, double metre)
 {
-    return def->slack && def->lightest > 0 && metre >= 0 ? fmin(def->lightest, s->weight) : s->weight;
+    return weighs_unlike(def) && metre >= 0 ? fmin(def->lightest, s->weight) : s->weight;
 }
 
 /* What a metre holds back with, as a share of its weight, on a straight that rises by so much per metre. */
@@ -166,7 +169,8 @@ static PullStretch stretch_make(const PlanDef *def, const DuctLoad *load, int wa
     s.mu *= factor;
     s.mu_static *= factor;
     if (def->duct) s.share = load->sidewall_factor;
-    s.weight = weight_of(def, &s, share_held(sign_of(way) * route_at(def->route, middle).tangent.z, s.mu));
+    if (weighs_unlike(def))
+        s.weight = weight_of(def, &s, share_held(sign_of(way) * route_at(def->route, middle).tangent.z, s.mu));
     return s;
 }
 
@@ -176,7 +180,6 @@ enum { BEND_PARTS = 32 }; /* of a piece of the route, each with the weight that 
 static int weight_places(const PlanDef *def, PullStretch *s)
 {
     int n = 0;
-    if (!def->slack || !(def->lightest > 0)) return 0;
     for (int p = 0; p < def->route->n; p++) {
         const RoutePiece *const piece = &def->route->piece[p];
         const int parts = piece->kind == ROUTE_STRAIGHT ? 1 : BEND_PARTS;
@@ -189,7 +192,8 @@ static int weight_places(const PlanDef *def, PullStretch *s)
 static hawser_status course_make(const PlanDef *def, const DuctLoad *load, int way, double head, Course *out,
                                  hawser_error *err)
 {
-    const int most = def->n_stretches + def->n_wear + BEND_PARTS * def->route->n + 1;
+    const int unlike = weighs_unlike(def);
+    const int most = def->n_stretches + def->n_wear + (unlike ? BEND_PARTS * def->route->n : 0) + 1;
     out->stretch = malloc((size_t)most * sizeof *out->stretch);
     if (!out->stretch) return error_memory(err);
     PullStretch *const s = out->stretch;
@@ -197,7 +201,7 @@ static hawser_status course_make(const PlanDef *def, const DuctLoad *load, int w
     for (int i = 0; i < def->n_stretches; i++) s[n++].from = def->stretch[i].from;
     for (int k = 0; k < def->n_wear; k++) s[n++].from = wear_place(def, way, head, def->wear[k].from);
     s[n++].from = head;
-    n += weight_places(def, s + n);
+    if (unlike) n += weight_places(def, s + n);
     qsort(s, (size_t)n, sizeof *s, compare_places);
     out->n = 0;
     for (int i = 0; i < n; i++) {

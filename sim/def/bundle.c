@@ -144,6 +144,12 @@ double bundle_friction(const SceneDef *def, const SurfaceDef *surface, int in_be
     return load_there(def, surface, &load) ? load.weight_factor : 1;
 }
 
+double bundle_theory_friction(const SceneDef *def, const SurfaceDef *surface, int in_bend)
+{
+    const double chains = surface && surface->weight_factor > 0 ? surface->weight_factor : 1;
+    return chains * bundle_friction(def, surface, in_bend);
+}
+
 double bundle_share(const SceneDef *def, const SurfaceDef *surface)
 {
     DuctLoad load;

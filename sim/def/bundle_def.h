@@ -34,6 +34,8 @@ int bundle_cables_in(const struct SceneDef *def, const struct SurfaceDef *duct);
 /* By how much friction on a surface (NULL: on rollers) is larger for the cables' layout, on a straight or in a bend
  * (BU7). */
 double bundle_friction(const struct SceneDef *def, const struct SurfaceDef *surface, int in_bend);
+/* The same to theory, which knows nothing of what chains beside each other press with (SC15): a run finds that. */
+double bundle_theory_friction(const struct SceneDef *def, const struct SurfaceDef *surface, int in_bend);
 /* The share of T/R, or of the force per length, on the worst loaded cable there (BU9). */
 double bundle_share(const struct SceneDef *def, const struct SurfaceDef *surface);
 /* How many times the tension of one cable's tail holds the bundle back: each has a reel of its own, unless they are

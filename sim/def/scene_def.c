@@ -87,16 +87,10 @@ Shape roller_def_shape(const RollerDef *roller)
 
 int surface_along_route(const SurfaceDef *surface) { return surface->shape.kind != SURFACE_PLANE; }
 
-double surface_correction(const SceneDef *def, const SurfaceDef *surface, int in_bend)
-{
-    const double loose = surface && surface->weight_factor > 0 ? surface->weight_factor : 1;
-    return loose * bundle_friction(def, surface, in_bend);
-}
-
 /* (DU15), (BU7). */
 double surface_theory_friction(const SceneDef *def, const SurfaceDef *surface, int in_bend)
 {
-    const double mu = surface->friction.mu_d * surface_correction(def, surface, in_bend);
+    const double mu = surface->friction.mu_d * bundle_theory_friction(def, surface, in_bend);
     return surface->shape.kind == SURFACE_V ? mu / sin(surface->shape.angle / 2) : mu;
 }
 

@@ -227,10 +227,9 @@ void scene_def_clear(SceneDef *def);
 int scene_def_eye(const SceneDef *def);
 /* What the cable touches of a roller. */
 Shape roller_def_shape(const RollerDef *roller);
-/* Whether a surface runs along the route; by how much several cables in it, of a bundle or chains, have more friction
- * (NULL: 1); its friction as theory sees it: a V grips by its two sides, a duct by the layout of the cables in it. */
+/* Whether a surface runs along the route, and its friction as theory sees it: a V grips by its two sides, a duct by the
+ * layout of the cables in it. */
 int surface_along_route(const SurfaceDef *surface);
-double surface_correction(const SceneDef *def, const SurfaceDef *surface, int in_bend);
 double surface_theory_friction(const SceneDef *def, const SurfaceDef *surface, int in_bend);
 /* Whether friction sticks anywhere: its bristles move from one accepted step to the next. */
 int scene_def_sticks(const SceneDef *def);

@@ -23,7 +23,7 @@ static hawser_status friction_set(const Scene *scene, Stretches *s, hawser_error
             if (longer[i].from < def->from || longer[i].from >= def->to) continue;
             const double middle = i + 1 < s->n ? (longer[i].from + longer[i + 1].from) / 2 : longer[i].from + 1;
             const int in_bend = scene->route.piece[route_at(&scene->route, middle).piece].kind != ROUTE_STRAIGHT;
-            const double correction = surface_correction(&scene->def, surface_at(&scene->def, middle), in_bend);
+            const double correction = bundle_theory_friction(&scene->def, surface_at(&scene->def, middle), in_bend);
             longer[i].mu_rope = def->mu;
             longer[i].mu_rope_static = def->mu_s;
             longer[i].mu = correction * def->mu;
@@ -138,10 +138,11 @@ static void bearers_add(const Scene *scene, Part bend, int piece, Calculator *c)
     int nearest[2] = {-1, -1}; /* behind it, ahead of it */
     for (int r = 0; r < scene->def.n_rollers; ++r) {
         const RollerDef *const roller = &scene->def.rollers[r];
-        if (isnan(roller->s) || roller_is_guide(&scene->route, roller)) continue;
+        if (isnan(roller->s)) continue;
         const int ahead = roller->s > bend.to, known = nearest[ahead];
         const double sign = ahead ? -1 : 1;
-        if (known < 0 || sign * (roller->s - scene->def.rollers[known].s) > 0) nearest[ahead] = r;
+        const int nearer = known < 0 || sign * (roller->s - scene->def.rollers[known].s) > 0;
+        if (nearer && !roller_is_guide(&scene->route, roller)) nearest[ahead] = r;
     }
     for (int k = 0; k < 2; ++k)
         if (nearest[k] >= 0) c->bearer[c->n_bearers++] = (Bearer){piece, nearest[k]};
