@@ -1,7 +1,5 @@
 /* What limits and trust are asked of: all that is there, as it was in the run, not as the case first says. */
-#include "tests/io/case_fixture.h"
-
-#include <jansson.h>
+#include "tests/io/theory_fixture.h"
 
 /* The limits of a run of tests/data/limits.yaml so changed; the simulation is given back. */
 static hawser_sim *judged(const char *const *settings, int *n, hawser_limit *limit)
@@ -18,17 +16,6 @@ static const hawser_limit *find(int n, const hawser_limit *limit, const char *na
     }
     fail_msg("no limit %s", name);
     return NULL;
-}
-
-/* The answer of theory, without spaces; the caller frees it. */
-static char *theory_of(const char *text, const char *const *settings)
-{
-    char *answer = NULL;
-    hawser_error err = {0};
-    hawser_case *const c = case_with(text, settings);
-    if (hawser_case_theory(c, HAWSER_JSON, &answer, &err)) fail_msg("%s", err.message);
-    hawser_case_free(c);
-    return answer;
 }
 
 /* Ratings of listed rollers were not asked for where no row stands. Theory knows nothing of them, and says so. */
@@ -50,7 +37,7 @@ static void ratings_of_listed_rollers(void **state)
     assert_true(steady->judged && !steady->ok && peak->judged && !peak->ok);
     check_above(peak->value, 150);
     hawser_sim_free(sim);
-    char *const answer = theory_of(data_text("limits"), settings);
+    char *const answer = theory_text(data_text("limits"), settings);
     check_has(answer, "not judged: roller_steady");
     hawser_text_free(answer);
 }
@@ -63,11 +50,9 @@ static void the_largest_back_tension(void **state)
     const char *const tail[] = {"{table: [[0 s, 0 N], [1 s, 3 kN], [2 s, 0 N]]}", "{tension: 3 kN, ramp: none}"};
     double start[2];
     for (int k = 0; k < 2; k++) {
-        char *const answer = theory_of(data_text("limits"), (const char *const[]){"drive.tail", tail[k], NULL});
-        json_t *const all = json_loads(answer, 0, NULL);
-        start[k] = json_number_value(json_object_get(all, "start_tension_N"));
+        json_t *const all = theory_of(data_text("limits"), (const char *const[]){"drive.tail", tail[k], NULL});
+        start[k] = number_of(all, "start_tension_N");
         json_decref(all);
-        hawser_text_free(answer);
     }
     check_above(start[1], 2999);
     check_share(start[0], start[1], 1e-12);
@@ -83,7 +68,7 @@ static void the_least_back_tension(void **state)
                                 "{tension: 3 kN, ramp: none}"};
     char *answer[3];
     for (int k = 0; k < 3; k++)
-        answer[k] = theory_of(data_text("limits-shaft"), (const char *const[]){"drive.tail", tail[k], NULL});
+        answer[k] = theory_text(data_text("limits-shaft"), (const char *const[]){"drive.tail", tail[k], NULL});
     assert_null(strstr(answer[0], "run away"));
     const char *const brake = strstr(answer[2], "it needs a brake of"), *const same =
                                                                             strstr(answer[1], "it needs a brake of");
@@ -112,7 +97,7 @@ static void the_speed_that_was(void **state)
         hawser_sim_free(sim);
     }
     const char *const tension[] = {row[0].key, row[0].value, NULL};
-    char *const answer = theory_of(data_text("limits"), tension);
+    char *const answer = theory_text(data_text("limits"), tension);
     check_has(answer, "a run says");
     hawser_text_free(answer);
 }
@@ -169,11 +154,11 @@ static void friction_that_theory_does_not_take(void **state)
     const char *const more[] = {"rollers", row, NULL};
     const char *const less[] = {"rollers", row, "friction.mu", "0.5", NULL};
     const char *const own[] = {"rollers", row, "theory.stretches", "[{from: 0 m, to: 24 m, mu: 0.5}]", NULL};
-    char *answer = theory_of(data_text("limits"), more);
+    char *answer = theory_text(data_text("limits"), more);
     check_has(answer, "has a friction of its own, 0.5");
     hawser_text_free(answer);
     for (int k = 0; k < 2; k++) {
-        answer = theory_of(data_text("limits"), k ? own : less);
+        answer = theory_text(data_text("limits"), k ? own : less);
         assert_null(strstr(answer, "has a friction of its own"));
         hawser_text_free(answer);
     }
@@ -188,27 +173,12 @@ static void friction_that_is_given_in_part(void **state)
     static const char spins[] = "{along: {spacing: 1 m, friction: {mu: 0.5}, name: W, spin: {inertia: 0.01 kg m2}}}";
     const char *const part[] = {"rollers", row, "theory.stretches", "[{from: 0 m, to: 1 m, mu: 0.5}]", NULL};
     const char *const turns[] = {"rollers", spins, NULL};
-    char *answer = theory_of(data_text("limits"), part);
+    char *answer = theory_text(data_text("limits"), part);
     check_has(answer, "has a friction of its own, 0.5");
     hawser_text_free(answer);
-    answer = theory_of(data_text("limits"), turns);
+    answer = theory_text(data_text("limits"), turns);
     assert_null(strstr(answer, "has a friction of its own"));
     hawser_text_free(answer);
-}
-
-/* A number of a limit of the forward pull, in an answer of theory. */
-static double limit_of(const json_t *answer, const char *name)
-{
-    json_t *limit;
-    size_t i;
-    json_array_foreach(json_object_get(answer, "limits"), i, limit)
-    {
-        const char *const way = json_string_value(json_object_get(limit, "direction"));
-        if (!strcmp(json_string_value(json_object_get(limit, "name")), name) && (!way || strcmp(way, "backward")))
-            return json_number_value(json_object_get(limit, "value"));
-    }
-    fail_msg("no limit %s", name);
-    return NAN;
 }
 
 /* A pull that begins anew presses with static friction: only its tension was judged. */
@@ -218,11 +188,9 @@ static void sidewall_pressure_from_rest(void **state)
     double found[2];
     for (int k = 0; k < 2; k++) {
         const char *const settings[] = {"friction", k ? "{mu: 0.5}" : "{mu_s: 0.5, mu_d: 0.2}", NULL};
-        char *const answer = theory_of(data_text("limits"), settings);
-        json_t *const all = json_loads(answer, 0, NULL);
+        json_t *const all = theory_of(data_text("limits"), settings);
         found[k] = limit_of(all, "sidewall");
         json_decref(all);
-        hawser_text_free(answer);
     }
     check_share(found[0], found[1], 1e-9);
 }
@@ -250,20 +218,18 @@ static void bends_in_parts(void **state)
             }
             strcat(route, ", {straight: 8 m}]}");
             const char *const settings[] = {"route", route, "rollers", rollers, NULL};
-            char *const answer = theory_of(data_text("limits"), settings);
-            json_t *const all = json_loads(answer, 0, NULL);
+            json_t *const all = theory_of(data_text("limits"), settings);
             for (int i = 0; i < 4; i++) {
                 const double found = limit_of(all, names[i]);
                 if (k == 0) whole[i] = found;
                 check_share(found, whole[i], 1e-9);
             }
             const double w = 20 * 9.81, R = 6, angle = 40 * M_PI / 180;
-            const double T1 = json_number_value(json_object_get(all, "start_tension_N")) + 0.2 * w * 8;
+            const double T1 = number_of(all, "start_tension_N") + 0.2 * w * 8;
             const double T2 = (T1 + w * R) * exp(0.2 * angle) - w * R;
             if (row == 2) check_share(limit_of(all, "roller_steady"), T2 * angle, 1e-6);
             if (row == 2) check_share(limit_of(all, "rope_bend"), 0.18 / 0.014, 1e-9);
             json_decref(all);
-            hawser_text_free(answer);
         }
     }
 }
@@ -282,18 +248,15 @@ static void a_crest_between_rollers(void **state)
                  radius[k]);
         const char *const settings[] = {"route", route, "rollers", "{along: [{spacing: 1 m, rating: 5 kN, from: 0 m}]}",
                                         NULL};
-        char *const answer = theory_of(data_text("limits"), settings);
-        json_t *const all = json_loads(answer, 0, NULL);
+        json_t *const all = theory_of(data_text("limits"), settings);
         const double w = 20 * 9.81, angle = 20 * M_PI / 180, R = k ? 1 : 0.5;
-        const double T1 =
-            json_number_value(json_object_get(all, "start_tension_N")) + w * 8.5 * (sin(angle) + 0.2 * cos(angle));
+        const double T1 = number_of(all, "start_tension_N") + w * 8.5 * (sin(angle) + 0.2 * cos(angle));
         /* T turns it: between the tension before it and more than that behind it, with weight and friction on it */
         const double T2 = (T1 + w * R) * exp(0.2 * angle) + w * R;
         const double found = limit_of(all, "roller_steady");
         check_above(found, T1 * angle);
         check_below(found, T2 * angle + w * (1 + R * angle));
         json_decref(all);
-        hawser_text_free(answer);
     }
 }
 
@@ -310,7 +273,7 @@ static void belts_ahead_hold_nothing(void **state)
         "conveyors: [{name: C1, from: 545 m, to: 547 m, clamp: 25 kN, limit: 12 kN, belt: {speed: 0.11 m/s, ramp: "
         "none}}]\n"
         "drive: {winch: {speed: 0.1 m/s, ramp: none}}\nlimits: {pull: 30 kN, sidewall: 10 kN/m}\n";
-    char *const answer = theory_of(text, NULL);
+    char *const answer = theory_text(text, NULL);
     check_has(answer, "the cable would run away or slacken");
     hawser_text_free(answer);
 }

@@ -1,29 +1,11 @@
 /* Where the pull begins: theory is about the whole of it, with whatever holds the cable back at any time. */
-#include "tests/io/case_fixture.h"
-
-#include <jansson.h>
-
-/* Theory's answer to a case so changed; the caller gives it back. */
-static json_t *theory_of(const char *text, const char *const *settings)
-{
-    char *answer = NULL;
-    hawser_error err = {0};
-    hawser_case *const c = case_with(text, settings);
-    if (hawser_case_theory(c, HAWSER_JSON, &answer, &err)) fail_msg("%s", err.message);
-    hawser_case_free(c);
-    json_t *const all = json_loads(answer, 0, NULL);
-    assert_non_null(all);
-    hawser_text_free(answer);
-    return all;
-}
-
-static double number(const json_t *all, const char *key) { return json_number_value(json_object_get(all, key)); }
+#include "tests/io/theory_fixture.h"
 
 /* One number of the answer. */
 static double figure(const char *text, const char *const *settings, const char *key)
 {
     json_t *const all = theory_of(text, settings);
-    const double value = number(all, key);
+    const double value = number_of(all, key);
     json_decref(all);
     return value;
 }
@@ -118,9 +100,9 @@ static void cable_behind_with_friction(void **state)
     (void)state;
     const double metre = 0.2 * 20 * 9.81;
     json_t *const all = theory_of(behind, NULL);
-    check_share(number(all, "start_tension_N"), 100 * metre, 1e-9);
-    check_share(number(all, "reference_total_N"), 160 * metre, 1e-9);
-    check_share(number(all, "backward_total_N"), 60 * metre, 1e-9);
+    check_share(number_of(all, "start_tension_N"), 100 * metre, 1e-9);
+    check_share(number_of(all, "reference_total_N"), 160 * metre, 1e-9);
+    check_share(number_of(all, "backward_total_N"), 60 * metre, 1e-9);
     json_decref(all);
     verdict_is(behind, NULL, "NOT SAFE: 1 of 6 limits broken: restart by 4.64 %");
     verdict_is(behind, (const char *const[]){"limits.pull", "9.5 kN", NULL}, "SAFE");
@@ -200,7 +182,7 @@ static void a_light_cable_holds_less(void **state)
     verdict_is(text, NULL, "NOT TRUSTED: the cable would run away");
     json_t *const all = theory_of(text, NULL);
     const json_t *const there = json_array_get(json_object_get(all, "directions"), 0);
-    check_share(number(there, "min_tension_N"), held - runs, 0.1); /* the changes of slope are arcs */
+    check_share(number_of(there, "min_tension_N"), held - runs, 0.1); /* the changes of slope are arcs */
     json_decref(all);
     const char *const braked[] = {"drive.tail", "{tension: 3 kN, ramp: none}", NULL}; /* and a tenth more */
     verdict_is(text, braked, "SAFE");

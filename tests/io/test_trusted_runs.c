@@ -17,16 +17,17 @@ static const hawser_condition *of_run(hawser_sim *sim, hawser_summary *sum, cons
             "run.duration", duration, NULL, NULL                                                                       \
     }
 
+/* The first comes so far that the end holds. */
+static const char *const fastened[][13] = {FASTENED("fixed", "8 s"), FASTENED("fixed", "3 s"), FASTENED("free", "8 s")};
+
 /* A fastened end was let go by positions. */
 static void positions_of_a_fastened_end(void **state)
 {
     (void)state;
-    static const char *const settings[][13] = {FASTENED("fixed", "8 s"), FASTENED("fixed", "3 s"),
-                                               FASTENED("free", "8 s")};
     for (int k = 0; k < 3; k++) {
         hawser_error err = {0};
         hawser_sim *sim = NULL;
-        hawser_case *const c = case_with(data_text("reel-payout"), settings[k]);
+        hawser_case *const c = case_with(data_text("reel-payout"), fastened[k]);
         assert_int_equal(hawser_case_set(c, "run.analysis", "positions", &err), HAWSER_OK);
         const hawser_status status = hawser_sim_new(c, NULL, &sim, &err);
         hawser_case_free(c);
@@ -40,13 +41,11 @@ static void positions_of_a_fastened_end(void **state)
 static void motion_to_a_fastened_end(void **state)
 {
     (void)state;
-    static const char *const settings[][13] = {FASTENED("fixed", "8 s"), FASTENED("fixed", "3 s"),
-                                               FASTENED("free", "8 s")};
     for (int k = 0; k < 3; k++) {
         hawser_error err = {0};
         hawser_sim *sim = NULL;
         hawser_summary sum;
-        hawser_case *const c = case_with(data_text("reel-payout"), settings[k]);
+        hawser_case *const c = case_with(data_text("reel-payout"), fastened[k]);
         assert_int_equal(hawser_case_set(c, "solver.motion", "auto", &err), HAWSER_OK);
         assert_int_equal(hawser_case_set(c, "solver.planar", "off", &err), HAWSER_OK);
         if (hawser_sim_new(c, NULL, &sim, &err)) fail_msg("%s", err.message);

@@ -1,0 +1,50 @@
+/* What the tests of theory's answers share: the answer to a case with settings, and what stands in it. */
+#ifndef HAWSER_TESTS_THEORY_FIXTURE_H
+#define HAWSER_TESTS_THEORY_FIXTURE_H
+
+#include <jansson.h>
+
+#include "tests/io/case_fixture.h"
+
+/* The answer as JSON, the caller's (hawser_text_free). */
+static inline char *theory_text(const char *text, const char *const *settings)
+{
+    char *answer = NULL;
+    hawser_error err = {0};
+    hawser_case *const c = case_with(text, settings);
+    if (hawser_case_theory(c, HAWSER_JSON, &answer, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    return answer;
+}
+
+/* The same taken apart, the caller's. */
+static inline json_t *theory_of(const char *text, const char *const *settings)
+{
+    char *const answer = theory_text(text, settings);
+    json_t *const all = json_loads(answer, 0, NULL);
+    hawser_text_free(answer);
+    assert_non_null(all);
+    return all;
+}
+
+static inline double number_of(const json_t *row, const char *key)
+{
+    return json_number_value(json_object_get(row, key));
+}
+
+/* The value of a limit, pulled forward. */
+static inline double limit_of(const json_t *answer, const char *name)
+{
+    json_t *limit;
+    size_t i;
+    json_array_foreach(json_object_get(answer, "limits"), i, limit)
+    {
+        const char *const way = json_string_value(json_object_get(limit, "direction"));
+        if (!strcmp(json_string_value(json_object_get(limit, "name")), name) && (!way || strcmp(way, "backward")))
+            return number_of(limit, "value");
+    }
+    fail_msg("no limit %s", name);
+    return NAN;
+}
+
+#endif
