@@ -41,7 +41,8 @@ static hawser_status piece_set(Route *route, RoutePiece *p, const RoutePieceDef 
                                hawser_error *err)
 {
     const int bend = def->kind == ROUTE_BEND;
-    *p = (RoutePiece){.kind = def->kind, .s0 = route->length, .start = at->position, .tangent = at->tangent};
+    *p = (RoutePiece){
+        .kind = def->kind, .listed = def->listed, .s0 = route->length, .start = at->position, .tangent = at->tangent};
     memcpy(p->name, def->name, sizeof p->name);
     if (def->sloped) p->tangent = tangent_on(def->slope, left);
     if (def->kind >= ROUTE_CURVE) return route_curve_set(route, p, def, left, err);

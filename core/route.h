@@ -35,6 +35,7 @@ typedef struct RoutePieceDef {
     RouteProfileKind profile; /* curve that is upright */
     double slope_end;         /* curve with an arc or a parabola: slope at its end, rad, within +-pi/2 */
     Vec3 cubic[3];            /* cubic: position from its start is c0 u + c1 u^2 + c2 u^3, 0 <= u <= 1, m; c0 != 0 */
+    int listed; /* which of the listed pieces it is, from 1 on; 0: none, it was made of points or lies between two */
 } RoutePieceDef;
 
 /* Where the integrals along a curve have been taken: its parameter u, arc length and plan up to there, m. */
@@ -60,6 +61,7 @@ typedef struct RouteCurve {
 typedef struct RoutePiece {
     RoutePieceKind kind;
     char name[ROUTE_NAME_MAX];
+    int listed;        /* as in its definition */
     double s0, length; /* m */
     double radius,
         angle;        /* m, rad; of curves the least radius in space and the whole turn of the tangent; straights: 0 */

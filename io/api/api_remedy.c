@@ -62,7 +62,7 @@ static double tension_by_radius(const Scene *scene, const RoutePiece *bend)
 /* T/R goes down as R goes up: (T + k (R' - R)) / R' is the limit. */
 static void sidewall_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
 {
-    char radius[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX], place[96] = "there";
+    char radius[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX], place[96] = "there", key[64] = "";
     const int p = bend_at(&scene->route, l->where);
     const RoutePiece *const bend = p >= 0 ? &scene->route.piece[p] : NULL;
     const double share = 100 * (1 - l->limit / l->value), k = bend ? tension_by_radius(scene, bend) : INFINITY;
@@ -73,9 +73,9 @@ static void sidewall_remedy(const Scene *scene, const hawser_limit *l, hawser_un
     assert(bend);
     show_bound(bend->radius * (l->value - k) / (l->limit - k), 1, "m", units, radius);
     if (*bend->name) snprintf(place, sizeof place, "in '%s'", bend->name);
-    snprintf(text, REMEDY_MAX,
-             "a radius of %s %s would do (route.pieces.%d.radius, now %s), or %.3g %% less tension there", radius,
-             place, p, hawser_show(bend->radius, "m", units, now), share);
+    if (bend->listed) snprintf(key, sizeof key, "route.pieces.%d.radius, ", bend->listed - 1);
+    snprintf(text, REMEDY_MAX, "a radius of %s %s would do (%snow %s), or %.3g %% less tension there", radius, place,
+             key, hawser_show(bend->radius, "m", units, now), share);
 }
 
 /* At the cable's head all that is pulled comes together. */

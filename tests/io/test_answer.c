@@ -159,13 +159,33 @@ static void answers(void **state)
     hawser_case_free(c);
 }
 
+/* A key of the case that a remedy names is one that makes that bend wider: bends between slopes are not listed. */
+static void a_listed_bend(void **state)
+{
+    (void)state;
+    static const char sloped[] =
+        "cables: {c: {d: 80 mm, mass: 20 kg/m}}\n"
+        "route: {transition_radius: 20 m, pieces: [{straight: 50 m}, {straight: 40 m, slope: 10 deg},"
+        " {straight: 30 m, slope: 0 deg}, {name: tight, bend: 90 deg, radius: 3 m, plane: left}, {straight: 30 m}]}\n"
+        "friction: {mu: 0.2}\nsurfaces: {ducts: [{radius: 80 mm}]}\nlimits: {pull: 60 kN, sidewall: 3 kN/m}\n";
+    hawser_case c;
+    hawser_error err;
+    Scene scene;
+    assert_int_equal(read_with(sloped, NULL, NULL, &c.def, &err), HAWSER_OK);
+    assert_int_equal(scene_build(&c.def, &scene, &err), HAWSER_OK);
+    check_has(remedy(&scene, "sidewall", "N/m", 3500, 3000, "124.4 m (tight)", HAWSER_SI),
+              "in 'tight' would do (route.pieces.3.radius, now 3 m)");
+    const char *const said = remedy(&scene, "sidewall", "N/m", 3500, 3000, "50.0 m (change of slope)", HAWSER_SI);
+    check_has(said, "in 'change of slope' would do (now 20 m)");
+    scene_clear(&scene);
+    scene_def_clear(&c.def);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(words),
-        cmocka_unit_test(ducts),
-        cmocka_unit_test(bends),
-        cmocka_unit_test(answers),
+        cmocka_unit_test(words),         cmocka_unit_test(ducts),   cmocka_unit_test(bends),
+        cmocka_unit_test(a_listed_bend), cmocka_unit_test(answers),
     };
     return cmocka_run_group_tests(tests, scene_setup, scene_teardown);
 }
