@@ -47,6 +47,36 @@ static void piece_cut(const SceneDef *def, int p, double *out)
     }
 }
 
+/* m, of the rollers: the largest radius at which a cable as thick as the chain's thickest has its line; 0: there are
+ * none. */
+static double farthest_line(const Scene *scene)
+{
+    double thickest = 0, farthest = 0;
+    for (int i = 0; i < scene->chain.n; ++i) thickest = fmax(thickest, scene->chain.radius[i]);
+    for (int r = 0; r < scene->def.n_rollers; ++r) {
+        const RollerDef *const roller = &scene->def.rollers[r];
+        const double sine = roller->profile == SHAPE_V_GROOVE ? roller->groove.sine : 1;
+        if (roller->profile == SHAPE_BOX || roller->profile == SHAPE_BELL) continue;
+        farthest = fmax(farthest, (roller->radius + thickest) / sine);
+    }
+    return farthest;
+}
+
+/* Where a thick cable ends the contact radius falls over an arc by no more than leaves a roller one nearest place
+ * (C6); what is left of the fall goes on over the arcs that follow, on the thinner cable. (C6a) */
+static void radii_taper(Scene *scene)
+{
+    Chain *const c = &scene->chain;
+    const double farthest = scene->def.geometry == GEOMETRY_SMOOTH ? farthest_line(scene) : 0;
+    for (int side = 1; side >= -1 && farthest > 0; side -= 2) {
+        for (int k = 1; k < c->n; ++k) {
+            const int i = side > 0 ? k : c->n - 1 - k;
+            const double arc = c->half[i] + c->half[i - side];
+            c->radius[i] = fmax(c->radius[i], c->radius[i - side] - arc * arc / (6 * farthest));
+        }
+    }
+}
+
 /* Mass, inertia by the cross-section's radius of gyration (of a full circle if none is given), contact radius (S5). */
 static void segments_fill(Scene *scene)
 {
@@ -67,6 +97,7 @@ static void segments_fill(Scene *scene)
             c->radius[i] = r;
         }
     }
+    radii_taper(scene);
 }
 
 /* The route coordinate at distance `chord` from the point of the chain's line at s, ahead or behind (sign), by Newton's
