@@ -249,8 +249,9 @@ static void page_make(Theory *t, const char *title, int forward_only, Page *page
     fill_terms(t);
     for (int k = 0; k < (forward_only ? 1 : PLAN_WAYS); k++) {
         const Calculator *const c = &t->calculator;
-        const hawser_condition held[] = {c->supported, c->friction, c->pulled[k]};
-        hawser_verdict(3, held, c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
+        hawser_condition held[CALCULATOR_KNOWN + 1] = {[CALCULATOR_KNOWN] = c->pulled[k]};
+        memcpy(held, c->known, sizeof c->known);
+        hawser_verdict(CALCULATOR_KNOWN + 1, held, c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
     }
     for (int i = 0; i < t->tables.n; i++) table[n++] = t->tables.table[i];
     table[n++] = (Table){"stations", "Tension along the route, full of cable, pulled forward",

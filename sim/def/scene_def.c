@@ -85,6 +85,14 @@ Shape roller_def_shape(const RollerDef *roller)
     return shape;
 }
 
+double roller_def_span(const SceneDef *def, int r)
+{
+    const double before = r > 0 ? def->rollers[r].s - def->rollers[r - 1].s : INFINITY;
+    const double after = r + 1 < def->n_rollers ? def->rollers[r + 1].s - def->rollers[r].s : INFINITY;
+    if (!(before > 0 && after > 0)) return fmax(fmax(before, after), 0);
+    return isfinite(before + after) ? (before + after) / 2 : fmin(before, after);
+}
+
 int surface_along_route(const SurfaceDef *surface) { return surface->shape.kind != SURFACE_PLANE; }
 
 /* (DU15), (BU7). */

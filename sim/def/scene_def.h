@@ -227,6 +227,9 @@ void scene_def_clear(SceneDef *def);
 int scene_def_eye(const SceneDef *def);
 /* What the cable touches of a roller. */
 Shape roller_def_shape(const RollerDef *roller);
+/* m, of the cable that roller r holds up: half of the way between its neighbours along the route, once the way to an
+ * only one; INFINITY: there is no other; 0: nobody knows where it stands. */
+double roller_def_span(const SceneDef *def, int r);
 /* Whether a surface runs along the route, and its friction as theory sees it: a V grips by its two sides, a duct by the
  * layout of the cables in it. */
 int surface_along_route(const SurfaceDef *surface);

@@ -15,6 +15,10 @@ typedef struct CalculatorDuct {
     DuctLoad load;
 } CalculatorDuct;
 
+/* What theory must know of a case for its pull to be the case's: what carries the cable; that nothing of that has more
+ * friction than is reckoned with; that no fluid does. */
+enum { KNOWN_SUPPORT, KNOWN_FRICTION, KNOWN_MEDIUM, CALCULATOR_KNOWN };
+
 /* Which rule of friction holds on a piece of the route: (T6), (LI1), or each on a part. */
 typedef enum SupportRule { SUPPORT_RESULTANT, SUPPORT_SEPARATE, SUPPORT_MIXED } SupportRule;
 
@@ -47,9 +51,8 @@ typedef struct Calculator {
     hawser_condition pulled[PLAN_WAYS]; /* whether the cable is in tension everywhere */
     Brake brake[PLAN_WAYS];             /* against running away; its `brake` is 0 where none is needed */
     TripSetting trip[PLAN_WAYS];
-    int best;                   /* the way that keeps the limits better; without limits the one that needs less force */
-    hawser_condition supported; /* whether anything is known of what carries it */
-    hawser_condition friction;  /* whether nothing that carries it has more friction than it is calculated with */
+    int best; /* the way that keeps the limits better; without limits the one that needs less force */
+    hawser_condition known[CALCULATOR_KNOWN]; /* whether it is calculated with all that the case says */
 } Calculator;
 
 /* expected: has the tension of all cables where the pull begins, whichever way. forward_only: what belongs to the other
@@ -58,7 +61,7 @@ typedef struct Calculator {
 hawser_status calculator_build(const Scene *scene, const Expected *expected, int forward_only, Calculator *out,
                                hawser_error *err);
 void calculator_free(Calculator *c);
-/* Fills limits, `supported` and `pulled` of one that is solved. Errors: MEMORY. */
+/* Fills limits, `known` and `pulled` of one that is solved. Errors: MEMORY. */
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err);
 /* N, of the winch, wherever the head is, at speed or from rest; of a rope with all that it draws, whatever each pulls
  * at most (SC15). */

@@ -173,10 +173,11 @@ typedef struct Rough {
 
 static double at_rest(const FrictionLaw *law) { return fmax(law->mu_s, law->mu_d); }
 
-/* wedge: by how much walls that stand aslant press more than what lies between them weighs (GR9), (BU7). */
-static void friction_take(const FrictionLaw *law, double wedge, const char *name, Rough rough[2])
+/* wedge: by how much walls that stand aslant press more than what lies between them weighs (GR9), (BU7). rolls: at most
+ * so much, of a roller that turns. */
+static void friction_take(const FrictionLaw *law, double wedge, double rolls, const char *name, Rough rough[2])
 {
-    const double mu[2] = {law->mu_d * wedge, at_rest(law) * wedge};
+    const double mu[2] = {fmin(law->mu_d * wedge, rolls), fmin(at_rest(law) * wedge, rolls)};
     for (int k = 0; k < 2; ++k)
         if (mu[k] > rough[k].mu) rough[k] = (Rough){mu[k], name};
 }
@@ -186,8 +187,20 @@ static double wedge_of(const RollerDef *roller)
     return roller->profile == SHAPE_V_GROOVE ? 1 / roller->groove.sine : 1;
 }
 
+/* A roller that spins holds the cable by its bearing (SP9), at most as if it stood; what does not go with the load is
+ * most where the cable's weight alone is on it. The lightest cable has most of it. */
+static double bearing_friction(const Scene *scene, int r)
+{
+    const RollerDef *const roller = &scene->def.rollers[r];
+    const SpinDef *const spin = &roller->spin;
+    const double sine = spin->friction * spin->journal / roller->radius;
+    if (!(spin->inertia > 0) || !(sine < 1)) return INFINITY;
+    if (!(spin->torque > 0)) return tan(asin(sine));
+    return tan(asin(sine)) + spin->torque / (roller->radius * scene->cable_weight * roller_def_span(&scene->def, r));
+}
+
 /* The friction of rows, listed rollers and planes is a run's; where there is more of it than of the case's, theory's
- * pull is too small. A roller that spins holds the cable by its bearing, which the case's friction stands for. */
+ * pull is too small. */
 static hawser_condition friction_of(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
@@ -195,13 +208,13 @@ static hawser_condition friction_of(const Scene *scene)
     Rough rough[2] = {{given[0], ""}, {given[1], ""}};
     for (int r = 0; r < def->n_rollers; ++r) {
         const RollerDef *const roller = &def->rollers[r];
-        if (!(roller->spin.inertia > 0) && !friction_given(scene, roller->s))
-            friction_take(&roller->friction, wedge_of(roller), roller->name, rough);
+        if (!friction_given(scene, roller->s))
+            friction_take(&roller->friction, wedge_of(roller), bearing_friction(scene, r), roller->name, rough);
     }
     for (int k = 0; k < def->n_surfaces; ++k) {
         const SurfaceDef *const surface = &def->surfaces[k];
         if (!surface_along_route(surface) && !friction_given(scene, NAN))
-            friction_take(&surface->friction, 1, surface->name, rough);
+            friction_take(&surface->friction, 1, INFINITY, surface->name, rough);
     }
     /* friction from rest is named where that alone is too large */
     const int rests = !(rough[0].mu > given[0] * (1 + 1e-9)) && rough[1].mu > given[1] * (1 + 1e-9);
@@ -232,11 +245,35 @@ static void friction_told(const SceneDef *def, hawser_condition *c)
              factor, c->value, c->allowed);
 }
 
+static const double WET = 0.02; /* of a cable's weight, that the fluid around it may take or add */
+
+/* The calculation knows no fluid: what lifts a cable down a slope, or streams against it, is not in the pull. */
+static hawser_condition medium_of(const Scene *scene)
+{
+    const SceneDef *const def = &scene->def;
+    const MediumDef *const fluid = &def->medium;
+    const double speed = v3_norm(fluid->velocity) + scene->largest_speed, g = v3_norm(def->gravity);
+    double most = 0;
+    for (int k = 0; k < def->n_pieces && g > 0; ++k) {
+        const CableDef *const cable = &def->cables[def->pieces[k].cable];
+        const double d = cable->diameter, lift = fluid->buoyancy ? M_PI / 4 * d * d * g : 0;
+        const double drag = d / 2 * fmax(fluid->normal, M_PI * fluid->tangential) * speed * speed;
+        most = fmax(most, fluid->density * (lift + drag) / (cable->mass * g)); /* (MD1), (MD3) */
+    }
+    hawser_condition c = {.name = "medium", .unit = "1", .value = most, .allowed = WET, .holds = most <= WET};
+    snprintf(c.remedy, sizeof c.remedy,
+             "the fluid of section medium lifts or moves the cable by %.2g %% of its weight, and the calculation knows "
+             "none: a run does",
+             100 * most);
+    return c;
+}
+
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err)
 {
-    c->supported = supported_by(scene);
-    c->friction = friction_of(scene);
-    friction_told(&scene->def, &c->friction);
+    c->known[KNOWN_SUPPORT] = supported_by(scene);
+    c->known[KNOWN_FRICTION] = friction_of(scene);
+    c->known[KNOWN_MEDIUM] = medium_of(scene);
+    friction_told(&scene->def, &c->known[KNOWN_FRICTION]);
     const hawser_status status = limits_set(scene, c, err);
     if (!status) pulled_set(scene, c);
     return status;
