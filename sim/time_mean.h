@@ -20,6 +20,7 @@ typedef struct TimeMean {
     double rough, rough_at_peak; /* value^2: mean square of second differences up to now, and up to the peak (EB12) */
     TimeBlock block;             /* since mean_block */
     double wavered, blocks;      /* value^2 s; s: about their means, summed over the blocks that have ended */
+    double most;                 /* largest mean of a block that has ended; 0 where none has */
 } TimeMean;
 
 static const double ROUGH_FORGETS = 1.0 / 8; /* a sample: what is farther back than that many counts little */
@@ -65,6 +66,8 @@ static inline void mean_block(TimeMean *m)
 {
     const TimeBlock *const b = &m->block;
     if (b->time > 0) {
+        const double mean = b->from + b->sum / b->time;
+        m->most = m->blocks > 0 ? fmax(m->most, mean) : mean;
         m->wavered += fmax(0, b->square - b->sum * b->sum / b->time);
         m->blocks += b->time;
     }
@@ -73,6 +76,10 @@ static inline void mean_block(TimeMean *m)
 
 /* NAN before the steady window. */
 static inline double mean_of(const TimeMean *m) { return m->time > 0 ? m->sum / m->time : NAN; }
+
+/* What lasts while a segment passes, at its largest: the largest mean of a block; the mean where no block has ended or
+ * none is above it; NAN before the steady window. */
+static inline double mean_lasting(const TimeMean *m) { return m->blocks > 0 ? fmax(m->most, mean_of(m)) : mean_of(m); }
 
 /* Root mean square deviation from the mean. */
 static inline double mean_ripple(const TimeMean *m)

@@ -145,10 +145,10 @@ static double waver(const TimeMean *figure, const ErrorShares *shares)
 
 hawser_error_bar error_of_mean(const TimeMean *figure, const ErrorShares *shares)
 {
-    const double size = fabs(mean_of(figure));
+    const double size = fabs(mean_of(figure)), wavers = WAVER_OF_MEAN * waver(figure, shares);
     if (!(figure->time > 0)) return bar(NAN, NAN, NAN);
-    return bar((shares->time + shares->drift / 2) * size, WAVER_OF_MEAN * waver(figure, shares) + shares->mesh * size,
-               shares->friction * size);
+    return bar((shares->time + shares->drift / 2) * size + fmax(0, shares->missed - wavers),
+               wavers + shares->mesh * size, shares->friction * size);
 }
 
 hawser_error_bar error_of_peak(const TimeMean *figure, const ErrorShares *shares)

@@ -20,10 +20,11 @@ typedef struct ErrorShares {
     double rough;  /* what of second differences is the error of a peak (EB12) */
     double slack,
         at_rest; /* of a peak's height above the mean and above the pull at rest, N, that what hung slack made (EB15) */
-    double faded; /* N: what steps have taken from a swing before the peak (EB23) */
-    double blow;  /* N: what the peak owes to segments that a wave must run through, or a clamp holds (EB26), (EB31) */
-    double drift; /* of a mean, between the halves of its window, if that is refused (EB17) */
-    double start; /* N: with which a chain that did not come to rest begins inside a body (EB18) */
+    double faded;  /* N: what steps have taken from a swing before the peak (EB23) */
+    double blow;   /* N: what the peak owes to segments that a wave must run through, or a clamp holds (EB26), (EB31) */
+    double missed; /* N: what rows do not see of a mean (EB33) */
+    double drift;  /* of a mean, between the halves of its window, if that is refused (EB17) */
+    double start;  /* N: with which a chain that did not come to rest begins inside a body (EB18) */
     double stands_out; /* of a peak: a spike or jolt that is refused (EB16) */
     double mesh;       /* what the places of the route and the head ask of segments (EB3), (EB6) */
     double friction;   /* not yet there at the speed of the pull (EB5) */

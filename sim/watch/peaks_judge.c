@@ -34,17 +34,20 @@ static Finding bend_finding(const Peaks *peaks, const Scene *scene)
     return f;
 }
 
-/* The rated roller with the largest load for its rating; steady or peak. */
+/* The rated roller with the largest load for its rating; steady or peak. A load that comes within the steady window is
+ * steady once it is there: what lasts is asked for, not the window's mean. */
 static Finding roller_finding(const Stats *stats, int steady)
 {
     Finding worst = {.value = NAN};
     for (int r = 0; r < stats->n_rollers; ++r) {
         const hawser_roller *const roller = &stats->roller_out[r];
-        finding_load(&worst, roller->name, steady ? roller->steady_N : roller->peak_N, roller->rating_N);
+        finding_load(&worst, roller->name, steady ? mean_lasting(&stats->roller[r].load) : roller->peak_N,
+                     roller->rating_N);
     }
     for (int r = 0; r < stats->n_rollers; ++r) { /* whose bar reaches farthest, as a load on the worst */
         const hawser_roller *const roller = &stats->roller_out[r];
-        const double most = steady ? roller->steady_N + roller->steady_error_N : roller->peak_N + roller->peak_error_N;
+        const double most = steady ? mean_lasting(&stats->roller[r].load) + roller->steady_error_N
+                                   : roller->peak_N + roller->peak_error_N;
         if (roller->rating_N > 0) worst.error = fmax(worst.error, most / roller->rating_N * worst.rating - worst.value);
     }
     return worst;

@@ -227,16 +227,6 @@ static void surfaces_record(Stats *stats, const hawser_sample *sample, double dt
     }
 }
 
-/* m, of the cable that a roller holds up: half of the way between its neighbours, once the way to an only one;
- * INFINITY: there is no other. */
-static double held_by(const SceneDef *def, int r)
-{
-    const double before = r > 0 ? def->rollers[r].s - def->rollers[r - 1].s : INFINITY;
-    const double after = r + 1 < def->n_rollers ? def->rollers[r + 1].s - def->rollers[r].s : INFINITY;
-    if (!(before > 0 && after > 0)) return fmax(fmax(before, after), 0);
-    return isfinite(before + after) ? (before + after) / 2 : fmin(before, after);
-}
-
 /* Force along the cable by which the places of joints may push it on or hold it back at the rollers as they are loaded
  * now, N: with the joints all in step (EB9), and *here: as they lie (EB11). */
 static double standing_force(const Scene *scene, const Kinematics *kin, const hawser_sample *sample, double *here)
@@ -248,7 +238,7 @@ static double standing_force(const Scene *scene, const Kinematics *kin, const ha
         const double load = sample->roller_load[r];
         const int j = load > 0 ? joint_before(scene, kin, sample, scene->def.rollers[r].s, &tension, &passed) : -1;
         if (j < 0 || !(tension > 0)) continue;
-        const double h = 2 * chain->half[j < chain->n ? j : j - 1], span = held_by(&scene->def, r);
+        const double h = 2 * chain->half[j < chain->n ? j : j - 1], span = roller_def_span(&scene->def, r);
         const int held = j > 0 ? j : 1; /* the tail's joint may be a free end, its neighbour bends as the cable does */
         const double bends = fmin(chain->stiffness[4][held], chain->stiffness[5][held]); /* the softer way */
         const double stiff = tension + (span > 0 ? M_PI * M_PI * bends * h / (span * span) : 0);
@@ -382,6 +372,8 @@ int stats_step(Stats *stats, const Scene *scene, double t, double pull, const do
     const int n = watched_count(stats), first_roller = n - stats->n_rollers;
     int due = 0;
     swings_step(&stats->swings, scene, t, pull);
+    mean_add(&stats->stepped, pull, t - stats->step_t, stats->step_t >= stats->steady_from - 1e-9);
+    stats->step_t = t;
     step_values(stats, scene, pull, tension, on_roller, now);
     stats->before = before;
     stats->now = now;
@@ -488,6 +480,15 @@ static double blow_of(const Stats *stats, const SceneDef *def)
     return stats->rise > 0 ? fmin(stats->rise, 2 * longest * stats->steepest) : 0;
 }
 
+static const double STEPPED = 0.9; /* of the window, that steps have to be of for them to say what rows miss */
+
+/* N, by which the mean pull of the rows is off that of the steps between them (EB33). */
+static double rows_miss(const Stats *stats)
+{
+    const int known = stats->stepped.time > STEPPED * stats->pull.time && stats->pull.time > 0;
+    return known ? fabs(mean_of(&stats->pull) - mean_of(&stats->stepped)) : 0;
+}
+
 void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, hawser_summary *out)
 {
     shares->passed = stats->passed;
@@ -496,13 +497,14 @@ void stats_errors(const Stats *stats, const Scene *scene, ErrorShares *shares, h
     shares->placed = stats->placed;
     shares->slack = slack_share(scene, stats->peak_travel, stats->at_rest);
     shares->at_rest = stats->at_rest;
+    shares->missed = rows_miss(stats);
     shares->faded = stats->faded;
     shares->blow = fmax(blow_of(stats, &scene->def), stats->clamped);
     if (stats->pull.time > 0 && out->pull_mean_N > 0) shares->friction += sideways(stats, scene) / out->pull_mean_N;
     out->pull_mean_error = error_of_mean(&stats->pull, shares);
     out->pull_peak_error = error_of_peak(&stats->pull, shares);
-    shares->placed = shares->slack = shares->drift = shares->stands_out = shares->start = shares->faded = shares->blow =
-        0;                                        /* of the pull alone */
+    shares->missed = shares->placed = shares->slack = shares->drift = shares->stands_out = shares->start =
+        shares->faded = shares->blow = 0;         /* of the pull alone */
     for (int i = 0; i < stats->n_surfaces; ++i) { /* sidewall pressure goes with the tension there, too */
         hawser_surface *const row = &stats->surface_out[i];
         const double tension = out->pull_peak_error.total / fabs(stats->pull.peak);

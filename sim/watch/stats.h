@@ -25,6 +25,8 @@ typedef struct Stats {
     int fresh, steady;
     double dt;
     TimeMean pull;    /* N, on the rope's end */
+    TimeMean stepped; /* N, the same by steps instead of samples (EB33) */
+    double step_t;    /* s, of the last step */
     TimeMean largest; /* N, tension anywhere: its peak alone is asked for */
     TimeMean speed;   /* m/s, axial speed of the cable's first segment that is simulated */
     double passed_at; /* m, travel of the winch at which a block of the means began (EB1) */

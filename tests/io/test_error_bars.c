@@ -159,6 +159,33 @@ static void a_peak_between_rows(void **state)
     check_at_most(few.pull_peak_error.total, 0.05 * few.pull_peak_N);
 }
 
+/* Rows in step with the joints see each in one place, and hardly a ripple: 994 N +- 5.5 N where rows of 20 ms have
+ * 990 N. The steps between them say what they miss. (EB33) */
+static void rows_in_step_with_joints(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables: {power: {d: 80 mm, mass: 14 kg/m, EA: 60 MN, GA: 25 MN, GJ: 10 kN m2, EI: 2 kN m2, damping: 2 ms}}\n"
+        "chain: [{cable: power, length: 30 m, segment: 500 mm}]\n"
+        "route: {head_at: 22 m, pieces: [{straight: 34 m}]}\nlead_in: {}\nfriction: {mu: 0.3}\n"
+        "rollers: {along: [{spacing: 1500 mm, radius: 60 mm, width: 400 mm, to: 19 m}]}\n"
+        "surfaces: {ducts: [{name: d, radius: 50 mm, from: 20 m, friction: {mu: 0.001}, place: resting}]}\n"
+        "drive: {winch: {speed: 1 m/s, ramp: step, to: 1 s}, tail: {tension: 200 N}}\n"
+        "run: {duration: 9 s, steady_from: 3 s}\n";
+    static const char *const interval[] = {"500 ms", "20 ms"};
+    hawser_summary sum[2];
+    for (int k = 0; k < 2; k++) {
+        hawser_sim *const sim = run_of(text, (const char *const[]){"output.interval", interval[k], NULL});
+        hawser_sim_summary(sim, &sum[k]);
+        hawser_sim_free(sim);
+    }
+    const double off = fabs(sum[0].pull_mean_N - sum[1].pull_mean_N);
+    check_above(off, 2e-3 * sum[1].pull_mean_N);
+    check_below(sum[0].pull_ripple_N, sum[1].pull_ripple_N / 4);
+    check_at_least(sum[0].pull_mean_error.time, 0.8 * off);
+    check_at_most(sum[0].pull_mean_error.total, 1e-2 * sum[0].pull_mean_N);
+}
+
 /* A force of one step alone is none: 5 counts when the next step still holds it, and what does then is what both held.
  * A figure that was never seen has no peak to raise. (EB14) */
 static void a_step_alone_is_no_peak(void **state)
@@ -219,6 +246,7 @@ int main(void)
                                        cmocka_unit_test(pressure_is_the_meshs),
                                        cmocka_unit_test(how_rough_a_peak_is),
                                        cmocka_unit_test(a_peak_between_rows),
+                                       cmocka_unit_test(rows_in_step_with_joints),
                                        cmocka_unit_test(a_step_alone_is_no_peak),
                                        cmocka_unit_test(what_is_not_steady),
                                        cmocka_unit_test(a_start_in_a_wall)};

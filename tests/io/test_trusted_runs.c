@@ -169,6 +169,73 @@ static void a_belt_as_fast_as_the_winch(void **state)
     }
 }
 
+/* ---------------------------------------------------------------------------------------------------- rollers */
+
+/* What of rollers.csv is asked for at a place. */
+static const hawser_roller *roller_at(hawser_sim *sim, double s)
+{
+    const hawser_roller *roller;
+    const int n = hawser_sim_rollers(sim, &roller);
+    for (int r = 0; r < n; r++)
+        if (fabs(roller[r].s - s) < 1e-6) return &roller[r];
+    fail_msg("no roller at %g m", s);
+    return NULL;
+}
+
+/* A heavy length comes to a roller when the steady window is half over: it bears that from then on, however light what
+ * lay on it before was. Judged was the window's mean. */
+static void a_load_that_comes_late(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables:\n"
+        "  heavy: {d: 60 mm, mass: 20 kg/m, EA: 60 MN, GA: 25 MN, GJ: 10 kN m2, EI: 1 kN m2, damping: 2 ms}\n"
+        "  light: {d: 60 mm, mass: 10 kg/m, EA: 60 MN, GA: 25 MN, GJ: 10 kN m2, EI: 1 kN m2, damping: 2 ms}\n"
+        "chain: [{cable: heavy, length: 16 m, segment: 250 mm}, {cable: light, length: 6 m, segment: 250 mm, rope: "
+        "false}]\n"
+        "route: {head_at: 14 m, pieces: [{straight: 22 m}]}\nlead_in: {}\n"
+        "rollers: {along: [{spacing: 1 m, to: 10.5 m}, {spacing: 1 m, from: 11 m, to: 12.5 m, rating: 300 N},\n"
+        "  {spacing: 1 m, from: 13 m}]}\n"
+        "friction: {mu: 0.1}\ndrive: {winch: {speed: 1 m/s, to: 1 s}, tail: {tension: 1 kN}}\n"
+        "run: {duration: 6.5 s, steady_from: 1500 ms}\nlimits: {pull: 30 kN}\n";
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    hawser_sim *const sim = run_of(text, NULL);
+    const int n = hawser_sim_limits(sim, limit);
+    int i = 0;
+    while (i < n && strcmp(limit[i].name, "roller_steady") != 0) i++;
+    assert_true(i < n && limit[i].judged);
+    check_share(limit[i].value, 20 * 9.81 * hypot(1, 0.1), 0.05); /* where it begins it bends, and bears 4 % more */
+    check_below(roller_at(sim, 11)->steady_N, 0.9 * limit[i].value);
+    assert_false(limit[i].ok);
+    hawser_sim_free(sim);
+}
+
+/* An eye goes over rollers on segments that are too short for its radius to fall over one of them (C6): the taper is
+ * as long as a roller needs it. The load grew with the mesh, to 160 kN in a longer scene. */
+static void an_eye_on_short_segments(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables:\n"
+        "  power: {d: 80 mm, mass: 14 kg/m, EA: 60 MN, GA: 25 MN, GJ: 10 kN m2, EI: 2 kN m2, damping: 2 ms}\n"
+        "  rope: {d: 14 mm, EA: 15.7 MN, GA: 6.05 MN, GJ: 263 N m2, EI: 342 N m2, mass: 0.676 kg/m, damping: 20 ms}\n"
+        "chain: [{cable: power, length: 6 m, segment: 250 mm}, {cable: rope, length: 4 m, segment: 250 mm, swivel: "
+        "true}]\n"
+        "route: {head_at: 4.3 m, pieces: [{straight: 9 m}]}\nlead_in: {}\n"
+        "rollers: {along: [{spacing: 1 m, radius: 60 mm, width: 400 mm}]}\nfriction: {mu: 0.2}\n"
+        "drive: {winch: {speed: 0.2 m/s, ramp: step, to: 500 ms}, tail: {tension: 3 kN}}\n"
+        "run: {duration: 9 s, steady_from: 2 s}\n";
+    static const char *const segment[] = {"250 mm", "80 mm", "62.5 mm"};
+    double peak[3];
+    for (int k = 0; k < 3; k++) {
+        const char *const settings[] = {"chain.0.segment", segment[k], "chain.1.segment", segment[k], NULL};
+        hawser_sim *const sim = run_of(text, settings);
+        peak[k] = roller_at(sim, 5)->peak_N;
+        hawser_sim_free(sim);
+        if (k > 0) check_share(peak[k], peak[0], 0.15);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -177,6 +244,8 @@ int main(void)
         cmocka_unit_test(what_else_fades),
         cmocka_unit_test(drawn_by_belts),
         cmocka_unit_test(a_belt_as_fast_as_the_winch),
+        cmocka_unit_test(a_load_that_comes_late),
+        cmocka_unit_test(an_eye_on_short_segments),
     };
     return cmocka_run_group_tests_name("trusted runs", tests, NULL, NULL);
 }
