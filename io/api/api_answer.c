@@ -231,6 +231,19 @@ static void place_lines(Answer *a, const hawser_summary *s)
                     NAME_BEGINS, p->roller, NAME_ENDS);
 }
 
+static const double REACHED = 0.995; /* of the route, from which on the pull has come to its end */
+
+/* Limits are of what was run: where the pull was not over by then, they say nothing of the rest. */
+static void reached_line(Answer *a, hawser_sim *s)
+{
+    const Scene *const scene = &s->stage.scene;
+    const double front = scene->joint_s[scene->eye] + s->look.sample.winch_travel, length = scene->route.length;
+    char at[HAWSER_SHOWN_MAX], of[HAWSER_SHOWN_MAX];
+    if (!scene->winch->present || scene->def.analysis.kind != ANALYSIS_DYNAMICS || !(front < REACHED * length)) return;
+    answer_line(a, "reached", "the cable's front came to %s of %s: what is said is of the way up to there",
+                hawser_show(front, "m", a->units, at), hawser_show(length, "m", a->units, of));
+}
+
 /* Why the figures are not to be trusted, one reason a line; or that they are. */
 static void trust_lines(Answer *a, const hawser_summary *s)
 {
@@ -268,6 +281,7 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
     place_lines(&a, &sum);
     if (!sum.rod) {
         pull_line(&a, &sum, n, limit);
+        if (n > 0) reached_line(&a, s);
         if (n > 0 || !failed) answer_limits(&a, &s->stage.scene, n, limit);
     }
     if (!failed) trust_lines(&a, &sum);

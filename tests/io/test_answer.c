@@ -147,6 +147,7 @@ static void answers(void **state)
     hawser_sim_answer(sim, HAWSER_SI, said, sizeof said);
     assert_ptr_equal(strstr(said, "NOT SAFE: 1 of"), said);
     check_has(said, "\n  pull           mean ");
+    check_has(said, "\n  reached        the cable's front came to ");
     check_has(said, "\n  worst          sidewall ");
     check_has(said, "allowed 100 N/m");
     check_has(said, "\n  remedy         a radius of ");
