@@ -169,6 +169,7 @@ static int friction_given(const Scene *scene, double s)
 typedef struct Rough {
     double mu;
     const char *name;
+    int rolls; /* it is its bearing's */
 } Rough;
 
 static double at_rest(const FrictionLaw *law) { return fmax(law->mu_s, law->mu_d); }
@@ -177,9 +178,9 @@ static double at_rest(const FrictionLaw *law) { return fmax(law->mu_s, law->mu_d
  * so much, of a roller that turns. */
 static void friction_take(const FrictionLaw *law, double wedge, double rolls, const char *name, Rough rough[2])
 {
-    const double mu[2] = {fmin(law->mu_d * wedge, rolls), fmin(at_rest(law) * wedge, rolls)};
+    const double mu[2] = {law->mu_d * wedge, at_rest(law) * wedge};
     for (int k = 0; k < 2; ++k)
-        if (mu[k] > rough[k].mu) rough[k] = (Rough){mu[k], name};
+        if (fmin(mu[k], rolls) > rough[k].mu) rough[k] = (Rough){fmin(mu[k], rolls), name, rolls < mu[k]};
 }
 
 static double wedge_of(const RollerDef *roller)
@@ -188,28 +189,29 @@ static double wedge_of(const RollerDef *roller)
 }
 
 /* A roller that spins holds the cable by its bearing (SP9), at most as if it stood; what does not go with the load is
- * most where the cable's weight alone is on it. The lightest cable has most of it. */
-static double bearing_friction(const Scene *scene, int r)
+ * most where the weight of the lightest cable (N/m) alone is on it. */
+static double bearing_friction(const Scene *scene, double lightest, int r)
 {
     const RollerDef *const roller = &scene->def.rollers[r];
     const SpinDef *const spin = &roller->spin;
     const double sine = spin->friction * spin->journal / roller->radius;
     if (!(spin->inertia > 0) || !(sine < 1)) return INFINITY;
     if (!(spin->torque > 0)) return tan(asin(sine));
-    return tan(asin(sine)) + spin->torque / (roller->radius * scene->cable_weight * roller_def_span(&scene->def, r));
+    return tan(asin(sine)) + spin->torque / (roller->radius * lightest * roller_def_span(&scene->def, r));
 }
 
 /* The friction of rows, listed rollers and planes is a run's; where there is more of it than of the case's, theory's
- * pull is too small. */
-static hawser_condition friction_of(const Scene *scene)
+ * pull is too small. lightest: of the cable's pieces, N/m. */
+static hawser_condition friction_of(const Scene *scene, double lightest)
 {
     const SceneDef *const def = &scene->def;
     const double given[2] = {def->friction.mu_d, at_rest(&def->friction)};
-    Rough rough[2] = {{given[0], ""}, {given[1], ""}};
+    Rough rough[2] = {{given[0], "", 0}, {given[1], "", 0}};
     for (int r = 0; r < def->n_rollers; ++r) {
         const RollerDef *const roller = &def->rollers[r];
         if (!friction_given(scene, roller->s))
-            friction_take(&roller->friction, wedge_of(roller), bearing_friction(scene, r), roller->name, rough);
+            friction_take(&roller->friction, wedge_of(roller), bearing_friction(scene, lightest, r), roller->name,
+                          rough);
     }
     for (int k = 0; k < def->n_surfaces; ++k) {
         const SurfaceDef *const surface = &def->surfaces[k];
@@ -221,9 +223,10 @@ static hawser_condition friction_of(const Scene *scene)
     hawser_condition c = {.name = "friction", .unit = "1", .value = rough[rests].mu, .allowed = given[rests]};
     c.holds = c.value <= c.allowed * (1 + 1e-9);
     snprintf(c.remedy, sizeof c.remedy,
-             "'%s' has a friction of its own%s, %g, and the calculation takes friction.%s, %g: give that, or "
+             "'%s' has a friction of its own%s%s, %g, and the calculation takes friction.%s, %g: give that, or "
              "theory.stretches",
-             rough[rests].name, rests ? " from rest" : "", c.value, rests ? "mu_s" : "mu", c.allowed);
+             rough[rests].name, rough[rests].rolls ? " by its bearing" : "", rests ? " from rest" : "", c.value,
+             rests ? "mu_s" : "mu", c.allowed);
     return c;
 }
 
@@ -271,7 +274,7 @@ static hawser_condition medium_of(const Scene *scene)
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err)
 {
     c->known[KNOWN_SUPPORT] = supported_by(scene);
-    c->known[KNOWN_FRICTION] = friction_of(scene);
+    c->known[KNOWN_FRICTION] = friction_of(scene, c->def.lightest > 0 ? c->def.lightest : scene->cable_weight);
     c->known[KNOWN_MEDIUM] = medium_of(scene);
     friction_told(&scene->def, &c->known[KNOWN_FRICTION]);
     const hawser_status status = limits_set(scene, c, err);

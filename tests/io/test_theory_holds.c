@@ -175,7 +175,7 @@ static void bearings_hold(void **state)
                  row[k].bearing);
         json_t *const all = theory_of(text, (const char *const[]){"rollers.along", rollers, NULL});
         char said[64];
-        snprintf(said, sizeof said, "has a friction of its own, %.6g,", row[k].mu);
+        snprintf(said, sizeof said, "has a friction of its own%s, %.6g,", k < 4 ? " by its bearing" : "", row[k].mu);
         verdict_has(all, row[k].mu > 0 ? said : "SAFE: all");
         json_decref(all);
     }
