@@ -91,6 +91,7 @@ hawser_status case_line_use(const CaseReader *r, const CaseNode *node, const Lin
     }
     if (!status) status = file_marks_add(&r->def->files, path, r->err);
     if (!status && profile_path) status = file_marks_add(&r->def->files, profile_path, r->err);
+    if (status) line_clear(used);
     free(path);
     free(profile_path);
     return status;

@@ -62,7 +62,7 @@ static double tension_by_radius(const Scene *scene, const RoutePiece *bend)
 /* T/R goes down as R goes up: (T + k (R' - R)) / R' is the limit. */
 static void sidewall_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
 {
-    char radius[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX], place[96] = "there", key[64] = "";
+    char radius[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX], place[56] = "there", key[40] = "";
     const int p = bend_at(&scene->route, l->where);
     const RoutePiece *const bend = p >= 0 ? &scene->route.piece[p] : NULL;
     const double share = 100 * (1 - l->limit / l->value), k = bend ? tension_by_radius(scene, bend) : INFINITY;

@@ -311,10 +311,7 @@ static hawser_status pieces_line(const CaseReader *r, const CaseNode *list, cons
     int n = 0, sloped = 0;
     hawser_status status = case_list_read(r, list, sizeof *def, piece_read, &def, &n);
     if (!status) status = grades_settle(r, list, n, def, in);
-    for (int i = 0; i < n; ++i) {
-        sloped |= def[i].sloped;
-        def[i].listed = i + 1;
-    }
+    for (int i = 0; i < n; ++i) sloped |= def[i].sloped, def[i].listed = i + 1;
     if (!status && sloped) {
         hawser_error why = {.message = ""};
         status = route_round_slopes(n, def, in->heading, in->slope, in->transition, out, &why);

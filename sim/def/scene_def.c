@@ -85,6 +85,7 @@ Shape roller_def_shape(const RollerDef *roller)
     return shape;
 }
 
+/* Half of the way between its neighbours along the route, once that to an only one. */
 double roller_def_span(const SceneDef *def, int r)
 {
     const double before = r > 0 ? def->rollers[r].s - def->rollers[r - 1].s : INFINITY;

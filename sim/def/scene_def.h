@@ -225,10 +225,8 @@ void scene_def_defaults(SceneDef *def); /* every default there is; docs/case-for
 void scene_def_clear(SceneDef *def);
 /* How many pieces of the chain are the cable, from the tail on; those behind them are the rope. */
 int scene_def_eye(const SceneDef *def);
-/* What the cable touches of a roller. */
+/* What the cable touches of a roller; m of cable that roller r holds up (INFINITY: the only one; 0: not known). */
 Shape roller_def_shape(const RollerDef *roller);
-/* m, of the cable that roller r holds up: half of the way between its neighbours along the route, once the way to an
- * only one; INFINITY: there is no other; 0: nobody knows where it stands. */
 double roller_def_span(const SceneDef *def, int r);
 /* Whether a surface runs along the route, and its friction as theory sees it: a V grips by its two sides, a duct by the
  * layout of the cables in it. */
