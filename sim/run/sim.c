@@ -362,6 +362,7 @@ static hawser_status advance_still(Sim *s, double t, int one_step, hawser_error 
     if (one_step && interval > 0) t = fmin(t, s->stage.t + interval);
     hawser_status status = quasi_move(s, t, &arrived, err);
     if (status || !arrived) return status;
+    s->stats.step_t = s->stage.t; /* what steps say begins again behind it */
     sim_record_row(s);
     return events_watch(s, err);
 }

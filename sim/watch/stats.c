@@ -480,7 +480,7 @@ static double blow_of(const Stats *stats, const SceneDef *def)
     return stats->rise > 0 ? fmin(stats->rise, 2 * longest * stats->steepest) : 0;
 }
 
-static const double STEPPED = 0.9; /* of the window, that steps have to be of for them to say what rows miss */
+static const double STEPPED = 0.99; /* of the window, that steps have to be of for them to say what rows miss */
 
 /* N, by which the mean pull of the rows is off that of the steps between them (EB33). */
 static double rows_miss(const Stats *stats)
