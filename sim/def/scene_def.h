@@ -228,8 +228,7 @@ int scene_def_eye(const SceneDef *def);
 /* What the cable touches of a roller; m of cable that roller r holds up (INFINITY: the only one; 0: not known). */
 Shape roller_def_shape(const RollerDef *roller);
 double roller_def_span(const SceneDef *def, int r);
-/* Whether a surface runs along the route, and its friction as theory sees it: a V grips by its two sides, a duct by the
- * layout of the cables in it. */
+/* Whether a surface runs along the route; its friction as theory sees it: a V by both sides, a duct as it is filled. */
 int surface_along_route(const SurfaceDef *surface);
 double surface_theory_friction(const SceneDef *def, const SurfaceDef *surface, int in_bend);
 /* Whether friction sticks anywhere: its bristles move from one accepted step to the next. */

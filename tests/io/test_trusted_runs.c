@@ -7,6 +7,17 @@ static const hawser_condition *of_run(hawser_sim *sim, hawser_summary *sum, cons
     return condition_of(sum, name);
 }
 
+/* A limit that was judged. */
+static hawser_limit judged(hawser_sim *sim, const char *name)
+{
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    const int n = hawser_sim_limits(sim, limit);
+    int i = 0;
+    while (i < n && strcmp(limit[i].name, name) != 0) i++;
+    assert_true(i < n && limit[i].judged);
+    return limit[i];
+}
+
 /* ------------------------------------------------------------------------------------------------------- a reel */
 
 /* 2 m of cable are wound, whose end is fastened; the winch pulls `duration` times 0.5 m/s off it. */
@@ -107,7 +118,6 @@ static void drawn_by_belts(void **state)
         {"50 mm/s", "1 mm/s", "[{at: 1 s, do: conveyor_speed, of: K, speed: 0.5 m/s, ramp: 200 ms}]", 0, 1, 0.5}};
     for (int k = 0; k < 4; k++) {
         char belts[200], text[2000];
-        hawser_limit limit[HAWSER_LIMITS_MAX];
         hawser_summary sum;
         snprintf(belts, sizeof belts,
                  "[{name: K, from: 9.2 m, to: 10.8 m, clamp: 10 kN, belt: {speed: %s, to: 300 ms}}]", row[k].belt);
@@ -120,13 +130,10 @@ static void drawn_by_belts(void **state)
                  "run: {duration: 2 s, steady_from: 1500 ms}\nlimits: {pull: 20 kN}\n",
                  row[k].v_s, belts, row[k].script);
         hawser_sim *const sim = run_of(text, NULL);
-        const int n = hawser_sim_limits(sim, limit);
+        const hawser_limit speed = judged(sim, "speed");
         const hawser_condition *const c = of_run(sim, &sum, "friction_speed");
-        int i = 0;
-        while (i < n && strcmp(limit[i].name, "speed") != 0) i++;
-        assert_true(i < n && limit[i].judged);
-        check_share(limit[i].value, row[k].speed, 0.03);
-        assert_int_equal(limit[i].ok, !row[k].fast);
+        check_share(speed.value, row[k].speed, 0.03);
+        assert_int_equal(speed.ok, !row[k].fast);
         assert_non_null(c);
         assert_int_equal(c->holds, !row[k].fades);
         hawser_sim_free(sim);
@@ -198,15 +205,11 @@ static void a_load_that_comes_late(void **state)
         "  {spacing: 1 m, from: 13 m}]}\n"
         "friction: {mu: 0.1}\ndrive: {winch: {speed: 1 m/s, to: 1 s}, tail: {tension: 1 kN}}\n"
         "run: {duration: 6.5 s, steady_from: 1500 ms}\nlimits: {pull: 30 kN}\n";
-    hawser_limit limit[HAWSER_LIMITS_MAX];
     hawser_sim *const sim = run_of(text, NULL);
-    const int n = hawser_sim_limits(sim, limit);
-    int i = 0;
-    while (i < n && strcmp(limit[i].name, "roller_steady") != 0) i++;
-    assert_true(i < n && limit[i].judged);
-    check_share(limit[i].value, 20 * 9.81 * hypot(1, 0.1), 0.05); /* where it begins it bends, and bears 4 % more */
-    check_below(roller_at(sim, 11)->steady_N, 0.9 * limit[i].value);
-    assert_false(limit[i].ok);
+    const hawser_limit steady = judged(sim, "roller_steady");
+    check_share(steady.value, 20 * 9.81 * hypot(1, 0.1), 0.05); /* where it begins it bends, and bears 4 % more */
+    check_below(roller_at(sim, 11)->steady_N, 0.9 * steady.value);
+    assert_false(steady.ok);
     hawser_sim_free(sim);
 }
 
