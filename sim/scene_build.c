@@ -47,8 +47,8 @@ static void piece_cut(const SceneDef *def, int p, double *out)
     }
 }
 
-/* m, of the rollers: the largest radius at which a cable as thick as the chain's thickest has its line; 0: there are
- * none. */
+/* m, of the rollers along the route: the largest radius at which a cable as thick as the chain's thickest has its line;
+ * 0: there are none. Whether the cable comes to a listed one nobody knows. */
 static double farthest_line(const Scene *scene)
 {
     double thickest = 0, farthest = 0;
@@ -56,8 +56,7 @@ static double farthest_line(const Scene *scene)
     for (int r = 0; r < scene->def.n_rollers; ++r) {
         const RollerDef *const roller = &scene->def.rollers[r];
         const double sine = roller->profile == SHAPE_V_GROOVE ? roller->groove.sine : 1;
-        if (roller->profile == SHAPE_BOX || roller->profile == SHAPE_BELL) continue;
-        farthest = fmax(farthest, (roller->radius + thickest) / sine);
+        if (!isnan(roller->s)) farthest = fmax(farthest, (roller->radius + thickest) / sine);
     }
     return farthest;
 }
