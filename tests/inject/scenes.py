@@ -71,9 +71,9 @@ def studies(work, data):
 
 
 def interrupted(program, case, folder):
-    """A run that was killed when it had a checkpoint; one that was over before that is begun anew."""
-    words = [program, "run", case, "--quiet", "-o", folder, "--set", "run.checkpoint=50 ms",
-             "--set", "output.states=0.1 s", "--set", "solver.passes=1"]
+    """A run of far longer than it takes to a first checkpoint, killed when it had one."""
+    words = [program, "run", case, "--quiet", "-o", folder, "--set", "run.checkpoint=5 ms", "--set", "run.duration=40 s",
+             "--set", "output.states=2 s", "--set", "solver.passes=1"]
     kept = os.path.join(folder, "checkpoint.hawser")
     for _ in range(50):
         with subprocess.Popen(words) as run:
@@ -82,8 +82,8 @@ def interrupted(program, case, folder):
             run.send_signal(signal.SIGKILL)
             run.wait()
         if os.path.exists(kept):
-            break
-    return folder
+            return folder
+    raise RuntimeError(f"no checkpoint in {folder} of a run that was killed")
 
 
 def runs(data):
