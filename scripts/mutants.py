@@ -116,7 +116,7 @@ class Finder:
             children = children[1:]
         if cursor.kind == kinds.CALL_EXPR and cursor.spelling.startswith("__builtin"):
             return
-        if cursor.kind.name in ("CXX_UNARY_EXPR", "STATIC_ASSERT"):
+        if cursor.kind.name in ("CXX_UNARY_EXPR", "STATIC_ASSERT", "ENUM_DECL"):  # constants to the compiler
             return
         self.take(cursor, children)
         for child in children:

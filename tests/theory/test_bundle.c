@@ -149,6 +149,10 @@ static void refused(void **state)
         assert_int_equal(bundle_shape(&cases[i].set, &shape, &err), HAWSER_ERR_INPUT);
         if (!strstr(err.message, cases[i].why)) fail_msg("\"%s\" does not say \"%s\"", err.message, cases[i].why);
     }
+    const BundleSet most = {.kinds = 2, .count = {4, 20}, .diameter = {0.04, 0.01}};
+    BundleShape shape;
+    assert_int_equal(bundle_shape(&most, &shape, NULL), HAWSER_OK);
+    assert_int_equal(shape.cables, 24);
     assert_string_equal(weight_correction_name(CORRECT_STRAIGHTS), "straights");
 }
 

@@ -60,6 +60,9 @@ static void cradled(void **state)
         check_close(place[0][0], 0.035 * (n - 1), 1e-16);
         check_equal(place[0][1], 0);
     }
+    const LayDef across = {.pattern = LAY_CRADLED, .spacing = 0.5, .radius = 0.25}; /* exactly */
+    assert_int_equal(lay_places(&across, 2, place), 1);
+    check_equal(apart(place, 0, 1), 0.5);
 }
 
 /* Corners of a regular polygon, the first on top, the next to its right. */

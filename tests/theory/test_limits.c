@@ -67,6 +67,15 @@ static void overrides(void **state)
     def.pull = 12e3;
     check_close(limits_pull(&def, 2, source), 24e3, 1e-9);
     assert_string_equal(source, "limits.pull");
+    def.code = CODE_AEIC;
+    for (int cables = 1; cables <= 3; cables++) { /* four fifths of four and more, nothing less of fewer */
+        check_close(limits_pull(&def, cables, source), cables * 12e3, 1e-9);
+        assert_string_equal(source, "limits.pull");
+    }
+    check_close(limits_pull(&def, 4, source), 0.8 * 4 * 12e3, 1e-9);
+    check_has(source, "limits.pull; ");
+    check_has(source, "80 %");
+    def.code = CODE_PAPER;
     /* by the code, Chinese, Fujikura, AEIC's least of 300 lbf/ft, rollers */
     static const double sidewall[] = {3000, 3000, 4900, 300 * LBF / FOOT, 500}, factor[] = {20, 20, 12, 20, 20};
     for (int k = 0; k < 5; k++) {
@@ -299,6 +308,8 @@ static void held_and_broken(void **state)
             if (k != LIMIT_RUN_AWAY) check_close(fabs(out[k].margin), 0.01, 2e-4);
             check_equal(out[k].margin < 0, broken);
             assert_string_equal(out[k].where, "here");
+            if (k == LIMIT_SPEED) check_has(out[k].source, "TB 889");
+            if (k == LIMIT_ROPE_BEND) check_has(out[k].source, "riggers' rule");
         }
     }
 }
@@ -446,6 +457,8 @@ static void undecided(void **state)
     assert_ptr_equal(limits_undecided(3, l), &l[0]);
     l[1].error = 2.2;
     assert_ptr_equal(limits_undecided(3, l), &l[1]);
+    const hawser_limit nothing = {.judged = 1, .ok = 1, .limit = 0, .error = 1};
+    assert_null(limits_undecided(1, &nothing)); /* no share of nothing */
     l[0].ok = 0;
     assert_null(limits_undecided(3, l));
 }

@@ -201,6 +201,34 @@ static void rule_places(void **state)
     route_clear(&route);
 }
 
+/* A line of half a newton a metre: what one roller may bear sets the spacing of carriers, by weight alone where guides
+ * stand beside them. */
+static void spacing_of_a_light_line(void **state)
+{
+    (void)state;
+    const RoutePieceDef piece = {.kind = ROUTE_STRAIGHT, .length = 12};
+    Route route;
+    hawser_error err;
+    assert_int_equal(route_build(&route, 1, &piece, V3_ZERO, 0, 0, &err), HAWSER_OK);
+    const PullStretch stretch = {.from = -1e9, .weight = 0.5, .mu = 0.2};
+    const PullDef def = {.route = &route, .to = 12, .start_tension = 1, .n_stretches = 1, .stretch = &stretch};
+    Pull pull;
+    assert_int_equal(pull_solve(&def, &pull, &err), HAWSER_OK);
+    const PlaceLine line = {.route = &route, .pull = &pull, .weight = 0.5, .to = 12};
+    for (int guides = 0; guides < 2; guides++) {
+        const PlaceRule rule = {.straights = 5, .bends = 5, .allowed = 1, .reserve = 1.25, .guides = guides};
+        PlacedRoller *r = NULL;
+        int n = 0;
+        double gap;
+        assert_int_equal(place_by_rule(&line, &rule, 100, &r, &n, &err), HAWSER_OK);
+        assert_int_equal(count_on(&route, n, r, PLACE_BELOW, 0, &gap), 6);
+        check_close(gap, 2, 1e-9);
+        free(r);
+    }
+    pull_clear(&pull);
+    route_clear(&route);
+}
+
 /* (PC9): all carriers and hold-downs together bear what (PC3) gives; a guide in mid bend bears T d/R, carriers on
  * straights w d. */
 static void loads_are_shared(void **state)
@@ -345,10 +373,13 @@ static void shares_of_the_load(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(points_find_their_place), cmocka_unit_test(crossings_have_two_places),
-        cmocka_unit_test(second_places),           cmocka_unit_test(rule_places),
-        cmocka_unit_test(loads_are_shared),        cmocka_unit_test(rule_keeps_to_its_stretch),
-        cmocka_unit_test(shares_of_the_load)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(points_find_their_place),
+                                       cmocka_unit_test(crossings_have_two_places),
+                                       cmocka_unit_test(second_places),
+                                       cmocka_unit_test(rule_places),
+                                       cmocka_unit_test(spacing_of_a_light_line),
+                                       cmocka_unit_test(loads_are_shared),
+                                       cmocka_unit_test(rule_keeps_to_its_stretch),
+                                       cmocka_unit_test(shares_of_the_load)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* The pulling calculator: both directions, reel and rope, conveyors, ducts, restart, roller loads, closed
  * forms by piece. */
 #include "theory/plan.h"
+#include "theory/plan_pull.h"
 
 #include <string.h>
 
@@ -53,6 +54,10 @@ static void both_directions(void **state)
         check_close(back->piece[i + 1].t_out, back->piece[i].t_in, 0);
     }
     check_close(there->piece[0].t_out, 15 * WEIGHT + 60 * WEIGHT * (MU * cos(0.2) + sin(0.2)), 1e-9);
+    for (int i = 0; i < 5; i++) { /* uphill and level it grows along each; downhill it may fall */
+        check_close(there->piece[i].max_tension, there->piece[i].t_out, 0);
+        check_close(back->piece[i].max_tension, fmax(back->piece[i].t_in, back->piece[i].t_out), 0);
+    }
     check_close(there->piece[0].roller_load, 2 * WEIGHT * cos(0.2), 1e-10);
     check_close(there->piece[2].roller_load, 2 * WEIGHT, 1e-10);
     check_close(there->piece[3].roller_load, 2 * hypot(there->piece[3].t_out / 8, WEIGHT), 1e-9);
@@ -142,18 +147,20 @@ static void duct_corrections(void **state)
 {
     (void)state;
     Route route = hill_route();
-    const PullStretch cable = {.weight = 3 * WEIGHT, .mu = MU};
+    const PullStretch cable = {.weight = 3 * WEIGHT, .mu = MU, .mu_static = 0.3};
     const DuctDef duct = {.duct_diameter = 0.15, .cable_diameter = 0.05, .cables = 3};
     PlanDef def = hill_def(&route, &cable);
     def.duct = &duct;
     Plan plan, same;
     assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
     check_close(plan.duct.weight_factor, 4.0 / 3, 1e-14);
-    const PullStretch corrected = {.weight = 3 * WEIGHT, .mu = MU * 4 / 3};
+    const PullStretch corrected = {.weight = 3 * WEIGHT, .mu = MU * 4 / 3, .mu_static = 0.3 * 4 / 3};
     def.duct = NULL;
     def.stretch = &corrected;
     assert_int_equal(plan_build(&def, &same, NULL), HAWSER_OK);
     check_close(plan.way[0].force, same.way[0].force, 1e-8);
+    check_close(plan.way[0].restart_force, same.way[0].restart_force, 1e-8);
+    check_above(plan.way[0].restart_force, plan.way[0].force);
     check_close(plan.way[0].pull.max_sidewall, same.way[0].pull.max_sidewall * 2 / 3, 1e-8);
     check_close(plan.way[0].piece[3].sidewall, same.way[0].piece[3].sidewall * 2 / 3, 1e-8);
     plan_clear(&plan);
@@ -233,12 +240,93 @@ static void loads_of_short_bends(void **state)
                   (9e3 + 20 * MU * WEIGHT) * exp(MU * angle) * angle + WEIGHT * (spacing + 3 * radius * angle));
 }
 
+/* A roller may be farther from a bend than several pieces are long: what counts is the route, not how it is cut. */
+static void loads_of_cut_routes(void **state)
+{
+    (void)state;
+    enum { MOST = 24 };
+    static const int cuts[] = {1, 2, 3, 5};
+    double load[2] = {0};
+    for (int k = 0; k < 4; k++) {
+        RoutePieceDef piece[MOST];
+        int n = 0;
+        for (int straight = 0; straight < 3; straight++) {
+            const double length = straight == 1 ? 0.6 : 12;
+            for (int i = 0; i < cuts[k]; i++)
+                piece[n++] = (RoutePieceDef){.kind = ROUTE_STRAIGHT, .length = length / cuts[k]};
+            if (straight < 2)
+                piece[n++] = (RoutePieceDef){.kind = ROUTE_BEND, .radius = 4, .angle = 0.05, .plane = 3 * M_PI / 2};
+        }
+        Route route;
+        Plan plan;
+        hawser_error err = {0};
+        assert_int_equal(route_build(&route, n, piece, V3_ZERO, 0, 0, &err), HAWSER_OK);
+        const PullStretch all = {.from = -1e9, .weight = WEIGHT, .mu = MU};
+        const PlanDef def = {
+            .route = &route, .n_stretches = 1, .stretch = &all, .roller_spacing = 3, .back_tension = 9e3};
+        assert_int_equal(plan_build(&def, &plan, &err), HAWSER_OK);
+        const PlanPiece *const on = plan.way[PLAN_FORWARD].piece;
+        const double here[] = {on[cuts[k]].roller_load, on[2 * cuts[k] + 1].roller_load};
+        for (int b = 0; b < 2; b++) {
+            if (k) check_share(here[b], load[b], 1e-9);
+            load[b] = here[b];
+            /* what both bends turn, and the weight: they lie between the neighbours of either */
+            check_close(here[b], on[(b + 1) * cuts[k] + b].t_out * 0.1 + WEIGHT * 3, WEIGHT * 0.2);
+        }
+        plan_clear(&plan);
+        route_clear(&route);
+    }
+}
+
+/* What holds back less at times does so where the cable is slackest; a pull begins with the reel, not with its first
+ * pit. */
+static void held_back_least(void **state)
+{
+    (void)state;
+    Route route = hill_route();
+    const PullStretch cable = {.weight = WEIGHT, .mu = MU};
+    const PullStep pit = {.at = 80, .force = 700, .kind = STEP_ANEW};
+    PlanDef def = hill_def(&route, &cable);
+    Plan plan, least;
+    def.back_tension = 900;
+    assert_false(plan_slackens(&def));
+    def.back_fall = 500;
+    assert_true(plan_slackens(&def));
+    check_close(plan_slack(&def).back_tension, 400, 0);
+    assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
+    PlanDef slack = def;
+    slack.back_fall = 0, slack.back_tension = 400;
+    assert_int_equal(plan_build(&slack, &least, NULL), HAWSER_OK);
+    for (int way = 0; way < PLAN_WAYS; way++) {
+        check_close(plan.way[way].pull.min_tension, least.way[way].pull.min_tension, 1e-9);
+        check_above(plan.way[way].pull.max_tension, least.way[way].pull.max_tension);
+    }
+    plan_clear(&plan);
+    plan_clear(&least);
+    def.back_fall = 0, def.behind = 5, def.behind_least = 5;
+    assert_false(plan_slackens(&def));
+    def.behind_least = 4;
+    assert_true(plan_slackens(&def));
+    def.behind_least = 5, def.lightest = WEIGHT / 2;
+    assert_true(plan_slackens(&def));
+    def = hill_def(&route, &cable), def.n_steps = 1, def.step = &pit;
+    assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
+    for (int way = 0; way < PLAN_WAYS; way++) check_close(plan.way[way].start, 15 * WEIGHT, 0);
+    plan_clear(&plan);
+    route_clear(&route);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(both_directions),  cmocka_unit_test(closed_forms_by_piece),
-        cmocka_unit_test(conveyors),        cmocka_unit_test(ways_of_their_own),
-        cmocka_unit_test(duct_corrections), cmocka_unit_test(loads_of_short_bends),
+        cmocka_unit_test(both_directions),
+        cmocka_unit_test(closed_forms_by_piece),
+        cmocka_unit_test(conveyors),
+        cmocka_unit_test(ways_of_their_own),
+        cmocka_unit_test(duct_corrections),
+        cmocka_unit_test(loads_of_short_bends),
+        cmocka_unit_test(loads_of_cut_routes),
+        cmocka_unit_test(held_back_least),
         cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

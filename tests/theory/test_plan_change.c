@@ -200,22 +200,26 @@ static void at_a_corner(void **state)
     const RoutePieceDef piece[] = {{.kind = ROUTE_STRAIGHT, .name = "level", .length = 100}};
     Route route;
     assert_int_equal(route_build(&route, 1, piece, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
-    const PullStretch cable = {.weight = 100, .mu = 0.25};
-    const double arrives = 1000 + 50 * 100 * 0.25;
-    const struct {
-        double takes, by_start;
+    static const struct {
+        double more, by_start;
         int one_sided;
-    } row[] = {{arrives - 1, 1, 0}, {arrives, 0, 1}, {arrives + 1, 0, 0}};
-    for (int i = 0; i < 3; i++) {
-        const PullStep machine = {.at = 50, .force = row[i].takes, .kind = STEP_TAKE};
-        const PlanDef def = {
-            .route = &route, .n_stretches = 1, .stretch = &cable, .back_tension = 1000, .n_steps = 1, .step = &machine};
+    } row[] = {{-1, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+    for (int i = 0; i < 6; i++) { /* of a cable, and of a thread */
+        const double scale = i < 3 ? 1 : ldexp(1, -13), arrives = 1000 + 50 * 100 * 0.25;
+        const PullStretch cable = {.weight = 100 * scale, .mu = 0.25};
+        const PullStep machine = {.at = 50, .force = (arrives + row[i % 3].more) * scale, .kind = STEP_TAKE};
+        const PlanDef def = {.route = &route,
+                             .n_stretches = 1,
+                             .stretch = &cable,
+                             .back_tension = 1000 * scale,
+                             .n_steps = 1,
+                             .step = &machine};
         Plan plan;
         PlanChange d;
         assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
         assert_int_equal(plan_change(&def, &plan, PLAN_FORWARD, &d, NULL), HAWSER_OK);
-        check_close(d.force[CHANGE_START], row[i].by_start, 1e-12);
-        assert_int_equal(d.one_sided, row[i].one_sided);
+        check_close(d.force[CHANGE_START], row[i % 3].by_start, 1e-12);
+        assert_int_equal(d.one_sided, row[i % 3].one_sided);
         plan_change_free(&d);
         plan_clear(&plan);
     }

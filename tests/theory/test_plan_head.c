@@ -561,6 +561,7 @@ static void sections_in_order(void **state)
         for (int i = 0; i < s.n; i++) at_end += s.row[i].head == (way ? 0 : route.length);
         assert_int_equal(at_end, 1); /* a corner of the route, though the pull goes on */
         check_equal(s.row[s.n - 1].head, way ? -6 : route.length + 6);
+        check_equal(s.row[0].head, way ? route.length : 0);
         plan_heads_free(&s);
     }
     route_clear(&route);

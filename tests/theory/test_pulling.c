@@ -276,6 +276,25 @@ static void stretches_and_steps(void **state)
     route_clear(&route);
 }
 
+/* Of equal tensions the first is told. */
+static void equal_tensions(void **state)
+{
+    (void)state;
+    const RoutePieceDef def[] = {{.kind = ROUTE_STRAIGHT, .length = 50}, {.kind = ROUTE_STRAIGHT, .length = 30}};
+    Route route;
+    assert_int_equal(route_build(&route, 2, def, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
+    const PullStretch cable = {.weight = 100};
+    const PullDef pull_def = simple_def(&route, &cable, 3000);
+    Pull pull;
+    assert_int_equal(pull_solve(&pull_def, &pull, NULL), HAWSER_OK);
+    check_equal(pull.end_tension, 3000);
+    check_equal(pull.min_at, 0);
+    check_equal(pull.max_at, 0);
+    assert_int_equal(pull.min_piece, 0);
+    pull_clear(&pull);
+    route_clear(&route);
+}
+
 /* A downhill, level, uphill trough: the least tension lies at a corner of the slope, the greatest at the end.
  */
 static void extremes(void **state)
@@ -419,6 +438,7 @@ int main(void)
         cmocka_unit_test(mirrored_routes_agree),
         cmocka_unit_test(points_on_the_way),
         cmocka_unit_test(stretches_and_steps),
+        cmocka_unit_test(equal_tensions),
         cmocka_unit_test(extremes),
         cmocka_unit_test(nearly_planar_sags),
         cmocka_unit_test(limiting_cases),
