@@ -74,8 +74,7 @@ static int corners_collect(const PlanDef *def, int way, double *s)
 {
     int n = 0;
     const double before = JUST_AHEAD * def->route->length * sign_of(way);
-    s[n++] = plan_first(def, way);
-    s[n++] = plan_last(def, way);
+    s[n++] = plan_last(def, way); /* the pull begins with the route */
     for (int p = 0; p < def->route->n; p++) s[n++] = def->route->piece[p].s0;
     s[n++] = def->route->length;
     for (int i = 0; i < def->n_stretches; i++) s[n++] = def->stretch[i].from;
@@ -93,7 +92,7 @@ static hawser_status places_find(const PlanDef *def, int way, double apart, Plac
 {
     const double low = fmin(plan_first(def, way), plan_last(def, way));
     const double high = fmax(plan_first(def, way), plan_last(def, way));
-    const int corners = 3 + def->route->n + def->n_stretches + 2 * (def->n_pushes + def->n_steps);
+    const int corners = 2 + def->route->n + def->n_stretches + 2 * (def->n_pushes + def->n_steps);
     const int even = apart < INFINITY ? (int)ceil((high - low) / apart) : 0;
     double *const corner = malloc((size_t)corners * sizeof *corner);
     out->n = 0;

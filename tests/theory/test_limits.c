@@ -75,7 +75,10 @@ static void overrides(void **state)
     check_close(limits_pull(&def, 4, source), 0.8 * 4 * 12e3, 1e-9);
     check_has(source, "limits.pull; ");
     check_has(source, "80 %");
-    def.code = CODE_PAPER;
+    def.cores = 5; /* what the code takes off for them is in what is said of one cable */
+    check_close(limits_pull(&def, 1, source), 12e3, 1e-9);
+    assert_string_equal(source, "limits.pull");
+    def.code = CODE_PAPER, def.cores = 1;
     /* by the code, Chinese, Fujikura, AEIC's least of 300 lbf/ft, rollers */
     static const double sidewall[] = {3000, 3000, 4900, 300 * LBF / FOOT, 500}, factor[] = {20, 20, 12, 20, 20};
     for (int k = 0; k < 5; k++) {

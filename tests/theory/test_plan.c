@@ -240,15 +240,17 @@ static void loads_of_short_bends(void **state)
                   (9e3 + 20 * MU * WEIGHT) * exp(MU * angle) * angle + WEIGHT * (spacing + 3 * radius * angle));
 }
 
-/* A roller may be farther from a bend than several pieces are long: what counts is the route, not how it is cut. */
+/* Two bends close together: a roller's neighbours stand behind both, or within the other. What counts is the route, not
+ * how it is cut. */
 static void loads_of_cut_routes(void **state)
 {
     (void)state;
     enum { MOST = 24 };
-    static const int cuts[] = {1, 2, 3, 5};
+    static const int cuts[] = {1, 2, 3, 5, 1, 2, 3, 5};
     double load[2] = {0};
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 8; k++) {
         RoutePieceDef piece[MOST];
+        const double spacing = k < 4 ? 3 : 0.7, turn = k < 4 ? 0.1 : 0.075;
         int n = 0;
         for (int straight = 0; straight < 3; straight++) {
             const double length = straight == 1 ? 0.6 : 12;
@@ -263,15 +265,14 @@ static void loads_of_cut_routes(void **state)
         assert_int_equal(route_build(&route, n, piece, V3_ZERO, 0, 0, &err), HAWSER_OK);
         const PullStretch all = {.from = -1e9, .weight = WEIGHT, .mu = MU};
         const PlanDef def = {
-            .route = &route, .n_stretches = 1, .stretch = &all, .roller_spacing = 3, .back_tension = 9e3};
+            .route = &route, .n_stretches = 1, .stretch = &all, .roller_spacing = spacing, .back_tension = 9e3};
         assert_int_equal(plan_build(&def, &plan, &err), HAWSER_OK);
         const PlanPiece *const on = plan.way[PLAN_FORWARD].piece;
-        const double here[] = {on[cuts[k]].roller_load, on[2 * cuts[k] + 1].roller_load};
         for (int b = 0; b < 2; b++) {
-            if (k) check_share(here[b], load[b], 1e-9);
-            load[b] = here[b];
-            /* what both bends turn, and the weight: they lie between the neighbours of either */
-            check_close(here[b], on[(b + 1) * cuts[k] + b].t_out * 0.1 + WEIGHT * 3, WEIGHT * 0.2);
+            const PlanPiece *const bend = &on[(b + 1) * cuts[k] + b];
+            if (cuts[k] > 1) check_share(bend->roller_load, load[b], 1e-9);
+            load[b] = bend->roller_load;
+            check_close(load[b], bend->t_out * turn + WEIGHT * spacing, WEIGHT * 0.2);
         }
         plan_clear(&plan);
         route_clear(&route);
