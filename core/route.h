@@ -50,6 +50,7 @@ typedef struct RouteCurve {
     double bend, sharp; /* plan curvature at its start, 1/m, and by how much it grows per metre, 1/m2 */
     RouteProfileKind profile;
     double slope;    /* rad, at its start, over the plan */
+    double grade;    /* its tangent */
     double vertical; /* arc: 1/m, curvature of the profile; parabola: by how much tan(slope) grows per metre of plan */
     Vec3 cubic[3];
     double end;   /* u there */

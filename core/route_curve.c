@@ -21,7 +21,8 @@ static Vec3 cubic_slope(const RouteCurve *c, double u)
 static double speed_at(const RoutePiece *p, double u)
 {
     if (p->kind == ROUTE_CUBIC) return v3_norm(cubic_slope(&p->curve, u));
-    return hypot(1, tan(p->curve.slope) + p->curve.vertical * u);
+    const double grade = p->curve.grade + p->curve.vertical * u;
+    return sqrt(1 + grade * grade);
 }
 
 /* Whether x is an integral over u. */
@@ -134,7 +135,7 @@ static CurvePlace curve_place(const RoutePiece *p, const RouteKnot *knot, double
     const RouteCurve *const c = &p->curve;
     if (c->profile == PROFILE_PARABOLA) { /* (RO5), (RO7) */
         const double u = parameter_at(p, knot_before(knot, c->n, x), x);
-        return (CurvePlace){u, atan(tan(c->slope) + c->vertical * u), u * (tan(c->slope) + c->vertical * u / 2)};
+        return (CurvePlace){u, atan(c->grade + c->vertical * u), u * (c->grade + c->vertical * u / 2)};
     }
     const double half = (c->profile == PROFILE_ARC ? c->vertical : 0) * x / 2; /* (RO8) */
     return (CurvePlace){x * sinc(half) * cos(c->slope + half), c->slope + 2 * half,
@@ -183,8 +184,15 @@ Vec3 route_centre(Vec3 tangent, Vec3 left, double plane)
     return v3_unit(v3_reject(v3_add(v3_scale(cos(plane), left), v3_scale(sin(plane), up)), tangent));
 }
 
+/* What rounding of a slope leaves of no change of grade. */
+static const double RISE_MIN = 1e-14;
+
 /* By how much tan(slope) changes along a parabola; 0: it is a straight grade, and has no knots. */
-static double parabola_rise(const RouteCurve *c) { return fabs(c->vertical * c->end); }
+static double parabola_rise(const RouteCurve *c)
+{
+    const double rise = fabs(c->vertical * c->end);
+    return rise > RISE_MIN * (1 + c->grade * c->grade) ? rise : 0;
+}
 
 /* How many steps of u the integrals need: at most 0.3 rad of plan and of change of slope each; a cubic's until its
  * length no longer changes. 0: closed form. */
@@ -241,8 +249,9 @@ static void curve_fill(RoutePiece *p, const RoutePieceDef *def, Vec3 left)
     c->axis[1] = left;
     c->axis[2] = v3(0, 0, 1);
     c->slope = atan2(p->tangent.z, hypot(p->tangent.x, p->tangent.y));
+    c->grade = tan(c->slope);
     c->profile = def->profile;
-    if (def->profile == PROFILE_PARABOLA) c->vertical = (tan(def->slope_end) - tan(c->slope)) / def->length;
+    if (def->profile == PROFILE_PARABOLA) c->vertical = (tan(def->slope_end) - c->grade) / def->length;
     if (!(parabola_rise(c) > 0) && def->profile == PROFILE_PARABOLA) c->profile = PROFILE_GRADE;
     if (c->profile == PROFILE_GRADE) p->length = def->length / cos(c->slope);
     if (c->profile == PROFILE_ARC) {

@@ -127,23 +127,34 @@ static void peak_take(const HeadForce *f, int restart, HeadForce *peak)
     if (force_of(f, restart) > force_of(peak, restart)) *peak = *f;
 }
 
-/* The largest between two places on both sides of a row that is larger than they are: the golden section. */
+/* A peak that is looked for closer. */
+typedef struct Refine {
+    const PlanDef *def;
+    const DuctLoad *load;
+    int way, restart;
+    Pull *before; /* [2], as head_solve's */
+    HeadForce *peak;
+    hawser_status status;
+    hawser_error *err;
+} Refine;
+
+static double peak_look(void *what, double head)
+{
+    Refine *const r = what;
+    HeadForce here = {0};
+    if (r->status) return 0;
+    r->status = head_solve(r->def, r->load, r->way, head, r->before, &here, r->err);
+    if (!r->status) peak_take(&here, r->restart, r->peak);
+    return force_of(&here, r->restart);
+}
+
+/* The largest between two places on both sides of a row that is larger than they are. */
 static hawser_status peak_refine(const PlanDef *def, const DuctLoad *load, int way, int restart, double a, double b,
                                  Pull before[2], HeadForce *peak, hawser_error *err)
 {
-    const double share = (sqrt(5) - 1) / 2;
-    HeadForce in[2];
-    hawser_status status = head_solve(def, load, way, b - share * (b - a), before, &in[0], err);
-    if (!status) status = head_solve(def, load, way, a + share * (b - a), before, &in[1], err);
-    for (int i = 0; i < 24 && !status; i++) {
-        const int right = force_of(&in[1], restart) > force_of(&in[0], restart);
-        if (right) a = in[0].head;
-        if (!right) b = in[1].head;
-        in[!right] = in[right];
-        status = head_solve(def, load, way, right ? a + share * (b - a) : b - share * (b - a), before, &in[right], err);
-        peak_take(&in[right], restart, peak);
-    }
-    return status;
+    Refine r = {def, load, way, restart, before, peak, HAWSER_OK, err};
+    search_top(peak_look, &r, a, b, 24);
+    return r.status;
 }
 
 /* Both peaks: of the rows, and beside those that stand above their neighbours. */

@@ -3,6 +3,8 @@
 #include <assert.h>
 #include <stddef.h>
 
+#include "theory/search.h"
+
 /* Local error that a step may make, of |T| + w |s1 - s0|. */
 static const double STEP_TOLERANCE = 1e-12;
 /* Share of weight (and of T/R) below which a normal force, or its part out of the bend's plane, counts as
@@ -11,17 +13,37 @@ static const double ZERO_FORCE = 1e-11;
 /* 1/m: a curve that bends less counts as straight there. */
 static const double STRAIGHT_MAX = 1e-12;
 
+/* The centre's direction where a curve bends, else a straight's frame (RO16). */
+static SpanFrame curve_frame(const RoutePoint *at)
+{
+    const double k = v3_norm(at->curvature), level = hypot(at->tangent.x, at->tangent.y);
+    if (!(k > STRAIGHT_MAX)) return (SpanFrame){.tz = at->tangent.z, .nz = level};
+    const Vec3 n = v3_scale(1 / k, at->curvature);
+    return (SpanFrame){.curvature = k, .tz = at->tangent.z, .nz = n.z, .bz = v3_cross(at->tangent, n).z};
+}
+
+/* A curve in plan, of one curvature, that keeps its grade (T7a). */
+static int is_helix(const RoutePiece *p)
+{
+    const RouteCurve *const c = &p->curve;
+    return p->kind == ROUTE_CURVE && c->profile == PROFILE_GRADE && c->sharp == 0 && c->axis[2].z == 1;
+}
+
 SpanLine span_line(const Route *route, double s)
 {
     const RoutePoint at = route_at(route, s);
     SpanLine line = {.s_ref = s, .tz = at.tangent.z, .nz = hypot(at.tangent.x, at.tangent.y)};
-    const RoutePiece *p = &route->piece[at.piece];
+    const RoutePiece *const p = &route->piece[at.piece];
     if (s >= 0 && s <= route->length && p->kind >= ROUTE_CURVE) {
+        if (is_helix(p)) {
+            const SpanFrame same = curve_frame(&at);
+            return (SpanLine){.s_ref = s, .curvature = same.curvature, .tz = same.tz, .nz = same.nz, .bz = same.bz};
+        }
         line.route = route;
         line.piece = at.piece;
     } else if (v3_norm(at.curvature) > 0) {
         line.s_ref = p->s0;
-        line.curvature = 1 / p->radius;
+        line.curvature = line.turning = 1 / p->radius;
         line.tz = p->tangent.z;
         line.nz = p->centre.z;
         line.bz = v3_cross(p->tangent, p->centre).z;
@@ -29,20 +51,13 @@ SpanLine span_line(const Route *route, double s)
     return line;
 }
 
-/* On a curve: the centre's direction where it bends, else a straight's frame (RO16). */
-static SpanFrame curve_frame(const SpanLine *line, double s)
-{
-    const RoutePoint at = route_way_on_piece(line->route, line->piece, s);
-    const double k = v3_norm(at.curvature), level = hypot(at.tangent.x, at.tangent.y);
-    if (!(k > STRAIGHT_MAX)) return (SpanFrame){.tz = at.tangent.z, .nz = level};
-    const Vec3 n = v3_scale(1 / k, at.curvature);
-    return (SpanFrame){.curvature = k, .tz = at.tangent.z, .nz = n.z, .bz = v3_cross(at.tangent, n).z};
-}
-
 SpanFrame span_frame(const SpanLine *line, double s)
 {
-    if (line->route) return curve_frame(line, s);
-    const double turn = (s - line->s_ref) * line->curvature, c = cos(turn), n = sin(turn);
+    if (line->route) {
+        const RoutePoint at = route_way_on_piece(line->route, line->piece, s);
+        return curve_frame(&at);
+    }
+    const double turn = (s - line->s_ref) * line->turning, c = cos(turn), n = sin(turn);
     return (SpanFrame){.curvature = line->curvature,
                        .tz = c * line->tz + n * line->nz,
                        .nz = c * line->nz - n * line->tz,
@@ -175,73 +190,81 @@ static double step_to_corner(const SpanLaw *p, double s, double tension, double 
     return x;
 }
 
-/* The extreme inside a step of h whose rates at its ends, k[0] and k[6], differ in sign: where the rate is
- * zero. */
-static void extremes_take_inside(SpanExtremes *e, const SpanLaw *p, double s, double tension, double h,
-                                 const double k[7])
+/* An accepted step from (s, tension) over h along the pull to (s_end, end), with its rates k. */
+typedef struct Step {
+    const SpanLaw *law;
+    double s, tension, h, s_end, end;
+    const double *k; /* [7] */
+} Step;
+
+static double place_inside(const Step *t, double share) { return t->s + t->law->direction * share * t->h; }
+
+/* The tension at a share of the step, by the pair's own polynomial of fourth order (T5a). */
+static double tension_inside(const Step *t, double share)
 {
-    if (k[0] * k[6] >= 0) return;
-    double trial[7] = {k[0]}, error, low = 0, high = h, end = tension;
+    static const double D[7] = {-12715105075.0 / 11282082432,  0,
+                                87487479700.0 / 32700410799,   -10690763975.0 / 1880347072,
+                                701980252875.0 / 199316789632, -1453857185.0 / 822651844,
+                                69997945.0 / 29380423};
+    const double rise = t->end - t->tension, back = 1 - share;
+    const double first = t->h * t->k[0] - rise, last = rise - t->h * t->k[6] - first;
+    double bow = 0;
+    for (int i = 0; i < 7; i++) bow += t->h * D[i] * t->k[i];
+    return t->tension + share * (rise + back * (first + share * (last + back * bow)));
+}
+
+/* The extreme inside a step whose rates at its ends differ in sign: where the rate is zero. */
+static void extremes_take_inside(SpanExtremes *e, const Step *t)
+{
+    if (t->k[0] * t->k[6] >= 0) return;
+    double low = 0, high = 1;
     for (int i = 0; i < 50; i++) {
         const double x = low + (high - low) / 2;
-        end = dopri_step(p, s, tension, x, trial, &error);
-        if (k[0] * trial[6] > 0) {
+        if (t->k[0] * span_rate(t->law, place_inside(t, x), tension_inside(t, x)) > 0) {
             low = x;
         } else {
             high = x;
         }
     }
-    extremes_take(e, s + p->direction * high, end);
+    extremes_take(e, place_inside(t, high), tension_inside(t, high));
 }
 
-/* T times the curvature at x from the step's start. */
-static double pressure_inside(const SpanLaw *p, double s, double tension, double x, const double k[7])
+/* T times the curvature at a share of the step. */
+static double pressure_inside(void *what, double share)
 {
-    double trial[7] = {k[0]}, error;
-    const double end = x > 0 ? dopri_step(p, s, tension, x, trial, &error) : tension;
-    return fabs(end) * span_frame(&p->line, s + p->direction * x).curvature;
+    const Step *const t = what;
+    return fabs(tension_inside(t, share)) * span_frame(&t->law->line, place_inside(t, share)).curvature;
 }
 
-/* The largest T times curvature of a step on a curve: looks along it, then thirds about the best, unless that is far
+/* The largest T times curvature of a step on a curve: looks along it, then closer about the best, unless that is far
  * from the largest so far: between two looks a step's pressure grows by some per cent at most. */
-static void pressure_take(SpanExtremes *e, const SpanLaw *p, double s, double tension, double h, const double k[7])
+static void pressure_take(SpanExtremes *e, Step *t)
 {
-    enum { LOOKS = 8 };
+    enum { LOOKS = 8, CLOSER = 24 };
     int best = 0;
     double most = -INFINITY;
     for (int i = 0; i <= LOOKS; ++i) {
-        const double look = pressure_inside(p, s, tension, h * i / LOOKS, k);
+        const double look = pressure_inside(t, (double)i / LOOKS);
         if (look > most) {
             most = look;
             best = i;
         }
     }
     if (2 * most < e->max_pressure) return;
-    double low = h * fmax(best - 1, 0) / LOOKS, high = h * fmin(best + 1, LOOKS) / LOOKS;
-    for (int i = 0; i < 30; ++i) {
-        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-        if (pressure_inside(p, s, tension, a, k) > pressure_inside(p, s, tension, b, k)) {
-            high = b;
-        } else {
-            low = a;
-        }
-    }
-    const double refined = pressure_inside(p, s, tension, (low + high) / 2, k);
-    const double at = refined > most ? (low + high) / 2 : h * best / LOOKS;
-    if (fmax(most, refined) <= e->max_pressure) return;
-    e->max_pressure = fmax(most, refined);
-    e->pressure_at = s + p->direction * at;
+    const SearchTop top =
+        search_top(pressure_inside, t, fmax(best - 1, 0) / LOOKS, fmin(best + 1, LOOKS) / LOOKS, CLOSER);
+    if (fmax(most, top.value) <= e->max_pressure) return;
+    e->max_pressure = fmax(most, top.value);
+    e->pressure_at = place_inside(t, top.value > most ? top.at : (double)best / LOOKS);
 }
 
-/* One accepted step of h from (s, tension) to (s_end, end). */
-static void extremes_take_step(SpanExtremes *e, const SpanLaw *p, double s, double tension, double h, double s_end,
-                               double end, const double k[7])
+static void extremes_take_step(SpanExtremes *e, Step *t)
 {
-    extremes_take(e, s, tension);
-    extremes_take_inside(e, p, s, tension, h, k);
-    extremes_take(e, s_end, end);
-    if (p->line.route) pressure_take(e, p, s, tension, h, k);
-    const SpanParts first = span_parts(p, s, tension), last = span_parts(p, s_end, end);
+    extremes_take(e, t->s, t->tension);
+    extremes_take_inside(e, t);
+    extremes_take(e, t->s_end, t->end);
+    if (t->law->line.route) pressure_take(e, t);
+    const SpanParts first = span_parts(t->law, t->s, t->tension), last = span_parts(t->law, t->s_end, t->end);
     e->max_down = fmax(e->max_down, fmax(fabs(first.down), fabs(last.down)));
     e->max_aside = fmax(e->max_aside, fmax(fabs(first.aside), fabs(last.aside)));
 }
@@ -265,7 +288,7 @@ double span_integrate(const SpanLaw *p, double s0, double tension, double s1, Sp
             continue;
         }
         const double s_end = last ? s1 : s + p->direction * h;
-        if (extremes) extremes_take_step(extremes, p, s, tension, h, s_end, end, k);
+        if (extremes) extremes_take_step(extremes, &(Step){p, s, tension, h, s_end, end, k});
         x = last ? length : x + h;
         tension = end;
         if (extremes && extremes->enough > 0 && tension > extremes->enough) return INFINITY;

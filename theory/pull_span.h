@@ -9,10 +9,11 @@
 typedef enum PullLaw { PULL_REFERENCE, PULL_NO_CAPSTAN } PullLaw;
 
 /* What the law needs of the line: on straights and in bends the vertical components of its frame turn with s as on a
- * circle; on curves the route is asked. */
+ * circle, on a helix they stay; on other curves the route is asked. */
 typedef struct SpanLine {
     double s_ref;       /* m, where the frame below holds */
     double curvature;   /* 1/m; 0: straight */
+    double turning;     /* 1/m: the curvature in a bend, 0 elsewhere */
     double tz, nz, bz;  /* vertical components of tangent, unit vector toward the centre, and their cross
                          * product; straights: nz belongs to the normal in the vertical plane, bz is 0 */
     const Route *route; /* borrowed, of a curve; NULL: the numbers above hold */

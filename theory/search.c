@@ -48,3 +48,19 @@ SearchBound search_bound(const SearchDef *def)
     }
     return (SearchBound){SEARCH_NOWHERE, NAN, def->now};
 }
+
+SearchTop search_top(double (*f)(void *what, double x), void *what, double low, double high, int steps)
+{
+    const double share = (sqrt(5) - 1) / 2;
+    SearchTop in[2] = {{.at = high - share * (high - low)}, {.at = low + share * (high - low)}};
+    for (int k = 0; k < 2; k++) in[k].value = f(what, in[k].at);
+    for (int i = 0; i < steps; i++) {
+        const int right = in[1].value > in[0].value;
+        if (right) low = in[0].at;
+        if (!right) high = in[1].at;
+        in[!right] = in[right];
+        in[right].at = right ? low + share * (high - low) : high - share * (high - low);
+        in[right].value = f(what, in[right].at);
+    }
+    return in[in[1].value > in[0].value];
+}

@@ -1,6 +1,6 @@
-/* The farthest value at which something holds, by bracketing and bisection: what the inverse answers are found with.
- * docs/model.md, "The planner's calculation", (PN9). Some forty looks for an answer within ten times of where it
- * begins, up to a hundred for one that is not there. */
+/* The farthest value at which something holds, by bracketing and bisection: what the inverse answers are found with;
+ * and the largest of a function with one top. docs/model.md, "The planner's calculation", (PN9). Of the first some
+ * forty looks for an answer within ten times of where it begins, up to a hundred for one that is not there. */
 #ifndef HAWSER_THEORY_SEARCH_H
 #define HAWSER_THEORY_SEARCH_H
 
@@ -27,5 +27,14 @@ typedef struct SearchBound {
  * nearest such end on the other side, looked for down to `now`^2/`farthest` in steps of a tenth: a narrower range of
  * values is missed. */
 SearchBound search_bound(const SearchDef *def);
+
+typedef struct SearchTop {
+    double at, value;
+} SearchTop;
+
+/* The largest of a function that rises to one top between low and high and falls behind it, by `steps` of the golden
+ * section, each of one look, after two: the top is then within 0.62^steps of the range. What is returned was looked
+ * at. */
+SearchTop search_top(double (*f)(void *what, double x), void *what, double low, double high, int steps);
 
 #endif

@@ -54,8 +54,39 @@ static void no_further_than_told(void **state)
     }
 }
 
+/* One top, within 0.62^steps of the range and no worse than any look; at an end where the function only rises. */
+typedef struct Looked {
+    double top, most;
+    int looks;
+} Looked;
+
+static double hill(void *what, double x)
+{
+    Looked *const l = what;
+    const double value = -fabs(x - l->top) - (x > l->top ? x - l->top : 0);
+    l->most = fmax(l->most, value);
+    l->looks++;
+    return value;
+}
+
+static void the_top(void **state)
+{
+    (void)state;
+    for (double at = 2; at <= 5; at += 0.23) {
+        for (int steps = 0; steps < 40; steps += 13) {
+            Looked l = {at, -INFINITY, 0};
+            const SearchTop top = search_top(hill, &l, 2, 5, steps);
+            assert_int_equal(l.looks, 2 + steps);
+            check_close(top.at, at, 3 * pow((sqrt(5) - 1) / 2, steps));
+            check_equal(top.value, hill(&l, top.at));
+            check_equal(top.value, l.most);
+        }
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(the_search), cmocka_unit_test(no_further_than_told)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(the_search), cmocka_unit_test(no_further_than_told),
+                                       cmocka_unit_test(the_top)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

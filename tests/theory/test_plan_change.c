@@ -234,7 +234,7 @@ static SpanLaw bend_law(double tz, double nz, double bz, int separate)
                      .weight = 200,
                      .mu = 0.3,
                      .separate = separate,
-                     .line = {.curvature = 0.1, .tz = tz, .nz = nz, .bz = bz}};
+                     .line = {.curvature = 0.1, .turning = 0.1, .tz = tz, .nz = nz, .bz = bz}};
 }
 
 /* (SN2), (SN3) against differences of the support forces, in frames of all directions, pulled and pushed; and their
