@@ -317,6 +317,28 @@ static void held_back_least(void **state)
     route_clear(&route);
 }
 
+/* Over a crest without friction the lightest piece lies where weight holds and the heaviest where it runs ahead (T28).
+ */
+static void unlike_pieces_over_a_crest(void **state)
+{
+    (void)state;
+    const RoutePieceDef crest = {.kind = ROUTE_BEND, .radius = 50, .angle = 0.6, .plane = 3 * M_PI / 2};
+    Route route;
+    assert_int_equal(route_build(&route, 1, &crest, V3_ZERO, 0, 0.3, NULL), HAWSER_OK);
+    const PullStretch cable = {.weight = WEIGHT};
+    const PlanDef def = {
+        .route = &route, .n_stretches = 1, .stretch = &cable, .back_tension = 1000, .lightest = WEIGHT / 4};
+    Plan plan;
+    assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
+    const double rise = 50 * (1 - cos(0.3));
+    for (int way = 0; way < PLAN_WAYS; way++) {
+        check_close(plan.way[way].pull.end_tension, 1000, 1e-8);
+        check_close(plan.way[way].pull.min_tension, 1000 + rise * (WEIGHT / 4 - WEIGHT), 1e-8);
+    }
+    plan_clear(&plan);
+    route_clear(&route);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -328,6 +350,7 @@ int main(void)
         cmocka_unit_test(loads_of_short_bends),
         cmocka_unit_test(loads_of_cut_routes),
         cmocka_unit_test(held_back_least),
+        cmocka_unit_test(unlike_pieces_over_a_crest),
         cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -291,6 +291,14 @@ static void equal_tensions(void **state)
     check_equal(pull.min_at, 0);
     check_equal(pull.max_at, 0);
     assert_int_equal(pull.min_piece, 0);
+    check_equal(pull_piece_extremes(&pull, 2).tension, 0); /* there is none */
+    pull_clear(&pull);
+    PullDef back = pull_def;
+    back.from = route.length, back.to = 0;
+    assert_int_equal(pull_solve(&back, &pull, NULL), HAWSER_OK);
+    check_equal(pull.min_at, route.length);
+    assert_int_equal(pull.min_piece, 1);
+    assert_int_equal(pull.max_piece, 1);
     pull_clear(&pull);
     route_clear(&route);
 }
