@@ -44,6 +44,7 @@ typedef struct Reader {
     int n;
     int column[LOG_COLUMNS]; /* -1: there is none */
     double scale[LOG_COLUMNS];
+    int minutes; /* clocks of two fields have minutes and seconds */
     hawser_error *err;
 } Reader;
 
@@ -114,24 +115,23 @@ static int half_of_day(const char *text)
     return strcmp(word, "am") == 0 ? 1 : strcmp(word, "pm") == 0 ? 2 : 0;
 }
 
-/* "10:31:07.5", "1:05 PM", also behind a date, in s; NAN: no clock. */
-static double cell_clock(const char *cell)
+/* "10:31:07.5", "1:05 PM", also behind a date, in s; NAN: no clock. minutes: of two fields the first has minutes, not
+ * hours, as it has where the second has a fraction, "05:07.5". */
+static double cell_clock(const char *cell, int minutes)
 {
     const char *const colon = strchr(cell, ':');
     int h, m, used = 0;
-    double s = 0;
-    if (!colon || colon == cell || !isdigit((unsigned char)colon[-1])) return NAN;
-    const char *from = colon - 1;
-    if (from > cell && isdigit((unsigned char)from[-1])) from--;
-    if (sscanf(from, "%2d:%2d%n", &h, &m, &used) < 2) return NAN;
+    double s = 0, place = 1;
+    const char *from = colon;
+    while (from > cell && isdigit((unsigned char)from[-1]) && colon - from < (minutes ? 4 : 2)) from--;
+    if (from == colon || sscanf(from, "%4d:%2d%n", &h, &m, &used) < 2) return NAN;
     const char *c = from + used;
-    if (*c == ':') {
-        double place = 1;
-        c++;
-        for (; isdigit((unsigned char)*c); c++) s = 10 * s + (*c - '0');
-        if (*c == '.' || *c == ',')
-            for (c++; isdigit((unsigned char)*c); c++) s += (place /= 10) * (*c - '0');
-    }
+    const int two = *c != ':', fraction = (*c == '.' || *c == ',') && isdigit((unsigned char)c[1]);
+    if (!two)
+        for (c++; isdigit((unsigned char)*c); c++) s = 10 * s + (*c - '0');
+    if (*c == '.' || *c == ',')
+        for (c++; isdigit((unsigned char)*c); c++) s += (place /= 10) * (*c - '0');
+    if (two && (minutes || fraction)) return m < 60 ? 60.0 * h + m + s : NAN;
     const int half = half_of_day(c);
     if (half && (h < 1 || h > 12)) return NAN;
     if (half) h = h % 12 + (half == 2 ? 12 : 0);
@@ -304,22 +304,45 @@ static hawser_status unit_refuse(const Reader *r, const Head *h, LogColumn kind,
                      example[kind], known[kind]);
 }
 
+/* Whether a head or a unit says "mm:ss". */
+static int says_minutes(const char *text)
+{
+    const char *const colon = strchr(text, ':');
+    const int before = colon && colon > text ? tolower((unsigned char)colon[-1]) : 0;
+    return (before == 'm' || before == 'n') && tolower((unsigned char)colon[1]) == 's';
+}
+
+/* Times that are a clock, by its first reading. */
+static int clock_find(Reader *r, const Head *h, PullLog *log)
+{
+    const int c = r->column[OF_TIME];
+    const char *const cell = c < r->n ? r->cell[c] : "", *const colon = strchr(cell, ':');
+    r->minutes = says_minutes(h->name[c]) || (c < h->units && says_minutes(h->unit[c]));
+    const double clock = cell_clock(cell, r->minutes);
+    if (isnan(clock)) return 0;
+    if (!strchr(colon + 1, ':') && !r->minutes && clock == cell_clock(cell, 0) && clock != cell_clock(cell, 1))
+        say(log,
+            "Times like '%.20s' are taken as hours and minutes: 'mm:ss' in the head makes them minutes and seconds%s",
+            cell, "");
+    return 1;
+}
+
 /* The scale of a column from the head, or the row of units. A clock needs none, whatever stands there. */
 static hawser_status unit_find(Reader *r, const Head *h, LogColumn kind, PullLog *log)
 {
     char unit[UNIT_TEXT_MAX] = "", below[UNIT_TEXT_MAX] = "";
-    const int c = r->column[kind];
+    const int c = r->column[kind], clock = kind == OF_TIME && clock_find(r, h, log);
     double *const scale = &r->scale[kind];
     *scale = head_scale(r, h->name[c], kind, unit);
     if (*scale > 0) return HAWSER_OK;
-    if (c < h->units && isnan(cell_value(r, h->unit[c])) && isnan(cell_clock(h->unit[c]))) {
+    if (c < h->units && isnan(cell_value(r, h->unit[c])) && isnan(cell_clock(h->unit[c], 0))) {
         const char *const text = h->unit[c] + strspn(h->unit[c], "[( ");
         unit_trim(text, strcspn(text, "])"), below);
     }
     *scale = unit_scale(r, below, kind);
     if (*scale > 0) return HAWSER_OK;
     *scale = 1;
-    if (kind == OF_TIME && c < r->n && isfinite(cell_clock(r->cell[c]))) return HAWSER_OK;
+    if (clock) return HAWSER_OK;
     if (*unit || *below || kind == OF_FORCE || kind == OF_SPEED) return unit_refuse(r, h, kind, *unit ? unit : below);
     say(log, "Column '%.100s' names no unit: taken as %s", h->name[c], kind == OF_TIME ? "s" : "m");
     return HAWSER_OK;
@@ -342,7 +365,7 @@ static double column_value(const Reader *r, LogColumn kind)
 {
     const int c = r->column[kind];
     if (c < 0 || c >= r->n) return NAN;
-    const double clock = kind == OF_TIME ? cell_clock(r->cell[c]) : NAN;
+    const double clock = kind == OF_TIME ? cell_clock(r->cell[c], r->minutes) : NAN;
     return isnan(clock) ? cell_value(r, r->cell[c]) * r->scale[kind] : clock;
 }
 

@@ -228,6 +228,8 @@ static hawser_status corners_make(SurveyInput *in, const Table *t, Alignment *a)
         in->line = t->row[i].line;
         if (isnan(v[COLUMN_STATION]) || isnan(v[COLUMN_Z]))
             status = input_error(in, "a corner needs station and height");
+        if (half > 0 && radius > 0)
+            status = input_error(in, "a corner has a curve length or a radius, not both: one follows from the other");
         corner[i] = (ProfileCorner){.station = v[COLUMN_STATION] - t->row[0].value[COLUMN_STATION],
                                     .z = v[COLUMN_Z],
                                     .before = half > 0 ? half : 0,
@@ -277,7 +279,9 @@ static hawser_status points_make(SurveyInput *in, const Table *t, Alignment *a)
 
 /* What has been laid so far, piece by piece. */
 typedef struct Laying {
-    double plan, z, slope; /* m in plan, height, angle */
+    double plan, z, slope;   /* m in plan, height, angle */
+    double space;            /* m in space */
+    double station, then[2]; /* m: the last that a row had, and what was laid by then, in plan and in space */
 } Laying;
 
 static int lay_profile(Alignment *a, Laying *at, double plan, double bend)
@@ -297,6 +301,23 @@ static int lay_plan(Alignment *a, double plan, double k, int name)
     PlanElement *const e = alignment_add_plan(a);
     if (e) *e = (PlanElement){.length = plan, .k0 = k, .k1 = k, .name = name};
     return e != NULL;
+}
+
+/* A station, where a row has one, is as far from the one before as what lies between is long, in plan or in space: a
+ * row that is missing shows by it. */
+static hawser_status piece_station(const SurveyInput *in, double station, Laying *at)
+{
+    if (isnan(station)) return HAWSER_OK;
+    const double on = fabs(station - at->station), plan = at->plan - at->then[0], space = at->space - at->then[1];
+    const double slack = 0.1 + 0.01 * space;
+    if (on < plan - slack || on > space + slack)
+        return input_error(
+            in, "station %.10g m is %.10g m from the one before, and the pieces between them are %.10g m long", station,
+            on, space);
+    at->station = station;
+    at->then[0] = at->plan;
+    at->then[1] = at->space;
+    return HAWSER_OK;
 }
 
 /* A straight has a length; a bend an angle, a radius and a side, in plan at the slope there is, or up or down. */
@@ -325,16 +346,18 @@ static hawser_status piece_lay(SurveyInput *in, const TableRow *row, Alignment *
     } else if (bend) {
         k = (row->turn == TURN_RIGHT || angle < 0 ? -1 : 1) / radius;
     }
+    at->space += bend && !upright ? plan / cos(at->slope) : bend ? radius * fabs(angle) : v[COLUMN_LENGTH];
     return lay_plan(a, plan, k, row->name) && lay_profile(a, at, plan, rise) ? HAWSER_OK : error_memory(in->err);
 }
 
 static hawser_status pieces_make(SurveyInput *in, const Table *t, Alignment *a)
 {
-    Laying at = {0};
+    Laying at = {.station = t->n > 0 ? t->row[0].value[COLUMN_STATION] : NAN};
     hawser_status status = HAWSER_OK;
     for (int i = 0; i < t->n && !status; ++i) {
         in->line = t->row[i].line;
-        status = piece_lay(in, &t->row[i], a, &at);
+        status = piece_station(in, t->row[i].value[COLUMN_STATION], &at);
+        if (!status) status = piece_lay(in, &t->row[i], a, &at);
     }
     alignment_chain(a);
     return status;

@@ -1,6 +1,7 @@
 /* Loggers' files: heads, units, separators, clocks; what is judged a rest, a start, a drop-out or a spike; and a log
  * made of a run's own rows, which agrees with it as much as it was made to. */
 #include <math.h>
+#include <string.h>
 
 #include "study/log/log.h"
 #include "tests/study/study_fixture.h"
@@ -30,6 +31,10 @@ static void heads_and_units(void **state)
         "time in hours,pull_kN_raw,length_yd_raw\n0.025,12.5,10.389326334\n",
         "seconds,pull/kN,length/ft\n90,12.5,31.167979003\n",
         "time,pull,length\n[hh:mm:ss],[kN],[Meter]\n00:01:30,12.5,9.5\n",
+        "time [mm:ss],pull [kN],length [m]\n01:30,12.5,9.5\n",
+        "time (min:s);pull [kN];length [m]\n1:30,0;12,5;9,5\n",
+        "time,pull,length\nmm:ss,kN,m\n01:30,12.5,9.5\n",
+        "time,pull [kN],length [m]\n01:30.0,12.5,9.5\n",
     };
     for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
         PullLog log = log_of(files[k]);
@@ -42,6 +47,29 @@ static void heads_and_units(void **state)
     PullLog night = log_of("time,pull [N]\n23:59:59,1\n00:00:01,2\n00:00:03,3\n");
     check_close(night.time[2] - night.time[0], 4, 1e-9);
     log_free(&night);
+}
+
+/* Of two fields the first has hours, and that is said, unless the head or a fraction says otherwise; minutes go on past
+ * the hour. */
+static void two_fields(void **state)
+{
+    (void)state;
+    PullLog log = log_of("time,pull [N]\n00:05,1\n1:06,2\n");
+    check_close(log.time[1], 3960, 1e-9);
+    assert_string_equal(log.note[0],
+                        "Times like '00:05' are taken as hours and minutes: 'mm:ss' in the head makes them "
+                        "minutes and seconds");
+    log_free(&log);
+    log = log_of("time [mm:ss],pull [N]\n59:59,1\n100:01,2\n1:00:00,3\n5:60,4\n");
+    check_close(log.time[0], 3599, 1e-9);
+    check_close(log.time[1], 6001, 1e-9);
+    check_close(log.time[2], 3600, 1e-9);
+    check_nan(log.time[3]);
+    assert_null(strstr(log.note[0], "hours"));
+    log_free(&log);
+    log = log_of("time [h:mm],pull [N]\n1:05 PM,1\n");
+    check_close(log.time[0], 47100, 1e-9);
+    log_free(&log);
 }
 
 /* A clock of twelve hours: noon and midnight are both 12. */
@@ -209,9 +237,9 @@ static void agreement(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(heads_and_units),   cmocka_unit_test(refused),
-                                       cmocka_unit_test(halves_of_the_day), cmocka_unit_test(what_counts),
-                                       cmocka_unit_test(lengths_by_speed),  cmocka_unit_test(counter_set_back),
-                                       cmocka_unit_test(agreement)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(heads_and_units),  cmocka_unit_test(refused),
+                                       cmocka_unit_test(two_fields),       cmocka_unit_test(halves_of_the_day),
+                                       cmocka_unit_test(what_counts),      cmocka_unit_test(lengths_by_speed),
+                                       cmocka_unit_test(counter_set_back), cmocka_unit_test(agreement)};
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

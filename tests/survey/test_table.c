@@ -203,6 +203,16 @@ static void nothing_is_dropped(void **state)
     bad("station,z,grade\n0,0,5\n100,5,0\n200,5,0\n", "3: the element before ends at a height of 500.000 m");
     bad("station,x,y\n0,0,0\n100,100,0\n50,200,0\n", "4: station 50 m is -50 m on from the one before");
     bad("station,x,y\n0,0,0\n100,100,0\n50000,200,0\n", "4: station 50000 m is 49900 m on");
+    /* the second bend of 7.85 m ends at 57.85 m */
+    bad("station,length,angle,radius,turn,slope\n0,50,,,,0\n50,,45,10,left,\n100,30,,,,0.05\n130,,30,12,right,\n",
+        "4: station 100 m is 50 m from the one before, and the pieces between them are 7.853981634 m long");
+    bad("station;z;curve length;radius\n0;0;0;0\n50;5;10;200\n100;0;;\n", "3: a corner has a curve length or a radius");
+    Survey s;
+    assert_string_equal(read_text("station,length,angle,radius,turn,slope\n1000,50,,,,0.5\n,,45,10,left,\n"
+                                  "1053.5,30,,,,\n1080.4,5,,,,\n",
+                                  &s),
+                        ""); /* in plan: 44.72 + 7.85, 26.83 */
+    survey_clear(&s);
 }
 
 /* Slopes of a straight of 100 m, in every way that a header and a cell can have them. */
