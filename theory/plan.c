@@ -161,6 +161,19 @@ static hawser_status fill_pieces(const PlanDef *def, PlanWay *way, hawser_error 
     return HAWSER_OK;
 }
 
+/* Each span's least is the other pull's, whose spans are parts of it, where that is less. */
+static void spans_take(const Pull *low, Pull *pull)
+{
+    for (int k = 0, i = 0; k < low->n; k++) {
+        const PullSpan *const part = &low->span[k];
+        const double middle = part->s0 + (part->s1 - part->s0) / 2, sign = part->law.direction;
+        while (i < pull->n - 1 && sign * (middle - pull->span[i].s1) > 0) i++;
+        if (part->least >= pull->span[i].least) continue;
+        pull->span[i].least = part->least;
+        pull->span[i].least_at = part->least_at;
+    }
+}
+
 /* The least tension is that with the least back tension. */
 static hawser_status least_take(const PlanDef *def, const DuctLoad *load, const PlanPullDef *what, Pull *pull,
                                 hawser_error *err)
@@ -175,6 +188,7 @@ static hawser_status least_take(const PlanDef *def, const DuctLoad *load, const 
         pull->min_at = low.min_at;
         pull->min_piece = low.min_piece;
     }
+    spans_take(&low, pull);
     pull_clear(&low);
     return HAWSER_OK;
 }

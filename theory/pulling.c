@@ -169,6 +169,8 @@ static void run_spans(const PullDef *def, int n, const double *cut, Pull *pull)
             pull->end_tension = tension;
             return;
         }
+        span->least = span->extremes.min_tension;
+        span->least_at = span->extremes.min_at;
         if (extremes) take_span(pull, span);
     }
     pull->end_tension = steps_pass(def, def->to, tension);

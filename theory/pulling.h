@@ -56,9 +56,10 @@ typedef struct PullSpan {
     double s0, s1; /* m, s0 where the pull enters */
     int piece;     /* of the route */
     SpanLaw law;
-    double share;          /* of T/R */
-    double t0, t1;         /* N, tension just after s0 and just before s1 (steps lie between spans) */
-    SpanExtremes extremes; /* on [s0, s1] */
+    double share;           /* of T/R */
+    double t0, t1;          /* N, tension just after s0 and just before s1 (steps lie between spans) */
+    SpanExtremes extremes;  /* on [s0, s1] */
+    double least, least_at; /* N, m: the least tension on it; of a plan's pull when it is held back least (PN8) */
 } PullSpan;
 
 /* The tension along one pull. It borrows the route if that has curves. */

@@ -148,6 +148,50 @@ static void bearers_add(const Scene *scene, Part bend, int piece, Calculator *c)
         if (nearest[k] >= 0) c->bearer[c->n_bearers++] = (Bearer){piece, nearest[k]};
 }
 
+/* The neighbours of the carrier at s among those at place[n], rising; 0: it has not got both. */
+static int neighbours_of(double s, int n, const double *place, double near[2])
+{
+    int low = 0, high = n; /* the first that is not before s */
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (place[middle] < s)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    while (high < n && place[high] <= s) high++;
+    if (low == 0 || high == n) return 0;
+    near[0] = place[low - 1];
+    near[1] = place[high];
+    return 1;
+}
+
+/* (T18a) of the rated carriers on straights; guides have what goes aside. */
+static void beside_find(const Scene *scene, int n, const double *place, Calculator *c)
+{
+    const Route *const route = &scene->route;
+    for (int r = 0; r < scene->def.n_rollers; ++r) {
+        const RollerDef *const roller = &scene->def.rollers[r];
+        const double s = roller->s;
+        double near[2];
+        if (isnan(s) || !(roller->rating > 0) || roller->hold_down || roller_is_guide(route, roller)) continue;
+        const RoutePoint at = route_at(route, s);
+        if (route->piece[at.piece].kind != ROUTE_STRAIGHT || !neighbours_of(s, n, place, near)) continue;
+        Vec3 turn = V3_ZERO;
+        int bend = -1, bare = 1;
+        for (int k = 0; k < 2; ++k) {
+            const RoutePoint next = route_at(route, near[k]);
+            if (route->piece[next.piece].kind != ROUTE_STRAIGHT) bend = next.piece;
+            bare &= !surface_at(&scene->def, (s + near[k]) / 2);
+            turn = v3_add(turn, v3_unit(v3_sub(next.position, at.position)));
+        }
+        if (bend < 0 || !bare) continue;
+        const Vec3 left = route_left(route, s), up = v3_cross(at.tangent, left);
+        const double aside = c->guides[bend] > 0 ? 0 : v3_dot(turn, left);
+        c->beside[c->n_beside++] = (Beside){r, s, -v3_dot(turn, up), aside, (near[1] - near[0]) / 2 * up.z};
+    }
+}
+
 /* Carriers along the whole route; guides only bend by bend, since there are none between bends. */
 static hawser_status spacings_find(const Scene *scene, Calculator *c, hawser_error *err)
 {
@@ -157,7 +201,8 @@ static hawser_status spacings_find(const Scene *scene, Calculator *c, hawser_err
     c->spacing = calloc((size_t)route->n, sizeof *c->spacing);
     c->guides = calloc((size_t)route->n, sizeof *c->guides);
     c->bearer = calloc(2 * (size_t)route->n, sizeof *c->bearer);
-    if (!s || !c->spacing || !c->guides || !c->bearer) {
+    c->beside = calloc((size_t)def->n_rollers + 1, sizeof *c->beside);
+    if (!s || !c->spacing || !c->guides || !c->bearer || !c->beside) {
         free(s);
         return error_memory(err);
     }
@@ -173,6 +218,7 @@ static hawser_status spacings_find(const Scene *scene, Calculator *c, hawser_err
         if (guides == 0 && places_on(scene, 0, bend, s) == 0 && route->piece[p].kind != ROUTE_STRAIGHT)
             bearers_add(scene, bend, p, c);
     }
+    beside_find(scene, places_on(scene, 0, (Part){-INFINITY, INFINITY}, s), s, c);
     free(s);
     return HAWSER_OK;
 }
@@ -366,9 +412,11 @@ static hawser_status places_vary(const Calculator *base, const Variation *by, Ca
     c->guides = copy_of(base->guides, n, sizeof *c->guides);
     c->duct = copy_of(base->duct, base->n_ducts, sizeof *c->duct);
     c->bearer = copy_of(base->bearer, base->n_bearers, sizeof *c->bearer);
-    if (!c->stretches.stretch || !c->pusher || !c->spacing || !c->guides || !c->duct || !c->bearer)
+    c->beside = copy_of(base->beside, base->n_beside, sizeof *c->beside);
+    if (!c->stretches.stretch || !c->pusher || !c->spacing || !c->guides || !c->duct || !c->bearer || !c->beside)
         return error_memory(err);
     c->n_bearers = base->n_bearers;
+    c->n_beside = base->n_beside;
     c->n_pushers = base->n_pushers;
     c->n_ducts = base->n_ducts;
     for (int i = 0; i < c->stretches.n; ++i) {
@@ -379,18 +427,17 @@ static hawser_status places_vary(const Calculator *base, const Variation *by, Ca
         s->mu_rope *= by->friction;
         s->mu_rope_static *= by->friction;
     }
+    for (int i = 0; i < c->n_beside; ++i) c->beside[i].s = place_on(c->route, base->route, c->beside[i].s);
     for (int i = 0; i < c->n_pushers; ++i) c->pusher[i].at = place_on(c->route, base->route, c->pusher[i].at);
     for (int i = 0; i < c->def.n_steps; ++i) c->step[i].at = place_on(c->route, base->route, c->step[i].at);
     return HAWSER_OK;
 }
 
-/* Whether a limit asks for what the winch needs, wherever the head is: of rope, winch, eye or trip. */
+/* Whether a limit asks for what the winch needs, wherever the head is: of rope, winch or trip. */
 static int peaks_count(const Scene *scene)
 {
     const LimitsDef *const limits = &scene->def.limits;
-    char source[sizeof((hawser_limit *)0)->source];
-    return !isnan(limits->rope_strength) || !isnan(limits->winch_capacity) ||
-           !isnan(limits_attachment(limits, source)) || scene->def.winch.trip.force > 0 ||
+    return !isnan(limits->rope_strength) || !isnan(limits->winch_capacity) || scene->def.winch.trip.force > 0 ||
            scene->def.winch.trip.factor > 0;
 }
 
@@ -429,6 +476,7 @@ void calculator_free(Calculator *c)
     free(c->spacing);
     free(c->guides);
     free(c->bearer);
+    free(c->beside);
     free(c->rule);
     free(c->duct);
     *c = (Calculator){0};

@@ -27,6 +27,14 @@ typedef struct Bearer {
     int piece, roller;
 } Bearer;
 
+/* A rated carrier on a straight of which a neighbour stands round a bend, and which turns the cable as well: m along
+ * the route; of a cable that is taut from one to the next, newtons downward and aside for each of tension; the metres
+ * that weigh on it. */
+typedef struct Beside {
+    int roller;
+    double s, down, aside, gap;
+} Beside;
+
 typedef struct Calculator {
     const Route *route; /* the scene's, or `own` */
     Route own;          /* one with other bends */
@@ -40,7 +48,9 @@ typedef struct Calculator {
     PullStep *step;            /* [def.n_steps] machines and pits of the section `theory` */
     double *spacing, *guides;  /* [pieces] m, the largest gap between carriers there, and between guides; 0: none */
     int n_bearers;
-    Bearer *bearer;    /* [n_bearers] */
+    Bearer *bearer; /* [n_bearers] */
+    int n_beside;
+    Beside *beside;    /* [n_beside] of the case's own radii */
     SupportRule *rule; /* [pieces] */
     int n_ducts;
     CalculatorDuct *duct; /* [n_ducts] */
@@ -66,9 +76,13 @@ hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *
 /* N, of the winch, wherever the head is, at speed or from rest; of a rope with all that it draws, whatever each pulls
  * at most (SC15). */
 double calculator_peak(const Scene *scene, const Calculator *c, int way);
-/* N by which the cable may be pushed where it is pushed most: by what a machine behind that place pushes with, or by
- * what is meant. */
-double calculator_bears(const Scene *scene, const Calculator *c, int way);
+/* Where the cable is pushed most beyond what it may be pushed with: by a machine behind that place, or as is meant. */
+typedef struct Pushed {
+    double force, allowed; /* N */
+    double at;             /* m along the route */
+    int piece;             /* of it */
+} Pushed;
+Pushed calculator_pushed(const Scene *scene, const Calculator *c, int way);
 /* Fills brake, trip and best of one that is solved; calculator_build's last step. Errors: as pull_solve, MEMORY. */
 hawser_status calculator_follow(const Scene *scene, Calculator *c, hawser_error *err);
 

@@ -33,6 +33,13 @@ static Finding sidewall_finding(const Route *route, const PlanWay *way)
     return f;
 }
 
+/* N, (T18a). */
+static double load_beside_bend(const Scene *scene, const Pull *pull, const Beside *beside)
+{
+    const double tension = fmax(0, pull_at(pull, beside->s).tension);
+    return hypot(fmax(0, scene->cable_weight * beside->gap + tension * beside->down), tension * beside->aside);
+}
+
 /* The rated roller that is loaded most for its rating, by the piece on which it stands or a bend beside it. */
 static Finding roller_finding(const Scene *scene, const Calculator *c, const PlanWay *way)
 {
@@ -49,6 +56,10 @@ static Finding roller_finding(const Scene *scene, const Calculator *c, const Pla
         const RollerDef *const roller = &scene->def.rollers[c->bearer[i].roller];
         const double load = way->piece[c->bearer[i].piece].roller_load;
         if (load > 0) finding_load(&worst, roller->name, load, roller->rating);
+    }
+    for (int i = 0; i < c->n_beside; ++i) {
+        const RollerDef *const roller = &scene->def.rollers[c->beside[i].roller];
+        finding_load(&worst, roller->name, load_beside_bend(scene, &way->pull, &c->beside[i]), roller->rating);
     }
     const int broken = worst.value > worst.rating / scene->def.limits.roller_factor;
     return *unknown.why && !broken ? unknown : worst;
@@ -104,16 +115,43 @@ static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error 
     return HAWSER_OK;
 }
 
-double calculator_bears(const Scene *scene, const Calculator *c, int way)
+/* Whether what pushes at `from` still pushes at `to`: it is not behind it along the pull, and there is no pit from
+ * which the pull begins anew (PN3). */
+static int pushes_as_far(const Calculator *c, double forth, double from, double to)
 {
-    const Pull *const pull = &c->plan.way[way].pull;
+    if (forth * (from - to) > 1e-6) return 0;
+    for (int i = 0; i < c->def.n_steps; ++i) {
+        const PullStep *const pit = &c->def.step[i];
+        if (pit->kind == STEP_ANEW && forth * (pit->at - from) >= 0 && forth * (to - pit->at) > 1e-6) return 0;
+    }
+    return 1;
+}
+
+/* N by which the cable may be pushed at s: by what a machine behind that place pushes with, or by what is meant. */
+static double may_be_pushed(const Scene *scene, const Calculator *c, int way, double s)
+{
     const double forth = way == PLAN_BACKWARD ? -1 : 1;
-    double most = fmax(1e-9 * fmax(1, pull->max_tension), c->def.feed); /* rounding, or what is meant */
+    double most = 1e-9 * fmax(1, c->plan.way[way].pull.max_tension); /* rounding */
+    if (pushes_as_far(c, forth, plan_first(&c->def, way), s)) most = fmax(most, c->def.feed);
     for (int i = 0; i < c->n_pushers; ++i) {
         const PullStep *const push = &c->push[way][i];
-        if (forth * (push->at - pull->min_at) <= 1e-6) most = fmax(most, push->force);
+        if (pushes_as_far(c, forth, push->at, s)) most = fmax(most, push->force);
     }
     return fmin(most, scene->def.theory.bears);
+}
+
+Pushed calculator_pushed(const Scene *scene, const Calculator *c, int way)
+{
+    const Pull *const pull = &c->plan.way[way].pull;
+    Pushed worst = {fmax(0, -pull->min_tension), may_be_pushed(scene, c, way, pull->min_at), pull->min_at,
+                    pull->min_piece};
+    for (int i = 0; i < pull->n; ++i) {
+        const PullSpan *const span = &pull->span[i];
+        const double allowed = may_be_pushed(scene, c, way, span->least_at);
+        if (-span->least - allowed > worst.force - worst.allowed)
+            worst = (Pushed){-span->least, allowed, span->least_at, span->piece};
+    }
+    return worst;
 }
 
 /* A cable cannot be pushed, unless a machine does: where theory finds compression it slackens or runs away down a
@@ -121,13 +159,14 @@ double calculator_bears(const Scene *scene, const Calculator *c, int way)
 static void pulled_set(const Scene *scene, Calculator *c)
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {
-        const PlanWay *const way = &c->plan.way[k];
         hawser_condition *const held = &c->pulled[k];
         if (c->def.skip[k]) continue;
-        const double pushed = fmax(0, -way->pull.min_tension);
-        const double allowed = calculator_bears(scene, c, k);
-        *held = (hawser_condition){
-            .name = "pulled", .unit = "N", .value = pushed, .allowed = allowed, .holds = pushed <= allowed};
+        const Pushed worst = calculator_pushed(scene, c, k);
+        *held = (hawser_condition){.name = "pulled",
+                                   .unit = "N",
+                                   .value = fmax(0, worst.force),
+                                   .allowed = worst.allowed,
+                                   .holds = worst.force <= worst.allowed};
     }
 }
 
@@ -326,7 +365,7 @@ static void trip_set(const Scene *scene, Calculator *c)
 }
 
 /* Where the cable would run away: the brake that holds it, in the remedy too. */
-static hawser_status brakes_set(Calculator *c, hawser_error *err)
+static hawser_status brakes_set(const Scene *scene, Calculator *c, hawser_error *err)
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {
         hawser_condition *const held = &c->pulled[k];
@@ -340,7 +379,8 @@ static hawser_status brakes_set(Calculator *c, hawser_error *err)
                      held->value / 1e3);
             continue;
         }
-        const Finding at = finding_on(c->route, held->value, brake->where, brake->piece);
+        const Pushed worst = calculator_pushed(scene, c, k);
+        const Finding at = finding_on(c->route, held->value, worst.at, worst.piece);
         snprintf(held->remedy, sizeof held->remedy,
                  "the cable would run away or slacken: pushed with %.4g kN at %.36s; it needs a brake of %.4g kN "
                  "more at the start, and then a winch of %.4g kN",
@@ -351,7 +391,7 @@ static hawser_status brakes_set(Calculator *c, hawser_error *err)
 
 hawser_status calculator_follow(const Scene *scene, Calculator *c, hawser_error *err)
 {
-    const hawser_status status = brakes_set(c, err);
+    const hawser_status status = brakes_set(scene, c, err);
     if (status) return status;
     c->plan.better = c->heads[PLAN_BACKWARD].peak.force < c->heads[PLAN_FORWARD].peak.force; /* of all sections */
     best_set(c);

@@ -220,15 +220,15 @@ static hawser_status way_run_away(const Scene *scene, const Route *route, const 
                                   hawser_error *err)
 {
     const Pull *const pull = &c->plan.way[way].pull;
-    const double allowed = calculator_bears(scene, c, way);
+    const Pushed worst = calculator_pushed(scene, c, way);
     *out = (Finding){.rating = pull->max_tension};
-    if (-pull->min_tension <= allowed) return HAWSER_OK;
+    if (worst.force <= worst.allowed) return HAWSER_OK;
     Brake brake;
     const hawser_status status = plan_brake(&c->def, &c->plan.duct, way, &brake, err);
     if (status) return status;
-    *out = finding_on(route, brake.brake, brake.where, brake.piece);
+    *out = finding_on(route, brake.brake, worst.at, worst.piece);
     out->rating = brake.max_tension;
-    run_away_say(-pull->min_tension, brake.brake, brake.force, out);
+    run_away_say(worst.force, brake.brake, brake.force, out);
     return HAWSER_OK;
 }
 
@@ -256,7 +256,10 @@ hawser_status findings_of_way(const Scene *scene, const Route *route, const Calc
                               Finding finding[LIMIT_KINDS], hawser_error *err)
 {
     const PlanWay *const w = &c->plan.way[way];
-    finding[LIMIT_ATTACHMENT].value = finding[LIMIT_ROPE].value - w->rope;
+    /* the eye comes to every place, at speed and from rest, and has the cable's tension there (LI10a) */
+    finding[LIMIT_ATTACHMENT] = w->restart_max > w->pull.max_tension
+                                    ? finding_on(route, w->restart_max, w->restart_at, w->restart_piece)
+                                    : finding_on(route, w->pull.max_tension, w->pull.max_at, w->pull.max_piece);
     finding[LIMIT_WINCH].value = finding[LIMIT_ROPE].value;
     finding[LIMIT_PUSH] = largest_push(c, way);
     const hawser_status status = way_run_away(scene, route, c, way, &finding[LIMIT_RUN_AWAY], err);

@@ -119,9 +119,9 @@ static void binding_find(Question *q, const Variation *by, char binds[24], char 
     if (!varied(q, by, &c)) {
         snprintf(binds, 24, "%s", "pull");
     } else if (!c.pulled[q->way].holds) {
-        const Pull *const pull = &c.plan.way[q->way].pull;
+        const Pushed worst = calculator_pushed(q->scene, &c, q->way);
         snprintf(binds, 24, "%s", "pulled");
-        memcpy(where, finding_on(c.route, 0, pull->min_at, pull->min_piece).where, 80);
+        memcpy(where, finding_on(c.route, 0, worst.at, worst.piece).where, 80);
     } else {
         const hawser_limit *const worst = broken(q, &c);
         if (worst) snprintf(binds, 24, "%.23s", worst->name);

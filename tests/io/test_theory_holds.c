@@ -1,6 +1,7 @@
 /* What theory calls safe by what a case says of friction, several chains, machines and winches: each scene was SAFE,
  * and a run of it, or the same scene written in another way, was not. */
 #include "tests/io/theory_fixture.h"
+#include "theory/closed_form.h"
 
 #define CABLE "cables: {power: {d: 80 mm, mass: 20 kg/m}}\n"
 
@@ -197,13 +198,98 @@ static void no_fluid_in_theory(void **state)
     }
 }
 
+/* A shaft in which the cable runs away: what pushes ahead of a pit does not hold it behind. */
+static void a_pit_ends_a_push(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables: {power: {d: 90 mm, mass: 13.5 kg/m}}\n"
+        "surfaces: {ducts: [{radius: 100 mm, friction: {mu_s: 0.2, mu_d: 0.2}}]}\n"
+        "route:\n  pieces:\n    - {straight: 200 m}\n    - {bend: 90 deg, radius: 3 m, plane: down}\n"
+        "    - {straight: 40 m}\n    - {bend: 90 deg, radius: 3 m, plane: up}\n    - {straight: 300 m}\n"
+        "drive: {tail: {tension: 2 kN}, winch: {speed: 0.1 m/s}}\n"
+        "limits: {pull: 50 kN, sidewall: 10 kN/m}\n";
+    static const char belt[] = "[{from: 150 m, to: 152 m, clamp: 20 kN, mu: 0.3, limit: 6 kN}]";
+    static const struct {
+        const char *theory, *belts, *says;
+    } row[] = {{"{feed: 6 kN, pits: [{at: 190 m, back: 0 N}]}", "[]", "NOT TRUSTED: the cable would run away"},
+               {"{pits: [{at: 190 m, back: 0 N}]}", belt, "NOT TRUSTED: the cable would run away"},
+               {"{pits: [{at: 190 m, back: 0 N}]}", "[]", "NOT TRUSTED: the cable would run away"},
+               {"{pits: [{at: 190 m, back: 8 kN}]}", belt, "SAFE: all"},
+               {"{feed: 6 kN, pits: [{at: 190 m, back: 8 kN}]}", "[]", "SAFE: all"}};
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        json_t *const all =
+            theory_of(text, (const char *const[]){"theory", row[k].theory, "conveyors", row[k].belts, NULL});
+        verdict_has(all, row[k].says);
+        json_decref(all);
+    }
+}
+
+/* The eye has the cable's tension where it is: a rope that hangs down a shaft ahead relieves the winch alone, one that
+ * goes round a bend ahead loads the winch alone. */
+static void the_eye_where_it_is(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables: {power: {d: 60 mm, mass: 5 kg/m}}\nfriction: {mu: 0.3}\n"
+        "surfaces: {ducts: [{radius: 100 mm, friction: {mu_s: 0.3, mu_d: 0.3}}]}\n"
+        "route: {pieces: [{straight: 1000 m}, {bend: 90 deg, radius: 10 m, plane: down}, {straight: 200 m}]}\n"
+        "theory: {rope_mass: 1.5 kg/m}\n"
+        "limits: {pull: 60 kN, attachment_rating: 22 kN, sidewall: 10 kN/m, rope_strength: 1000 kN}\n";
+    const double w = 5 * 9.81;
+    double over = 0;
+    assert_int_equal(bend_any_vertical_tension(0.3 * w * 1000, w, 0.3, 10, 0, -M_PI / 2, &over, NULL), HAWSER_OK);
+    json_t *all = theory_of(text, NULL);
+    check_share(limit_of(all, "attachment"), over, 1e-8);
+    verdict_has(all, "attachment by 5.4 %");
+    json_decref(all);
+    all = theory_of(text, (const char *const[]){"route.pieces",
+                                                "[{straight: 300 m}, {bend: 90 deg, radius: 10 m, plane: down}, "
+                                                "{straight: 100 m}, {bend: 90 deg, radius: 10 m, plane: up}, "
+                                                "{straight: 60 m}]",
+                                                "theory.rope_mass", "0.5 kg/m", NULL});
+    check_above(limit_of(all, "rope"), 1.5 * limit_of(all, "attachment"));
+    check_equal(limit_of(all, "attachment"), limit_of(all, "pull"));
+    json_decref(all);
+}
+
+/* A roller on a straight, one metre beside a crest in which rollers stand, turns the cable too (T18a): weight alone was
+ * asked of it, and a run of the same broke its rating. One beside a sag bears no more than its weight. */
+static void rollers_beside_a_bend(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables: {power: {d: 80 mm, mass: 10 kg/m}}\nfriction: {mu: 0.2}\n"
+        "route: {pieces: [{straight: 12 m}, {bend: 40 deg, radius: 5 m, plane: down}, {straight: 12 m}]}\n"
+        "rollers: {along: [{name: S, where: straights, spacing: 2 m, rating: 500 N}, "
+        "{name: K, where: bends, spacing: 2 m, rating: 30 kN}]}\n"
+        "drive: {tail: {tension: 20 kN, ramp: none}}\n"
+        "limits: {pull: 60 kN, sidewall: 10 kN/m, roller_factor: 1}\n";
+    json_t *all = theory_of(text, NULL);
+    verdict_has(all, "roller_steady by");
+    verdict_has(all, "at S7");
+    /* S7 stands 1 m behind the crest, whose second roller is a quarter of its 3.49 m ahead of its end */
+    const double b = 5 * 40 * M_PI / 180 / 4, drop = 5 * (1 - cos(b / 5)), way = 1 + 5 * sin(b / 5);
+    const double turn = drop / hypot(drop, way), weight = 98.1 * (2 + 1 + b) / 2;
+    /* the largest pull is at the crest's end, and falls by w (sin - mu cos) to S7 */
+    const double steep = 40 * M_PI / 180, pull = limit_of(all, "pull") - 98.1 * (sin(steep) - 0.2 * cos(steep));
+    check_share(limit_of(all, "roller_steady"), weight * cos(steep) + pull * turn, 2e-3);
+    json_decref(all);
+    all = theory_of(text, (const char *const[]){"route.pieces.1.plane", "up", NULL});
+    check_share(limit_of(all, "roller_steady"), 2 * 98.1, 1e-9);
+    verdict_has(all, "SAFE: all");
+    json_decref(all);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_a_winch_bears),  cmocka_unit_test(friction_of_rollers),
-        cmocka_unit_test(chains_are_a_bundle), cmocka_unit_test(rope_from_rest),
-        cmocka_unit_test(machines_push),       cmocka_unit_test(listed_rollers_beside_a_row),
-        cmocka_unit_test(bearings_hold),       cmocka_unit_test(no_fluid_in_theory),
+        cmocka_unit_test(what_a_winch_bears),    cmocka_unit_test(friction_of_rollers),
+        cmocka_unit_test(chains_are_a_bundle),   cmocka_unit_test(rope_from_rest),
+        cmocka_unit_test(machines_push),         cmocka_unit_test(listed_rollers_beside_a_row),
+        cmocka_unit_test(bearings_hold),         cmocka_unit_test(no_fluid_in_theory),
+        cmocka_unit_test(a_pit_ends_a_push),     cmocka_unit_test(the_eye_where_it_is),
+        cmocka_unit_test(rollers_beside_a_bend),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
