@@ -84,14 +84,16 @@ static const RouteKnot *knot_before(const RouteKnot *knot, int n, double x)
 }
 
 /* u where the arc length is x, from a knot before it: Newton's method, which converges at once, since the speed hardly
- * changes between two knots (RO7). */
+ * changes between two knots (RO7). It is begun with the speed half way there, and ended where the square of a step is
+ * rounding. */
 static double parameter_at(const RoutePiece *p, const RouteKnot *knot, double x)
 {
-    double u = knot->u + (x - knot->x) / speed_at(p, knot->u);
+    const double way = x - knot->x, first = speed_at(p, knot->u);
+    double u = knot->u + way / speed_at(p, knot->u + way / first / 2);
     for (int i = 0; i < 20; ++i) {
         const double off = knot->x + integrate_length(p, knot->u, u) - x, step = off / speed_at(p, u);
         u -= step;
-        if (fabs(step) <= 1e-15 * p->curve.end) break;
+        if (fabs(step) <= 1e-9 * p->curve.end) break;
     }
     return u;
 }

@@ -236,26 +236,35 @@ static double pressure_inside(void *what, double share)
     return fabs(tension_inside(t, share)) * span_frame(&t->law->line, place_inside(t, share)).curvature;
 }
 
-/* The largest T times curvature of a step on a curve: looks along it, then closer about the best, unless that is far
- * from the largest so far: between two looks a step's pressure grows by some per cent at most. */
+static void pressure_widen(SpanExtremes *e, const Step *t, double share, double pressure)
+{
+    if (pressure <= e->max_pressure) return;
+    e->max_pressure = pressure;
+    e->pressure_at = place_inside(t, share);
+}
+
+/* The largest T times curvature of a step on a curve. Where it hardly bows in the step the parabola through both ends
+ * and the middle says whether its top is inside; else looks along the step say about where it is. */
 static void pressure_take(SpanExtremes *e, Step *t)
 {
     enum { LOOKS = 8, CLOSER = 24 };
-    int best = 0;
-    double most = -INFINITY;
-    for (int i = 0; i <= LOOKS; ++i) {
-        const double look = pressure_inside(t, (double)i / LOOKS);
-        if (look > most) {
-            most = look;
-            best = i;
-        }
-    }
-    if (2 * most < e->max_pressure) return;
-    const SearchTop top =
-        search_top(pressure_inside, t, fmax(best - 1, 0) / LOOKS, fmin(best + 1, LOOKS) / LOOKS, CLOSER);
-    if (fmax(most, top.value) <= e->max_pressure) return;
-    e->max_pressure = fmax(most, top.value);
-    e->pressure_at = place_inside(t, top.value > most ? top.at : (double)best / LOOKS);
+    static const double FLAT = 0.01, NEAR = 0.05; /* a bow, of the pressure; how near an end a top counts as inside */
+    double look[LOOKS + 1] = {pressure_inside(t, 0)};
+    look[LOOKS] = pressure_inside(t, 1);
+    look[LOOKS / 2] = pressure_inside(t, 0.5);
+    const double bow = 2 * look[LOOKS / 2] - look[0] - look[LOOKS], tilt = look[LOOKS] - look[0];
+    int best = look[LOOKS] > look[0] ? LOOKS : 0, step = LOOKS / 2;
+    if (fabs(bow) > FLAT * look[best])
+        for (int i = step = 1; i < LOOKS; ++i) look[i] = pressure_inside(t, (double)i / LOOKS);
+    else if (!(bow > 0) || fabs(tilt) > (2 + 4 * NEAR) * bow)
+        step = 0;
+    for (int i = 0; i <= LOOKS && step > 0; i += step)
+        if (look[i] > look[best]) best = i;
+    pressure_widen(e, t, (double)best / LOOKS, look[best]);
+    if (step == 0 || 2 * look[best] < e->max_pressure) return;
+    const double low = fmax(best - step, 0) / LOOKS, high = fmin(best + step, LOOKS) / LOOKS;
+    const SearchTop top = search_top(pressure_inside, t, low, high, CLOSER);
+    pressure_widen(e, t, top.at, top.value);
 }
 
 static void extremes_take_step(SpanExtremes *e, Step *t)
