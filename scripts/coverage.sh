@@ -10,7 +10,7 @@ sh scripts/build.sh coverage
 find build/coverage -name '*.gcda' -delete
 [ $# -gt 0 ] || set -- -LE "long|house|web|python|inject|fuzz"
 # a test that fails is no reason to measure nothing: the tests proper are another script's
-ctest --test-dir build/coverage -j "$(nproc)" --timeout 900 "$@" >build/coverage/tests.log || tail -n 12 build/coverage/tests.log
+ctest --test-dir build/coverage -j "$(nproc)" "$@" >build/coverage/tests.log || tail -n 12 build/coverage/tests.log
 mkdir -p build/coverage/html
 gcovr --root . --object-directory build/coverage --exclude-throw-branches --exclude-unreachable-branches \
     --gcov-ignore-parse-errors --exclude 'tests/' --exclude 'build/' --exclude 'bench/' \
