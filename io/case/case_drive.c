@@ -125,7 +125,8 @@ static hawser_status take_in_check(const CaseReader *r, const CaseNode *node)
 {
     const SceneDef *const def = r->def;
     const CaseNode *const at = case_node_key(node, "at");
-    const double head = def->head_at + (def->n_pieces > 1 ? def->pieces[def->n_pieces - 1].length : 0);
+    double head = def->head_at;
+    for (int p = scene_def_eye(def); p < def->n_pieces; ++p) head += def->pieces[p].length;
     if (!at) return HAWSER_OK;
     if (!def->winch.take_in) return case_key_error(r->err, at, NULL, "not allowed without 'take_in: true'");
     if (def->winch.at > def->head_at && def->winch.at <= head + 1e-6) return HAWSER_OK;

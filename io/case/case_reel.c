@@ -87,15 +87,14 @@ static hawser_status tail_check(const CaseReader *r, const CaseNode *node)
     return case_key_error(r->err, node, NULL, "not allowed beside 'drive.tail': both set the tension at the tail");
 }
 
-/* The paper's reel: the weight of a length of cable as tension at the tail (its eq. 3). */
+/* The paper's reel: the weight of a length of cable as tension at the tail (its eq. 3), of what is at the tail. */
 static hawser_status weight_read(const CaseReader *r, const CaseNode *node, const ReelRecord *record)
 {
     SceneDef *const def = r->def;
-    const int piece = def->n_pieces > 1 ? def->n_pieces - 2 : 0;
     const hawser_status status = tail_check(r, node);
     if (status) return status;
     def->tail.tension = record->back;
-    def->tail.tension.v1 = record->length * def->cables[def->pieces[piece].cable].mass * v3_norm(def->gravity);
+    def->tail.tension.v1 = record->length * def->cables[def->pieces[0].cable].mass * v3_norm(def->gravity);
     return case_profile_read(r, node, &case_reel, "length", &def->tail.tension, &def->tail.table_time,
                              &def->tail.table_value);
 }

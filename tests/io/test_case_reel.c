@@ -35,6 +35,21 @@ static void weight_is_a_tension(void **state)
     check_share(profile_value(&def.tail.tension, 9), 2100, 1e-15);
     check_share(profile_value(&def.tail.tension, 2), 1050, 1e-15);
     scene_def_clear(&def);
+    /* of the cable, however many pieces of rope are ahead of it */
+    expect_good(data_text("reel-weight"), "chain",
+                "[{cable: power, length: 60 m}, {cable: rope, length: 8 m}, {cable: rope, length: 12 m}]", &def);
+    check_share(profile_value(&def.tail.tension, 9), 2100, 1e-15);
+    scene_def_clear(&def);
+}
+
+/* A winch that takes the rope in may stand anywhere along it, in however many pieces it is. */
+static void winch_on_rope_in_pieces(void **state)
+{
+    (void)state;
+    static const char chain[] =
+        "[{cable: power, length: 60 m}, {cable: rope, length: 8 m}, {cable: rope, length: 12 m}]";
+    static const char drive[] = "{winch: {speed: 0.1 m/s, take_in: true, at: 27 m}}";
+    hawser_sim_free(sim_of(data_text("reel-weight"), (const char *const[]){"chain", chain, "drive", drive, NULL}));
 }
 
 static void drum_must_hold_the_cable(void **state)
@@ -106,9 +121,13 @@ static void winch_must_stand_on_the_rope(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(payout_is_read),           cmocka_unit_test(weight_is_a_tension),
-        cmocka_unit_test(drum_must_hold_the_cable), cmocka_unit_test(cable_must_reach),
-        cmocka_unit_test(keys_belong_to_models),    cmocka_unit_test(winch_must_stand_on_the_rope),
+        cmocka_unit_test(payout_is_read),
+        cmocka_unit_test(weight_is_a_tension),
+        cmocka_unit_test(winch_on_rope_in_pieces),
+        cmocka_unit_test(drum_must_hold_the_cable),
+        cmocka_unit_test(cable_must_reach),
+        cmocka_unit_test(keys_belong_to_models),
+        cmocka_unit_test(winch_must_stand_on_the_rope),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
