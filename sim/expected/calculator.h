@@ -76,7 +76,8 @@ hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *
 /* N, of the winch, wherever the head is, at speed or from rest; of a rope with all that it draws, whatever each pulls
  * at most (SC15). */
 double calculator_peak(const Scene *scene, const Calculator *c, int way);
-/* Where the cable is pushed most beyond what it may be pushed with: by a machine behind that place, or as is meant. */
+/* Where the cable is pushed most beyond what it may be pushed with (by a machine behind that place, or as is meant);
+ * where it nowhere is, where it is pushed most. */
 typedef struct Pushed {
     double force, allowed; /* N */
     double at;             /* m along the route */

@@ -148,7 +148,7 @@ Pushed calculator_pushed(const Scene *scene, const Calculator *c, int way)
     for (int i = 0; i < pull->n; ++i) {
         const PullSpan *const span = &pull->span[i];
         const double allowed = may_be_pushed(scene, c, way, span->least_at);
-        if (-span->least - allowed > worst.force - worst.allowed)
+        if (-span->least - allowed > fmax(0, worst.force - worst.allowed))
             worst = (Pushed){-span->least, allowed, span->least_at, span->piece};
     }
     return worst;
@@ -164,7 +164,7 @@ static void pulled_set(const Scene *scene, Calculator *c)
         const Pushed worst = calculator_pushed(scene, c, k);
         *held = (hawser_condition){.name = "pulled",
                                    .unit = "N",
-                                   .value = fmax(0, worst.force),
+                                   .value = worst.force,
                                    .allowed = worst.allowed,
                                    .holds = worst.force <= worst.allowed};
     }

@@ -122,6 +122,7 @@ static double cell_clock(const char *cell, int minutes)
     const char *const colon = strchr(cell, ':');
     int h, m, used = 0;
     double s = 0, place = 1;
+    if (!colon) return NAN;
     const char *from = colon;
     while (from > cell && isdigit((unsigned char)from[-1]) && colon - from < (minutes ? 4 : 2)) from--;
     if (from == colon || sscanf(from, "%4d:%2d%n", &h, &m, &used) < 2) return NAN;
