@@ -329,6 +329,26 @@ void plan_heads_free(HeadSeries *s)
     *s = (HeadSeries){0};
 }
 
+/* Rope all along a section, held by its weight and the friction of that: in bends there is more. */
+hawser_status plan_relief(const PlanDef *def, const DuctLoad *load, int way, double *relief, hawser_error *err)
+{
+    PlanDef rope = *def;
+    rope.law = PULL_NO_CAPSTAN;
+    rope.n_pushes = 0;
+    rope.enough = 0;
+    *relief = 0;
+    for (int i = 0; i < plan_sections(def, way) && def->rope_weight > 0; i++) {
+        const double ahead = sign_of(way) * JUST_AHEAD * def->route->length;
+        const PlanPullDef what = {.way = way, .head = plan_section(def, way, i).from + ahead};
+        Pull pull;
+        const hawser_status status = plan_pull(&rope, load, &what, &pull, err);
+        if (status) return status;
+        *relief = fmax(*relief, pull.max_tension - pull.end_tension);
+        pull_clear(&pull);
+    }
+    return HAWSER_OK;
+}
+
 /* ---------------------------------------------------------------------------------------------- the brake */
 
 /* A brake that is tried. */

@@ -33,6 +33,10 @@ hawser_status plan_heads(const PlanDef *def, const DuctLoad *load, int way, doub
 hawser_status plan_peaks(const PlanDef *def, const DuctLoad *load, int way, HeadSeries *out, hawser_error *err);
 void plan_heads_free(HeadSeries *s);
 
+/* N, by which the rope ahead pulls at the cable's head by its own weight, so that the winch has less than the head: the
+ * most of all places of the head (LI11a). 0: nowhere. Errors: as pull_solve, MEMORY. */
+hawser_status plan_relief(const PlanDef *def, const DuctLoad *load, int way, double *relief, hawser_error *err);
+
 /* The smallest brake where the pull begins with which the cable is nowhere pushed, and the pull with it (PN8). */
 typedef struct Brake {
     double brake;       /* N, on top of what holds back already; 0: none is needed */

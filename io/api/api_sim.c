@@ -186,6 +186,8 @@ hawser_status sim_summary_text(const hawser_sim *s, const OutDir *dir, char **te
     hawser_limit limit[HAWSER_LIMITS_MAX];
     Overload *overload;
     hawser_sim_summary(s, &summary);
+    Expected own;
+    const Expected *const reached = peaks_theory(&s->peaks, &s->stats, scene, &s->expected, &own);
     SummaryLabels labels = {.title = s->title,
                             .case_name = s->case_name,
                             .run = run,
@@ -201,11 +203,12 @@ hawser_status sim_summary_text(const hawser_sim *s, const OutDir *dir, char **te
                             .assumption = scene->def.assumptions,
                             .n_limits = sim_limits(s, &summary, limit),
                             .limit = limit,
-                            .n_overloads = peaks_overload(&s->peaks, scene, &s->expected, &overload),
+                            .n_overloads = peaks_overload(&s->peaks, scene, reached, &overload),
                             .trip_N = limits->present ? limits_trip(limits, scene->def.bundle.shape.thickest,
-                                                                    s->expected.reference_total, scene->def.drag.force)
+                                                                    reached->reference_total, scene->def.drag.force)
                                                             .force
                                                       : NAN};
+    expected_free(&own);
     if (labels.n_overloads < 0) return error_memory(err);
     char remedy[HAWSER_LIMITS_MAX][REMEDY_MAX];
     labels.overload = overload;

@@ -557,20 +557,20 @@ static int conveyors_pushers(const Room *room, const Scene *scene, Pusher *out)
     const Conveyors *const all = room->self;
     for (int i = 0; out && i < all->n; ++i) {
         const ConveyorDef *const def = all->item[i].def;
-        out[i] = (Pusher){.name = def->name, .at = (def->from + def->to) / 2, .room = room, .item = i};
+        out[i] =
+            (Pusher){.name = def->name, .at = (def->from + def->to) / 2, .from = def->from, .room = room, .item = i};
     }
     return all->n;
 }
 
 /* A belt that is faster than the winch slips and pushes with all it has, a slower one brakes; one that keeps the
  * winch's speed takes over what arrives, up to its grip (WI20). */
-static double conveyors_push(const Room *room, const Scene *scene, int item, double arriving)
+static double conveyors_push(const Room *room, const Scene *scene, int item, double arriving, double front)
 {
     const Conveyor *const c = &((const Conveyors *)room->self)->item[item];
     const Winch *const w = scene->winch;
     const double end = scene->def.duration;
-    const double front = scene->def.head_at + (w->mode == WINCH_SPEED ? winch_travel(w, end) : 0);
-    if (w->mode == WINCH_SPEED && !c->def->grips_rope && front < (c->def->from + c->def->to) / 2) return 0;
+    if (!c->def->grips_rope && front < (c->def->from + c->def->to) / 2) return 0;
     const double speed = w->mode == WINCH_SPEED ? winch_speed(w, end) : scene->largest_speed;
     const double slip = w->present ? speed - conveyor_belt(c, w, end) : 0;
     if (fabs(slip) > c->law.v_d) return slip < 0 ? c->grip * c->law.mu_d : -c->grip * c->law.mu_d;

@@ -182,7 +182,7 @@ static int motors_pushers(const Room *room, const Scene *scene, Pusher *out)
     int n = 0;
     for (; n < all->n && !isnan(all->motor[n].roller->s); ++n) {
         const RollerDef *const d = all->motor[n].roller;
-        if (out) out[n] = (Pusher){.name = d->name, .at = d->s, .room = room, .item = n};
+        if (out) out[n] = (Pusher){.name = d->name, .at = d->s, .from = d->s, .room = room, .item = n};
     }
     return n;
 }
@@ -253,12 +253,13 @@ static double friction_in_theory(const Driven *d, double speed)
 }
 
 /* Beside the fixed roller with the case's friction that the theory has there (SP19). */
-static double motors_push(const Room *room, const Scene *scene, int item, double arriving)
+static double motors_push(const Room *room, const Scene *scene, int item, double arriving, double front)
 {
     const Motor *const motor = &((const Motors *)room->self)->motor[item];
     const RollerDef *const roller = motor->roller;
     const Winch *const w = scene->winch;
     const ImpactLaw *const impact = &scene->def.impact;
+    if (front < roller->s) return 0; /* a rope weighs next to nothing */
     const double end = scene->def.duration, load = load_in_theory(scene, roller, fmax(arriving, 0));
     const double speed = w->present && w->mode == WINCH_SPEED ? winch_speed(w, end) : scene->largest_speed;
     const Driven driven = {.spin = &roller->spin,

@@ -66,7 +66,7 @@ static hawser_status cables_set(const Scene *scene, Calculator *c, hawser_error 
     return status;
 }
 
-/* The pushes one by one along the pull: each takes what the ones before it leave. */
+/* The pushes one by one along the pull, with cable in all of them: each takes what the ones before it leave. */
 static hawser_status pushes_find(const Scene *scene, Calculator *c, int way, hawser_error *err)
 {
     const DuctLoad single = {.weight_factor = 1, .sidewall_factor = 1};
@@ -82,7 +82,8 @@ static hawser_status pushes_find(const Scene *scene, Calculator *c, int way, haw
         Pull pull;
         const hawser_status status = plan_pull(&def, &single, &whole, &pull, err);
         if (status) return status;
-        push[i].force = by->room->kind->push(by->room, scene, by->item, pull_at(&pull, push[i].at).tension);
+        const double arriving = pull_at(&pull, push[i].at).tension;
+        push[i].force = by->room->kind->push(by->room, scene, by->item, arriving, INFINITY);
         pull_clear(&pull);
     }
     return HAWSER_OK;
@@ -324,6 +325,11 @@ static hawser_status solve(const Scene *scene, double apart, Calculator *c, haws
         if (c->def.skip[k] || isnan(apart)) continue;
         status = apart < INFINITY ? plan_heads(&c->def, &c->plan.duct, k, apart, &c->heads[k], err)
                                   : plan_peaks(&c->def, &c->plan.duct, k, &c->heads[k], err);
+    }
+    for (int k = 0; k < PLAN_WAYS && !status; ++k) {
+        double relief = 0;
+        if (!c->def.skip[k]) status = plan_relief(&c->def, &c->plan.duct, k, &relief, err);
+        c->beyond[k] = c->plan.way[k].rope - c->def.drawn[k] - relief;
     }
     return status ? status : calculator_judge(scene, c, err);
 }

@@ -56,7 +56,9 @@ typedef struct Calculator {
     CalculatorDuct *duct; /* [n_ducts] */
     Plan plan;
     HeadSeries heads[PLAN_WAYS]; /* the winch's force by the place of the head */
-    int n_limits;                /* of either way; 0: the case has none */
+    double beyond[PLAN_WAYS]; /* N, by what the winch pulls more than the cable's front at least, what is drawn apart;
+                               * below 0: rope that hangs down ahead takes it off the winch (LI11a) */
+    int n_limits;             /* of either way; 0: the case has none */
     hawser_limit limit[PLAN_WAYS][HAWSER_LIMITS_MAX];
     hawser_condition pulled[PLAN_WAYS]; /* whether the cable is in tension everywhere */
     Brake brake[PLAN_WAYS];             /* against running away; its `brake` is 0 where none is needed */

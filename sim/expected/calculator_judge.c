@@ -358,8 +358,7 @@ static void best_set(Calculator *c)
 static void trip_set(const Scene *scene, Calculator *c)
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {
-        c->trip[k] = limits_trip(&scene->def.limits, cables_pulled(scene), calculator_peak(scene, c, k),
-                                 c->plan.way[k].rope - scene->def.theory.drawn[k]);
+        c->trip[k] = limits_trip(&scene->def.limits, cables_pulled(scene), calculator_peak(scene, c, k), c->beyond[k]);
         if (!c->pulled[k].holds) c->trip[k] = (TripSetting){NAN, "not known before the cable is held back"};
     }
 }
@@ -389,9 +388,40 @@ static hawser_status brakes_set(const Scene *scene, Calculator *c, hawser_error 
     return HAWSER_OK;
 }
 
+/* Friction that the crew takes away on the way may let the cable go: it has to hold with the least factor of the
+ * script, whatever that is of. */
+static hawser_status loosened_set(const Scene *scene, Calculator *c, hawser_error *err)
+{
+    double factor = 1;
+    for (int i = 0; i < scene->def.n_script; ++i) {
+        const Command *const told = &scene->def.script[i].command;
+        if (told->kind == HAWSER_FRICTION) factor = fmin(factor, told->value);
+    }
+    for (int k = 0; k < PLAN_WAYS && factor < 1; ++k) {
+        hawser_condition *const held = &c->pulled[k];
+        const Variation by = {.way = k, .friction = fmax(factor, 1e-9), .radius = 1, .bend = -1};
+        Calculator loose;
+        if (!held->holds || c->def.skip[k]) continue;
+        const hawser_status status = calculator_vary(scene, c, &by, &loose, err);
+        if (!status && !loose.pulled[k].holds) {
+            held->value = loose.pulled[k].value;
+            held->holds = 0;
+            c->brake[k].brake = NAN; /* what is said is of the case's friction */
+            snprintf(held->remedy, sizeof held->remedy,
+                     "drive.script makes friction %g times the case's, and the cable would run away then, pushed with "
+                     "%.4g kN: it needs a brake at the start",
+                     factor, held->value / 1e3);
+        }
+        calculator_free(&loose);
+        if (status) return status;
+    }
+    return HAWSER_OK;
+}
+
 hawser_status calculator_follow(const Scene *scene, Calculator *c, hawser_error *err)
 {
-    const hawser_status status = brakes_set(scene, c, err);
+    hawser_status status = brakes_set(scene, c, err);
+    if (!status) status = loosened_set(scene, c, err);
     if (status) return status;
     c->plan.better = c->heads[PLAN_BACKWARD].peak.force < c->heads[PLAN_FORWARD].peak.force; /* of all sections */
     best_set(c);

@@ -159,7 +159,7 @@ static hawser_status steps_fill(const Scene *scene, Expected *out, hawser_error 
         if (status) return status;
         const int there = by->at > out->from && by->at < out->rope_to;
         const double arriving = pull_at(&pull, by->at).tension;
-        const double push = there ? by->room->kind->push(by->room, scene, by->item, arriving) : 0;
+        const double push = there ? by->room->kind->push(by->room, scene, by->item, arriving, out->to) : 0;
         out->step[out->n_steps++] = (PullStep){.at = by->at, .force = -push};
         pull_clear(&pull);
     }

@@ -9,64 +9,6 @@
 #include "sim/equipment/rooms.h"
 #include "sim/equipment/winch.h"
 
-/* ----------------------------------------------------------------------------------------------- the rope's bends */
-
-/* Rollers that turn the rope by this much each are sheaves to it (our choice: less is no wrap), rad. */
-static const double WRAPPED = 30 * M_PI / 180;
-
-/* m, around what a bend of pieces p to `to` bends the rope: its own diameter, or that of its smallest roller where few
- * share the turn. In a bend with guides it is these. */
-static double bent_round(const Scene *scene, const Route *route, int p, int to)
-{
-    int n[2] = {0, 0}; /* carriers, guides */
-    double smallest[2] = {INFINITY, INFINITY}, turn = 0, radius = INFINITY;
-    const double begin = route->piece[p].s0, end = route->piece[to].s0 + route->piece[to].length;
-    for (int k = p; k <= to; ++k) {
-        turn += route->piece[k].angle;
-        radius = fmin(radius, route->piece[k].radius);
-    }
-    for (int r = 0; r < scene->def.n_rollers; ++r) {
-        const RollerDef *const roller = &scene->def.rollers[r];
-        if (!(roller->s >= begin && roller->s <= end) || roller->hold_down) continue;
-        const int guide = roller_is_guide(route, roller);
-        smallest[guide] = fmin(smallest[guide], 2 * roller->radius);
-        n[guide]++;
-    }
-    const int by = n[1] > 0;
-    return n[by] > 0 && turn / n[by] >= WRAPPED ? smallest[by] : 2 * radius;
-}
-
-/* The rope's diameter, m: as the case says, or of the thickest rope in the chain; NAN: nobody knows. */
-static double rope_diameter(const Scene *scene)
-{
-    const SceneDef *const def = &scene->def;
-    if (!isnan(def->limits.rope_diameter)) return def->limits.rope_diameter;
-    double most = NAN;
-    for (int p = scene_def_eye(def); p < def->n_pieces; ++p)
-        most = fmax(most, def->cables[def->pieces[p].cable].diameter);
-    return most;
-}
-
-static Finding rope_bend(const Scene *scene, const Route *route, double head)
-{
-    Finding f = {.value = INFINITY};
-    for (int p = 0, to; p < route->n; p = to + 1) {
-        to = route_turn_end(route, p);
-        const RoutePiece *const last = &route->piece[to];
-        if (last->kind == ROUTE_STRAIGHT || last->s0 + last->length <= head) continue;
-        const double round = bent_round(scene, route, p, to);
-        if (round < f.value) f = finding_at(route, round, route->piece[p].s0);
-    }
-    if (scene->def.limits.sheave < f.value) {
-        f = (Finding){.value = scene->def.limits.sheave};
-        snprintf(f.where, sizeof f.where, "the smallest sheave");
-    }
-    f.absent = isinf(f.value);
-    f.value /= rope_diameter(scene);
-    snprintf(f.why, sizeof f.why, "needs limits.rope_diameter, or a rope in chain");
-    return f;
-}
-
 /* --------------------------------------------------------------------------------------------- machines, winch */
 
 /* The largest force that presses the belts, in the case and in its script, N. */
@@ -264,8 +206,7 @@ hawser_status findings_of_way(const Scene *scene, const Route *route, const Calc
     finding[LIMIT_PUSH] = largest_push(c, way);
     const hawser_status status = way_run_away(scene, route, c, way, &finding[LIMIT_RUN_AWAY], err);
     if (status) return status;
-    findings_trip(scene, w->force, finding[LIMIT_ROPE].value, w->rope - scene->def.theory.drawn[way],
-                  &finding[LIMIT_TRIP]);
+    findings_trip(scene, w->force, finding[LIMIT_ROPE].value, c->beyond[way], &finding[LIMIT_TRIP]);
     if (finding[LIMIT_RUN_AWAY].value > 0) finding[LIMIT_TRIP].steady = NAN;
     findings_of_scene(scene, route, 0, finding);
     if (c->def.feed > 0 || scene->def.theory.n_machines > 0) finding[LIMIT_PUSH].absent = 0;

@@ -13,11 +13,15 @@ typedef struct Guided {
     double from, to; /* m; none if from >= to */
 } Guided;
 
+int roller_guides_at(const Route *route, const RollerDef *roller, double s)
+{
+    const Vec3 up = v3_cross(route_at(route, s).tangent, route_left(route, s));
+    return fabs(v3_dot(roller->axis, up)) > 0.7;
+}
+
 int roller_is_guide(const Route *route, const RollerDef *roller)
 {
-    if (isnan(roller->s)) return 0;
-    const Vec3 up = v3_cross(route_at(route, roller->s).tangent, route_left(route, roller->s));
-    return fabs(v3_dot(roller->axis, up)) > 0.7;
+    return !isnan(roller->s) && roller_guides_at(route, roller, roller->s);
 }
 
 /* The part of a bend, of pieces p to `to`, along which guides stand: from the first to the last and half their spacing

@@ -21,6 +21,8 @@ void stretches_cut(Stretches *stretches, double s);
 /* Whether a roller of a row stands upright beside the cable: its axis is nearer to the route's upward normal than to
  * the level. */
 int roller_is_guide(const Route *route, const RollerDef *roller);
+/* The same of any roller, beside the cable at s, m along the route. */
+int roller_guides_at(const Route *route, const RollerDef *roller, double s);
 /* The surface along the route at s, NULL if there is none. */
 const SurfaceDef *surface_at(const SceneDef *def, double s);
 

@@ -46,6 +46,11 @@ static void peaks_checkpoint(Checkpoint *c, Peaks *p)
     CHECKPOINT_UP_TO(c, p, Peaks, pusher);
     checkpoint_text(c, "p->pusher", &p->pusher);
     checkpoint_put(c, "p->roller", p->roller, (size_t)p->n_rollers * sizeof *p->roller);
+    Compression *const pushed = &p->pushed;
+    CHECKPOINT_UP_TO(c, pushed, Compression, joints);
+    checkpoint_put(c, "pushed->sum", pushed->sum, (size_t)pushed->joints * sizeof *pushed->sum);
+    checkpoint_put(c, "pushed->time", pushed->time, (size_t)pushed->joints * sizeof *pushed->time);
+    checkpoint_put(c, "pushed->force", pushed->force, (size_t)pushed->n_pushers * sizeof *pushed->force);
 }
 
 static void passing_checkpoint(Checkpoint *c, Passing *p, const Scene *scene)

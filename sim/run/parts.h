@@ -14,11 +14,11 @@
 #include "sim/stage/stage.h"
 #include "sim/watch/events.h"
 #include "sim/watch/machines.h"
-#include "sim/watch/peaks.h"
+#include "sim/judge/peaks.h"
 #include "sim/watch/position_table.h"
 #include "sim/watch/probes.h"
 #include "sim/watch/sample.h"
-#include "sim/watch/trust.h"
+#include "sim/judge/trust.h"
 
 /* Whom a simulation calls; NULL: nobody. */
 typedef struct Calls {

@@ -281,6 +281,67 @@ static void rollers_beside_a_bend(void **state)
     json_decref(all);
 }
 
+/* Friction that a script takes away lets the cable go: down 22 m of 30 degrees with mu = 0.2 it hangs on the friction
+ * before the slope; with a third of that it does not, nor with none. Backward, up the slope, it is pulled all the same.
+ */
+static void friction_that_fails(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables: {c: {d: 50 mm, mass: 14 kg/m, E: 10 GPa, G: 3 GPa, A: 400 mm2}}\nchain: [{cable: c, length: 10 m}]\n"
+        "route: {pieces: [{straight: 10 m}, {straight: 22 m, slope: -30 deg}, {straight: 28 m, slope: 0 deg}], "
+        "transition_radius: 10 m}\nsurfaces: {ducts: [{name: duct, radius: 60 mm}]}\nfriction: {mu: 0.2}\n"
+        "drive: {tail: {tension: 1.1 kN, ramp: none}}\n"
+        "run: {duration: 20 s}\nlimits: {pull: 50 kN, sidewall: 3 kN/m}\n";
+    static const struct {
+        const char *script;
+        int holds;
+    } row[] = {{"[]", 1},
+               {"[{at: 1 s, do: friction, factor: 1}]", 1},
+               {"[{at: 1 s, do: friction, factor: 0.3}, {at: 2 s, do: friction, factor: 1}]", 0},
+               {"[{at: 1 s, do: friction, factor: 0}]", 0}};
+    for (int k = 0; k < 4; k++) {
+        json_t *const all = theory_of(text, (const char *const[]){"drive.script", row[k].script, NULL});
+        verdict_has(all, row[k].holds ? "SAFE: all" : "drive.script makes friction 0");
+        check_has(json_string_value(json_object_get(all, "verdict_backward")), "SAFE: all");
+        json_decref(all);
+    }
+}
+
+/* A rope that hangs 60 m down a shaft ahead of the eye pulls at it, not at the winch: what the winch may pull is by
+ * that less. Down a slope that friction holds it pulls at nothing. */
+static void rope_that_hangs_down(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables: {c: {d: 80 mm, mass: 20 kg/m, E: 10 GPa, G: 3 GPa, A: 2000 mm2}}\nchain: [{cable: c, length: 10 m}]\n"
+        "route: {pieces: [{straight: 100 m}, {straight: 60 m, slope: -90 deg}], transition_radius: 2 m}\n"
+        "surfaces: {ducts: [{name: d, radius: 60 mm}]}\nfriction: {mu: 0.3}\n"
+        "theory: {rope_mass: 1.5 kg/m, rope_mu: 0.2}\n"
+        "drive: {winch: {speed: 0.1 m/s, trip: {force: 24 kN}}, tail: {tension: 4 kN, ramp: none}}\n"
+        "run: {duration: 20 s}\nlimits: {pull: 60 kN, sidewall: 90 kN/m, attachment_rating: 24.5 kN}\n";
+    const double a = atan(0.2); /* in the bend it pulls from there on */
+    const struct {
+        const char *slope;
+        double relief;
+    } row[] = {{"-90 deg", 1.5 * 9.81 * (58 + 2 * (cos(a) - 0.2 * (1 - sin(a))))}, {"-10 deg", 0}};
+    for (int k = 0; k < 2; k++) {
+        json_t *const all = theory_of(text, (const char *const[]){"route.pieces.1.slope", row[k].slope, NULL});
+        const json_t *limit;
+        size_t i;
+        double allowed = NAN;
+        json_array_foreach(json_object_get(all, "limits"), i, limit)
+        {
+            const char *const way = json_string_value(json_object_get(limit, "direction"));
+            if (!strcmp(json_string_value(json_object_get(limit, "name")), "trip") && !strcmp(way, "forward"))
+                allowed = number_of(limit, "limit");
+        }
+        print_message("%s: the trip may be %.1f N\n", row[k].slope, allowed);
+        check_close(24.5e3 - allowed, row[k].relief, 0.05);
+        json_decref(all);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -289,7 +350,8 @@ int main(void)
         cmocka_unit_test(machines_push),         cmocka_unit_test(listed_rollers_beside_a_row),
         cmocka_unit_test(bearings_hold),         cmocka_unit_test(no_fluid_in_theory),
         cmocka_unit_test(a_pit_ends_a_push),     cmocka_unit_test(the_eye_where_it_is),
-        cmocka_unit_test(rollers_beside_a_bend),
+        cmocka_unit_test(rollers_beside_a_bend), cmocka_unit_test(friction_that_fails),
+        cmocka_unit_test(rope_that_hangs_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

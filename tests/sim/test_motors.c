@@ -120,7 +120,7 @@ static void test_theory(void **state)
     assert_int_equal(MOTORS_ROOM.pushers(room, &scene, out), 12);
     int carriers = 0, guides = 0, idle = 0;
     for (int k = 0; k < 12; ++k) {
-        const double load = MOTORS_ROOM.push(room, &scene, k, tension) / (mu + mu_case);
+        const double load = MOTORS_ROOM.push(room, &scene, k, tension, INFINITY) / (mu + mu_case);
         const int carries = fabs(load / (1.5 * weight) - 1) < 1e-12;
         const int guided = fabs(load / (1.5 * tension / turn) - 1) < 1e-12;
         carriers += carries;

@@ -1,5 +1,5 @@
 /* Drift of the steady window and spikes of the pull, of pulls that are made up. */
-#include "sim/watch/trust.h"
+#include "sim/judge/trust.h"
 
 #include <math.h>
 

@@ -3,8 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "sim/equipment/drum.h"
 #include "sim/expected/findings.h"
-#include "sim/watch/peaks.h"
+#include "sim/judge/peaks.h"
 
 /* Overload factors are taken where theory has at least this share of its largest tension: near a slack tail a few
  * newtons would make any ratio. */
@@ -74,6 +75,22 @@ static double reference_at(const Expected *e, const Pull *pull, double s)
     return reference >= MEASURE * pull->max_tension ? reference : NAN;
 }
 
+const Expected *peaks_theory(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *of,
+                             Expected *own)
+{
+    const double front = fmin(peaks->reached, scene->route.length);
+    const int counted = scene->weight.lead_in && !scene->def.strand.present && !scene->drum->present;
+    Pull pull;
+    *own = (Expected){0};
+    if (!counted || !(front > of->to + 1e-9)) return of;
+    if (expected_at(scene, front, expected_back(scene, stats->last_t), own, NULL) ||
+        expected_pull(scene, own, PULL_REFERENCE, &pull, NULL))
+        return of;
+    own->reference_total = pull.end_tension + scene->def.drag.force;
+    pull_clear(&pull);
+    return own;
+}
+
 int peaks_overload(const Peaks *peaks, const Scene *scene, const Expected *expected, Overload **out)
 {
     Pull pull;
@@ -125,11 +142,37 @@ static Finding push_finding(const Peaks *peaks)
     return f;
 }
 
-/* What the winch needs by itself: theory's pull or the mean, whichever is more. */
-static void trip_finding(const Stats *stats, const Scene *scene, const Expected *expected, Finding *out)
+/* Where theory has the cable taut, and the run pushed it all the same (LI12a). */
+static void pushed_finding(const Peaks *peaks, const Scene *scene, Finding *f)
 {
-    const double theory = expected->reference_total;
-    findings_trip(scene, theory, fmax(theory, mean_of(&stats->pull)), scene->def.drag.force, out);
+    const Compression *const c = &peaks->pushed;
+    if (f->value > 0 || !(c->most.value > PUSHED_ALONG * c->pulled)) return;
+    const int absent = f->absent;
+    *f = finding_at(&scene->route, c->most.value, c->most.at);
+    f->absent = absent;
+    f->rating = c->pulled;
+    snprintf(f->why, sizeof f->why,
+             "it was pushed with %.4g kN at %.4g s: a brake of about as much more is needed where the pull begins",
+             c->most.value / 1e3, c->when);
+}
+
+/* N, by which rope that hangs down ahead takes the front's tension off the winch (LI11a). */
+static double relief_of(const Scene *scene, const Expected *e)
+{
+    Pull pull;
+    if (!(e->rope_to > e->to) || expected_pull(scene, e, PULL_REFERENCE, &pull, NULL)) return 0;
+    const double relief = fmax(0, pull_at(&pull, e->to).tension - pull.end_tension);
+    pull_clear(&pull);
+    return relief;
+}
+
+/* What the winch needs by itself: theory's pull or the mean, whichever is more. */
+static void trip_finding(const Stats *stats, const Scene *scene, const Expected *set_by, const Expected *reached,
+                         Finding *out)
+{
+    const double needed = fmax(reached->reference_total, mean_of(&stats->pull));
+    const double relief = fmax(relief_of(scene, set_by), relief_of(scene, reached));
+    findings_trip(scene, set_by->reference_total, needed, scene->def.drag.force - relief, out);
 }
 
 /* What a script or a set tension has made of the winch's speed, if that is more than the case says of it. A cable that
@@ -156,9 +199,13 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         f[LIMIT_WINCH] = f[LIMIT_ROPE];
         f[LIMIT_ATTACHMENT] = finding_at(&scene->route, peaks->front.value, peaks->front.at);
         f[LIMIT_PUSH] = push_finding(peaks);
-        f[LIMIT_ALPHA] = alpha_finding(peaks, scene, expected);
-        findings_of_run(scene, expected, f);
-        trip_finding(stats, scene, expected, &f[LIMIT_TRIP]);
+        Expected own;
+        const Expected *const reached = peaks_theory(peaks, stats, scene, expected, &own);
+        f[LIMIT_ALPHA] = alpha_finding(peaks, scene, reached);
+        findings_of_run(scene, reached, f);
+        pushed_finding(peaks, scene, &f[LIMIT_RUN_AWAY]);
+        trip_finding(stats, scene, expected, reached, &f[LIMIT_TRIP]);
+        expected_free(&own);
         if (f[LIMIT_RUN_AWAY].value > 0) f[LIMIT_TRIP].steady = NAN;
         errors_of_tension(f, share);
     } else {

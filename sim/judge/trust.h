@@ -1,7 +1,7 @@
 /* Whether a run is worth judging: named conditions, each with its figure and what is allowed. docs/limits.md, "Trust".
  * A run of which one fails is never called safe. */
-#ifndef HAWSER_SIM_WATCH_TRUST_H
-#define HAWSER_SIM_WATCH_TRUST_H
+#ifndef HAWSER_SIM_JUDGE_TRUST_H
+#define HAWSER_SIM_JUDGE_TRUST_H
 
 #include "hawser/hawser.h"
 #include "sim/dynamics.h"
@@ -85,5 +85,17 @@ typedef struct TrustFacts {
 
 /* The conditions that apply, into out [HAWSER_CONDITIONS_MAX]; returns how many. */
 int trust_judge(const TrustFacts *facts, hawser_condition *out);
+
+/* ---------------------------------------------------------------------------- belts that share a pull: sharing.c */
+
+/* By millimetres of cable: what moves from one to another says nothing of the pull. (WI23) */
+typedef struct Sharing {
+    double share;            /* of the pull, that 0.1 mm of cable moves from one to the other */
+    const char *belt;        /* the conveyor, */
+    const char *with, *name; /* what it shares with, in words, and its name; "": the winch has none */
+} Sharing;
+
+/* The worst of the run; 0 if no belt shares with a winch of set speed, or without a winch with another belt. */
+int sharing_find(const SceneDef *def, const hawser_summary *figures, Sharing *out);
 
 #endif

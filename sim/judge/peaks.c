@@ -1,4 +1,4 @@
-#include "sim/watch/peaks.h"
+#include "sim/judge/peaks.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,11 +14,12 @@ hawser_status peaks_new(Peaks *peaks, const Scene *scene, hawser_error *err)
     peaks->roller = malloc(((size_t)peaks->n_rollers + 1) * sizeof *peaks->roller);
     if (!peaks->roller) return error_memory(err);
     for (int i = 0; i < peaks->n_rollers; ++i) peaks->roller[i] = NAN;
-    return HAWSER_OK;
+    return compression_new(&peaks->pushed, scene, err);
 }
 
 void peaks_free(Peaks *peaks)
 {
+    compression_free(&peaks->pushed);
     free(peaks->roller);
     *peaks = (Peaks){0};
 }
@@ -44,6 +45,7 @@ static void joints_record(Peaks *peaks, const Scene *scene, const hawser_sample 
         take(&peaks->sidewall, sidewall_at(scene, s, tension[j]), s);
     }
     take(&peaks->front, tension[eye], sample_joint_place(scene, sample, eye));
+    peaks->reached = fmax(peaks->reached, sample_joint_place(scene, sample, eye));
     for (int j = eye + 1; j <= scene->chain.n; ++j)
         take(&peaks->rope, tension[j], sample_joint_place(scene, sample, j));
     take(&peaks->rope, sample->winch_force, sample_joint_place(scene, sample, scene->chain.n));
@@ -100,4 +102,5 @@ void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const
     curvature_record(peaks, scene, kin, sample, eye);
     rollers_record(peaks, scene, kin, sample);
     pushes_record(peaks, sample);
+    compression_record(&peaks->pushed, scene, sample);
 }

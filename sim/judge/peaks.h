@@ -1,15 +1,11 @@
 /* The worst of a run that limits ask for and statistics do not keep: tension, sidewall pressure and bend radius of the
  * cable, pull of the rope, tension over each roller. Empty unless the case has limits: then nothing is computed. */
-#ifndef HAWSER_SIM_WATCH_PEAKS_H
-#define HAWSER_SIM_WATCH_PEAKS_H
+#ifndef HAWSER_SIM_JUDGE_PEAKS_H
+#define HAWSER_SIM_JUDGE_PEAKS_H
 
 #include "sim/expected/expected.h"
+#include "sim/judge/compression.h"
 #include "sim/watch/stats.h"
-
-/* A largest value and where it was, m along the route. */
-typedef struct Peak {
-    double value, at;
-} Peak;
 
 typedef struct Peaks {
     int present;
@@ -19,9 +15,11 @@ typedef struct Peaks {
     Peak curvature; /* 1/m, of the cable between neighbouring segments */
     Peak rope;      /* N, of the rope, or on its end */
     Peak front;     /* N, at the cable's eye or net */
+    double reached; /* m along the route: how far that has come */
     double speed;   /* m/s, of the winch */
     double push;    /* N, of a machine on the cable, and which: its name is the simulation's */
     const char *pusher;
+    Compression pushed; /* where nothing pulls any more */
     int n_rollers;
     double *roller; /* [n_rollers] N, tension of the cable where it passes the roller; NAN: none yet */
 } Peaks;
@@ -39,6 +37,11 @@ hawser_status peaks_new(Peaks *peaks, const Scene *scene, hawser_error *err);
 void peaks_free(Peaks *peaks);
 /* Takes a sample in; as stats_record. */
 void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
+
+/* Theory with the front where it has come, which beside a lead-in is counted up to where it began: `of`, or *own, with
+ * its stretch, steps and reference_total. *own is to be given back by expected_free. */
+const Expected *peaks_theory(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *of,
+                             Expected *own);
 
 /* The run so far against the case's limits, (LI5); as hawser_sim_limits. share: the error bar of the largest pull over
  * that. */

@@ -1,4 +1,4 @@
-#include "sim/watch/trust.h"
+#include "sim/judge/trust.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -9,6 +9,7 @@
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
 #include "sim/expected/findings.h"
+#include "sim/judge/compression.h"
 #include "sim/watch/events.h"
 #include "sim/watch/stats.h"
 
@@ -18,16 +19,13 @@ static const double DAMPED = 0.01;                       /* of what moves, by th
 static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pull, of itself */
 static const double OFF_ROUTE = 2;                       /* m: more than any sag between supports */
 static const double SLOWEST = 1;                         /* speed of full friction over that of the pull */
-static const double DRIFT = 0.05;        /* of the mean pull, from the window's first half to its second */
-static const double PUSHED = 0.01;       /* of the largest pull, that the cable may push the winch with in the mean */
-static const double PUSHED_ALONG = 0.01; /* of the largest tension of a position */
-static const double LENGTH = 1e-4;       /* m: nobody knows where a cable lies, and no mesh, to less */
-static const double SHARED = 0.02;       /* of the pull, that so much may move from a belt to the winch */
-static const double SLIPS = 0.5;         /* of the steady window, from which on a belt slips */
-static const double EDGE = 0.7;          /* of half a roller's width, that the cable may lie off its middle at rest */
-static const double SPIKE = 0.2;         /* of the largest pull, above the rows beside it */
-static const double INSIDE = 0.25;       /* of both radii, that cables may lie inside each other */
-enum { LOOKS = 16 };                     /* at the cable's place in a run */
+static const double DRIFT = 0.05;  /* of the mean pull, from the window's first half to its second */
+static const double PUSHED = 0.01; /* of the largest pull, that the cable may push the winch with in the mean */
+static const double SHARED = 0.02; /* of the pull, that so much may move from a belt to the winch */
+static const double EDGE = 0.7;    /* of half a roller's width, that the cable may lie off its middle at rest */
+static const double SPIKE = 0.2;   /* of the largest pull, above the rows beside it */
+static const double INSIDE = 0.25; /* of both radii, that cables may lie inside each other */
+enum { LOOKS = 16 };               /* at the cable's place in a run */
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
 {
@@ -256,69 +254,16 @@ static void add_friction_speed(List *list, const TrustFacts *f)
         strstr(slowest.key, "bearing") ? "rad/s" : "m/s");
 }
 
-/* m/N by which the chain between a machine and the winch is longer under load, at the run's end. */
-static double give_before(const Scene *scene, const ConveyorDef *c)
-{
-    const SceneDef *const def = &scene->def;
-    double rest = def->head_at + profile_integral(&def->winch.speed, def->duration) - (c->from + c->to) / 2;
-    double give = 0;
-    for (int k = def->n_pieces - 1; k >= 0 && rest > 0; --k) {
-        const double length = fmin(rest, def->pieces[k].length);
-        give += length / def->cables[def->pieces[k].cable].ea;
-        rest -= length;
-    }
-    return give;
-}
-
-/* N that a conveyor might push more than it does: up to its limit, or from one end of its grip to the other. */
-static double push_left(const ConveyorDef *c, const hawser_summary *s)
-{
-    if (!(c->limit > 0)) return 2 * c->mu * c->clamp;
-    for (int i = 0; i < s->n_machines; ++i) {
-        if (strcmp(s->machines[i].kind, "conveyors") || strcmp(s->machines[i].name, c->name)) continue;
-        return fmax(0, c->limit - fabs(hawser_machine_figure(&s->machines[i], "steady_mean_N")));
-    }
-    return 0;
-}
-
-/* Whether lengths decide what a belt pushes with: it keeps the winch's speed, or has one of its own that is so near to
- * it that it does not slip. One that slips pushes with all it has. The window's mean says so, where the cable was in
- * the belt all along. */
-static int by_lengths(const Scene *scene, const ConveyorDef *c, const hawser_summary *s)
-{
-    const SceneDef *const def = &scene->def;
-    if (c->sync && c->factor <= 1 && c->factor >= 1) return 1;
-    if (!(def->head_at + profile_integral(&def->winch.speed, def->output.steady_from) >= c->to)) return 0;
-    for (int i = 0; i < s->n_machines; ++i) {
-        if (strcmp(s->machines[i].kind, "conveyors") || strcmp(s->machines[i].name, c->name)) continue;
-        return hawser_machine_figure(&s->machines[i], "slipping") < SLIPS;
-    }
-    return 0;
-}
-
-/* A belt that keeps the winch's speed shares the pull with it by the length of the cable between them (WI23), as far as
- * its grip and its limit let it. */
+/* (WI23) */
 static void add_shared(List *list, const TrustFacts *f)
 {
-    const Scene *const scene = f->scene;
-    const hawser_summary *const s = f->figures;
-    double most = 0;
-    const char *name = NULL;
-    for (int i = 0; i < scene->def.n_conveyors; ++i) {
-        const ConveyorDef *const c = &scene->def.conveyors[i];
-        const double give = give_before(scene, c);
-        if (!(give > 0) || !by_lengths(scene, c, s)) continue;
-        const double moves = fmin(LENGTH / give, push_left(c, s));
-        if (name && moves <= most) continue;
-        most = moves;
-        name = c->name;
-    }
-    if (!name || scene->def.winch.mode != WINCH_SPEED || !(s->pull_peak_N > 0)) return;
-    const double share = most / fmax(fabs(s->pull_mean_N), s->pull_peak_N / 100);
-    add(list, "shared", "1", share, SHARED,
-        "0.1 mm of cable between conveyor '%s' and the winch moves %.2g %% of the pull from one to the other: give the "
+    Sharing most;
+    if (!sharing_find(&f->scene->def, f->figures, &most)) return;
+    const char *const quote = *most.name ? "'" : "";
+    add(list, "shared", "1", most.share, SHARED,
+        "0.1 mm of cable between conveyor '%s' and %s%s%s%s moves %.2g %% of the pull from one to the other: give the "
         "conveyor a limit that it reaches, or a factor or a belt of its own whose speed differs",
-        name, 100 * share);
+        most.belt, most.with, quote, most.name, quote, 100 * most.share);
 }
 
 /* What the steps in time took out of the motion: a swing that nothing damps must not die out. The loss of a BDF of
@@ -528,7 +473,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     if (f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
     add_decided(&list, f);
     if (scene->def.winch.present && f->figures->steady_to_s > f->figures->steady_from_s) add_pushed(&list, f->figures);
-    if (scene->def.winch.present) add_shared(&list, f);
+    add_shared(&list, f);
     if (scene->def.winch.present) add_steadiness(&list, f);
     return list.n;
 }

@@ -1,0 +1,297 @@
+/* What a run says of a pull that changes on the way: pushed for a while, its front far from where it began, belts that
+ * are reached late. Each was SAFE, or trusted, where it should not have been. */
+#include "tests/io/theory_fixture.h"
+
+static const char KINDS[] =
+    "cables:\n"
+    "  c: {d: 80 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 1 kN m2, mass: 14 kg/m, damping: 2 ms}\n"
+    "  rope: {d: 20 mm, EA: 8 MN, GA: 3 MN, GJ: 100 N m2, EI: 50 N m2, mass: 0.9 kg/m, damping: 2 ms}\n"
+    "friction: {mu: 0.2, v_s: 1 mm/s}\n"
+    "limits: {pull: 50 kN, sidewall: 3 kN/m, rope_strength: 160 kN, winch_capacity: 100 kN, attachment_rating: 100 "
+    "kN}\n";
+
+/* A case of these kinds and of what is given; the caller's (free). */
+static char *case_of(const char *rest)
+{
+    char *const text = malloc(sizeof KINDS + strlen(rest));
+    assert_non_null(text);
+    strcpy(text, KINDS);
+    return strcat(text, rest);
+}
+
+static hawser_limit judged(hawser_sim *sim, const char *name)
+{
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    const int n = hawser_sim_limits(sim, limit);
+    for (int i = 0; i < n; i++)
+        if (!strcmp(limit[i].name, name)) return limit[i];
+    fail_msg("no limit %s", name);
+    return limit[0];
+}
+
+/* ------------------------------------------------------------------------------------------------- pushed */
+
+static const char SLOPE[] = "lead_in: {}\n"
+                            "chain: [{cable: c, length: 60 m, segment: 500 mm}, {cable: rope, length: 12 m, segment: "
+                            "500 mm, swivel: true}]\n"
+                            "route: {head_at: 48 m, transition_radius: 10 m, pieces: [{straight: 10 m}, {straight: 22 "
+                            "m, slope: -30 deg}, {straight: 28 m, slope: 0 deg}]}\n"
+                            "surfaces: {ducts: [{name: duct, radius: 60 mm, place: resting}]}\n"
+                            "drive: {winch: {speed: 0.1 m/s, to: 4 s}, tail: {tension: 1.6 kN, ramp: none}}\n"
+                            "run: {duration: 45 s, steady_from: 35 s}\n";
+
+/* A reel's brake that lets go for a quarter of a minute: the slope pushes the cable, and theory at the end of the run,
+ * with the brake back, has it taut. What it was pushed with is the brake that is missing where it is so all along. */
+static void pushed_for_a_while(void **state)
+{
+    (void)state;
+    char *const text = case_of(SLOPE);
+    hawser_sim *sim = run_of(text, NULL);
+    hawser_limit l = judged(sim, "run_away");
+    assert_true(l.judged && l.ok);
+    assert_true(l.value <= 0);
+    hawser_sim_free(sim);
+    const char *const lets_go[] = {
+        "drive.tail", "{table: [[0 s, 1.6 kN], [10 s, 1.6 kN], [16 s, 400 N], [18 s, 400 N], [30 s, 1.6 kN]]}", NULL};
+    sim = run_of(text, lets_go);
+    l = judged(sim, "run_away");
+    assert_true(l.judged && !l.ok);
+    check_has(l.source, "it was pushed with");
+    hawser_sim_free(sim);
+    const char *const held_so[] = {"drive.tail.tension", "400 N", NULL};
+    sim = run_of(text, held_so);
+    const hawser_limit always = judged(sim, "run_away");
+    assert_true(always.judged && !always.ok);
+    print_message("pushed with %.1f N; a brake of %.1f N is missing where it is so all along\n", l.value, always.value);
+    check_share(l.value, always.value, 0.1);
+    hawser_sim_free(sim);
+    free(text);
+}
+
+/* Friction that a script halves. */
+static void pushed_while_friction_fails(void **state)
+{
+    (void)state;
+    char *const text = case_of(SLOPE);
+    hawser_sim *const sim = run_of(text, (const char *const[]){"drive.tail.tension", "1.1 kN", "drive.script",
+                                                               "[{at: 10 s, do: friction, factor: 0.3, ramp: 2 s}, "
+                                                               "{at: 18 s, do: friction, factor: 1, ramp: 2 s}]",
+                                                               NULL});
+    const hawser_limit l = judged(sim, "run_away");
+    print_message("pushed with %.1f N\n", l.value);
+    assert_true(l.judged && !l.ok);
+    check_has(l.source, "it was pushed with");
+    hawser_sim_free(sim);
+    free(text);
+}
+
+/* A winch that stops at once, and belts that push what is ahead of them, are no run-away. */
+static void pushed_by_what_is_there(void **state)
+{
+    (void)state;
+    char *const text = case_of("lead_in: {}\nchain: [{cable: c, length: 12 m, segment: 500 mm}]\n"
+                               "route: {head_at: 11 m, pieces: [{straight: 14 m}]}\nrollers: {along: {spacing: 1 m}}\n"
+                               "drive: {winch: {speed: 0.2 m/s, to: 1 s}, tail: {tension: 100 N, ramp: none}}\n"
+                               "run: {duration: 5 s, steady_from: 3 s}\n");
+    static const char *const row[][2] = {
+        {"drive.script", "[{at: 2 s, do: winch_pause, ramp: 2 ms}, {at: 3 s, do: winch_restart}]"},
+        {"conveyors", "[{name: K, from: 4.2 m, to: 5.8 m, clamp: 2 kN, mu: 0.3, belt: {speed: 0.25 m/s, to: 1 s}}]"}};
+    for (int k = 0; k < 2; k++) {
+        hawser_sim *const sim = run_of(text, (const char *const[]){row[k][0], row[k][1], NULL});
+        const hawser_limit l = judged(sim, "run_away");
+        print_message("%s: %g N\n", row[k][0], l.value);
+        assert_true(l.judged && l.ok);
+        hawser_sim_free(sim);
+    }
+    free(text);
+}
+
+/* ------------------------------------------------------------------------------------- where the front came to */
+
+/* Rollers that are braked ahead of where the front began: the overload there, 1 + (mu' - mu) w l/T, and the trip that
+ * is advised are told by theory up to where the front came to. */
+static void as_far_as_the_front_came(void **state)
+{
+    (void)state;
+    char *const text = case_of(
+        "lead_in: {}\n"
+        "chain: [{cable: c, length: 20 m, segment: 450 mm}, {cable: rope, length: 20 m, segment: 450 mm, swivel: "
+        "true}]\n"
+        "route: {head_at: 5 m, pieces: [{straight: 25 m}]}\n"
+        "rollers: {along: [{from: 0 m, to: 10.5 m, spacing: 1 m, name: A}, {from: 11 m, to: 25 m, spacing: 1 m, name: "
+        "B, friction: {mu: 0.8}}]}\n"
+        "drive: {winch: {speed: 0.25 m/s, to: 4 s}, tail: {tension: 300 N, ramp: none}}\n"
+        "run: {duration: 50 s, steady_from: 40 s}\n");
+    hawser_sim *const sim = run_of(text, NULL);
+    hawser_summary sum;
+    char *json = NULL;
+    const hawser_limit alpha = judged(sim, "alpha");
+    const double w = 14 * 9.81, far = 5 + 0.25 * 48, behind = 300 + 0.2 * w * 10.5, rope = 0.2 * 0.9 * 9.81;
+    assert_true(alpha.judged && !alpha.ok);
+    assert_int_equal(alpha.where[0], 'B');
+    const double real = behind + 0.8 * w * (far - 10.5), theory = behind + 0.2 * w * (far - 10.5);
+    print_message("alpha %.3f at %s; %.3f at the front\n", alpha.value, alpha.where, real / theory);
+    check_share(alpha.value, real / theory, 0.08);
+    assert_int_equal(hawser_sim_summary_json(sim, &json, NULL), HAWSER_OK);
+    json_t *const all = json_loads(json, 0, NULL);
+    check_share(number_of(json_object_get(all, "overload"), "trip_N"), 1.5 * (theory + rope * (25 - far)), 1e-3);
+    json_decref(all);
+    hawser_text_free(json);
+    hawser_sim_summary(sim, &sum);
+    check_share(sum.reference_total_N, 300 + 0.2 * w * 5, 0.01); /* which is counted up to where it began */
+    hawser_sim_free(sim);
+    free(text);
+}
+
+/* A belt that the front has not reached pushes nothing: theory by the front's position has a step there. */
+static void belts_from_where_they_stand(void **state)
+{
+    (void)state;
+    char *const text =
+        case_of("lead_in: {}\n"
+                "chain: [{cable: c, length: 20 m, segment: 450 mm}, {cable: rope, length: 20 m, segment: 450 mm}]\n"
+                "route: {head_at: 5 m, pieces: [{straight: 25 m}]}\nrollers: {along: {spacing: 1 m}}\n"
+                "conveyors: [{name: K, from: 9.2 m, to: 10.8 m, clamp: 1 kN, mu: 0.2, factor: 1.1, hold: false}]\n"
+                "drive: {winch: {speed: 0.25 m/s, to: 4 s}, tail: {tension: 1 kN, ramp: none}}\n"
+                "run: {duration: 50 s, steady_from: 5 s}\n");
+    hawser_sim *const sim = run_of(text, NULL);
+    const hawser_position *row;
+    const int n = hawser_sim_positions(sim, &row);
+    int before = 0, behind = 0;
+    for (int i = 0; i < n; i++) {
+        const double head = row[i].head_m, alone = 1000 + 0.2 * 9.81 * (14 * head + 0.9 * (25 - head));
+        if (head < 8) check_share(row[i].reference_N, alone, 1e-3);
+        if (head > 12) check_share(row[i].reference_N, alone - 400, 1e-3);
+        before += head < 8;
+        behind += head > 12;
+    }
+    assert_true(before > 0 && behind > 0);
+    hawser_sim_free(sim);
+    free(text);
+}
+
+/* -------------------------------------------------------------------------------------------------- shared pulls */
+
+/* NAN: not asked. */
+static double shared(const char *text, const char *const *settings, char remedy[200])
+{
+    hawser_summary sum;
+    hawser_sim *const sim = run_of(text, settings);
+    double found = NAN;
+    hawser_sim_summary(sim, &sum);
+    for (int i = 0; i < sum.n_conditions; i++) {
+        if (strcmp(sum.conditions[i].name, "shared")) continue;
+        found = sum.conditions[i].value;
+        snprintf(remedy, 200, "%s", sum.conditions[i].remedy);
+    }
+    hawser_sim_free(sim);
+    return found;
+}
+
+/* A belt of its own speed, the winch's, that the front reaches within the steady window: it slips for as long as there
+ * is no cable in it, so to speak. One that is faster slips all through, and decides what it pushes with. */
+static void a_belt_that_is_reached_late(void **state)
+{
+    (void)state;
+    char remedy[200] = "";
+    char *const text =
+        case_of("chain: [{cable: c, length: 12 m, segment: 450 mm}, {cable: rope, length: 8 m, segment: 450 mm}]\n"
+                "route: {head_at: 12.5 m, pieces: [{straight: 24 m}]}\nrollers: {along: {spacing: 1 m}}\n"
+                "drive: {winch: {speed: 0.25 m/s, to: 1 s}, tail: {tension: 300 N, ramp: none}}\n"
+                "run: {duration: 12 s, steady_from: 4 s}\n");
+    static const struct {
+        const char *speed;
+        int shares;
+    } row[] = {{"0.25 m/s", 1}, {"0.29 m/s", 0}};
+    for (int k = 0; k < 2; k++) {
+        char belts[200];
+        snprintf(belts, sizeof belts,
+                 "[{name: K, from: 13.2 m, to: 14.3 m, clamp: 1 kN, hold: false, belt: {speed: %s, to: 1 s}}]",
+                 row[k].speed);
+        const double found = shared(text, (const char *const[]){"conveyors", belts, NULL}, remedy);
+        print_message("%s: %g\n", row[k].speed, found);
+        assert_int_equal(isnan(found), !row[k].shares);
+        if (row[k].shares) check_has(remedy, "conveyor 'K' and the winch");
+    }
+    free(text);
+}
+
+/* Two belts of one speed without a winch: c = l/EA of the 6 m between them. Where one is faster it slips. */
+static void belts_among_themselves(void **state)
+{
+    (void)state;
+    char remedy[200] = "";
+    char *const text = case_of("chain: [{cable: c, length: 14 m, segment: 450 mm}]\nlead_in: {}\n"
+                               "route: {head_at: 12 m, pieces: [{straight: 16 m}]}\nrollers: {along: {spacing: 1 m}}\n"
+                               "drive: {tail: {tension: 1 kN, to: 500 ms}}\nrun: {duration: 3 s, steady_from: 2 s}\n");
+    static const struct {
+        const char *speed;
+        int shares;
+    } row[] = {{"0.1 m/s", 1}, {"0.13 m/s", 0}};
+    for (int k = 0; k < 2; k++) {
+        char belts[400];
+        snprintf(belts, sizeof belts,
+                 "[{name: K, from: 3.2 m, to: 4.8 m, clamp: 2 kN, hold: false, belt: {speed: 0.1 m/s, to: 1 s}}, "
+                 "{name: L, from: 9.2 m, to: 10.8 m, clamp: 2 kN, hold: false, belt: {speed: %s, to: 1 s}}]",
+                 row[k].speed);
+        const double found = shared(text, (const char *const[]){"conveyors", belts, NULL}, remedy);
+        print_message("%s: %g\n", row[k].speed, found);
+        assert_int_equal(isnan(found), !row[k].shares);
+        if (row[k].shares) check_has(remedy, "conveyor 'K' and conveyor 'L'");
+        if (row[k].shares) check_above(found, 1e-4 * 100e6 / 6 / 2400);
+    }
+    free(text);
+}
+
+/* --------------------------------------------------------------------------------------------- what bends the rope */
+
+static const char CORNER[] =
+    "chain: [{cable: c, length: 8 m, segment: 1 m}, {cable: rope, length: 12 m, segment: 1 m}]\n"
+    "route: {head_at: 9 m, pieces: [{straight: 10 m}, {bend: 90 deg, radius: 1 m, plane: left}, {straight: 8 m}]}\n"
+    "drive: {tail: {tension: 1 kN, ramp: none}}\nrun: {duration: 1 s}\n";
+
+/* The rope's bend over its diameter, by theory. */
+static double bend_with(const char *rollers, const char *surfaces)
+{
+    char *const text = case_of(CORNER);
+    json_t *const all = theory_of(
+        text, (const char *const[]){"rollers", rollers, "surfaces", surfaces, "limits.rope_diameter", "20 mm", NULL});
+    const double found = limit_of(all, "rope_bend");
+    json_decref(all);
+    free(text);
+    return found;
+}
+
+/* The corner's middle is at (10 + sin 45, 1 - cos 45); a roller that the cable lies against there is nearer to its
+ * centre at (10, 1). */
+static void what_bends_the_rope(void **state)
+{
+    (void)state;
+    static const char row[] = "{from: 0 m, to: 9.5 m, spacing: 1 m, radius: 60 mm}";
+    char rollers[900];
+    snprintf(rollers, sizeof rollers, "{along: [%s]}", row);
+    check_share(bend_with(rollers, "{}"), 2 / 0.02, 1e-9); /* nothing stands beyond the corner */
+    const double away = 1 - 0.04 - 0.09;
+    snprintf(rollers, sizeof rollers,
+             "{along: [%s], list: [{centre: [%.6f, %.6f, 0], axis: [0, 0, 1], radius: 90 mm, width: 400 mm}]}", row,
+             10 + away * sqrt(0.5), 1 - away * sqrt(0.5));
+    check_share(bend_with(rollers, "{}"), 0.18 / 0.02, 1e-9); /* one upright roller in it, listed */
+    snprintf(rollers, sizeof rollers, "{along: [%s], list: [{centre: [14, 3, 0], axis: [0, 0, 1], radius: 90 mm}]}",
+             row);
+    check_share(bend_with(rollers, "{}"), 2 / 0.02, 1e-9); /* one that is elsewhere */
+    static const char both[] = "{along: [{from: 0 m, to: 9.9 m, spacing: 900 mm, radius: 60 mm}, {from: 11.8 m, to: "
+                               "19 m, spacing: 900 mm, radius: 50 mm}]}";
+    check_share(bend_with(both, "{}"), 0.1 / 0.02, 1e-9); /* one to each side, and none in it */
+    check_share(bend_with(both, "{ducts: [{name: d, from: 9.95 m, to: 11.7 m, radius: 80 mm}]}"), 2 / 0.02, 1e-9);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pushed_for_a_while),          cmocka_unit_test(pushed_while_friction_fails),
+        cmocka_unit_test(pushed_by_what_is_there),     cmocka_unit_test(as_far_as_the_front_came),
+        cmocka_unit_test(belts_from_where_they_stand), cmocka_unit_test(a_belt_that_is_reached_late),
+        cmocka_unit_test(belts_among_themselves),      cmocka_unit_test(what_bends_the_rope),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
