@@ -4,9 +4,9 @@
 
 #include "core/base/file_marks.h"
 #include "hawser/hawser.h"
+#include "sim/judge/peaks.h"
 #include "sim/picture/envelope.h"
 #include "sim/picture/geometry.h"
-#include "sim/judge/peaks.h"
 
 /* A place of the route: where it is and what theory says there. What is not known or not there is NAN. */
 typedef struct AlongRow {

@@ -4,6 +4,8 @@
 #define HAWSER_SIM_RUN_PARTS_H
 
 #include "sim/expected/mesh.h"
+#include "sim/judge/peaks.h"
+#include "sim/judge/trust.h"
 #include "sim/picture/closeup.h"
 #include "sim/picture/envelope.h"
 #include "sim/run/passes.h"
@@ -14,11 +16,9 @@
 #include "sim/stage/stage.h"
 #include "sim/watch/events.h"
 #include "sim/watch/machines.h"
-#include "sim/judge/peaks.h"
 #include "sim/watch/position_table.h"
 #include "sim/watch/probes.h"
 #include "sim/watch/sample.h"
-#include "sim/judge/trust.h"
 
 /* Whom a simulation calls; NULL: nobody. */
 typedef struct Calls {
