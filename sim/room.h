@@ -187,7 +187,7 @@ struct RoomKind {
 
     /* ---- for theory: its pushers by the route's order, and how many (out may be NULL); what one of them pushes with
      * where the tension before it is `arriving`, N, and the cable's front at `front`, m along the route, in steady
-     * motion at the run's end. */
+     * motion when the winch last draws at its full speed. */
     int (*pushers)(const Room *room, const Scene *scene, Pusher *out);
     double (*push)(const Room *room, const Scene *scene, int item, double arriving, double front);
 

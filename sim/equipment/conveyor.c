@@ -569,10 +569,10 @@ static double conveyors_push(const Room *room, const Scene *scene, int item, dou
 {
     const Conveyor *const c = &((const Conveyors *)room->self)->item[item];
     const Winch *const w = scene->winch;
-    const double end = scene->def.duration;
+    const double at = winch_last_full(w, scene->def.duration);
     if (!c->def->grips_rope && front < (c->def->from + c->def->to) / 2) return 0;
-    const double speed = w->mode == WINCH_SPEED ? winch_speed(w, end) : scene->largest_speed;
-    const double slip = w->present ? speed - conveyor_belt(c, w, end) : 0;
+    const double speed = w->mode == WINCH_SPEED ? winch_speed(w, at) : scene->largest_speed;
+    const double slip = w->present ? speed - conveyor_belt(c, w, at) : 0;
     if (fabs(slip) > c->law.v_d) return slip < 0 ? c->grip * c->law.mu_d : -c->grip * c->law.mu_d;
     return fmin(fmax(arriving, 0), c->grip);
 }

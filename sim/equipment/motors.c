@@ -260,11 +260,11 @@ static double motors_push(const Room *room, const Scene *scene, int item, double
     const Winch *const w = scene->winch;
     const ImpactLaw *const impact = &scene->def.impact;
     if (front < roller->s) return 0; /* a rope weighs next to nothing */
-    const double end = scene->def.duration, load = load_in_theory(scene, roller, fmax(arriving, 0));
-    const double speed = w->present && w->mode == WINCH_SPEED ? winch_speed(w, end) : scene->largest_speed;
+    const double at = winch_last_full(w, scene->def.duration), load = load_in_theory(scene, roller, fmax(arriving, 0));
+    const double speed = w->present && w->mode == WINCH_SPEED ? winch_speed(w, at) : scene->largest_speed;
     const Driven driven = {.spin = &roller->spin,
                            .law = &roller->friction,
-                           .motor = motor_along(motor, w, end),
+                           .motor = motor_along(motor, w, at),
                            .load = load,
                            .lever = roller->radius - pow(load / impact->k, 1 / impact->e)};
     return load * (friction_in_theory(&driven, speed) + scene->def.friction.mu_d);

@@ -25,6 +25,18 @@ double winch_largest_speed(const Winch *w, double until)
     return profile_largest_until(&w->speed, until);
 }
 
+double winch_last_full(const Winch *w, double until)
+{
+    if (!w->present || w->mode != WINCH_SPEED) return until;
+    const double most = profile_largest_until(&w->speed, until) * (1 - 1e-9);
+    double last = 0;
+    for (double t = 0, next = 0; t < until; t = next) { /* between two corners it rises or falls all along */
+        next = profile_corner_before(&w->speed, t, until);
+        if (fabs(profile_value(&w->speed, next)) >= most) last = next;
+    }
+    return last;
+}
+
 static const double FADE = 0.2; /* s, over which a taken segment's own motion dies out */
 
 void winch_take_in(Winch *w, double t, Vec3 drift, Vec3 spin)

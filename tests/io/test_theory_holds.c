@@ -342,6 +342,25 @@ static void rope_that_hangs_down(void **state)
     }
 }
 
+/* A winch that stops before the run ends: a belt is compared with it while it draws, and takes over what arrives. It
+ * was faster than a winch that stands, and pushed with all that it has. */
+static void belts_beside_a_winch_that_stops(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables: {c: {d: 50 mm, mass: 14 kg/m, E: 10 GPa, G: 3 GPa, A: 400 mm2}}\nchain: [{cable: c, length: 10 m}]\n"
+        "route: {pieces: [{straight: 60 m}]}\nrollers: {along: [{spacing: 1 m}]}\nfriction: {mu: 0.2}\n"
+        "conveyors: [{name: K, from: 20 m, to: 22 m, clamp: 5 kN, mu: 0.3, belt: {speed: 0.1 m/s, to: 1 s}}]\n"
+        "drive: {tail: {tension: 500 N, ramp: none}}\nrun: {duration: 20 s}\nlimits: {pull: 50 kN}\n";
+    static const char *const winch[] = {"{speed: 0.1 m/s, to: 1 s}",
+                                        "{table: [[0 s, 0 m/s], [1 s, 0.1 m/s], [18 s, 0.1 m/s], [19 s, 0 m/s]]}"};
+    for (int k = 0; k < 2; k++) {
+        json_t *const all = theory_of(text, (const char *const[]){"drive.winch", winch[k], NULL});
+        check_share(limit_of(all, "push"), 500 + 0.2 * 14 * 9.81 * 21, 1e-9);
+        json_decref(all);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -351,7 +370,7 @@ int main(void)
         cmocka_unit_test(bearings_hold),         cmocka_unit_test(no_fluid_in_theory),
         cmocka_unit_test(a_pit_ends_a_push),     cmocka_unit_test(the_eye_where_it_is),
         cmocka_unit_test(rollers_beside_a_bend), cmocka_unit_test(friction_that_fails),
-        cmocka_unit_test(rope_that_hangs_down),
+        cmocka_unit_test(rope_that_hangs_down),  cmocka_unit_test(belts_beside_a_winch_that_stops),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
