@@ -16,7 +16,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FORMAT = 7 };
+enum { FORMAT = 8 };
 
 typedef struct FileHead {
     char magic[16];

@@ -186,35 +186,36 @@ hawser_status sim_summary_text(const hawser_sim *s, const OutDir *dir, char **te
     hawser_limit limit[HAWSER_LIMITS_MAX];
     Overload *overload;
     hawser_sim_summary(s, &summary);
-    Expected own;
-    const Expected *const reached = peaks_theory(&s->peaks, &s->stats, scene, &s->expected, &own);
-    SummaryLabels labels = {.title = s->title,
-                            .case_name = s->case_name,
-                            .run = run,
-                            .n_files = n_files,
-                            .file = file,
-                            .outcome = outcome_name(s),
-                            .message = s->outcome ? s->message : "",
-                            .n_surfaces = s->stats.n_surfaces,
-                            .surface = s->stats.surface_out,
-                            .n_rollers = s->stats.n_rollers,
-                            .roller = s->stats.roller_out,
-                            .n_assumptions = scene->def.n_assumptions,
-                            .assumption = scene->def.assumptions,
-                            .n_limits = sim_limits(s, &summary, limit),
-                            .limit = limit,
-                            .n_overloads = peaks_overload(&s->peaks, scene, reached, &overload),
-                            .trip_N = limits->present ? limits_trip(limits, scene->def.bundle.shape.thickest,
-                                                                    reached->reference_total, scene->def.drag.force)
-                                                            .force
-                                                      : NAN};
-    expected_free(&own);
+    PeaksTheory theory;
+    hawser_status status = peaks_theory(&s->peaks, &s->stats, scene, &s->expected, &theory, err);
+    if (status) return status;
+    SummaryLabels labels = {
+        .title = s->title,
+        .case_name = s->case_name,
+        .run = run,
+        .n_files = n_files,
+        .file = file,
+        .outcome = outcome_name(s),
+        .message = s->outcome ? s->message : "",
+        .n_surfaces = s->stats.n_surfaces,
+        .surface = s->stats.surface_out,
+        .n_rollers = s->stats.n_rollers,
+        .roller = s->stats.roller_out,
+        .n_assumptions = scene->def.n_assumptions,
+        .assumption = scene->def.assumptions,
+        .n_limits = sim_limits(s, &summary, limit),
+        .limit = limit,
+        .n_overloads = peaks_overload(&s->peaks, scene, &theory, &overload),
+        .trip_N = limits->present
+                      ? limits_trip(limits, scene->def.bundle.shape.thickest, theory.needed, theory.beyond).force
+                      : NAN};
+    peaks_theory_free(&theory);
     if (labels.n_overloads < 0) return error_memory(err);
     char remedy[HAWSER_LIMITS_MAX][REMEDY_MAX];
     labels.overload = overload;
     labels.n_remedies = remedies_find(scene, labels.n_limits, limit, remedy);
     labels.remedy = (const char(*)[REMEDY_MAX])remedy;
-    const hawser_status status = summary_json(&summary, &labels, text, err);
+    status = summary_json(&summary, &labels, text, err);
     free(overload);
     return status;
 }

@@ -517,7 +517,8 @@ static const char *conveyors_name(const Room *room, int i)
     return ((const Conveyors *)room->self)->item[i].def->name;
 }
 
-/* Force on the cable, slip, speed of the belt, and whether it slips more than its law sticks at. */
+/* Force on the cable, slip, speed of the belt, whether it slips more than its law sticks at, and whether it has cable
+ * in more than half of its grip. */
 static void conveyors_keep(const Room *room, const Moment *m, int i, double value[MACHINE_KEPT_MAX])
 {
     const Conveyor *const c = &((const Conveyors *)room->self)->item[i];
@@ -526,14 +527,15 @@ static void conveyors_keep(const Room *room, const Moment *m, int i, double valu
     value[1] = now.slip;
     value[2] = now.belt;
     value[3] = fabs(now.slip) > c->law.v_s;
+    value[4] = now.cover > 0.5;
 }
 
 static void conveyors_figures(const Room *room, int i, const TimeMean *kept, double expected,
                               double value[MACHINE_FIGURES_MAX])
 {
     const Conveyor *const c = &((const Conveyors *)room->self)->item[i];
-    const double figure[] = {c->def->from, c->def->to,        c->grip,           expected,         mean_of(&kept[0]),
-                             kept[0].peak, mean_of(&kept[2]), mean_of(&kept[1]), mean_of(&kept[3])};
+    const double figure[] = {c->def->from, c->def->to,        c->grip,           expected,          mean_of(&kept[0]),
+                             kept[0].peak, mean_of(&kept[2]), mean_of(&kept[1]), mean_of(&kept[3]), mean_of(&kept[4])};
     for (size_t k = 0; k < sizeof figure / sizeof *figure; ++k) value[k] = figure[k];
 }
 
@@ -541,12 +543,12 @@ static const MachineKind CONVEYORS = {.key = "conveyors",
                                       .count = conveyors_count,
                                       .name = conveyors_name,
                                       .n_now = 2,
-                                      .n_kept = 4,
+                                      .n_kept = 5,
                                       .now = {"force_N", "slip_m_per_s"},
                                       .keep = conveyors_keep,
-                                      .n_figures = 9,
+                                      .n_figures = 10,
                                       .figure = {"from_m", "to_m", "grip_N", "reference_N", "steady_mean_N", "peak_N",
-                                                 "belt_m_per_s", "slip_m_per_s", "slipping"},
+                                                 "belt_m_per_s", "slip_m_per_s", "slipping", "gripping"},
                                       .figures = conveyors_figures};
 
 /* -------------------------------------------------------------------------------------------------------- theory */

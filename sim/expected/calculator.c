@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "sim/expected/findings.h"
 
 /* --------------------------------------------------------------------------------- cables, ducts, pushes */
 
@@ -328,7 +329,7 @@ static hawser_status solve(const Scene *scene, double apart, Calculator *c, haws
     }
     for (int k = 0; k < PLAN_WAYS && !status; ++k) {
         double relief = 0;
-        if (!c->def.skip[k]) status = plan_relief(&c->def, &c->plan.duct, k, &relief, err);
+        if (!c->def.skip[k] && !isnan(apart)) status = plan_relief(&c->def, &c->plan.duct, k, &relief, err);
         c->beyond[k] = c->plan.way[k].rope - c->def.drawn[k] - relief;
     }
     return status ? status : calculator_judge(scene, c, err);
@@ -358,6 +359,7 @@ hawser_status calculator_build(const Scene *scene, const Expected *expected, int
     if (!status) out->n_pushers = scene_pushers(scene, &out->pusher);
     if (!status && out->n_pushers < 0) status = error_memory(err);
     plan_set(scene, expected, out);
+    out->bent = rope_bend(scene, out->route, 0);
     if (!status) status = solve(scene, scene->route.length / HEAD_PLACES, out, err);
     if (!status) status = rules_find(scene, out, err);
     return status ? status : calculator_follow(scene, out, err);
@@ -434,7 +436,10 @@ static hawser_status places_vary(const Calculator *base, const Variation *by, Ca
         s->mu_rope_static *= by->friction;
     }
     for (int i = 0; i < c->n_beside; ++i) c->beside[i].s = place_on(c->route, base->route, c->beside[i].s);
-    for (int i = 0; i < c->n_pushers; ++i) c->pusher[i].at = place_on(c->route, base->route, c->pusher[i].at);
+    for (int i = 0; i < c->n_pushers; ++i) {
+        c->pusher[i].at = place_on(c->route, base->route, c->pusher[i].at);
+        c->pusher[i].from = place_on(c->route, base->route, c->pusher[i].from);
+    }
     for (int i = 0; i < c->def.n_steps; ++i) c->step[i].at = place_on(c->route, base->route, c->step[i].at);
     return HAWSER_OK;
 }
@@ -465,6 +470,7 @@ hawser_status calculator_vary(const Scene *scene, const Calculator *base, const 
     if (!status) status = places_vary(base, by, out, err);
     for (int i = 0; i < by->n_machines && !status; ++i)
         out->step[out->def.n_steps++] = (PullStep){by->machine[i], by->push, STEP_TAKE};
+    out->bent = by->radius != 1 && !status ? rope_bend(scene, out->route, 0) : base->bent;
     return status ? status : solve(scene, apart, out, err);
 }
 

@@ -35,6 +35,14 @@ typedef struct Beside {
     double s, down, aside, gap;
 } Beside;
 
+/* Where the cable is pushed most beyond what it may be pushed with (by a machine behind that place, or as is meant);
+ * where it nowhere is, where it is pushed most. */
+typedef struct Pushed {
+    double force, allowed; /* N */
+    double at;             /* m along the route */
+    int piece;             /* of it */
+} Pushed;
+
 typedef struct Calculator {
     const Route *route; /* the scene's, or `own` */
     Route own;          /* one with other bends */
@@ -61,6 +69,9 @@ typedef struct Calculator {
     int n_limits;             /* of either way; 0: the case has none */
     hawser_limit limit[PLAN_WAYS][HAWSER_LIMITS_MAX];
     hawser_condition pulled[PLAN_WAYS]; /* whether the cable is in tension everywhere */
+    Pushed pushed[PLAN_WAYS];           /* where it is not */
+    int loosened[PLAN_WAYS];            /* with the least friction of the script alone */
+    Finding bent;                       /* what the rope is bent round, over its diameter */
     Brake brake[PLAN_WAYS];             /* against running away; its `brake` is 0 where none is needed */
     TripSetting trip[PLAN_WAYS];
     int best; /* the way that keeps the limits better; without limits the one that needs less force */
@@ -78,14 +89,16 @@ hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *
 /* N, of the winch, wherever the head is, at speed or from rest; of a rope with all that it draws, whatever each pulls
  * at most (SC15). */
 double calculator_peak(const Scene *scene, const Calculator *c, int way);
-/* Where the cable is pushed most beyond what it may be pushed with (by a machine behind that place, or as is meant);
- * where it nowhere is, where it is pushed most. */
-typedef struct Pushed {
-    double force, allowed; /* N */
-    double at;             /* m along the route */
-    int piece;             /* of it */
-} Pushed;
 Pushed calculator_pushed(const Scene *scene, const Calculator *c, int way);
+/* The least factor that the script gives friction, of anything; at most 1. */
+double friction_least_told(const SceneDef *def);
+/* The calculator's pulls with that friction, for calculator_pushed; it borrows the rest. Errors: as plan_build. Give it
+ * back with calculator_loose_clear, also after an error. */
+hawser_status calculator_loosen(const Scene *scene, const Calculator *c, Calculator *out, hawser_error *err);
+void calculator_loose_clear(Calculator *loose);
+/* The brake that holds a cable which is pushed; of one that the script lets go, with the winch's force with all of the
+ * friction. Errors: as plan_brake. */
+hawser_status calculator_brake(const Scene *scene, const Calculator *c, int way, Brake *out, hawser_error *err);
 /* Fills brake, trip and best of one that is solved; calculator_build's last step. Errors: as pull_solve, MEMORY. */
 hawser_status calculator_follow(const Scene *scene, Calculator *c, hawser_error *err);
 

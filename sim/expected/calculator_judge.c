@@ -155,19 +155,26 @@ Pushed calculator_pushed(const Scene *scene, const Calculator *c, int way)
 }
 
 /* A cable cannot be pushed, unless a machine does: where theory finds compression it slackens or runs away down a
- * slope, and no figure behind that place holds. */
-static void pulled_set(const Scene *scene, Calculator *c)
+ * slope, and no figure behind that place holds. Nor with the least friction that the script leaves. */
+static hawser_status pulled_set(const Scene *scene, Calculator *c, hawser_error *err)
 {
-    for (int k = 0; k < PLAN_WAYS; ++k) {
-        hawser_condition *const held = &c->pulled[k];
+    Calculator loose;
+    const double factor = friction_least_told(&scene->def);
+    const hawser_status status = factor < 1 ? calculator_loosen(scene, c, &loose, err) : HAWSER_OK;
+    for (int k = 0; k < PLAN_WAYS && !status; ++k) {
         if (c->def.skip[k]) continue;
-        const Pushed worst = calculator_pushed(scene, c, k);
-        *held = (hawser_condition){.name = "pulled",
-                                   .unit = "N",
-                                   .value = worst.force,
-                                   .allowed = worst.allowed,
-                                   .holds = worst.force <= worst.allowed};
+        Pushed worst = calculator_pushed(scene, c, k);
+        if (factor < 1 && worst.force <= worst.allowed) worst = calculator_pushed(scene, &loose, k);
+        c->loosened[k] = factor < 1 && worst.force > worst.allowed;
+        c->pushed[k] = worst;
+        c->pulled[k] = (hawser_condition){.name = "pulled",
+                                          .unit = "N",
+                                          .value = worst.force,
+                                          .allowed = worst.allowed,
+                                          .holds = worst.force <= worst.allowed};
     }
+    if (factor < 1) calculator_loose_clear(&loose);
+    return status;
 }
 
 /* Friction on nothing is nobody's: a case for theory alone may leave supports out, not friction as well. One that says
@@ -316,9 +323,8 @@ hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *
     c->known[KNOWN_FRICTION] = friction_of(scene, c->def.lightest > 0 ? c->def.lightest : scene->cable_weight);
     c->known[KNOWN_MEDIUM] = medium_of(scene);
     friction_told(&scene->def, &c->known[KNOWN_FRICTION]);
-    const hawser_status status = limits_set(scene, c, err);
-    if (!status) pulled_set(scene, c);
-    return status;
+    const hawser_status status = pulled_set(scene, c, err);
+    return status ? status : limits_set(scene, c, err);
 }
 
 /* -------------------------------------------------------------------------------- which way, trip, brake */
@@ -367,61 +373,33 @@ static void trip_set(const Scene *scene, Calculator *c)
 static hawser_status brakes_set(const Scene *scene, Calculator *c, hawser_error *err)
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {
+        char told[80] = "";
         hawser_condition *const held = &c->pulled[k];
         Brake *const brake = &c->brake[k];
         if (held->holds || c->def.skip[k]) continue;
-        const hawser_status status = plan_brake(&c->def, &c->plan.duct, k, brake, err);
+        const hawser_status status = calculator_brake(scene, c, k, brake, err);
         if (status) return status;
+        if (c->loosened[k])
+            snprintf(told, sizeof told,
+                     "drive.script makes friction %g times the case's: ", friction_least_told(&scene->def));
         if (isnan(brake->brake)) {
             snprintf(held->remedy, sizeof held->remedy,
-                     "the cable would run away or slacken: pushed with %.4g kN, and no brake at the start holds it",
-                     held->value / 1e3);
+                     "%sthe cable would run away or slacken: pushed with %.4g kN, and no brake at the start holds it",
+                     told, held->value / 1e3);
             continue;
         }
-        const Pushed worst = calculator_pushed(scene, c, k);
-        const Finding at = finding_on(c->route, held->value, worst.at, worst.piece);
+        const Finding at = finding_on(c->route, held->value, c->pushed[k].at, c->pushed[k].piece);
         snprintf(held->remedy, sizeof held->remedy,
-                 "the cable would run away or slacken: pushed with %.4g kN at %.36s; it needs a brake of %.4g kN "
+                 "%sthe cable would run away or slacken: pushed with %.4g kN at %.36s; it needs a brake of %.4g kN "
                  "more at the start, and then a winch of %.4g kN",
-                 held->value / 1e3, at.where, brake->brake / 1e3, brake->force / 1e3);
-    }
-    return HAWSER_OK;
-}
-
-/* Friction that the crew takes away on the way may let the cable go: it has to hold with the least factor of the
- * script, whatever that is of. */
-static hawser_status loosened_set(const Scene *scene, Calculator *c, hawser_error *err)
-{
-    double factor = 1;
-    for (int i = 0; i < scene->def.n_script; ++i) {
-        const Command *const told = &scene->def.script[i].command;
-        if (told->kind == HAWSER_FRICTION) factor = fmin(factor, told->value);
-    }
-    for (int k = 0; k < PLAN_WAYS && factor < 1; ++k) {
-        hawser_condition *const held = &c->pulled[k];
-        const Variation by = {.way = k, .friction = fmax(factor, 1e-9), .radius = 1, .bend = -1};
-        Calculator loose;
-        if (!held->holds || c->def.skip[k]) continue;
-        const hawser_status status = calculator_vary(scene, c, &by, &loose, err);
-        if (!status && !loose.pulled[k].holds) {
-            held->value = loose.pulled[k].value;
-            held->holds = 0;
-            c->brake[k].brake = NAN; /* what is said is of the case's friction */
-            snprintf(held->remedy, sizeof held->remedy,
-                     "drive.script makes friction %g times the case's, and the cable would run away then, pushed with "
-                     "%.4g kN: it needs a brake at the start",
-                     factor, held->value / 1e3);
-        }
-        calculator_free(&loose);
-        if (status) return status;
+                 told, held->value / 1e3, at.where, brake->brake / 1e3, brake->force / 1e3);
     }
     return HAWSER_OK;
 }
 
 hawser_status calculator_follow(const Scene *scene, Calculator *c, hawser_error *err)
 {
-    hawser_status status = brakes_set(scene, c, err);
-    if (!status) status = loosened_set(scene, c, err);
+    const hawser_status status = brakes_set(scene, c, err);
     if (status) return status;
     c->plan.better = c->heads[PLAN_BACKWARD].peak.force < c->heads[PLAN_FORWARD].peak.force; /* of all sections */
     best_set(c);

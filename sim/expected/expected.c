@@ -183,6 +183,51 @@ hawser_status expected_at(const Scene *scene, double front, double back, Expecte
     return steps_fill(scene, out, err);
 }
 
+double expected_start(const Scene *scene, double front, double t)
+{
+    const double end = scene->winch->take_in.present ? winch_place(scene) : scene->route.length;
+    Expected e = {0};
+    if (scene->drum->present) return drum_tension(scene);
+    front_set(scene, fmin(front, end), expected_back(scene, t), &e);
+    return e.start_tension;
+}
+
+enum { RELIEF_PLACES = 200 }; /* of the front */
+
+/* Rope all along the way ahead of where the front begins, held by its weight and the friction of that. */
+hawser_status expected_relief(const Scene *scene, double to, double *relief, hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    const double from = fmax(0, scene->joint_s[scene->eye]), length = scene->joint_s[scene->total] - from;
+    const double end = fmin(scene->winch->take_in.present ? winch_place(scene) : scene->route.length,
+                            fmin(to, scene->route.length) + length);
+    double weight = 0;
+    *relief = 0;
+    for (int p = scene_def_eye(def); p < def->n_pieces; ++p)
+        weight = fmax(weight, def->cables[def->pieces[p].cable].mass * v3_norm(def->gravity));
+    if (!(weight > 0) || !(end > from) || !expected_weighs(def)) return HAWSER_OK;
+    Stretches rope;
+    Pull pull;
+    hawser_status status = stretches_find(scene, &rope, err);
+    if (status) return status;
+    for (int i = 0; i < rope.n; ++i) rope.stretch[i].weight = weight;
+    const PullDef ahead = {.route = &scene->route,
+                           .law = PULL_NO_CAPSTAN,
+                           .from = from,
+                           .to = end,
+                           .n_stretches = rope.n,
+                           .stretch = rope.stretch};
+    status = pull_solve(&ahead, &pull, err);
+    stretches_free(&rope);
+    if (status) return status;
+    for (int i = 0; i <= RELIEF_PLACES; ++i) {
+        const double s = fmin(from + (fmin(to, end) - from) * i / RELIEF_PLACES, end);
+        *relief = fmax(*relief, pull_at(&pull, s).tension - pull_at(&pull, fmin(s + length, end)).tension);
+    }
+    pull_clear(&pull);
+    return HAWSER_OK;
+}
+
 int expected_range(const Scene *scene, double *from, double *to)
 {
     const double end = scene->winch->take_in.present ? winch_place(scene) : scene->route.length;

@@ -43,6 +43,11 @@ int expected_range(const Scene *scene, double *from, double *to);
 /* The pull behind those figures by one of the laws, each duct and tray with its own friction, separate supports where
  * sim/expected/stretches.h finds them; NAN all along where gravity is aslant. Errors: as pull_solve. */
 hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err);
+/* The tension where the pull begins with the front at `front` at time t, as expected_at has it, N. */
+double expected_start(const Scene *scene, double front, double t);
+/* N, by which rope ahead of the front takes its tension off the winch by its own weight, while the front goes from
+ * where it begins to `to`, m along the route: the most of it (LI11a). Errors: as pull_solve. */
+hawser_status expected_relief(const Scene *scene, double to, double *relief, hawser_error *err);
 /* What a room's item is reckoned to push with, N; NAN if it is no pusher. */
 double expected_push(const Expected *e, const Room *room, int item);
 void expected_free(Expected *e);

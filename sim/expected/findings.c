@@ -75,10 +75,9 @@ static Finding speed_said(const Scene *scene)
     return f;
 }
 
-void findings_of_scene(const Scene *scene, const Route *route, double head, Finding finding[LIMIT_KINDS])
+void findings_of_scene(const Scene *scene, Finding finding[LIMIT_KINDS])
 {
     const SceneDef *const def = &scene->def;
-    finding[LIMIT_ROPE_BEND] = rope_bend(scene, route, head);
     finding[LIMIT_SQUEEZE] = squeeze(def);
     finding[LIMIT_PUSH].absent = def->n_conveyors == 0;
     finding[LIMIT_SPEED] = speed_said(scene);
@@ -162,11 +161,11 @@ static hawser_status way_run_away(const Scene *scene, const Route *route, const 
                                   hawser_error *err)
 {
     const Pull *const pull = &c->plan.way[way].pull;
-    const Pushed worst = calculator_pushed(scene, c, way);
+    const Pushed worst = c->pushed[way];
     *out = (Finding){.rating = pull->max_tension};
     if (worst.force <= worst.allowed) return HAWSER_OK;
     Brake brake;
-    const hawser_status status = plan_brake(&c->def, &c->plan.duct, way, &brake, err);
+    const hawser_status status = calculator_brake(scene, c, way, &brake, err);
     if (status) return status;
     *out = finding_on(route, brake.brake, worst.at, worst.piece);
     out->rating = brake.max_tension;
@@ -208,7 +207,8 @@ hawser_status findings_of_way(const Scene *scene, const Route *route, const Calc
     if (status) return status;
     findings_trip(scene, w->force, finding[LIMIT_ROPE].value, c->beyond[way], &finding[LIMIT_TRIP]);
     if (finding[LIMIT_RUN_AWAY].value > 0) finding[LIMIT_TRIP].steady = NAN;
-    findings_of_scene(scene, route, 0, finding);
+    findings_of_scene(scene, finding);
+    finding[LIMIT_ROPE_BEND] = c->bent;
     if (c->def.feed > 0 || scene->def.theory.n_machines > 0) finding[LIMIT_PUSH].absent = 0;
     return HAWSER_OK;
 }

@@ -10,9 +10,8 @@ double belts_largest_speed(const SceneDef *def);
 /* The smallest diameter that the rope is bent round ahead of `head` (m along the route), over its own: of bends, of
  * rollers on which it turns, of the sheave that the case names. rope_bend.c */
 Finding rope_bend(const Scene *scene, const Route *route, double head);
-/* What the scene itself says: the bends and sheaves that the rope runs round, belts, the winch's largest speed; marks
- * absent what the scene does not have. The rope lies ahead of `head` (m along the route). */
-void findings_of_scene(const Scene *scene, const Route *route, double head, Finding finding[LIMIT_KINDS]);
+/* What the scene itself says: belts, the winch's largest speed; marks absent what the scene does not have. */
+void findings_of_scene(const Scene *scene, Finding finding[LIMIT_KINDS]);
 
 /* The trip that the case sets, of a winch that needs `steady` N by itself (force of the winch by theory: `force`), of
  * which `beyond` are the rope's. Absent without a winch that has a speed. */

@@ -119,7 +119,7 @@ static void binding_find(Question *q, const Variation *by, char binds[24], char 
     if (!varied(q, by, &c)) {
         snprintf(binds, 24, "%s", "pull");
     } else if (!c.pulled[q->way].holds) {
-        const Pushed worst = calculator_pushed(q->scene, &c, q->way);
+        const Pushed worst = c.pushed[q->way];
         snprintf(binds, 24, "%s", "pulled");
         memcpy(where, finding_on(c.route, 0, worst.at, worst.piece).where, 80);
     } else {

@@ -1,80 +1,97 @@
 /* What the rope is bent round. docs/model/62-limits.md */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "sim/expected/findings.h"
 #include "sim/expected/stretches.h"
+#include "theory/place/place.h"
 
 /* Rollers that turn the rope by this much each are sheaves to it (our choice: less is no wrap), rad. */
 static const double WRAPPED = 30 * M_PI / 180;
 static const double REACH = 5; /* m: farther from a bend in which no roller stands something else bears the rope */
-enum { LOOKS = 64 };           /* along a bend and REACH to both sides, for a roller's place */
+static const double INWARD =
+    0.3; /* cosine: a roller that stands so far on the inner side of a bend can turn the rope */
 
-/* What may bend the rope in one bend, or beside it. */
-typedef struct Round {
-    int n[2];           /* carriers, guides in the bend */
-    double smallest[2]; /* m, their diameter */
-    double nearest[2];  /* m along the route, of the rollers before and behind a bend that has none; */
-    double beside[2];   /* m, their diameters; INFINITY: there is none */
-} Round;
+/* A roller that can bend the rope. */
+typedef struct Turner {
+    double s, across; /* m along the route; its diameter, m */
+    int guide;        /* upright */
+} Turner;
 
-/* Where a roller that is listed by coordinates stands, m along the route: where it is nearest to it from `begin` to
- * `end`; NAN: it does not stand there, or is no roller. */
-static double place_of(const SceneDef *def, const Route *route, const RollerDef *roller, double begin, double end)
+/* Where the route is nearest to a roller that is listed by coordinates; NAN: the cable does not reach it there, or a
+ * duct or tray has it. */
+static double place_listed(const SceneDef *def, const RouteGrid *grid, const RollerDef *roller)
 {
-    if (roller->profile == SHAPE_BOX || roller->profile == SHAPE_BELL) return NAN;
-    if (!isnan(roller->s)) return roller->s >= begin && roller->s <= end ? roller->s : NAN;
-    const double at_cable = roller->radius + 2 * bundle_diameter(def), middle = (begin + end) / 2;
-    double least = INFINITY, place = NAN;
-    if (v3_norm(v3_sub(roller->centre, route_at(route, middle).position)) > at_cable + (end - begin) / 2) return NAN;
-    for (int i = 0; i <= LOOKS; ++i) {
-        const double s = begin + i * (end - begin) / LOOKS;
-        const double away = v3_norm(v3_sub(roller->centre, route_at(route, s).position));
-        if (away >= least) continue;
-        least = away;
-        place = s;
-    }
-    return least <= at_cable + (end - begin) / LOOKS ? place : NAN;
+    const Nearest there = route_nearest(grid, roller->centre, 1);
+    const int near = there.distance <= roller->radius + 2 * bundle_diameter(def);
+    return near && !surface_at(def, there.s) ? there.s : NAN;
 }
 
-static void round_take(Round *round, const RollerDef *roller, double s, double begin, double end, int guide)
+/* Whether it stands where a bend presses the rope on it; a carrier of a row that lies level carries it anyway. */
+static int is_inside(const Route *route, const RollerDef *roller, double s, int guide)
 {
-    const double across = 2 * roller->radius;
-    if (s >= begin && s <= end) {
-        round->smallest[guide] = fmin(round->smallest[guide], across);
-        round->n[guide]++;
-        return;
+    const RoutePoint at = route_at(route, s);
+    const Vec3 off = v3_sub(roller->centre, at.position);
+    if (!isnan(roller->s) && !guide) return 1;
+    return !(v3_norm(at.curvature) > 0) || v3_dot(off, at.curvature) > INWARD * v3_norm(off) * v3_norm(at.curvature);
+}
+
+/* All of them into out [rollers], returns how many; -1 without memory. */
+static int turners_find(const Scene *scene, const Route *route, Turner *out)
+{
+    const SceneDef *const def = &scene->def;
+    RouteGrid grid = {0};
+    int n = 0;
+    for (int r = 0; r < def->n_rollers; ++r) {
+        const RollerDef *const roller = &def->rollers[r];
+        const int listed = isnan(roller->s);
+        if (roller->hold_down || (listed && (roller->profile == SHAPE_BOX || roller->profile == SHAPE_BELL))) continue;
+        if (listed && !grid.at && route_grid_build(route, 0, &grid, NULL)) return -1;
+        const double s = listed ? place_listed(def, &grid, roller) : roller->s;
+        if (isnan(s)) continue;
+        const int guide = roller_guides_at(route, roller, s);
+        if (is_inside(route, roller, s, guide)) out[n++] = (Turner){s, 2 * roller->radius, guide};
     }
-    const int behind = s > end;
-    if (behind ? s >= round->nearest[1] : s <= round->nearest[0]) return;
-    round->nearest[behind] = s;
-    round->beside[behind] = across;
+    route_grid_clear(&grid);
+    return n;
+}
+
+/* The diameter of the nearest one from `begin` to `end`, seen from `from`; INFINITY: there is none. */
+static double nearest_turner(int n, const Turner *turner, double begin, double end, double from)
+{
+    double least = INFINITY, across = INFINITY;
+    for (int i = 0; i < n; ++i) {
+        const double away = fabs(turner[i].s - from);
+        if (turner[i].s < begin || turner[i].s > end || away >= least) continue;
+        least = away;
+        across = turner[i].across;
+    }
+    return across;
 }
 
 /* m, around what a bend of pieces p to `to` bends the rope: its own diameter, or that of its smallest roller where few
  * share the turn. In a bend with guides it is these, in one without rollers and without a duct those to both sides. */
-static double bent_round(const Scene *scene, const Route *route, int p, int to)
+static double bent_round(const SceneDef *def, const Route *route, int p, int to, int n, const Turner *turner)
 {
-    Round round = {{0, 0}, {INFINITY, INFINITY}, {-INFINITY, INFINITY}, {INFINITY, INFINITY}};
-    double turn = 0, radius = INFINITY;
+    int count[2] = {0, 0}; /* carriers, guides */
+    double smallest[2] = {INFINITY, INFINITY}, turn = 0, radius = INFINITY;
     const double begin = route->piece[p].s0, end = route->piece[to].s0 + route->piece[to].length;
     for (int k = p; k <= to; ++k) {
         turn += route->piece[k].angle;
         radius = fmin(radius, route->piece[k].radius);
     }
-    for (int r = 0; r < scene->def.n_rollers; ++r) {
-        const RollerDef *const roller = &scene->def.rollers[r];
-        const double s = roller->hold_down ? NAN
-                                           : place_of(&scene->def, route, roller, fmax(0, begin - REACH),
-                                                      fmin(end + REACH, route->length));
-        if (!isnan(s)) round_take(&round, roller, s, begin, end, roller_guides_at(route, roller, s));
+    for (int i = 0; i < n; ++i) {
+        if (!(turner[i].s >= begin && turner[i].s <= end)) continue;
+        smallest[turner[i].guide] = fmin(smallest[turner[i].guide], turner[i].across);
+        count[turner[i].guide]++;
     }
-    const int by = round.n[1] > 0, n = round.n[by];
-    if (n > 0) return turn / n >= WRAPPED ? round.smallest[by] : 2 * radius;
-    const double beside = fmin(round.beside[0], round.beside[1]);
-    const int bears =
-        isfinite(round.beside[0]) && isfinite(round.beside[1]) && !surface_at(&scene->def, (begin + end) / 2);
-    return bears && turn / 2 >= WRAPPED ? fmin(beside, 2 * radius) : 2 * radius;
+    const int by = count[1] > 0;
+    if (count[by] > 0) return turn / count[by] >= WRAPPED ? smallest[by] : 2 * radius;
+    const double before = nearest_turner(n, turner, begin - REACH, begin, begin),
+                 ahead = nearest_turner(n, turner, end, end + REACH, end);
+    const int bare = isfinite(before) && isfinite(ahead) && !surface_at(def, (begin + end) / 2);
+    return bare && turn / 2 >= WRAPPED ? fmin(fmin(before, ahead), 2 * radius) : 2 * radius;
 }
 
 /* The rope's diameter, m: as the case says, or of the thickest rope in the chain; NAN: nobody knows. */
@@ -91,19 +108,23 @@ static double rope_diameter(const Scene *scene)
 Finding rope_bend(const Scene *scene, const Route *route, double head)
 {
     Finding f = {.value = INFINITY};
+    Turner *const turner = malloc(((size_t)scene->def.n_rollers + 1) * sizeof *turner);
+    const int n = turner ? turners_find(scene, route, turner) : -1;
     for (int p = 0, to; p < route->n; p = to + 1) {
         to = route_turn_end(route, p);
         const RoutePiece *const last = &route->piece[to];
         if (last->kind == ROUTE_STRAIGHT || last->s0 + last->length <= head) continue;
-        const double round = bent_round(scene, route, p, to);
-        if (round < f.value) f = finding_at(route, round, route->piece[p].s0);
+        const double round = n < 0 ? NAN : bent_round(&scene->def, route, p, to, n, turner);
+        if (!(round >= f.value)) f = finding_at(route, round, route->piece[p].s0);
+        if (n < 0) break;
     }
-    if (scene->def.limits.sheave < f.value) {
+    free(turner);
+    if (n >= 0 && scene->def.limits.sheave < f.value) {
         f = (Finding){.value = scene->def.limits.sheave};
         snprintf(f.where, sizeof f.where, "the smallest sheave");
     }
     f.absent = isinf(f.value);
     f.value /= rope_diameter(scene);
-    snprintf(f.why, sizeof f.why, "needs limits.rope_diameter, or a rope in chain");
+    snprintf(f.why, sizeof f.why, "%s", n < 0 ? "no memory" : "needs limits.rope_diameter, or a rope in chain");
     return f;
 }

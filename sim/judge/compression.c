@@ -10,6 +10,7 @@
 enum { BLOCK_LEAST = 4 };        /* samples, for a mean to be one */
 static const double PART = 0.25; /* of a segment, that passes while it is pushed, */
 static const double LASTS = 1;   /* s, and for how long: what is shorter is a stop's or a jolt's */
+static const double MOVES = 0.1; /* of the pull's speed, below which the winch stands */
 
 hawser_status compression_new(Compression *c, const Scene *scene, hawser_error *err)
 {
@@ -30,36 +31,56 @@ void compression_free(Compression *c)
     *c = (Compression){0};
 }
 
-static void pushes_take(Compression *c, const hawser_sample *sample)
+/* The machine of a pusher; NULL: it has none. */
+static const hawser_machine *machine_of(const Pusher *by, const hawser_sample *sample)
+{
+    const MachineKind *const kind = by->room->kind->machines;
+    for (int i = 0; kind && i < sample->machines; ++i) {
+        const hawser_machine *const machine = &sample->machine[i];
+        if (!strcmp(machine->kind, kind->key) && !strcmp(machine->name, by->name)) return machine;
+    }
+    return NULL;
+}
+
+static void pushes_take(Compression *c, const hawser_sample *sample, double dt)
 {
     for (int k = 0; k < c->n_pushers; ++k) {
-        const char *const kind = c->pusher[k].room->kind->machines->key;
-        for (int i = 0; i < sample->machines; ++i) {
-            const hawser_machine *const machine = &sample->machine[i];
-            if (strcmp(machine->kind, kind) || strcmp(machine->name, c->pusher[k].name)) continue;
-            const double force = hawser_machine_figure(machine, "force_N"); /* of a motor's torque: what is reckoned */
-            c->force[k] = fmax(c->force[k], isnan(force) ? hawser_machine_figure(machine, "reference_N") : force);
-        }
+        const hawser_machine *const machine = machine_of(&c->pusher[k], sample);
+        const double force = machine ? hawser_machine_figure(machine, "force_N") : NAN;
+        c->force[k] += isnan(force) ? NAN : fmax(0, force) * dt;
     }
 }
 
-/* N, with which machines have pushed what is ahead of them at s. */
-static double pushed_at(const Compression *c, double s)
+/* N, with which a pusher has pushed in the block; of one that has a torque only, what is reckoned with the tension that
+ * arrives there. */
+static double pushed_with(const Compression *c, const Scene *scene, int k, double middle, double whole)
 {
-    double most = 0;
-    for (int k = 0; k < c->n_pushers && c->pusher[k].from <= s; ++k) most = fmax(most, c->force[k]);
-    return most;
+    const Pusher *const by = &c->pusher[k];
+    const double front = scene->joint_s[scene->eye] + middle;
+    int near = 0;
+    if (!isnan(c->force[k])) return c->force[k] / whole;
+    for (int j = 1; j < c->joints; ++j)
+        if (c->time[j] > 0 && fabs(scene->joint_s[j] + middle - by->at) < fabs(scene->joint_s[near] + middle - by->at))
+            near = j;
+    const double arriving = c->time[near] > 0 ? c->sum[near] / c->time[near] : 0;
+    return fmax(0, by->room->kind->push(by->room, scene, by->item, arriving, front));
 }
 
-/* The joints that were there all through the block. */
+/* The joints that were there all through the block. P: of the strongest machine behind a joint. */
 static void block_end(Compression *c, const Scene *scene, const hawser_sample *sample)
 {
     const double whole = sample->t - c->began, middle = (c->travel + sample->winch_travel) / 2;
+    const double least = scene->weight.lead_in ? 0 : -INFINITY;
+    for (int k = 0; k < c->n_pushers; ++k) c->force[k] = pushed_with(c, scene, k, middle, whole);
     for (int j = 0; j <= scene->eye && j < c->joints; ++j) {
-        const double s = scene->joint_s[j] + middle, least = scene->weight.lead_in ? 0 : -INFINITY;
+        const double s = scene->joint_s[j] + middle;
         if (!(c->time[j] > 0.99 * whole) || s < least || s > scene->route.length) continue;
-        const double tension = c->sum[j] / c->time[j], pushed = -tension - pushed_at(c, s);
+        const double tension = c->sum[j] / c->time[j];
+        double pushed = -tension;
         c->pulled = fmax(c->pulled, tension);
+        if (!(pushed > c->most.value)) continue;
+        for (int k = 0; k < c->n_pushers; ++k)
+            if (c->pusher[k].from <= s) pushed = fmin(pushed, -tension - c->force[k]);
         if (!(pushed > c->most.value)) continue;
         c->most = (Peak){pushed, s};
         c->when = c->began + whole / 2;
@@ -70,6 +91,7 @@ static void block_begin(Compression *c, const hawser_sample *sample)
 {
     memset(c->sum, 0, (size_t)c->joints * sizeof *c->sum);
     memset(c->time, 0, (size_t)c->joints * sizeof *c->time);
+    memset(c->force, 0, (size_t)c->n_pushers * sizeof *c->force);
     c->rows = 0;
     c->began = sample->t;
     c->travel = sample->winch_travel;
@@ -78,17 +100,18 @@ static void block_begin(Compression *c, const hawser_sample *sample)
 void compression_record(Compression *c, const Scene *scene, const hawser_sample *sample)
 {
     const double dt = c->last >= 0 ? sample->t - c->last : 0, length = PART * 2 * scene->chain.half[0];
-    if (c->last < 0) block_begin(c, sample);
+    const int stands = !(fabs(sample->winch_speed) >= MOVES * scene->largest_speed);
+    if (c->last < 0 || stands) block_begin(c, sample);
     c->last = sample->t;
-    if (!(dt > 0)) return;
-    pushes_take(c, sample);
+    if (!(dt > 0) || stands) return;
+    pushes_take(c, sample, dt);
     const double *const tension = sample->tension;
     for (int j = scene->first; j <= scene->first + scene->chain.n; ++j) {
         c->sum[j] += tension[j] * dt;
         c->time[j] += dt;
     }
     const double way = fabs(sample->winch_travel - c->travel), time = sample->t - c->began;
-    if (++c->rows < BLOCK_LEAST || time < LASTS || (way < length && time * scene->largest_speed < 2 * length)) return;
+    if (++c->rows < BLOCK_LEAST || time < LASTS || way < length) return;
     block_end(c, scene, sample);
     block_begin(c, sample);
 }

@@ -1,6 +1,6 @@
 /* Where a run pushes the cable, and with what: the least tension that a joint has for a second, and while a quarter of
- * a segment passes. What it has for a moment only, of waves, a stop or its place over a roller, is none.
- * docs/model/62-limits.md, (LI12a). */
+ * a segment passes. What it has for a moment only, of waves, a stop or its place over a roller, is none; nor is what
+ * friction, which creeps while nothing is drawn, makes of a cable at rest. docs/model/62-limits.md, (LI12a). */
 #ifndef HAWSER_SIM_JUDGE_COMPRESSION_H
 #define HAWSER_SIM_JUDGE_COMPRESSION_H
 
@@ -15,16 +15,16 @@ typedef struct Peak {
 static const double PUSHED_ALONG = 0.01;
 
 typedef struct Compression {
-    Peak most;             /* N that push beyond what machines behind push with, and where; 0: none */
-    double when;           /* s, of that: the middle of its block */
-    double pulled;         /* N, the largest mean of a block */
-    double began, last;    /* s: the block that is being summed began, and the last sample */
-    double travel;         /* m, of the winch when it began */
-    int rows;              /* samples in it */
-    int joints, n_pushers; /* below here: not in checkpoints as such */
-    double *sum, *time;    /* [joints] N s, s: of the block */
-    double *force;         /* [n_pushers] N: the largest with which each has pushed so far */
-    Pusher *pusher;        /* [n_pushers] by the route's order */
+    Peak most;          /* N that push beyond what machines behind push with, and where; 0: none */
+    double when;        /* s, of that: the middle of its block */
+    double pulled;      /* N, the largest mean of a block */
+    double began, last; /* s: the block that is being summed began, and the last sample */
+    double travel;      /* m, of the winch when it began */
+    int rows;           /* samples in it */
+    int joints, n_pushers;
+    double *sum, *time; /* [joints] N s, s: of the block */
+    double *force;      /* [n_pushers] N s: with which each that says so has pushed in it */
+    Pusher *pusher;     /* [n_pushers] by the route's order */
 } Compression;
 
 /* Errors: MEMORY. */

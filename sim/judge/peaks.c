@@ -12,7 +12,8 @@ hawser_status peaks_new(Peaks *peaks, const Scene *scene, hawser_error *err)
     *peaks = (Peaks){.present = scene->def.limits.present, .n_rollers = scene->def.n_rollers};
     if (!peaks->present) return HAWSER_OK;
     peaks->roller = malloc(((size_t)peaks->n_rollers + 1) * sizeof *peaks->roller);
-    if (!peaks->roller) return error_memory(err);
+    peaks->start = calloc((size_t)peaks->n_rollers + 1, sizeof *peaks->start);
+    if (!peaks->roller || !peaks->start) return error_memory(err);
     for (int i = 0; i < peaks->n_rollers; ++i) peaks->roller[i] = NAN;
     return compression_new(&peaks->pushed, scene, err);
 }
@@ -21,6 +22,7 @@ void peaks_free(Peaks *peaks)
 {
     compression_free(&peaks->pushed);
     free(peaks->roller);
+    free(peaks->start);
     *peaks = (Peaks){0};
 }
 
@@ -67,10 +69,14 @@ static void curvature_record(Peaks *peaks, const Scene *scene, const Kinematics 
 static void rollers_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     const double front = sample_joint_place(scene, sample, scene->eye - scene->first);
+    const double start = expected_start(scene, front, sample->t);
     for (int r = 0; r < peaks->n_rollers; ++r) {
         const double s = scene->def.rollers[r].s;
         if (isnan(s) || s > front) continue; /* there is rope */
-        peaks->roller[r] = fmax(peaks->roller[r], stats_tension_at(scene, kin, sample, s));
+        const double tension = stats_tension_at(scene, kin, sample, s);
+        if (isnan(tension) || tension <= peaks->roller[r]) continue;
+        peaks->roller[r] = tension;
+        peaks->start[r] = start;
     }
 }
 

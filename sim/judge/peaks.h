@@ -22,6 +22,7 @@ typedef struct Peaks {
     Compression pushed; /* where nothing pulls any more */
     int n_rollers;
     double *roller; /* [n_rollers] N, tension of the cable where it passes the roller; NAN: none yet */
+    double *start;  /* [n_rollers] N, by theory where the pull begins, when that was so large */
 } Peaks;
 
 /* The overload factor of eq. 12 at one roller. */
@@ -38,18 +39,29 @@ void peaks_free(Peaks *peaks);
 /* Takes a sample in; as stats_record. */
 void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample);
 
-/* Theory with the front where it has come, which beside a lead-in is counted up to where it began: `of`, or *own, with
- * its stretch, steps and reference_total. *own is to be given back by expected_free. */
-const Expected *peaks_theory(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *of,
-                             Expected *own);
-
 /* The run so far against the case's limits, (LI5); as hawser_sim_limits. share: the error bar of the largest pull over
  * that. */
 int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, double share,
                 hawser_limit *out);
 
+/* ------------------------------------------------------------------------------- by theory: peaks_theory.c */
+
+/* Theory with the front where it has come to. Beside a lead-in that of the summary stays with the front where it began.
+ */
+typedef struct PeaksTheory {
+    const Expected *at; /* `own`, or the run's */
+    Expected own;       /* its stretch, steps and reference_total alone */
+    double needed;      /* N, of the winch: where the front began or came to, whichever is more */
+    double beyond;      /* N, by what it pulls more than the cable's front at least (LI11), (LI11a) */
+} PeaksTheory;
+
+/* Errors: MEMORY. Give it back with peaks_theory_free. */
+hawser_status peaks_theory(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *of,
+                           PeaksTheory *out, hawser_error *err);
+void peaks_theory_free(PeaksTheory *theory);
+
 /* The rollers over which cable has passed and theory has a tension, by the case's order: *out is malloc'ed. Returns how
  * many, -1 without memory. */
-int peaks_overload(const Peaks *peaks, const Scene *scene, const Expected *expected, Overload **out);
+int peaks_overload(const Peaks *peaks, const Scene *scene, const PeaksTheory *theory, Overload **out);
 
 #endif

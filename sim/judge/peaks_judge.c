@@ -3,13 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "sim/equipment/drum.h"
 #include "sim/expected/findings.h"
 #include "sim/judge/peaks.h"
 
-/* Overload factors are taken where theory has at least this share of its largest tension: near a slack tail a few
- * newtons would make any ratio. */
-static const double MEASURE = 0.1;
 static const double WAVERS = 0.02; /* share by which a cable's speed may be above that of the belts that draw it */
 
 /* The route's bends by T/R, surfaces by the force per length that was found on them. */
@@ -67,52 +63,11 @@ static void errors_of_tension(Finding f[LIMIT_KINDS], double share)
     }
 }
 
-/* The tension of the reference theory at a roller, N; NAN off the cable that theory counts. */
-static double reference_at(const Expected *e, const Pull *pull, double s)
-{
-    if (!(s >= e->from - 1e-9 && s <= e->to + 1e-9)) return NAN;
-    const double reference = pull_at(pull, s).tension;
-    return reference >= MEASURE * pull->max_tension ? reference : NAN;
-}
-
-const Expected *peaks_theory(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *of,
-                             Expected *own)
-{
-    const double front = fmin(peaks->reached, scene->route.length);
-    const int counted = scene->weight.lead_in && !scene->def.strand.present && !scene->drum->present;
-    Pull pull;
-    *own = (Expected){0};
-    if (!counted || !(front > of->to + 1e-9)) return of;
-    if (expected_at(scene, front, expected_back(scene, stats->last_t), own, NULL) ||
-        expected_pull(scene, own, PULL_REFERENCE, &pull, NULL))
-        return of;
-    own->reference_total = pull.end_tension + scene->def.drag.force;
-    pull_clear(&pull);
-    return own;
-}
-
-int peaks_overload(const Peaks *peaks, const Scene *scene, const Expected *expected, Overload **out)
-{
-    Pull pull;
-    int n = 0;
-    *out = malloc(((size_t)peaks->n_rollers + 1) * sizeof **out);
-    if (*out && !peaks->present) return 0; /* a rod has no theory to ask */
-    if (!*out || expected_pull(scene, expected, PULL_REFERENCE, &pull, NULL)) return -1;
-    for (int r = 0; r < peaks->n_rollers && peaks->present; ++r) {
-        const RollerDef *const roller = &scene->def.rollers[r];
-        const double reference = reference_at(expected, &pull, roller->s), peak = peaks->roller[r];
-        if (isnan(reference) || isnan(peak)) continue;
-        (*out)[n++] = (Overload){roller->name, roller->s, peak, reference, peak / reference};
-    }
-    pull_clear(&pull);
-    return n;
-}
-
-static Finding alpha_finding(const Peaks *peaks, const Scene *scene, const Expected *expected)
+static Finding alpha_finding(const Peaks *peaks, const Scene *scene, const PeaksTheory *theory)
 {
     Overload *all;
     Finding worst = {.value = NAN, .why = "no roller along the route has cable and a tension by theory"};
-    const int n = peaks_overload(peaks, scene, expected, &all);
+    const int n = peaks_overload(peaks, scene, theory, &all);
     for (int i = 0; i < n; ++i) {
         if (!isnan(worst.value) && !(all[i].alpha > worst.value)) continue;
         worst.value = all[i].alpha;
@@ -156,23 +111,11 @@ static void pushed_finding(const Peaks *peaks, const Scene *scene, Finding *f)
              c->most.value / 1e3, c->when);
 }
 
-/* N, by which rope that hangs down ahead takes the front's tension off the winch (LI11a). */
-static double relief_of(const Scene *scene, const Expected *e)
-{
-    Pull pull;
-    if (!(e->rope_to > e->to) || expected_pull(scene, e, PULL_REFERENCE, &pull, NULL)) return 0;
-    const double relief = fmax(0, pull_at(&pull, e->to).tension - pull.end_tension);
-    pull_clear(&pull);
-    return relief;
-}
-
-/* What the winch needs by itself: theory's pull or the mean, whichever is more. */
-static void trip_finding(const Stats *stats, const Scene *scene, const Expected *set_by, const Expected *reached,
+/* What the winch needs by itself: theory's pull, where the front began or came to, or the mean, whichever is more. */
+static void trip_finding(const Stats *stats, const Scene *scene, const Expected *expected, const PeaksTheory *theory,
                          Finding *out)
 {
-    const double needed = fmax(reached->reference_total, mean_of(&stats->pull));
-    const double relief = fmax(relief_of(scene, set_by), relief_of(scene, reached));
-    findings_trip(scene, set_by->reference_total, needed, scene->def.drag.force - relief, out);
+    findings_trip(scene, expected->reference_total, fmax(theory->needed, mean_of(&stats->pull)), theory->beyond, out);
 }
 
 /* What a script or a set tension has made of the winch's speed, if that is more than the case says of it. A cable that
@@ -181,6 +124,25 @@ static void speed_finding(const Peaks *peaks, const Scene *scene, Finding *f)
 {
     const double same = scene->def.winch.present ? 1e-6 : WAVERS;
     if (peaks->recorded > 0 && !(peaks->speed <= f->value * (1 + same))) f->value = peaks->speed;
+}
+
+/* What needs theory to be told. */
+static void by_theory(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected,
+                      Finding f[LIMIT_KINDS])
+{
+    static const LimitKind needs[] = {LIMIT_ALPHA, LIMIT_RUN_AWAY, LIMIT_TRIP};
+    PeaksTheory theory;
+    if (peaks_theory(peaks, stats, scene, expected, &theory, NULL)) {
+        for (size_t k = 0; k < sizeof needs / sizeof *needs; ++k)
+            f[needs[k]] = (Finding){.value = NAN, .steady = NAN, .why = "no memory"};
+        return;
+    }
+    f[LIMIT_ALPHA] = alpha_finding(peaks, scene, &theory);
+    findings_of_run(scene, theory.at, f);
+    trip_finding(stats, scene, expected, &theory, &f[LIMIT_TRIP]);
+    if (f[LIMIT_RUN_AWAY].value > 0) f[LIMIT_TRIP].steady = NAN;
+    pushed_finding(peaks, scene, &f[LIMIT_RUN_AWAY]);
+    peaks_theory_free(&theory);
 }
 
 int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected, double share,
@@ -199,14 +161,7 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         f[LIMIT_WINCH] = f[LIMIT_ROPE];
         f[LIMIT_ATTACHMENT] = finding_at(&scene->route, peaks->front.value, peaks->front.at);
         f[LIMIT_PUSH] = push_finding(peaks);
-        Expected own;
-        const Expected *const reached = peaks_theory(peaks, stats, scene, expected, &own);
-        f[LIMIT_ALPHA] = alpha_finding(peaks, scene, reached);
-        findings_of_run(scene, reached, f);
-        pushed_finding(peaks, scene, &f[LIMIT_RUN_AWAY]);
-        trip_finding(stats, scene, expected, reached, &f[LIMIT_TRIP]);
-        expected_free(&own);
-        if (f[LIMIT_RUN_AWAY].value > 0) f[LIMIT_TRIP].steady = NAN;
+        by_theory(peaks, stats, scene, expected, f);
         errors_of_tension(f, share);
     } else {
         for (int k = 0; k < LIMIT_KINDS; ++k) {
@@ -214,7 +169,8 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
             snprintf(f[k].why, sizeof f[k].why, "nothing has run yet");
         }
     }
-    findings_of_scene(scene, &scene->route, scene->joint_s[scene->eye], f);
+    findings_of_scene(scene, f);
+    f[LIMIT_ROPE_BEND] = rope_bend(scene, &scene->route, scene->joint_s[scene->eye]);
     speed_finding(peaks, scene, &f[LIMIT_SPEED]);
     duct_findings(def, f);
     return limits_judge(&def->limits, bundle_diameter(def), def->bundle.shape.thickest, f, out);

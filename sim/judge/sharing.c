@@ -40,29 +40,16 @@ static double figure_of(const ConveyorDef *c, const hawser_summary *s, const cha
 static double push_left(const ConveyorDef *c, const hawser_summary *s)
 {
     if (!(c->limit > 0)) return 2 * c->mu * c->clamp;
-    return fmax(0, c->limit - fabs(figure_of(c, s, "steady_mean_N")));
-}
-
-/* Share of the steady window for which the belt has cable all through. */
-static double window_held(const SceneDef *def, const ConveyorDef *c)
-{
-    const double way = c->to - def->head_at, begin = def->output.steady_from, end = def->duration;
-    double before = begin, after = end;
-    if (c->grips_rope || moved_by(def, c, begin) >= way) return 1;
-    if (!(moved_by(def, c, end) > way)) return 0;
-    for (int k = 0; k < 50; ++k) {
-        const double middle = (before + after) / 2;
-        *(moved_by(def, c, middle) < way ? &before : &after) = middle;
-    }
-    return (end - after) / (end - begin);
+    const double mean = fabs(figure_of(c, s, "steady_mean_N")) / fmax(figure_of(c, s, "gripping"), 1e-9);
+    return fmax(0, c->limit - mean); /* of the time for which it has cable */
 }
 
 /* Whether lengths decide what a belt pushes with: it keeps the winch's speed, or has one of its own that is so near to
  * it, or to that of other belts, that it does not slip. One that slips pushes with all it has. The window says so, of
  * the time for which the belt has cable: before that it does not slip. */
-static int by_lengths(const SceneDef *def, const ConveyorDef *c, const hawser_summary *s)
+static int by_lengths(const ConveyorDef *c, const hawser_summary *s)
 {
-    const double held = window_held(def, c);
+    const double held = figure_of(c, s, "gripping");
     if (!(held > 0)) return 0;
     return (c->sync && c->factor <= 1 && c->factor >= 1) || figure_of(c, s, "slipping") < SLIPS * held;
 }
@@ -82,8 +69,9 @@ static Sharer sharer_of(const SceneDef *def, const ConveyorDef *c, const hawser_
             .at = def->head_at + moved_by(def, c, def->duration), .of = "the winch", .name = "", .left = INFINITY};
     for (int i = 0; i < def->n_conveyors; ++i) {
         const ConveyorDef *const other = &def->conveyors[i];
-        if (other->from < c->to || other->from >= out.at || !by_lengths(def, other, s)) continue;
-        out = (Sharer){(other->from + other->to) / 2, "conveyor ", other->name, push_left(other, s)};
+        const double at = (other->from + other->to) / 2;
+        if (other->from < c->to || at >= out.at || !by_lengths(other, s)) continue;
+        out = (Sharer){at, "conveyor ", other->name, push_left(other, s)};
     }
     return out;
 }
@@ -107,7 +95,7 @@ int sharing_find(const SceneDef *def, const hawser_summary *figures, Sharing *ou
     if ((def->winch.present && def->winch.mode != WINCH_SPEED) || !(pull > 0)) return 0;
     for (int i = 0; i < def->n_conveyors; ++i) {
         const ConveyorDef *const c = &def->conveyors[i];
-        if (!by_lengths(def, c, figures)) continue;
+        if (!by_lengths(c, figures)) continue;
         const Sharer other = sharer_of(def, c, figures);
         const double give = isnan(other.at) ? 0 : give_up_to(def, c, other.at);
         const double share = fmin(fmin(LENGTH / give, push_left(c, figures)), other.left) / pull;

@@ -261,8 +261,9 @@ static void add_shared(List *list, const TrustFacts *f)
     if (!sharing_find(&f->scene->def, f->figures, &most)) return;
     const char *const quote = *most.name ? "'" : "";
     add(list, "shared", "1", most.share, SHARED,
-        "0.1 mm of cable between conveyor '%s' and %s%s%s%s moves %.2g %% of the pull from one to the other: give the "
-        "conveyor a limit that it reaches, or a factor or a belt of its own whose speed differs",
+        "0.1 mm of cable between conveyor '%.24s' and %s%s%.24s%s moves %.2g %% of the pull between them: give it a "
+        "limit "
+        "that it reaches, or a speed that differs",
         most.belt, most.with, quote, most.name, quote, 100 * most.share);
 }
 

@@ -188,8 +188,8 @@ static double shared(const char *text, const char *const *settings, char remedy[
     return found;
 }
 
-/* A belt of its own speed, the winch's, that the front reaches within the steady window: it slips for as long as there
- * is no cable in it, so to speak. One that is faster slips all through, and decides what it pushes with. */
+/* A belt of its own speed, the winch's, that the front reaches within the steady window: it does not
+ * slip while there is no cable in it. One that is faster slips all through, and decides what it pushes with. */
 static void a_belt_that_is_reached_late(void **state)
 {
     (void)state;
