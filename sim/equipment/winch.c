@@ -37,6 +37,18 @@ double winch_last_full(const Winch *w, double until)
     return last;
 }
 
+double winch_slowest_kept(const Winch *w, double until)
+{
+    double least = INFINITY;
+    if (!w->present || w->mode != WINCH_SPEED) return least;
+    for (double t = 0, next = 0; t < until; t = next) {
+        next = profile_corner_before(&w->speed, t, until);
+        const double from = fabs(profile_value(&w->speed, t)), to = fabs(profile_value(&w->speed, next));
+        if (from > 0 && fabs(from - to) <= 1e-9 * from) least = fmin(least, from);
+    }
+    return least;
+}
+
 static const double FADE = 0.2; /* s, over which a taken segment's own motion dies out */
 
 void winch_take_in(Winch *w, double t, Vec3 drift, Vec3 spin)

@@ -108,13 +108,22 @@ static Part part_of(const Route *route, int first, int last)
     return (Part){route->piece[first].s0, route->piece[last].s0 + route->piece[last].length};
 }
 
-/* The places, rising, of the carriers, or of the guides, that stand on the part; returns how many. */
+/* Whether a bend presses the cable away from a guide: it bears nothing. */
+static int stands_outside(const Route *route, const RollerDef *guide)
+{
+    const RoutePoint at = route_at(route, guide->s);
+    const Vec3 off = v3_sub(guide->centre, at.position);
+    return v3_dot(off, at.curvature) < -0.3 * v3_norm(off) * v3_norm(at.curvature);
+}
+
+/* The places, rising, of the carriers, or of the guides, that bear what is on the part; returns how many. */
 static int places_on(const Scene *scene, int guides, Part on, double *s)
 {
     int n = 0;
     for (int i = 0; i < scene->def.n_rollers; ++i) {
         const RollerDef *const r = &scene->def.rollers[i];
         if (isnan(r->s) || r->s < on.from || r->s > on.to || roller_is_guide(&scene->route, r) != guides) continue;
+        if (r->hold_down || (guides && stands_outside(&scene->route, r))) continue;
         s[n++] = r->s;
     }
     qsort(s, (size_t)n, sizeof *s, compare_places);

@@ -17,7 +17,7 @@ typedef struct CalculatorDuct {
 
 /* What theory must know of a case for its pull to be the case's: what carries the cable; that nothing of that has more
  * friction than is reckoned with; that no fluid does. */
-enum { KNOWN_SUPPORT, KNOWN_FRICTION, KNOWN_MEDIUM, CALCULATOR_KNOWN };
+enum { KNOWN_SUPPORT, KNOWN_FRICTION, KNOWN_MEDIUM, KNOWN_DRIVE, CALCULATOR_KNOWN };
 
 /* Which rule of friction holds on a piece of the route: (T6), (LI1), or each on a part. */
 typedef enum SupportRule { SUPPORT_RESULTANT, SUPPORT_SEPARATE, SUPPORT_MIXED } SupportRule;
@@ -71,6 +71,7 @@ typedef struct Calculator {
     hawser_condition pulled[PLAN_WAYS]; /* whether the cable is in tension everywhere */
     Pushed pushed[PLAN_WAYS];           /* where it is not */
     int loosened[PLAN_WAYS];            /* with the least friction of the script alone */
+    int overfed[PLAN_WAYS];             /* what pushes gives more than the pull needs: at the winch */
     Finding bent;                       /* what the rope is bent round, over its diameter */
     Brake brake[PLAN_WAYS];             /* against running away; its `brake` is 0 where none is needed */
     TripSetting trip[PLAN_WAYS];

@@ -2,9 +2,11 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "sim/expected/calculator.h"
 #include "sim/expected/findings.h"
+#include "theory/place/place.h"
 
 /* ------------------------------------------------------------------------------------------------- limits */
 
@@ -49,6 +51,11 @@ static Finding roller_finding(const Scene *scene, const Calculator *c, const Pla
         if (isnan(roller->s) && roller->rating > 0)
             snprintf(unknown.why, sizeof unknown.why, "of rollers.list and obstacles theory knows no load: a run does");
         if (isnan(roller->s) || !(roller->rating > 0)) continue;
+        const PlaceLine line = {&scene->route, &way->pull, scene->cable_weight, 0, scene->route.length};
+        if (roller->hold_down && line_load(&line, roller->s).up < 0)
+            snprintf(unknown.why, sizeof unknown.why,
+                     "of hold-downs that the cable lifts off to theory knows no load: a run does");
+        if (roller->hold_down) continue;
         const double load = way->piece[route_at(&scene->route, roller->s).piece].roller_load;
         if (load > 0) finding_load(&worst, roller->name, load, roller->rating);
     }
@@ -163,9 +170,13 @@ static hawser_status pulled_set(const Scene *scene, Calculator *c, hawser_error 
     const hawser_status status = factor < 1 ? calculator_loosen(scene, c, &loose, err) : HAWSER_OK;
     for (int k = 0; k < PLAN_WAYS && !status; ++k) {
         if (c->def.skip[k]) continue;
+        const Pull *const pull = &c->plan.way[k].pull;
         Pushed worst = calculator_pushed(scene, c, k);
+        const double at_winch = scene->def.winch.present ? -pull->end_tension : 0; /* a rope does not push it */
+        c->overfed[k] = at_winch - 1e-9 * pull->max_tension > fmax(0, worst.force - worst.allowed);
+        if (c->overfed[k]) worst = (Pushed){at_winch, 0, plan_last(&c->def, k), pull->span[pull->n - 1].piece};
         if (factor < 1 && worst.force <= worst.allowed) worst = calculator_pushed(scene, &loose, k);
-        c->loosened[k] = factor < 1 && worst.force > worst.allowed;
+        c->loosened[k] = factor < 1 && worst.force > worst.allowed && !c->overfed[k];
         c->pushed[k] = worst;
         c->pulled[k] = (hawser_condition){.name = "pulled",
                                           .unit = "N",
@@ -317,11 +328,57 @@ static hawser_condition medium_of(const Scene *scene)
     return c;
 }
 
+/* What a command does to a conveyor that may then push less; NULL: nothing of that sort. */
+static const char *conveyor_told(const SceneDef *def, const Command *told)
+{
+    for (int i = 0; i < def->n_conveyors; ++i) {
+        const ConveyorDef *const c = &def->conveyors[i];
+        if (strcmp(told->what, c->name) != 0) continue;
+        if (told->kind == HAWSER_CONVEYOR_SPEED) return "changes the speed of";
+        if (told->kind == HAWSER_CONVEYOR_CLAMP && told->value < c->clamp) return "opens";
+        if (told->kind == HAWSER_JAM) return "stops";
+    }
+    return NULL;
+}
+
+/* The calculation takes conveyors as the case has them, not as the crew changes them, and a winch that can pull: one of
+ * a set tension stops where that is not enough. */
+static hawser_condition drive_of(const Scene *scene, const Calculator *c)
+{
+    const SceneDef *const def = &scene->def;
+    hawser_condition out = {.name = "drive", .unit = "1", .holds = 1};
+    double needed = 0, has = profile_largest(&def->winch.tension);
+    for (int i = 0; i < def->n_script; ++i) {
+        const Command *const told = &def->script[i].command;
+        const char *const does = conveyor_told(def, told);
+        if (told->kind == HAWSER_WINCH_TENSION) has = fmax(has, told->value);
+        if (!does || !out.holds) continue;
+        out.value = 1;
+        out.holds = 0;
+        snprintf(out.remedy, sizeof out.remedy,
+                 "drive.script %s conveyor '%.24s', and the calculation takes it as it was before: say it in section "
+                 "conveyors as it is at worst",
+                 does, told->what);
+    }
+    for (int k = 0; k < PLAN_WAYS; ++k)
+        if (!c->def.skip[k] && (k == PLAN_FORWARD || c->def.skip[PLAN_FORWARD]))
+            needed = fmax(c->plan.way[k].force, c->heads[k].peak.force);
+    if (!def->winch.present || def->winch.mode != WINCH_TENSION || has >= needed * (1 - 1e-9)) return out;
+    out.value = needed / has;
+    out.allowed = 1;
+    out.holds = 0;
+    snprintf(out.remedy, sizeof out.remedy,
+             "the winch pulls with at most %.4g kN (drive.winch.tension), and %.4g kN are needed: it stops on the way",
+             has / 1e3, needed / 1e3);
+    return out;
+}
+
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err)
 {
     c->known[KNOWN_SUPPORT] = supported_by(scene);
     c->known[KNOWN_FRICTION] = friction_of(scene, c->def.lightest > 0 ? c->def.lightest : scene->cable_weight);
     c->known[KNOWN_MEDIUM] = medium_of(scene);
+    c->known[KNOWN_DRIVE] = drive_of(scene, c);
     friction_told(&scene->def, &c->known[KNOWN_FRICTION]);
     const hawser_status status = pulled_set(scene, c, err);
     return status ? status : limits_set(scene, c, err);
@@ -377,6 +434,11 @@ static hawser_status brakes_set(const Scene *scene, Calculator *c, hawser_error 
         hawser_condition *const held = &c->pulled[k];
         Brake *const brake = &c->brake[k];
         if (held->holds || c->def.skip[k]) continue;
+        if (c->overfed[k]) {
+            brake->brake = NAN;
+            snprintf(held->remedy, sizeof held->remedy, OVERFED, held->value / 1e3);
+            continue;
+        }
         const hawser_status status = calculator_brake(scene, c, k, brake, err);
         if (status) return status;
         if (c->loosened[k])

@@ -18,7 +18,17 @@ double expected_travel(const Scene *scene, double t)
                                                : winch_travel(scene->winch, t);
 }
 
-int expected_follows(const Scene *scene) { return scene->reel->winding.turns > 0 || scene->winch->take_in.present; }
+double expected_end(const Scene *scene)
+{
+    return scene->winch->take_in.present ? winch_place(scene) : scene->route.length;
+}
+
+int expected_follows(const Scene *scene)
+{
+    const double tail = scene->joint_s[0] + expected_travel(scene, scene->def.duration);
+    const int comes_in = scene->weight.lead_in && !scene->drum->present && tail > 0; /* from behind the start */
+    return comes_in || scene->reel->winding.turns > 0 || scene->winch->take_in.present;
+}
 
 /* How far rope lies on the route ahead of a front that has moved by `moved`. */
 static double rope_end(const Scene *scene, double moved)
@@ -43,7 +53,7 @@ static void front_set(const Scene *scene, double front, double back, Expected *o
 {
     const double moved = front - scene->joint_s[scene->eye], tail = scene->joint_s[0] + moved;
     const StrandDef *const strand = &scene->def.strand;
-    out->from = scene->weight.lead_in ? (strand->present ? fmax(0, tail) : 0) : tail;
+    out->from = scene->weight.lead_in ? fmax(0, tail) : tail;
     out->to = front;
     out->rope_to = fmax(front, rope_end(scene, moved));
     if (strand->rope) {
@@ -65,7 +75,7 @@ static void stretch_of(const Scene *scene, Expected *out)
     out->largest_start = start.largest;
     out->start_fall = start.largest - start.least;
     if (expected_follows(scene)) {
-        const double end = scene->winch->take_in.present ? winch_place(scene) : scene->route.length;
+        const double end = expected_end(scene);
         const double place = fmin(front + moved, end);
         front_set(scene, place, expected_back(scene, (from + to) / 2), out);
         out->passed = fmin(front + expected_travel(scene, from), end);
@@ -185,7 +195,7 @@ hawser_status expected_at(const Scene *scene, double front, double back, Expecte
 
 double expected_start(const Scene *scene, double front, double t)
 {
-    const double end = scene->winch->take_in.present ? winch_place(scene) : scene->route.length;
+    const double end = expected_end(scene);
     Expected e = {0};
     if (scene->drum->present) return drum_tension(scene);
     front_set(scene, fmin(front, end), expected_back(scene, t), &e);
@@ -199,8 +209,7 @@ hawser_status expected_relief(const Scene *scene, double to, double *relief, haw
 {
     const SceneDef *const def = &scene->def;
     const double from = fmax(0, scene->joint_s[scene->eye]), length = scene->joint_s[scene->total] - from;
-    const double end = fmin(scene->winch->take_in.present ? winch_place(scene) : scene->route.length,
-                            fmin(to, scene->route.length) + length);
+    const double end = fmin(expected_end(scene), fmin(to, scene->route.length) + length);
     double weight = 0;
     *relief = 0;
     for (int p = scene_def_eye(def); p < def->n_pieces; ++p)
@@ -230,7 +239,7 @@ hawser_status expected_relief(const Scene *scene, double to, double *relief, haw
 
 int expected_range(const Scene *scene, double *from, double *to)
 {
-    const double end = scene->winch->take_in.present ? winch_place(scene) : scene->route.length;
+    const double end = expected_end(scene);
     *from = scene->joint_s[scene->eye];
     *to = fmin(*from + expected_travel(scene, scene->def.duration), end);
     return *to > *from;

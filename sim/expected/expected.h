@@ -29,9 +29,12 @@ hawser_status expected_fill(const Scene *scene, int n, hawser_station *station, 
  * of the reel, which turns at the full speed; the rope ahead counts as far as it lies on the route. Only the
  * stretch, the start tension and the steps are set. Errors: as pull_solve. */
 hawser_status expected_at(const Scene *scene, double front, double back, Expected *out, hawser_error *err);
+/* How far along the route a front is followed, m: to its end, or to the winch that takes the rope in. */
+double expected_end(const Scene *scene);
 /* Whether gravity, if there is any, points straight down, as theory takes it: its slopes are those of the route. */
 int expected_weighs(const SceneDef *def);
-/* Whether theory follows the cable's front, as it does where the chain begins at a reel or is taken in. */
+/* Whether theory follows the cable's front, as it does where the chain begins at a reel or is taken in, and where its
+ * tail comes in from behind the route's start. */
 int expected_follows(const Scene *scene);
 /* The case's back tension at time t, N. */
 double expected_back(const Scene *scene, double t);

@@ -63,13 +63,26 @@ double belts_largest_speed(const SceneDef *def)
     return most;
 }
 
-/* As the case has it; without a winch the belts draw. */
+/* The largest speed that the script tells winch or belts, m/s. */
+static double speed_told(const SceneDef *def)
+{
+    double most = 0;
+    for (int i = 0; i < def->n_script; ++i) {
+        const Command *const told = &def->script[i].command;
+        const int draws = def->winch.present ? HAWSER_WINCH_SPEED : HAWSER_CONVEYOR_SPEED;
+        if (told->kind == draws) most = fmax(most, fabs(told->value));
+    }
+    return most;
+}
+
+/* As the case and its script have it; without a winch the belts draw. */
 static Finding speed_said(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
     const WinchDef *const winch = &def->winch;
-    if (!winch->present) return (Finding){.value = belts_largest_speed(def), .absent = def->n_conveyors == 0};
-    Finding f = {.value = winch_largest_speed(scene->winch, def->duration)};
+    if (!winch->present)
+        return (Finding){.value = fmax(belts_largest_speed(def), speed_told(def)), .absent = def->n_conveyors == 0};
+    Finding f = {.value = fmax(winch_largest_speed(scene->winch, def->duration), speed_told(def))};
     if (winch->mode == WINCH_TENSION && !isfinite(scene->winch->speed_limit)) f.value = NAN;
     snprintf(f.why, sizeof f.why, "a winch of set tension without a speed_limit: a run says");
     return f;
@@ -164,6 +177,12 @@ static hawser_status way_run_away(const Scene *scene, const Route *route, const 
     const Pushed worst = c->pushed[way];
     *out = (Finding){.rating = pull->max_tension};
     if (worst.force <= worst.allowed) return HAWSER_OK;
+    if (c->overfed[way]) {
+        *out = finding_on(route, worst.force, worst.at, worst.piece);
+        out->rating = pull->max_tension;
+        snprintf(out->why, sizeof out->why, OVERFED, worst.force / 1e3);
+        return HAWSER_OK;
+    }
     Brake brake;
     const hawser_status status = calculator_brake(scene, c, way, &brake, err);
     if (status) return status;

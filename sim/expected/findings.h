@@ -5,6 +5,9 @@
 
 #include "sim/expected/calculator.h"
 
+/* For printf, with kN. */
+#define OVERFED "what pushes gives more than is needed, and the cable pushes the winch with %.4g kN: let it push less"
+
 /* m/s, of the fastest belt with a speed of its own, as the case has it; 0: there is none. */
 double belts_largest_speed(const SceneDef *def);
 /* The smallest diameter that the rope is bent round ahead of `head` (m along the route), over its own: of bends, of

@@ -9,14 +9,15 @@
 
 /* Rollers that turn the rope by this much each are sheaves to it (our choice: less is no wrap), rad. */
 static const double WRAPPED = 30 * M_PI / 180;
-static const double REACH = 5; /* m: farther from a bend in which no roller stands something else bears the rope */
-static const double INWARD =
-    0.3; /* cosine: a roller that stands so far on the inner side of a bend can turn the rope */
+static const double REACH = 5;    /* m: farther from a bend in which no roller stands something else bears the rope */
+static const double INWARD = 0.3; /* cosine: so far on the inner side of a bend stands what it presses the rope on */
 
-/* A roller that can bend the rope. */
+/* A roller that the rope may run on. */
 typedef struct Turner {
     double s, across; /* m along the route; its diameter, m */
-    int guide;        /* upright */
+    int inner;        /* 1: the bend there presses the rope on it, 0: neither on it nor away from it, -1: away */
+    int carries;      /* neither upright nor a hold-down */
+    Vec3 off;         /* unit, from the route to it */
 } Turner;
 
 /* Where the route is nearest to a roller that is listed by coordinates; NAN: the cable does not reach it there, or a
@@ -28,13 +29,10 @@ static double place_listed(const SceneDef *def, const RouteGrid *grid, const Rol
     return near && !surface_at(def, there.s) ? there.s : NAN;
 }
 
-/* Whether it stands where a bend presses the rope on it; a carrier of a row that lies level carries it anyway. */
-static int is_inside(const Route *route, const RollerDef *roller, double s, int guide)
+static int inner_of(Vec3 off, Vec3 curvature)
 {
-    const RoutePoint at = route_at(route, s);
-    const Vec3 off = v3_sub(roller->centre, at.position);
-    if (!isnan(roller->s) && !guide) return 1;
-    return !(v3_norm(at.curvature) > 0) || v3_dot(off, at.curvature) > INWARD * v3_norm(off) * v3_norm(at.curvature);
+    const double along = v3_norm(curvature) > 0 ? v3_dot(off, curvature) / v3_norm(curvature) : 0;
+    return along > INWARD ? 1 : along < -INWARD ? -1 : 0;
 }
 
 /* All of them into out [rollers], returns how many; -1 without memory. */
@@ -46,35 +44,40 @@ static int turners_find(const Scene *scene, const Route *route, Turner *out)
     for (int r = 0; r < def->n_rollers; ++r) {
         const RollerDef *const roller = &def->rollers[r];
         const int listed = isnan(roller->s);
-        if (roller->hold_down || (listed && (roller->profile == SHAPE_BOX || roller->profile == SHAPE_BELL))) continue;
+        if (listed && (roller->profile == SHAPE_BOX || roller->profile == SHAPE_BELL)) continue;
         if (listed && !grid.at && route_grid_build(route, 0, &grid, NULL)) return -1;
         const double s = listed ? place_listed(def, &grid, roller) : roller->s;
         if (isnan(s)) continue;
-        const int guide = roller_guides_at(route, roller, s);
-        if (is_inside(route, roller, s, guide)) out[n++] = (Turner){s, 2 * roller->radius, guide};
+        const RoutePoint at = route_at(route, s);
+        const Vec3 off = v3_unit(v3_sub(roller->centre, at.position));
+        const int carries = !roller->hold_down && !roller_guides_at(route, roller, s);
+        out[n++] = (Turner){s, 2 * roller->radius, inner_of(off, at.curvature), carries, off};
     }
     route_grid_clear(&grid);
     return n;
 }
 
-/* The diameter of the nearest one from `begin` to `end`, seen from `from`; INFINITY: there is none. */
-static double nearest_turner(int n, const Turner *turner, double begin, double end, double from)
+/* The diameter of the nearest one from `begin` to `end`, seen from `from`, that a bend with this curvature presses the
+ * rope on, or of the nearest carrier; INFINITY: there is none. */
+static double nearest_turner(int n, const Turner *turner, double begin, double end, double from, Vec3 curvature)
 {
-    double least = INFINITY, across = INFINITY;
+    double least[2] = {INFINITY, INFINITY}, across[2] = {INFINITY, INFINITY};
     for (int i = 0; i < n; ++i) {
         const double away = fabs(turner[i].s - from);
-        if (turner[i].s < begin || turner[i].s > end || away >= least) continue;
-        least = away;
-        across = turner[i].across;
+        const int inner = inner_of(turner[i].off, curvature) > 0;
+        if (turner[i].s < begin || turner[i].s > end || !(inner || turner[i].carries) || away >= least[inner]) continue;
+        least[inner] = away;
+        across[inner] = turner[i].across;
     }
-    return across;
+    return across[isfinite(least[1])];
 }
 
 /* m, around what a bend of pieces p to `to` bends the rope: its own diameter, or that of its smallest roller where few
- * share the turn. In a bend with guides it is these, in one without rollers and without a duct those to both sides. */
+ * share the turn. These are the ones on its inner side, or without such the carriers (grooves hold it); in a bend
+ * without rollers and without a duct those to both sides. */
 static double bent_round(const SceneDef *def, const Route *route, int p, int to, int n, const Turner *turner)
 {
-    int count[2] = {0, 0}; /* carriers, guides */
+    int count[2] = {0, 0}; /* carriers that lie level, those on the inner side */
     double smallest[2] = {INFINITY, INFINITY}, turn = 0, radius = INFINITY;
     const double begin = route->piece[p].s0, end = route->piece[to].s0 + route->piece[to].length;
     for (int k = p; k <= to; ++k) {
@@ -82,15 +85,19 @@ static double bent_round(const SceneDef *def, const Route *route, int p, int to,
         radius = fmin(radius, route->piece[k].radius);
     }
     for (int i = 0; i < n; ++i) {
-        if (!(turner[i].s >= begin && turner[i].s <= end)) continue;
-        smallest[turner[i].guide] = fmin(smallest[turner[i].guide], turner[i].across);
-        count[turner[i].guide]++;
+        const int inner = turner[i].inner > 0;
+        if (!(turner[i].s >= begin && turner[i].s <= end) || !(inner || (turner[i].carries && turner[i].inner == 0)))
+            continue;
+        smallest[inner] = fmin(smallest[inner], turner[i].across);
+        count[inner]++;
     }
     const int by = count[1] > 0;
     if (count[by] > 0) return turn / count[by] >= WRAPPED ? smallest[by] : 2 * radius;
-    const double before = nearest_turner(n, turner, begin - REACH, begin, begin),
-                 ahead = nearest_turner(n, turner, end, end + REACH, end);
-    const int bare = isfinite(before) && isfinite(ahead) && !surface_at(def, (begin + end) / 2);
+    const double middle = (begin + end) / 2;
+    const Vec3 curvature = route_at(route, middle).curvature;
+    const double before = nearest_turner(n, turner, begin - REACH, begin, begin, curvature),
+                 ahead = nearest_turner(n, turner, end, end + REACH, end, curvature);
+    const int bare = isfinite(before) && isfinite(ahead) && !surface_at(def, middle);
     return bare && turn / 2 >= WRAPPED ? fmin(fmin(before, ahead), 2 * radius) : 2 * radius;
 }
 

@@ -20,20 +20,20 @@ static double wound_at(const Scene *scene, double front)
     return scene->reel->total - front - scene->def.reel.distance;
 }
 
-/* With so much wound (m) and so much pulled at full speed. */
-static double reel_with(const Scene *scene, const Reel *reel, double wound, double back)
+/* With so much wound (m) and so much pulled at a speed, m/s. */
+static double reel_with(const Scene *scene, const Reel *reel, double wound, double back, double speed)
 {
     Reel r = *reel;
     r.wound = fmax(wound, 0);
     r.last = 0;
     r.tension = profile_level(back);
-    return reel_resistance(&r, r.half, scene->largest_speed, scene->def.duration, 1, NULL, NULL);
+    return reel_resistance(&r, r.half, speed, scene->def.duration, 1, NULL, NULL);
 }
 
 double starts_reel(const Scene *scene, double front, double back)
 {
     const double wound = wound_at(scene, front);
-    return wound <= 0 && !scene->reel->fixed ? 0 : reel_with(scene, scene->reel, wound, back);
+    return wound <= 0 && !scene->reel->fixed ? 0 : reel_with(scene, scene->reel, wound, back, scene->largest_speed);
 }
 
 /* The largest or the least share of its torque that the brake gives, by the script (K5). */
@@ -49,6 +49,17 @@ static double share_braked(const Scene *scene, int largest)
     return share;
 }
 
+/* The slowest pull that lasts, m/s, by winch and script: a brake that goes with the speed holds least then. */
+static double slowest(const Scene *scene)
+{
+    double least = fmin(scene->largest_speed, winch_slowest_kept(scene->winch, scene->def.duration));
+    for (int i = 0; i < scene->def.n_script; ++i) {
+        const Command *const c = &scene->def.script[i].command;
+        if (c->kind == HAWSER_WINCH_SPEED && fabs(c->value) > 0) least = fmin(least, fabs(c->value));
+    }
+    return least;
+}
+
 /* The radius shrinks as the cable leaves, so that the brake holds most at the end, with the last of it still on the
  * drum, and least at the beginning; a cable that leaves the drum on the way is held by nothing then. */
 static Starts reel_range(const Scene *scene)
@@ -58,9 +69,12 @@ static Starts reel_range(const Scene *scene)
     Reel r = *scene->reel;
     Starts out;
     r.braked = profile_level(share_braked(scene, 1));
-    out.largest = reel_with(scene, &r, after, profile_largest(&r.tension));
+    out.largest = reel_with(scene, &r, after, profile_largest(&r.tension), scene->largest_speed);
     r.braked = profile_level(share_braked(scene, 0));
-    out.least = after < 0 && !r.fixed ? 0 : reel_with(scene, &r, before, profile_least_risen(&r.tension));
+    const double back = profile_least_risen(&r.tension);
+    out.least = fmin(reel_with(scene, &r, before, back, slowest(scene)),
+                     reel_with(scene, &r, before, back, scene->largest_speed));
+    if (after < 0 && !r.fixed) out.least = 0;
     return out;
 }
 

@@ -12,8 +12,8 @@ hawser_status peaks_new(Peaks *peaks, const Scene *scene, hawser_error *err)
     *peaks = (Peaks){.present = scene->def.limits.present, .n_rollers = scene->def.n_rollers};
     if (!peaks->present) return HAWSER_OK;
     peaks->roller = malloc(((size_t)peaks->n_rollers + 1) * sizeof *peaks->roller);
-    peaks->start = calloc((size_t)peaks->n_rollers + 1, sizeof *peaks->start);
-    if (!peaks->roller || !peaks->start) return error_memory(err);
+    peaks->when = calloc((size_t)peaks->n_rollers + 1, sizeof *peaks->when);
+    if (!peaks->roller || !peaks->when) return error_memory(err);
     for (int i = 0; i < peaks->n_rollers; ++i) peaks->roller[i] = NAN;
     return compression_new(&peaks->pushed, scene, err);
 }
@@ -22,7 +22,7 @@ void peaks_free(Peaks *peaks)
 {
     compression_free(&peaks->pushed);
     free(peaks->roller);
-    free(peaks->start);
+    free(peaks->when);
     *peaks = (Peaks){0};
 }
 
@@ -53,6 +53,34 @@ static void joints_record(Peaks *peaks, const Scene *scene, const hawser_sample 
     take(&peaks->rope, sample->winch_force, sample_joint_place(scene, sample, scene->chain.n));
 }
 
+/* The tension at s between two joints of the cable, N; NAN off it. */
+static double tension_between(const Scene *scene, const hawser_sample *sample, int eye, double s)
+{
+    const double *const tension = sample->tension + scene->first;
+    int low = 0, high = eye;
+    if (!(s >= sample_joint_place(scene, sample, 0) && s <= sample_joint_place(scene, sample, eye))) return NAN;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        *(sample_joint_place(scene, sample, middle) <= s ? &low : &high) = middle;
+    }
+    const double a = sample_joint_place(scene, sample, low), b = sample_joint_place(scene, sample, high);
+    return b > a ? tension[low] + (tension[high] - tension[low]) * (s - a) / (b - a) : tension[low];
+}
+
+/* A bend that lies between two joints presses, too: where they stand at the same places all along, it always does. */
+static void bends_record(Peaks *peaks, const Scene *scene, const hawser_sample *sample, int eye)
+{
+    const Route *const route = &scene->route;
+    for (int p = 0; p < route->n && eye > 0; ++p) {
+        const RoutePiece *const bend = &route->piece[p];
+        for (int k = 0; k <= 2 && bend->kind != ROUTE_STRAIGHT; ++k) {
+            const double s = bend->s0 + bend->length * (1e-9 + (1 - 2e-9) * k / 2);
+            const double tension = tension_between(scene, sample, eye, s);
+            if (tension > 0) take(&peaks->sidewall, sidewall_at(scene, s, tension), s);
+        }
+    }
+}
+
 /* The cable's own, before the eye. */
 static void curvature_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample,
                              int eye)
@@ -69,14 +97,13 @@ static void curvature_record(Peaks *peaks, const Scene *scene, const Kinematics 
 static void rollers_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     const double front = sample_joint_place(scene, sample, scene->eye - scene->first);
-    const double start = expected_start(scene, front, sample->t);
     for (int r = 0; r < peaks->n_rollers; ++r) {
         const double s = scene->def.rollers[r].s;
         if (isnan(s) || s > front) continue; /* there is rope */
         const double tension = stats_tension_at(scene, kin, sample, s);
         if (isnan(tension) || tension <= peaks->roller[r]) continue;
         peaks->roller[r] = tension;
-        peaks->start[r] = start;
+        peaks->when[r] = (PeakMoment){front, sample->t};
     }
 }
 
@@ -105,6 +132,7 @@ void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const
     peaks->recorded++;
     peaks->speed = fmax(peaks->speed, fabs(drawn_with(scene, sample)));
     joints_record(peaks, scene, sample, eye);
+    bends_record(peaks, scene, sample, eye);
     curvature_record(peaks, scene, kin, sample, eye);
     rollers_record(peaks, scene, kin, sample);
     pushes_record(peaks, sample);

@@ -7,6 +7,11 @@
 #include "sim/judge/compression.h"
 #include "sim/watch/stats.h"
 
+/* m along the route, where the cable's front was at a time, s. */
+typedef struct PeakMoment {
+    double front, t;
+} PeakMoment;
+
 typedef struct Peaks {
     int present;
     int recorded;   /* samples so far */
@@ -21,8 +26,8 @@ typedef struct Peaks {
     const char *pusher;
     Compression pushed; /* where nothing pulls any more */
     int n_rollers;
-    double *roller; /* [n_rollers] N, tension of the cable where it passes the roller; NAN: none yet */
-    double *start;  /* [n_rollers] N, by theory where the pull begins, when that was so large */
+    double *roller;   /* [n_rollers] N, tension of the cable where it passes the roller; NAN: none yet */
+    PeakMoment *when; /* [n_rollers] when that was so large */
 } Peaks;
 
 /* The overload factor of eq. 12 at one roller. */

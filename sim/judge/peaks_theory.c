@@ -44,20 +44,59 @@ void peaks_theory_free(PeaksTheory *theory) { expected_free(&theory->own); }
 
 /* ------------------------------------------------------------------------------------------------- overload */
 
-/* The least and the largest tension at the start while rollers had their peaks, N, and the pulls with them. */
+/* Theory with the front where it was at a moment. The last one is kept: neighbours have their peaks together. */
+typedef struct Moments {
+    const Scene *scene;
+    PeakMoment at; /* of what follows; t is NAN: of none yet */
+    Expected expected;
+    Pull pull;
+    hawser_status status;
+} Moments;
+
+static void moment_clear(Moments *m)
+{
+    expected_free(&m->expected);
+    if (!isnan(m->at.t)) pull_clear(&m->pull);
+    m->at.t = NAN;
+}
+
+static int same_moment(PeakMoment a, PeakMoment b) { return a.front == b.front && a.t == b.t; }
+
+/* The tension of the reference theory at s at that moment, N; NAN off the cable that theory counts, and where it has
+ * too little of it. */
+static double moment_tension(Moments *m, PeakMoment at, double s)
+{
+    const Scene *const scene = m->scene;
+    if (isnan(m->at.t) || !same_moment(m->at, at)) {
+        moment_clear(m);
+        const double front = fmin(at.front, expected_end(scene));
+        m->status = expected_at(scene, front, expected_back(scene, at.t), &m->expected, NULL);
+        if (!m->status) m->status = expected_pull(scene, &m->expected, PULL_REFERENCE, &m->pull, NULL);
+        if (!m->status) m->at = at;
+    }
+    if (m->status || !(s >= m->expected.from - 1e-9 && s <= m->expected.to + 1e-9)) return NAN;
+    const double tension = pull_at(&m->pull, s).tension;
+    return tension >= MEASURE * m->pull.max_tension ? tension : NAN;
+}
+
+/* The least and the largest tension at the start while rollers had their peaks, N, and the pulls with them up to where
+ * the front came to: of a cable whose tail has not come in, between those two the tension anywhere goes with that at
+ * the start, but for the part of bends in which weight counts. */
 typedef struct Range {
     double start[2];
     Pull pull[2];
+    double *of; /* [rollers] N, the start's */
 } Range;
 
 static hawser_status range_solve(const Peaks *peaks, const Scene *scene, const Expected *e, Range *out)
 {
-    *out = (Range){{INFINITY, -INFINITY}, {{0}, {0}}};
-    hawser_status status = HAWSER_OK;
-    for (int r = 0; r < peaks->n_rollers; ++r) {
+    *out = (Range){{INFINITY, -INFINITY}, {{0}, {0}}, malloc(((size_t)peaks->n_rollers + 1) * sizeof(double))};
+    hawser_status status = out->of ? HAWSER_OK : HAWSER_ERR_MEMORY;
+    for (int r = 0; r < peaks->n_rollers && !status; ++r) {
         if (isnan(peaks->roller[r])) continue;
-        out->start[0] = fmin(out->start[0], peaks->start[r]);
-        out->start[1] = fmax(out->start[1], peaks->start[r]);
+        out->of[r] = expected_start(scene, peaks->when[r].front, peaks->when[r].t);
+        out->start[0] = fmin(out->start[0], out->of[r]);
+        out->start[1] = fmax(out->start[1], out->of[r]);
     }
     for (int k = 0; k < 2 && !status && isfinite(out->start[0]); ++k) {
         Expected with = *e; /* borrowed */
@@ -70,34 +109,45 @@ static hawser_status range_solve(const Peaks *peaks, const Scene *scene, const E
 static void range_clear(Range *range)
 {
     for (int k = 0; k < 2; ++k) pull_clear(&range->pull[k]);
+    free(range->of);
 }
 
-/* The tension of the reference theory at s, N, where the pull begins with `start`: the tension there grows with it
- * evenly, but for the part of bends in which weight counts. NAN off the cable that theory counts, and where it has too
- * little of it. */
-static double reference_at(const Expected *e, const Range *range, double s, double start)
+static double range_tension(const Expected *e, const Range *range, int r, double s)
 {
     const double wide = range->start[1] - range->start[0];
     if (!(s >= e->from - 1e-9 && s <= e->to + 1e-9)) return NAN;
     const double low = pull_at(&range->pull[0], s).tension, high = pull_at(&range->pull[1], s).tension;
-    const double reference = wide > 0 ? low + (high - low) * (start - range->start[0]) / wide : low;
-    return reference >= MEASURE * range->pull[1].max_tension ? reference : NAN;
+    const double tension = wide > 0 ? low + (high - low) * (range->of[r] - range->start[0]) / wide : low;
+    return tension >= MEASURE * range->pull[1].max_tension ? tension : NAN;
+}
+
+/* Whether the pull begins at one place for as long as there is one: the cable's tail stays behind it. */
+static int begins_at_once(const Scene *scene, const Peaks *peaks)
+{
+    const double length = scene->joint_s[scene->eye] - scene->joint_s[0];
+    return scene->weight.lead_in && peaks->reached - length <= 0;
 }
 
 int peaks_overload(const Peaks *peaks, const Scene *scene, const PeaksTheory *theory, Overload **out)
 {
-    Range range;
+    Range range = {0};
+    Moments moments = {.scene = scene, .at = {.t = NAN}};
     int n = 0;
     *out = malloc(((size_t)peaks->n_rollers + 1) * sizeof **out);
     if (*out && !peaks->present) return 0; /* a rod has no theory to ask */
-    const hawser_status status = *out ? range_solve(peaks, scene, theory->at, &range) : HAWSER_ERR_MEMORY;
+    const int at_once = begins_at_once(scene, peaks);
+    hawser_status status = *out ? HAWSER_OK : HAWSER_ERR_MEMORY;
+    if (!status && at_once) status = range_solve(peaks, scene, theory->at, &range);
     for (int r = 0; r < peaks->n_rollers && !status; ++r) {
         const RollerDef *const roller = &scene->def.rollers[r];
-        const double peak = peaks->roller[r];
-        const double reference = isnan(peak) ? NAN : reference_at(theory->at, &range, roller->s, peaks->start[r]);
-        if (isnan(reference)) continue;
-        (*out)[n++] = (Overload){roller->name, roller->s, peak, reference, peak / reference};
+        const double s = roller->s, peak = peaks->roller[r];
+        if (isnan(s) || isnan(peak)) continue;
+        const double reference =
+            at_once ? range_tension(theory->at, &range, r, s) : moment_tension(&moments, peaks->when[r], s);
+        status = moments.status == HAWSER_ERR_MEMORY ? moments.status : HAWSER_OK;
+        if (!isnan(reference)) (*out)[n++] = (Overload){roller->name, s, peak, reference, peak / reference};
     }
-    if (*out) range_clear(&range);
+    range_clear(&range);
+    moment_clear(&moments);
     return status ? -1 : n;
 }

@@ -1,23 +1,27 @@
 #include <math.h>
 #include <string.h>
 
+#include "sim/equipment/winch.h"
 #include "sim/judge/trust.h"
 
 static const double LENGTH = 1e-4; /* m: nobody knows where a cable lies, and no mesh, to less */
 static const double SLIPS = 0.5;   /* of the time for which a belt has cable: if it slides for more, it slips */
 
-/* m that the cable has moved at time t: as the winch draws it, or the belt, where it does not slip. */
-static double moved_by(const SceneDef *def, const ConveyorDef *c, double t)
+/* m along the route, where the chain's head is at time t: as the winch has drawn it, or the belt, where it does not
+ * slip. */
+static double head_of(const Scene *scene, const ConveyorDef *c, double t)
 {
-    return profile_integral(def->winch.present ? &def->winch.speed : &c->speed, t);
+    return scene->def.head_at +
+           (scene->winch->present ? winch_travel(scene->winch, t) : profile_integral(&c->speed, t));
 }
 
-/* m/N by which the chain is longer under load from the belt's middle up to `to`, m along the route, at the run's end.
- */
-static double give_up_to(const SceneDef *def, const ConveyorDef *c, double to)
+/* m/N by which the chain is longer under load from the belt's middle up to `to`, m along the route, at
+ * time t. */
+static double give_up_to(const Scene *scene, const ConveyorDef *c, double to, double t)
 {
+    const SceneDef *const def = &scene->def;
     const double from = (c->from + c->to) / 2;
-    double end = def->head_at + moved_by(def, c, def->duration), give = 0;
+    double end = head_of(scene, c, t), give = 0;
     for (int k = def->n_pieces - 1; k >= 0 && end > from; --k) {
         const double begin = end - def->pieces[k].length;
         give += fmax(0, fmin(end, to) - fmax(begin, from)) / def->cables[def->pieces[k].cable].ea;
@@ -36,11 +40,12 @@ static double figure_of(const ConveyorDef *c, const hawser_summary *s, const cha
     return 0;
 }
 
-/* N that a conveyor might push more than it does: up to its limit, or from one end of its grip to the other. */
+/* N that a conveyor might push more than it does: up to its limit, also from where it holds back, or from one end of
+ * its grip to the other. */
 static double push_left(const ConveyorDef *c, const hawser_summary *s)
 {
     if (!(c->limit > 0)) return 2 * c->mu * c->clamp;
-    const double mean = fabs(figure_of(c, s, "steady_mean_N")) / fmax(figure_of(c, s, "gripping"), 1e-9);
+    const double mean = figure_of(c, s, "steady_mean_N") / fmax(figure_of(c, s, "gripping"), 1e-9);
     return fmax(0, c->limit - mean); /* of the time for which it has cable */
 }
 
@@ -61,12 +66,12 @@ typedef struct Sharer {
     double left;           /* N, that it might push more */
 } Sharer;
 
-static Sharer sharer_of(const SceneDef *def, const ConveyorDef *c, const hawser_summary *s)
+static Sharer sharer_of(const Scene *scene, const ConveyorDef *c, const hawser_summary *s, double t)
 {
+    const SceneDef *const def = &scene->def;
     Sharer out = {.at = NAN};
     if (def->winch.present)
-        return (Sharer){
-            .at = def->head_at + moved_by(def, c, def->duration), .of = "the winch", .name = "", .left = INFINITY};
+        return (Sharer){.at = head_of(scene, c, t), .of = "the winch", .name = "", .left = INFINITY};
     for (int i = 0; i < def->n_conveyors; ++i) {
         const ConveyorDef *const other = &def->conveyors[i];
         const double at = (other->from + other->to) / 2;
@@ -88,16 +93,17 @@ static double shared_pull(const SceneDef *def, const hawser_summary *s)
 
 /* A belt that keeps the winch's speed shares the pull with it by the length of the cable between them, as far as its
  * grip and its limit let it. So do belts of one speed among themselves. */
-int sharing_find(const SceneDef *def, const hawser_summary *figures, Sharing *out)
+int sharing_find(const Scene *scene, const hawser_summary *figures, double t, Sharing *out)
 {
+    const SceneDef *const def = &scene->def;
     const double pull = shared_pull(def, figures);
     *out = (Sharing){.share = -1};
     if ((def->winch.present && def->winch.mode != WINCH_SPEED) || !(pull > 0)) return 0;
     for (int i = 0; i < def->n_conveyors; ++i) {
         const ConveyorDef *const c = &def->conveyors[i];
         if (!by_lengths(c, figures)) continue;
-        const Sharer other = sharer_of(def, c, figures);
-        const double give = isnan(other.at) ? 0 : give_up_to(def, c, other.at);
+        const Sharer other = sharer_of(scene, c, figures, t);
+        const double give = isnan(other.at) ? 0 : give_up_to(scene, c, other.at, t);
         const double share = fmin(fmin(LENGTH / give, push_left(c, figures)), other.left) / pull;
         if (give > 0 && share > out->share) *out = (Sharing){share, c->name, other.of, other.name};
     }

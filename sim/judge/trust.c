@@ -258,7 +258,7 @@ static void add_friction_speed(List *list, const TrustFacts *f)
 static void add_shared(List *list, const TrustFacts *f)
 {
     Sharing most;
-    if (!sharing_find(&f->scene->def, f->figures, &most)) return;
+    if (!sharing_find(f->scene, f->figures, f->t, &most)) return;
     const char *const quote = *most.name ? "'" : "";
     add(list, "shared", "1", most.share, SHARED,
         "0.1 mm of cable between conveyor '%.24s' and %s%s%.24s%s moves %.2g %% of the pull between them: give it a "

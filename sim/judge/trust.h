@@ -95,7 +95,8 @@ typedef struct Sharing {
     const char *with, *name; /* what it shares with, in words, and its name; "": the winch has none */
 } Sharing;
 
-/* The worst of the run; 0 if no belt shares with a winch of set speed, or without a winch with another belt. */
-int sharing_find(const SceneDef *def, const hawser_summary *figures, Sharing *out);
+/* The worst of the run up to t, s; 0 if no belt shares with a winch of set speed, or without a winch with another belt.
+ */
+int sharing_find(const Scene *scene, const hawser_summary *figures, double t, Sharing *out);
 
 #endif

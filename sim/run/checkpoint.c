@@ -46,7 +46,7 @@ static void peaks_checkpoint(Checkpoint *c, Peaks *p)
     CHECKPOINT_UP_TO(c, p, Peaks, pusher);
     checkpoint_text(c, "p->pusher", &p->pusher);
     checkpoint_put(c, "p->roller", p->roller, (size_t)p->n_rollers * sizeof *p->roller);
-    checkpoint_put(c, "p->start", p->start, (size_t)p->n_rollers * sizeof *p->start);
+    checkpoint_put(c, "p->when", p->when, (size_t)p->n_rollers * sizeof *p->when);
     Compression *const pushed = &p->pushed;
     CHECKPOINT_UP_TO(c, pushed, Compression, joints);
     checkpoint_put(c, "pushed->sum", pushed->sum, (size_t)pushed->joints * sizeof *pushed->sum);

@@ -303,6 +303,7 @@ static void friction_that_fails(void **state)
     for (int k = 0; k < 4; k++) {
         json_t *const all = theory_of(text, (const char *const[]){"drive.script", row[k].script, NULL});
         verdict_has(all, row[k].holds ? "SAFE: all" : "drive.script makes friction 0");
+        assert_int_equal(limit_of(all, "run_away") > 0, !row[k].holds);
         check_has(json_string_value(json_object_get(all, "verdict_backward")), "SAFE: all");
         json_decref(all);
     }
@@ -361,16 +362,153 @@ static void belts_beside_a_winch_that_stops(void **state)
     }
 }
 
+static const char LEVEL[] =
+    "cables: {c: {d: 80 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 1 kN m2, mass: 14 kg/m}}\n"
+    "friction: {mu: 0.2, v_s: 1 mm/s}\nsurfaces: {ducts: [{name: duct, radius: 60 mm, place: resting}]}\n"
+    "chain: [{cable: c, length: 200 m}]\nroute: {pieces: [{straight: 200 m}]}\n"
+    "drive: {winch: {speed: 0.1 m/s, to: 2 s}}\nrun: {duration: 200 s}\n"
+    "limits: {pull: 50 kN, sidewall: 3 kN/m, push: 20 kN, speed: 1 m/s}\n";
+
+/* What the crew does to a conveyor on the way the calculation does not know; what it does to the winch's speed it does.
+ * A winch of set tension must be able to pull. */
+static void what_the_crew_does(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *script, *verdict;
+    } row[] = {{"[]", "SAFE: all"},
+               {"[{at: 100 s, do: conveyor_clamp, of: K, clamp: 4 kN}]", "SAFE: all"},
+               {"[{at: 100 s, do: conveyor_clamp, of: K, clamp: 0 N}]", "opens conveyor 'K'"},
+               {"[{at: 100 s, do: conveyor_speed, of: K, speed: 50 mm/s}]", "changes the speed of conveyor 'K'"},
+               {"[{at: 100 s, do: jam, of: K}]", "stops conveyor 'K'"},
+               {"[{at: 100 s, do: winch_speed, speed: 0.11 m/s}]", "SAFE: all"},
+               {"[{at: 100 s, do: winch_speed, speed: 2 m/s}]", "speed by 100 %"}};
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        json_t *const all = theory_of(
+            LEVEL, (const char *const[]){"conveyors",
+                                         "[{name: K, from: 100 m, to: 102 m, clamp: 4 kN, mu: 0.3, belt: {speed: 0.12 "
+                                         "m/s, to: 2 s}}]",
+                                         "drive.script", row[k].script, NULL});
+        verdict_has(all, row[k].verdict);
+        json_decref(all);
+    }
+    static const char *const tension[] = {"5.4 kN", "5.6 kN"}; /* 200 m of 27.468 N/m are 5494 N */
+    for (int k = 0; k < 2; k++) {
+        char winch[100];
+        snprintf(winch, sizeof winch, "{tension: {force: %s, speed_limit: 0.1 m/s}}", tension[k]);
+        json_t *const all = theory_of(LEVEL, (const char *const[]){"drive.winch", winch, NULL});
+        verdict_has(all, k ? "SAFE: all" : "5.494 kN are needed");
+        json_decref(all);
+    }
+}
+
+/* Belts that push a cable out harder than it is held back push the winch, which a rope does not. */
+static void a_winch_that_is_pushed(void **state)
+{
+    (void)state;
+    static const char *const clamp[] = {"9 kN", "9.9 kN"}; /* of 2 x 0.3 x that 5494 N are too little, or too much */
+    for (int k = 0; k < 2; k++) {
+        char belts[200];
+        snprintf(belts, sizeof belts,
+                 "[{name: K, from: 3 m, to: 5 m, clamp: %s, mu: 0.3, belt: {speed: 0.12 m/s, to: 2 s}}]", clamp[k]);
+        json_t *const all = theory_of(LEVEL, (const char *const[]){"conveyors", belts, NULL});
+        verdict_has(all, k ? "pushes the winch with 0.4464 kN" : "SAFE: all");
+        json_decref(all);
+    }
+}
+
+/* A reel's brake that goes with the speed holds least where the winch is slow: 2 kN m at 0.1 m/s, a fifth of it at a
+ * fifth of that. */
+static void a_brake_that_goes_with_the_speed(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *winch;
+        int holds;
+    } row[] = {{"{speed: 0.1 m/s, to: 2 s}", 1},
+               {"{speed: 20 mm/s, to: 2 s}", 0},
+               {"{table: [[0 s, 0 m/s], [2 s, 0.1 m/s], [10 s, 0.1 m/s], [11 s, 20 mm/s], [200 s, 20 mm/s]]}", 0}};
+    double pushed[3];
+    for (int k = 0; k < 3; k++) {
+        const char *const settings[] = {
+            "chain",
+            "[{cable: c, length: 100 m}]",
+            "reel",
+            "{model: payout, distance: 3 m, barrel: 1.8 m, flange: 3 m, width: 1 m, inertia: 300 kg m2, end: free, "
+            "brake: {law: proportional, torque: 2 kN m, speed: 0.1 m/s}}",
+            "route",
+            "{head_at: 50 m, transition_radius: 6 m, pieces: [{straight: 8 m}, {straight: 22 m, slope: -30 deg}, "
+            "{straight: 30 m, slope: 0 deg}]}",
+            "drive.winch",
+            row[k].winch,
+            NULL};
+        json_t *const all = theory_of(LEVEL, settings);
+        pushed[k] = limit_of(all, "run_away");
+        verdict_has(all, row[k].holds ? "SAFE: all" : "run away");
+        json_decref(all);
+    }
+    check_share(pushed[2], pushed[1], 1e-9);
+}
+
+/* Hold-downs and outside guides bear nothing of what carriers and inside guides share; of hold-downs that the cable
+ * lifts off to nobody says the load. */
+static void rollers_that_share_nothing(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables: {c: {d: 80 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 1 kN m2, mass: 14 kg/m}}\n"
+        "friction: {mu: 0.2}\nlimits: {pull: 20 kN, sidewall: 5 kN/m}\nchain: [{cable: c, length: 17 m}]\n"
+        "route: {head_at: 17 m, pieces: [{straight: 8 m}, {bend: 40 deg, radius: 5 m, plane: left}, {straight: 8 m}]}\n"
+        "drive: {tail: {tension: 10 kN, ramp: none}}\n";
+    static const char inside[] =
+        "{spacing: 500 mm, radius: 60 mm}, {guide: left, spacing: 1.8 m, gap: 5 mm, radius: 60 "
+        "mm, width: 500 mm, rating: 5 kN, name: G}";
+    static const char outside[] =
+        ", {guide: right, spacing: 400 mm, gap: 10 mm, radius: 60 mm, width: 500 mm, rating: 5 kN, name: O}";
+    double found[2];
+    for (int k = 0; k < 2; k++) {
+        char rollers[600];
+        snprintf(rollers, sizeof rollers, "{along: [%s%s]}", inside, k ? outside : "");
+        json_t *const all = theory_of(text, (const char *const[]){"rollers", rollers, NULL});
+        found[k] = limit_of(all, "roller_steady");
+        json_decref(all);
+    }
+    check_above(found[0], 4000);
+    check_share(found[1], found[0], 1e-12);
+    json_t *const all = theory_of(
+        text, (const char *const[]){"route.pieces.1.plane", "up", "rollers",
+                                    "{along: [{spacing: 500 mm, radius: 60 mm, rating: 5 kN, hold_down: [[9.6 m, 10.2 "
+                                    "m]], gap: 2 mm, name: C}]}",
+                                    NULL});
+    json_t *limit;
+    size_t i;
+    json_array_foreach(json_object_get(all, "limits"), i,
+                       limit) if (!strcmp(json_string_value(json_object_get(limit, "name")), "roller_steady"))
+        assert_false(json_is_true(json_object_get(limit, "judged")));
+    json_decref(all);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_a_winch_bears),    cmocka_unit_test(friction_of_rollers),
-        cmocka_unit_test(chains_are_a_bundle),   cmocka_unit_test(rope_from_rest),
-        cmocka_unit_test(machines_push),         cmocka_unit_test(listed_rollers_beside_a_row),
-        cmocka_unit_test(bearings_hold),         cmocka_unit_test(no_fluid_in_theory),
-        cmocka_unit_test(a_pit_ends_a_push),     cmocka_unit_test(the_eye_where_it_is),
-        cmocka_unit_test(rollers_beside_a_bend), cmocka_unit_test(friction_that_fails),
-        cmocka_unit_test(rope_that_hangs_down),  cmocka_unit_test(belts_beside_a_winch_that_stops),
+        cmocka_unit_test(what_a_winch_bears),
+        cmocka_unit_test(friction_of_rollers),
+        cmocka_unit_test(chains_are_a_bundle),
+        cmocka_unit_test(rope_from_rest),
+        cmocka_unit_test(machines_push),
+        cmocka_unit_test(listed_rollers_beside_a_row),
+        cmocka_unit_test(bearings_hold),
+        cmocka_unit_test(no_fluid_in_theory),
+        cmocka_unit_test(a_pit_ends_a_push),
+        cmocka_unit_test(the_eye_where_it_is),
+        cmocka_unit_test(rollers_beside_a_bend),
+        cmocka_unit_test(friction_that_fails),
+        cmocka_unit_test(rope_that_hangs_down),
+        cmocka_unit_test(belts_beside_a_winch_that_stops),
+        cmocka_unit_test(what_the_crew_does),
+        cmocka_unit_test(a_winch_that_is_pushed),
+        cmocka_unit_test(a_brake_that_goes_with_the_speed),
+        cmocka_unit_test(rollers_that_share_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
