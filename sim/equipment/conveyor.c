@@ -559,8 +559,8 @@ static int conveyors_pushers(const Room *room, const Scene *scene, Pusher *out)
     const Conveyors *const all = room->self;
     for (int i = 0; out && i < all->n; ++i) {
         const ConveyorDef *const def = all->item[i].def;
-        out[i] =
-            (Pusher){.name = def->name, .at = (def->from + def->to) / 2, .from = def->from, .room = room, .item = i};
+        const double middle = (def->from + def->to) / 2;
+        out[i] = (Pusher){.name = def->name, .at = middle, .from = def->from, .room = room, .item = i};
     }
     return all->n;
 }

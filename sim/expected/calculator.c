@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "sim/expected/findings.h"
 
 /* --------------------------------------------------------------------------------- cables, ducts, pushes */
 

@@ -90,4 +90,8 @@ Finding finding_on(const Route *route, double value, double s, int piece);
 /* Takes the rated roller with this load (N) in, if it has more of its rating than the worst so far. */
 void finding_load(Finding *worst, const char *roller, double load, double rating);
 
+/* The smallest diameter that the rope is bent round ahead of `head` (m along the route), over its own: of bends, of
+ * rollers on which it turns, of the sheave that the case names. rope_bend.c */
+Finding rope_bend(const Scene *scene, const Route *route, double head);
+
 #endif

@@ -10,9 +10,6 @@
 
 /* m/s, of the fastest belt with a speed of its own, as the case has it; 0: there is none. */
 double belts_largest_speed(const SceneDef *def);
-/* The smallest diameter that the rope is bent round ahead of `head` (m along the route), over its own: of bends, of
- * rollers on which it turns, of the sheave that the case names. rope_bend.c */
-Finding rope_bend(const Scene *scene, const Route *route, double head);
 /* What the scene itself says: belts, the winch's largest speed; marks absent what the scene does not have. */
 void findings_of_scene(const Scene *scene, Finding finding[LIMIT_KINDS]);
 

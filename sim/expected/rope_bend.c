@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "sim/expected/findings.h"
+#include "sim/expected/expected.h"
 #include "sim/expected/stretches.h"
 #include "theory/place/place.h"
 
