@@ -517,8 +517,7 @@ static const char *conveyors_name(const Room *room, int i)
     return ((const Conveyors *)room->self)->item[i].def->name;
 }
 
-/* Force on the cable, slip, speed of the belt, whether it slips more than its law sticks at, and whether it has cable
- * in more than half of its grip. */
+/* Force, slip, speed of the belt; whether it slips by its law, and whether more than half of its grip has cable. */
 static void conveyors_keep(const Room *room, const Moment *m, int i, double value[MACHINE_KEPT_MAX])
 {
     const Conveyor *const c = &((const Conveyors *)room->self)->item[i];
