@@ -367,7 +367,7 @@ hawser_status calculator_build(const Scene *scene, const Expected *expected, int
     if (!status) out->n_pushers = scene_pushers(scene, &out->pusher);
     if (!status && out->n_pushers < 0) status = error_memory(err);
     plan_set(scene, expected, out);
-    out->bent = rope_bend(scene, out->route, 0);
+    if (!status) status = rope_bend(scene, out->route, 0, &out->bent, err);
     if (!status) status = solve(scene, scene->route.length / HEAD_PLACES, out, err);
     if (!status) status = rules_find(scene, out, err);
     return status ? status : calculator_follow(scene, out, err);
@@ -478,7 +478,8 @@ hawser_status calculator_vary(const Scene *scene, const Calculator *base, const 
     if (!status) status = places_vary(base, by, out, err);
     for (int i = 0; i < by->n_machines && !status; ++i)
         out->step[out->def.n_steps++] = (PullStep){by->machine[i], by->push, STEP_TAKE};
-    out->bent = by->radius != 1 && !status ? rope_bend(scene, out->route, 0) : base->bent;
+    out->bent = base->bent;
+    if (!status && by->radius != 1) status = rope_bend(scene, out->route, 0, &out->bent, err);
     return status ? status : solve(scene, apart, out, err);
 }
 

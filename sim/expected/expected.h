@@ -91,7 +91,7 @@ Finding finding_on(const Route *route, double value, double s, int piece);
 void finding_load(Finding *worst, const char *roller, double load, double rating);
 
 /* The smallest diameter that the rope is bent round ahead of `head` (m along the route), over its own: of bends, of
- * rollers on which it turns, of the sheave that the case names. rope_bend.c */
-Finding rope_bend(const Scene *scene, const Route *route, double head);
+ * rollers on which it turns, of the sheave that the case names. rope_bend.c. Errors: MEMORY. */
+hawser_status rope_bend(const Scene *scene, const Route *route, double head, Finding *out, hawser_error *err);
 
 #endif

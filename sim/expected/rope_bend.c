@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "core/base/error.h"
 #include "sim/expected/expected.h"
 #include "sim/expected/stretches.h"
 #include "theory/place/place.h"
@@ -35,26 +36,26 @@ static int inner_of(Vec3 off, Vec3 curvature)
     return along > INWARD ? 1 : along < -INWARD ? -1 : 0;
 }
 
-/* All of them into out [rollers], returns how many; -1 without memory. */
-static int turners_find(const Scene *scene, const Route *route, Turner *out)
+/* All of them into out [rollers]. Errors: MEMORY. */
+static hawser_status turners_find(const Scene *scene, const Route *route, Turner *out, int *n, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
     RouteGrid grid = {0};
-    int n = 0;
+    *n = 0;
     for (int r = 0; r < def->n_rollers; ++r) {
         const RollerDef *const roller = &def->rollers[r];
         const int listed = isnan(roller->s);
         if (listed && (roller->profile == SHAPE_BOX || roller->profile == SHAPE_BELL)) continue;
-        if (listed && !grid.at && route_grid_build(route, 0, &grid, NULL)) return -1;
+        if (listed && !grid.at && route_grid_build(route, 0, &grid, err)) return HAWSER_ERR_MEMORY;
         const double s = listed ? place_listed(def, &grid, roller) : roller->s;
         if (isnan(s)) continue;
         const RoutePoint at = route_at(route, s);
         const Vec3 off = v3_unit(v3_sub(roller->centre, at.position));
         const int carries = !roller->hold_down && !roller_guides_at(route, roller, s);
-        out[n++] = (Turner){s, 2 * roller->radius, inner_of(off, at.curvature), carries, off};
+        out[(*n)++] = (Turner){s, 2 * roller->radius, inner_of(off, at.curvature), carries, off};
     }
     route_grid_clear(&grid);
-    return n;
+    return HAWSER_OK;
 }
 
 /* The diameter of the nearest one from `begin` to `end`, seen from `from`, that a bend with this curvature presses the
@@ -112,26 +113,27 @@ static double rope_diameter(const Scene *scene)
     return most;
 }
 
-Finding rope_bend(const Scene *scene, const Route *route, double head)
+hawser_status rope_bend(const Scene *scene, const Route *route, double head, Finding *out, hawser_error *err)
 {
     Finding f = {.value = INFINITY};
     Turner *const turner = malloc(((size_t)scene->def.n_rollers + 1) * sizeof *turner);
-    const int n = turner ? turners_find(scene, route, turner) : -1;
-    for (int p = 0, to; p < route->n; p = to + 1) {
+    int n;
+    const hawser_status status = turner ? turners_find(scene, route, turner, &n, err) : error_memory(err);
+    for (int p = 0, to; p < route->n && !status; p = to + 1) {
         to = route_turn_end(route, p);
         const RoutePiece *const last = &route->piece[to];
         if (last->kind == ROUTE_STRAIGHT || last->s0 + last->length <= head) continue;
-        const double round = n < 0 ? NAN : bent_round(&scene->def, route, p, to, n, turner);
-        if (!(round >= f.value)) f = finding_at(route, round, route->piece[p].s0);
-        if (n < 0) break;
+        const double round = bent_round(&scene->def, route, p, to, n, turner);
+        if (round < f.value) f = finding_at(route, round, route->piece[p].s0);
     }
     free(turner);
-    if (n >= 0 && scene->def.limits.sheave < f.value) {
+    if (scene->def.limits.sheave < f.value) {
         f = (Finding){.value = scene->def.limits.sheave};
         snprintf(f.where, sizeof f.where, "the smallest sheave");
     }
     f.absent = isinf(f.value);
     f.value /= rope_diameter(scene);
-    snprintf(f.why, sizeof f.why, "%s", n < 0 ? "no memory" : "needs limits.rope_diameter, or a rope in chain");
-    return f;
+    snprintf(f.why, sizeof f.why, "needs limits.rope_diameter, or a rope in chain");
+    *out = f;
+    return status;
 }

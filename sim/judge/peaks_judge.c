@@ -6,6 +6,7 @@
 #include "sim/expected/findings.h"
 #include "sim/judge/peaks.h"
 
+static const Finding NO_MEMORY = {.value = NAN, .steady = NAN, .why = "no memory"};
 static const double WAVERS = 0.02; /* share by which a cable's speed may be above that of the belts that draw it */
 
 /* The route's bends by T/R, surfaces by the force per length that was found on them. */
@@ -133,8 +134,7 @@ static void by_theory(const Peaks *peaks, const Stats *stats, const Scene *scene
     static const LimitKind needs[] = {LIMIT_ALPHA, LIMIT_RUN_AWAY, LIMIT_TRIP};
     PeaksTheory theory;
     if (peaks_theory(peaks, stats, scene, expected, &theory, NULL)) {
-        for (size_t k = 0; k < sizeof needs / sizeof *needs; ++k)
-            f[needs[k]] = (Finding){.value = NAN, .steady = NAN, .why = "no memory"};
+        for (size_t k = 0; k < sizeof needs / sizeof *needs; ++k) f[needs[k]] = NO_MEMORY;
         return;
     }
     f[LIMIT_ALPHA] = alpha_finding(peaks, scene, &theory);
@@ -170,7 +170,8 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         }
     }
     findings_of_scene(scene, f);
-    f[LIMIT_ROPE_BEND] = rope_bend(scene, &scene->route, scene->joint_s[scene->eye]);
+    if (rope_bend(scene, &scene->route, scene->joint_s[scene->eye], &f[LIMIT_ROPE_BEND], NULL))
+        f[LIMIT_ROPE_BEND] = NO_MEMORY;
     speed_finding(peaks, scene, &f[LIMIT_SPEED]);
     duct_findings(def, f);
     return limits_judge(&def->limits, bundle_diameter(def), def->bundle.shape.thickest, f, out);

@@ -29,6 +29,7 @@ static const Scene scenes[] = {
     {"cases/reel.yaml", 12, NULL, NULL},
     {"cases/take-in.yaml", 8, NULL, NULL},
     {"cases/conveyors.yaml", 6, NULL, NULL},
+    {"cases/conveyors.yaml", 6, "limits.pull", "50 kN"}, /* in the middle of a block of compression */
     {"cases/jam.yaml", 12, NULL, NULL},
     {"cases/bending-hysteresis.yaml", 4, NULL, NULL},
     {"cases/slope-stick.yaml", 30, NULL, NULL},

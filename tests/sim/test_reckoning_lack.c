@@ -54,6 +54,10 @@ static void define_limited(SceneDef *def)
     t->n_friction = 1;
     t->friction = fixture_array(1, sizeof *t->friction);
     t->friction[0] = (TheoryFrictionDef){4, 6, 0.3, 0.35};
+    def->n_script = 1; /* what it takes away is asked, too */
+    def->script = fixture_array(1, sizeof *def->script);
+    def->script[0].command = (Command){.kind = HAWSER_FRICTION, .value = 0.5};
+    def->rollers[0].s = NAN; /* listed: its place on the route is looked for */
 }
 
 static hawser_status calculated(const Scene *scene, double *sum, hawser_error *err)
