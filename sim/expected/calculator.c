@@ -367,7 +367,7 @@ hawser_status calculator_build(const Scene *scene, const Expected *expected, int
     if (!status) out->n_pushers = scene_pushers(scene, &out->pusher);
     if (!status && out->n_pushers < 0) status = error_memory(err);
     plan_set(scene, expected, out);
-    if (!status) status = rope_bend(scene, out->route, 0, &out->bent, err);
+    if (!status) status = turners_find(scene, out->route, &out->n_turners, &out->turner, err);
     if (!status) status = solve(scene, scene->route.length / HEAD_PLACES, out, err);
     if (!status) status = rules_find(scene, out, err);
     return status ? status : calculator_follow(scene, out, err);
@@ -429,8 +429,11 @@ static hawser_status places_vary(const Calculator *base, const Variation *by, Ca
     c->duct = copy_of(base->duct, base->n_ducts, sizeof *c->duct);
     c->bearer = copy_of(base->bearer, base->n_bearers, sizeof *c->bearer);
     c->beside = copy_of(base->beside, base->n_beside, sizeof *c->beside);
-    if (!c->stretches.stretch || !c->pusher || !c->spacing || !c->guides || !c->duct || !c->bearer || !c->beside)
+    c->turner = copy_of(base->turner, base->n_turners, sizeof *c->turner);
+    if (!c->stretches.stretch || !c->pusher || !c->spacing || !c->guides || !c->duct || !c->bearer || !c->beside ||
+        !c->turner)
         return error_memory(err);
+    c->n_turners = base->n_turners;
     c->n_bearers = base->n_bearers;
     c->n_beside = base->n_beside;
     c->n_pushers = base->n_pushers;
@@ -443,6 +446,7 @@ static hawser_status places_vary(const Calculator *base, const Variation *by, Ca
         s->mu_rope *= by->friction;
         s->mu_rope_static *= by->friction;
     }
+    for (int i = 0; i < c->n_turners; ++i) c->turner[i].s = place_on(c->route, base->route, c->turner[i].s);
     for (int i = 0; i < c->n_beside; ++i) c->beside[i].s = place_on(c->route, base->route, c->beside[i].s);
     for (int i = 0; i < c->n_pushers; ++i) {
         c->pusher[i].at = place_on(c->route, base->route, c->pusher[i].at);
@@ -478,8 +482,6 @@ hawser_status calculator_vary(const Scene *scene, const Calculator *base, const 
     if (!status) status = places_vary(base, by, out, err);
     for (int i = 0; i < by->n_machines && !status; ++i)
         out->step[out->def.n_steps++] = (PullStep){by->machine[i], by->push, STEP_TAKE};
-    out->bent = base->bent;
-    if (!status && by->radius != 1) status = rope_bend(scene, out->route, 0, &out->bent, err);
     return status ? status : solve(scene, apart, out, err);
 }
 
@@ -498,6 +500,7 @@ void calculator_free(Calculator *c)
     free(c->guides);
     free(c->bearer);
     free(c->beside);
+    free(c->turner);
     free(c->rule);
     free(c->duct);
     *c = (Calculator){0};

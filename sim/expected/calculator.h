@@ -62,6 +62,8 @@ typedef struct Calculator {
     SupportRule *rule; /* [pieces] */
     int n_ducts;
     CalculatorDuct *duct; /* [n_ducts] */
+    int n_turners;
+    Turner *turner; /* [n_turners] rollers that the rope may run on */
     Plan plan;
     HeadSeries heads[PLAN_WAYS]; /* the winch's force by the place of the head */
     double beyond[PLAN_WAYS]; /* N, by what the winch pulls more than the cable's front at least, what is drawn apart;
@@ -72,7 +74,6 @@ typedef struct Calculator {
     Pushed pushed[PLAN_WAYS];           /* where it is not */
     int loosened[PLAN_WAYS];            /* with the least friction of the script alone */
     int overfed[PLAN_WAYS];             /* what pushes gives more than the pull needs: at the winch */
-    Finding bent;                       /* what the rope is bent round, over its diameter */
     Brake brake[PLAN_WAYS];             /* against running away; its `brake` is 0 where none is needed */
     TripSetting trip[PLAN_WAYS];
     int best; /* the way that keeps the limits better; without limits the one that needs less force */

@@ -90,8 +90,20 @@ Finding finding_on(const Route *route, double value, double s, int piece);
 /* Takes the rated roller with this load (N) in, if it has more of its rating than the worst so far. */
 void finding_load(Finding *worst, const char *roller, double load, double rating);
 
+/* --------------------------------------------------------------------------- what bends the rope: rope_bend.c */
+
+/* A roller that the rope may run on. */
+typedef struct Turner {
+    double s, across; /* m along the route; its diameter, m */
+    int inner;        /* 1: the bend there presses the rope on it, 0: neither on it nor away from it, -1: away */
+    int carries;      /* neither upright nor a hold-down */
+    Vec3 off;         /* unit, from the route to it */
+} Turner;
+
+/* All of them, malloc'ed, the caller's even after an error. Errors: MEMORY. */
+hawser_status turners_find(const Scene *scene, const Route *route, int *n, Turner **found, hawser_error *err);
 /* The smallest diameter that the rope is bent round ahead of `head` (m along the route), over its own: of bends, of
- * rollers on which it turns, of the sheave that the case names. rope_bend.c. Errors: MEMORY. */
-hawser_status rope_bend(const Scene *scene, const Route *route, double head, Finding *out, hawser_error *err);
+ * rollers on which it turns, of the sheave that the case names. */
+Finding rope_bend(const Scene *scene, const Route *route, double head, int n, const Turner *turner);
 
 #endif

@@ -227,7 +227,7 @@ hawser_status findings_of_way(const Scene *scene, const Route *route, const Calc
     findings_trip(scene, w->force, finding[LIMIT_ROPE].value, c->beyond[way], &finding[LIMIT_TRIP]);
     if (finding[LIMIT_RUN_AWAY].value > 0) finding[LIMIT_TRIP].steady = NAN;
     findings_of_scene(scene, finding);
-    finding[LIMIT_ROPE_BEND] = c->bent;
+    finding[LIMIT_ROPE_BEND] = rope_bend(scene, route, 0, c->n_turners, c->turner);
     if (c->def.feed > 0 || scene->def.theory.n_machines > 0) finding[LIMIT_PUSH].absent = 0;
     return HAWSER_OK;
 }

@@ -13,14 +13,6 @@ static const double WRAPPED = 30 * M_PI / 180;
 static const double REACH = 5;    /* m: farther from a bend in which no roller stands something else bears the rope */
 static const double INWARD = 0.3; /* cosine: so far on the inner side of a bend stands what it presses the rope on */
 
-/* A roller that the rope may run on. */
-typedef struct Turner {
-    double s, across; /* m along the route; its diameter, m */
-    int inner;        /* 1: the bend there presses the rope on it, 0: neither on it nor away from it, -1: away */
-    int carries;      /* neither upright nor a hold-down */
-    Vec3 off;         /* unit, from the route to it */
-} Turner;
-
 /* Where the route is nearest to a roller that is listed by coordinates; NAN: the cable does not reach it there, or a
  * duct or tray has it. */
 static double place_listed(const SceneDef *def, const RouteGrid *grid, const RollerDef *roller)
@@ -36,12 +28,13 @@ static int inner_of(Vec3 off, Vec3 curvature)
     return along > INWARD ? 1 : along < -INWARD ? -1 : 0;
 }
 
-/* All of them into out [rollers]. Errors: MEMORY. */
-static hawser_status turners_find(const Scene *scene, const Route *route, Turner *out, int *n, hawser_error *err)
+hawser_status turners_find(const Scene *scene, const Route *route, int *n, Turner **found, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
+    Turner *const out = *found = malloc(((size_t)def->n_rollers + 1) * sizeof *out);
     RouteGrid grid = {0};
     *n = 0;
+    if (!out) return error_memory(err);
     for (int r = 0; r < def->n_rollers; ++r) {
         const RollerDef *const roller = &def->rollers[r];
         const int listed = isnan(roller->s);
@@ -113,20 +106,16 @@ static double rope_diameter(const Scene *scene)
     return most;
 }
 
-hawser_status rope_bend(const Scene *scene, const Route *route, double head, Finding *out, hawser_error *err)
+Finding rope_bend(const Scene *scene, const Route *route, double head, int n, const Turner *turner)
 {
     Finding f = {.value = INFINITY};
-    Turner *const turner = malloc(((size_t)scene->def.n_rollers + 1) * sizeof *turner);
-    int n;
-    const hawser_status status = turner ? turners_find(scene, route, turner, &n, err) : error_memory(err);
-    for (int p = 0, to; p < route->n && !status; p = to + 1) {
+    for (int p = 0, to; p < route->n; p = to + 1) {
         to = route_turn_end(route, p);
         const RoutePiece *const last = &route->piece[to];
         if (last->kind == ROUTE_STRAIGHT || last->s0 + last->length <= head) continue;
         const double round = bent_round(&scene->def, route, p, to, n, turner);
         if (round < f.value) f = finding_at(route, round, route->piece[p].s0);
     }
-    free(turner);
     if (scene->def.limits.sheave < f.value) {
         f = (Finding){.value = scene->def.limits.sheave};
         snprintf(f.where, sizeof f.where, "the smallest sheave");
@@ -134,6 +123,5 @@ hawser_status rope_bend(const Scene *scene, const Route *route, double head, Fin
     f.absent = isinf(f.value);
     f.value /= rope_diameter(scene);
     snprintf(f.why, sizeof f.why, "needs limits.rope_diameter, or a rope in chain");
-    *out = f;
-    return status;
+    return f;
 }

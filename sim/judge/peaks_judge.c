@@ -170,8 +170,12 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         }
     }
     findings_of_scene(scene, f);
-    if (rope_bend(scene, &scene->route, scene->joint_s[scene->eye], &f[LIMIT_ROPE_BEND], NULL))
-        f[LIMIT_ROPE_BEND] = NO_MEMORY;
+    int n;
+    Turner *turner;
+    f[LIMIT_ROPE_BEND] = turners_find(scene, &scene->route, &n, &turner, NULL)
+                             ? NO_MEMORY
+                             : rope_bend(scene, &scene->route, scene->joint_s[scene->eye], n, turner);
+    free(turner);
     speed_finding(peaks, scene, &f[LIMIT_SPEED]);
     duct_findings(def, f);
     return limits_judge(&def->limits, bundle_diameter(def), def->bundle.shape.thickest, f, out);
