@@ -10,7 +10,8 @@
 enum { BLOCK_LEAST = 4 };        /* samples, for a mean to be one */
 static const double PART = 0.25; /* of a segment, that passes while it is pushed, */
 static const double LASTS = 1;   /* s, and for how long: what is shorter is a stop's or a jolt's */
-static const double MOVES = 0.1; /* of the pull's speed, below which the winch stands */
+static const double MOVES =
+    0.1; /* of the pull's speed, or all of it that friction needs: below that the winch stands */
 
 hawser_status compression_new(Compression *c, const Scene *scene, hawser_error *err)
 {
@@ -100,7 +101,8 @@ static void block_begin(Compression *c, const hawser_sample *sample)
 void compression_record(Compression *c, const Scene *scene, const hawser_sample *sample)
 {
     const double dt = c->last >= 0 ? sample->t - c->last : 0, length = PART * 2 * scene->chain.half[0];
-    const int stands = !(fabs(sample->winch_speed) >= MOVES * scene->largest_speed);
+    const double moves = fmin(MOVES * scene->largest_speed, scene->def.friction.v_d);
+    const int stands = !(fabs(sample->winch_speed) >= moves);
     if (c->last < 0 || stands) block_begin(c, sample);
     c->last = sample->t;
     if (!(dt > 0) || stands) return;

@@ -302,7 +302,7 @@ static void friction_that_fails(void **state)
                {"[{at: 1 s, do: friction, factor: 0}]", 0}};
     for (int k = 0; k < 4; k++) {
         json_t *const all = theory_of(text, (const char *const[]){"drive.script", row[k].script, NULL});
-        verdict_has(all, row[k].holds ? "SAFE: all" : "drive.script makes friction 0");
+        verdict_has(all, row[k].holds ? "SAFE: all" : "of friction it runs away");
         assert_int_equal(limit_of(all, "run_away") > 0, !row[k].holds);
         check_has(json_string_value(json_object_get(all, "verdict_backward")), "SAFE: all");
         json_decref(all);
@@ -392,6 +392,11 @@ static void what_the_crew_does(void **state)
         verdict_has(all, row[k].verdict);
         json_decref(all);
     }
+    json_t *const jammed =
+        theory_of(LEVEL, (const char *const[]){"conveyors", "[{name: K, from: 100 m, to: 102 m, clamp: 4 kN, mu: 0.3}]",
+                                               "jams", "[{what: K, at: 50 s}]", NULL});
+    verdict_has(jammed, "jams stops conveyor 'K'");
+    json_decref(jammed);
     static const char *const tension[] = {"5.4 kN", "5.6 kN"}; /* 200 m of 27.468 N/m are 5494 N */
     for (int k = 0; k < 2; k++) {
         char winch[100];

@@ -1,0 +1,210 @@
+/* Whether theory is calculated with all that the case says. docs/limits.md, "Trust". */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "sim/expected/calculator.h"
+
+/* Friction on nothing is nobody's: a case for theory alone may leave supports out, not friction as well. One that says
+ * how it runs is a pull in which the cable would fall. */
+static hawser_condition supported_by(const Scene *scene)
+{
+    const TheoryDef *const theory = &scene->def.theory;
+    const int hangs = theory->guessed_friction || theory->would_fall;
+    hawser_condition c = {.name = "supported", .unit = "1", .value = hangs, .holds = !hangs};
+    if (theory->guessed_friction) {
+        snprintf(c.remedy, sizeof c.remedy,
+                 "nothing carries the cable (no rollers, ducts, trays or floor), and no friction is given: the pull is "
+                 "that of a guessed %g; give what carries it, or friction.mu",
+                 scene->def.friction.mu_d);
+    } else {
+        snprintf(
+            c.remedy, sizeof c.remedy,
+            "nothing carries the cable (no rollers, ducts, trays or floor), and the case says how it is run: it "
+            "would fall; give what carries it, or leave out 'run' and 'drive' to calculate with friction.mu alone");
+    }
+    return c;
+}
+
+/* Whether the case gives friction for theory alone at s, or along the whole route if that is not known (NAN). */
+static int friction_given(const Scene *scene, double s)
+{
+    const TheoryDef *const theory = &scene->def.theory;
+    double given = 0;
+    for (int i = 0; i < theory->n_friction; ++i) {
+        const TheoryFrictionDef *const f = &theory->friction[i];
+        if (s >= f->from && s <= f->to) return 1;
+        given += fmax(0, fmin(f->to, scene->route.length) - fmax(f->from, 0));
+    }
+    return isnan(s) && given >= scene->route.length * (1 - 1e-9);
+}
+
+/* The largest friction that something has, in motion or from rest. */
+typedef struct Rough {
+    double mu;
+    const char *name;
+    int rolls; /* it is its bearing's */
+} Rough;
+
+static double at_rest(const FrictionLaw *law) { return fmax(law->mu_s, law->mu_d); }
+
+/* wedge: by how much walls that stand aslant press more than what lies between them weighs (GR9), (BU7). rolls: at most
+ * so much, of a roller that turns. */
+static void friction_take(const FrictionLaw *law, double wedge, double rolls, const char *name, Rough rough[2])
+{
+    const double mu[2] = {law->mu_d * wedge, at_rest(law) * wedge};
+    for (int k = 0; k < 2; ++k)
+        if (fmin(mu[k], rolls) > rough[k].mu) rough[k] = (Rough){fmin(mu[k], rolls), name, rolls < mu[k]};
+}
+
+static double wedge_of(const RollerDef *roller)
+{
+    return roller->profile == SHAPE_V_GROOVE ? 1 / roller->groove.sine : 1;
+}
+
+/* A roller that spins holds the cable by its bearing (SP9), at most as if it stood; what does not go with the load is
+ * most where the weight of the lightest cable (N/m) alone is on it. */
+static double bearing_friction(const Scene *scene, double lightest, int r)
+{
+    const RollerDef *const roller = &scene->def.rollers[r];
+    const SpinDef *const spin = &roller->spin;
+    const double sine = spin->friction * spin->journal / roller->radius;
+    if (!(spin->inertia > 0) || !(sine < 1)) return INFINITY;
+    if (!(spin->torque > 0)) return tan(asin(sine));
+    return tan(asin(sine)) + spin->torque / (roller->radius * lightest * roller_def_span(&scene->def, r));
+}
+
+/* The friction of rows, listed rollers and planes is a run's; where there is more of it than of the case's, theory's
+ * pull is too small. lightest: of the cable's pieces, N/m. */
+static hawser_condition friction_of(const Scene *scene, double lightest)
+{
+    const SceneDef *const def = &scene->def;
+    const double given[2] = {def->friction.mu_d, at_rest(&def->friction)};
+    Rough rough[2] = {{given[0], "", 0}, {given[1], "", 0}};
+    for (int r = 0; r < def->n_rollers; ++r) {
+        const RollerDef *const roller = &def->rollers[r];
+        if (!friction_given(scene, roller->s))
+            friction_take(&roller->friction, wedge_of(roller), bearing_friction(scene, lightest, r), roller->name,
+                          rough);
+    }
+    for (int k = 0; k < def->n_surfaces; ++k) {
+        const SurfaceDef *const surface = &def->surfaces[k];
+        if (!surface_along_route(surface) && !friction_given(scene, NAN))
+            friction_take(&surface->friction, 1, INFINITY, surface->name, rough);
+    }
+    /* friction from rest is named where that alone is too large */
+    const int rests = !(rough[0].mu > given[0] * (1 + 1e-9)) && rough[1].mu > given[1] * (1 + 1e-9);
+    hawser_condition c = {.name = "friction", .unit = "1", .value = rough[rests].mu, .allowed = given[rests]};
+    c.holds = c.value <= c.allowed * (1 + 1e-9);
+    snprintf(c.remedy, sizeof c.remedy,
+             "'%s' has a friction of its own%s%s, %g, and the calculation takes friction.%s, %g: give that, or "
+             "theory.stretches",
+             rough[rests].name, rough[rests].rolls ? " by its bearing" : "", rests ? " from rest" : "", c.value,
+             rests ? "mu_s" : "mu", c.allowed);
+    return c;
+}
+
+/* Friction that the crew raises on the way is a run's as well: the largest factor of the script counts, whatever it is
+ * of. */
+static void friction_told(const SceneDef *def, hawser_condition *c)
+{
+    double factor = 1;
+    for (int i = 0; i < def->n_script; ++i) {
+        const Command *const told = &def->script[i].command;
+        if (told->kind == HAWSER_FRICTION) factor = fmax(factor, told->value);
+    }
+    if (!(factor > 1 + 1e-9) || !c->holds) return;
+    c->value *= factor;
+    c->holds = !(c->value > c->allowed * (1 + 1e-9));
+    snprintf(c->remedy, sizeof c->remedy,
+             "drive.script makes friction %g times the case's, up to %g, and the calculation takes friction.mu, %g: "
+             "give the largest there, and factors of at most 1",
+             factor, c->value, c->allowed);
+}
+
+static const double WET = 0.02; /* of a cable's weight, that the fluid around it may take or add */
+
+/* The calculation knows no fluid: what lifts a cable down a slope, or streams against it, is not in the pull. */
+static hawser_condition medium_of(const Scene *scene)
+{
+    const SceneDef *const def = &scene->def;
+    const MediumDef *const fluid = &def->medium;
+    const double speed = v3_norm(fluid->velocity) + scene->largest_speed, g = v3_norm(def->gravity);
+    double most = 0;
+    for (int k = 0; k < def->n_pieces && g > 0; ++k) {
+        const CableDef *const cable = &def->cables[def->pieces[k].cable];
+        const double d = cable->diameter, lift = fluid->buoyancy ? M_PI / 4 * d * d * g : 0;
+        const double drag = d / 2 * fmax(fluid->normal, M_PI * fluid->tangential) * speed * speed;
+        most = fmax(most, fluid->density * (lift + drag) / (cable->mass * g)); /* (MD1), (MD3) */
+    }
+    hawser_condition c = {.name = "medium", .unit = "1", .value = most, .allowed = WET, .holds = most <= WET};
+    snprintf(c.remedy, sizeof c.remedy,
+             "the fluid of section medium lifts or moves the cable by %.2g %% of its weight, and the calculation knows "
+             "none: a run does",
+             100 * most);
+    return c;
+}
+
+/* The conveyor of that name; NULL: there is none. */
+static const ConveyorDef *conveyor_named(const SceneDef *def, const char *name)
+{
+    for (int i = 0; i < def->n_conveyors; ++i)
+        if (!strcmp(name, def->conveyors[i].name)) return &def->conveyors[i];
+    return NULL;
+}
+
+/* What a command does to a conveyor that may then push less; NULL: nothing of that sort. */
+static const char *conveyor_told(const SceneDef *def, const Command *told)
+{
+    const ConveyorDef *const c = conveyor_named(def, told->what);
+    if (c && told->kind == HAWSER_CONVEYOR_SPEED) return "changes the speed of";
+    if (c && told->kind == HAWSER_CONVEYOR_CLAMP && told->value < c->clamp) return "opens";
+    return c && told->kind == HAWSER_JAM ? "stops" : NULL;
+}
+
+static void conveyor_doubted(const char *section, const char *does, const char *name, hawser_condition *out)
+{
+    out->value = 1;
+    out->holds = 0;
+    snprintf(out->remedy, sizeof out->remedy,
+             "%s %s conveyor '%.24s', and the calculation takes it as it was before: say it in section conveyors as it "
+             "is at worst",
+             section, does, name);
+}
+
+/* The calculation takes conveyors as the case has them, not as the crew changes them or as they jam, and a winch that
+ * can pull: one of a set tension stops where that is not enough. */
+static hawser_condition drive_of(const Scene *scene, const Calculator *c)
+{
+    const SceneDef *const def = &scene->def;
+    hawser_condition out = {.name = "drive", .unit = "1", .holds = 1};
+    double needed = 0, has = profile_largest(&def->winch.tension);
+    for (int i = 0; i < def->n_jams; ++i)
+        if (conveyor_named(def, def->jams[i].what)) conveyor_doubted("jams", "stops", def->jams[i].what, &out);
+    for (int i = 0; i < def->n_script; ++i) {
+        const Command *const told = &def->script[i].command;
+        const char *const does = conveyor_told(def, told);
+        if (told->kind == HAWSER_WINCH_TENSION) has = fmax(has, told->value);
+        if (does && out.holds) conveyor_doubted("drive.script", does, told->what, &out);
+    }
+    for (int k = 0; k < PLAN_WAYS; ++k)
+        if (!c->def.skip[k] && (k == PLAN_FORWARD || c->def.skip[PLAN_FORWARD]))
+            needed = fmax(c->plan.way[k].force, c->heads[k].peak.force);
+    if (!def->winch.present || def->winch.mode != WINCH_TENSION || has >= needed * (1 - 1e-9)) return out;
+    out.value = needed / has;
+    out.allowed = 1;
+    out.holds = 0;
+    snprintf(out.remedy, sizeof out.remedy,
+             "the winch pulls with at most %.4g kN (drive.winch.tension), and %.4g kN are needed: it stops on the way",
+             has / 1e3, needed / 1e3);
+    return out;
+}
+
+void calculator_know(const Scene *scene, Calculator *c)
+{
+    c->known[KNOWN_SUPPORT] = supported_by(scene);
+    c->known[KNOWN_FRICTION] = friction_of(scene, c->def.lightest > 0 ? c->def.lightest : scene->cable_weight);
+    c->known[KNOWN_MEDIUM] = medium_of(scene);
+    c->known[KNOWN_DRIVE] = drive_of(scene, c);
+    friction_told(&scene->def, &c->known[KNOWN_FRICTION]);
+}
