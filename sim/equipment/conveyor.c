@@ -574,7 +574,10 @@ static double conveyors_push(const Room *room, const Scene *scene, int item, dou
     if (!c->def->grips_rope && front < (c->def->from + c->def->to) / 2) return 0;
     const double speed = w->mode == WINCH_SPEED ? winch_speed(w, at) : scene->largest_speed;
     const double slip = w->present ? speed - conveyor_belt(c, w, at) : 0;
-    if (fabs(slip) > c->law.v_d) return slip < 0 ? c->grip * c->law.mu_d : -c->grip * c->law.mu_d;
+    /* it holds by place: any difference that lasts adds up until it slips, with the lesser of both coefficients ahead
+     */
+    if (fabs(slip) > 1e-9 * speed)
+        return slip < 0 ? c->grip * c->law.mu_d : -c->grip * (fabs(slip) > c->law.v_d ? c->law.mu_d : c->law.mu_s);
     return fmin(fmax(arriving, 0), c->grip);
 }
 

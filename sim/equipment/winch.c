@@ -37,6 +37,9 @@ double winch_last_full(const Winch *w, double until)
     return last;
 }
 
+static const double KEPT = 1; /* m: a speed that it goes through in less is a start's */
+
+/* From or to rest the speed is that one such length from there, as of a straight ramp. */
 double winch_slowest_kept(const Winch *w, double until)
 {
     double least = INFINITY;
@@ -44,7 +47,9 @@ double winch_slowest_kept(const Winch *w, double until)
     for (double t = 0, next = 0; t < until; t = next) {
         next = profile_corner_before(&w->speed, t, until);
         const double from = fabs(profile_value(&w->speed, t)), to = fabs(profile_value(&w->speed, next));
-        if (from > 0 && fabs(from - to) <= 1e-9 * from) least = fmin(least, from);
+        const double slower = fmin(from, to), way = (from + to) / 2 * (next - t);
+        if (slower > 0 && (way > KEPT || fabs(from - to) <= 1e-9 * from)) least = fmin(least, slower);
+        if (!(slower > 0) && way > KEPT) least = fmin(least, sqrt(KEPT / way) * fmax(from, to));
     }
     return least;
 }

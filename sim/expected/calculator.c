@@ -107,8 +107,7 @@ static Part part_of(const Route *route, int first, int last)
     return (Part){route->piece[first].s0, route->piece[last].s0 + route->piece[last].length};
 }
 
-/* Whether a bend presses the cable away from a guide: it bears nothing. */
-static int stands_outside(const Route *route, const RollerDef *guide)
+int guide_stands_outside(const Route *route, const RollerDef *guide)
 {
     const RoutePoint at = route_at(route, guide->s);
     const Vec3 off = v3_sub(guide->centre, at.position);
@@ -122,7 +121,7 @@ static int places_on(const Scene *scene, int guides, Part on, double *s)
     for (int i = 0; i < scene->def.n_rollers; ++i) {
         const RollerDef *const r = &scene->def.rollers[i];
         if (isnan(r->s) || r->s < on.from || r->s > on.to || roller_is_guide(&scene->route, r) != guides) continue;
-        if (r->hold_down || (guides && stands_outside(&scene->route, r))) continue;
+        if (r->hold_down || (guides && guide_stands_outside(&scene->route, r))) continue;
         s[n++] = r->s;
     }
     qsort(s, (size_t)n, sizeof *s, compare_places);

@@ -88,6 +88,8 @@ hawser_status calculator_build(const Scene *scene, const Expected *expected, int
 void calculator_free(Calculator *c);
 /* Fills limits, `known` and `pulled` of one that is solved. Errors: MEMORY. */
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err);
+/* Whether a bend presses the cable away from a guide of a row: it bears nothing. */
+int guide_stands_outside(const Route *route, const RollerDef *guide);
 /* Fills `known` of one that is solved: calculator_known.c. */
 void calculator_know(const Scene *scene, Calculator *c);
 /* N, of the winch, wherever the head is, at speed or from rest; of a rope with all that it draws, whatever each pulls

@@ -54,7 +54,9 @@ static Finding roller_finding(const Scene *scene, const Calculator *c, const Pla
         if (roller->hold_down && line_load(&line, roller->s).up < 0)
             snprintf(unknown.why, sizeof unknown.why,
                      "of hold-downs that the cable lifts off to theory knows no load: a run does");
-        if (roller->hold_down) continue;
+        if (roller->hold_down ||
+            (roller_is_guide(&scene->route, roller) && guide_stands_outside(&scene->route, roller)))
+            continue;
         const double load = way->piece[route_at(&scene->route, roller->s).piece].roller_load;
         if (load > 0) finding_load(&worst, roller->name, load, roller->rating);
     }

@@ -159,7 +159,25 @@ static const char *conveyor_told(const SceneDef *def, const Command *told)
     const ConveyorDef *const c = conveyor_named(def, told->what);
     if (c && told->kind == HAWSER_CONVEYOR_SPEED) return "changes the speed of";
     if (c && told->kind == HAWSER_CONVEYOR_CLAMP && told->value < c->clamp) return "opens";
+    if (c && told->kind == HAWSER_CONVEYOR_CLAMP && told->value > c->clamp && !c->sync)
+        return "clamps"; /* it may brake */
     return c && told->kind == HAWSER_JAM ? "stops" : NULL;
+}
+
+/* Whether a roller turns by itself or is turned, so that the cable drags over it where it jams. */
+static int is_turning(const SceneDef *def, const char *name)
+{
+    for (int r = 0; r < def->n_rollers; ++r)
+        if (!strcmp(name, def->rollers[r].name)) return def->rollers[r].spin.inertia > 0;
+    return 0;
+}
+
+static void drive_doubted(const char *section, const char *does, const char *name, hawser_condition *out)
+{
+    out->value = 1;
+    out->holds = 0;
+    snprintf(out->remedy, sizeof out->remedy, "%s %s '%.24s', which the calculation does not know: a run does", section,
+             does, name);
 }
 
 static void conveyor_doubted(const char *section, const char *does, const char *name, hawser_condition *out)
@@ -178,13 +196,20 @@ static hawser_condition drive_of(const Scene *scene, const Calculator *c)
 {
     const SceneDef *const def = &scene->def;
     hawser_condition out = {.name = "drive", .unit = "1", .holds = 1};
-    double needed = 0, has = profile_largest(&def->winch.tension);
-    for (int i = 0; i < def->n_jams; ++i)
-        if (conveyor_named(def, def->jams[i].what)) conveyor_doubted("jams", "stops", def->jams[i].what, &out);
+    double needed = 0, has = profile_value(&def->winch.tension, def->duration);
+    for (int i = 0; i < def->n_jams; ++i) {
+        const char *const what = def->jams[i].what;
+        if (conveyor_named(def, what)) conveyor_doubted("jams", "stops", what, &out);
+        if (is_turning(def, what)) drive_doubted("jams", "stops roller", what, &out);
+    }
     for (int i = 0; i < def->n_script; ++i) {
         const Command *const told = &def->script[i].command;
         const char *const does = conveyor_told(def, told);
-        if (told->kind == HAWSER_WINCH_TENSION) has = fmax(has, told->value);
+        if (told->kind == HAWSER_WINCH_TENSION) has = fmin(has, told->value);
+        if (told->kind == COMMAND_FORCE && out.holds)
+            drive_doubted("drive.script", "presses on the cable by", "force", &out);
+        if (told->kind == HAWSER_JAM && is_turning(def, told->what) && out.holds)
+            drive_doubted("drive.script", "stops roller", told->what, &out);
         if (does && out.holds) conveyor_doubted("drive.script", does, told->what, &out);
     }
     for (int k = 0; k < PLAN_WAYS; ++k)

@@ -6,25 +6,41 @@
 #include "core/base/error.h"
 #include "sim/expected/calculator.h"
 
-double friction_least_told(const SceneDef *def)
+/* Whether a command of friction is about what lies along the route at s, as far as theory has it: of all, of the duct
+ * or tray there, or of a roller (theory has the rows' friction everywhere outside ducts). */
+static int is_about(const SceneDef *def, const char *what, double s)
+{
+    const SurfaceDef *const here = surface_at(def, s);
+    if (!*what) return 1;
+    for (int k = 0; k < def->n_surfaces; ++k)
+        if (!strcmp(what, def->surfaces[k].name)) return here == &def->surfaces[k];
+    return !here;
+}
+
+/* The least factor at s; NAN: anywhere. */
+static double least_at(const SceneDef *def, double s)
 {
     double factor = 1;
     for (int i = 0; i < def->n_script; ++i) {
         const Command *const told = &def->script[i].command;
-        if (told->kind == HAWSER_FRICTION) factor = fmin(factor, told->value);
+        if (told->kind == HAWSER_FRICTION && (isnan(s) || is_about(def, told->what, s)))
+            factor = fmin(factor, told->value);
     }
     return factor;
 }
+
+double friction_least_told(const SceneDef *def) { return least_at(def, NAN); }
 
 /* The same question with so much of the friction; its stretches are malloc'ed, the caller's. Errors: MEMORY. */
 static hawser_status loose_def(const Scene *scene, const Calculator *c, PlanDef *out, PullStretch **own,
                                hawser_error *err)
 {
-    const double factor = friction_least_told(&scene->def);
     PullStretch *const s = *own = malloc((size_t)c->def.n_stretches * sizeof *s);
     if (!s) return error_memory(err);
     memcpy(s, c->def.stretch, (size_t)c->def.n_stretches * sizeof *s);
     for (int i = 0; i < c->def.n_stretches; ++i) {
+        const double next = i + 1 < c->def.n_stretches ? s[i + 1].from : c->route->length;
+        const double factor = least_at(&scene->def, (fmax(s[i].from, 0) + fmax(next, 0)) / 2);
         s[i].mu *= factor;
         s[i].mu_static *= factor;
         s[i].mu_rope *= factor;

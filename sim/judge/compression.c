@@ -9,7 +9,8 @@
 
 enum { BLOCK_LEAST = 4 };        /* samples, for a mean to be one */
 static const double PART = 0.25; /* of a segment, that passes while it is pushed, */
-static const double LASTS = 1;   /* s, and for how long: what is shorter is a stop's or a jolt's */
+static const double LASTS = 1;   /* s, and for how long: what is shorter is a stop's or a jolt's; */
+static const double LONG = 2;    /* s: however little passes */
 static const double MOVES =
     0.1; /* of the pull's speed, or all of it that friction needs: below that the winch stands */
 
@@ -70,7 +71,7 @@ static double pushed_with(const Compression *c, const Scene *scene, int k, doubl
 /* The joints that were there all through the block. P: of the strongest machine behind a joint. */
 static void block_end(Compression *c, const Scene *scene, const hawser_sample *sample)
 {
-    const double whole = sample->t - c->began, middle = (c->travel + sample->winch_travel) / 2;
+    const double whole = c->drawn, middle = (c->travel + sample->winch_travel) / 2;
     const double least = scene->weight.lead_in ? 0 : -INFINITY;
     for (int k = 0; k < c->n_pushers; ++k) c->force[k] = pushed_with(c, scene, k, middle, whole);
     for (int j = 0; j <= scene->eye && j < c->joints; ++j) {
@@ -84,7 +85,7 @@ static void block_end(Compression *c, const Scene *scene, const hawser_sample *s
             if (c->pusher[k].from <= s) pushed = fmin(pushed, -tension - c->force[k]);
         if (!(pushed > c->most.value)) continue;
         c->most = (Peak){pushed, s};
-        c->when = c->began + whole / 2;
+        c->when = (c->began + sample->t) / 2;
     }
 }
 
@@ -94,6 +95,7 @@ static void block_begin(Compression *c, const hawser_sample *sample)
     memset(c->time, 0, (size_t)c->joints * sizeof *c->time);
     memset(c->force, 0, (size_t)c->n_pushers * sizeof *c->force);
     c->rows = 0;
+    c->drawn = 0;
     c->began = sample->t;
     c->travel = sample->winch_travel;
 }
@@ -103,7 +105,7 @@ void compression_record(Compression *c, const Scene *scene, const hawser_sample 
     const double dt = c->last >= 0 ? sample->t - c->last : 0, length = PART * 2 * scene->chain.half[0];
     const double moves = fmin(MOVES * scene->largest_speed, scene->def.friction.v_d);
     const int stands = !(fabs(sample->winch_speed) >= moves);
-    if (c->last < 0 || stands) block_begin(c, sample);
+    if (c->last < 0) block_begin(c, sample);
     c->last = sample->t;
     if (!(dt > 0) || stands) return;
     pushes_take(c, sample, dt);
@@ -112,8 +114,9 @@ void compression_record(Compression *c, const Scene *scene, const hawser_sample 
         c->sum[j] += tension[j] * dt;
         c->time[j] += dt;
     }
-    const double way = fabs(sample->winch_travel - c->travel), time = sample->t - c->began;
-    if (++c->rows < BLOCK_LEAST || time < LASTS || way < length) return;
+    c->drawn += dt;
+    const double way = fabs(sample->winch_travel - c->travel);
+    if (++c->rows < BLOCK_LEAST || c->drawn < LASTS || (way < length && c->drawn < LONG)) return;
     block_end(c, scene, sample);
     block_begin(c, sample);
 }

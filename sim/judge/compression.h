@@ -1,6 +1,7 @@
-/* Where a run pushes the cable, and with what: the least tension that a joint has for a second, and while a quarter of
- * a segment passes. What it has for a moment only, of waves, a stop or its place over a roller, is none; nor is what
- * friction, which creeps while nothing is drawn, makes of a cable at rest. docs/model/62-limits.md, (LI12a). */
+/* Where a run pushes the cable, and with what: the least tension that a joint has for a second of drawing, and while a
+ * quarter of a segment passes or for two. What it has for a moment only, of waves, a stop or its place over a roller,
+ * is none; nor is what friction, which creeps while nothing is drawn, makes of a cable at rest.
+ * docs/model/62-limits.md, (LI12a). */
 #ifndef HAWSER_SIM_JUDGE_COMPRESSION_H
 #define HAWSER_SIM_JUDGE_COMPRESSION_H
 
@@ -19,6 +20,7 @@ typedef struct Compression {
     double when;        /* s, of that: the middle of its block */
     double pulled;      /* N, the largest mean of a block */
     double began, last; /* s: the block that is being summed began, and the last sample */
+    double drawn;       /* s of it, while the winch drew */
     double travel;      /* m, of the winch when it began */
     int rows;           /* samples in it */
     int joints, n_pushers;

@@ -90,6 +90,36 @@ static void pushed_while_friction_fails(void **state)
     free(text);
 }
 
+/* A winch that is slow, or inches: its brake is gone for ten seconds, of which the mesh passes little. */
+static void pushed_by_inches(void **state)
+{
+    (void)state;
+    char inching[3000] = "{table: [[0 s, 0 m/s]";
+    for (int k = 0; k < 30; k++) {
+        const size_t used = strlen(inching);
+        snprintf(inching + used, sizeof inching - used,
+                 ", [%.1f s, 0.03 m/s], [%.1f s, 0.03 m/s], [%.1f s, 0 m/s], [%.1f s, 0 m/s]", 2.5 * k + 0.5,
+                 2.5 * k + 1, 2.5 * k + 1.5, 2.5 * k + 2.5);
+    }
+    strcat(inching, "]}");
+    const char *const winch[] = {"{speed: 0.02 m/s, to: 2 s}", inching};
+    char *const text = case_of(
+        "lead_in: {}\nchain: [{cable: c, length: 80 m, segment: 1 m}]\n"
+        "route: {head_at: 52 m, transition_radius: 20 m, pieces: [{straight: 5 m}, {straight: 25 m, slope: -22 deg}, "
+        "{straight: 30 m, slope: 0 deg}]}\nsurfaces: {ducts: [{name: hill, radius: 60 mm, place: resting}]}\n"
+        "drive: {tail: {table: [[0 s, 2 kN], [19 s, 2 kN], [20.5 s, 0 N], [32 s, 0 N], [34 s, 2 kN]]}, winch: {speed: "
+        "0.02 m/s, to: 2 s}}\nrun: {duration: 60 s, steady_from: 45 s}\nsolver: {passes: 1}\n");
+    for (int k = 0; k < 2; k++) {
+        hawser_sim *const sim = run_of(text, (const char *const[]){"drive.winch", winch[k], NULL});
+        const hawser_limit l = judged(sim, "run_away");
+        print_message("pushed with %.1f N\n", l.value);
+        assert_true(l.judged && !l.ok);
+        check_share(l.value, 443, 0.15);
+        hawser_sim_free(sim);
+    }
+    free(text);
+}
+
 /* What a belt has pushed with before it was opened does not count for what pushes then. */
 static void pushed_beside_an_open_belt(void **state)
 {
@@ -516,6 +546,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pushed_for_a_while),
         cmocka_unit_test(pushed_while_friction_fails),
+        cmocka_unit_test(pushed_by_inches),
         cmocka_unit_test(pushed_beside_an_open_belt),
         cmocka_unit_test(at_rest_on_a_slope),
         cmocka_unit_test(pushed_by_what_is_there),

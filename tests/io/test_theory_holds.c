@@ -381,6 +381,8 @@ static void what_the_crew_does(void **state)
                {"[{at: 100 s, do: conveyor_clamp, of: K, clamp: 0 N}]", "opens conveyor 'K'"},
                {"[{at: 100 s, do: conveyor_speed, of: K, speed: 50 mm/s}]", "changes the speed of conveyor 'K'"},
                {"[{at: 100 s, do: jam, of: K}]", "stops conveyor 'K'"},
+               {"[{at: 100 s, do: conveyor_clamp, of: K, clamp: 9 kN}]", "clamps conveyor 'K'"},
+               {"[{at: 100 s, do: force, place: 50 m, force: [-3 kN, 0, 0]}]", "presses on the cable"},
                {"[{at: 100 s, do: winch_speed, speed: 0.11 m/s}]", "SAFE: all"},
                {"[{at: 100 s, do: winch_speed, speed: 2 m/s}]", "speed by 100 %"}};
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
@@ -418,6 +420,51 @@ static void a_winch_that_is_pushed(void **state)
                  "[{name: K, from: 3 m, to: 5 m, clamp: %s, mu: 0.3, belt: {speed: 0.12 m/s, to: 2 s}}]", clamp[k]);
         json_t *const all = theory_of(LEVEL, (const char *const[]){"conveyors", belts, NULL});
         verdict_has(all, k ? "pushes the winch with 0.4464 kN" : "SAFE: all");
+        json_decref(all);
+    }
+}
+
+/* A belt holds the cable by its place: a speed that differs from the winch's by little makes it slip in time, and it
+ * brakes or pushes with all it has. One that follows the winch takes over what arrives. */
+static void belts_nearly_as_fast(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *belt;
+        double most; /* N, at the winch, or where it arrives at the belt */
+    } row[] = {{"belt: {speed: 0.09985 m/s, to: 2 s}", 6000 + 60 * 0.2 * 14 * 9.81},
+               {"factor: 0.999", 6000 + 60 * 0.2 * 14 * 9.81},
+               {"belt: {speed: 0.1 m/s, to: 2 s}", 31.6 * 0.2 * 14 * 9.81},
+               {"factor: 1", 31.6 * 0.2 * 14 * 9.81}};
+    for (int k = 0; k < 4; k++) {
+        char belts[200];
+        snprintf(belts, sizeof belts, "[{name: B, from: 30.2 m, to: 33 m, clamp: 10 kN, mu: 0.3, %s}]", row[k].belt);
+        json_t *const all = theory_of(LEVEL, (const char *const[]){"conveyors", belts, "route",
+                                                                   "{head_at: 60 m, pieces: [{straight: 60 m}]}",
+                                                                   "limits.push", "7 kN", NULL});
+        check_share(limit_of(all, "pull"), row[k].most, 1e-6);
+        json_decref(all);
+    }
+}
+
+/* Friction that a script takes from one duct is not taken from another: the level one may be lubricated. */
+static void friction_of_one_duct(void **state)
+{
+    (void)state;
+    static const char *const of[] = {"flat", "hill"};
+    for (int k = 0; k < 2; k++) {
+        char script[100];
+        snprintf(script, sizeof script, "[{at: 5 s, do: friction, of: %s, factor: 0.5}]", of[k]);
+        json_t *const all = theory_of(
+            LEVEL,
+            (const char *const[]){"friction.mu", "0.25", "route",
+                                  "{head_at: 58 m, transition_radius: 10 m, pieces: [{straight: 5 m}, {straight: "
+                                  "30 m, slope: -11 deg}, {straight: 25 m, slope: 0 deg}]}",
+                                  "surfaces",
+                                  "{ducts: [{name: hill, radius: 60 mm, place: resting, to: 40 m}, {name: flat, "
+                                  "radius: 60 mm, place: resting, from: 40 m}]}",
+                                  "drive.script", script, NULL});
+        verdict_has(all, k ? "drive.script: with 0.5 of friction it runs away" : "SAFE: all");
         json_decref(all);
     }
 }
@@ -512,6 +559,8 @@ int main(void)
         cmocka_unit_test(belts_beside_a_winch_that_stops),
         cmocka_unit_test(what_the_crew_does),
         cmocka_unit_test(a_winch_that_is_pushed),
+        cmocka_unit_test(belts_nearly_as_fast),
+        cmocka_unit_test(friction_of_one_duct),
         cmocka_unit_test(a_brake_that_goes_with_the_speed),
         cmocka_unit_test(rollers_that_share_nothing),
     };
