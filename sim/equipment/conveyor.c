@@ -554,9 +554,8 @@ static const MachineKind CONVEYORS = {.key = "conveyors",
 
 static int conveyors_pushers(const Room *room, const Scene *scene, Pusher *out)
 {
-    (void)scene;
     const Conveyors *const all = room->self;
-    for (int i = 0; out && i < all->n; ++i) {
+    for (int i = 0; out && scene && i < all->n; ++i) {
         const ConveyorDef *const def = all->item[i].def;
         const double middle = (def->from + def->to) / 2;
         out[i] = (Pusher){.name = def->name, .at = middle, .from = def->from, .room = room, .item = i};
@@ -564,20 +563,18 @@ static int conveyors_pushers(const Room *room, const Scene *scene, Pusher *out)
     return all->n;
 }
 
-/* A belt that is faster than the winch slips and pushes with all it has, a slower one brakes; one that keeps the
- * winch's speed takes over what arrives, up to its grip (WI20). */
+/* A belt holds by place: what its speed differs by adds up until it slips, and pushes or brakes with all it has; one
+ * that keeps the winch's speed takes over what arrives, up to its grip (WI20). */
 static double conveyors_push(const Room *room, const Scene *scene, int item, double arriving, double front)
 {
     const Conveyor *const c = &((const Conveyors *)room->self)->item[item];
     const Winch *const w = scene->winch;
-    const double at = winch_last_full(w, scene->def.duration);
-    if (!c->def->grips_rope && front < (c->def->from + c->def->to) / 2) return 0;
+    const double at = winch_last_full(w, scene->def.duration), half = (c->def->from + c->def->to) / 2;
     const double speed = w->mode == WINCH_SPEED ? winch_speed(w, at) : scene->largest_speed;
     const double slip = w->present ? speed - conveyor_belt(c, w, at) : 0;
-    /* it holds by place: any difference that lasts adds up until it slips, with the lesser of both coefficients ahead
-     */
-    if (fabs(slip) > 1e-9 * speed)
-        return slip < 0 ? c->grip * c->law.mu_d : -c->grip * (fabs(slip) > c->law.v_d ? c->law.mu_d : c->law.mu_s);
+    if (!c->def->grips_rope && front < half) return 0;
+    if (slip < -1e-9 * speed) return c->grip * c->law.mu_d;
+    if (slip > 1e-9 * speed) return -c->grip * (slip > c->law.v_d ? c->law.mu_d : c->law.mu_s);
     return fmin(fmax(arriving, 0), c->grip);
 }
 
