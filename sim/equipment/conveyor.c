@@ -554,11 +554,11 @@ static const MachineKind CONVEYORS = {.key = "conveyors",
 
 static int conveyors_pushers(const Room *room, const Scene *scene, Pusher *out)
 {
+    (void)scene;
     const Conveyors *const all = room->self;
-    for (int i = 0; out && scene && i < all->n; ++i) {
+    for (int i = 0; out && i < all->n; ++i) {
         const ConveyorDef *const def = all->item[i].def;
-        const double middle = (def->from + def->to) / 2;
-        out[i] = (Pusher){.name = def->name, .at = middle, .from = def->from, .room = room, .item = i};
+        out[i] = (Pusher){def->name, (def->from + def->to) / 2, def->from, room, i};
     }
     return all->n;
 }

@@ -110,8 +110,7 @@ static Part part_of(const Route *route, int first, int last)
 int guide_stands_outside(const Route *route, const RollerDef *guide)
 {
     const RoutePoint at = route_at(route, guide->s);
-    const Vec3 off = v3_sub(guide->centre, at.position);
-    return v3_dot(off, at.curvature) < -0.3 * v3_norm(off) * v3_norm(at.curvature);
+    return bend_side(v3_sub(guide->centre, at.position), at.curvature) < 0;
 }
 
 /* The places, rising, of the carriers, or of the guides, that bear what is on the part; returns how many. */

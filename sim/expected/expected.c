@@ -208,7 +208,7 @@ enum { RELIEF_PLACES = 200 }; /* of the front */
 hawser_status expected_relief(const Scene *scene, double to, double *relief, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
-    const double from = fmax(0, scene->joint_s[scene->eye]), length = scene->joint_s[scene->total] - from;
+    const double eye = scene->joint_s[scene->eye], from = fmax(0, eye), length = scene->joint_s[scene->total] - eye;
     const double end = fmin(expected_end(scene), fmin(to, scene->route.length) + length);
     double weight = 0;
     *relief = 0;

@@ -10,8 +10,7 @@
 
 /* Rollers that turn the rope by this much each are sheaves to it (our choice: less is no wrap), rad. */
 static const double WRAPPED = 30 * M_PI / 180;
-static const double REACH = 5;    /* m: farther from a bend in which no roller stands something else bears the rope */
-static const double INWARD = 0.3; /* cosine: so far on the inner side of a bend stands what it presses the rope on */
+static const double REACH = 5; /* m: farther from a bend in which no roller stands something else bears the rope */
 
 /* Where the route is nearest to a roller that is listed by coordinates; NAN: the cable does not reach it there, or a
  * duct or tray has it. */
@@ -20,12 +19,6 @@ static double place_listed(const SceneDef *def, const RouteGrid *grid, const Rol
     const Nearest there = route_nearest(grid, roller->centre, 1);
     const int near = there.distance <= roller->radius + 2 * bundle_diameter(def);
     return near && !surface_at(def, there.s) ? there.s : NAN;
-}
-
-static int inner_of(Vec3 off, Vec3 curvature)
-{
-    const double along = v3_norm(curvature) > 0 ? v3_dot(off, curvature) / v3_norm(curvature) : 0;
-    return along > INWARD ? 1 : along < -INWARD ? -1 : 0;
 }
 
 hawser_status turners_find(const Scene *scene, const Route *route, int *n, Turner **found, hawser_error *err)
@@ -45,7 +38,7 @@ hawser_status turners_find(const Scene *scene, const Route *route, int *n, Turne
         const RoutePoint at = route_at(route, s);
         const Vec3 off = v3_unit(v3_sub(roller->centre, at.position));
         const int carries = !roller->hold_down && !roller_guides_at(route, roller, s);
-        out[(*n)++] = (Turner){s, 2 * roller->radius, inner_of(off, at.curvature), carries, off};
+        out[(*n)++] = (Turner){s, 2 * roller->radius, bend_side(off, at.curvature), carries, off};
     }
     route_grid_clear(&grid);
     return HAWSER_OK;
@@ -58,7 +51,7 @@ static double nearest_turner(int n, const Turner *turner, double begin, double e
     double least[2] = {INFINITY, INFINITY}, across[2] = {INFINITY, INFINITY};
     for (int i = 0; i < n; ++i) {
         const double away = fabs(turner[i].s - from);
-        const int inner = inner_of(turner[i].off, curvature) > 0;
+        const int inner = bend_side(turner[i].off, curvature) > 0;
         if (turner[i].s < begin || turner[i].s > end || !(inner || turner[i].carries) || away >= least[inner]) continue;
         least[inner] = away;
         across[inner] = turner[i].across;

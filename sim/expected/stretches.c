@@ -24,6 +24,14 @@ int roller_is_guide(const Route *route, const RollerDef *roller)
     return !isnan(roller->s) && roller_guides_at(route, roller, roller->s);
 }
 
+static const double SIDE = 0.3; /* cosine */
+
+int bend_side(Vec3 off, Vec3 curvature)
+{
+    const double along = v3_dot(off, curvature), least = SIDE * v3_norm(off) * v3_norm(curvature);
+    return along > least ? 1 : along < -least ? -1 : 0;
+}
+
 /* The part of a bend, of pieces p to `to`, along which guides stand: from the first to the last and half their spacing
  * beyond. One that comes within its own half spacing of the bend's end reaches it. */
 static Guided guided_part(const Scene *scene, int p, int to)

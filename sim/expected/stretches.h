@@ -23,6 +23,9 @@ void stretches_cut(Stretches *stretches, double s);
 int roller_is_guide(const Route *route, const RollerDef *roller);
 /* The same of any roller, beside the cable at s, m along the route. */
 int roller_guides_at(const Route *route, const RollerDef *roller, double s);
+/* On which side of a bend something stands that lies `off` (m, or unit) the route, by the bend's curvature (1/m): 1, on
+ * the inner one, where the cable is pressed on it; -1, on the outer; 0, on neither. */
+int bend_side(Vec3 off, Vec3 curvature);
 /* The surface along the route at s, NULL if there is none. */
 const SurfaceDef *surface_at(const SceneDef *def, double s);
 

@@ -105,7 +105,7 @@ void compression_record(Compression *c, const Scene *scene, const hawser_sample 
     const double dt = c->last >= 0 ? sample->t - c->last : 0, length = PART * 2 * scene->chain.half[0];
     const double moves = fmin(MOVES * scene->largest_speed, scene->def.friction.v_d);
     const int stands = !(fabs(sample->winch_speed) >= moves);
-    if (c->last < 0) block_begin(c, sample);
+    if (c->last < 0 || (stands && c->rows == 0)) block_begin(c, sample);
     c->last = sample->t;
     if (!(dt > 0) || stands) return;
     pushes_take(c, sample, dt);
