@@ -35,7 +35,7 @@ missing twice/results.h5 twice/results.xdmf twice/certificate.json
 exists twice/series.csv twice/summary.json
 
 # and two at once are refused, until the first has ended, however it did
-(cd "$work" && exec "$hawser" run pull.yaml -o shared --quiet --set run.duration='1000 s' --set output.states=0) &
+(cd "$work" && exec "$hawser" run pull.yaml -o shared --quiet --set run.duration='100000 s' --set output.states=0) &
 first=$!
 for tenth in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
     [ -s "$work/shared/series.csv" ] && break
@@ -50,15 +50,26 @@ awk -F, 'NR == 1 {n = NF} NF != n {exit 1}' "$work/shared/series.csv" || fail "$
 
 # a folder that is renamed while a run writes into it, and another run that makes the name anew: each has its own
 sums() { (cd "$work/$1" && find . -type f -exec cksum {} + | sort); }
-for more in "" "--certify"; do
+# stopped_run DURATION MORE...: the first run, stopped while it writes; 1 where it was at its end before that
+stopped_run() {
+    duration=$1
+    shift
     rm -rf "$work/moved" "$work/kept"
-    (cd "$work" && exec "$hawser" run pull.yaml -o moved $more --set run.duration='60 s' --set run.checkpoint='1 ms' >out 2>first) &
+    (cd "$work" && exec "$hawser" run pull.yaml -o moved "$@" --set run.duration="$duration" --set run.checkpoint='1 ms' \
+        >out 2>first) &
     first=$!
-    for tenth in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+    for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
         [ -s "$work/moved/series.csv" ] && [ -s "$work/moved/checkpoint.hawser" ] && break
         sleep 0.1
     done
-    kill -STOP $first
+    kill -STOP $first 2>"$work/wait" && grep -q '"outcome": "running"' "$work/moved/summary.json" && return
+    kill -CONT $first 2>"$work/wait"
+    wait $first
+    return 1
+}
+for more in "" "--certify"; do
+    stopped_run '60 s' $more || stopped_run '600 s' $more || stopped_run '6000 s' $more ||
+        fail "hawser run $more: it ended before it could be stopped"
     mv "$work/moved" "$work/kept"
     run_hawser 0 run pull.yaml -o moved --set friction.mu=0.31
     sums moved >"$work/second.sums"

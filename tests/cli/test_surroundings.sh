@@ -180,7 +180,7 @@ shows_unended() {
 run_hawser 0 run pull.yaml -o twice $short --quiet
 cp "$work/twice/series.csv" "$work/first.csv"
 what="hawser run over good results, killed"
-(cd "$work" && exec "$hawser" run pull.yaml -o twice --set run.duration=1000s --quiet) &
+(cd "$work" && exec "$hawser" run pull.yaml -o twice --set run.duration=100000s --quiet) &
 pid=$!
 tries=0
 while ! grep -q running "$work/twice/summary.json" 2>/dev/null && [ $tries -lt 300 ]; do
