@@ -105,13 +105,37 @@ double profile_largest(const Profile *p)
     return most;
 }
 
+/* The first point of a table that no longer rises after it. */
+static int table_top(const Profile *p)
+{
+    int i = 0, top = 0;
+    for (; i + 1 < p->n && p->value[i + 1] >= p->value[i]; ++i)
+        if (p->value[i + 1] > p->value[i]) top = i + 1;
+    return top;
+}
+
+double profile_risen_at(const Profile *p)
+{
+    if (p->kind == PROFILE_CONSTANT) return -INFINITY;
+    if (p->kind != PROFILE_TABLE) return p->v1 > p->v0 ? p->t1 : -INFINITY;
+    const int top = table_top(p);
+    return top > 0 ? p->time[top] : -INFINITY;
+}
+
 double profile_least_risen(const Profile *p)
 {
     if (p->kind != PROFILE_TABLE) return p->v1;
-    int i = 0;
-    while (i + 1 < p->n && p->value[i + 1] >= p->value[i]) ++i;
+    int i = table_top(p);
     double least = p->value[i];
     for (; i < p->n; ++i) least = fmin(least, p->value[i]);
+    return least;
+}
+
+double profile_least_between(const Profile *p, double from, double to)
+{
+    double least = fmin(profile_value(p, from), profile_value(p, to));
+    for (int i = 0; p->kind == PROFILE_TABLE && i < p->n; ++i)
+        if (p->time[i] > from && p->time[i] < to) least = fmin(least, p->value[i]);
     return least;
 }
 

@@ -28,6 +28,10 @@ double profile_value(const Profile *p, double t);
 /* The largest value at any time, and the smallest once it has risen from where it begins. */
 double profile_largest(const Profile *p);
 double profile_least_risen(const Profile *p);
+/* The smallest value from one time to another, both included; from <= to. */
+double profile_least_between(const Profile *p, double from, double to);
+/* s, when it has risen from where it begins; -INFINITY: it never does. */
+double profile_risen_at(const Profile *p);
 /* The largest size of the value that is said for times up to `until`. */
 double profile_largest_until(const Profile *p, double until);
 /* d(value)/dt; at a table's corner, the slope to the right. */

@@ -123,10 +123,17 @@ typedef struct Evaluation {
     const double *y;
     double *ydot;
     BlockChain *k, *d;
+    int behind; /* segments that the lead-in has */
 } Evaluation;
 
 static int share_from(const Workspace *ws, int rank) { return rank == 0 ? 0 : ws->middle; }
 static int share_to(const Workspace *ws, int rank, int end) { return rank == 0 ? ws->middle : end; }
+
+static int behind_of(const Scene *scene, const double *y)
+{
+    const double *const p[3] = {y, y + scene->chain.n, y + 2 * scene->chain.n};
+    return weight_behind(scene, p, scene->weight.blend / 2);
+}
 
 /* Kinematics of one half, with its weight, and nothing yet in the second set of loads. */
 static void kinematics_job(void *arg, int rank)
@@ -136,7 +143,7 @@ static void kinematics_job(void *arg, int rank)
     Workspace *const ws = e->m.ws;
     const int n = scene->chain.n, from = share_from(ws, rank), to = share_to(ws, rank, n);
     body_kernels()->kinematics(n, e->y, from, to, &ws->kin);
-    ws->lead_in[rank] = weight_loads(scene, &ws->kin, from, to, &ws->loads[0]);
+    ws->lead_in[rank] = weight_loads(scene, &ws->kin, from, to, e->behind, &ws->loads[0]);
     for (int c = 0; c < 3; ++c) {
         memset(ws->loads[1].f[c] + from, 0, (size_t)(to - from) * sizeof(double));
         memset(ws->loads[1].m[c] + from, 0, (size_t)(to - from) * sizeof(double));
@@ -182,7 +189,7 @@ static int is_long(const Scene *scene) { return scene->chain.n >= HALVES_LONG; }
 
 void dynamics_pose(const Scene *scene, Workspace *ws, double t, const double *y, double friction)
 {
-    Evaluation e = {.m = {scene, ws, t, friction}, .y = y};
+    Evaluation e = {.m = {scene, ws, t, friction}, .y = y, .behind = behind_of(scene, y)};
     EACH_ROOM(room, scene, begin) room->kind->begin(room, &e.m);
     halves_run(ws->team, is_long(scene), kinematics_job, &e);
     rooms_pose(&e.m, y); /* after the kinematics, whose last lane reaches beyond the chain */

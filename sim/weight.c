@@ -14,7 +14,26 @@ static Vec3 lead_in_hold(const Weight *w, const Kinematics *kin, int i)
     return v3_axpy(v3_scale(-w->hold, off), -w->hold_damping, v3_reject(v3_load(kin->v, i), w->direction));
 }
 
-Push weight_loads(const Scene *scene, const Kinematics *kin, int from, int to, Loads *loads)
+int weight_first_past(int n, int dims, const double *const p[], const double *origin, const double *direction,
+                      double past)
+{
+    for (int i = 0; i < n; ++i) {
+        double along = 0;
+        for (int c = 0; c < dims; ++c) along += (p[c][i] - origin[c]) * direction[c];
+        if (!(along < past)) return i;
+    }
+    return n;
+}
+
+int weight_behind(const Scene *scene, const double *const p[3], double past)
+{
+    const Weight *const w = &scene->weight;
+    const double origin[3] = {w->origin.x, w->origin.y, w->origin.z};
+    const double direction[3] = {w->direction.x, w->direction.y, w->direction.z};
+    return w->lead_in ? weight_first_past(scene->chain.n, 3, p, origin, direction, past) : 0;
+}
+
+Push weight_loads(const Scene *scene, const Kinematics *kin, int from, int to, int behind, Loads *loads)
 {
     const Weight *const w = &scene->weight;
     const double g[3] = {w->gravity.x, w->gravity.y, w->gravity.z};
@@ -28,11 +47,10 @@ Push weight_loads(const Scene *scene, const Kinematics *kin, int from, int to, L
         v3_gather(loads->f, to - 1, v3_scale(-w->weightless, w->gravity));
     }
     Push by = {0};
-    for (int i = from; i < to && w->lead_in; ++i) {
+    for (int i = from; i < to && i < behind; ++i) {
         const double share = weight_share(w, v3_load(kin->p, i), NULL);
-        if (share >= 1) break; /* all segments ahead are past the start */
-        const Vec3 behind = v3_add(v3_sub(w->behind, w->gravity), lead_in_hold(w, kin, i));
-        const Vec3 force = v3_scale((1 - share) * scene->chain.mass[i], behind);
+        const Vec3 pull = v3_add(v3_sub(w->behind, w->gravity), lead_in_hold(w, kin, i));
+        const Vec3 force = v3_scale((1 - share) * scene->chain.mass[i], pull);
         v3_gather(loads->f, i, force);
         by.power += v3_dot(force, v3_load(kin->v, i));
         by.force = v3_add(by.force, force);
@@ -43,15 +61,15 @@ Push weight_loads(const Scene *scene, const Kinematics *kin, int from, int to, L
 void weight_blocks(const Scene *scene, const Kinematics *kin, BlockChain *k, BlockChain *d)
 {
     const Weight *const w = &scene->weight;
-    if (!w->lead_in) return;
-    for (int i = 0; i < scene->chain.n; ++i) {
+    const double *const p[3] = {kin->p[0], kin->p[1], kin->p[2]};
+    const int behind = weight_behind(scene, p, w->blend / 2);
+    for (int i = 0; i < behind; ++i) {
         double slope;
         const double share = weight_share(w, v3_load(kin->p, i), &slope), m = scene->chain.mass[i];
-        if (share >= 1) break;
-        const Vec3 behind = v3_add(v3_sub(w->behind, w->gravity), lead_in_hold(w, kin, i));
+        const Vec3 pull = v3_add(v3_sub(w->behind, w->gravity), lead_in_hold(w, kin, i));
         for (int c = 0; c < 3; ++c) {
             const Vec3 across = v3_reject(v3_axis(c), w->direction);
-            const Vec3 entering = v3_scale(-slope * v3_dot(v3_axis(c), w->direction) * m, behind);
+            const Vec3 entering = v3_scale(-slope * v3_dot(v3_axis(c), w->direction) * m, pull);
             block6_add(k->diag + 36 * i, c, v3_axpy(entering, -(1 - share) * m * w->hold, across), V3_ZERO);
             block6_add(d->diag + 36 * i, c, v3_scale(-(1 - share) * m * w->hold_damping, across), V3_ZERO);
         }

@@ -108,12 +108,12 @@ static void piece_loads(const PlanDef *def, const double *turned, PlanWay *way, 
     const double beside = def->guides ? def->guides[p] : spacing;
     piece->max_tension = most.tension;
     piece->sidewall = most.sidewall;
-    piece->roller_load = most.aside > 0 ? most.aside * fmin(beside, piece->turn) : 0;
+    piece->guided = most.aside > 0 ? most.aside * fmin(beside, piece->turn) : 0;
     if (!(spacing > 0)) return; /* no supports that share the load between them */
     const double turn =
         turned_at(def->route, turned, on->s0 + on->length + spacing) - turned_at(def->route, turned, on->s0 - spacing);
     const double all = most.either * turn + way->pull.span[i].law.weight * spacing;
-    piece->roller_load = fmax(fmin(most.down * spacing, all), piece->roller_load);
+    piece->carried = fmin(most.down * spacing, all);
 }
 
 /* How long the bends are of which the pieces are parts. */
@@ -131,10 +131,17 @@ static void fill_turns(const Route *route, PlanPiece *piece)
 static void share_loads(const Route *route, PlanPiece *piece)
 {
     for (int p = 0, last; p < route->n; p = last + 1) {
-        double most = 0;
+        double carried = 0, guided = 0;
         last = route_turn_end(route, p);
-        for (int k = p; k <= last; k++) most = fmax(most, piece[k].roller_load);
-        for (int k = p; k <= last; k++) piece[k].roller_load = most;
+        for (int k = p; k <= last; k++) {
+            carried = fmax(carried, piece[k].carried);
+            guided = fmax(guided, piece[k].guided);
+        }
+        for (int k = p; k <= last; k++) {
+            piece[k].carried = carried;
+            piece[k].guided = guided;
+            piece[k].roller_load = fmax(carried, guided);
+        }
     }
 }
 

@@ -16,7 +16,9 @@ typedef struct PlanPiece {
     double sidewall;              /* N/m, the worst loaded cable's T/R; 0 on straights */
     double turn;                  /* m, length of the bend that it is, or is a part of; straights: INFINITY */
     double roller_load;           /* N, largest force per length on one support times the spacing, no more than (T18);
-                                   * of all parts of a bend the largest */
+                                   * of all parts of a bend the largest. That of what carries, and of what stands aside
+                                   * (0: the same supports do both): */
+    double carried, guided;       /* N */
     double closed;                /* N, t_out by the closed form; NAN if it is refused */
     char reason[PLAN_REASON_MAX]; /* why it is refused, else empty */
 } PlanPiece;

@@ -92,9 +92,10 @@ hawser_status case_theory_read(CaseReader *r, const CaseNode *node)
 {
     TheoryDef *const theory = &r->def->theory;
     const hawser_status status = case_section_read(r, node, &case_theory, theory);
+    theory->simulated = case_node_key(r->root, "run") || case_node_key(r->root, "drive");
     if (r->def->n_rollers > 0 || r->def->n_surfaces > 0) return status ? status : case_planner_read(r, node);
     theory->guessed_friction = !case_node_key(r->root, "friction");
-    theory->would_fall = case_node_key(r->root, "run") || case_node_key(r->root, "drive");
+    theory->would_fall = theory->simulated;
     return status ? status : case_planner_read(r, node);
 }
 

@@ -3,6 +3,7 @@
 #include "sim/bunch/bunch.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/winch.h"
+#include "sim/weight.h"
 
 /* ------------------------------------------------------------------------------------------- what presses on what */
 
@@ -20,14 +21,13 @@ static void between_look(Bunch *b, ChainsLook *out)
 static void walls_look(const BunchChain *c, ChainLook *out)
 {
     const Scene *const scene = c->scene;
-    const Weight *const w = &scene->weight;
+    double *const *const at = c->ws->kin.p;
+    const double *const p[3] = {at[0], at[1], at[2]};
     const int surfaces = scene->surfaces.model.n_surfaces;
     for (int r = 0; r < scene->contact.n_rollers; ++r) out->walls += v3_norm(c->ws->on_roller[r]);
     for (int s = 0; s < surfaces; ++s) out->walls += c->ws->on_surface[s].normal;
-    for (int i = 0; i < scene->chain.n; ++i) {
-        const double along = v3_dot(v3_sub(v3_load(c->ws->kin.p, i), w->origin), w->direction);
-        if (!w->lead_in || along > 0) out->weight += scene->chain.mass[i] * v3_norm(w->gravity);
-    }
+    for (int i = weight_behind(scene, p, 0); i < scene->chain.n; ++i)
+        out->weight += scene->chain.mass[i] * v3_norm(scene->weight.gravity);
 }
 
 /* ------------------------------------------------------------------------------------------------ how they lie */

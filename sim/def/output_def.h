@@ -107,6 +107,7 @@ typedef struct TheoryDef {
     int n_drawn; /* so many cables; 0: it draws none */
     /* nothing carries the cable, and: no friction is given, the default's is nobody's; it is to be simulated, too */
     int guessed_friction, would_fall;
+    int simulated; /* the case says how it is run */
 } TheoryDef;
 
 #endif

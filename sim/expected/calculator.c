@@ -156,8 +156,9 @@ static void bearers_add(const Scene *scene, Part bend, int piece, Calculator *c)
         if (nearest[k] >= 0) c->bearer[c->n_bearers++] = (Bearer){piece, nearest[k]};
 }
 
-/* The neighbours of the carrier at s among those at place[n], rising; 0: it has not got both. */
-static int neighbours_of(double s, int n, const double *place, double near[2])
+/* The neighbours of the carrier at s among those at place[n], rising, and the route's ends, at which something else has
+ * the cable. Returns how many of them are ends; -1: it stands at or beyond one. */
+static int neighbours_of(double s, double length, int n, const double *place, double near[2])
 {
     int low = 0, high = n; /* the first that is not before s */
     while (low < high) {
@@ -168,13 +169,13 @@ static int neighbours_of(double s, int n, const double *place, double near[2])
             high = middle;
     }
     while (high < n && place[high] <= s) high++;
-    if (low == 0 || high == n) return 0;
-    near[0] = place[low - 1];
-    near[1] = place[high];
-    return 1;
+    near[0] = low > 0 ? place[low - 1] : 0;
+    near[1] = high < n ? place[high] : length;
+    return s > near[0] && s < near[1] ? (low == 0) + (high == n) : -1;
 }
 
-/* (T18a) of the rated carriers on straights; guides have what goes aside. */
+/* (T18a) of the rated carriers on straights beside bends, and of those next to the route's ends; guides have what goes
+ * aside. */
 static void beside_find(const Scene *scene, int n, const double *place, Calculator *c)
 {
     const Route *const route = &scene->route;
@@ -184,18 +185,19 @@ static void beside_find(const Scene *scene, int n, const double *place, Calculat
         double near[2];
         if (isnan(s) || !(roller->rating > 0) || roller->hold_down || roller_is_guide(route, roller)) continue;
         const RoutePoint at = route_at(route, s);
-        if (route->piece[at.piece].kind != ROUTE_STRAIGHT || !neighbours_of(s, n, place, near)) continue;
+        const int ends = neighbours_of(s, route->length, n, place, near);
+        if (ends < 0 || (route->piece[at.piece].kind != ROUTE_STRAIGHT && ends == 0)) continue;
         Vec3 turn = V3_ZERO;
-        int bend = -1, bare = 1;
+        int bend = route->piece[at.piece].kind != ROUTE_STRAIGHT ? at.piece : -1, bare = 1;
         for (int k = 0; k < 2; ++k) {
             const RoutePoint next = route_at(route, near[k]);
             if (route->piece[next.piece].kind != ROUTE_STRAIGHT) bend = next.piece;
             bare &= !surface_at(&scene->def, (s + near[k]) / 2);
             turn = v3_add(turn, v3_unit(v3_sub(next.position, at.position)));
         }
-        if (bend < 0 || !bare) continue;
+        if ((bend < 0 && ends == 0) || !bare) continue;
         const Vec3 left = route_left(route, s), up = v3_cross(at.tangent, left);
-        const double aside = c->guides[bend] > 0 ? 0 : v3_dot(turn, left);
+        const double aside = bend >= 0 && c->guides[bend] > 0 ? 0 : v3_dot(turn, left);
         c->beside[c->n_beside++] = (Beside){r, s, -v3_dot(turn, up), aside, (near[1] - near[0]) / 2 * up.z};
     }
 }

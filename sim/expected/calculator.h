@@ -43,6 +43,11 @@ typedef struct Pushed {
     int piece;             /* of it */
 } Pushed;
 
+/* What makes a cable run away: the case as it is; with the least friction of its script; what pushes gives more than
+ * the pull needs, at the winch; it does so by its weight, however little it is pushed; before the back tension is there
+ * that comes in late. */
+typedef enum Away { AWAY_AS_IT_IS, AWAY_LOOSENED, AWAY_OVERFED, AWAY_BY_ITSELF, AWAY_EARLY } Away;
+
 typedef struct Calculator {
     const Route *route; /* the scene's, or `own` */
     Route own;          /* one with other bends */
@@ -72,8 +77,8 @@ typedef struct Calculator {
     hawser_limit limit[PLAN_WAYS][HAWSER_LIMITS_MAX];
     hawser_condition pulled[PLAN_WAYS]; /* whether the cable is in tension everywhere */
     Pushed pushed[PLAN_WAYS];           /* where it is not */
-    int loosened[PLAN_WAYS];            /* with the least friction of the script alone */
-    int overfed[PLAN_WAYS];             /* what pushes gives more than the pull needs: at the winch */
+    Away away[PLAN_WAYS];               /* and why */
+    double early[PLAN_WAYS];            /* s, when it is where that is by AWAY_EARLY */
     Brake brake[PLAN_WAYS];             /* against running away; its `brake` is 0 where none is needed */
     TripSetting trip[PLAN_WAYS];
     int best; /* the way that keeps the limits better; without limits the one that needs less force */
@@ -95,13 +100,17 @@ void calculator_know(const Scene *scene, Calculator *c);
 /* N, of the winch, wherever the head is, at speed or from rest; of a rope with all that it draws, whatever each pulls
  * at most (SC15). */
 double calculator_peak(const Scene *scene, const Calculator *c, int way);
-Pushed calculator_pushed(const Scene *scene, const Calculator *c, int way);
+/* Fills `pulled`, `pushed`, `away` and `early`. Errors: as plan_build. */
+hawser_status calculator_pulled(const Scene *scene, Calculator *c, hawser_error *err);
+/* Whether a brake where the pull begins is what is asked of it; of others why the cable is pushed, in words. */
+int away_is_braked(Away away);
+void away_say(const Calculator *c, int way, int size, char *text);
 /* The least factor that the script gives friction, of anything; at most 1. */
 double friction_least_told(const SceneDef *def);
-/* The calculator's pulls with that friction, for calculator_pushed; it borrows the rest. Errors: as plan_build. Give it
- * back with calculator_loose_clear, also after an error. */
-hawser_status calculator_loosen(const Scene *scene, const Calculator *c, Calculator *out, hawser_error *err);
-void calculator_loose_clear(Calculator *loose);
+/* The calculator's question with that friction; the stretches are malloc'ed, the caller's, also after an error. Errors:
+ * MEMORY. */
+hawser_status calculator_loosen(const Scene *scene, const Calculator *c, PlanDef *out, PullStretch **own,
+                                hawser_error *err);
 /* The brake that holds a cable which is pushed; of one that the script lets go, with the winch's force with all of the
  * friction. Errors: as plan_brake. */
 hawser_status calculator_brake(const Scene *scene, const Calculator *c, int way, Brake *out, hawser_error *err);

@@ -41,6 +41,15 @@ static double load_beside_bend(const Scene *scene, const Pull *pull, const Besid
     return hypot(fmax(0, scene->cable_weight * beside->gap + tension * beside->down), tension * beside->aside);
 }
 
+/* What a roller of the piece bears, N: where guides stand beside the carriers, each what goes its way. */
+static double load_on(const Scene *scene, const Calculator *c, const PlanWay *way, const RollerDef *roller)
+{
+    const int p = route_at(&scene->route, roller->s).piece;
+    const PlanPiece *const piece = &way->piece[p];
+    if (!(piece->guided > 0) || !(c->guides[p] > 0)) return piece->roller_load;
+    return roller_is_guide(&scene->route, roller) ? piece->guided : piece->carried;
+}
+
 /* The rated roller that is loaded most for its rating, by the piece on which it stands or a bend beside it. */
 static Finding roller_finding(const Scene *scene, const Calculator *c, const PlanWay *way)
 {
@@ -57,7 +66,7 @@ static Finding roller_finding(const Scene *scene, const Calculator *c, const Pla
         if (roller->hold_down ||
             (roller_is_guide(&scene->route, roller) && guide_stands_outside(&scene->route, roller)))
             continue;
-        const double load = way->piece[route_at(&scene->route, roller->s).piece].roller_load;
+        const double load = load_on(scene, c, way, roller);
         if (load > 0) finding_load(&worst, roller->name, load, roller->rating);
     }
     for (int i = 0; i < c->n_bearers; ++i) {
@@ -123,76 +132,10 @@ static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error 
     return HAWSER_OK;
 }
 
-/* Whether what pushes at `from` still pushes at `to`: it is not behind it along the pull, and there is no pit from
- * which the pull begins anew (PN3). */
-static int pushes_as_far(const Calculator *c, double forth, double from, double to)
-{
-    if (forth * (from - to) > 1e-6) return 0;
-    for (int i = 0; i < c->def.n_steps; ++i) {
-        const PullStep *const pit = &c->def.step[i];
-        if (pit->kind == STEP_ANEW && forth * (pit->at - from) >= 0 && forth * (to - pit->at) > 1e-6) return 0;
-    }
-    return 1;
-}
-
-/* N by which the cable may be pushed at s: by what a machine behind that place pushes with, or by what is meant. */
-static double may_be_pushed(const Scene *scene, const Calculator *c, int way, double s)
-{
-    const double forth = way == PLAN_BACKWARD ? -1 : 1;
-    double most = 1e-9 * fmax(1, c->plan.way[way].pull.max_tension); /* rounding */
-    if (pushes_as_far(c, forth, plan_first(&c->def, way), s)) most = fmax(most, c->def.feed);
-    for (int i = 0; i < c->n_pushers; ++i) {
-        const PullStep *const push = &c->push[way][i];
-        if (pushes_as_far(c, forth, push->at, s)) most = fmax(most, push->force);
-    }
-    return fmin(most, scene->def.theory.bears);
-}
-
-Pushed calculator_pushed(const Scene *scene, const Calculator *c, int way)
-{
-    const Pull *const pull = &c->plan.way[way].pull;
-    Pushed worst = {fmax(0, -pull->min_tension), may_be_pushed(scene, c, way, pull->min_at), pull->min_at,
-                    pull->min_piece};
-    for (int i = 0; i < pull->n; ++i) {
-        const PullSpan *const span = &pull->span[i];
-        const double allowed = may_be_pushed(scene, c, way, span->least_at);
-        if (-span->least - allowed > fmax(0, worst.force - worst.allowed))
-            worst = (Pushed){-span->least, allowed, span->least_at, span->piece};
-    }
-    return worst;
-}
-
-/* A cable cannot be pushed, unless a machine does: where theory finds compression it slackens or runs away down a
- * slope, and no figure behind that place holds. Nor with the least friction that the script leaves. */
-static hawser_status pulled_set(const Scene *scene, Calculator *c, hawser_error *err)
-{
-    Calculator loose;
-    const double factor = friction_least_told(&scene->def);
-    const hawser_status status = factor < 1 ? calculator_loosen(scene, c, &loose, err) : HAWSER_OK;
-    for (int k = 0; k < PLAN_WAYS && !status; ++k) {
-        if (c->def.skip[k]) continue;
-        const Pull *const pull = &c->plan.way[k].pull;
-        Pushed worst = calculator_pushed(scene, c, k);
-        const double at_winch = scene->def.winch.present ? -pull->end_tension : 0; /* a rope does not push it */
-        c->overfed[k] = at_winch - 1e-9 * pull->max_tension > fmax(0, worst.force - worst.allowed);
-        if (c->overfed[k]) worst = (Pushed){at_winch, 0, plan_last(&c->def, k), pull->span[pull->n - 1].piece};
-        if (factor < 1 && worst.force <= worst.allowed) worst = calculator_pushed(scene, &loose, k);
-        c->loosened[k] = factor < 1 && worst.force > worst.allowed && !c->overfed[k];
-        c->pushed[k] = worst;
-        c->pulled[k] = (hawser_condition){.name = "pulled",
-                                          .unit = "N",
-                                          .value = worst.force,
-                                          .allowed = worst.allowed,
-                                          .holds = worst.force <= worst.allowed};
-    }
-    if (factor < 1) calculator_loose_clear(&loose);
-    return status;
-}
-
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err)
 {
     calculator_know(scene, c);
-    const hawser_status status = pulled_set(scene, c, err);
+    const hawser_status status = calculator_pulled(scene, c, err);
     return status ? status : limits_set(scene, c, err);
 }
 
@@ -245,12 +188,10 @@ static void brake_say(const Scene *scene, const Calculator *c, int way, hawser_c
     const double pushed = held->value / 1e3, by = brake->brake / 1e3, winch = brake->force / 1e3;
     const Finding at = finding_on(c->route, held->value, c->pushed[way].at, c->pushed[way].piece);
     char why[56] = "the cable would run away or slacken:";
-    if (c->loosened[way])
+    if (c->away[way] == AWAY_LOOSENED)
         snprintf(why, sizeof why,
                  "drive.script: with %.3g of friction it runs away:", friction_least_told(&scene->def));
-    if (c->overfed[way]) {
-        snprintf(held->remedy, sizeof held->remedy, OVERFED, pushed);
-    } else if (isnan(brake->brake)) {
+    if (isnan(brake->brake)) {
         snprintf(held->remedy, sizeof held->remedy, "%s pushed with %.4g kN, and no brake at the start holds it", why,
                  pushed);
     } else {
@@ -265,13 +206,14 @@ static hawser_status brakes_set(const Scene *scene, Calculator *c, hawser_error 
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {
         if (c->pulled[k].holds || c->def.skip[k]) continue;
-        if (c->overfed[k]) {
-            c->brake[k].brake = NAN;
-        } else {
+        if (away_is_braked(c->away[k])) {
             const hawser_status status = calculator_brake(scene, c, k, &c->brake[k], err);
             if (status) return status;
+            brake_say(scene, c, k, &c->pulled[k]);
+        } else {
+            c->brake[k].brake = NAN;
+            away_say(c, k, sizeof c->pulled[k].remedy, c->pulled[k].remedy);
         }
-        brake_say(scene, c, k, &c->pulled[k]);
     }
     return HAWSER_OK;
 }

@@ -80,6 +80,8 @@ typedef struct Starts {
     double largest, least; /* N; least: once the back tension has risen from where it begins */
 } Starts;
 Starts starts_of_pull(const Scene *scene);
+/* The least of it, N, were the back tension always what it is at time t. */
+double starts_least_at(const Scene *scene, double t);
 
 /* ------------------------------------------------------------------------------------------------------ findings */
 
@@ -100,7 +102,7 @@ typedef struct Turner {
     Vec3 off;         /* unit, from the route to it */
 } Turner;
 
-/* All of them, malloc'ed, the caller's even after an error. Errors: MEMORY. */
+/* All of them by rising s, malloc'ed, the caller's even after an error. Errors: MEMORY. */
 hawser_status turners_find(const Scene *scene, const Route *route, int *n, Turner **found, hawser_error *err);
 /* The smallest diameter that the rope is bent round ahead of `head` (m along the route), over its own: of bends, of
  * rollers on which it turns, of the sheave that the case names. */

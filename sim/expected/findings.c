@@ -177,10 +177,10 @@ static hawser_status way_run_away(const Scene *scene, const Route *route, const 
     const Pushed worst = c->pushed[way];
     *out = (Finding){.rating = pull->max_tension};
     if (worst.force <= worst.allowed) return HAWSER_OK;
-    if (c->overfed[way]) {
+    if (!away_is_braked(c->away[way])) {
         *out = finding_on(route, worst.force, worst.at, worst.piece);
         out->rating = pull->max_tension;
-        snprintf(out->why, sizeof out->why, OVERFED, worst.force / 1e3);
+        away_say(c, way, sizeof out->why, out->why);
         return HAWSER_OK;
     }
     Brake brake;
@@ -248,15 +248,42 @@ static hawser_status solve_run(const Braked *b, double more, Pull *out)
     return expected_pull(run->scene, &e, PULL_REFERENCE, out, NULL);
 }
 
-void findings_of_run(const Scene *scene, const Expected *e, Finding finding[LIMIT_KINDS])
+/* What pushes taken out of the pull: by it alone a slope may push the cable, whatever bends leave of a push before.
+ * `step` is malloc'ed, the caller's. */
+static hawser_status without_pushes(const Expected *e, Expected *out, hawser_error *err)
 {
-    const RunPull run = {scene, e};
+    *out = *e;
+    out->step = malloc(((size_t)e->n_steps + 1) * sizeof *out->step);
+    if (!out->step) return error_memory(err);
+    for (int i = 0; i < e->n_steps; ++i) {
+        out->step[i] = e->step[i];
+        out->step[i].force = fmax(e->step[i].force, 0);
+    }
+    return HAWSER_OK;
+}
+
+hawser_status findings_of_run(const Scene *scene, const Expected *e, Finding finding[LIMIT_KINDS], hawser_error *err)
+{
+    Finding *const away = &finding[LIMIT_RUN_AWAY];
+    Expected alone;
+    RunPull run = {scene, e};
     Braked b = {.solve = solve_run,
                 .route = &scene->route,
                 .beyond = scene->def.drag.force,
                 .of = &run,
                 .n_steps = e->n_steps,
                 .step = e->step};
-    findings_run_away(&b, &finding[LIMIT_RUN_AWAY]);
-    if (!scene->def.winch.present) finding[LIMIT_RUN_AWAY].absent = 1;
+    const hawser_status status = without_pushes(e, &alone, err);
+    if (status) return status;
+    findings_run_away(&b, away);
+    if (away->value == 0 && e->n_steps > 0) {
+        run.expected = &alone;
+        b.step = alone.step;
+        Finding by_itself;
+        findings_run_away(&b, &by_itself);
+        if (by_itself.value > 0) *away = by_itself;
+    }
+    free(alone.step);
+    if (!scene->def.winch.present) away->absent = 1;
+    return HAWSER_OK;
 }

@@ -5,9 +5,6 @@
 
 #include "sim/expected/calculator.h"
 
-/* For printf, with kN. */
-#define OVERFED "what pushes gives more than is needed, and the cable pushes the winch with %.4g kN: let it push less"
-
 /* m/s, of the fastest belt with a speed of its own, as the case has it; 0: there is none. */
 double belts_largest_speed(const SceneDef *def);
 /* What the scene itself says: belts, the winch's largest speed; marks absent what the scene does not have. */
@@ -34,7 +31,7 @@ void findings_run_away(const Braked *b, Finding *finding);
 /* All of these for one way of a calculator whose pull on the rope is in `finding`. Errors: MEMORY. */
 hawser_status findings_of_way(const Scene *scene, const Route *route, const Calculator *c, int way,
                               Finding finding[LIMIT_KINDS], hawser_error *err);
-/* The same for a run of which theory is known: run-away alone. */
-void findings_of_run(const Scene *scene, const Expected *e, Finding finding[LIMIT_KINDS]);
+/* The same for a run of which theory is known: run-away alone. Errors: MEMORY. */
+hawser_status findings_of_run(const Scene *scene, const Expected *e, Finding finding[LIMIT_KINDS], hawser_error *err);
 
 #endif

@@ -31,9 +31,8 @@ static double least_at(const SceneDef *def, double s)
 
 double friction_least_told(const SceneDef *def) { return least_at(def, NAN); }
 
-/* The same question with so much of the friction; its stretches are malloc'ed, the caller's. Errors: MEMORY. */
-static hawser_status loose_def(const Scene *scene, const Calculator *c, PlanDef *out, PullStretch **own,
-                               hawser_error *err)
+hawser_status calculator_loosen(const Scene *scene, const Calculator *c, PlanDef *out, PullStretch **own,
+                                hawser_error *err)
 {
     PullStretch *const s = *own = malloc((size_t)c->def.n_stretches * sizeof *s);
     if (!s) return error_memory(err);
@@ -51,28 +50,13 @@ static hawser_status loose_def(const Scene *scene, const Calculator *c, PlanDef 
     return HAWSER_OK;
 }
 
-hawser_status calculator_loosen(const Scene *scene, const Calculator *c, Calculator *out, hawser_error *err)
-{
-    *out = *c;
-    out->plan = (Plan){0};
-    out->stretches = (Stretches){c->def.n_stretches, NULL};
-    const hawser_status status = loose_def(scene, c, &out->def, &out->stretches.stretch, err);
-    return status ? status : plan_build(&out->def, &out->plan, err);
-}
-
-void calculator_loose_clear(Calculator *loose)
-{
-    plan_clear(&loose->plan);
-    stretches_free(&loose->stretches);
-}
-
 hawser_status calculator_brake(const Scene *scene, const Calculator *c, int way, Brake *out, hawser_error *err)
 {
-    if (!c->loosened[way]) return plan_brake(&c->def, &c->plan.duct, way, out, err);
+    if (c->away[way] != AWAY_LOOSENED) return plan_brake(&c->def, &c->plan.duct, way, out, err);
     PlanDef loose, braked = c->def;
     PullStretch *own;
     Brake needed;
-    hawser_status status = loose_def(scene, c, &loose, &own, err);
+    hawser_status status = calculator_loosen(scene, c, &loose, &own, err);
     if (!status) status = plan_brake(&loose, &c->plan.duct, way, &needed, err);
     free(own);
     if (status) return status;

@@ -21,6 +21,12 @@ static double place_listed(const SceneDef *def, const RouteGrid *grid, const Rol
     return near && !surface_at(def, there.s) ? there.s : NAN;
 }
 
+static int compare_turners(const void *a, const void *b)
+{
+    const double x = ((const Turner *)a)->s, y = ((const Turner *)b)->s;
+    return (x > y) - (x < y);
+}
+
 hawser_status turners_find(const Scene *scene, const Route *route, int *n, Turner **found, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
@@ -41,6 +47,7 @@ hawser_status turners_find(const Scene *scene, const Route *route, int *n, Turne
         out[(*n)++] = (Turner){s, 2 * roller->radius, bend_side(off, at.curvature), carries, off};
     }
     route_grid_clear(&grid);
+    qsort(out, (size_t)*n, sizeof *out, compare_turners);
     return HAWSER_OK;
 }
 

@@ -60,22 +60,26 @@ static double slowest(const Scene *scene)
     return least;
 }
 
+/* What it holds back with at least while it has cable, with that back tension, N. */
+static double reel_least(const Scene *scene, double back)
+{
+    const double before = wound_at(scene, scene->joint_s[scene->eye]);
+    Reel r = *scene->reel;
+    r.braked = profile_level(share_braked(scene, 0));
+    return fmin(reel_with(scene, &r, before, back, slowest(scene)),
+                reel_with(scene, &r, before, back, scene->largest_speed));
+}
+
 /* The radius shrinks as the cable leaves, so that the brake holds most at the end, with the last of it still on the
  * drum, and least at the beginning; a cable that leaves the drum on the way is held by nothing then. */
 static Starts reel_range(const Scene *scene)
 {
     const double in = scene->winch->take_in.present ? winch_place(scene) : 0, last = fmax(scene->route.length, in);
-    const double before = wound_at(scene, scene->joint_s[scene->eye]), after = wound_at(scene, last);
+    const double after = wound_at(scene, last);
     Reel r = *scene->reel;
-    Starts out;
     r.braked = profile_level(share_braked(scene, 1));
-    out.largest = reel_with(scene, &r, after, profile_largest(&r.tension), scene->largest_speed);
-    r.braked = profile_level(share_braked(scene, 0));
-    const double back = profile_least_risen(&r.tension);
-    out.least = fmin(reel_with(scene, &r, before, back, slowest(scene)),
-                     reel_with(scene, &r, before, back, scene->largest_speed));
-    if (after < 0 && !r.fixed) out.least = 0;
-    return out;
+    const double largest = reel_with(scene, &r, after, profile_largest(&r.tension), scene->largest_speed);
+    return (Starts){largest, after < 0 && !r.fixed ? 0 : reel_least(scene, profile_least_risen(&r.tension))};
 }
 
 /* ---------------------------------------------------------------------------------------- cable behind the start */
@@ -123,6 +127,12 @@ Behind starts_behind(const Scene *scene)
 }
 
 /* ----------------------------------------------------------------------------------------------- the whole */
+
+double starts_least_at(const Scene *scene, double t)
+{
+    const double back = expected_back(scene, t);
+    return scene->reel->winding.turns > 0 ? reel_least(scene, back) : back;
+}
 
 Starts starts_of_pull(const Scene *scene)
 {

@@ -133,12 +133,16 @@ static void by_theory(const Peaks *peaks, const Stats *stats, const Scene *scene
 {
     static const LimitKind needs[] = {LIMIT_ALPHA, LIMIT_RUN_AWAY, LIMIT_TRIP};
     PeaksTheory theory;
-    if (peaks_theory(peaks, stats, scene, expected, &theory, NULL)) {
+    hawser_status status = peaks_theory(peaks, stats, scene, expected, &theory, NULL);
+    if (!status) {
+        status = findings_of_run(scene, theory.at, f, NULL);
+        if (status) peaks_theory_free(&theory);
+    }
+    if (status) {
         for (size_t k = 0; k < sizeof needs / sizeof *needs; ++k) f[needs[k]] = NO_MEMORY;
         return;
     }
     f[LIMIT_ALPHA] = alpha_finding(peaks, scene, &theory);
-    findings_of_run(scene, theory.at, f);
     trip_finding(stats, scene, expected, &theory, &f[LIMIT_TRIP]);
     if (f[LIMIT_RUN_AWAY].value > 0) f[LIMIT_TRIP].steady = NAN;
     pushed_finding(peaks, scene, &f[LIMIT_RUN_AWAY]);

@@ -14,6 +14,7 @@ typedef struct Evaluation {
     double t, friction;
     const double *y;
     double *ydot;
+    int behind; /* segments that the lead-in has */
     int finite[PARTS];
 } Evaluation;
 
@@ -27,7 +28,7 @@ static void kinematics_job(void *arg, int rank)
     Planar *const p = e->p;
     const int from = share_from(p, rank), to = share_to(p, rank, segments(p));
     planar_kernels()->kinematics(&p->ps.chain, e->y, from, to, &p->kin);
-    p->ws->lead_in[rank] = planar_weight(&p->ps, &p->kin, from, to, &p->loads[0]);
+    p->ws->lead_in[rank] = planar_weight(&p->ps, &p->kin, from, to, e->behind, &p->loads[0]);
     double *const second[3] = {p->loads[1].f[0], p->loads[1].f[1], p->loads[1].m};
     for (int c = 0; c < 3; ++c) memset(second[c] + from, 0, (size_t)(to - from) * sizeof(double));
 }
@@ -67,7 +68,8 @@ void planar_place(Planar *p, double t, const double *y)
 /* NOLINTNEXTLINE(readability-non-const-parameter): the jobs write it */
 int planar_evaluate(Planar *p, double t, const double *y, double friction, double *ydot)
 {
-    Evaluation e = {.p = p, .t = t, .friction = friction, .y = y, .ydot = ydot};
+    Evaluation e = {
+        .p = p, .t = t, .friction = friction, .y = y, .ydot = ydot, .behind = planar_weight_behind(&p->ps, y)};
     both(p, kinematics_job, &e);
     planar_scene_ghosts(&p->ps, t, &p->kin); /* after the kinematics, whose last lane reaches beyond the chain */
     for (int c = 0; c < 2 && friction <= 0; ++c) p->kin.v[c][segments(p)] = 0; /* the search for rest: (E1) */

@@ -14,29 +14,27 @@ typedef struct LeadIn {
     Lane held;
 } LeadIn;
 
-LANE_INLINE LeadIn lead_in_at(const PlanarWeight *w, const PlanarKinematics *kin, int i, int *past)
+LANE_INLINE LeadIn lead_in_at(const PlanarWeight *w, const PlanarKinematics *kin, int i)
 {
     const Lane2 along = {lane_set(w->direction[0]), lane_set(w->direction[1])}, across = l2_turn(along);
     const Lane2 off = l2_sub(l2_load(kin->p, i), (Lane2){lane_set(w->origin[0]), lane_set(w->origin[1])});
     const Lane share = lane_step(l2_dot(off, along) / w->blend, lane_set(-0.5), lane_set(0.5)).value;
     const Lane hold = -w->hold * l2_dot(off, across) - w->hold_damping * l2_dot(l2_load(kin->v, i), across);
     const Lane2 lost = {lane_set(w->lost[0]), lane_set(w->lost[1])};
-    *past = !lane_bits(share < lane_set(1));
     return (LeadIn){l2_axpy(lost, hold, across), 1 - share};
 }
 
 static PlanarPower kernel_weight(const PlanarWeight *w, const PlanarChain *chain, const PlanarKinematics *kin, int from,
-                                 int to, PlanarLoads *loads)
+                                 int to, int behind, PlanarLoads *loads)
 {
     const Lane2 gravity = {lane_set(w->gravity[0]), lane_set(w->gravity[1])};
     Lane power = lane_set(0); /* of the lead-in; nothing pads the chain's mass, so that other lanes give nothing */
     Lane2 sum = {power, power};
-    int past = !w->lead_in; /* all segments ahead are past the start */
     for (int i = from; i < to; i += LANES) {
         const Lane mass = lane_load(chain->mass + i);
         Lane2 f = l2_scale(mass, gravity);
-        if (!past) {
-            const LeadIn by = lead_in_at(w, kin, i, &past);
+        if (i < behind) { /* the rest of the last lane is past the start, too */
+            const LeadIn by = lead_in_at(w, kin, i);
             f = l2_add(f, l2_scale(by.held * mass, by.pull));
             /* multiplied in another order than the force, whose product is fused with its sum */
             power += by.held * l2_dot(by.pull, l2_load(kin->v, i)) * mass;

@@ -5,6 +5,7 @@
 
 #include "sim/equipment/ends.h"
 #include "sim/equipment/winch.h"
+#include "sim/weight.h"
 
 /* ------------------------------------------------------------------------------------------------- building */
 
@@ -130,9 +131,16 @@ void planar_scene_ghosts(const PlanarScene *ps, double t, PlanarKinematics *kin)
 
 /* --------------------------------------------------------------------------------------------------- loads */
 
-Push planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from, int to, PlanarLoads *loads)
+int planar_weight_behind(const PlanarScene *ps, const double *y)
 {
-    const PlanarPower by = planar_sim_kernels()->weight(&ps->weight, &ps->chain, kin, from, to, loads);
+    const PlanarWeight *const w = &ps->weight;
+    const double *const p[2] = {y, y + ps->chain.stride};
+    return w->lead_in ? weight_first_past(ps->chain.n, 2, p, w->origin, w->direction, w->blend / 2) : 0;
+}
+
+Push planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from, int to, int behind, PlanarLoads *loads)
+{
+    const PlanarPower by = planar_sim_kernels()->weight(&ps->weight, &ps->chain, kin, from, to, behind, loads);
     return (Push){by.power, plane_vector(&ps->plane, by.force[0], by.force[1])};
 }
 
@@ -188,17 +196,18 @@ void planar_ends(const PlanarScene *ps, const PlanarKinematics *kin, double t, d
 }
 
 /* Share of the weight, and the lead-in's hold (F1): derivatives, segment by segment from the tail to the start. */
-static void weight_blocks(const PlanarScene *ps, const PlanarKinematics *kin, PlanarBlocks *k, PlanarBlocks *d)
+static void lead_in_blocks(const PlanarScene *ps, const PlanarKinematics *kin, PlanarBlocks *k, PlanarBlocks *d)
 {
     const PlanarWeight *const w = &ps->weight;
     if (!w->lead_in) return;
     const double *const along = w->direction, across[2] = {-along[1], along[0]};
-    for (int i = 0; i < ps->chain.n; ++i) {
+    const double *const p[2] = {kin->p[0], kin->p[1]};
+    const int behind = weight_first_past(ps->chain.n, 2, p, w->origin, along, w->blend / 2);
+    for (int i = 0; i < behind; ++i) {
         const double off[2] = {kin->p[0][i] - w->origin[0], kin->p[1][i] - w->origin[1]};
         double slope;
         const double share =
             step_cubic(off[0] * along[0] + off[1] * along[1], -w->blend / 2, 0, w->blend / 2, 1, &slope);
-        if (share >= 1) break;
         const double m = ps->chain.mass[i], beside = off[0] * across[0] + off[1] * across[1];
         const double rate = kin->v[0][i] * across[0] + kin->v[1][i] * across[1];
         const double hold = -w->hold * beside - w->hold_damping * rate;
@@ -233,7 +242,7 @@ void planar_applied_blocks(const PlanarScene *ps, const PlanarKinematics *kin, d
                            PlanarBlocks *k, PlanarBlocks *d)
 {
     double force[2], arm[2];
-    weight_blocks(ps, kin, k, d);
+    lead_in_blocks(ps, kin, k, d);
     tail_of(ps, kin, t, force, arm);
     k->diag[8][0] -= arm[0] * force[0] + arm[1] * force[1]; /* the arm turns: (J arm) x f */
     drag_blocks(ps, kin, friction, k, d);

@@ -36,9 +36,11 @@ void planar_scene_unwind(PlanarScene *ps, double last_angle);
 /* Sets the head's ghost to what the winch does at time t. */
 void planar_scene_ghosts(const PlanarScene *ps, double t, PlanarKinematics *kin);
 
-/* As weight_loads, and the ends' room (sim/equipment/ends.c). Weight is written, not added; `from`
+/* As weight_behind_of, weight_loads, and the ends' room (sim/equipment/ends.c). Weight is written, not added; `from`
  * is a multiple of LANES, and entries up to the next one after `to` are overwritten. */
-Push planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from, int to, PlanarLoads *loads);
+int planar_weight_behind(const PlanarScene *ps, const double *y);
+Push planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from, int to, int behind,
+                   PlanarLoads *loads);
 Push planar_tail(const PlanarScene *ps, const PlanarKinematics *kin, double t);
 Push planar_drag(const PlanarScene *ps, const PlanarKinematics *kin);
 void planar_ends(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction, PlanarLoads *loads);
@@ -58,7 +60,7 @@ typedef struct PlanarPower {
 typedef struct PlanarSimKernels {
     /* planar_weight */
     PlanarPower (*weight)(const PlanarWeight *weight, const PlanarChain *chain, const PlanarKinematics *kin, int from,
-                          int to, PlanarLoads *loads);
+                          int to, int behind, PlanarLoads *loads);
     /* z = gamma b_x of segments from..to-1; from is a multiple of LANES, as below */
     void (*eliminate)(PlanarNewton *nw, const double *b, int from, int to);
     /* x = M b_u + K z, rows from..to-1 and what fills their last lane */

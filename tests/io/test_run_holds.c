@@ -541,6 +541,31 @@ static void what_does_not_bend_the_rope(void **state)
     free(text);
 }
 
+/* Behind a bend that takes most of a belt's push a slope pushes as it does without the belt, 124 N: no push of the
+ * belt's, though it has more. */
+static void a_slope_behind_a_belt(void **state)
+{
+    (void)state;
+    char *const text = case_of(
+        "lead_in: {}\nchain: [{cable: c, length: 95 m, segment: 500 mm}, {cable: rope, length: 12 m, segment: 500 "
+        "mm}]\n"
+        "route: {head_at: 82 m, transition_radius: 10 m, pieces: [{straight: 6 m}, {bend: 180 deg, radius: 5 m, plane: "
+        "left}, {straight: 30 m, slope: -30 deg}, {straight: 45 m, slope: 0 deg}]}\n"
+        "surfaces: {ducts: [{name: duct, radius: 60 mm, place: resting}]}\n"
+        "conveyors: [{name: K, from: 2 m, to: 4 m, clamp: 8 kN, mu: 0.3, limit: 2.4 kN, belt: {speed: 0.12 m/s, to: 2 "
+        "s}}]\ndrive: {winch: {speed: 0.1 m/s, to: 2 s}, tail: {tension: 100 N, ramp: none}}\n"
+        "run: {duration: 4 s, steady_from: 3 s}\nsolver: {passes: 1}\n");
+    for (int k = 0; k < 2; k++) {
+        hawser_sim *const sim = run_of(text, (const char *const[]){"drive.tail.tension", k ? "700 N" : "100 N", NULL});
+        const hawser_limit l = judged(sim, "run_away");
+        print_message("%g N\n", l.value);
+        assert_int_equal(l.ok, k);
+        if (!k) check_between(l.value, 60, 200);
+        hawser_sim_free(sim);
+    }
+    free(text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -559,6 +584,7 @@ int main(void)
         cmocka_unit_test(a_belt_that_is_reached_late),
         cmocka_unit_test(a_belt_that_holds_back),
         cmocka_unit_test(belts_among_themselves),
+        cmocka_unit_test(a_slope_behind_a_belt),
         cmocka_unit_test(what_bends_the_rope),
         cmocka_unit_test(what_does_not_bend_the_rope),
     };

@@ -5,13 +5,6 @@
 
 #define CABLE "cables: {power: {d: 80 mm, mass: 20 kg/m}}\n"
 
-static void verdict_has(const json_t *answer, const char *part)
-{
-    const char *const verdict = json_string_value(json_object_get(answer, "verdict_forward"));
-    assert_non_null(verdict);
-    check_has(verdict, part);
-}
-
 /* With a winch's capacity alone nobody looked for what the winch needs, where friction and length were varied: 7.6
  * times the friction kept all limits where the case's own broke them. A straight needs mu w s. */
 static void what_a_winch_bears(void **state)

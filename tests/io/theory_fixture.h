@@ -32,6 +32,13 @@ static inline double number_of(const json_t *row, const char *key)
     return json_number_value(json_object_get(row, key));
 }
 
+static inline void verdict_has(const json_t *answer, const char *part)
+{
+    const char *const verdict = json_string_value(json_object_get(answer, "verdict_forward"));
+    assert_non_null(verdict);
+    check_has(verdict, part);
+}
+
 /* The value of a limit, pulled forward. */
 static inline double limit_of(const json_t *answer, const char *name)
 {

@@ -1,5 +1,6 @@
 /* The whole scene's derivative blocks against finite differences of its forces, and the rates as a pure function. */
 #include "sim/dynamics.h"
+#include "sim/weight.h"
 #include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS };
@@ -166,6 +167,44 @@ static void test_lead_in(void **state)
     rig_free(r);
 }
 
+/* What has passed the start and comes back behind it, to the side, is past it: it bears its weight, in whichever part
+ * of the work, and nothing holds it on the lead-in's line. */
+static void test_lead_in_of_a_turn(void **state)
+{
+    (void)state;
+    Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 0.1, 5);
+    const Weight *const w = &r->scene.weight;
+    const Vec3 aside = v3_unit(v3_cross(v3(0, 0, 1), w->direction));
+    enum { TURN = 12 }; /* past it with segments 5 to 18, then behind it again */
+    for (int i = 0; i < N; ++i) {
+        const double along = 0.5 * (i < TURN ? i - 4 : 2 * TURN - 5 - i - 1) - 0.1, off = i < TURN ? 0 : 2;
+        const Vec3 p = v3_axpy(v3_axpy(w->origin, along, w->direction), off, aside);
+        for (int c = 0; c < 3; ++c) r->y[(STATE_P + c) * N + i] = v3_dot(p, v3_axis(c));
+    }
+    dynamics_pose(&r->scene, &r->ws, 0.7, r->y, 1);
+    check_at_least(r->ws.middle, TURN);
+    const double *const p[3] = {r->ws.kin.p[0], r->ws.kin.p[1], r->ws.kin.p[2]};
+    assert_int_equal(weight_behind(&r->scene, p, w->blend / 2), 5);
+    double held = 0;
+    for (int i = 0; i < N; ++i) {
+        const Vec3 f = v3_load(r->ws.loads[0].f, i), all = v3_scale(r->scene.chain.mass[i], w->gravity);
+        if (i > 4) check_close(v3_norm(v3_sub(f, all)), 0, 1e-12);
+        if (i < 4) held = fmax(held, v3_norm(v3_sub(f, all)));
+    }
+    check_above(held, 1);
+    BlockChain k, d;
+    assert_true(block_chain_alloc(&k, N, 6) && block_chain_alloc(&d, N, 6));
+    weight_blocks(&r->scene, &r->ws.kin, &k, &d);
+    for (int i = 0; i < N; ++i) {
+        double most = 0;
+        for (int c = 0; c < 36; ++c) most = fmax(most, fabs(k.diag[36 * i + c]));
+        assert_int_equal(most > 0, i <= 4);
+    }
+    block_chain_free(&k);
+    block_chain_free(&d);
+    rig_free(r);
+}
+
 /* The rates depend on (t, y) alone: bitwise the same whatever was evaluated before. */
 static void test_pure(void **state)
 {
@@ -192,10 +231,8 @@ static void test_pure(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_blocks_symmetric),
-        cmocka_unit_test(test_blocks_adams),
-        cmocka_unit_test(test_lead_in),
-        cmocka_unit_test(test_pure),
+        cmocka_unit_test(test_blocks_symmetric),  cmocka_unit_test(test_blocks_adams), cmocka_unit_test(test_lead_in),
+        cmocka_unit_test(test_lead_in_of_a_turn), cmocka_unit_test(test_pure),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

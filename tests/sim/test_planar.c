@@ -103,6 +103,33 @@ static void test_rates(void **state)
     check_below(worst, 1e-12);
 }
 
+/* A chain that has passed the start and comes back above it: in both it bears its weight there. */
+static void test_turned_back(void **state)
+{
+    (void)state;
+    Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 1, 0.2, 7);
+    const PlanarWeight *const w = &r->planar.ps.weight;
+    enum { TURN = 12 };
+    const double up[2] = {-w->direction[1], w->direction[0]};
+    for (int i = 0; i < N; ++i) {
+        const double along = 0.5 * (i < TURN ? i - 4 : 2 * TURN - 6 - i) - 0.1, off = i < TURN ? 0 : 3;
+        for (int c = 0; c < 2; ++c) r->y[c * STRIDE + i] = w->origin[c] + along * w->direction[c] + off * up[c];
+    }
+    plane_lift(&r->plane, N, r->y, r->full);
+    assert_int_equal(planar_weight_behind(&r->planar.ps, r->y), 5);
+    assert_int_equal(planar_evaluate(&r->planar, T, r->y, 1, r->rate), 0);
+    dynamics_rates(&r->scene, &r->ws, T, r->full, 1, r->full_rate);
+    for (int i = TURN; i < N - 1; ++i) {
+        const Vec3 f = in_plane(&r->plane, v3_load(r->ws.loads[0].f, i));
+        const double m = r->scene.chain.mass[i];
+        for (int c = 0; c < 2 && i != r->scene.drag.segment; ++c) {
+            check_close(r->planar.loads[0].f[c][i], m * w->gravity[c], 1e-12);
+            check_close(c ? f.y : f.x, m * w->gravity[c], 1e-12);
+        }
+    }
+    rig_free(r);
+}
+
 /* Entry (row, column) of a 6x6 block seen from the plane: coordinate 0, 1: its axes; 2: its normal. */
 static double entry_in_plane(const Plane *p, const double *block, int row, int column)
 {
@@ -403,9 +430,9 @@ static void test_near(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rates),      cmocka_unit_test(test_blocks), cmocka_unit_test(test_differences),
-        cmocka_unit_test(test_newton),     cmocka_unit_test(test_look),   cmocka_unit_test(test_norm),
-        cmocka_unit_test(test_not_finite), cmocka_unit_test(test_near),
+        cmocka_unit_test(test_rates),       cmocka_unit_test(test_turned_back), cmocka_unit_test(test_blocks),
+        cmocka_unit_test(test_differences), cmocka_unit_test(test_newton),      cmocka_unit_test(test_look),
+        cmocka_unit_test(test_norm),        cmocka_unit_test(test_not_finite),  cmocka_unit_test(test_near),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,44 @@
+/* Routes that turn back: what lies on them behind the start, to the side, is past the start all the same, and bears its
+ * weight. With more than half of the cable ahead of the place where it turned, the lead-in held its second half: with
+ * ten thousand times its weight ten metres away, or without any where nothing holds. */
+#include "tests/io/theory_fixture.h"
+
+static const char TURN[] =
+    "cables:\n"
+    "  c: {d: 80 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 1 kN m2, mass: 14 kg/m, damping: 2 ms}\n"
+    "  rope: {d: 20 mm, EA: 8 MN, GA: 3 MN, GJ: 100 N m2, EI: 50 N m2, mass: 0.9 kg/m, damping: 2 ms}\n"
+    "friction: {mu: 0.2, v_s: 1 mm/s}\n"
+    "surfaces: {ducts: [{name: duct, radius: 60 mm, place: resting}]}\n"
+    "drive: {winch: {speed: 0.1 m/s, to: 2 s}, tail: {tension: 1 kN, ramp: none}}\n"
+    "run: {duration: 8 s, steady_from: 6 s}\n";
+
+/* Half of the cable and more lies on the straight that leads back, as far as 40 m behind the start. Level straights and
+ * a bend by the catenary's friction: (T10). */
+static void a_half_turn(void **state)
+{
+    (void)state;
+    hawser_sim *const sim = run_of(
+        TURN, (const char *const[]){
+                  "lead_in", "{}", "chain",
+                  "[{cable: c, length: 80 m, segment: 500 mm}, {cable: rope, length: 6 m, segment: 500 mm}]",
+                  "route.pieces", "[{straight: 6 m}, {bend: 180 deg, radius: 5 m, plane: left}, {straight: 60 m}]",
+                  "route.head_at", "66 m", NULL});
+    hawser_summary sum;
+    hawser_sim_summary(sim, &sum);
+    const double w = 14 * 9.81, R = 5, mu = 0.2, into = 1e3 + mu * w * 6;
+    const double out = into * cosh(mu * M_PI) + hypot(into, w * R) * sinh(mu * M_PI);
+    const double pull = out + mu * w * (66 + 0.7 - 6 - 5 * M_PI) + mu * 0.9 * 9.81 * 6;
+    print_message("pull %.1f N, by theory %.1f N\n", sum.pull_mean_N, pull);
+    assert_true(sum.relaxation.reached);
+    check_share(sum.pull_mean_N, pull, 0.01);
+    check_share(sum.reference_total_N, pull, 0.01);
+    hawser_sim_free(sim);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_half_turn),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
