@@ -64,6 +64,9 @@ const Profile *starts_back(const Scene *scene);
  * `front` (m along the route), N; 0 once the cable has left it. */
 double starts_reel(const Scene *scene, double front, double back);
 
+/* Where the cable's front is when its end leaves the drum, m along the route; INFINITY: it never does. */
+double starts_leaves(const Scene *scene);
+
 /* Of the cable behind the route's start, what of its weight along the slope the lead-in leaves to it, N; `length` m lie
  * there. */
 double starts_weight(const Scene *scene, double length);

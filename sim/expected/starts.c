@@ -20,6 +20,12 @@ static double wound_at(const Scene *scene, double front)
     return scene->reel->total - front - scene->def.reel.distance;
 }
 
+double starts_leaves(const Scene *scene)
+{
+    const Reel *const r = scene->reel;
+    return r->winding.turns > 0 && !r->fixed ? r->total - scene->def.reel.distance : INFINITY;
+}
+
 /* With so much wound (m) and so much pulled at a speed, m/s. */
 static double reel_with(const Scene *scene, const Reel *reel, double wound, double back, double speed)
 {

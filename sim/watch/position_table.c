@@ -52,6 +52,7 @@ hawser_status by_position_new(ByPosition *b, const Scene *scene, hawser_error *e
         return error_memory(err);
     }
     b->back = expected_back(scene, scene->def.duration);
+    b->leaves = starts_leaves(scene);
     int no_memory = 0;
     for (int i = 0; i < b->n_grid; ++i) {
         const double s = b->from + (b->to - b->from) * i / (b->n_grid - 1);
@@ -72,13 +73,23 @@ void by_position_free(ByPosition *b)
     memset(b, 0, sizeof *b);
 }
 
+/* At x places of the grid from its first, on the line through two neighbours; of one that has none on its side of where
+ * the cable leaves the drum, as it is. */
+static double on_grid(const ByPosition *b, const double *of, double x)
+{
+    const double leaves = (b->leaves - b->from) / (b->to - b->from) * (b->n_grid - 1);
+    const int last = b->n_grid - 2;
+    int i = x < last ? (int)x : last;
+    if (i < leaves && leaves <= i + 1) i += x < leaves ? -1 : 1; /* nothing between them is the mean of both */
+    if (i < 0) return of[0];
+    return i > last ? of[last + 1] : of[i] + (x - i) * (of[i + 1] - of[i]);
+}
+
 double by_position_reference(const ByPosition *b, double s, double back)
 {
     if (b->n_grid == 0 || !(s >= b->from - 1e-6) || !(s <= b->to + 1e-6)) return NAN;
     const double x = fmin(fmax((s - b->from) / (b->to - b->from), 0), 1) * (b->n_grid - 1);
-    const int i = x < b->n_grid - 2 ? (int)x : b->n_grid - 2;
-    const double theory = b->theory[i] + (x - i) * (b->theory[i + 1] - b->theory[i]);
-    return theory + (back - b->back) * (b->gain[i] + (x - i) * (b->gain[i + 1] - b->gain[i]));
+    return on_grid(b, b->theory, x) + (back - b->back) * on_grid(b, b->gain, x);
 }
 
 void by_position_record(ByPosition *b, double t, double s, double force, double reference, int steady)

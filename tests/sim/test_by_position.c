@@ -40,6 +40,26 @@ static void test_theory(void **state)
     scene_clear(&scene);
 }
 
+/* The end of the cable leaves the drum with the front at 7 m: what holds it back is all there until then, and gone. */
+static void test_leaves_the_drum(void **state)
+{
+    (void)state;
+    const double mu = 0.2, cable = 12 * 9.81, rope = 1.5 * 9.81; /* N/m */
+    Scene scene;
+    ByPosition b;
+    hawser_error err = {0};
+    scene_for(&(ReelChoice){.payout = 1, .take_in = 1, .cable = 11, .torque = 300, .bearing = 50, .tension = 800},
+              &scene);
+    assert_int_equal(by_position_new(&b, &scene, &err), HAWSER_OK);
+    check_close(b.leaves, 7, 1e-12);
+    for (double s = 6.9; s < 7.15; s += 0.02) {
+        const double held = s < 7 ? 800 + 350 / 0.64 : 0;
+        check_share(by_position_reference(&b, s, 800), held + mu * (cable * s + rope * (16 - s)), 1e-13);
+    }
+    by_position_free(&b);
+    scene_clear(&scene);
+}
+
 /* Means over time by bins; what is not steady does not count. */
 static void test_means(void **state)
 {
@@ -119,6 +139,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_theory),
+        cmocka_unit_test(test_leaves_the_drum),
         cmocka_unit_test(test_means),
         cmocka_unit_test(test_none),
         cmocka_unit_test(test_run),
