@@ -85,7 +85,8 @@ static void stretch_of(const Scene *scene, Expected *out)
     out->from = scene->weight.lead_in ? 0 : scene->joint_s[0] + shift;
     out->passed = front + shift;
     out->to = out->rope_to = front + (v3_norm(scene->weight.behind) > 1e-9 ? moved : shift);
-    if (!(scene->def.drag.force > 0)) out->rope_to = fmax(out->to, rope_end(scene, moved)); /* else that is the rope's */
+    if (!(scene->def.drag.force > 0))
+        out->rope_to = fmax(out->to, rope_end(scene, moved)); /* else that is the rope's */
     out->start_tension = profile_value(&scene->tail, scene->def.duration);
     if (scene->weight.lead_in) out->start_tension += starts_weight(scene, -scene->joint_s[0] - moved);
     if (!scene->drum->present) return;

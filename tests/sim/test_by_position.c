@@ -138,10 +138,8 @@ static void test_run(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_theory),
-        cmocka_unit_test(test_leaves_the_drum),
-        cmocka_unit_test(test_means),
-        cmocka_unit_test(test_none),
+        cmocka_unit_test(test_theory), cmocka_unit_test(test_leaves_the_drum),
+        cmocka_unit_test(test_means),  cmocka_unit_test(test_none),
         cmocka_unit_test(test_run),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
