@@ -233,3 +233,10 @@ hawser_status stability_add(Stage *st, hawser_critical found, double *shape, haw
     s->critical[s->n++] = found;
     return HAWSER_OK;
 }
+
+void stability_take_back(Stage *st)
+{
+    hawser_critical *const last = &st->stability.critical[--st->stability.n];
+    free((double *)(uintptr_t)last->shape);
+    last->shape = NULL;
+}

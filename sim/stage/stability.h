@@ -27,5 +27,7 @@ void stability_nudge(Stage *stage, double size, const double *shape);
 
 /* Adds a critical load; takes `shape`, which may be NULL. Errors: MEMORY (shape is freed). */
 hawser_status stability_add(Stage *stage, hawser_critical found, double *shape, hawser_error *err);
+/* Takes back the last one that was added. */
+void stability_take_back(Stage *stage);
 
 #endif

@@ -316,7 +316,7 @@ static hawser_status fall(Walk *w, double t)
     if (!status && known) stability_nudge(st, NUDGE, w->shape);
     if (!status) status = downhill(w, t, w->kept);
     if (!status && !w->out->reached) status = slow_way(w, t);
-    if (!status && !w->out->reached && known) --st->stability.n; /* nothing was found beyond: no critical load */
+    if (!status && !w->out->reached && known) stability_take_back(st); /* nothing was found beyond: no critical load */
     return status;
 }
 
