@@ -156,9 +156,9 @@ static void bearers_add(const Scene *scene, Part bend, int piece, Calculator *c)
         if (nearest[k] >= 0) c->bearer[c->n_bearers++] = (Bearer){piece, nearest[k]};
 }
 
-/* The neighbours of the carrier at s among those at place[n], rising, and the route's ends, at which something else has
- * the cable. Returns how many of them are ends; -1: it stands at or beyond one. */
-static int neighbours_of(double s, double length, int n, const double *place, double near[2])
+/* The neighbours of the carrier at s among those at place[n], rising, the ends of ducts and trays, and the route's, at
+ * which something else has the cable. Returns how many of them are ends; -1: it stands at or beyond one. */
+static int neighbours_of(const SceneDef *def, double s, double length, int n, const double *place, double near[2])
 {
     int low = 0, high = n; /* the first that is not before s */
     while (low < high) {
@@ -171,10 +171,18 @@ static int neighbours_of(double s, double length, int n, const double *place, do
     while (high < n && place[high] <= s) high++;
     near[0] = low > 0 ? place[low - 1] : 0;
     near[1] = high < n ? place[high] : length;
-    return s > near[0] && s < near[1] ? (low == 0) + (high == n) : -1;
+    int ends = (low == 0) + (high == n);
+    for (int k = 0; k < def->n_surfaces; ++k) {
+        const SurfaceShape *const on = &def->surfaces[k].shape;
+        if (!surface_along_route(&def->surfaces[k])) continue;
+        if (on->from <= s && on->to >= s) return -1;
+        if (on->to < s && on->to > near[0]) near[0] = on->to, ++ends;
+        if (on->from > s && on->from < near[1]) near[1] = on->from, ++ends;
+    }
+    return s > near[0] && s < near[1] ? ends : -1;
 }
 
-/* (T18a) of the rated carriers on straights beside bends, and of those next to the route's ends; guides have what goes
+/* (T18a) of the rated carriers on straights beside bends, and of those next to an end; guides have what goes
  * aside. */
 static void beside_find(const Scene *scene, int n, const double *place, Calculator *c)
 {
@@ -185,7 +193,7 @@ static void beside_find(const Scene *scene, int n, const double *place, Calculat
         double near[2];
         if (isnan(s) || !(roller->rating > 0) || roller->hold_down || roller_is_guide(route, roller)) continue;
         const RoutePoint at = route_at(route, s);
-        const int ends = neighbours_of(s, route->length, n, place, near);
+        const int ends = neighbours_of(&scene->def, s, route->length, n, place, near);
         if (ends < 0 || (route->piece[at.piece].kind != ROUTE_STRAIGHT && ends == 0)) continue;
         Vec3 turn = V3_ZERO;
         int bend = route->piece[at.piece].kind != ROUTE_STRAIGHT ? at.piece : -1, bare = 1;

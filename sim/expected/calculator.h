@@ -78,7 +78,7 @@ typedef struct Calculator {
     hawser_condition pulled[PLAN_WAYS]; /* whether the cable is in tension everywhere */
     Pushed pushed[PLAN_WAYS];           /* where it is not */
     Away away[PLAN_WAYS];               /* and why */
-    double early[PLAN_WAYS];            /* s, when it is where that is by AWAY_EARLY */
+    double early[PLAN_WAYS];            /* s, of AWAY_EARLY: when it is pushed most */
     Brake brake[PLAN_WAYS];             /* against running away; its `brake` is 0 where none is needed */
     TripSetting trip[PLAN_WAYS];
     int best; /* the way that keeps the limits better; without limits the one that needs less force */
@@ -95,15 +95,19 @@ void calculator_free(Calculator *c);
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err);
 /* Whether a bend presses the cable away from a guide of a row: it bears nothing. */
 int guide_stands_outside(const Route *route, const RollerDef *guide);
-/* Fills `known` of one that is solved: calculator_known.c. */
-void calculator_know(const Scene *scene, Calculator *c);
+/* Fills `known` of one that is solved: calculator_known.c. Errors: as plan_build. */
+hawser_status calculator_know(const Scene *scene, Calculator *c, hawser_error *err);
+/* Whether the cable sags too far where nothing carries it (T29), into a condition that holds: gaps.c. Errors: as
+ * plan_build. */
+hawser_status gaps_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);
 /* N, of the winch, wherever the head is, at speed or from rest; of a rope with all that it draws, whatever each pulls
  * at most (SC15). */
 double calculator_peak(const Scene *scene, const Calculator *c, int way);
 /* Fills `pulled`, `pushed`, `away` and `early`. Errors: as plan_build. */
 hawser_status calculator_pulled(const Scene *scene, Calculator *c, hawser_error *err);
-/* Whether a brake where the pull begins is what is asked of it; of others why the cable is pushed, in words. */
+/* Whether a brake where the pull begins is what is missing. */
 int away_is_braked(Away away);
+/* Of a way of which it is not: why the cable is pushed, in words. */
 void away_say(const Calculator *c, int way, int size, char *text);
 /* The least factor that the script gives friction, of anything; at most 1. */
 double friction_least_told(const SceneDef *def);

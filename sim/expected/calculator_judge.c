@@ -134,8 +134,8 @@ static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error 
 
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err)
 {
-    calculator_know(scene, c);
-    const hawser_status status = calculator_pulled(scene, c, err);
+    hawser_status status = calculator_know(scene, c, err);
+    if (!status) status = calculator_pulled(scene, c, err);
     return status ? status : limits_set(scene, c, err);
 }
 
@@ -211,7 +211,7 @@ static hawser_status brakes_set(const Scene *scene, Calculator *c, hawser_error 
             if (status) return status;
             brake_say(scene, c, k, &c->pulled[k]);
         } else {
-            c->brake[k].brake = NAN;
+            c->brake[k] = (Brake){NAN, NAN, c->pushed[k].piece, NAN, NAN, NAN};
             away_say(c, k, sizeof c->pulled[k].remedy, c->pulled[k].remedy);
         }
     }

@@ -7,67 +7,9 @@
 #include "sim/equipment/winch.h"
 #include "sim/expected/calculator.h"
 
-static const double BARE = 5; /* m without anything that carries, from which on it is asked how deep the cable hangs */
-static const double DEEP = 0.1; /* of that length */
-
-/* From s on (m), the end of what ducts and trays cover without a gap. */
-static double covered_to(const SceneDef *def, double s)
-{
-    for (int k = 0; k < def->n_surfaces; ++k) {
-        const SurfaceDef *const on = &def->surfaces[k];
-        if (!surface_along_route(on) || on->shape.from > s + 1e-6 || on->shape.to <= s) continue;
-        s = on->shape.to;
-        k = -1; /* another may go on from there */
-    }
-    return s;
-}
-
-/* Where the next thing that carries begins after s, m; `turner`: the first that is not behind it. */
-static double next_carried(const SceneDef *def, const Calculator *c, double s, int *turner)
-{
-    double next = c->route->length;
-    while (*turner < c->n_turners && (c->turner[*turner].s <= s || !c->turner[*turner].carries)) ++*turner;
-    if (*turner < c->n_turners) next = fmin(next, c->turner[*turner].s);
-    for (int k = 0; k < def->n_surfaces; ++k)
-        if (surface_along_route(&def->surfaces[k]) && def->surfaces[k].shape.from > s)
-            next = fmin(next, def->surfaces[k].shape.from);
-    return next;
-}
-
-/* How deep it hangs between, as a share of the length, as a string and a beam would with its weight: (T29). */
-static double hangs_by(const Scene *scene, const Calculator *c, double from, double to)
-{
-    const Pull *const pull = &c->plan.way[c->def.skip[PLAN_FORWARD] ? PLAN_BACKWARD : PLAN_FORWARD].pull;
-    const double length = to - from, middle = (from + to) / 2, rise = route_at(c->route, middle).tangent.z;
-    const double across = scene->cable_weight * sqrt(fmax(0, 1 - rise * rise));
-    const double stiff = 9.6 * scene->def.cables[scene->def.pieces[0].cable].ei_z / (length * length);
-    return across * length / (8 * (fmax(0, pull_at(pull, middle).tension) + fmax(0, stiff)));
-}
-
-/* Where nothing carries the cable for a while it must be taut: else it falls on what the case does not say. */
-static void gaps_judge(const Scene *scene, const Calculator *c, hawser_condition *out)
-{
-    const SceneDef *const def = &scene->def;
-    int turner = 0;
-    out->allowed = DEEP;
-    for (int k = 0; k < def->n_surfaces; ++k)
-        if (!surface_along_route(&def->surfaces[k])) return; /* a floor */
-    for (double from = covered_to(def, 0), to; from < c->route->length; from = covered_to(def, to)) {
-        to = next_carried(def, c, from, &turner);
-        const double deep = to - from > BARE ? hangs_by(scene, c, from, to) : 0;
-        if (!(deep > out->value)) continue;
-        out->value = deep;
-        out->holds = deep <= DEEP;
-        snprintf(out->remedy, sizeof out->remedy,
-                 "nothing carries the cable between %.1f and %.1f m, where it would hang %.3g m deep, or fall: give "
-                 "what carries it, or leave out 'run' and 'drive'",
-                 from, to, deep * (to - from));
-    }
-}
-
 /* Friction on nothing is nobody's: a case for theory alone may leave supports out, not friction as well. One that says
  * how it runs is a pull in which the cable would fall. */
-static hawser_condition supported_by(const Scene *scene, const Calculator *c)
+static hawser_status supported_by(const Scene *scene, const Calculator *c, hawser_condition *result, hawser_error *err)
 {
     const TheoryDef *const theory = &scene->def.theory;
     const int hangs = theory->guessed_friction || theory->would_fall;
@@ -82,10 +24,9 @@ static hawser_condition supported_by(const Scene *scene, const Calculator *c)
             out.remedy, sizeof out.remedy,
             "nothing carries the cable (no rollers, ducts, trays or floor), and the case says how it is run: it "
             "would fall; give what carries it, or leave out 'run' and 'drive' to calculate with friction.mu alone");
-    } else if (theory->simulated) {
-        gaps_judge(scene, c, &out);
     }
-    return out;
+    *result = out;
+    return hangs || !theory->simulated ? HAWSER_OK : gaps_judge(scene, c, result, err);
 }
 
 /* Whether the case gives friction for theory alone at s, or along the whole route if that is not known (NAN). */
@@ -258,9 +199,16 @@ static double tension_set(const Scene *scene)
     const Profile *const set = &scene->def.winch.tension;
     const double whole = scene->def.duration, limit = scene->winch->speed_limit, risen = profile_risen_at(set);
     const double way = scene->route.length - fmax(0, scene->joint_s[scene->eye]);
-    const double arrives = isfinite(limit) && way > 0 ? way / limit : whole;
-    const double until = fmin(whole, fmax(risen, arrives));
-    return profile_least_between(set, fmin(risen, until), until);
+    const double until = fmin(whole, isfinite(limit) && way > 0 ? fmax(risen, 0) + way / limit : whole);
+    double least = profile_least_between(set, fmin(risen, until), until), told = -INFINITY;
+    for (int i = 0; i < scene->def.n_script && scene->def.script[i].at <= until; ++i) {
+        const Command *const c = &scene->def.script[i].command;
+        if (c->kind != HAWSER_WINCH_TENSION) continue;
+        least =
+            c->value >= least && !(told > c->value) ? c->value : fmin(least, c->value); /* raised: it waits for it */
+        told = c->value;
+    }
+    return least;
 }
 
 /* The calculation takes conveyors as the case has them, not as the crew changes them or as they jam, and a winch that
@@ -278,7 +226,6 @@ static hawser_condition drive_of(const Scene *scene, const Calculator *c)
     for (int i = 0; i < def->n_script; ++i) {
         const Command *const told = &def->script[i].command;
         const char *const does = conveyor_told(def, told);
-        if (told->kind == HAWSER_WINCH_TENSION) has = fmin(has, told->value);
         if (told->kind == COMMAND_FORCE && out.holds)
             drive_doubted("drive.script", "presses on the cable by", "force", &out);
         if (told->kind == HAWSER_JAM && is_turning(def, told->what) && out.holds)
@@ -298,11 +245,11 @@ static hawser_condition drive_of(const Scene *scene, const Calculator *c)
     return out;
 }
 
-void calculator_know(const Scene *scene, Calculator *c)
+hawser_status calculator_know(const Scene *scene, Calculator *c, hawser_error *err)
 {
-    c->known[KNOWN_SUPPORT] = supported_by(scene, c);
     c->known[KNOWN_FRICTION] = friction_of(scene, c->def.lightest > 0 ? c->def.lightest : scene->cable_weight);
     c->known[KNOWN_MEDIUM] = medium_of(scene);
     c->known[KNOWN_DRIVE] = drive_of(scene, c);
     friction_told(&scene->def, &c->known[KNOWN_FRICTION]);
+    return supported_by(scene, c, &c->known[KNOWN_SUPPORT], err);
 }

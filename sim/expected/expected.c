@@ -86,7 +86,7 @@ static void stretch_of(const Scene *scene, Expected *out)
     out->passed = front + shift;
     out->to = out->rope_to = front + (v3_norm(scene->weight.behind) > 1e-9 ? moved : shift);
     if (!(scene->def.drag.force > 0))
-        out->rope_to = fmax(out->to, rope_end(scene, moved)); /* else that is the rope's */
+        out->rope_to = fmax(out->to, rope_end(scene, out->to - front)); /* else that is its drag */
     out->start_tension = profile_value(&scene->tail, scene->def.duration);
     if (scene->weight.lead_in) out->start_tension += starts_weight(scene, -scene->joint_s[0] - moved);
     if (!scene->drum->present) return;

@@ -66,6 +66,8 @@ double starts_reel(const Scene *scene, double front, double back);
 
 /* Where the cable's front is when its end leaves the drum, m along the route; INFINITY: it never does. */
 double starts_leaves(const Scene *scene);
+/* Whether it has left it with the front there. */
+int starts_left(const Scene *scene, double front);
 
 /* Of the cable behind the route's start, what of its weight along the slope the lead-in leaves to it, N; `length` m lie
  * there. */

@@ -7,15 +7,17 @@
 
 #include "core/base/error.h"
 #include "core/profile.h"
+#include "hawser/hawser.h"
 #include "sim/equipment/drum.h"
 #include "sim/expected/calculator.h"
 
-/* A pull and what may push in it. */
+/* What is asked of a pull one way: the case's own question, or one with less friction, without what pushes. */
 typedef struct Asked {
-    const PlanDef *def; /* has the feed and the pits */
-    int n_pushes;
-    const PullStep *push; /* [n_pushes] of its way */
-    const Pull *pull;
+    const Scene *scene;
+    const Calculator *c;
+    int way;
+    PlanDef def;          /* its feed, pits and stretches */
+    const PullStep *push; /* [c->n_pushers] of its way */
 } Asked;
 
 /* Whether what pushes at `from` still pushes at `to`: it is not behind it along the pull, and there is no pit from
@@ -30,108 +32,124 @@ static int pushes_as_far(const PlanDef *def, double forth, double from, double t
     return 1;
 }
 
-/* N by which the cable may be pushed at s: by what a machine behind that place pushes with, or by what is meant. */
-static double may_be_pushed(const Scene *scene, const Asked *a, int way, double s)
-{
-    const double forth = way == PLAN_BACKWARD ? -1 : 1;
-    double most = 1e-9 * fmax(1, a->pull->max_tension); /* rounding */
-    if (pushes_as_far(a->def, forth, plan_first(a->def, way), s)) most = fmax(most, a->def->feed);
-    for (int i = 0; i < a->n_pushes; ++i)
-        if (pushes_as_far(a->def, forth, a->push[i].at, s)) most = fmax(most, a->push[i].force);
-    return fmin(most, scene->def.theory.bears);
-}
+static double forth_of(int way) { return way == PLAN_BACKWARD ? -1 : 1; }
 
-static Pushed pushed_in(const Scene *scene, const Asked *a, int way)
+/* N by which the cable may be pushed at s: by what a machine behind that place pushes with, or by what is meant. */
+static double may_be_pushed(const Asked *a, const Pull *pull, double s)
 {
-    const Pull *const pull = a->pull;
-    Pushed worst = {fmax(0, -pull->min_tension), may_be_pushed(scene, a, way, pull->min_at), pull->min_at,
-                    pull->min_piece};
-    for (int i = 0; i < pull->n; ++i) {
-        const PullSpan *const span = &pull->span[i];
-        const double allowed = may_be_pushed(scene, a, way, span->least_at);
-        if (-span->least - allowed > fmax(0, worst.force - worst.allowed))
-            worst = (Pushed){-span->least, allowed, span->least_at, span->piece};
-    }
-    return worst;
+    const double forth = forth_of(a->way);
+    double most = 1e-9 * fmax(1, pull->max_tension); /* rounding */
+    if (pushes_as_far(&a->def, forth, plan_first(&a->def, a->way), s)) most = fmax(most, a->def.feed);
+    for (int i = 0; i < a->c->n_pushers; ++i)
+        if (pushes_as_far(&a->def, forth, a->push[i].at, s)) most = fmax(most, a->push[i].force);
+    return fmin(most, a->scene->def.theory.bears);
 }
 
 static int is_pushed(Pushed p) { return p.force > p.allowed; }
 
-/* ------------------------------------------------------------------------------- the same with something else */
+static double excess(Pushed p) { return fmax(0, p.force - p.allowed); }
 
-/* With the least friction that the script leaves. */
-static hawser_status pushed_loosened(const Scene *scene, const Calculator *c, int way, Pushed *out, hawser_error *err)
+static Pushed pushed_in(const Asked *a, const Pull *pull)
 {
-    PlanDef loose;
-    PullStretch *own;
-    Plan plan = {0};
-    hawser_status status = calculator_loosen(scene, c, &loose, &own, err);
-    if (!status) {
-        loose.skip[!way] = 1;
-        status = plan_build(&loose, &plan, err);
+    Pushed worst = {fmax(0, -pull->min_tension), may_be_pushed(a, pull, pull->min_at), pull->min_at, pull->min_piece};
+    for (int i = 0; i < pull->n; ++i) {
+        const PullSpan *const span = &pull->span[i];
+        const Pushed here = {-span->least, may_be_pushed(a, pull, span->least_at), span->least_at, span->piece};
+        if (here.force - here.allowed > excess(worst)) worst = here;
     }
-    if (!status) {
-        const Asked asked = {&loose, c->n_pushers, c->push[way], &plan.way[way].pull};
-        *out = pushed_in(scene, &asked, way);
-        plan_clear(&plan);
-    }
-    free(own);
-    return status;
+    return worst;
 }
 
-static int is_helped(const Calculator *c, int way)
+/* At the winch, which a rope does not push. */
+static Pushed pushed_at_winch(const Asked *a, const Pull *pull)
 {
-    int helped = c->def.feed > 0;
-    for (int i = 0; i < c->n_pushers; ++i) helped |= c->push[way][i].force > 0;
-    return helped;
+    const double force = a->scene->def.winch.present ? fmax(0, -pull->end_tension) : 0;
+    return (Pushed){force, 1e-9 * fmax(0, pull->max_tension), plan_last(&a->def, a->way),
+                    pull->span[pull->n - 1].piece};
 }
 
-/* Without what pushes: what bends take of a push leaves nothing by which a slope ahead of them may push the cable. */
-static hawser_status pushed_by_itself(const Scene *scene, const Calculator *c, int way, Pushed *out, hawser_error *err)
+/* What is found, and what of it. */
+typedef struct Found {
+    Pushed most;
+    Away why;
+    double t; /* s, by AWAY_EARLY */
+} Found;
+
+static void found_take(Found *out, Pushed now, Away why, double t)
 {
-    PlanDef alone = c->def;
-    Plan plan = {0};
-    PullStep *const push = malloc(((size_t)c->n_pushers + 1) * sizeof *push);
-    if (!push) return error_memory(err);
-    for (int i = 0; i < c->n_pushers; ++i) {
-        push[i] = c->push[way][i];
-        push[i].force = fmin(push[i].force, 0);
-    }
-    alone.feed = 0;
-    alone.push = alone.push_back = push;
-    alone.enough = 0; /* the pushes take it off */
-    alone.skip[!way] = 1;
-    const hawser_status status = plan_build(&alone, &plan, err);
-    if (!status) {
-        const Asked asked = {&alone, c->n_pushers, push, &plan.way[way].pull};
-        *out = pushed_in(scene, &asked, way);
-        plan_clear(&plan);
-    }
-    free(push);
-    return status;
+    if (!is_pushed(now) || excess(now) <= excess(out->most)) return;
+    *out = (Found){now, why, t};
+}
+
+/* The pull with the least that holds it back (or with so much of it), its head at the end or there. */
+typedef struct HeldBy {
+    const double *back; /* N; NULL: the least of the whole pull */
+    const double *head; /* m along the route; NULL: the end */
+} HeldBy;
+
+static hawser_status pull_at_least(const Asked *a, HeldBy at, Pull *out, hawser_error *err)
+{
+    const PlanPullDef what = {.way = a->way, .whole = !at.head, .head = at.head ? *at.head : 0};
+    PlanDef slack = plan_slack(&a->def);
+    if (at.back) slack.back_tension = *at.back;
+    slack.enough = 0; /* what pushes may take it off */
+    return plan_pull(&slack, &a->c->plan.duct, &what, out, err);
 }
 
 /* --------------------------------------------------------------------------- a back tension that comes in late */
 
 static const double STARTED = 1; /* m of travel, before which the pull only begins */
 
-enum { EARLY_TIMES = 64 }; /* that are looked at: evenly, and as many corners of the profile */
+enum { EARLY_TIMES = 32 }; /* that are looked at: evenly, and as many corners of the profile */
 
-/* A time before the back tension has risen, how far the head is, and what holds back. */
+/* A time before the back tension has risen, where the head is, and what holds back. */
 typedef struct Early {
     double t, head, back; /* s, m along the route, N */
 } Early;
 
-/* Those at which the head has moved, in no order; `early` has room for two times EARLY_TIMES. Returns how many. */
+/* The winch's travel by then, with what the script makes of it at once, m. */
+static double travel_told(const Scene *scene, double t)
+{
+    const SceneDef *const def = &scene->def;
+    double from = 0, travel = 0, told = NAN, before = NAN;
+    for (int i = 0; i <= def->n_script && from < t; ++i) {
+        const double to = i < def->n_script ? fmin(def->script[i].at, t) : t;
+        const Command *const c = i < def->n_script ? &def->script[i].command : NULL;
+        travel += isnan(told) ? expected_travel(scene, to) - expected_travel(scene, from) : told * (to - from);
+        from = to;
+        if (!c) continue;
+        if (c->kind == HAWSER_WINCH_SPEED) told = c->value;
+        if (c->kind == HAWSER_WINCH_RESTART) told = before;
+        if (c->kind != HAWSER_WINCH_PAUSE && c->kind != HAWSER_WINCH_BRAKE) continue;
+        before = told == 0 ? before : told;
+        told = 0;
+    }
+    return travel;
+}
+
+/* When the travel has become more than STARTED, s, at most `until`. */
+static double time_started(const Scene *scene, double until)
+{
+    double low = 0, high = until;
+    for (int k = 0; k < 60; ++k) {
+        const double middle = (low + high) / 2;
+        *(travel_told(scene, middle) > STARTED ? &high : &low) = middle;
+    }
+    return high;
+}
+
+/* Those at which the head has moved, in no order; `early` has room for two times EARLY_TIMES and two. Returns how many.
+ */
 static int early_times(const Scene *scene, int way, double risen, Early *early)
 {
     const Profile *const back = starts_back(scene);
-    const double begins = scene->joint_s[scene->eye];
-    const int corners = back->kind == PROFILE_TABLE ? back->n : 0;
+    const double begins = scene->joint_s[scene->eye], started = time_started(scene, risen);
+    const int corners = back->kind == PROFILE_TABLE ? back->n : 0, last = corners < EARLY_TIMES ? corners : EARLY_TIMES;
     int n = 0;
-    for (int k = 1; k <= EARLY_TIMES + (corners < EARLY_TIMES ? corners : EARLY_TIMES); ++k) {
-        const double t = k <= EARLY_TIMES ? risen * k / EARLY_TIMES : back->time[k - EARLY_TIMES - 1];
-        const double travel = t > 0 && t <= risen ? expected_travel(scene, t) : 0;
+    for (int k = -1; k <= EARLY_TIMES + last; ++k) {
+        const double even = started + (risen - started) * k / EARLY_TIMES;
+        const double t = k < 0 ? back->t0 : k <= EARLY_TIMES ? even : back->time[k - EARLY_TIMES - 1];
+        const double travel = t > 0 && t <= risen ? travel_told(scene, t) : 0;
         if (!(travel > STARTED)) continue;
         const double along = fmin(fmax(begins + travel, 0), scene->route.length);
         early[n++] = (Early){t, way == PLAN_BACKWARD ? scene->route.length - along : along, starts_least_at(scene, t)};
@@ -139,81 +157,123 @@ static int early_times(const Scene *scene, int way, double risen, Early *early)
     return n;
 }
 
-static hawser_status pushed_at(const Scene *scene, const Calculator *c, int way, const Early *at, Pushed *out,
-                               hawser_error *err)
+/* While the back tension is not there yet, where the head is then. Nothing is pushed where the least of it would do as
+ * far as the head comes in that time. */
+static hawser_status ask_early(const Asked *a, Found *out, hawser_error *err)
 {
-    const PlanPullDef what = {.way = way, .head = at->head};
-    PlanDef slack = plan_slack(&c->def);
-    Pull pull;
-    slack.back_tension = at->back;
-    const hawser_status status = plan_pull(&slack, &c->plan.duct, &what, &pull, err);
-    if (status) return status;
-    const Asked asked = {&slack, c->n_pushers, c->push[way], &pull};
-    *out = pushed_in(scene, &asked, way);
-    pull_clear(&pull);
-    return HAWSER_OK;
-}
-
-/* While the back tension is not there yet, where the head is then; `when`: s. Nothing is pushed where the least of it
- * would do as far as the head comes in that time. */
-static hawser_status pushed_early(const Scene *scene, const Calculator *c, int way, Pushed *out, double *when,
-                                  hawser_error *err)
-{
-    Early early[2 * EARLY_TIMES];
-    const double risen = profile_risen_at(starts_back(scene)), forth = way == PLAN_BACKWARD ? -1 : 1;
-    const int n = scene->drum->present || !(risen > 0) ? 0 : early_times(scene, way, risen, early);
-    Early least = {risen, plan_first(&c->def, way), INFINITY};
-    *out = (Pushed){0};
+    const Scene *const scene = a->scene;
+    Early early[2 * EARLY_TIMES + 2];
+    const double risen = profile_risen_at(starts_back(scene)), forth = forth_of(a->way);
+    const int n = scene->drum->present || !(risen > 0) ? 0 : early_times(scene, a->way, risen, early);
+    Early least = {risen, plan_first(&a->def, a->way), INFINITY};
     for (int k = 0; k < n; ++k) {
         if (forth * (early[k].head - least.head) > 0) least.head = early[k].head;
         least.back = fmin(least.back, early[k].back);
     }
-    if (!(least.back < plan_slack(&c->def).back_tension * (1 - 1e-9))) return HAWSER_OK;
-    hawser_status status = pushed_at(scene, c, way, &least, out, err);
-    if (status || !is_pushed(*out)) return status;
-    *out = (Pushed){0};
-    for (int k = 0; k < n && !status; ++k) {
-        Pushed now = {0};
-        status = pushed_at(scene, c, way, &early[k], &now, err);
-        if (!is_pushed(now) || now.force - now.allowed <= out->force - out->allowed) continue;
-        *out = now;
-        *when = early[k].t;
+    if (!(least.back < plan_slack(&a->def).back_tension * (1 - 1e-9))) return HAWSER_OK;
+    int pushed = 0;
+    for (int k = -1; k < n && (k < 0 || pushed); ++k) {
+        const Early *const at = k < 0 ? &least : &early[k];
+        Pull pull;
+        const hawser_status status = pull_at_least(a, (HeldBy){&at->back, &at->head}, &pull, err);
+        if (status) return status;
+        const Pushed now = pushed_in(a, &pull), winch = pushed_at_winch(a, &pull);
+        const Pushed most = excess(winch) > excess(now) ? winch : now;
+        pushed |= is_pushed(most);
+        if (k >= 0) found_take(out, most, AWAY_EARLY, at->t);
+        pull_clear(&pull);
     }
-    return status;
+    return HAWSER_OK;
 }
 
 /* ------------------------------------------------------------------------------------------------- the whole */
 
-/* At the winch, which a rope does not push. */
-static Pushed pushed_at_winch(const Scene *scene, const Calculator *c, int way)
+static hawser_status ask(const Asked *a, Away why, Found *out, hawser_error *err)
 {
-    const Pull *const pull = &c->plan.way[way].pull;
-    const double force = scene->def.winch.present ? fmax(0, -pull->end_tension) : 0;
-    return (Pushed){force, 1e-9 * fmax(0, pull->max_tension), plan_last(&c->def, way), pull->span[pull->n - 1].piece};
+    Pull pull;
+    const hawser_status status = pull_at_least(a, (HeldBy){NULL, NULL}, &pull, err);
+    if (status) return status;
+    const Pushed now = pushed_in(a, &pull), winch = pushed_at_winch(a, &pull);
+    found_take(out, now, why, 0);
+    found_take(out, winch, AWAY_OVERFED, 0);
+    pull_clear(&pull);
+    return is_pushed(out->most) ? HAWSER_OK : ask_early(a, out, err);
+}
+
+static int is_helped(const Asked *a)
+{
+    int helped = a->def.feed > 0;
+    for (int i = 0; i < a->c->n_pushers; ++i) helped |= a->push[i].force > 0;
+    return helped;
+}
+
+/* Without what pushes: what bends take of a push leaves nothing by which a slope ahead of them may push the cable. */
+static hawser_status ask_by_itself(const Asked *a, Found *out, hawser_error *err)
+{
+    Asked alone = *a;
+    PullStep *const push = malloc(((size_t)a->c->n_pushers + 1) * sizeof *push);
+    if (!push) return error_memory(err);
+    for (int i = 0; i < a->c->n_pushers; ++i) {
+        push[i] = a->push[i];
+        push[i].force = fmin(push[i].force, 0);
+    }
+    alone.push = alone.def.push = alone.def.push_back = push;
+    alone.def.feed = 0;
+    const hawser_status status = ask(&alone, AWAY_BY_ITSELF, out, err);
+    free(push);
+    return status;
+}
+
+/* The case as it is, and without what pushes, until something is found. */
+static hawser_status ask_both(const Asked *a, Away why, Found *out, hawser_error *err)
+{
+    const hawser_status status = ask(a, why, out, err);
+    return status || is_pushed(out->most) || !is_helped(a) ? status : ask_by_itself(a, out, err);
+}
+
+/* With the least friction that the script leaves. */
+static hawser_status ask_loosened(const Asked *a, Found *out, hawser_error *err)
+{
+    Asked loose = *a;
+    PullStretch *own;
+    hawser_status status = calculator_loosen(a->scene, a->c, &loose.def, &own, err);
+    if (!status) status = ask_both(&loose, AWAY_LOOSENED, out, err);
+    free(own);
+    return status;
+}
+
+/* What pushes has the winch's rope slack already where little of the cable has come, of a case that says where that is.
+ */
+static void look_at_heads(const Asked *a, Found *out)
+{
+    const HeadSeries *const heads = &a->c->heads[a->way];
+    const double begins = fmax(0, a->scene->joint_s[a->scene->eye]);
+    if (!a->scene->def.theory.simulated || !a->scene->def.winch.present || a->way == PLAN_BACKWARD) return;
+    for (int i = 0; i < heads->n; ++i) {
+        const HeadForce *const row = &heads->row[i];
+        const Pushed now = {-row->force, 1e-9 * fmax(1, heads->peak.force), row->head,
+                            route_at(a->c->route, row->head).piece};
+        if (row->head >= begins) found_take(out, now, AWAY_OVERFED, 0);
+    }
 }
 
 static hawser_status way_pulled(const Scene *scene, Calculator *c, int way, hawser_error *err)
 {
-    const Asked asked = {&c->def, c->n_pushers, c->push[way], &c->plan.way[way].pull};
-    const Pushed winch = pushed_at_winch(scene, c, way), plain = pushed_in(scene, &asked, way);
-    const int overfed = winch.force - winch.allowed > fmax(0, plain.force - plain.allowed);
-    Pushed worst = overfed ? winch : plain;
-    hawser_status status = HAWSER_OK;
-    c->away[way] = overfed ? AWAY_OVERFED : AWAY_AS_IT_IS;
-    for (int k = 0; k < 3 && !is_pushed(worst) && !status; ++k) {
-        static const Away why[] = {AWAY_LOOSENED, AWAY_BY_ITSELF, AWAY_EARLY};
-        Pushed now = {0};
-        if (why[k] == AWAY_LOOSENED && friction_least_told(&scene->def) < 1)
-            status = pushed_loosened(scene, c, way, &now, err);
-        if (why[k] == AWAY_BY_ITSELF && is_helped(c, way)) status = pushed_by_itself(scene, c, way, &now, err);
-        if (why[k] == AWAY_EARLY) status = pushed_early(scene, c, way, &now, &c->early[way], err);
-        if (!is_pushed(now)) continue;
-        worst = now;
-        c->away[way] = why[k];
-    }
-    c->pushed[way] = worst;
-    c->pulled[way] = (hawser_condition){
-        .name = "pulled", .unit = "N", .value = worst.force, .allowed = worst.allowed, .holds = !is_pushed(worst)};
+    const Asked asked = {scene, c, way, c->def, c->push[way]};
+    const Pushed plain = pushed_in(&asked, &c->plan.way[way].pull);
+    Found found = {plain, AWAY_AS_IT_IS, 0};
+    hawser_status status = ask_both(&asked, AWAY_AS_IT_IS, &found, err);
+    if (!status && !is_pushed(found.most) && friction_least_told(&scene->def) < 1)
+        status = ask_loosened(&asked, &found, err);
+    if (!status && !is_pushed(found.most)) look_at_heads(&asked, &found);
+    c->pushed[way] = found.most;
+    c->away[way] = found.why;
+    c->early[way] = found.t;
+    c->pulled[way] = (hawser_condition){.name = "pulled",
+                                        .unit = "N",
+                                        .value = found.most.force,
+                                        .allowed = found.most.allowed,
+                                        .holds = !is_pushed(found.most)};
     return status;
 }
 

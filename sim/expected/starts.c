@@ -20,6 +20,11 @@ static double wound_at(const Scene *scene, double front)
     return scene->reel->total - front - scene->def.reel.distance;
 }
 
+int starts_left(const Scene *scene, double front)
+{
+    return scene->reel->winding.turns > 0 && !scene->reel->fixed && wound_at(scene, front) <= 0;
+}
+
 double starts_leaves(const Scene *scene)
 {
     const Reel *const r = scene->reel;
@@ -39,7 +44,7 @@ static double reel_with(const Scene *scene, const Reel *reel, double wound, doub
 double starts_reel(const Scene *scene, double front, double back)
 {
     const double wound = wound_at(scene, front);
-    return wound <= 0 && !scene->reel->fixed ? 0 : reel_with(scene, scene->reel, wound, back, scene->largest_speed);
+    return starts_left(scene, front) ? 0 : reel_with(scene, scene->reel, wound, back, scene->largest_speed);
 }
 
 /* The largest or the least share of its torque that the brake gives, by the script (K5). */

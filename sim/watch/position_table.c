@@ -53,9 +53,11 @@ hawser_status by_position_new(ByPosition *b, const Scene *scene, hawser_error *e
     }
     b->back = expected_back(scene, scene->def.duration);
     b->leaves = starts_leaves(scene);
+    b->left = -1;
     int no_memory = 0;
     for (int i = 0; i < b->n_grid; ++i) {
         const double s = b->from + (b->to - b->from) * i / (b->n_grid - 1);
+        if (b->left < 0 && starts_left(scene, s)) b->left = i;
         b->theory[i] = by_position_theory(scene, PULL_REFERENCE, s, b->back, &no_memory);
         b->gain[i] = (by_position_theory(scene, PULL_REFERENCE, s, b->back + SHIFT, &no_memory) - b->theory[i]) / SHIFT;
     }
@@ -77,10 +79,10 @@ void by_position_free(ByPosition *b)
  * the cable leaves the drum, as it is. */
 static double on_grid(const ByPosition *b, const double *of, double x)
 {
-    const double leaves = (b->leaves - b->from) / (b->to - b->from) * (b->n_grid - 1);
     const int last = b->n_grid - 2;
     int i = x < last ? (int)x : last;
-    if (i < leaves && leaves <= i + 1) i += x < leaves ? -1 : 1; /* nothing between them is the mean of both */
+    if (i + 1 == b->left) /* nothing between them is the mean of both */
+        i += b->from + (b->to - b->from) * x / (b->n_grid - 1) < b->leaves ? -1 : 1;
     if (i < 0) return of[0];
     return i > last ? of[last + 1] : of[i] + (x - i) * (of[i + 1] - of[i]);
 }

@@ -18,6 +18,7 @@ typedef struct ByPosition {
     double *theory;  /* [n_grid] N, reference at places evenly from..to */
     double *gain;    /* [n_grid] its slope by the back tension */
     double leaves;   /* m, where the end of the cable leaves its drum, and nothing holds it back any more; INFINITY */
+    int left;        /* the first place of the grid at which that is so; -1: none */
     int n_bins;
     PositionBin *bin;     /* [n_bins] */
     double last_t;        /* s, of the last look */

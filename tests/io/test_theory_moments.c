@@ -39,6 +39,23 @@ static void a_back_tension_that_comes_late(void **state)
     };
     for (size_t k = 0; k < sizeof row / sizeof *row; k++)
         verdict_is(text, (const char *const[]){"drive.tail", row[k].tail, NULL}, row[k].says);
+    /* a winch that waits as long, or is slow enough, by the script, too */
+    static const struct {
+        const char *winch, *script, *says;
+    } told[] = {
+        {"{speed: 0.5 m/s, from: 290 s, to: 291 s}", "[]", "SAFE: all"},
+        {"{speed: 0.1 m/s}", "[]", "SAFE: all"},
+        {"{speed: 0.1 m/s}", "[{at: 2 s, do: winch_speed, speed: 0.5 m/s}]", "before the back tension has come in"},
+        {"{speed: 0.5 m/s}", "[{at: 20 s, do: winch_pause}, {at: 305 s, do: winch_restart}]", "SAFE: all"},
+    };
+    for (size_t k = 0; k < sizeof told / sizeof *told; k++)
+        verdict_is(text,
+                   (const char *const[]){"drive.tail", "{tension: 3 kN, from: 300 s, to: 310 s}", "drive.winch",
+                                         told[k].winch, "drive.script", told[k].script, NULL},
+                   told[k].says);
+    /* where a ramp begins: 194 s are 98 m */
+    verdict_is(text, (const char *const[]){"drive.tail", "{tension: 3 kN, from: 193.9 s, to: 194 s}", NULL},
+               "pushed with 0.0457 kN at 97.7");
 }
 
 /* A winch of set tension that is let down when the cable has arrived, after 100 m at 0.1 m/s, or on the way. */
@@ -77,9 +94,46 @@ static void a_slope_behind_a_belt(void **state)
                {"conveyors", "[]", "the cable would run away or slacken"}};
     for (size_t k = 0; k < sizeof row / sizeof *row; k++)
         verdict_is(text, (const char *const[]){row[k].key, row[k].value, NULL}, row[k].says);
+    /* nor with what the script leaves of the friction, or before a back tension that comes in late */
+    verdict_is(text,
+               (const char *const[]){"drive.tail.tension", "1 kN", "drive.script",
+                                     "[{at: 1 s, do: friction, factor: 0.5}]", NULL},
+               "without what pushes it the cable would run away as well, pushed with 0.");
+    verdict_is(text,
+               (const char *const[]){"drive.tail", "{table: [[0 s, 0 N], [600 s, 0 N], [610 s, 1 kN]]}", "theory.feed",
+                                     "0 N", NULL},
+               "before the back tension has come in");
     static const char fed[] = "{feed: 4.2 kN}";
     verdict_is(text, (const char *const[]){"conveyors", "[]", "theory", fed, NULL},
                "without what pushes it the cable would run away as well");
+}
+
+/* What pushes harder than the cable holds back pushes the winch: with little of the cable on the way, with what the
+ * script leaves of the friction, after a back tension has gone. 40 m hold back with 1099 N. */
+static void a_winch_that_is_pushed_at_times(void **state)
+{
+    (void)state;
+    static const char text[] =
+        CABLE "route: {head_at: 40 m, pieces: [{straight: 40 m}]}\nchain: [{cable: c, length: 40 m}]\n"
+              "friction: {mu: 0.2}\nsurfaces: {ducts: [{radius: 60 mm, place: resting}]}\n"
+              "drive: {winch: {speed: 0.1 m/s, to: 2 s}}\nrun: {duration: 10 s}\n"
+              "limits: {pull: 50 kN, sidewall: 3 kN/m, push: 20 kN, speed: 1 m/s}\n";
+    static const struct {
+        const char *clamp, *key, *value, *says;
+    } row[] = {
+        {"1.7 kN", "drive.script", "[]", "SAFE: all"}, /* 1020 N */
+        {"1.7 kN", "drive.script", "[{at: 4 s, do: friction, factor: 0.5}]", "the cable pushes the winch with"},
+        {"3 kN", "drive.tail", "{tension: 1 kN}", "SAFE: all"},
+        {"3 kN", "drive.tail", "{table: [[0 s, 1 kN], [4 s, 1 kN], [5 s, 0 N]]}",
+         "the cable pushes the winch with 0.7"},
+        {"1.7 kN", "route.head_at", "12 m", "the cable pushes the winch with 0."},
+    };
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        char belts[200];
+        snprintf(belts, sizeof belts,
+                 "[{name: K, from: 3 m, to: 5 m, clamp: %s, mu: 0.3, belt: {speed: 0.12 m/s, to: 2 s}}]", row[k].clamp);
+        verdict_is(text, (const char *const[]){"conveyors", belts, row[k].key, row[k].value, NULL}, row[k].says);
+    }
 }
 
 /* ------------------------------------------------------------------------------------------------ what carries it */
@@ -97,6 +151,19 @@ static void the_last_roller_of_a_row(void **state)
         check_share(limit_of(all, "roller_steady"), k ? 2.5 * W : W, 1e-9);
         json_decref(all);
     }
+}
+
+/* 4 m behind the end of a duct, and 1 m ahead of the next roller: 2.5 m. */
+static void a_roller_behind_a_duct(void **state)
+{
+    (void)state;
+    json_t *const all = theory_of(CABLE "route: {pieces: [{straight: 44 m}]}\nfriction: {mu: 0.2}\n"
+                                        "surfaces: {ducts: [{to: 16 m, radius: 60 mm, place: resting}]}\n"
+                                        "rollers: {along: [{from: 20 m, to: 43.5 m, spacing: 1 m, rating: 2 kN}]}\n"
+                                        "limits: {pull: 30 kN, sidewall: 3 kN/m, roller_factor: 1}\n",
+                                  NULL);
+    check_share(limit_of(all, "roller_steady"), 2.5 * W, 1e-9);
+    json_decref(all);
 }
 
 /* Nothing carries the cable for 12 m: taut enough it hangs by a tenth of that at most, w l^2/8 over T + 9.6 EI/l^2. A
@@ -119,10 +186,24 @@ static void a_gap_among_what_carries(void **state)
         {"surfaces", "{ducts: [{from: 26 m, to: 33 m, radius: 60 mm, place: resting}]}", 1},
         {"surfaces", "{ducts: [{from: 25 m, to: 26 m, radius: 60 mm, place: resting}]}", 0},
         {"surfaces", "{planes: [{point: [0, 0, -0.04], normal: [0, 0, 1]}]}", 1},
+        {"surfaces", "{planes: [{point: [0, 0, -3], normal: [0, 0, 1]}]}", 0},
+        {"surfaces", "{planes: [{point: [0, 0.1, 0], normal: [0, -1, 0]}]}", 0},
+        {"rollers.list", "[{centre: [30, 0, -0.08], axis: [0, 1, 0], radius: 40 mm}]", 1},
+        {"rollers.list", "[{centre: [30, 0, 0.08], axis: [0, 1, 0], radius: 40 mm}]", 0},
+        {"conveyors", "[{name: K, from: 27 m, to: 33 m, clamp: 2 kN, mu: 0.3}]", 1},
+        {"drive.tail", "{table: [[0 s, 3 kN], [5 s, 3 kN], [6 s, 0 N]]}", 0},
+        {"drive", "{tail: {tension: 1.2 kN}, script: [{at: 1 s, do: friction, factor: 0.5}], winch: {speed: 0.1 m/s}}",
+         0},
     };
     for (size_t k = 0; k < sizeof row / sizeof *row; k++)
         verdict_is(text, (const char *const[]){row[k].key, row[k].value, NULL},
                    row[k].holds ? "SAFE: all" : "nothing carries the cable between");
+    /* taut, but in a bend, which is 1.6 m off the chord */
+    verdict_is(text,
+               (const char *const[]){
+                   "route.pieces", "[{straight: 24 m}, {bend: 90 deg, radius: 6 m, plane: left}, {straight: 30 m}]",
+                   "rollers.along.1.from", "34 m", "drive.tail.tension", "9 kN", "limits.sidewall", "9 kN/m", NULL},
+               "nothing carries the cable between");
     static const char part[] = CABLE "route: {pieces: [{straight: 60 m}]}\nfriction: {mu: 0.2}\n"
                                      "rollers: {along: [{from: 0.5 m, to: 24 m, spacing: 0.5 m}]}\n"
                                      "limits: {pull: 30 kN, sidewall: 3 kN/m}\n";
@@ -153,9 +234,10 @@ static void carriers_beside_guides(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_back_tension_that_comes_late), cmocka_unit_test(a_set_tension_that_is_let_down),
-        cmocka_unit_test(a_slope_behind_a_belt),          cmocka_unit_test(the_last_roller_of_a_row),
-        cmocka_unit_test(a_gap_among_what_carries),       cmocka_unit_test(carriers_beside_guides),
+        cmocka_unit_test(a_back_tension_that_comes_late),  cmocka_unit_test(a_set_tension_that_is_let_down),
+        cmocka_unit_test(a_slope_behind_a_belt),           cmocka_unit_test(the_last_roller_of_a_row),
+        cmocka_unit_test(a_winch_that_is_pushed_at_times), cmocka_unit_test(a_roller_behind_a_duct),
+        cmocka_unit_test(a_gap_among_what_carries),        cmocka_unit_test(carriers_beside_guides),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
