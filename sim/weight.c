@@ -14,13 +14,21 @@ static Vec3 lead_in_hold(const Weight *w, const Kinematics *kin, int i)
     return v3_axpy(v3_scale(-w->hold, off), -w->hold_damping, v3_reject(v3_load(kin->v, i), w->direction));
 }
 
-int weight_first_past(int n, int dims, const double *const p[], const double *origin, const double *direction,
+/* m from the lead-in's line, which would hold what is there with a thousand times its weight: the tail has been past
+ * the start. */
+static const double ELSEWHERE = 1;
+
+int weight_first_past(int n, int dims, const double *const p[], const double *origin, const double *direction, int held,
                       double past)
 {
     for (int i = 0; i < n; ++i) {
-        double along = 0;
-        for (int c = 0; c < dims; ++c) along += (p[c][i] - origin[c]) * direction[c];
-        if (!(along < past)) return i;
+        double along = 0, square = 0;
+        for (int c = 0; c < dims; ++c) {
+            const double off = p[c][i] - origin[c];
+            along += off * direction[c];
+            square += off * off;
+        }
+        if (!(along < past) || (i == 0 && held && square - along * along > ELSEWHERE * ELSEWHERE)) return i;
     }
     return n;
 }
@@ -30,7 +38,7 @@ int weight_behind(const Scene *scene, const double *const p[3], double past)
     const Weight *const w = &scene->weight;
     const double origin[3] = {w->origin.x, w->origin.y, w->origin.z};
     const double direction[3] = {w->direction.x, w->direction.y, w->direction.z};
-    return w->lead_in ? weight_first_past(scene->chain.n, 3, p, origin, direction, past) : 0;
+    return w->lead_in ? weight_first_past(scene->chain.n, 3, p, origin, direction, w->hold > 0, past) : 0;
 }
 
 Push weight_loads(const Scene *scene, const Kinematics *kin, int from, int to, int behind, Loads *loads)

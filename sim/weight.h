@@ -8,8 +8,9 @@
 /* How many segments from the tail on have not passed the route's start by `past` m; 0 without a lead-in. p[c] are their
  * centres' coordinates. What has passed it stays so where the route turns back, behind the start. */
 int weight_behind(const Scene *scene, const double *const p[3], double past);
-/* The same for n of them, with `dims` coordinates. */
-int weight_first_past(int n, int dims, const double *const p[], const double *origin, const double *direction,
+/* The same for n of them, with `dims` coordinates; none where the lead-in holds what it has, and the tail is elsewhere.
+ */
+int weight_first_past(int n, int dims, const double *const p[], const double *origin, const double *direction, int held,
                       double past);
 /* Writes (does not add) the weight of segments from..to-1 into loads, with what the lead-in does to those of them that
  * are among the first `behind`. Returns what it does to the motion. */

@@ -135,7 +135,7 @@ int planar_weight_behind(const PlanarScene *ps, const double *y)
 {
     const PlanarWeight *const w = &ps->weight;
     const double *const p[2] = {y, y + ps->chain.stride};
-    return w->lead_in ? weight_first_past(ps->chain.n, 2, p, w->origin, w->direction, w->blend / 2) : 0;
+    return w->lead_in ? weight_first_past(ps->chain.n, 2, p, w->origin, w->direction, w->hold > 0, w->blend / 2) : 0;
 }
 
 Push planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from, int to, int behind, PlanarLoads *loads)
@@ -202,7 +202,7 @@ static void lead_in_blocks(const PlanarScene *ps, const PlanarKinematics *kin, P
     if (!w->lead_in) return;
     const double *const along = w->direction, across[2] = {-along[1], along[0]};
     const double *const p[2] = {kin->p[0], kin->p[1]};
-    const int behind = weight_first_past(ps->chain.n, 2, p, w->origin, along, w->blend / 2);
+    const int behind = weight_first_past(ps->chain.n, 2, p, w->origin, along, w->hold > 0, w->blend / 2);
     for (int i = 0; i < behind; ++i) {
         const double off[2] = {kin->p[0][i] - w->origin[0], kin->p[1][i] - w->origin[1]};
         double slope;

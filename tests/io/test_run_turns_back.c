@@ -35,10 +35,28 @@ static void a_half_turn(void **state)
     hawser_sim_free(sim);
 }
 
+/* All of the cable is on the way back, behind the start: a level straight. A tail's tension is left out, since it
+ * points along the route's first tangent, which is forward there. */
+static void all_of_it_has_turned(void **state)
+{
+    (void)state;
+    hawser_sim *const sim = run_of(
+        TURN,
+        (const char *const[]){"lead_in", "{}", "chain", "[{cable: c, length: 20 m, segment: 500 mm}]", "route.pieces",
+                              "[{straight: 6 m}, {bend: 180 deg, radius: 5 m, plane: left}, {straight: 60 m}]",
+                              "route.head_at", "60 m", "drive.tail", "{tension: 0 N}", NULL});
+    hawser_summary sum;
+    hawser_sim_summary(sim, &sum);
+    assert_true(sum.relaxation.reached);
+    check_share(sum.pull_mean_N, 0.2 * 14 * 9.81 * 20, 0.01);
+    hawser_sim_free(sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_half_turn),
+        cmocka_unit_test(all_of_it_has_turned),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
