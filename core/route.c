@@ -141,6 +141,21 @@ double route_turn(const Route *route, double s)
     return p->kind == ROUTE_BEND ? 1 / p->radius : v3_norm(route_at(route, s).curvature);
 }
 
+double route_way(const RoutePoint *at, Vec3 p) { return fmax(1 - v3_dot(v3_sub(p, at->position), at->curvature), 0.1); }
+
+double route_foot(const Route *route, Vec3 p, double s, RoutePoint *at)
+{
+    RoutePoint there = route_at(route, s);
+    for (int it = 0; it < 8; ++it) {
+        const double step = v3_dot(v3_sub(p, there.position), there.tangent) / route_way(&there, p);
+        s += step;
+        there = route_at(route, s);
+        if (!(fabs(step) > 1e-8)) break; /* m; what is left is of the order of its square */
+    }
+    if (at) *at = there;
+    return s;
+}
+
 double route_slope(const Route *route, double s)
 {
     const Vec3 t = route_at(route, s).tangent;

@@ -101,6 +101,12 @@ RoutePoint route_on_piece(const Route *route, int piece, double s);
 RoutePoint route_way_on_piece(const Route *route, int piece, double s);
 /* Curvature at s alone, 1/m. */
 double route_turn(const Route *route, double s);
+/* The foot of the perpendicular from p on the route near the place s (m), by Newton's method; *at (may be NULL) is the
+ * route there. (R4) */
+double route_foot(const Route *route, Vec3 p, double s, RoutePoint *at);
+/* How far p goes along the tangent as its foot `at` goes on by 1 m: 1 less what the route turns toward it. At least
+ * 0.1: at a bend's centre every place of the bend is as near as any other. */
+double route_way(const RoutePoint *at, Vec3 p);
 /* Slope of the tangent above the horizontal at s, rad. */
 double route_slope(const Route *route, double s);
 /* Whether a piece turns to a side at all. */

@@ -49,6 +49,7 @@ struct Workspace {
     Vec3 *on_roller;                 /* [rollers] their room's look, N */
     SurfaceModel surfaces;           /* the scene's; the relaxation softens it */
     SurfaceTally *on_surface;        /* [surfaces] their room's look */
+    double tail_at;                  /* m along the route, of the tail's end after the last step */
     double head_pull;                /* N, on the chain's head, of the last look */
     Led led;                         /* of the last look */
     /* what the last evaluation found to be done to the motion, beside the sums of the contacts */

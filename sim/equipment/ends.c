@@ -2,21 +2,54 @@
 
 #include <math.h>
 
+#include "core/state.h"
 #include "sim/dynamics.h"
+#include "sim/equipment/rod.h"
 #include "sim/equipment/rooms.h"
+#include "sim/equipment/winch.h"
 
 /* ------------------------------------------------------------------------------------------ the tail's tension (F2) */
 
-/* A dead force at the tail's end face: -T along the route's first tangent, and its arm. */
+TailPull tail_pull(const Scene *scene, double t, Vec3 end, double near)
+{
+    const double tension = profile_value(&scene->tail, t);
+    if (tension == 0) return (TailPull){.along = scene->weight.direction};
+    if (scene->rod->present) return (TailPull){v3_scale(-tension, scene->weight.direction), scene->weight.direction};
+    RoutePoint at;
+    route_foot(&scene->route, end, near, &at);
+    const double way = route_way(&at, end);
+    return (TailPull){v3_scale(-tension, at.tangent), at.tangent, v3_scale(-tension / way, at.curvature)};
+}
+
+double tail_place(const Scene *scene, double t, Vec3 end, double near, int anew)
+{
+    if (scene->rod->present) return near;
+    RoutePoint at, other;
+    const double place = route_foot(&scene->route, end, near, &at);
+    if (!anew) return place;
+    const double hauled = scene->joint_s[scene->first] + winch_travel(scene->winch, t);
+    const double elsewhere = route_foot(&scene->route, end, hauled, &other);
+    return v3_norm(v3_sub(end, other.position)) < v3_norm(v3_sub(end, at.position)) ? elsewhere : place;
+}
+
+/* With the arm of the tail's end face. */
 typedef struct TailForce {
-    Vec3 force, arm; /* N; m */
+    TailPull pull;
+    Vec3 arm; /* m */
 } TailForce;
 
 static TailForce tail_force(const Moment *m)
 {
-    const Scene *const scene = m->scene;
-    return (TailForce){v3_scale(-profile_value(&scene->tail, m->t), scene->weight.direction),
-                       v3_scale(-scene->chain.half[0], v3_load(m->ws->kin.a, 0))};
+    const Kinematics *const kin = &m->ws->kin;
+    const Vec3 arm = v3_scale(-m->scene->chain.half[0], v3_load(kin->a, 0));
+    return (TailForce){tail_pull(m->scene, m->t, v3_add(v3_load(kin->p, 0), arm), m->ws->tail_at), arm};
+}
+
+/* The end of segment 0 in the state y. */
+static Vec3 tail_end(const Chain *chain, const double *y)
+{
+    const Vec3 axis = quat_rotate(state_attitude(y, chain->n, 0), v3(1, 0, 0));
+    return v3_axpy(state_vector(y, chain->n, STATE_P, 0), -chain->half[0], axis);
 }
 
 /* --------------------------------------------------------------------------------------------- the rope's drag (F3) */
@@ -55,7 +88,7 @@ static void ends_loads(const Room *room, const Moment *m, int part)
     const Kinematics *const kin = &m->ws->kin;
     Loads *const loads = &m->ws->loads[0];
     const TailForce tail = tail_force(m);
-    loads_add(loads, 0, tail.force, v3_cross(tail.arm, tail.force));
+    loads_add(loads, 0, tail.pull.force, v3_cross(tail.arm, tail.pull.force));
     const int i = m->scene->drag.segment;
     if (i < 0) return;
     const Vec3 a = v3_load(kin->a, i);
@@ -69,8 +102,13 @@ static void ends_blocks(const Room *room, const Moment *m, BlockChain *k, BlockC
     (void)room;
     const Kinematics *const kin = &m->ws->kin;
     const TailForce tail = tail_force(m);
-    for (int c = 0; c < 3; ++c) /* the arm turns */
-        block6_add(k->diag, 3 + c, V3_ZERO, v3_cross(v3_cross(v3_axis(c), tail.arm), tail.force));
+    for (int c = 0; c < 3; ++c) { /* the end moves, and the arm turns */
+        const Vec3 e = v3_axis(c), swing = v3_cross(e, tail.arm);
+        const Vec3 moved = v3_scale(v3_dot(tail.pull.along, e), tail.pull.turned);
+        const Vec3 swung = v3_scale(v3_dot(tail.pull.along, swing), tail.pull.turned);
+        block6_add(k->diag, c, moved, v3_cross(tail.arm, moved));
+        block6_add(k->diag, 3 + c, swung, v3_add(v3_cross(swing, tail.pull.force), v3_cross(tail.arm, swung)));
+    }
     const int i = m->scene->drag.segment;
     if (i < 0) return;
     const Vec3 a = v3_load(kin->a, i), v = v3_load(kin->v, i);
@@ -82,6 +120,34 @@ static void ends_blocks(const Room *room, const Moment *m, BlockChain *k, BlockC
         block6_add(k->diag + 36 * i, 3 + c,
                    v3_scale(m->friction, v3_axpy(v3_scale(size, da), slope * v3_dot(v, da), a)), V3_ZERO);
     }
+}
+
+/* The tail begins where it is laid. */
+static int ends_work_alloc(const Room *room, const Scene *scene, Workspace *ws)
+{
+    (void)room;
+    ws->tail_at = scene->joint_s[scene->first];
+    return 1;
+}
+
+static void ends_carry(const Room *room, Workspace *from, Workspace *to, int joined)
+{
+    (void)room;
+    if (joined == 0) to->tail_at = from->tail_at;
+}
+
+static void ends_follow(const Room *room, const Moment *m, const double *y, int always)
+{
+    (void)room;
+    m->ws->tail_at = tail_place(m->scene, m->t, tail_end(&m->scene->chain, y), m->ws->tail_at, always);
+}
+
+static void ends_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)
+{
+    (void)room;
+    (void)scene;
+    CHECKPOINT(c, ws->tail_at);
+    checkpoint_check(c, isfinite(ws->tail_at), "a tail that is nowhere");
 }
 
 static double ends_next_stop(const Room *room, const Scene *scene, double t)
@@ -96,7 +162,7 @@ static void ends_work(const Room *room, const Moment *m, BalanceRates *out)
     const Kinematics *const kin = &m->ws->kin;
     const TailForce tail = tail_force(m);
     const Vec3 end = v3_add(v3_load(kin->v, 0), v3_cross(v3_load(kin->w, 0), tail.arm));
-    balance_work(out, BY_TAIL, (Push){v3_dot(tail.force, end), tail.force});
+    balance_work(out, BY_TAIL, (Push){v3_dot(tail.pull.force, end), tail.pull.force});
     const int i = m->scene->drag.segment;
     if (i < 0) return;
     double slope;
@@ -116,8 +182,12 @@ static const char *ends_not_planar(const Room *room, const Scene *scene)
 
 const RoomKind ENDS_ROOM = {.name = "back tension and rope drag",
                             .build = ends_build,
+                            .work_alloc = ends_work_alloc,
+                            .carry = ends_carry,
                             .loads = ends_loads,
                             .blocks = ends_blocks,
+                            .follow = ends_follow,
                             .next_stop = ends_next_stop,
+                            .checkpoint = ends_checkpoint,
                             .work = ends_work,
                             .not_planar = ends_not_planar};

@@ -81,7 +81,7 @@ static void planar_work(Motion *m, double t, const double *y, BalanceRates *out)
     const Vec3 flat = out->push[PUSH_ROLLERS];
     out->push[PUSH_ROLLERS] = plane_vector(&p->ps.plane, flat.x, flat.y);
     planar_kernels()->kinematics(&p->ps.chain, y, 0, LANES < n ? LANES : n, &p->kin);
-    const Push winch = winch_push_now(p, t, y), tail = planar_tail(&p->ps, &p->kin, t);
+    const Push winch = winch_push_now(p, t, y), tail = planar_tail(&p->ps, &p->kin, t, p->ws->tail_at);
     const Push drag = planar_drag(&p->ps, &p->kin);
     out->work[BY_WINCH] = winch.power;
     out->push[BY_WINCH] = winch.force;

@@ -40,7 +40,7 @@ static void loads_job(void *arg, int rank)
     Planar *const p = e->p;
     p->ws->joint_power[rank].damping = planar_kernels()->joint_loads(&p->ps.chain, &p->kin, share_from(p, rank),
                                                                      share_to(p, rank, segments(p) + 1), &p->joints);
-    if (rank == 0) planar_ends(&p->ps, &p->kin, e->t, e->friction, &p->loads[0]);
+    if (rank == 0) planar_ends(&p->ps, &p->kin, e->t, e->friction, p->ws->tail_at, &p->loads[0]);
     if (p->model[rank].n_rollers == 0) return;
     ContactPart *const part = &p->ws->contact[rank];
     const double start = clock_now();
@@ -105,7 +105,7 @@ void planar_blocks(Planar *p, double t, const double *y, double friction)
     both(p, join_job, &e);
     planar_blocks_trim(k, n);
     planar_blocks_trim(d, n);
-    planar_applied_blocks(&p->ps, &p->kin, t, friction, k, d);
+    planar_applied_blocks(&p->ps, &p->kin, t, friction, p->ws->tail_at, k, d);
     for (int half = 0; half < PARTS; ++half) {
         if (p->model[half].n_rollers == 0) continue;
         planar_contact_blocks(&p->model[half], chain, &p->kin, friction, &p->ws->contact[half].pairs, k, d);
@@ -168,6 +168,7 @@ hawser_status planar_accept(Motion *m, double t, const double *y, hawser_error *
     Planar *const p = (Planar *)m;
     const Scene *const scene = m->scene;
     const double reach = scene->contact.reach;
+    p->ws->tail_at = planar_tail_place(&p->ps, y, t, p->ws->tail_at, 0);
     if (scene->contact.n_rollers == 0) return HAWSER_OK;
     const double moved = moved_since(p, &p->near), step = fabs(moved - p->near_moved);
     const int fast = !(step <= NEAR_STEP * reach);
@@ -186,6 +187,7 @@ hawser_status planar_accept(Motion *m, double t, const double *y, hawser_error *
 hawser_status planar_refresh(Planar *p, double t, const double *y, int always, hawser_error *err)
 {
     const Scene *const scene = p->motion.scene;
+    if (always) p->ws->tail_at = planar_tail_place(&p->ps, y, t, p->ws->tail_at, 1);
     if (scene->contact.n_rollers == 0) return HAWSER_OK;
     /* (C20), with the last evaluation for y, which is nearer to it than the reach's reserve */
     const double moved = always ? 0 : moved_since(p, &p->at);

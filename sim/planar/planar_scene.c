@@ -1,5 +1,6 @@
 #include "sim/planar/planar_scene.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -146,14 +147,36 @@ Push planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from,
 
 static double cross(const double a[2], const double b[2]) { return a[0] * b[1] - a[1] * b[0]; }
 
-/* The tail's dead force (F2) and its lever. */
-static void tail_of(const PlanarScene *ps, const PlanarKinematics *kin, double t, double force[2], double arm[2])
+static double dot(const double a[2], const double b[2]) { return a[0] * b[0] + a[1] * b[1]; }
+
+/* The point in space, m. */
+static Vec3 point(const PlanarScene *ps, double x, double z)
 {
-    const double tension = profile_value(&ps->scene->tail, t);
-    for (int c = 0; c < 2; ++c) {
-        force[c] = -tension * ps->weight.direction[c];
-        arm[c] = -ps->chain.half[0] * kin->a[c][0];
-    }
+    return v3_add(ps->plane.origin, plane_vector(&ps->plane, x, z));
+}
+
+/* The tail's force (F2) and its lever, and what it changes by as the tail's end moves along the route. */
+typedef struct PlanarTail {
+    double force[2], arm[2], along[2], turned[2]; /* N; m; unit; N/m */
+} PlanarTail;
+
+static PlanarTail tail_of(const PlanarScene *ps, const PlanarKinematics *kin, double t, double tail_at)
+{
+    PlanarTail out;
+    for (int c = 0; c < 2; ++c) out.arm[c] = -ps->chain.half[0] * kin->a[c][0];
+    const TailPull pull =
+        tail_pull(ps->scene, t, point(ps, kin->p[0][0] + out.arm[0], kin->p[1][0] + out.arm[1]), tail_at);
+    pair_set(&ps->plane, pull.force, out.force);
+    pair_set(&ps->plane, pull.along, out.along);
+    pair_set(&ps->plane, pull.turned, out.turned);
+    return out;
+}
+
+double planar_tail_place(const PlanarScene *ps, const double *y, double t, double tail_at, int anew)
+{
+    const int stride = ps->chain.stride;
+    const double angle = y[PLANAR_ANGLE * stride], half = ps->chain.half[0];
+    return tail_place(ps->scene, t, point(ps, y[0] - half * cos(angle), y[stride] - half * sin(angle)), tail_at, anew);
 }
 
 /* The rope's drag (F3): its size, and the slope of that over the axial speed. */
@@ -163,12 +186,11 @@ static double drag_of(const PlanarScene *ps, const PlanarKinematics *kin, double
     return drag_size(&ps->scene->drag, kin->v[0][i] * kin->a[0][i] + kin->v[1][i] * kin->a[1][i], slope);
 }
 
-Push planar_tail(const PlanarScene *ps, const PlanarKinematics *kin, double t)
+Push planar_tail(const PlanarScene *ps, const PlanarKinematics *kin, double t, double tail_at)
 {
-    double force[2], arm[2];
-    tail_of(ps, kin, t, force, arm);
-    const double v[2] = {kin->v[0][0] - kin->w[0] * arm[1], kin->v[1][0] + kin->w[0] * arm[0]};
-    return (Push){force[0] * v[0] + force[1] * v[1], plane_vector(&ps->plane, force[0], force[1])};
+    const PlanarTail tail = tail_of(ps, kin, t, tail_at);
+    const double v[2] = {kin->v[0][0] - kin->w[0] * tail.arm[1], kin->v[1][0] + kin->w[0] * tail.arm[0]};
+    return (Push){dot(tail.force, v), plane_vector(&ps->plane, tail.force[0], tail.force[1])};
 }
 
 Push planar_drag(const PlanarScene *ps, const PlanarKinematics *kin)
@@ -181,14 +203,15 @@ Push planar_drag(const PlanarScene *ps, const PlanarKinematics *kin)
                   plane_vector(&ps->plane, size * a[0], size * a[1])};
 }
 
-void planar_ends(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction, PlanarLoads *loads)
+void planar_ends(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction, double tail_at,
+                 PlanarLoads *loads)
 {
     const int i = ps->scene->drag.segment;
-    double force[2], arm[2], slope;
-    tail_of(ps, kin, t, force, arm);
-    loads->f[0][0] += force[0];
-    loads->f[1][0] += force[1];
-    loads->m[0] += cross(arm, force);
+    const PlanarTail tail = tail_of(ps, kin, t, tail_at);
+    double slope;
+    loads->f[0][0] += tail.force[0];
+    loads->f[1][0] += tail.force[1];
+    loads->m[0] += cross(tail.arm, tail.force);
     if (i < 0) return;
     const double size = friction * drag_of(ps, kin, &slope);
     loads->f[0][i] += size * kin->a[0][i];
@@ -238,12 +261,23 @@ static void drag_blocks(const PlanarScene *ps, const PlanarKinematics *kin, doub
     }
 }
 
-void planar_applied_blocks(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction,
-                           PlanarBlocks *k, PlanarBlocks *d)
+/* The tail's end moves, and its arm turns by J arm. */
+static void tail_blocks(const PlanarTail *tail, PlanarBlocks *k)
 {
-    double force[2], arm[2];
+    const double swing[2] = {-tail->arm[1], tail->arm[0]};
+    const double goes[3] = {tail->along[0], tail->along[1], dot(tail->along, swing)};
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 2; ++row) k->diag[3 * column + row][0] += goes[column] * tail->turned[row];
+        k->diag[3 * column + 2][0] += goes[column] * cross(tail->arm, tail->turned);
+    }
+    k->diag[8][0] += cross(swing, tail->force);
+}
+
+void planar_applied_blocks(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction,
+                           double tail_at, PlanarBlocks *k, PlanarBlocks *d)
+{
+    const PlanarTail tail = tail_of(ps, kin, t, tail_at);
     lead_in_blocks(ps, kin, k, d);
-    tail_of(ps, kin, t, force, arm);
-    k->diag[8][0] -= arm[0] * force[0] + arm[1] * force[1]; /* the arm turns: (J arm) x f */
+    tail_blocks(&tail, k);
     drag_blocks(ps, kin, friction, k, d);
 }

@@ -37,15 +37,18 @@ void planar_scene_unwind(PlanarScene *ps, double last_angle);
 void planar_scene_ghosts(const PlanarScene *ps, double t, PlanarKinematics *kin);
 
 /* As weight_behind_of, weight_loads, and the ends' room (sim/equipment/ends.c). Weight is written, not added; `from`
- * is a multiple of LANES, and entries up to the next one after `to` are overwritten. */
+ * is a multiple of LANES, and entries up to the next one after `to` are overwritten. tail_at: as in the Workspace. */
 int planar_weight_behind(const PlanarScene *ps, const double *y);
 Push planar_weight(const PlanarScene *ps, const PlanarKinematics *kin, int from, int to, int behind,
                    PlanarLoads *loads);
-Push planar_tail(const PlanarScene *ps, const PlanarKinematics *kin, double t);
+Push planar_tail(const PlanarScene *ps, const PlanarKinematics *kin, double t, double tail_at);
 Push planar_drag(const PlanarScene *ps, const PlanarKinematics *kin);
-void planar_ends(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction, PlanarLoads *loads);
+/* Where the tail is in the state y. */
+double planar_tail_place(const PlanarScene *ps, const double *y, double t, double tail_at, int anew);
+void planar_ends(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction, double tail_at,
+                 PlanarLoads *loads);
 void planar_applied_blocks(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction,
-                           PlanarBlocks *k, PlanarBlocks *d);
+                           double tail_at, PlanarBlocks *k, PlanarBlocks *d);
 
 /* ------------------------------------------------------------------------------------------------------ kernels */
 

@@ -98,19 +98,6 @@ void stats_free(Stats *stats)
     memset(stats, 0, sizeof *stats);
 }
 
-/* Route coordinate of point p, from a guess: the foot of the perpendicular on the route. */
-static double route_coordinate(const Route *route, Vec3 p, double guess)
-{
-    double step = INFINITY;
-    for (int it = 0; it < 3 && fabs(step) > 1e-8; ++it) { /* m; what is left is of the order of its square */
-        const RoutePoint at = route_at(route, guess);
-        const Vec3 off = v3_sub(p, at.position);
-        step = v3_dot(off, at.tangent) / (1 - v3_dot(off, at.curvature));
-        guess += step;
-    }
-    return guess;
-}
-
 /* The joint's place: the mean of the two facing ends is within the gap of the end of the segment before it. */
 static Vec3 joint_position(const Kinematics *kin, const Chain *chain, int j)
 {
@@ -126,7 +113,7 @@ static Vec3 joint_position(const Kinematics *kin, const Chain *chain, int j)
 double along_joint(const Scene *scene, const Kinematics *kin, double travel, int j)
 {
     const double guess = scene->joint_s[scene->first + j] + travel;
-    return route_coordinate(&scene->route, joint_position(kin, &scene->chain, j), guess);
+    return route_foot(&scene->route, joint_position(kin, &scene->chain, j), guess, NULL);
 }
 
 double along_eye(const Scene *scene, const Kinematics *kin, double travel)

@@ -1,5 +1,6 @@
 /* The whole scene's derivative blocks against finite differences of its forces, and the rates as a pure function. */
 #include "sim/dynamics.h"
+#include "sim/equipment/ends.h"
 #include "sim/weight.h"
 #include "tests/support/scene.h"
 
@@ -12,12 +13,13 @@ typedef struct Rig {
     uint64_t seed;
 } Rig;
 
-/* The soft scene, bent, stretched and twisted, moving at up to `speed` (m/s). */
-static Rig *rig_new(ContactGeometry geometry, BushingFrame frame, double speed, uint64_t seed)
+/* The soft scene, bent, stretched and twisted, moving at up to `speed` (m/s), `ahead` m further along the route. */
+static Rig *rig_ahead(ContactGeometry geometry, BushingFrame frame, double speed, uint64_t seed, double ahead)
 {
     Rig *const r = fixture_array(1, sizeof *r);
     SceneDef def;
-    fixture_pull(&def, &(FixtureChoice){.geometry = geometry, .frame = frame, .soft = 1, .heading = 0.4});
+    fixture_pull(&def,
+                 &(FixtureChoice){.geometry = geometry, .frame = frame, .soft = 1, .heading = 0.4, .ahead = ahead});
     fixture_build(&def, &r->scene);
     r->seed = seed;
     assert_true(workspace_alloc(&r->ws, &r->scene, NULL));
@@ -26,6 +28,11 @@ static Rig *rig_new(ContactGeometry geometry, BushingFrame frame, double speed, 
     assert_int_equal(dynamics_refresh(&r->scene, &r->ws, 0.7, r->y, 1, NULL), HAWSER_OK);
     dynamics_rates(&r->scene, &r->ws, 0.7, r->y, 1, r->rate);
     return r;
+}
+
+static Rig *rig_new(ContactGeometry geometry, BushingFrame frame, double speed, uint64_t seed)
+{
+    return rig_ahead(geometry, frame, speed, seed, 0);
 }
 
 static void rig_free(Rig *r)
@@ -148,6 +155,40 @@ static void test_blocks_adams(void **state)
     check_blocks(FRAME_ADAMS);
 }
 
+/* The tail in a bend: its tension follows the route (F2), and so do the blocks. */
+static void test_tail_in_a_bend(void **state)
+{
+    (void)state;
+    const double ahead[] = {7.5, 9.2}; /* m: the tail in the bend downward, in the one to the left */
+    for (int i = 0; i < 2; ++i) {
+        Rig *const r = rig_ahead(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 0.1, 21, ahead[i]);
+        const Vec3 arm = v3_scale(-r->scene.chain.half[0], v3_load(r->ws.kin.a, 0));
+        const Vec3 end = v3_add(v3_load(r->ws.kin.p, 0), arm);
+        const TailPull pull = tail_pull(&r->scene, 0.7, end, r->ws.tail_at);
+        check_close(r->ws.tail_at, r->scene.joint_s[0], 0.02);
+        check_close(v3_norm(pull.force), profile_value(&r->scene.tail, 0.7), 1e-9);
+        check_above(v3_norm(v3_cross(pull.along, r->scene.weight.direction)), 0.05);
+        check_close(v3_norm(v3_sub(route_at(&r->scene.route, r->ws.tail_at).tangent, pull.along)), 0, 1e-9);
+        check_above(v3_norm(pull.turned), 20); /* N/m: 500 N over 20 m and 10 m */
+        check_below(blocks_error(r), 3e-7);
+        rig_free(r);
+    }
+}
+
+/* Where nothing is known but how far the winch has hauled, and where it is known where the tail was: on the leg of the
+ * route that it lies on, though the other one is as near. */
+static void test_tail_place(void **state)
+{
+    (void)state;
+    Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 0.1, 22);
+    for (double s = -2; s < 14; s += 0.7) {
+        const Vec3 end = v3_add(route_at(&r->scene.route, s).position, v3(0, 0, 0.03));
+        check_close(tail_place(&r->scene, 0.7, end, s - 0.2, 0), s, 0.01);
+        check_close(tail_place(&r->scene, 0.7, end, s + 0.4, 1), s, 0.01);
+    }
+    rig_free(r);
+}
+
 /* The lead-in at work: segments in the middle of the blend and pushed off its line feel all of (F1). */
 static void test_lead_in(void **state)
 {
@@ -231,8 +272,13 @@ static void test_pure(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_blocks_symmetric),  cmocka_unit_test(test_blocks_adams), cmocka_unit_test(test_lead_in),
-        cmocka_unit_test(test_lead_in_of_a_turn), cmocka_unit_test(test_pure),
+        cmocka_unit_test(test_blocks_symmetric),
+        cmocka_unit_test(test_blocks_adams),
+        cmocka_unit_test(test_lead_in),
+        cmocka_unit_test(test_lead_in_of_a_turn),
+        cmocka_unit_test(test_pure),
+        cmocka_unit_test(test_tail_in_a_bend),
+        cmocka_unit_test(test_tail_place),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

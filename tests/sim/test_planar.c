@@ -1,5 +1,6 @@
 /* The planar equations: the same rates, derivative blocks and samples as those in space for every state in the plane;
  * derivatives against finite differences; the Newton solution against the definition. */
+#include "sim/equipment/rooms.h"
 #include "sim/newton/newton.h"
 #include "sim/planar/planar.h"
 #include "sim/planar/plane.h"
@@ -20,16 +21,20 @@ typedef struct Rig {
     uint64_t seed;
 } Rig;
 
-/* The scene at a heading of 37 deg, bent and stretched in its plane, moving at up to `speed` (m/s). */
-static Rig *rig_new(ContactGeometry geometry, BushingFrame frame, int soft, double speed, uint64_t seed)
+/* The scene at a heading of 37 deg, bent and stretched in its plane, moving at up to `speed` (m/s), `ahead` m further
+ * along the route. */
+static Rig *rig_ahead(ContactGeometry geometry, BushingFrame frame, int soft, double speed, uint64_t seed, double ahead)
 {
     Rig *const r = fixture_array(1, sizeof *r);
     SceneDef def;
     char why[PLANE_WHY_MAX];
     hawser_error err = {0};
-    fixture_planar(
-        &def, &(FixtureChoice){
-                  .geometry = geometry, .frame = frame, .soft = soft, .heading = 37 * M_PI / 180, .start = {3, -2, 1}});
+    fixture_planar(&def, &(FixtureChoice){.geometry = geometry,
+                                          .frame = frame,
+                                          .soft = soft,
+                                          .heading = 37 * M_PI / 180,
+                                          .start = {3, -2, 1},
+                                          .ahead = ahead});
     def.solver.linear.kind = LIN_BLOCK;
     fixture_build(&def, &r->scene);
     r->seed = seed;
@@ -47,6 +52,11 @@ static Rig *rig_new(ContactGeometry geometry, BushingFrame frame, int soft, doub
     assert_int_equal(planar_evaluate(&r->planar, T, r->y, 1, r->rate), 0);
     dynamics_rates(&r->scene, &r->ws, T, r->full, 1, r->full_rate);
     return r;
+}
+
+static Rig *rig_new(ContactGeometry geometry, BushingFrame frame, int soft, double speed, uint64_t seed)
+{
+    return rig_ahead(geometry, frame, soft, speed, seed, 0);
 }
 
 static void rig_free(Rig *r)
@@ -226,6 +236,34 @@ static double differences_error(Rig *r)
     }
     for (int k = 0; k < 4; ++k) worst = larger_of(worst, error[k / 2][k % 2] / size[k / 2][k % 2]);
     return worst;
+}
+
+/* The tail in a bend, along which its tension goes (F2): force, power, blocks and place are those in space. */
+static void test_tail_in_a_bend(void **state)
+{
+    (void)state;
+    const double ahead[] = {7.5, 9.2}; /* m: the tail in the bend downward, in the one upward */
+    BlockChain k, d;
+    assert_true(block_chain_alloc(&k, N, 6) && block_chain_alloc(&d, N, 6));
+    for (int i = 0; i < 2; ++i) {
+        Rig *const r = rig_ahead(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 1, 0.2, 51, ahead[i]);
+        check_close(r->planar_ws.tail_at, r->ws.tail_at, 1e-9);
+        check_close(r->ws.tail_at, r->scene.joint_s[0], 0.02);
+        check_below(rates_error(r), 1e-12);
+        const Push tail = planar_tail(&r->planar.ps, &r->planar.kin, T, r->planar_ws.tail_at);
+        BalanceRates by = {0};
+        ENDS_ROOM.work(room_of(&r->scene, &ENDS_ROOM), &(Moment){&r->scene, &r->ws, T, 1}, &by);
+        check_above(v3_norm(v3_cross(tail.force, r->scene.weight.direction)), 10); /* N */
+        check_close(v3_norm(v3_sub(tail.force, by.push[BY_TAIL])), 0, 1e-9);
+        check_close(tail.power, by.work[BY_TAIL], 1e-9);
+        dynamics_blocks(&r->scene, &r->ws, T, r->full, r->full_rate, 1, &k, &d);
+        planar_blocks(&r->planar, T, r->y, 1);
+        check_below(all_blocks_error(r, &r->planar.newton.k, &k), 1e-11);
+        check_below(differences_error(r), 3e-7);
+        rig_free(r);
+    }
+    block_chain_free(&k);
+    block_chain_free(&d);
 }
 
 static void test_differences(void **state)
@@ -430,9 +468,10 @@ static void test_near(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rates),       cmocka_unit_test(test_turned_back), cmocka_unit_test(test_blocks),
-        cmocka_unit_test(test_differences), cmocka_unit_test(test_newton),      cmocka_unit_test(test_look),
-        cmocka_unit_test(test_norm),        cmocka_unit_test(test_not_finite),  cmocka_unit_test(test_near),
+        cmocka_unit_test(test_rates),          cmocka_unit_test(test_turned_back), cmocka_unit_test(test_blocks),
+        cmocka_unit_test(test_differences),    cmocka_unit_test(test_newton),      cmocka_unit_test(test_look),
+        cmocka_unit_test(test_tail_in_a_bend), cmocka_unit_test(test_norm),        cmocka_unit_test(test_not_finite),
+        cmocka_unit_test(test_near),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

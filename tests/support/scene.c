@@ -104,7 +104,7 @@ void fixture_pull(SceneDef *def, const FixtureChoice *choice)
     def->cables[1] = fixture_cable(choice->soft ? 5e-4 : 0.05, 1.5, 0.03);
     def->pieces[0] = (ChainPieceDef){.cable = 0, .length = 12, .segments = FIXTURE_CABLE};
     def->pieces[1] = (ChainPieceDef){.cable = 1, .length = 4, .segments = FIXTURE_ROPE, .swivel = 1};
-    def->head_at = 9;
+    def->head_at = 9 + choice->ahead;
     fixture_drive(def);
     if (choice->soft) fixture_soften(def);
     fixture_route(def, choice);

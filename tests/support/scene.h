@@ -19,6 +19,7 @@ typedef struct FixtureChoice {
     Vec3 start;
     double heading;
     double accuracy; /* 0: the default */
+    double ahead;    /* m, by which the chain lies further along the route */
 } FixtureChoice;
 
 /* An array of count zeroed items that scene_def_clear will free. */
