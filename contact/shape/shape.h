@@ -51,6 +51,9 @@ typedef struct Shape {
  * (m), which is at least its depth (m). */
 Groove groove_v(double half_angle, double depth);
 Groove groove_u(double radius, double depth);
+/* How much force to the side a groove bears for each newton down into it, without friction: the tangent of its
+ * steepest flank, INFINITY of one that stands upright; 0: that kind has no groove. */
+double groove_flank(ShapeKind kind, const Groove *groove);
 
 /* What the kernels know of a kind beside centre, axis, radius and half width: the members of its form in the order of
  * its lanes (kinds_lanes.h), for one face. */

@@ -21,6 +21,13 @@ Groove groove_u(double radius, double depth)
     return (Groove){.depth = depth, .lip = radius * sine, .cosine = cosine, .sine = sine, .radius = radius};
 }
 
+double groove_flank(ShapeKind kind, const Groove *groove)
+{
+    if (kind == SHAPE_V_GROOVE) return groove->cosine / groove->sine;
+    if (kind == SHAPE_U_GROOVE) return groove->cosine > 0 ? groove->sine / groove->cosine : INFINITY;
+    return 0;
+}
+
 int shape_faces(ShapeKind kind) { return kind == SHAPE_V_GROOVE ? 2 : 1; }
 
 /* (C7) in the half plane: a quarter plane, rounded outside its corner. The rim is farther than either of the two

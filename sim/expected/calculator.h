@@ -97,8 +97,8 @@ hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *
 int guide_stands_outside(const Route *route, const RollerDef *guide);
 /* Fills `known` of one that is solved: calculator_known.c. Errors: as plan_build. */
 hawser_status calculator_know(const Scene *scene, Calculator *c, hawser_error *err);
-/* Whether the cable sags too far where nothing carries it (T29), into a condition that holds: gaps.c. Errors: as
- * plan_build. */
+/* Whether the cable sags too far where nothing carries it (T29), or runs off its rollers where nothing holds it to the
+ * side (T30), into a condition that holds: gaps.c. Errors: as plan_build. */
 hawser_status gaps_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);
 /* N, of the winch, wherever the head is, at speed or from rest; of a rope with all that it draws, whatever each pulls
  * at most (SC15). */

@@ -104,6 +104,7 @@ typedef struct Turner {
     double s, across; /* m along the route; its diameter, m */
     int inner;        /* 1: the bend there presses the rope on it, 0: neither on it nor away from it, -1: away */
     int carries;      /* neither upright nor a hold-down */
+    int roller;       /* of the case */
     Vec3 off;         /* unit, from the route to it */
 } Turner;
 

@@ -44,7 +44,7 @@ hawser_status turners_find(const Scene *scene, const Route *route, int *n, Turne
         const RoutePoint at = route_at(route, s);
         const Vec3 off = v3_unit(v3_sub(roller->centre, at.position));
         const int carries = !roller->hold_down && !roller_guides_at(route, roller, s);
-        out[(*n)++] = (Turner){s, 2 * roller->radius, bend_side(off, at.curvature), carries, off};
+        out[(*n)++] = (Turner){s, 2 * roller->radius, bend_side(off, at.curvature), carries, r, off};
     }
     route_grid_clear(&grid);
     qsort(out, (size_t)*n, sizeof *out, compare_turners);

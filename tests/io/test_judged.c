@@ -150,7 +150,7 @@ static void friction_at_the_speed_that_was(void **state)
 static void friction_that_theory_does_not_take(void **state)
 {
     (void)state;
-    static const char row[] = "{along: {spacing: 1 m, friction: {mu: 0.5}, name: W}}";
+    static const char row[] = "{along: {spacing: 1 m, profile: u, friction: {mu: 0.5}, name: W}}";
     const char *const more[] = {"rollers", row, NULL};
     const char *const less[] = {"rollers", row, "friction.mu", "0.5", NULL};
     const char *const own[] = {"rollers", row, "theory.stretches", "[{from: 0 m, to: 24 m, mu: 0.5}]", NULL};
@@ -169,8 +169,9 @@ static void friction_that_theory_does_not_take(void **state)
 static void friction_that_is_given_in_part(void **state)
 {
     (void)state;
-    static const char row[] = "{along: {spacing: 1 m, friction: {mu: 0.5}, name: W}}";
-    static const char spins[] = "{along: {spacing: 1 m, friction: {mu: 0.5}, name: W, spin: {inertia: 0.01 kg m2}}}";
+    static const char row[] = "{along: {spacing: 1 m, profile: u, friction: {mu: 0.5}, name: W}}";
+    static const char spins[] =
+        "{along: {spacing: 1 m, profile: u, friction: {mu: 0.5}, name: W, spin: {inertia: 0.01 kg m2}}}";
     const char *const part[] = {"rollers", row, "theory.stretches", "[{from: 0 m, to: 1 m, mu: 0.5}]", NULL};
     const char *const turns[] = {"rollers", spins, NULL};
     char *answer = theory_text(data_text("limits"), part);

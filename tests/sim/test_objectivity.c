@@ -13,8 +13,20 @@ typedef struct Motion {
 
 static Vec3 point_moved(const Motion *m, Vec3 p) { return v3_add(quat_rotate(m->turn, p), m->shift); }
 
+static void route_move(Route *route, const Motion *m)
+{
+    route->left = quat_rotate(m->turn, route->left);
+    for (int k = 0; k < route->n; ++k) {
+        RoutePiece *const p = &route->piece[k];
+        p->start = point_moved(m, p->start);
+        p->tangent = quat_rotate(m->turn, p->tangent);
+        p->centre = quat_rotate(m->turn, p->centre);
+    }
+}
+
 static void scene_move(Scene *scene, const Motion *m)
 {
+    route_move(&scene->route, m);
     Weight *const w = &scene->weight;
     w->gravity = quat_rotate(m->turn, w->gravity);
     w->behind = quat_rotate(m->turn, w->behind);
@@ -87,14 +99,15 @@ static void check(const FixtureChoice *choice, uint64_t seed)
     scene_clear(&scene);
 }
 
-/* Both geometries, both frames, soft and stiff. */
+/* Both geometries, both frames, soft and stiff; the tail behind the start, and in a bend. */
 static void test_rates_turn_with_the_world(void **state)
 {
     (void)state;
-    for (int k = 0; k < 8; ++k) {
+    for (int k = 0; k < 16; ++k) {
         const FixtureChoice choice = {.geometry = k & 1 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH,
                                       .frame = k & 2 ? FRAME_ADAMS : FRAME_SYMMETRIC,
-                                      .soft = k / 4};
+                                      .soft = k / 4 % 2,
+                                      .ahead = k / 8 * 7.5};
         check(&choice, 31 + (uint64_t)k);
     }
 }
