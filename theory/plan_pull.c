@@ -37,18 +37,38 @@ static int next_pit(const PlanDef *def, int way, double s)
     return next;
 }
 
-/* Whether unlike pieces count with the weight that holds least: of which lies where nobody says. */
-static int weighs_unlike(const PlanDef *def) { return def->slack && def->lightest > 0; }
-
-/* The weight that counts: where they do, the lightest where weight holds (`metre`: its share that does, >= 0) and the
- * heaviest where it runs ahead (T28). */
+/* The weight that counts of unlike pieces, of which lies where nobody says: the heaviest where weight holds (`metre`:
+ * its share that does, >= 0) and the lightest where it runs ahead; for the least tension the other one (T28). */
 static double weight_of(const PlanDef *def, const PullStretch *s, double metre)
 {
-    return weighs_unlike(def) && metre >= 0 ? fmin(def->lightest, s->weight) : s->weight;
+    const int light = def->lightest > 0 && def->slack == (metre >= 0);
+    return light ? fmin(def->lightest, s->weight) : s->weight;
 }
 
 /* What a metre holds back with, as a share of its weight, on a straight that rises by so much per metre. */
 static double share_held(double rise, double mu) { return rise + mu * sqrt(fmax(0, 1 - rise * rise)); }
+
+/* Whether the cable runs ahead by its weight anywhere, with that friction. */
+static int runs_ahead(const PlanDef *def, int way, double mu)
+{
+    const double sign = sign_of(way);
+    for (int p = 0; p < def->route->n; p++) {
+        const RoutePiece *const piece = &def->route->piece[p];
+        for (int k = 0; k <= 4; k++) {
+            const double s = piece->s0 + piece->length * k / 4;
+            if (share_held(sign * route_on_piece(def->route, p, s).tangent.z, mu) < 0) return 1;
+        }
+    }
+    return 0;
+}
+
+/* Whether pieces are unlike where it matters: somewhere the lightest counts. */
+static int weighs_unlike(const PlanDef *def, int way)
+{
+    double least = INFINITY;
+    for (int i = 0; i < def->n_stretches; i++) least = fmin(least, def->stretch[i].mu);
+    return def->lightest > 0 && (def->slack || runs_ahead(def, way, least));
+}
 
 /* Of what still lies behind the start, pulled forward (T27): the most or the least of the whole pull, N. */
 static double behind_tension(const PlanDef *def, int way, int restart)
@@ -169,7 +189,7 @@ static PullStretch stretch_make(const PlanDef *def, const DuctLoad *load, int wa
     s.mu *= factor;
     s.mu_static *= factor;
     if (def->duct) s.share = load->sidewall_factor;
-    if (weighs_unlike(def))
+    if (def->lightest > 0)
         s.weight = weight_of(def, &s, share_held(sign_of(way) * route_at(def->route, middle).tangent.z, s.mu));
     return s;
 }
@@ -192,7 +212,7 @@ static int weight_places(const PlanDef *def, PullStretch *s)
 static hawser_status course_make(const PlanDef *def, const DuctLoad *load, int way, double head, Course *out,
                                  hawser_error *err)
 {
-    const int unlike = weighs_unlike(def);
+    const int unlike = weighs_unlike(def, way);
     const int most = def->n_stretches + def->n_wear + (unlike ? BEND_PARTS * def->route->n : 0) + 1;
     out->stretch = malloc((size_t)most * sizeof *out->stretch);
     if (!out->stretch) return error_memory(err);

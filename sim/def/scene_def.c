@@ -103,6 +103,13 @@ double surface_theory_friction(const SceneDef *def, const SurfaceDef *surface, i
     return surface->shape.kind == SURFACE_V ? mu / sin(surface->shape.angle / 2) : mu;
 }
 
+double surface_flank(const SurfaceDef *surface)
+{
+    const SurfaceShape *const s = &surface->shape;
+    if (s->kind == SURFACE_V) return 1 / tan(s->angle / 2);
+    return s->kind == SURFACE_PLANE || (s->kind == SURFACE_FLAT && !(s->height > 0)) ? 0 : INFINITY;
+}
+
 StiffnessEstimate cable_def_estimate(const CableDef *cable)
 {
     const CableMake make = {cable->diameter, cable->mass, cable->conductor_area, cable->conductor_metal,

@@ -231,6 +231,7 @@ double roller_def_span(const SceneDef *def, int r);
 /* Whether a surface runs along the route; its friction as theory sees it: a V by both sides, a duct as it is filled. */
 int surface_along_route(const SurfaceDef *surface);
 double surface_theory_friction(const SceneDef *def, const SurfaceDef *surface, int in_bend);
+double surface_flank(const SurfaceDef *surface); /* that it bears aside for each newton down; INFINITY: has sides */
 /* Whether friction sticks anywhere: its bristles move from one accepted step to the next. */
 int scene_def_sticks(const SceneDef *def);
 /* The name of the i-th thing that can jam, rollers first; NULL behind the last. */

@@ -21,12 +21,15 @@ TailPull tail_pull(const Scene *scene, double t, Vec3 end, double near)
     return (TailPull){v3_scale(-tension, at.tangent), at.tangent, v3_scale(-tension / way, at.curvature)};
 }
 
+/* m, by which the tail's place changes, or it is off the route there, if it has been laid elsewhere. */
+static const double LAID = 1;
+
 double tail_place(const Scene *scene, double t, Vec3 end, double near, int anew)
 {
     if (scene->rod->present) return near;
     RoutePoint at, other;
     const double place = route_foot(&scene->route, end, near, &at);
-    if (!anew) return place;
+    if (!anew || (fabs(place - near) < LAID && v3_norm(v3_sub(end, at.position)) < LAID)) return place;
     const double hauled = scene->joint_s[scene->first] + winch_travel(scene->winch, t);
     const double elsewhere = route_foot(&scene->route, end, hauled, &other);
     return v3_norm(v3_sub(end, other.position)) < v3_norm(v3_sub(end, at.position)) ? elsewhere : place;

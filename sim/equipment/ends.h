@@ -14,8 +14,8 @@ typedef struct TailPull {
 
 /* The tail's end at `end` (m), near the place `near` (m) of the route. */
 TailPull tail_pull(const Scene *scene, double t, Vec3 end, double near);
-/* Where it is along the route, m, if it was near the place `near`; `anew`: or anywhere, and nothing is known but how
- * far the winch has hauled. */
+/* Where it is along the route, m, if it was near the place `near`; `anew`: it may have been laid elsewhere, and if it
+ * has, nothing is known but how far the winch has hauled. */
 double tail_place(const Scene *scene, double t, Vec3 end, double near, int anew);
 
 /* The drag acts on the first segment of the rope, as long as that is simulated. */

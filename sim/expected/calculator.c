@@ -378,6 +378,7 @@ hawser_status calculator_build(const Scene *scene, const Expected *expected, int
     if (!status) status = turners_find(scene, out->route, &out->n_turners, &out->turner, err);
     if (!status) status = solve(scene, scene->route.length / HEAD_PLACES, out, err);
     if (!status) status = rules_find(scene, out, err);
+    if (!status) status = calculator_know(scene, out, err);
     return status ? status : calculator_follow(scene, out, err);
 }
 
@@ -477,6 +478,7 @@ hawser_status calculator_vary(const Scene *scene, const Calculator *base, const 
 {
     const double apart = peaks_count(scene) ? INFINITY : NAN;
     *out = (Calculator){.cables = base->cables, .route = base->route, .def = base->def};
+    memcpy(out->known, base->known, sizeof out->known);
     out->def.n_steps = 0;
     out->def.beyond = by->beyond;
     out->def.enough = by->enough;

@@ -91,15 +91,17 @@ typedef struct Calculator {
 hawser_status calculator_build(const Scene *scene, const Expected *expected, int forward_only, Calculator *out,
                                hawser_error *err);
 void calculator_free(Calculator *c);
-/* Fills limits, `known` and `pulled` of one that is solved. Errors: MEMORY. */
+/* Fills limits and `pulled` of one that is solved. Errors: MEMORY. */
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err);
 /* Whether a bend presses the cable away from a guide of a row: it bears nothing. */
 int guide_stands_outside(const Route *route, const RollerDef *guide);
 /* Fills `known` of one that is solved: calculator_known.c. Errors: as plan_build. */
 hawser_status calculator_know(const Scene *scene, Calculator *c, hawser_error *err);
-/* Whether the cable sags too far where nothing carries it (T29), or runs off its rollers where nothing holds it to the
- * side (T30), into a condition that holds: gaps.c. Errors: as plan_build. */
+/* Whether the cable sags too far where nothing carries it (T29), into a condition that holds: gaps.c. Errors: as
+ * plan_build. */
 hawser_status gaps_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);
+/* Whether something holds it to the side where it turns (T30), into a condition that holds: aside.c. Errors: MEMORY. */
+hawser_status aside_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);
 /* N, of the winch, wherever the head is, at speed or from rest; of a rope with all that it draws, whatever each pulls
  * at most (SC15). */
 double calculator_peak(const Scene *scene, const Calculator *c, int way);

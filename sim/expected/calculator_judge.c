@@ -134,8 +134,7 @@ static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error 
 
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err)
 {
-    hawser_status status = calculator_know(scene, c, err);
-    if (!status) status = calculator_pulled(scene, c, err);
+    const hawser_status status = calculator_pulled(scene, c, err);
     return status ? status : limits_set(scene, c, err);
 }
 

@@ -26,7 +26,9 @@ static hawser_status supported_by(const Scene *scene, const Calculator *c, hawse
             "would fall; give what carries it, or leave out 'run' and 'drive' to calculate with friction.mu alone");
     }
     *result = out;
-    return hangs || !theory->simulated ? HAWSER_OK : gaps_judge(scene, c, result, err);
+    if (hangs || !theory->simulated) return HAWSER_OK;
+    const hawser_status status = gaps_judge(scene, c, result, err);
+    return status || !result->holds ? status : aside_judge(scene, c, result, err);
 }
 
 /* Whether the case gives friction for theory alone at s, or along the whole route if that is not known (NAN). */
@@ -117,12 +119,13 @@ static void friction_told(const SceneDef *def, hawser_condition *c)
         if (told->kind == HAWSER_FRICTION) factor = fmax(factor, told->value);
     }
     if (!(factor > 1 + 1e-9) || !c->holds) return;
+    if (c->value == 0) c->value = c->allowed = 1; /* of what has friction of its own, a duct say */
     c->value *= factor;
     c->holds = !(c->value > c->allowed * (1 + 1e-9));
     snprintf(c->remedy, sizeof c->remedy,
-             "drive.script makes friction %g times the case's, up to %g, and the calculation takes friction.mu, %g: "
+             "drive.script makes friction %g times the case's, and the calculation takes that (friction.mu: %g): "
              "give the largest there, and factors of at most 1",
-             factor, c->value, c->allowed);
+             factor, def->friction.mu_d);
 }
 
 static const double WET = 0.02; /* of a cable's weight, that the fluid around it may take or add */
@@ -132,7 +135,7 @@ static hawser_condition medium_of(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
     const MediumDef *const fluid = &def->medium;
-    const double speed = v3_norm(fluid->velocity) + scene->largest_speed, g = v3_norm(def->gravity);
+    const double speed = v3_norm(fluid->velocity) + starts_fastest(scene), g = v3_norm(def->gravity);
     double most = 0;
     for (int k = 0; k < def->n_pieces && g > 0; ++k) {
         const CableDef *const cable = &def->cables[def->pieces[k].cable];
@@ -162,18 +165,21 @@ static const char *conveyor_told(const SceneDef *def, const Command *told)
     const ConveyorDef *const c = conveyor_named(def, told->what);
     if (c && told->kind == HAWSER_CONVEYOR_SPEED) return "changes the speed of";
     if (c && told->kind == HAWSER_CONVEYOR_CLAMP && told->value < c->clamp) return "opens";
-    if (c && told->kind == HAWSER_CONVEYOR_CLAMP && told->value > c->clamp && !c->sync)
+    if (c && told->kind == HAWSER_CONVEYOR_CLAMP && told->value > c->clamp && (!c->sync || c->factor < 1))
         return "clamps"; /* it may brake */
     return c && told->kind == HAWSER_JAM ? "stops" : NULL;
 }
 
-/* Whether a roller turns by itself or is turned, so that the cable drags over it where it jams. */
-static int is_turning(const SceneDef *def, const char *name)
+/* Whether it is a roller, over which the cable drags where it jams. */
+static int is_roller(const SceneDef *def, const char *name)
 {
     for (int r = 0; r < def->n_rollers; ++r)
-        if (!strcmp(name, def->rollers[r].name)) return def->rollers[r].spin.inertia > 0;
+        if (!strcmp(name, def->rollers[r].name)) return 1;
     return 0;
 }
+
+static const double LATE = 1;    /* m that the winch has hauled when something comes in: theory has it from the start */
+static const double MORE = 1.05; /* times what is needed, with which a winch of set tension pulls */
 
 static void drive_doubted(const char *section, const char *does, const char *name, hawser_condition *out)
 {
@@ -181,6 +187,27 @@ static void drive_doubted(const char *section, const char *does, const char *nam
     out->holds = 0;
     snprintf(out->remedy, sizeof out->remedy, "%s %s '%.24s', which the calculation does not know: a run does", section,
              does, name);
+}
+
+/* A belt of its own speed that a faster winch would have to draw along; NULL: there is none. */
+static const char *belt_outrun(const SceneDef *def, double speed)
+{
+    for (int i = 0; i < def->n_conveyors; ++i) {
+        const ConveyorDef *const c = &def->conveyors[i];
+        if (!c->sync && speed > profile_least_risen(&c->speed)) return c->name;
+    }
+    return NULL;
+}
+
+/* A motor that comes in when the winch has hauled for a metre or more; NULL: there is none. */
+static const char *motor_late(const Scene *scene)
+{
+    for (int r = 0; r < scene->def.n_rollers; ++r) {
+        const MotorDef *const motor = &scene->def.rollers[r].spin.motor;
+        const int set = motor->kind != MOTOR_NONE && !(motor->factor > 0);
+        if (set && winch_travel(scene->winch, profile_risen_at(&motor->set)) > LATE) return scene->def.rollers[r].name;
+    }
+    return NULL;
 }
 
 static void conveyor_doubted(const char *section, const char *does, const char *name, hawser_condition *out)
@@ -221,21 +248,35 @@ static hawser_condition drive_of(const Scene *scene, const Calculator *c)
     for (int i = 0; i < def->n_jams; ++i) {
         const char *const what = def->jams[i].what;
         if (conveyor_named(def, what)) conveyor_doubted("jams", "stops", what, &out);
-        if (is_turning(def, what)) drive_doubted("jams", "stops roller", what, &out);
+        if (is_roller(def, what)) drive_doubted("jams", "stops roller", what, &out);
     }
     for (int i = 0; i < def->n_script; ++i) {
         const Command *const told = &def->script[i].command;
         const char *const does = conveyor_told(def, told);
         if (told->kind == COMMAND_FORCE && out.holds)
             drive_doubted("drive.script", "presses on the cable by", "force", &out);
-        if (told->kind == HAWSER_JAM && is_turning(def, told->what) && out.holds)
+        if (told->kind == HAWSER_JAM && is_roller(def, told->what) && out.holds)
             drive_doubted("drive.script", "stops roller", told->what, &out);
         if (does && out.holds) conveyor_doubted("drive.script", does, told->what, &out);
+        const char *const outrun = told->kind == HAWSER_WINCH_SPEED ? belt_outrun(def, told->value) : NULL;
+        if (outrun && out.holds && told->value > scene->largest_speed)
+            conveyor_doubted("drive.script", "outruns", outrun, &out);
     }
+    const char *const late = motor_late(scene);
+    if (late && out.holds) drive_doubted("rollers", "have a motor that comes in late,", late, &out);
     for (int k = 0; k < PLAN_WAYS; ++k)
         if (!c->def.skip[k] && (k == PLAN_FORWARD || c->def.skip[PLAN_FORWARD]))
             needed = fmax(c->plan.way[k].force, c->heads[k].peak.force);
-    if (!def->winch.present || def->winch.mode != WINCH_TENSION || has >= needed * (1 - 1e-9)) return out;
+    if (!def->winch.present || def->winch.mode != WINCH_TENSION) return out;
+    const double most = profile_largest(&def->winch.tension);
+    if (has >= needed * (1 - 1e-9) && most > MORE * needed && !isfinite(scene->winch->speed_limit) && out.holds) {
+        out = (hawser_condition){.name = "drive", .unit = "1", .value = most / needed, .allowed = MORE};
+        snprintf(out.remedy, sizeof out.remedy,
+                 "the winch pulls with %.4g kN, where %.4g kN are needed: without drive.winch.tension.speed_limit that "
+                 "is the pull, and the cable gathers speed",
+                 most / 1e3, needed / 1e3);
+    }
+    if (has >= needed * (1 - 1e-9)) return out;
     out.value = needed / has;
     out.allowed = 1;
     out.holds = 0;

@@ -3,6 +3,7 @@
 #ifndef HAWSER_SIM_EXPECTED_EXPECTED_H
 #define HAWSER_SIM_EXPECTED_EXPECTED_H
 
+#include "sim/expected/stretches.h"
 #include "sim/scene.h"
 #include "theory/limits.h"
 #include "theory/pulling.h"
@@ -59,6 +60,8 @@ void expected_free(Expected *e);
 
 /* Of the tail or the reel, N. */
 const Profile *starts_back(const Scene *scene);
+/* The fastest that winch and script pull, m/s. */
+double starts_fastest(const Scene *scene);
 
 /* What the reel's brake and bearing hold back with at full speed, and the back tension, with the cable's front at
  * `front` (m along the route), N; 0 once the cable has left it. */
@@ -99,17 +102,6 @@ void finding_load(Finding *worst, const char *roller, double load, double rating
 
 /* --------------------------------------------------------------------------- what bends the rope: rope_bend.c */
 
-/* A roller that the rope may run on. */
-typedef struct Turner {
-    double s, across; /* m along the route; its diameter, m */
-    int inner;        /* 1: the bend there presses the rope on it, 0: neither on it nor away from it, -1: away */
-    int carries;      /* neither upright nor a hold-down */
-    int roller;       /* of the case */
-    Vec3 off;         /* unit, from the route to it */
-} Turner;
-
-/* All of them by rising s, malloc'ed, the caller's even after an error. Errors: MEMORY. */
-hawser_status turners_find(const Scene *scene, const Route *route, int *n, Turner **found, hawser_error *err);
 /* The smallest diameter that the rope is bent round ahead of `head` (m along the route), over its own: of bends, of
  * rollers on which it turns, of the sheave that the case names. */
 Finding rope_bend(const Scene *scene, const Route *route, double head, int n, const Turner *turner);

@@ -1,5 +1,5 @@
-/* Whether the cable sags too far where nothing carries it, or runs off its rollers where nothing holds it to the side:
- * it would press on its supports with other angles than the route has, or fall. */
+/* Whether the cable sags too far where nothing carries it: it would press on its supports with other angles than the
+ * route has, or fall. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,11 +7,10 @@
 #include "core/base/error.h"
 #include "sim/expected/calculator.h"
 
-static const double SPAN = 5;  /* m without anything that carries, from which on it is asked how far the cable sags */
-static const double SAG = 0.1; /* of that length */
-static const double LEAST = 1e-3; /* m, to the side: less is none */
-static const double LEVEL = .7;   /* of a floor's normal, upward */
-enum { PLACES = 8, FINE = 64 };   /* at which a span is compared with its chord; one that may have several bends */
+static const double SPAN = 5;   /* m without anything that carries, from which on it is asked how far the cable sags */
+static const double SAG = 0.1;  /* of that length */
+static const double LEVEL = .7; /* of a floor's normal, upward */
+enum { PLACES = 8 };            /* at which a span is compared with its chord */
 
 typedef struct Span {
     double from, to; /* m along the route */
@@ -44,25 +43,19 @@ static double covered_to(const SceneDef *def, const Calculator *c, double s)
     return s;
 }
 
-/* Where the next of these begins after s, m. */
-static double next_cover(const SceneDef *def, const Calculator *c, double s)
-{
-    double next = c->route->length;
-    Span on;
-    for (int k = 0; cover(def, c, k, &on); ++k)
-        if (on.from > s) next = fmin(next, on.from);
-    return next;
-}
-
 /* Where the next thing that carries begins after s, m; `turner`: the first that is not behind it. */
 static double next_carried(const SceneDef *def, const Calculator *c, double s, int *turner)
 {
+    double next = c->route->length;
+    Span on;
     for (; *turner < c->n_turners; ++*turner) {
         const Turner *const t = &c->turner[*turner];
         if (t->s > s && t->carries && !(t->off.z > 0)) break;
     }
-    const double next = next_cover(def, c, s);
-    return *turner < c->n_turners ? fmin(next, c->turner[*turner].s) : next;
+    if (*turner < c->n_turners) next = fmin(next, c->turner[*turner].s);
+    for (int k = 0; cover(def, c, k, &on); ++k)
+        if (on.from > s) next = fmin(next, on.from);
+    return next;
 }
 
 /* Whether the cable comes to lie on a floor before it has left the route by more than its size and half a metre. */
@@ -106,16 +99,6 @@ static double sag_of(const Scene *scene, const Route *route, const Pull *pull, S
     return scene->cable_weight * across * length * length / (8 * held);
 }
 
-/* Whether that is farther beyond what is allowed, or nearer to it, than what stands there, and stands there now. */
-static int worse(hawser_condition *out, double value, double allowed)
-{
-    if (!(value / allowed > out->value / out->allowed)) return 0;
-    out->value = value;
-    out->allowed = allowed;
-    out->holds = value <= allowed;
-    return 1;
-}
-
 /* The spans of one way, with the least tension that it has; without the script's friction if it takes some away. */
 static hawser_status way_judge(const Scene *scene, const Calculator *c, int way, hawser_condition *out,
                                hawser_error *err)
@@ -136,7 +119,9 @@ static hawser_status way_judge(const Scene *scene, const Calculator *c, int way,
         const Span span = {from, to};
         if (!(to - from > SPAN) || has_floor(def, c->route, span)) continue;
         const double sag = fmax(sag_of(scene, c->route, &pull, span), off_chord(c, span)) / (to - from);
-        if (!worse(out, sag, SAG)) continue;
+        if (!(sag > out->value)) continue;
+        out->value = sag;
+        out->holds = sag <= SAG;
         snprintf(out->remedy, sizeof out->remedy,
                  "nothing carries the cable between %.1f and %.1f m, where it would be %.3g m off the route, or fall: "
                  "give what carries it, or leave out 'run' and 'drive'",
@@ -144,59 +129,6 @@ static hawser_status way_judge(const Scene *scene, const Calculator *c, int way,
     }
     pull_clear(&pull);
     return HAWSER_OK;
-}
-
-/* ----------------------------------------------------------------------------------------------- to the side (T30) */
-
-/* Whether a roller holds the cable to the side by that tension: a guide that is not behind it, or a groove. */
-static int holds_aside(const Scene *scene, const Calculator *c, const Turner *turner, const Pull *pull)
-{
-    const RollerDef *const roller = &scene->def.rollers[turner->roller];
-    if (!turner->carries) return !roller->hold_down && turner->inner >= 0;
-    const Vec3 turn = route_at(c->route, turner->s).curvature;
-    if (bend_side(turner->off, v3(turn.x, turn.y, 0)) > 0) return 1; /* it leans */
-    const double tension = fmax(0, pull_at(pull, turner->s).tension);
-    const double weighs = scene->cable_weight - tension * turn.z;
-    const double flank = groove_flank(roller->profile, &roller->groove);
-    return flank > 0 && tension * hypot(turn.x, turn.y) <= flank * weighs;
-}
-
-/* How far the route leaves the straight line between both ends of a span, in plan, m. */
-static double beside_chord(const Route *route, Span span)
-{
-    const Vec3 a = route_at(route, span.from).position, b = route_at(route, span.to).position;
-    const double length = hypot(b.x - a.x, b.y - a.y);
-    double most = 0;
-    for (int k = 1; k < FINE && length > 0; ++k) {
-        const Vec3 p = route_at(route, span.from + (span.to - span.from) * k / FINE).position;
-        most = fmax(most, fabs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / length);
-    }
-    return most;
-}
-
-/* The spans between what holds the cable to the side: taut, it runs straight there, and may not leave the rollers. */
-static void aside_judge(const Scene *scene, const Calculator *c, const Pull *pull, hawser_condition *out)
-{
-    const SceneDef *const def = &scene->def;
-    int turner = 0;
-    for (double from = covered_to(def, c, 0), to; from < c->route->length; from = covered_to(def, c, to)) {
-        double room = INFINITY;
-        to = next_cover(def, c, from);
-        for (; turner < c->n_turners && c->turner[turner].s < to; ++turner) {
-            const Turner *const t = &c->turner[turner];
-            if (!(t->s > from)) continue;
-            if (holds_aside(scene, c, t, pull)) to = t->s;
-            if (t->carries) room = fmin(room, def->rollers[t->roller].width / 2 - bundle_diameter(def) / 2);
-        }
-        const Span span = {from, to};
-        if (!(room < INFINITY) || has_floor(def, c->route, span)) continue;
-        const double beside = beside_chord(c->route, span);
-        if (!(beside > LEAST) || !worse(out, beside / fmax(room, LEAST), 1)) continue;
-        snprintf(out->remedy, sizeof out->remedy,
-                 "no guide, groove or duct holds the cable to the side between %.1f and %.1f m: taut, it runs off the "
-                 "rollers toward the inside; give a row with 'guide: inside', or leave out 'run' and 'drive'",
-                 from, to);
-    }
 }
 
 /* Whether there is a span of that length at all. */
@@ -216,7 +148,5 @@ hawser_status gaps_judge(const Scene *scene, const Calculator *c, hawser_conditi
     out->allowed = SAG;
     for (int k = 0; k < PLAN_WAYS && !status && has_span(&scene->def, c); ++k)
         if (!c->def.skip[k]) status = way_judge(scene, c, k, out, err);
-    for (int k = 0; k < PLAN_WAYS && !status && out->holds; ++k)
-        if (!c->def.skip[k]) aside_judge(scene, c, &c->plan.way[k].pull, out);
     return status;
 }

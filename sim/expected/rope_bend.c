@@ -6,50 +6,10 @@
 #include "core/base/error.h"
 #include "sim/expected/expected.h"
 #include "sim/expected/stretches.h"
-#include "theory/place/place.h"
 
 /* Rollers that turn the rope by this much each are sheaves to it (our choice: less is no wrap), rad. */
 static const double WRAPPED = 30 * M_PI / 180;
 static const double REACH = 5; /* m: farther from a bend in which no roller stands something else bears the rope */
-
-/* Where the route is nearest to a roller that is listed by coordinates; NAN: the cable does not reach it there, or a
- * duct or tray has it. */
-static double place_listed(const SceneDef *def, const RouteGrid *grid, const RollerDef *roller)
-{
-    const Nearest there = route_nearest(grid, roller->centre, 1);
-    const int near = there.distance <= roller->radius + 2 * bundle_diameter(def);
-    return near && !surface_at(def, there.s) ? there.s : NAN;
-}
-
-static int compare_turners(const void *a, const void *b)
-{
-    const double x = ((const Turner *)a)->s, y = ((const Turner *)b)->s;
-    return (x > y) - (x < y);
-}
-
-hawser_status turners_find(const Scene *scene, const Route *route, int *n, Turner **found, hawser_error *err)
-{
-    const SceneDef *const def = &scene->def;
-    Turner *const out = *found = malloc(((size_t)def->n_rollers + 1) * sizeof *out);
-    RouteGrid grid = {0};
-    *n = 0;
-    if (!out) return error_memory(err);
-    for (int r = 0; r < def->n_rollers; ++r) {
-        const RollerDef *const roller = &def->rollers[r];
-        const int listed = isnan(roller->s);
-        if (listed && (roller->profile == SHAPE_BOX || roller->profile == SHAPE_BELL)) continue;
-        if (listed && !grid.at && route_grid_build(route, 0, &grid, err)) return HAWSER_ERR_MEMORY;
-        const double s = listed ? place_listed(def, &grid, roller) : roller->s;
-        if (isnan(s)) continue;
-        const RoutePoint at = route_at(route, s);
-        const Vec3 off = v3_unit(v3_sub(roller->centre, at.position));
-        const int carries = !roller->hold_down && !roller_guides_at(route, roller, s);
-        out[(*n)++] = (Turner){s, 2 * roller->radius, bend_side(off, at.curvature), carries, r, off};
-    }
-    route_grid_clear(&grid);
-    qsort(out, (size_t)*n, sizeof *out, compare_turners);
-    return HAWSER_OK;
-}
 
 /* The diameter of the nearest one from `begin` to `end`, seen from `from`, that a bend with this curvature presses the
  * rope on, or of the nearest carrier; INFINITY: there is none. */

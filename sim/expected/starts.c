@@ -71,6 +71,16 @@ static double slowest(const Scene *scene)
     return least;
 }
 
+double starts_fastest(const Scene *scene)
+{
+    double most = scene->largest_speed;
+    for (int i = 0; i < scene->def.n_script; ++i) {
+        const Command *const c = &scene->def.script[i].command;
+        if (c->kind == HAWSER_WINCH_SPEED) most = fmax(most, fabs(c->value));
+    }
+    return most;
+}
+
 /* What it holds back with at least while it has cable, with that back tension, N. */
 static double reel_least(const Scene *scene, double back)
 {
@@ -89,7 +99,7 @@ static Starts reel_range(const Scene *scene)
     const double after = wound_at(scene, last);
     Reel r = *scene->reel;
     r.braked = profile_level(share_braked(scene, 1));
-    const double largest = reel_with(scene, &r, after, profile_largest(&r.tension), scene->largest_speed);
+    const double largest = reel_with(scene, &r, after, profile_largest(&r.tension), starts_fastest(scene));
     return (Starts){largest, after < 0 && !r.fixed ? 0 : reel_least(scene, profile_least_risen(&r.tension))};
 }
 

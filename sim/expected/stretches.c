@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
+#include "theory/place/place.h"
 
 /* Where the first stretch begins, m along the route: behind any lead-in. */
 static const double FAR_BEHIND = -1e9;
@@ -32,26 +33,6 @@ int bend_side(Vec3 off, Vec3 curvature)
     return along > least ? 1 : along < -least ? -1 : 0;
 }
 
-/* The part of a bend, of pieces p to `to`, along which guides stand: from the first to the last and half their spacing
- * beyond. One that comes within its own half spacing of the bend's end reaches it. */
-static Guided guided_part(const Scene *scene, int p, int to)
-{
-    const SceneDef *const def = &scene->def;
-    const double begin = scene->route.piece[p].s0, end = scene->route.piece[to].s0 + scene->route.piece[to].length;
-    double first = INFINITY, last = -INFINITY;
-    int n = 0;
-    for (int i = 0; i < def->n_rollers; ++i) {
-        const RollerDef *const r = &def->rollers[i];
-        if (!(r->s >= begin && r->s <= end) || !roller_is_guide(&scene->route, r)) continue;
-        if (r->s > last) ++n; /* a pair counts once */
-        first = fmin(first, r->s);
-        last = fmax(last, r->s);
-    }
-    if (n == 0) return (Guided){0};
-    const double half = n > 1 ? (last - first) / (n - 1) / 2 : end - begin;
-    return (Guided){first - begin > 1.01 * half ? first - half : begin, end - last > 1.01 * half ? last + half : end};
-}
-
 const SurfaceDef *surface_at(const SceneDef *def, double s)
 {
     for (int i = 0; i < def->n_surfaces; ++i) {
@@ -61,17 +42,79 @@ const SurfaceDef *surface_at(const SceneDef *def, double s)
     return NULL;
 }
 
+/* Where the route is nearest to a roller that is listed by coordinates; NAN: the cable does not reach it there, or a
+ * duct or tray has it. */
+static double place_listed(const SceneDef *def, const RouteGrid *grid, const RollerDef *roller)
+{
+    const Nearest there = route_nearest(grid, roller->centre, 1);
+    const int near = there.distance <= roller->radius + 2 * bundle_diameter(def);
+    return near && !surface_at(def, there.s) ? there.s : NAN;
+}
+
+static int compare_turners(const void *a, const void *b)
+{
+    const double x = ((const Turner *)a)->s, y = ((const Turner *)b)->s;
+    return (x > y) - (x < y);
+}
+
+hawser_status turners_find(const Scene *scene, const Route *route, int *n, Turner **found, hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    Turner *const out = *found = malloc(((size_t)def->n_rollers + 1) * sizeof *out);
+    RouteGrid grid = {0};
+    *n = 0;
+    if (!out) return error_memory(err);
+    for (int r = 0; r < def->n_rollers; ++r) {
+        const RollerDef *const roller = &def->rollers[r];
+        const int listed = isnan(roller->s);
+        if (listed && (roller->profile == SHAPE_BOX || roller->profile == SHAPE_BELL)) continue;
+        if (listed && !grid.at && route_grid_build(route, 0, &grid, err)) return HAWSER_ERR_MEMORY;
+        const double s = listed ? place_listed(def, &grid, roller) : roller->s;
+        if (isnan(s)) continue;
+        const RoutePoint at = route_at(route, s);
+        const Vec3 off = v3_unit(v3_sub(roller->centre, at.position));
+        const int carries = !roller->hold_down && !roller_guides_at(route, roller, s);
+        out[(*n)++] = (Turner){s, 2 * roller->radius, bend_side(off, at.curvature), carries, r, off};
+    }
+    route_grid_clear(&grid);
+    qsort(out, (size_t)*n, sizeof *out, compare_turners);
+    return HAWSER_OK;
+}
+
 /* Every place at which something changes, and the guided parts. */
 typedef struct Corners {
     int n;
     double *s;      /* [n] m */
     Guided *guided; /* [pieces] of each bend, by its first piece */
+    int n_turners;
+    Turner *turner; /* [n_turners] by rising place */
 } Corners;
+
+/* The part of a bend, of pieces p to `to`, along which guides stand: from the first to the last and half their spacing
+ * beyond. One that comes within its own half spacing of the bend's end reaches it. */
+static Guided guided_part(const Scene *scene, const Corners *c, int p, int to)
+{
+    const double begin = scene->route.piece[p].s0, end = scene->route.piece[to].s0 + scene->route.piece[to].length;
+    double first = INFINITY, last = -INFINITY;
+    int n = 0;
+    for (int i = 0; i < c->n_turners; ++i) {
+        const double s = c->turner[i].s;
+        const RollerDef *const r = &scene->def.rollers[c->turner[i].roller];
+        if (!(s >= begin && s <= end) || c->turner[i].inner < 0 || !roller_guides_at(&scene->route, r, s)) continue;
+        if (s > last) ++n; /* a pair counts once */
+        first = fmin(first, s);
+        last = fmax(last, s);
+    }
+    if (n == 0) return (Guided){0};
+    const double half = n > 1 ? (last - first) / (n - 1) / 2 : end - begin;
+    return (Guided){first - begin > 1.01 * half ? first - half : begin, end - last > 1.01 * half ? last + half : end};
+}
 
 static void corners_free(Corners *c)
 {
     free(c->s);
     free(c->guided);
+    free(c->turner);
 }
 
 static int compare_places(const void *a, const void *b)
@@ -87,6 +130,8 @@ static hawser_status corners_find(const Scene *scene, Corners *c, hawser_error *
     c->s = malloc((size_t)(2 * def->n_surfaces + 3 * pieces + 1) * sizeof *c->s);
     c->guided = calloc((size_t)pieces, sizeof *c->guided);
     if (!c->s || !c->guided) return error_memory(err);
+    const hawser_status status = turners_find(scene, &scene->route, &c->n_turners, &c->turner, err);
+    if (status) return status;
     c->s[c->n++] = FAR_BEHIND;
     for (int i = 0; i < def->n_surfaces; ++i) {
         if (!surface_along_route(&def->surfaces[i])) continue;
@@ -98,7 +143,7 @@ static hawser_status corners_find(const Scene *scene, Corners *c, hawser_error *
     for (int p = 0, to; p < pieces; p = to + 1) {
         to = route_turn_end(&scene->route, p);
         if (!route_turns_aside(&scene->route.piece[p])) continue;
-        c->guided[p] = guided_part(scene, p, to);
+        c->guided[p] = guided_part(scene, c, p, to);
         if (!(c->guided[p].from < c->guided[p].to)) continue;
         c->s[c->n++] = c->guided[p].from;
         c->s[c->n++] = c->guided[p].to;

@@ -29,4 +29,16 @@ int bend_side(Vec3 off, Vec3 curvature);
 /* The surface along the route at s, NULL if there is none. */
 const SurfaceDef *surface_at(const SceneDef *def, double s);
 
+/* A roller that the rope may run on. */
+typedef struct Turner {
+    double s, across; /* m along the route; its diameter, m */
+    int inner;        /* 1: the bend there presses the rope on it, 0: neither on it nor away from it, -1: away */
+    int carries;      /* neither upright nor a hold-down */
+    int roller;       /* of the case */
+    Vec3 off;         /* unit, from the route to it */
+} Turner;
+
+/* All of them by rising s, malloc'ed, the caller's even after an error. Errors: MEMORY. */
+hawser_status turners_find(const Scene *scene, const Route *route, int *n, Turner **found, hawser_error *err);
+
 #endif

@@ -377,7 +377,7 @@ static void what_the_crew_does(void **state)
                {"[{at: 100 s, do: conveyor_clamp, of: K, clamp: 9 kN}]", "clamps conveyor 'K'"},
                {"[{at: 100 s, do: force, place: 50 m, force: [-3 kN, 0, 0]}]", "presses on the cable"},
                {"[{at: 100 s, do: winch_speed, speed: 0.11 m/s}]", "SAFE: all"},
-               {"[{at: 100 s, do: winch_speed, speed: 2 m/s}]", "speed by 100 %"}};
+               {"[{at: 100 s, do: winch_speed, speed: 2 m/s}]", "outruns conveyor 'K'"}};
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
         json_t *const all = theory_of(
             LEVEL, (const char *const[]){"conveyors",

@@ -210,45 +210,6 @@ static void a_gap_among_what_carries(void **state)
     verdict_is(part, NULL, "SAFE: all");
 }
 
-#define BEND            CABLE "route: {pieces: [{straight: 15 m}, {bend: 60 deg, radius: 10 m, plane: left}, {straight: 15 m}]}\n"
-#define ROWS            "friction: {mu: 0.2}\nrollers: {along: [{spacing: 1 m}]}\n"
-#define LIMITS          "limits: {pull: 30 kN, sidewall: 3 kN/m}\n"
-#define TURN(angle)     "[{straight: 15 m}, {bend: " angle ", radius: 100 m, plane: left}, {straight: 15 m}]"
-#define V_GROOVE(angle) "[{spacing: 1 m, width: 1 m, profile: v, groove: {angle: " angle "}, friction: {mu: 0.03}}]"
-
-/* Rollers alone do not hold a bend to the side: a run has the cable off them after metres. */
-static void a_bend_on_bare_rollers(void **state)
-{
-    (void)state;
-    static const char text[] = BEND ROWS LIMITS "drive: {winch: {speed: 0.1 m/s}, tail: {tension: 500 N}}\n"
-                                                "run: {duration: 10 s}\n";
-    static const struct {
-        const char *key, *value;
-        int holds;
-    } row[] = {
-        {"title", "as it is", 0},
-        {"rollers.along", "[{spacing: 1 m}, {guide: inside, spacing: 500 mm}]", 1},
-        {"rollers.along", "[{spacing: 1 m}, {guide: both, spacing: 2 m}]", 1},
-        {"rollers.along", "[{spacing: 1 m}, {guide: right, spacing: 500 mm}]", 0},
-        {"rollers.along", "[{spacing: 1 m}, {guide: inside, spacing: 500 mm, from: 15 m, to: 20 m}]", 0},
-        {"rollers.along", "[{spacing: 1 m}, {hold_down: [[0 m, 40 m]], spacing: 1 m, name: H}]", 0},
-        {"rollers.along", "[{spacing: 1 m, profile: u}]", 1},
-        {"rollers.along", V_GROOVE("90 deg"), 1},  /* bears as much aside as is down */
-        {"rollers.along", V_GROOVE("160 deg"), 0}, /* 0.18 of it: T/R w is 0.7 and more */
-        {"surfaces", "{ducts: [{from: 14 m, to: 27 m, radius: 60 mm, place: resting}]}", 1},
-        {"surfaces", "{ducts: [{from: 14 m, to: 20 m, radius: 60 mm, place: resting}]}", 0},
-        {"route.pieces", "[{straight: 15 m}, {bend: 5 deg, radius: 10 m, plane: down}, {straight: 15 m}]", 1},
-        {"route.pieces", TURN("1 deg"), 1},
-        {"route.pieces", TURN("1.4 deg"), 0},
-    };
-    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
-        verdict_is(text, (const char *const[]){row[k].key, row[k].value, NULL},
-                   row[k].holds ? "SAFE: all" : "holds the cable to the side between");
-    }
-    static const char alone[] = BEND ROWS LIMITS; /* a case for the calculation alone */
-    verdict_is(alone, NULL, "SAFE: all");
-}
-
 /* Guides have what goes aside, T/R on 0.5 m, and carriers the weight. */
 static void carriers_beside_guides(void **state)
 {
@@ -276,8 +237,7 @@ int main(void)
         cmocka_unit_test(a_back_tension_that_comes_late),  cmocka_unit_test(a_set_tension_that_is_let_down),
         cmocka_unit_test(a_slope_behind_a_belt),           cmocka_unit_test(the_last_roller_of_a_row),
         cmocka_unit_test(a_winch_that_is_pushed_at_times), cmocka_unit_test(a_roller_behind_a_duct),
-        cmocka_unit_test(a_bend_on_bare_rollers),          cmocka_unit_test(a_gap_among_what_carries),
-        cmocka_unit_test(carriers_beside_guides),
+        cmocka_unit_test(a_gap_among_what_carries),        cmocka_unit_test(carriers_beside_guides),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

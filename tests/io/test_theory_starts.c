@@ -175,7 +175,7 @@ static void a_light_cable_holds_less(void **state)
         "friction: {mu: 0.25}\n"
         "surfaces: {ducts: [{radius: 80 mm}]}\n"
         "drive: {winch: {speed: 0.1 m/s, ramp: step, to: 2 s}}\n"
-        "limits: {pull: 10 kN, sidewall: 30 kN/m, bend_radius: 1 m, speed: 1 m/s}\n";
+        "limits: {pull: 12 kN, sidewall: 30 kN/m, bend_radius: 1 m, speed: 1 m/s}\n";
     const double held = 0.25 * 3 * 9.81 * 50, runs = 30 * 9.81 * 40 * (0.5 - 0.25 * cos(M_PI / 6));
     const char *const alike[] = {"chain.0.cable", "heavy", NULL};
     verdict_is(text, alike, "SAFE");
@@ -194,7 +194,7 @@ static void friction_by_the_script(void **state)
     (void)state;
     const char *const more[] = {"limits.pull", "20 kN", "drive.script", "[{at: 5 s, do: friction, factor: 3}]", NULL};
     const char *const less[] = {"limits.pull", "20 kN", "drive.script", "[{at: 5 s, do: friction, factor: 0.5}]", NULL};
-    verdict_is(behind, more, "NOT TRUSTED: drive.script makes friction 3 times the case's, up to 0.6");
+    verdict_is(behind, more, "NOT TRUSTED: drive.script makes friction 3 times the case's");
     verdict_is(behind, less, "SAFE");
 }
 

@@ -1,0 +1,353 @@
+/* Whether something holds the cable to the side wherever it turns: taut, it takes the shortest way between what does,
+ * and runs off rollers that end before. docs/model.md, "Pulling theory" (T30). */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/base/error.h"
+#include "sim/expected/calculator.h"
+
+static const double LEVEL = .7;      /* of a wall's normal, upward, at most; of a tangent beside which guides stand */
+static const double LEANS = .05;     /* tangent of the least angle by which a roller leans or is grooved */
+static const double STRAIGHT = 1e-4; /* rad: less is no turn */
+static const double FREE = 2;        /* m to the side where nothing ends, or half the bend's radius */
+static const double BELOW = 0.5;     /* m below the route, within which a floor carries */
+static const double APART = 0.5;     /* m, between the places of a tray */
+
+enum { LEFT, RIGHT, SIDES };
+enum { MOST = 10000 }; /* places of a tray */
+
+/* A place at which the cable may be so far to either side of the route, in plan, and what it presses on there. */
+typedef struct Gate {
+    double s, x, y, left[2]; /* m along the route; m, in plan; unit, level, to its left */
+    double room[SIDES];      /* m; INFINITY: nothing is there */
+    double bears[SIDES];     /* N to the side for each that weighs on it; 0: it ends there */
+    double free;             /* m, as far as the cable is followed to a side where nothing is */
+    double span;             /* m of cable that weigh on it */
+    int carries;
+} Gate;
+
+typedef struct Gates {
+    const Scene *scene;
+    const Calculator *c;
+    double cable; /* m, its radius */
+    int n;
+    Gate *gate; /* [n] by rising s */
+} Gates;
+
+/* ------------------------------------------------------------------------------------------------------- gates */
+
+static Gate gate_at(const Route *route, double s)
+{
+    const RoutePoint at = route_at(route, s);
+    const Vec3 left = route_left(route, s);
+    const double length = hypot(left.x, left.y);
+    return (Gate){
+        .s = s,
+        .x = at.position.x,
+        .y = at.position.y,
+        .left = {left.x / length, left.y / length},
+        .free = fmin(FREE, 0.5 / fmax(v3_norm(at.curvature), 1e-9)), /* a gate that is longer meets its neighbours */
+        .room = {INFINITY, INFINITY},
+        .bears = {INFINITY, INFINITY}};
+}
+
+/* Something ends or stands there: the nearer one counts, and of two that are as near what bears more. */
+static void gate_narrow(Gate *gate, int side, double room, double bears)
+{
+    room = fmax(room, 0);
+    if (room > gate->room[side]) return;
+    if (room == gate->room[side] && bears < gate->bears[side]) return;
+    gate->room[side] = room;
+    gate->bears[side] = bears;
+}
+
+static double to_the_left(const Gate *gate, Vec3 v) { return v.x * gate->left[0] + v.y * gate->left[1]; }
+
+/* A guide beside the cable. */
+static void guide_take(const Gates *g, const RollerDef *roller, Vec3 at, Gate *gate)
+{
+    const double off = to_the_left(gate, v3_sub(roller->centre, at));
+    gate_narrow(gate, off > 0 ? LEFT : RIGHT, fabs(off) - roller->radius - g->cable, INFINITY);
+}
+
+/* A carrier: level, it ends on both sides; one that leans, or has a groove, bears with its flank. */
+static void carrier_take(const Gates *g, const RollerDef *roller, Vec3 at, Gate *gate)
+{
+    const Vec3 push = v3_reject(v3_sub(at, roller->centre), roller->axis); /* of the roller on the cable */
+    const double lean = atan2(to_the_left(gate, push), fmax(push.z, 0)), half = roller->width / 2;
+    const double flank = atan(groove_flank(roller->profile, &roller->groove));
+    const double middle = to_the_left(gate, v3_sub(roller->centre, at)) + to_the_left(gate, push);
+    for (int side = 0; side < SIDES; ++side) {
+        const double toward = side == LEFT ? 1 : -1, angle = flank - toward * lean;
+        const double bears = angle >= M_PI / 2 ? INFINITY : tan(angle);
+        if (bears > LEANS) {
+            gate_narrow(gate, side, 0, bears);
+        } else {
+            gate_narrow(gate, side, half + toward * middle - g->cable, 0);
+        }
+    }
+    gate->carries = 1;
+}
+
+/* A wall beside the cable. */
+static void wall_take(const Gates *g, const SurfaceShape *wall, Vec3 at, Gate *gate)
+{
+    const Vec3 off = v3_sub(at, wall->point), across = v3_cross(wall->normal, wall->along);
+    const double above = v3_dot(off, wall->normal), leads = to_the_left(gate, wall->normal);
+    if (fabs(wall->normal.z) > LEVEL || !(above > 0) || fabs(leads) < LEVEL) return;
+    if (wall->length > 0 && fabs(v3_dot(off, wall->along)) > wall->length / 2) return;
+    if (wall->width > 0 && fabs(v3_dot(off, across)) > wall->width / 2) return;
+    gate_narrow(gate, leads < 0 ? LEFT : RIGHT, (above - g->cable) / fabs(leads), INFINITY);
+}
+
+static void walls_take(const Gates *g, Vec3 at, Gate *gate)
+{
+    const SceneDef *const def = &g->scene->def;
+    for (int k = 0; k < def->n_surfaces; ++k)
+        if (!surface_along_route(&def->surfaces[k])) wall_take(g, &def->surfaces[k].shape, at, gate);
+}
+
+/* Whether a plane carries the cable as a floor does. */
+static int is_floor(const SurfaceDef *surface)
+{
+    return !surface_along_route(surface) && v3_unit(surface->shape.normal).z > LEVEL;
+}
+
+/* At how many places a floor is looked at, or a tray without sides or of two flanks; and from where on, how far. */
+static int tray_places(const Gates *g, const SurfaceDef *tray, double *from, double *length)
+{
+    const double whole = g->c->route->length;
+    *from = is_floor(tray) ? 0 : fmax(tray->shape.from, 0);
+    *length = (is_floor(tray) ? whole : fmin(tray->shape.to, whole)) - *from;
+    const int asked = is_floor(tray) || (surface_along_route(tray) && surface_flank(tray) < INFINITY);
+    return asked && *length > 0 ? (int)fmin(ceil(*length / APART), MOST) : 0;
+}
+
+/* On a floor the cable may slide until it has left the route. */
+static void tray_take(Gates *g, const SurfaceDef *tray)
+{
+    const double bears = surface_flank(tray);
+    double from, length;
+    const int n = tray_places(g, tray, &from, &length);
+    for (int i = 0; i < n; ++i) {
+        const double s = from + (i + 0.5) * length / n;
+        const Vec3 at = route_at(g->c->route, s).position;
+        const double above = v3_dot(v3_sub(at, tray->shape.point), tray->shape.normal);
+        if (is_floor(tray) && !(above > -g->cable && above < BELOW + 2 * g->cable)) continue;
+        Gate *const gate = &g->gate[g->n++];
+        *gate = gate_at(g->c->route, s);
+        walls_take(g, at, gate);
+        for (int side = 0; side < SIDES; ++side)
+            gate_narrow(gate, side, is_floor(tray) ? FREE : bears > 0 ? 0 : tray->shape.width / 2 - g->cable, bears);
+        gate->carries = 1;
+    }
+}
+
+static int compare_gates(const void *a, const void *b)
+{
+    const double x = ((const Gate *)a)->s, y = ((const Gate *)b)->s;
+    return (x > y) - (x < y);
+}
+
+/* What weighs on each: half way to those that carry beside it. */
+static void gates_weigh(Gates *g)
+{
+    int before = -1, carrier = -1;
+    for (int i = 0; i < g->n; ++i) {
+        if (!g->gate[i].carries) continue;
+        if (carrier >= 0) g->gate[carrier].span = (g->gate[i].s - (before < 0 ? 0 : g->gate[before].s)) / 2;
+        before = carrier;
+        carrier = i;
+    }
+    if (carrier >= 0) g->gate[carrier].span = (g->c->route->length - (before < 0 ? 0 : g->gate[before].s)) / 2;
+}
+
+static hawser_status gates_find(Gates *g, hawser_error *err)
+{
+    const SceneDef *const def = &g->scene->def;
+    const Calculator *const c = g->c;
+    size_t places = (size_t)c->n_turners + 1;
+    double from, length;
+    for (int k = 0; k < def->n_surfaces; ++k) places += (size_t)tray_places(g, &def->surfaces[k], &from, &length);
+    g->gate = malloc(places * sizeof *g->gate);
+    if (!g->gate) return error_memory(err);
+    for (int i = 0; i < c->n_turners; ++i) {
+        if (c->turner[i].s < 0 || c->turner[i].s > c->route->length) continue;
+        const RollerDef *const roller = &def->rollers[c->turner[i].roller];
+        const RoutePoint at = route_at(c->route, c->turner[i].s);
+        const int above = c->turner[i].carries && c->turner[i].off.z > 0;
+        if (roller->hold_down || above || hypot(at.tangent.x, at.tangent.y) < LEVEL) continue;
+        const int goes_on = g->n > 0 && g->gate[g->n - 1].s == c->turner[i].s;
+        Gate *const gate = &g->gate[goes_on ? g->n - 1 : g->n++];
+        if (!goes_on) *gate = gate_at(c->route, c->turner[i].s);
+        if (!goes_on) walls_take(g, at.position, gate);
+        if (c->turner[i].carries) {
+            carrier_take(g, roller, at.position, gate);
+        } else {
+            guide_take(g, roller, at.position, gate);
+        }
+    }
+    for (int k = 0; k < def->n_surfaces; ++k) tray_take(g, &def->surfaces[k]);
+    qsort(g->gate, (size_t)g->n, sizeof *g->gate, compare_gates);
+    gates_weigh(g);
+    return HAWSER_OK;
+}
+
+/* ---------------------------------------------------------------------------------------- the shortest way, in plan */
+
+typedef struct Point {
+    double x, y;
+    int gate, side; /* where it is; gate -1: an end */
+} Point;
+
+/* Twice the area of a triangle, positive if c is to the left of the way from a to b. */
+static double area(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+
+static Point gate_end(const Gates *g, int i, int side)
+{
+    const Gate *const gate = &g->gate[i];
+    const double off = (side == LEFT ? 1 : -1) * fmin(gate->room[side], gate->free);
+    return (Point){gate->x + off * gate->left[0], gate->y + off * gate->left[1], i, side};
+}
+
+/* The turn of the way at b, rad, positive to the left. */
+static double turn_at(Point a, Point b, Point c)
+{
+    const double along = (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y);
+    return atan2((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x), along);
+}
+
+/* What the way through the gates presses with that tension, N to the side, and what is borne there. */
+typedef struct Press {
+    double s, force, borne;
+} Press;
+
+/* The cable turns at b, where a gate ends. */
+static void press_take(const Gates *g, const Pull *pull, Point a, Point b, Point c, Press *worst)
+{
+    const double turn = fabs(turn_at(a, b, c));
+    if (b.gate < 0 || !(turn > STRAIGHT)) return;
+    const Gate *const gate = &g->gate[b.gate];
+    const RoutePoint at = route_at(g->c->route, gate->s);
+    const double tension = fmax(0, pull_at(pull, gate->s).tension), level = hypot(at.tangent.x, at.tangent.y);
+    const double force = tension * level * turn;
+    const double weighs = fmax(0, g->scene->cable_weight - tension * at.curvature.z) * gate->span;
+    const double borne = isinf(gate->bears[b.side]) ? INFINITY : gate->bears[b.side] * weighs;
+    if (force - borne > worst->force - worst->borne) *worst = (Press){gate->s, force, borne};
+}
+
+/* The shortest way from a to b through gates first..last-1: a funnel that narrows from gate to gate, and begins anew
+ * where its sides cross. */
+static void way_press(const Gates *g, const Pull *pull, int first, int last, Point a, Point b, Press *worst)
+{
+    Point before = a, apex = a, side[SIDES] = {a, a};
+    int open = 1;
+    for (int i = first; i <= last; ++i) {
+        int turned = 0;
+        for (int k = 0; k < SIDES && !turned; ++k) {
+            const double toward = k == LEFT ? 1 : -1;
+            const Point end = i < last ? gate_end(g, i, k) : b;
+            if (open) {
+                side[k] = end;
+                continue;
+            }
+            if (toward * area(apex, side[k], end) > 0) continue; /* wider */
+            if (toward * area(apex, side[!k], end) >= 0) {
+                side[k] = end;
+                continue;
+            }
+            turned = 1;
+            const Point at = side[!k];
+            press_take(g, pull, before, apex, at, worst);
+            before = apex;
+            apex = at;
+            i = at.gate;
+        }
+        open = turned;
+    }
+    press_take(g, pull, before, apex, b, worst);
+}
+
+/* ------------------------------------------------------------------------------------------------------- the route */
+
+/* The first length at or after s in which the cable is held on its line: ducts, trays with sides, belts. */
+static int next_held(const Gates *g, double s, double *from, double *to)
+{
+    const SceneDef *const def = &g->scene->def;
+    *from = *to = INFINITY;
+    for (int k = 0; k < def->n_surfaces; ++k) {
+        const SurfaceDef *const on = &def->surfaces[k];
+        if (!surface_along_route(on) || surface_flank(on) < INFINITY || on->shape.to <= s || on->shape.from >= *from)
+            continue;
+        *from = on->shape.from;
+        *to = on->shape.to;
+    }
+    for (int k = 0; k < g->c->n_pushers; ++k) {
+        const Pusher *const by = &g->c->pusher[k];
+        const double end = 2 * by->at - by->from;
+        if (!(end > by->from) || end <= s || by->from >= *from) continue;
+        *from = by->from;
+        *to = end;
+    }
+    return *from < g->c->route->length;
+}
+
+static Point route_point(const Route *route, double s)
+{
+    const Vec3 p = route_at(route, s).position;
+    return (Point){p.x, p.y, -1, LEFT};
+}
+
+static Press route_press(const Gates *g, const Pull *pull)
+{
+    const Route *const route = g->c->route;
+    Press worst = {0};
+    int gate = 0;
+    for (double s = 0, from, to; s < route->length; s = to) {
+        if (!next_held(g, s, &from, &to)) from = route->length;
+        int last = gate;
+        while (last < g->n && g->gate[last].s < from) ++last;
+        if (from > s) way_press(g, pull, gate, last, route_point(route, s), route_point(route, from), &worst);
+        for (gate = last; gate < g->n && g->gate[gate].s <= to; ++gate) {
+        }
+    }
+    return worst;
+}
+
+static void press_say(const Press *press, hawser_condition *out)
+{
+    const char *const end = "give 'guide: inside' there, or leave out 'run' and 'drive'";
+    out->holds = 0;
+    out->unit = "N";
+    out->value = press->force;
+    out->allowed = press->borne;
+    if (press->borne > 0) {
+        snprintf(out->remedy, sizeof out->remedy,
+                 "taut, the cable presses to the side with %.3g N at %.1f m, and grooves, slopes and flanks there bear "
+                 "%.3g N: "
+                 "%s",
+                 press->force, press->s, press->borne, end);
+    } else {
+        snprintf(out->remedy, sizeof out->remedy,
+                 "nothing holds the cable to the side at %.1f m (guide, groove, wall or duct): taut, it runs off its "
+                 "rollers; %s",
+                 press->s, end);
+    }
+}
+
+hawser_status aside_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err)
+{
+    Gates g = {.scene = scene, .c = c, .cable = bundle_diameter(&scene->def) / 2};
+    if (!scene->def.winch.present && c->n_pushers == 0) return HAWSER_OK; /* nothing moves it on */
+    const hawser_status status = gates_find(&g, err);
+    Press worst = {0};
+    for (int k = 0; k < PLAN_WAYS && !status; ++k) {
+        if (c->def.skip[k]) continue;
+        const Press press = route_press(&g, &c->plan.way[k].pull);
+        if (press.force - press.borne > worst.force - worst.borne) worst = press;
+    }
+    if (worst.force > worst.borne) press_say(&worst, out);
+    free(g.gate);
+    return status;
+}
