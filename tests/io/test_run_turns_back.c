@@ -75,12 +75,49 @@ static void the_tail_in_the_bend(void **state)
     hawser_sim_free(sim);
 }
 
+/* The way back crosses the way there, and the crew says something that changes nothing at every tenth of a second in
+ * which the tail is near the crossing: it stays on its own leg. (It was taken to the other one, whose direction is
+ * across: 274 N.) */
+static void where_legs_cross(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables: {c: {d: 80 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 100 N m2, mass: 14 kg/m, damping: 2 ms}}\n"
+        "lead_in: {}\nchain: [{cable: c, length: 22 m, segment: 250 mm}]\n"
+        "route: {head_at: 25 m, pieces: [{straight: 6 m}, {bend: 270 deg, radius: 3 m, plane: left}, {straight: 60 "
+        "m}]}\n"
+        "friction: {mu: 0.1, v_s: 1 mm/s}\nsurfaces: {planes: [{point: [0, 0, -40 mm], normal: [0, 0, 1]}]}\n"
+        "rollers: {along: {guide: inside, spacing: 500 mm, gap: 5 mm}}\n"
+        "drive: {winch: {tension: {force: 6 kN, to: 3 s, speed_limit: 0.2 m/s}}, tail: {tension: 1 kN, ramp: none}}\n"
+        "run: {duration: 130 s, steady_from: 120 s}\n";
+    double pull[2];
+    for (int k = 0; k < 2; k++) {
+        char script[100 * 45] = "[";
+        for (int i = 0; i < 100 * k; i++) {
+            const size_t used = strlen(script);
+            snprintf(script + used, sizeof script - used, "%s{at: %.1f s, do: friction, factor: 1}", i ? ", " : "",
+                     100 + 0.1 * i);
+        }
+        const size_t used = strlen(script);
+        snprintf(script + used, sizeof script - used, "]");
+        hawser_sim *const sim = run_of(text, (const char *const[]){"drive.script", script, NULL});
+        hawser_summary sum;
+        hawser_sim_summary(sim, &sum);
+        pull[k] = sum.pull_mean_N;
+        hawser_sim_free(sim);
+    }
+    print_message("pull %.2f N, with a hundred commands %.2f N\n", pull[0], pull[1]);
+    check_share(pull[0], 1e3 + 0.1 * 14 * 9.81 * 22, 0.01);
+    check_share(pull[1], pull[0], 1e-4);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_half_turn),
         cmocka_unit_test(all_of_it_has_turned),
         cmocka_unit_test(the_tail_in_the_bend),
+        cmocka_unit_test(where_legs_cross),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
