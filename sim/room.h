@@ -36,7 +36,8 @@ typedef struct Pusher {
     double at;   /* m along the route */
     double from; /* m: where it begins to grip */
     const Room *room;
-    int item; /* which of the room's */
+    int item;  /* which of the room's */
+    int holds; /* it keeps the cable on the route as well */
 } Pusher;
 
 typedef struct Moment Moment;

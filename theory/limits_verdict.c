@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/error.h"
 #include "theory/limits.h"
 
 /* Text that grows, cut at its end. */
@@ -112,5 +113,6 @@ int hawser_verdict(int n_conditions, const hawser_condition *condition, int n, c
     add(&line, "NOT TRUSTED: %s", first->remedy);
     if (more) add(&line, "; and %d more reason%s", more, more > 1 ? "s" : "");
     if (broken > 0) add(&line, "; besides, %d of the limits would be broken", broken);
+    text_make_utf8(text); /* a name in a remedy may have been cut */
     return -2;
 }

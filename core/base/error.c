@@ -28,6 +28,28 @@ int text_make_printable(char *text)
     return made;
 }
 
+/* How many bytes the letter of UTF-8 at `text` has; 0: it is none (RFC 3629). */
+static int letter_bytes(const char *text)
+{
+    const unsigned char *const c = (const unsigned char *)text;
+    if (c[0] < 0x80) return 1;
+    const int more = c[0] >= 0xC2 && c[0] < 0xE0 ? 1 : (c[0] & 0xF0) == 0xE0 ? 2 : c[0] >= 0xF0 && c[0] < 0xF5 ? 3 : 0;
+    for (int k = 1; k <= more; ++k)
+        if ((c[k] & 0xC0) != 0x80) return 0;
+    if ((c[0] == 0xE0 && c[1] < 0xA0) || (c[0] == 0xED && c[1] > 0x9F)) return 0; /* too long; half a pair */
+    if ((c[0] == 0xF0 && c[1] < 0x90) || (c[0] == 0xF4 && c[1] > 0x8F)) return 0; /* too long; beyond the last */
+    return more > 0 ? more + 1 : 0;
+}
+
+void text_make_utf8(char *text)
+{
+    while (*text) {
+        const int bytes = letter_bytes(text);
+        if (bytes == 0) *text = '?';
+        text += bytes > 0 ? bytes : 1;
+    }
+}
+
 /* The key that a message names first: "key 'drive.winch'" is how all of them do. */
 static void key_take(hawser_error *err)
 {

@@ -26,6 +26,9 @@ int text_control_at(const char *text);
  * many characters did. */
 int text_make_printable(char *text);
 
+/* Bytes that are not UTF-8, those of a letter that was cut off too, become question marks. */
+void text_make_utf8(char *text);
+
 /* An argument that must not be NULL is: what only a program can get wrong. */
 hawser_status error_argument(hawser_error *err, const char *argument);
 

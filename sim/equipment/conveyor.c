@@ -558,7 +558,7 @@ static int conveyors_pushers(const Room *room, const Scene *scene, Pusher *out)
     const Conveyors *const all = room->self;
     for (int i = 0; out && i < all->n; ++i) {
         const ConveyorDef *const def = all->item[i].def;
-        out[i] = (Pusher){def->name, (def->from + def->to) / 2, def->from, room, i};
+        out[i] = (Pusher){def->name, (def->from + def->to) / 2, def->from, room, i, def->hold};
     }
     return all->n;
 }

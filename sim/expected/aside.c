@@ -9,10 +9,12 @@
 
 static const double LEVEL = .7;      /* of a wall's normal, upward, at most; of a tangent beside which guides stand */
 static const double LEANS = .05;     /* tangent of the least angle by which a roller leans or is grooved */
-static const double STRAIGHT = 1e-4; /* rad: less is no turn */
+static const double STRAIGHT = 1e-8; /* rad: less is no turn */
 static const double FREE = 2;        /* m to the side where nothing ends, or half the bend's radius */
-static const double BELOW = 0.5;     /* m below the route, within which a floor carries */
+static const double BELOW = .05;     /* m between the cable and a floor that it comes to lie on */
 static const double APART = 0.5;     /* m, between the places of a tray */
+
+static const double NEAR = 1e-3; /* m: places and rooms that differ by less are one */
 
 enum { LEFT, RIGHT, SIDES };
 enum { MOST = 10000 }; /* places of a tray */
@@ -30,7 +32,8 @@ typedef struct Gate {
 typedef struct Gates {
     const Scene *scene;
     const Calculator *c;
-    double cable; /* m, its radius */
+    double cable, weight; /* m, its radius; N/m, of the lightest piece */
+    int flanks;           /* whether flanks that bear something hold the cable on the route; else it may leave them */
     int n;
     Gate *gate; /* [n] by rising s */
 } Gates;
@@ -56,8 +59,8 @@ static Gate gate_at(const Route *route, double s)
 static void gate_narrow(Gate *gate, int side, double room, double bears)
 {
     room = fmax(room, 0);
-    if (room > gate->room[side]) return;
-    if (room == gate->room[side] && bears < gate->bears[side]) return;
+    if (room > gate->room[side] + NEAR) return;
+    if (room > gate->room[side] - NEAR && bears < gate->bears[side]) return;
     gate->room[side] = room;
     gate->bears[side] = bears;
 }
@@ -81,7 +84,7 @@ static void carrier_take(const Gates *g, const RollerDef *roller, Vec3 at, Gate 
     for (int side = 0; side < SIDES; ++side) {
         const double toward = side == LEFT ? 1 : -1, angle = flank - toward * lean;
         const double bears = angle >= M_PI / 2 ? INFINITY : tan(angle);
-        if (bears > LEANS) {
+        if (bears > LEANS && (g->flanks || isinf(bears))) {
             gate_narrow(gate, side, 0, bears);
         } else {
             gate_narrow(gate, side, half + toward * middle - g->cable, 0);
@@ -108,40 +111,70 @@ static void walls_take(const Gates *g, Vec3 at, Gate *gate)
         if (!surface_along_route(&def->surfaces[k])) wall_take(g, &def->surfaces[k].shape, at, gate);
 }
 
-/* Whether a plane carries the cable as a floor does. */
-static int is_floor(const SurfaceDef *surface)
+/* Whether the cable lies on a plane at `at`. */
+static int lies_on(const Gates *g, const SurfaceDef *surface, Vec3 at)
 {
-    return !surface_along_route(surface) && v3_unit(surface->shape.normal).z > LEVEL;
+    const SurfaceShape *const floor = &surface->shape;
+    const Vec3 off = v3_sub(at, floor->point), across = v3_cross(floor->normal, floor->along);
+    const double above = v3_dot(off, floor->normal);
+    if (surface_along_route(surface) || !(floor->normal.z > LEVEL) || fabs(above - g->cable) > BELOW) return 0;
+    if (floor->length > 0 && fabs(v3_dot(off, floor->along)) > floor->length / 2) return 0;
+    return !(floor->width > 0 && fabs(v3_dot(off, across)) > floor->width / 2);
 }
 
-/* At how many places a floor is looked at, or a tray without sides or of two flanks; and from where on, how far. */
-static int tray_places(const Gates *g, const SurfaceDef *tray, double *from, double *length)
+/* What carries there, of floors and of trays without sides or of two flanks; NULL: nothing. */
+static const SurfaceDef *carrier_at(const Gates *g, double s, Vec3 at)
 {
-    const double whole = g->c->route->length;
-    *from = is_floor(tray) ? 0 : fmax(tray->shape.from, 0);
-    *length = (is_floor(tray) ? whole : fmin(tray->shape.to, whole)) - *from;
-    const int asked = is_floor(tray) || (surface_along_route(tray) && surface_flank(tray) < INFINITY);
-    return asked && *length > 0 ? (int)fmin(ceil(*length / APART), MOST) : 0;
+    const SceneDef *const def = &g->scene->def;
+    for (int k = 0; k < def->n_surfaces; ++k) {
+        const SurfaceDef *const d = &def->surfaces[k];
+        const int here = surface_along_route(d) && s >= d->shape.from && s <= d->shape.to;
+        if ((here && surface_flank(d) < INFINITY) || lies_on(g, d, at)) return d;
+    }
+    return NULL;
 }
 
-/* On a floor the cable may slide until it has left the route. */
-static void tray_take(Gates *g, const SurfaceDef *tray)
+/* At how many places of the route floors and trays are looked at. */
+static int places_of(const Gates *g)
 {
-    const double bears = surface_flank(tray);
-    double from, length;
-    const int n = tray_places(g, tray, &from, &length);
+    return g->scene->def.n_surfaces > 0 ? (int)fmin(ceil(g->c->route->length / APART), MOST) : 0;
+}
+
+/* Floors and trays; on a floor the cable may slide until it has left the route. */
+static void surfaces_take(Gates *g)
+{
+    const int n = places_of(g);
     for (int i = 0; i < n; ++i) {
-        const double s = from + (i + 0.5) * length / n;
+        const double s = (i + 0.5) * g->c->route->length / n;
         const Vec3 at = route_at(g->c->route, s).position;
-        const double above = v3_dot(v3_sub(at, tray->shape.point), tray->shape.normal);
-        if (is_floor(tray) && !(above > -g->cable && above < BELOW + 2 * g->cable)) continue;
+        const SurfaceDef *const on = carrier_at(g, s, at);
+        if (!on) continue;
+        const double bears = surface_flank(on);
         Gate *const gate = &g->gate[g->n++];
         *gate = gate_at(g->c->route, s);
         walls_take(g, at, gate);
-        for (int side = 0; side < SIDES; ++side)
-            gate_narrow(gate, side, is_floor(tray) ? FREE : bears > 0 ? 0 : tray->shape.width / 2 - g->cable, bears);
+        for (int side = 0; side < SIDES; ++side) {
+            const double half = surface_along_route(on) ? on->shape.width / 2 - g->cable : FREE;
+            gate_narrow(gate, side, bears > 0 ? 0 : half, bears);
+        }
         gate->carries = 1;
     }
+}
+
+/* Gates that stand in one place are one: the narrower of both to either side. */
+static void gates_join(Gates *g)
+{
+    int n = 0;
+    for (int i = 0; i < g->n; ++i) {
+        Gate *const last = n > 0 ? &g->gate[n - 1] : NULL;
+        if (!last || g->gate[i].s - last->s > NEAR) {
+            g->gate[n++] = g->gate[i];
+            continue;
+        }
+        for (int side = 0; side < SIDES; ++side) gate_narrow(last, side, g->gate[i].room[side], g->gate[i].bears[side]);
+        last->carries |= g->gate[i].carries;
+    }
+    g->n = n;
 }
 
 static int compare_gates(const void *a, const void *b)
@@ -167,10 +200,7 @@ static hawser_status gates_find(Gates *g, hawser_error *err)
 {
     const SceneDef *const def = &g->scene->def;
     const Calculator *const c = g->c;
-    size_t places = (size_t)c->n_turners + 1;
-    double from, length;
-    for (int k = 0; k < def->n_surfaces; ++k) places += (size_t)tray_places(g, &def->surfaces[k], &from, &length);
-    g->gate = malloc(places * sizeof *g->gate);
+    g->gate = malloc(((size_t)c->n_turners + (size_t)places_of(g) + 1) * sizeof *g->gate);
     if (!g->gate) return error_memory(err);
     for (int i = 0; i < c->n_turners; ++i) {
         if (c->turner[i].s < 0 || c->turner[i].s > c->route->length) continue;
@@ -178,18 +208,18 @@ static hawser_status gates_find(Gates *g, hawser_error *err)
         const RoutePoint at = route_at(c->route, c->turner[i].s);
         const int above = c->turner[i].carries && c->turner[i].off.z > 0;
         if (roller->hold_down || above || hypot(at.tangent.x, at.tangent.y) < LEVEL) continue;
-        const int goes_on = g->n > 0 && g->gate[g->n - 1].s == c->turner[i].s;
-        Gate *const gate = &g->gate[goes_on ? g->n - 1 : g->n++];
-        if (!goes_on) *gate = gate_at(c->route, c->turner[i].s);
-        if (!goes_on) walls_take(g, at.position, gate);
+        Gate *const gate = &g->gate[g->n++];
+        *gate = gate_at(c->route, c->turner[i].s);
+        walls_take(g, at.position, gate);
         if (c->turner[i].carries) {
             carrier_take(g, roller, at.position, gate);
         } else {
             guide_take(g, roller, at.position, gate);
         }
     }
-    for (int k = 0; k < def->n_surfaces; ++k) tray_take(g, &def->surfaces[k]);
+    surfaces_take(g);
     qsort(g->gate, (size_t)g->n, sizeof *g->gate, compare_gates);
+    gates_join(g);
     gates_weigh(g);
     return HAWSER_OK;
 }
@@ -232,7 +262,7 @@ static void press_take(const Gates *g, const Pull *pull, Point a, Point b, Point
     const RoutePoint at = route_at(g->c->route, gate->s);
     const double tension = fmax(0, pull_at(pull, gate->s).tension), level = hypot(at.tangent.x, at.tangent.y);
     const double force = tension * level * turn;
-    const double weighs = fmax(0, g->scene->cable_weight - tension * at.curvature.z) * gate->span;
+    const double weighs = fmax(0, g->weight - tension * at.curvature.z) * gate->span;
     const double borne = isinf(gate->bears[b.side]) ? INFINITY : gate->bears[b.side] * weighs;
     if (force - borne > worst->force - worst->borne) *worst = (Press){gate->s, force, borne};
 }
@@ -286,7 +316,7 @@ static int next_held(const Gates *g, double s, double *from, double *to)
     for (int k = 0; k < g->c->n_pushers; ++k) {
         const Pusher *const by = &g->c->pusher[k];
         const double end = 2 * by->at - by->from;
-        if (!(end > by->from) || end <= s || by->from >= *from) continue;
+        if (!by->holds || end <= s || by->from >= *from) continue;
         *from = by->from;
         *to = end;
     }
@@ -336,18 +366,32 @@ static void press_say(const Press *press, hawser_condition *out)
     }
 }
 
-hawser_status aside_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err)
+/* What it presses with at worst, beyond what is borne there, either way. */
+static hawser_status worst_press(Gates *g, Press *worst, hawser_error *err)
 {
-    Gates g = {.scene = scene, .c = c, .cable = bundle_diameter(&scene->def) / 2};
-    if (!scene->def.winch.present && c->n_pushers == 0) return HAWSER_OK; /* nothing moves it on */
-    const hawser_status status = gates_find(&g, err);
-    Press worst = {0};
+    const Calculator *const c = g->c;
+    const hawser_status status = gates_find(g, err);
+    *worst = (Press){0};
     for (int k = 0; k < PLAN_WAYS && !status; ++k) {
         if (c->def.skip[k]) continue;
-        const Press press = route_press(&g, &c->plan.way[k].pull);
-        if (press.force - press.borne > worst.force - worst.borne) worst = press;
+        const Press press = route_press(g, &c->plan.way[k].pull);
+        if (press.force - press.borne > worst->force - worst->borne) *worst = press;
     }
-    if (worst.force > worst.borne) press_say(&worst, out);
-    free(g.gate);
+    free(g->gate);
+    return status;
+}
+
+hawser_status aside_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err)
+{
+    const double weight = c->def.lightest > 0 ? c->def.lightest : scene->cable_weight;
+    Gates g = {.scene = scene, .c = c, .cable = bundle_diameter(&scene->def) / 2, .weight = weight, .flanks = 1};
+    if (!scene->def.winch.present && c->n_pushers == 0) return HAWSER_OK; /* nothing moves it on */
+    Press worst, guided;
+    hawser_status status = worst_press(&g, &worst, err);
+    if (status || !(worst.force > worst.borne)) return status;
+    /* it leaves flanks that do not bear it: guides beside them may */
+    g.flanks = g.n = 0;
+    status = worst_press(&g, &guided, err);
+    if (!status && guided.force > guided.borne) press_say(worst.borne > 0 ? &worst : &guided, out);
     return status;
 }

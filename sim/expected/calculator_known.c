@@ -199,13 +199,20 @@ static const char *belt_outrun(const SceneDef *def, double speed)
     return NULL;
 }
 
+/* What the winch may have hauled by then, m. */
+static double hauled_by(const Scene *scene, double t)
+{
+    return scene->winch->mode == WINCH_TENSION ? scene->winch->speed_limit * t : winch_travel(scene->winch, t);
+}
+
 /* A motor that comes in when the winch has hauled for a metre or more; NULL: there is none. */
 static const char *motor_late(const Scene *scene)
 {
     for (int r = 0; r < scene->def.n_rollers; ++r) {
         const MotorDef *const motor = &scene->def.rollers[r].spin.motor;
         const int set = motor->kind != MOTOR_NONE && !(motor->factor > 0);
-        if (set && winch_travel(scene->winch, profile_risen_at(&motor->set)) > LATE) return scene->def.rollers[r].name;
+        const double risen = profile_risen_at(&motor->set);
+        if (set && risen > 0 && hauled_by(scene, risen) > LATE) return scene->def.rollers[r].name;
     }
     return NULL;
 }
@@ -238,6 +245,19 @@ static double tension_set(const Scene *scene)
     return least;
 }
 
+/* The largest of it in the run, N: the script's takes over. */
+static double tension_most(const Scene *scene)
+{
+    double until = scene->def.duration > 0 ? scene->def.duration : INFINITY, most = 0;
+    for (int i = 0; i < scene->def.n_script && scene->def.script[i].at <= scene->def.duration; ++i) {
+        const Command *const c = &scene->def.script[i].command;
+        if (c->kind != HAWSER_WINCH_TENSION) continue;
+        until = fmin(until, scene->def.script[i].at);
+        most = fmax(most, c->value);
+    }
+    return fmax(most, profile_largest_until(&scene->def.winch.tension, until));
+}
+
 /* The calculation takes conveyors as the case has them, not as the crew changes them or as they jam, and a winch that
  * can pull: one of a set tension stops where that is not enough. */
 static hawser_condition drive_of(const Scene *scene, const Calculator *c)
@@ -268,7 +288,7 @@ static hawser_condition drive_of(const Scene *scene, const Calculator *c)
         if (!c->def.skip[k] && (k == PLAN_FORWARD || c->def.skip[PLAN_FORWARD]))
             needed = fmax(c->plan.way[k].force, c->heads[k].peak.force);
     if (!def->winch.present || def->winch.mode != WINCH_TENSION) return out;
-    const double most = profile_largest(&def->winch.tension);
+    const double most = tension_most(scene);
     if (has >= needed * (1 - 1e-9) && most > MORE * needed && !isfinite(scene->winch->speed_limit) && out.holds) {
         out = (hawser_condition){.name = "drive", .unit = "1", .value = most / needed, .allowed = MORE};
         snprintf(out.remedy, sizeof out.remedy,

@@ -24,7 +24,7 @@ static int cover(const SceneDef *def, const Calculator *c, int k, Span *out)
     *out = (Span){NAN, NAN};
     if (k >= def->n_surfaces) {
         const Pusher *const by = &c->pusher[k - def->n_surfaces];
-        *out = (Span){by->from, 2 * by->at - by->from};
+        if (by->holds) *out = (Span){by->from, 2 * by->at - by->from};
     } else if (surface_along_route(&def->surfaces[k])) {
         *out = (Span){def->surfaces[k].shape.from, def->surfaces[k].shape.to};
     }

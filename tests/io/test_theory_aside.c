@@ -115,12 +115,70 @@ static void flanks_trays_and_floors(void **state)
     verdict_is(CASE RUN, (const char *const[]){"route.pieces", TURN("1.4 deg"), "surfaces", wall, NULL}, 1);
 }
 
+/* Many small turns are one; places a rounding apart are one; what stands beside grooves helps them. */
+static void gates_in_one_place(void **state)
+{
+    (void)state;
+    static const char straight[] = "[{straight: 40 m}]", bend[] =
+                                                             "[{straight: 15 m}, {bend: 60 deg, radius: 10 m, plane: "
+                                                             "left}, {straight: 15 m}]";
+    static const char gentle[] = "[{straight: 5 m}, {bend: 3 deg, radius: 1.1 km, plane: left}, {straight: 5 m}]";
+    static const char kinks[] = "[{straight: 15 m}, {bend: 2 deg, radius: 20 m, plane: left}, {straight: 15 m}]";
+    static const char v[] = "profile: v, groove: {angle: 90 deg}, friction: {mu: 0.05}";
+    static const struct {
+        const char *pieces, *rollers, *key, *value;
+        int holds;
+    } row[] = {
+        {gentle, "[{spacing: 100 mm}]", "drive.tail.tension", "15 kN", 0},
+        {straight, "[{from: 0 m, to: 0.9 m, spacing: 300 mm, %s}, {from: 0.9 m, spacing: 300 mm, %s}]", "route.heading",
+         "33 deg", 1},
+        {bend, "[{%s, rating: 3 kN, rule: {}}, {at: [1 m], %s}]", "title", "by rule", 1},
+        {bend, "[{spacing: 1 m, %s}, {guide: inside, spacing: 500 mm, gap: 10 mm}, {at: [1 m], %s}]", "title", "both",
+         1},
+        {bend, "[{spacing: 2 m, profile: v, groove: {angle: 50 deg}, friction: {mu: 0.03}, width: 1 m}]", "surfaces",
+         FLOOR("-500 mm"), 1},
+        {bend, "[{spacing: 1 m}]", "surfaces", FLOOR("-40 mm"), 0},
+        {kinks, "[{spacing: 1 m}]", "conveyors", "[{from: 14.3 m, to: 16.5 m, clamp: 1 kN, hold: false}]", 0},
+        {kinks, "[{spacing: 1 m}]", "conveyors", "[{from: 14.3 m, to: 16.5 m, clamp: 1 kN}]", 1},
+    };
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        char rollers[512] = "";
+        for (const char *c = row[k].rollers; *c; c++) { /* %s: such grooves */
+            const size_t used = strlen(rollers);
+            const int grooves = c[0] == '%' && c[1] == 's';
+            snprintf(rollers + used, sizeof rollers - used, "%.*s", grooves ? (int)strlen(v) : 1, grooves ? v : c);
+            c += grooves;
+        }
+        print_message("%s, %s: %s\n", rollers, row[k].key, row[k].value);
+        verdict_is(CASE RUN,
+                   (const char *const[]){"route.pieces", row[k].pieces, "rollers.along", rollers, row[k].key,
+                                         row[k].value, NULL},
+                   row[k].holds);
+    }
+}
+
+/* A name that is cut in the middle of a letter leaves the verdict a text. */
+static void names_with_letters(void **state)
+{
+    (void)state;
+    static const char name[] =
+        "x\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4";
+    char belts[200], jams[200];
+    snprintf(belts, sizeof belts, "[{from: 5 m, to: 7 m, clamp: 1 kN, name: \"%s\"}]", name);
+    snprintf(jams, sizeof jams, "[{what: \"%s\", at: 3 s}]", name);
+    json_t *const all =
+        theory_of(CASE RUN, (const char *const[]){"conveyors", belts, "jams", jams, "rollers.along",
+                                                  "[{spacing: 1 m}, {guide: inside, spacing: 500 mm}]", NULL});
+    verdict_has(all, "jams stops conveyor 'x");
+    json_decref(all);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rollers_and_guides),
-        cmocka_unit_test(on_straights),
-        cmocka_unit_test(flanks_trays_and_floors),
+        cmocka_unit_test(rollers_and_guides),      cmocka_unit_test(on_straights),
+        cmocka_unit_test(flanks_trays_and_floors), cmocka_unit_test(gates_in_one_place),
+        cmocka_unit_test(names_with_letters),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
