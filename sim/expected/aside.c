@@ -354,9 +354,8 @@ static void press_say(const Press *press, hawser_condition *out)
     out->allowed = press->borne;
     if (press->borne > 0) {
         snprintf(out->remedy, sizeof out->remedy,
-                 "taut, the cable presses to the side with %.3g N at %.1f m, and grooves, slopes and flanks there bear "
-                 "%.3g N: "
-                 "%s",
+                 "taut, the cable presses to the side with %.3g N at %.1f m, and what leans or is grooved there bears "
+                 "%.3g N: %s",
                  press->force, press->s, press->borne, end);
     } else {
         snprintf(out->remedy, sizeof out->remedy,

@@ -48,13 +48,14 @@ static void all_of_it_has_turned(void **state)
     hawser_summary sum;
     hawser_sim_summary(sim, &sum);
     assert_true(sum.relaxation.reached);
-    check_share(sum.pull_mean_N, 1e3 + 0.2 * 14 * 9.81 * 20, 0.01);
-    check_share(sum.reference_total_N, sum.pull_mean_N, 0.01);
+    print_message("pull %.2f N, by theory %.2f N\n", sum.pull_mean_N, 1e3 + 0.2 * 14 * 9.81 * 20);
+    check_share(sum.pull_mean_N, 1e3 + 0.2 * 14 * 9.81 * 20, 0.004);
+    check_share(sum.reference_total_N, sum.pull_mean_N, 0.004);
     hawser_sim_free(sim);
 }
 
 /* The tail is in the middle of the bend: what is left of it, by the catenary's friction (T10). A stiff end presses on
- * the wall by itself: +0.9 % with EI = 1 kN m2, -0.8 % here, of which 0.5 % are the duct's clearance. */
+ * the wall by itself: +0.9 % with EI = 1 kN m2, -0.6 % here, of which 0.3 % are the duct's clearance. */
 static void the_tail_in_the_bend(void **state)
 {
     (void)state;
