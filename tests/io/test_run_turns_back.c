@@ -55,7 +55,7 @@ static void all_of_it_has_turned(void **state)
 }
 
 /* The tail is in the middle of the bend: what is left of it, by the catenary's friction (T10). A stiff end presses on
- * the wall by itself: +0.9 % with EI = 1 kN m2, -0.6 % here, of which 0.3 % are the duct's clearance. */
+ * the wall by itself: +0.9 % with EI = 1 kN m2, -0.6 % here, most of it by the duct's clearance. */
 static void the_tail_in_the_bend(void **state)
 {
     (void)state;
