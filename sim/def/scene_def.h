@@ -232,7 +232,7 @@ double roller_def_span(const SceneDef *def, int r);
 int surface_along_route(const SurfaceDef *surface);
 double surface_theory_friction(const SceneDef *def, const SurfaceDef *surface, int in_bend);
 double surface_flank(const SurfaceDef *surface); /* that it bears aside for each newton down; INFINITY: has sides */
-int scene_def_sticks(const SceneDef *def); /* whether any friction does: its bristles move from step to step */
+int scene_def_sticks(const SceneDef *def);       /* whether any friction does: its bristles move from step to step */
 /* The name of the i-th thing that can jam, rollers first; NULL behind the last. */
 const char *scene_def_can_jam(const SceneDef *def, int i);
 /* A deep copy into *out. Errors: MEMORY (then *out is cleared). */
