@@ -232,11 +232,17 @@ static hawser_status form_check(const CaseReader *r, const CaseNode *node)
     return case_key_error(r->err, heading, NULL, "not for guides, whose axes are upright");
 }
 
+/* The most rollers that a row may have at a place: guides to both sides, or one above a carrier. */
+static int most_at_a_place(const Row *row)
+{
+    return row->places.guide == GUIDE_BOTH || row->hold != HOLD_NONE ? 2 : 1;
+}
+
 /* Places one by one. */
 static hawser_status row_at(const CaseReader *r, Row *row, const CaseNode *at, int *laid)
 {
     row->alone = at->count == 1 && case_node_key(row->node, "name");
-    hawser_status status = rollers_reserve(r, row->node, 2 * at->count);
+    hawser_status status = rollers_reserve(r, row->node, most_at_a_place(row) * at->count);
     for (const CaseNode *item = at->first; !status && item; item = item->next) {
         double s = 0;
         status = case_number_read(r, item, case_key_of(&case_roller_row, "at"), &s);
@@ -266,7 +272,7 @@ static hawser_status row_spaced(const CaseReader *r, const Row *row, int *laid)
     double *place = NULL;
     int n = 0;
     hawser_status status = case_places_find(r, row->node, &row->places, &place, &n);
-    if (!status) status = rollers_reserve(r, row->node, 2 * n);
+    if (!status) status = rollers_reserve(r, row->node, most_at_a_place(row) * n);
     for (int i = 0; !status && i < n; i++) status = place_fill(r, row, laid, place[i]);
     free(place);
     return status;

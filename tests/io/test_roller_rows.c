@@ -142,6 +142,7 @@ static void bad_rows(void **state)
         {"{spacing: 1 m, gap: 5 mm}", "key 'rollers.along.gap': only with 'guide', 'hold_down' or 'rule'"},
         {"{spacing: 1 m, where: [[3 m, 2 m]]}", "expected [from, to] with to >= from"},
         {"{spacing: 1e-6, where: straights}", "too many rollers"},
+        {"{count: 60000, hold_down: [[0 m, 20 m]]}", "a run with 120000 rollers"},
         {"{spacing: 1 m, from: 5 m, to: 2 m, where: straights}", "out of range: must be at least 'from'"},
     };
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
@@ -150,6 +151,16 @@ static void bad_rows(void **state)
     expect_bad(data_text("smallest"), "rollers.list",
                "[{centre: [18, 0, -100 mm], axis: [0, 1, 0], radius: 80 mm, profile: v, name: it}]",
                "roller 'it' is inside the cable");
+}
+
+/* As many rollers as a case may have, one at each of their places. */
+static void most_rollers(void **state)
+{
+    (void)state;
+    SceneDef def;
+    expect_good(data_text("smallest"), "rollers.along", "{count: 100000}", &def);
+    assert_int_equal(def.n_rollers, 100000);
+    scene_def_clear(&def);
 }
 
 /* Each roller's own law wins over the case's, and takes from it what it does not say. */
@@ -227,9 +238,10 @@ static void guide_case(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bends_and_straights),  cmocka_unit_test(guides_inside), cmocka_unit_test(grooves_are_sat_in),
-        cmocka_unit_test(friction_that_sticks), cmocka_unit_test(bad_rows),      cmocka_unit_test(v_groove_case),
-        cmocka_unit_test(guide_case),
+        cmocka_unit_test(bends_and_straights),  cmocka_unit_test(guides_inside),
+        cmocka_unit_test(grooves_are_sat_in),   cmocka_unit_test(most_rollers),
+        cmocka_unit_test(friction_that_sticks), cmocka_unit_test(bad_rows),
+        cmocka_unit_test(v_groove_case),        cmocka_unit_test(guide_case),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
