@@ -37,8 +37,9 @@ static int next_pit(const PlanDef *def, int way, double s)
     return next;
 }
 
-/* The weight that counts of unlike pieces, of which lies where nobody says: the heaviest where weight holds (`metre`:
- * its share that does, >= 0) and the lightest where it runs ahead; for the least tension the other one (T28). */
+/* The weight that counts on a straight of unlike pieces, of which lies where nobody says: the heaviest where weight
+ * holds (`metre`: its share that does, >= 0) and the lightest where it runs ahead; for the least tension the other one
+ * (T28). */
 static double weight_of(const PlanDef *def, const PullStretch *s, double metre)
 {
     const int light = def->lightest > 0 && def->slack == (metre >= 0);
@@ -47,28 +48,6 @@ static double weight_of(const PlanDef *def, const PullStretch *s, double metre)
 
 /* What a metre holds back with, as a share of its weight, on a straight that rises by so much per metre. */
 static double share_held(double rise, double mu) { return rise + mu * sqrt(fmax(0, 1 - rise * rise)); }
-
-/* Whether the cable runs ahead by its weight anywhere, with that friction. */
-static int runs_ahead(const PlanDef *def, int way, double mu)
-{
-    const double sign = sign_of(way);
-    for (int p = 0; p < def->route->n; p++) {
-        const RoutePiece *const piece = &def->route->piece[p];
-        for (int k = 0; k <= 4; k++) {
-            const double s = piece->s0 + piece->length * k / 4;
-            if (share_held(sign * route_on_piece(def->route, p, s).tangent.z, mu) < 0) return 1;
-        }
-    }
-    return 0;
-}
-
-/* Whether pieces are unlike where it matters: somewhere the lightest counts. */
-static int weighs_unlike(const PlanDef *def, int way)
-{
-    double least = INFINITY;
-    for (int i = 0; i < def->n_stretches; i++) least = fmin(least, def->stretch[i].mu);
-    return def->lightest > 0 && (def->slack || runs_ahead(def, way, least));
-}
 
 /* Of what still lies behind the start, pulled forward (T27): the most or the least of the whole pull, N. */
 static double behind_tension(const PlanDef *def, int way, int restart)
@@ -189,39 +168,21 @@ static PullStretch stretch_make(const PlanDef *def, const DuctLoad *load, int wa
     s.mu *= factor;
     s.mu_static *= factor;
     if (def->duct) s.share = load->sidewall_factor;
-    if (def->lightest > 0)
-        s.weight = weight_of(def, &s, share_held(sign_of(way) * route_at(def->route, middle).tangent.z, s.mu));
+    s.lightest = fmin(def->lightest, s.weight);
     return s;
-}
-
-enum { BEND_PARTS = 32 }; /* of a piece of the route, each with the weight that counts there */
-
-/* Where unlike weights are told apart, `from` of as many stretches; returns how many. */
-static int weight_places(const PlanDef *def, PullStretch *s)
-{
-    int n = 0;
-    for (int p = 0; p < def->route->n; p++) {
-        const RoutePiece *const piece = &def->route->piece[p];
-        const int parts = piece->kind == ROUTE_STRAIGHT ? 1 : BEND_PARTS;
-        for (int k = 0; k < parts; k++) s[n++].from = piece->s0 + piece->length * k / parts;
-    }
-    return n;
 }
 
 /* Every place at which something changes, then what lies between. */
 static hawser_status course_make(const PlanDef *def, const DuctLoad *load, int way, double head, Course *out,
                                  hawser_error *err)
 {
-    const int unlike = weighs_unlike(def, way);
-    const int most = def->n_stretches + def->n_wear + (unlike ? BEND_PARTS * def->route->n : 0) + 1;
-    out->stretch = malloc((size_t)most * sizeof *out->stretch);
+    out->stretch = malloc((size_t)(def->n_stretches + def->n_wear + 1) * sizeof *out->stretch);
     if (!out->stretch) return error_memory(err);
     PullStretch *const s = out->stretch;
     int n = 0;
     for (int i = 0; i < def->n_stretches; i++) s[n++].from = def->stretch[i].from;
     for (int k = 0; k < def->n_wear; k++) s[n++].from = wear_place(def, way, head, def->wear[k].from);
     s[n++].from = head;
-    if (unlike) n += weight_places(def, s + n);
     qsort(s, (size_t)n, sizeof *s, compare_places);
     out->n = 0;
     for (int i = 0; i < n; i++) {
@@ -287,6 +248,7 @@ hawser_status plan_pull(const PlanDef *def, const DuctLoad *load, const PlanPull
                               .to = section.to,
                               .start_tension = section.start + start_rest(def, what, &section),
                               .restart = what->restart,
+                              .least = def->slack,
                               .enough = def->enough,
                               .forces_only = what->forces_only,
                               .like = what->like,

@@ -87,15 +87,39 @@ static double sum_of_supports(const SpanLaw *p, SpanFrame f, double tension)
     return fabs(parts.down) + fabs(parts.aside);
 }
 
+static SpanLaw with_weight(const SpanLaw *p, double weight)
+{
+    SpanLaw one = *p;
+    one.weight = weight;
+    one.lightest = 0;
+    return one;
+}
+
+/* The law with the weight that presses most in this frame. */
+static SpanLaw pressing(const SpanLaw *p, SpanFrame f, double tension)
+{
+    const SpanLaw heavy = with_weight(p, p->weight), light = with_weight(p, p->lightest);
+    if (!(p->lightest > 0)) return heavy;
+    return sum_of_supports(&light, f, tension) > sum_of_supports(&heavy, f, tension) ? light : heavy;
+}
+
+SpanLaw span_pressing(const SpanLaw *p, double s, double tension)
+{
+    return pressing(p, span_frame(&p->line, s), tension);
+}
+
 double span_normal(const SpanLaw *p, double s, double tension)
 {
-    return sum_of_supports(p, span_frame(&p->line, s), tension);
+    const SpanFrame f = span_frame(&p->line, s);
+    const SpanLaw one = pressing(p, f, tension);
+    return sum_of_supports(&one, f, tension);
 }
 
 SpanParts span_parts(const SpanLaw *p, double s, double tension)
 {
-    if (!p->separate) return (SpanParts){.down = span_normal(p, s, tension)};
-    return support_parts(p, span_frame(&p->line, s), tension);
+    const SpanFrame f = span_frame(&p->line, s);
+    const SpanLaw one = pressing(p, f, tension);
+    return p->separate ? support_parts(&one, f, tension) : (SpanParts){.down = normal_force(&one, f, tension)};
 }
 
 double span_support(const SpanLaw *p, double s, double tension)
@@ -104,13 +128,54 @@ double span_support(const SpanLaw *p, double s, double tension)
     return fmax(fabs(parts.down), fabs(parts.aside));
 }
 
+/* (T5) with one weight. */
+static double rate_of(const SpanLaw *p, SpanFrame f, double tension)
+{
+    return p->mu * sum_of_supports(p, f, tension) + p->direction * p->weight * f.tz;
+}
+
+/* Where the rate is least by the weight, which it is a convex function of: (T28a). NAN: at one of the ends. */
+static double least_weight(const SpanLaw *p, SpanFrame f, double tension)
+{
+    const double c2 = f.nz * f.nz + f.bz * f.bz, pull = p->law == PULL_REFERENCE ? tension * f.curvature : 0;
+    const double room = p->mu * p->mu * c2 - f.tz * f.tz;
+    if (!(c2 > 0) || !(room > 0)) return NAN;
+    const double aside = p->separate ? 0 : fabs(pull * f.bz);
+    return (pull * f.nz - p->direction * f.tz * aside / sqrt(room)) / c2;
+}
+
+/* (T28) in this frame. */
+static SpanLaw weighed(const SpanLaw *p, SpanFrame f, double tension)
+{
+    SpanLaw best = with_weight(p, p->weight);
+    if (!(p->lightest > 0)) return best;
+    const double between = p->least ? least_weight(p, f, tension) : NAN;
+    const double other[2] = {p->lightest, fmin(fmax(between, p->lightest), p->weight)};
+    double rate = rate_of(&best, f, tension);
+    for (int i = 0; i < (isnan(between) ? 1 : 2); i++) {
+        const SpanLaw one = with_weight(p, other[i]);
+        const double its = rate_of(&one, f, tension);
+        if (p->least ? its >= rate : its <= rate) continue;
+        best = one;
+        rate = its;
+    }
+    return best;
+}
+
+SpanLaw span_weighed(const SpanLaw *p, double s, double tension)
+{
+    return weighed(p, span_frame(&p->line, s), tension);
+}
+
 double span_rate(const SpanLaw *p, double s, double tension)
 {
     /* a rope without weight: no frame is needed, and the same number comes out to the last bit */
     if (p->weight == 0 && !p->separate && !p->line.route)
         return p->mu * fabs(p->law == PULL_REFERENCE ? tension * p->line.curvature : 0);
     const SpanFrame f = span_frame(&p->line, s);
-    return p->mu * sum_of_supports(p, f, tension) + p->direction * p->weight * f.tz;
+    if (!(p->lightest > 0)) return rate_of(p, f, tension);
+    const SpanLaw one = weighed(p, f, tension);
+    return rate_of(&one, f, tension);
 }
 
 static void extremes_take(SpanExtremes *e, double s, double tension)
@@ -152,42 +217,52 @@ static double dopri_step(const SpanLaw *p, double s, double tension, double h, d
     return end;
 }
 
-/* The normal force toward the centre where it can pass through zero, which is a corner of the law: bends in a
- * vertical plane under the reference law, and the downward part on separate supports. 0 elsewhere, and within rounding
- * of the corner. */
-static double signed_normal(const SpanLaw *p, double s, double tension)
+/* Which of unlike weights counts: the heaviest 1, the lightest -1, one between 2; 0: within rounding of two of them. */
+static int weight_side(const SpanLaw *p, SpanFrame f, double tension)
 {
-    if (p->law != PULL_REFERENCE) return 0;
+    const double between = p->least ? least_weight(p, f, tension) : NAN, near = ZERO_FORCE * p->weight;
+    if (!isnan(between)) {
+        if (fmin(fabs(between - p->weight), fabs(between - p->lightest)) <= near) return 0;
+        return between > p->weight ? 1 : between < p->lightest ? -1 : 2;
+    }
+    const SpanLaw heavy = with_weight(p, p->weight), light = with_weight(p, p->lightest);
+    const double more = rate_of(&heavy, f, tension) - rate_of(&light, f, tension);
+    if (!(fabs(more) > ZERO_FORCE * (p->mu * fabs(tension) * f.curvature + p->weight))) return 0;
+    return (more > 0) != p->least ? 1 : -1;
+}
+
+/* The side of the law's corners that a place lies on. Of one weight the sign of the normal force toward the centre
+ * where it can pass through zero: in bends in a vertical plane under the reference law, and of the downward part on
+ * separate supports; of unlike weights which one counts. 0: no corner is near, or within rounding of it. */
+static int corner_side(const SpanLaw *p, double s, double tension)
+{
     const SpanFrame f = span_frame(&p->line, s);
-    if (f.curvature <= 0) return 0;
+    if (p->lightest > 0) return weight_side(p, f, tension);
+    if (p->law != PULL_REFERENCE || f.curvature <= 0) return 0;
     if (!p->separate && fabs(f.bz) > ZERO_FORCE) return 0;
     const double pull = tension * f.curvature;
     const double g = p->separate ? support_parts(p, f, tension).down : pull - p->weight * f.nz;
-    return fabs(g) > ZERO_FORCE * (fabs(pull) + p->weight) ? g : 0;
+    if (!(fabs(g) > ZERO_FORCE * (fabs(pull) + p->weight))) return 0;
+    return g > 0 ? 1 : -1;
 }
 
-/* One step of at most h, to where the normal force comes to zero, by bisection, or of h itself if it keeps its sign:
- * returns how long it is; k, *end and *error as dopri_step has them. */
+/* One step of at most h, to the corner that is met in it, by bisection, or of h itself if there is none: returns how
+ * long it is; k, *end and *error as dopri_step has them. */
 static double step_to_corner(const SpanLaw *p, double s, double tension, double h, double k[7], double *end,
                              double *error)
 {
     *end = dopri_step(p, s, tension, h, k, error);
-    const double before = signed_normal(p, s, tension);
-    if (before == 0 || before * signed_normal(p, s + p->direction * h, *end) >= 0) return h;
-    double low = 0, high = h, x = h;
-    for (int i = 0; i < 60; i++) {
-        x = low + (high - low) / 2;
-        const double g = signed_normal(p, s + p->direction * x, dopri_step(p, s, tension, x, k, error));
-        if (g == 0) break;
-        if (before * g > 0) {
-            low = x;
-        } else {
-            high = x;
-        }
-        x = high;
+    const int before = corner_side(p, s, tension);
+    int after = before ? corner_side(p, s + p->direction * h, *end) : 0;
+    if (after == 0 || after == before) return h;
+    double low = 0, high = h;
+    for (int i = 0; i < 60 && after != 0; i++) {
+        const double x = low + (high - low) / 2;
+        after = corner_side(p, s + p->direction * x, dopri_step(p, s, tension, x, k, error));
+        *(after == before ? &low : &high) = x;
     }
-    *end = dopri_step(p, s, tension, x, k, error);
-    return x;
+    *end = dopri_step(p, s, tension, high, k, error);
+    return high;
 }
 
 /* An accepted step from (s, tension) over h along the pull to (s_end, end), with its rates k. */
@@ -298,7 +373,7 @@ double span_integrate(const SpanLaw *p, double s0, double tension, double s1, Sp
         }
         const double s_end = last ? s1 : s + p->direction * h;
         if (extremes) extremes_take_step(extremes, &(Step){p, s, tension, h, s_end, end, k});
-        x = last ? length : x + h;
+        x = last ? length : fmax(x + h, nextafter(x, length));
         tension = end;
         if (extremes && extremes->enough > 0 && tension > extremes->enough) return INFINITY;
         k[0] = k[6];

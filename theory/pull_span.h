@@ -41,6 +41,9 @@ typedef struct SpanLaw {
     int direction; /* +1: pulled toward growing s; -1: the other way */
     double weight; /* N/m */
     double mu;
+    double
+        lightest; /* N/m: each metre weighs from so much to `weight`, and counts with what makes (T28); 0: `weight` */
+    int least;    /* the least tension is asked for, not the largest */
     int separate; /* what carries the weight does not hold the cable in level bends: (LI1) in place of (T6) */
     SpanLine line;
 } SpanLaw;
@@ -48,8 +51,11 @@ typedef struct SpanLaw {
 /* The line of the route around s (m): of the piece there, or straight beyond the ends. */
 SpanLine span_line(const Route *route, double s);
 SpanFrame span_frame(const SpanLine *line, double s);
+/* The law with the one weight that counts at s, of unlike ones (T28), and with the one that presses most. */
+SpanLaw span_weighed(const SpanLaw *p, double s, double tension);
+SpanLaw span_pressing(const SpanLaw *p, double s, double tension);
 /* Force between cable and support per length, N/m, at tension T (N): (T6), or (T8) without capstan effect; the sum over
- * separate supports (LI1). */
+ * separate supports (LI1). Of unlike weights the one that presses most. */
 double span_normal(const SpanLaw *p, double s, double tension);
 /* What lies on the ground (positive) and what presses to the side, N/m, where supports are separate; elsewhere all of
  * the force is `down`. */
@@ -61,9 +67,9 @@ SpanParts span_parts(const SpanLaw *p, double s, double tension);
 double span_support(const SpanLaw *p, double s, double tension);
 /* dT/ds along the pull's direction, N/m: (T5). */
 double span_rate(const SpanLaw *p, double s, double tension);
-/* Integrates (T5) from s0 to s1 (m; direction * (s1 - s0) >= 0) and returns the tension there, N. Local error
- * below 1e-11 of tension plus weight. extremes (may be NULL) is widened by what is met, both ends included.
- */
+/* Integrates (T5) from s0 to s1 (m; direction * (s1 - s0) >= 0) and returns the tension there, N. Steps
+ * are such that their pair's estimate is below 1e-12 of tension plus weight; where that is zero by chance, the tension
+ * was up to 3e-9 off, of unlike weights 1e-8. extremes (may be NULL) is widened by what is met, both ends included. */
 double span_integrate(const SpanLaw *p, double s0, double tension, double s1, SpanExtremes *extremes);
 
 #endif

@@ -77,6 +77,8 @@ static SpanLaw law_between(const PullDef *def, double low, double high)
                      .direction = def->to > def->from ? 1 : -1,
                      .weight = a->weight,
                      .mu = def->restart ? fmax(a->mu, a->mu_static) : a->mu,
+                     .lightest = a->lightest,
+                     .least = def->least,
                      .separate = a->separate,
                      .line = span_line(def->route, middle)};
 }
@@ -139,7 +141,8 @@ static int span_known(const PullDef *def, const PullStretch *a, const PullSpan *
     const SpanLaw *const law = &known->law;
     const double mu = def->restart ? fmax(a->mu, a->mu_static) : a->mu;
     return known->s0 == span->s0 && known->s1 == span->s1 && known->t0 == span->t0 && law->law == def->law &&
-           law->weight == a->weight && law->mu == mu && law->separate == a->separate;
+           law->weight == a->weight && law->lightest == a->lightest && law->least == def->least && law->mu == mu &&
+           law->separate == a->separate;
 }
 
 /* Integrates from cut to cut, in the pull's order, adding the steps between. */

@@ -15,6 +15,7 @@
 typedef struct PullStretch {
     double from;           /* m */
     double weight;         /* N/m: mass per length times g, of all cables together */
+    double lightest;       /* N/m: what it may weigh at least, where it lies being unknown (T28); 0: as much */
     double mu;             /* friction coefficient, weight correction of a duct included; 0: none */
     double mu_static;      /* at a restart; counts as mu if it is smaller */
     int separate;          /* weight and turning force rest on supports of their own: friction adds up (LI1) */
@@ -42,6 +43,7 @@ typedef struct PullDef {
     double from, to;      /* m along the route; to < from: pulled toward smaller s. Beyond the route it is straight. */
     double start_tension; /* N at `from` */
     int restart;          /* friction is static: the pull starts from rest */
+    int least;            /* of unlike weights the ones that make the least tension count, not the largest (T28) */
     double enough;        /* N: a tension beyond it has grown past all bounds; not where forces_only; 0: none */
     int n_stretches;      /* >= 1, by rising `from` */
     const PullStretch *stretch;

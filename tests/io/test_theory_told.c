@@ -76,13 +76,14 @@ static void jams_friction_and_motors(void **state)
     says((const char *const[]){"surfaces", "{}", "rollers", early, NULL}, "SAFE: all");
 }
 
+static const char cables[] = "{heavy: {d: 60 mm, mass: 20 kg/m, EA: 60 MN, EI: 20, GA: 20 MN, GJ: 20}, light: {d: "
+                             "60 mm, mass: 4 kg/m, EA: 60 "
+                             "MN, EI: 20, GA: 20 MN, GJ: 20}}";
+
 /* Down a slope light cable holds back more than heavy cable: of unlike pieces it counts there. */
 static void unlike_pieces_on_a_slope(void **state)
 {
     (void)state;
-    static const char cables[] = "{heavy: {d: 60 mm, mass: 20 kg/m, EA: 60 MN, EI: 20, GA: 20 MN, GJ: 20}, light: {d: "
-                                 "60 mm, mass: 4 kg/m, EA: 60 "
-                                 "MN, EI: 20, GA: 20 MN, GJ: 20}}";
     static const char chain[] = "[{cable: heavy, length: 100 m}, {cable: light, length: 50 m, rope: false}]";
     static const char pieces[] = "[{straight: 90 m}, {bend: 30 deg, radius: 10 m, plane: down}, {straight: 35 m}, "
                                  "{bend: 30 deg, radius: 10 m, plane: up}, {straight: 6 m}]";
@@ -98,13 +99,32 @@ static void unlike_pieces_on_a_slope(void **state)
     json_decref(all);
 }
 
+/* In a valley that the tension lifts the cable out of, too: of unlike pieces the pull is that of the light one alone.
+ */
+static void unlike_pieces_in_a_valley(void **state)
+{
+    (void)state;
+    static const char both[] = "[{cable: heavy, length: 20 m}, {cable: light, length: 20 m, rope: false}]";
+    static const char pieces[] = "[{bend: 20 deg, radius: 60 m, plane: up}]";
+    const char *const chains[] = {both, "[{cable: light, length: 40 m}]", "[{cable: heavy, length: 40 m}]"};
+    double force[3];
+    for (int i = 0; i < 3; i++) {
+        json_t *const all =
+            theory_of(CASE, (const char *const[]){"cables", cables, "chain", chains[i], "route.pieces", pieces,
+                                                  "route.slope", "-10 deg", "drive.tail.tension", "20 kN", NULL});
+        force[i] = number_of(all, "reference_total_N");
+        json_decref(all);
+    }
+    check_close(force[0], force[1], 1e-6 * force[1]);
+    check_above(force[0], 1.02 * force[2]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tension_beyond_what_is_needed),
-        cmocka_unit_test(a_faster_winch),
-        cmocka_unit_test(jams_friction_and_motors),
-        cmocka_unit_test(unlike_pieces_on_a_slope),
+        cmocka_unit_test(tension_beyond_what_is_needed), cmocka_unit_test(a_faster_winch),
+        cmocka_unit_test(jams_friction_and_motors),      cmocka_unit_test(unlike_pieces_on_a_slope),
+        cmocka_unit_test(unlike_pieces_in_a_valley),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

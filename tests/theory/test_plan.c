@@ -339,6 +339,82 @@ static void unlike_pieces_over_a_crest(void **state)
     route_clear(&route);
 }
 
+/* In a valley out of which the tension lifts the cable, a metre holds back the less the more it weighs: for the largest
+ * tension the lightest counts all the way, for the least one the heaviest. */
+static void unlike_pieces_in_a_lifted_sag(void **state)
+{
+    (void)state;
+    const RoutePieceDef sag = {.kind = ROUTE_BEND, .radius = 50, .angle = 0.6, .plane = M_PI / 2};
+    Route route;
+    assert_int_equal(route_build(&route, 1, &sag, V3_ZERO, 0, -0.3, NULL), HAWSER_OK);
+    const PullStretch cable = {.weight = WEIGHT, .mu = 0.35}, light = {.weight = WEIGHT / 4, .mu = 0.35};
+    PlanDef def = {
+        .route = &route, .n_stretches = 1, .stretch = &cable, .back_tension = 100 * WEIGHT, .lightest = WEIGHT / 4};
+    Plan both, heavy, lightest;
+    assert_int_equal(plan_build(&def, &both, NULL), HAWSER_OK);
+    def.lightest = 0;
+    assert_int_equal(plan_build(&def, &heavy, NULL), HAWSER_OK);
+    def.stretch = &light;
+    assert_int_equal(plan_build(&def, &lightest, NULL), HAWSER_OK);
+    for (int way = 0; way < PLAN_WAYS; way++) {
+        check_close(both.way[way].pull.end_tension, lightest.way[way].pull.end_tension, 1e-8);
+        check_close(both.way[way].pull.span[0].least, heavy.way[way].pull.span[0].least, 1e-8);
+        check_above(both.way[way].pull.end_tension, heavy.way[way].pull.end_tension + WEIGHT);
+    }
+    plan_clear(&both);
+    plan_clear(&heavy);
+    plan_clear(&lightest);
+    route_clear(&route);
+}
+
+/* dT/ds of (T5) by its words, with the weight of many, a 600th of the heaviest apart, that makes it largest or least.
+ */
+static double best_rate(const SpanLaw *law, double s, double tension)
+{
+    enum { WEIGHTS = 400 };
+    double best = law->least ? INFINITY : -INFINITY;
+    for (int i = 0; i <= WEIGHTS; i++) {
+        SpanLaw one = *law;
+        one.lightest = 0;
+        one.weight = law->lightest + (law->weight - law->lightest) * i / WEIGHTS;
+        const double rate = span_rate(&one, s, tension);
+        best = law->least ? fmin(best, rate) : fmax(best, rate);
+    }
+    return best;
+}
+
+/* (T28), (T28a) in bends that lie in any plane, whatever the tension: no weight between makes more, or less. */
+static void unlike_weights_one_by_one(void **state)
+{
+    (void)state;
+    const double planes[] = {0, 0.4, M_PI / 2, 2, 4, 3 * M_PI / 2};
+    int between = 0;
+    for (size_t p = 0; p < sizeof planes / sizeof *planes; p++) {
+        const RoutePieceDef bend = {.kind = ROUTE_BEND, .radius = 20, .angle = 1.2, .plane = planes[p]};
+        Route route;
+        assert_int_equal(route_build(&route, 1, &bend, V3_ZERO, 0, 0.2, NULL), HAWSER_OK);
+        for (int k = 0; k < 160; k++) {
+            const double s = route.length * (k % 8 + 0.5) / 8, tension = WEIGHT * 2 * (k / 8 - 3);
+            const SpanLaw law = {.direction = k % 3 ? 1 : -1,
+                                 .weight = WEIGHT,
+                                 .lightest = WEIGHT / 3,
+                                 .mu = k % 5 ? 0.4 : 0.1,
+                                 .least = k % 2,
+                                 .separate = k % 7 == 0,
+                                 .line = span_line(&route, s)};
+            const double counts = span_weighed(&law, s, tension).weight, best = best_rate(&law, s, tension);
+            between += counts > law.lightest && counts < law.weight;
+            if (law.least) {
+                check_between(span_rate(&law, s, tension), best - law.mu * WEIGHT / 600, best + 1e-12 * WEIGHT);
+            } else {
+                check_close(span_rate(&law, s, tension), best, 1e-12 * WEIGHT);
+            }
+        }
+        route_clear(&route);
+    }
+    assert_in_range(between, 8, 400);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -351,6 +427,8 @@ int main(void)
         cmocka_unit_test(loads_of_cut_routes),
         cmocka_unit_test(held_back_least),
         cmocka_unit_test(unlike_pieces_over_a_crest),
+        cmocka_unit_test(unlike_pieces_in_a_lifted_sag),
+        cmocka_unit_test(unlike_weights_one_by_one),
         cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

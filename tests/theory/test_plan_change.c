@@ -66,6 +66,7 @@ static void change(Case *c, int k, double by)
         if (k == CHANGE_FRICTION || k == CHANGE_OTHERS + j) c->stretch[j].mu += by;
         if (k == CHANGE_WEIGHT) c->stretch[j].weight += by;
     }
+    if (k == CHANGE_WEIGHT && c->def.lightest > 0) c->def.lightest += by;
     if (k >= CHANGE_OTHERS + STRETCHES) c->push[k - CHANGE_OTHERS - STRETCHES].force += by;
 }
 
@@ -101,7 +102,10 @@ static void central_differences(void **state)
     const struct {
         int separate, steps;
         PullLaw law;
-    } scene[] = {{0, 0, PULL_REFERENCE}, {1, 0, PULL_REFERENCE}, {0, 0, PULL_NO_CAPSTAN}, {0, 2, PULL_REFERENCE}};
+        double lightest;
+    } scene[] = {{0, 0, PULL_REFERENCE, 0},  {1, 0, PULL_REFERENCE, 0},  {0, 0, PULL_NO_CAPSTAN, 0},
+                 {0, 2, PULL_REFERENCE, 0},  {0, 0, PULL_REFERENCE, 70}, {1, 0, PULL_REFERENCE, 70},
+                 {0, 0, PULL_NO_CAPSTAN, 70}};
     for (size_t m = 0; m < sizeof scene / sizeof *scene; m++) {
         for (int way = 0; way < PLAN_WAYS; way++) {
             Case c;
@@ -111,6 +115,10 @@ static void central_differences(void **state)
             c.step[0] = (PullStep){.at = 50, .force = 1000, .kind = STEP_TAKE};
             c.step[1] = (PullStep){.at = 120, .force = 1500, .kind = STEP_ANEW};
             c.def.n_steps = scene[m].steps;
+            c.def.lightest = scene[m].lightest;
+            /* with more corners the steps' error estimate is more often zero by chance: 1e-9 of 4 kN, divided by `by`
+             */
+            const double share = c.def.lightest > 0 ? 3e-5 : 3e-8;
             assert_int_equal(plan_build(&c.def, &plan, NULL), HAWSER_OK);
             assert_int_equal(plan_change(&c.def, &plan, way, &d, NULL), HAWSER_OK);
             assert_int_equal(d.n, CAUSES);
@@ -125,14 +133,14 @@ static void central_differences(void **state)
                 const Seen after = see(&c, way);
                 change(&c, k, -by);
                 const double force = slope(before.force, after.force, by);
-                check_close(d.force[k], force, 3e-8 * fmax(1, fabs(force)));
+                check_close(d.force[k], force, share * fmax(1, fabs(force)));
                 for (int i = 0; i < PLACES; i++) {
                     double tension[CAUSES], support[CAUSES], reach;
                     plan_change_at(&d, place(&c, i), tension, support, &reach);
                     const double t = slope(before.tension[i], after.tension[i], by),
                                  s = slope(before.support[i], after.support[i], by);
-                    check_close(tension[k], t, 3e-8 * fmax(1, fabs(t)));
-                    check_close(support[k], s, 3e-8 * fmax(1, fabs(s)));
+                    check_close(tension[k], t, share * fmax(1, fabs(t)));
+                    check_close(support[k], s, share * fmax(1, fabs(s)));
                 }
             }
             plan_change_free(&d);

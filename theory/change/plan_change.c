@@ -124,7 +124,8 @@ void plan_change_at(const PlanChange *c, double s, double *tension, double *supp
                                                                          &c->inside[(size_t)i * (size_t)c->n];
     const SpanGain gain = span_gain(&span->law, span->s0, span->t0, s);
     const double now = pull_at(pull, s).tension;
-    const SpanSlopes by = span_slopes(&span->law, s, now);
+    const SpanLaw pressing = span_pressing(&span->law, s, now);
+    const SpanSlopes by = span_slopes(&pressing, s, now);
     *reach = c->reach[i] / gain.tension;
     for (int k = 0; k < c->n; k++) {
         tension[k] = gain.tension * start[k] + gain.friction * inside[k] + gain.weight * c->weight[k];

@@ -37,9 +37,10 @@ SpanSlopes span_slopes(const SpanLaw *p, double s, double tension)
     return (p->separate ? separate_slopes : resultant_slopes)(p, f, tension);
 }
 
-/* (T5), (SN4) */
-static void rates(const SpanLaw *p, double s, const double x[VALUES], double rate[VALUES])
+/* (T5), (SN4); of unlike weights by the one that counts, which is best there, so that its own change makes none. */
+static void rates(const SpanLaw *unlike, double s, const double x[VALUES], double rate[VALUES])
 {
+    const SpanLaw one = span_weighed(unlike, s, x[OF_TENSION]), *const p = &one;
     const SpanSlopes by = span_slopes(p, s, x[OF_TENSION]);
     const double a = p->mu * by.by_tension, sine = p->direction * span_frame(&p->line, s).tz;
     rate[OF_TENSION] = span_rate(p, s, x[OF_TENSION]);
@@ -87,10 +88,11 @@ static double gain_step(const SpanLaw *p, double s, const double x[VALUES], doub
     return worst;
 }
 
-/* Which side each support bears on, as one number; it changes where the law has a corner. Within rounding of a corner
- * it is that of no side. */
+/* Which side each support bears on, of unlike weights which one counts, as one number; it changes where the law has a
+ * corner. Within rounding of a corner it is that of no side. */
 static int sides(const SpanLaw *p, double s, double tension)
 {
+    if (p->lightest > 0) return span_weighed(p, s, tension).weight < p->weight ? 2 : 1;
     const SpanFrame f = span_frame(&p->line, s);
     const double pull = p->law == PULL_REFERENCE ? tension * f.curvature : 0, c = hypot(f.nz, f.bz);
     const double bare = ZERO_FORCE * (fabs(pull) + p->weight);
