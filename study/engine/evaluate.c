@@ -193,6 +193,9 @@ static void wish_make(const Study *s, Wanted *w)
         if (strstr(path, "backward") || best) w->wish.forward_only = 0;
         if (!path[length] || length >= TABLE_NAME_MAX || n == TABLES_MAX) continue;
         snprintf(w->name[n], TABLE_NAME_MAX, "%.*s", (int)length, path);
+        int known = 0;
+        for (int k = 0; k < n; k++) known |= strcmp(w->name[k], w->name[n]) == 0;
+        if (known) continue;
         w->table[n] = w->name[n];
         if (!is_along(w->name[n])) w->wish.forward_only = 0;
         if (strcmp(w->name[n], "answers") == 0 || strcmp(w->name[n], "machines") == 0) w->wish.no_inverse = 0;

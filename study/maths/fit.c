@@ -203,7 +203,10 @@ static void intervals_find(Fit *f, FitResult *x)
     for (int a = 0; a < n; a++) x->weakest[f->free[a]] = f->V[a][least];
     for (int a = 0; a < n; a++) {
         for (int b = 0; b < n; b++) {
-            for (int k = 0; k < n; k++) C[a][b] += f->V[a][k] * f->V[b][k] / (f->s[k] * f->s[k]);
+            for (int k = 0; k < n; k++) {
+                const double share = f->V[a][k] * f->V[b][k]; /* a direction that nothing sees is none of the others' */
+                if (share != 0) C[a][b] += share / (f->s[k] * f->s[k]);
+            }
         }
     }
     for (int a = 0; a < n; a++) {

@@ -145,6 +145,10 @@ static hawser_status paths_read(const CaseReader *r, const CaseNode *list, Fidel
     for (const CaseNode *node = list->first; node; node = node->next) {
         if (node->kind != NODE_TEXT || !*node->text)
             return case_value_error(r->err, node, ": expected a path, such as reference_total_N");
+        for (int q = 0; q < s->n_quantities; q++) {
+            if (s->quantity[q].of == of && strcmp(s->quantity[q].path, node->text) == 0)
+                return case_value_error(r->err, node, " stands here twice");
+        }
         s->quantity[s->n_quantities++] = (Quantity){node, node->text, of};
     }
     return HAWSER_OK;

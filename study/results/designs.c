@@ -56,6 +56,11 @@ static int design_place(const Study *s, const Rows *rows, DesignRow *best, int n
     return kept + 1;
 }
 
+const char *aim_unit(const Study *s)
+{
+    return s->aim.n_terms == 1 && fabs(s->aim.term[0].weight) == 1 ? unit_of_key(s->aim.name) : "";
+}
+
 /* A search that has met fewer points than it may has ended by itself, or was stopped with the study: until the study
  * has been seen to its end nobody can say. */
 hawser_status designs_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err)
@@ -87,6 +92,7 @@ hawser_status designs_find(const Study *s, const Rows *rows, Findings *f, hawser
         DesignRow *const d = &f->design[k];
         if (s->aim.most) d->value = -d->value;
         point_say(s, rows, d->sample, d->values);
+        d->unit = aim_unit(s);
         d->keeps = d->broken == 0 ? "yes" : "no";
     }
     free(broken);

@@ -47,6 +47,25 @@ static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
     f->most_share = (there - (double)f->by_verdict[VERDICT_SAFE]) / there;
 }
 
+/* Whether some samples have no run, so that runs are those near a limit. */
+static int runs_are_chosen(const Study *s, const Rows *rows)
+{
+    long by_theory = 0;
+    for (long i = 0; i < rows->n; i++)
+        by_theory += rows->row[i].state == ROW_DONE && rows->row[i].answered == BY_THEORY;
+    return s->fidelity == BY_BOTH && !study_searches(s) && by_theory > 0;
+}
+
+/* Whether theory never judges a limit. */
+static int by_runs_alone(const Rows *rows, int limit)
+{
+    for (long i = 0; i < rows->n; i++) {
+        const Row *const row = &rows->row[i];
+        if (row->state == ROW_DONE && row->answered == BY_THEORY && !isnan(row->margin[limit])) return 0;
+    }
+    return 1;
+}
+
 /* x: scratch [rows->n]. */
 static void limits_find(const Study *s, const Rows *rows, double *x, Findings *f)
 {
@@ -64,6 +83,7 @@ static void limits_find(const Study *s, const Rows *rows, double *x, Findings *f
         if (n == 0) continue;
         row.judged = n;
         row.share = share_percent(share_in(s, row.broken, n));
+        if (f->chosen && by_runs_alone(rows, k)) row.share = (Share){NAN, NAN, NAN};
         row.least = sort_finite(n, x) ? x[0] : NAN;
         row.median = quantile_of_sorted(n, x, 0.5);
         f->limit[f->n_limits++] = row;
@@ -72,14 +92,21 @@ static void limits_find(const Study *s, const Rows *rows, double *x, Findings *f
 
 /* ------------------------------------------------------------------------------------------------------ quantities */
 
-/* The values of quantity q into x[rows->n]; NAN where there is no answer. */
-static void values_of(const Rows *rows, int q, double *x)
+/* Of runs that are chosen the pilots alone are a fair draw. */
+double quantity_fair(const Study *s, const Rows *rows, const Findings *f, int q, long i)
 {
-    for (long i = 0; i < rows->n; i++) {
-        const int known = rows->row[i].state == ROW_DONE;
-        x[i] = known ? rows->value[i * rows->width + q] : NAN;
-    }
+    if (rows->row[i].state != ROW_DONE) return NAN;
+    if (f->chosen && s->quantity[q].of == BY_RUN && !(s->pilot > 0 && study_is_pilot(s, i))) return NAN;
+    return rows->value[i * rows->width + q];
 }
+
+/* The values of quantity q into x[rows->n]. */
+static void values_of(const Study *s, const Rows *rows, const Findings *f, int q, double *x)
+{
+    for (long i = 0; i < rows->n; i++) x[i] = quantity_fair(s, rows, f, q, i);
+}
+
+const char *first_unit(const Study *s) { return s->n_quantities > 0 ? unit_of_key(s->quantity[0].path) : ""; }
 
 static void quantities_find(const Study *s, const Rows *rows, double *x, Findings *f)
 {
@@ -88,7 +115,7 @@ static void quantities_find(const Study *s, const Rows *rows, double *x, Finding
         QuantityRow *const row = &f->quantity[f->n_quantities++];
         quantity_column(s, q, row->name);
         row->unit = unit_of_key(s->quantity[q].path);
-        values_of(rows, q, x);
+        values_of(s, rows, f, q, x);
         row->spread = spread_of((int)rows->n, x);
         if (s->kind != STUDY_MONTE_CARLO) row->spread.mean_error = NAN;
         const int n = sort_finite((int)rows->n, x);
@@ -103,7 +130,7 @@ static void convergence_find(const Study *s, const Rows *rows, double *x, Findin
     long bad = 0, judged = 0, at = 0, there = 0;
     if (s->kind != STUDY_MONTE_CARLO) return;
     while (there < rows->n && rows->row[there].state != ROW_OPEN) there++;
-    if (s->n_quantities > 0) values_of(rows, 0, x);
+    if (s->n_quantities > 0) values_of(s, rows, f, 0, x);
     for (int k = 3; at < there; k++) {
         const double next = steps[k % 3] * pow(10, k / 3);
         const long to = next < (double)there ? (long)next : there;
@@ -115,7 +142,7 @@ static void convergence_find(const Study *s, const Rows *rows, double *x, Findin
         }
         const Spread spread = s->n_quantities > 0 ? spread_of((int)at, x) : spread_of(0, NULL);
         f->convergence[f->n_convergence++] =
-            (ConvergenceRow){at, share_percent(share_of(bad, judged)), spread.mean, spread.mean_error};
+            (ConvergenceRow){at, share_percent(share_of(bad, judged)), spread.mean, spread.mean_error, first_unit(s)};
     }
 }
 
@@ -145,7 +172,7 @@ static hawser_status effects_find(const Study *s, const Rows *rows, double *x, F
 {
     if (s->kind != STUDY_SOBOL && s->kind != STUDY_MORRIS) return HAWSER_OK;
     for (int q = 0; q < s->n_quantities; q++) {
-        values_of(rows, q, x);
+        values_of(s, rows, f, q, x);
         if (!effects_of(s, q, x, &f->effect[f->n_effects])) return error_memory(err);
         f->n_effects += s->n_parameters;
     }
@@ -180,7 +207,8 @@ static void variants_list(const Study *s, const Rows *rows, Findings *f)
                            .verdict = row_verdicts[row->verdict],
                            .limited_by = row->limited_by < 0 ? "" : limits_name((LimitKind)row->limited_by),
                            .margin = row->limited_by < 0 ? NAN : row->margin[row->limited_by],
-                           .quantity = s->n_quantities > 0 ? rows->value[i * rows->width] : NAN};
+                           .quantity = s->n_quantities > 0 ? rows->value[i * rows->width] : NAN,
+                           .unit = first_unit(s)};
         point_say(s, rows, i, to->values);
         f->n_variants++;
     }
@@ -203,6 +231,7 @@ hawser_status findings_make(const Study *s, const Rows *rows, Findings *out, haw
         (Findings){.quantity = calloc(q + 1, sizeof *out->quantity), .effect = calloc(q * d + 1, sizeof *out->effect)};
     hawser_status status = x && out->quantity && out->effect ? HAWSER_OK : error_memory(err);
     if (!status) {
+        out->chosen = runs_are_chosen(s, rows);
         verdicts_count(s, rows, out);
         limits_find(s, rows, x, out);
         quantities_find(s, rows, x, out);

@@ -31,6 +31,7 @@ typedef struct ConvergenceRow {
     long n;
     Share share; /* % */
     double mean, mean_error;
+    const char *unit; /* of the mean */
 } ConvergenceRow;
 
 /* What a parameter does to a quantity. */
@@ -50,6 +51,7 @@ typedef struct VariantRow {
     const char *verdict, *limited_by;
     double margin;   /* the least */
     double quantity; /* the first */
+    const char *unit;
 } VariantRow;
 
 /* One of the best points of a search. */
@@ -57,7 +59,8 @@ enum { DESIGNS_MAX = 10 };
 typedef struct DesignRow {
     long sample, search;
     char values[VARIANT_TEXT_MAX];
-    double value;      /* of what is sought */
+    double value; /* of what is sought */
+    const char *unit;
     double broken;     /* the sum of what limits and constraints are broken by, (SR1) */
     const char *keeps; /* "yes" where that is 0 */
     const char *verdict, *limited_by;
@@ -84,6 +87,7 @@ typedef struct TornadoRow {
     long n;
     double low, high, swing, mean; /* means there, their distance, the mean of all */
     double rank;                   /* correlation of ranks (ES4) */
+    const char *unit;              /* of low, high, swing */
 } TornadoRow;
 enum { RESPONSE_PARTS = 10 };
 typedef struct ResponseRow {
@@ -104,6 +108,7 @@ typedef struct Findings {
     long runs, changed;      /* of BY_BOTH: samples with a run; of these, those whose verdict theory had otherwise */
     double off[LIMIT_KINDS]; /* of BY_BOTH: what theory and a run differ by in a margin, at most; NAN: no sample has
                                 both */
+    int chosen;              /* of BY_BOTH: not all samples have a run, and those that have lie near a limit */
     long held;               /* not judged, but none of the limits that could be judged is broken */
     Share not_safe;          /* among those that are safe, not safe or held; of 1 */
     double least_share, most_share; /* if all others were safe, if none were; of 1 */
@@ -131,6 +136,12 @@ typedef struct Findings {
 /* Errors: MEMORY. The texts are the study's and the rows'. */
 hawser_status findings_make(const Study *s, const Rows *rows, Findings *out, hawser_error *err);
 void findings_free(Findings *f);
+/* Quantity q of sample i where it may stand for all samples; NAN: no answer, or a run's that was chosen by its answer.
+ */
+double quantity_fair(const Study *s, const Rows *rows, const Findings *f, int q, long i);
+/* The unit of the first quantity, and of what is sought; "": none, or a sum of several. */
+const char *first_unit(const Study *s);
+const char *aim_unit(const Study *s);
 /* The searches and designs of a study that searches. Errors: MEMORY. */
 hawser_status designs_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err);
 /* The fit of a calibration, as far as its samples are there. Errors: MEMORY. */

@@ -57,14 +57,16 @@ static const Column variant_columns[] = {
     {COLUMN("verdict", TEXT, VariantRow, verdict), .label = "verdict"},
     {COLUMN("limited_by", TEXT, VariantRow, limited_by), .label = "limited by"},
     PLAIN("least_margin", "margin", VariantRow, margin, 3),
-    PLAIN("first_quantity", "first quantity", VariantRow, quantity, -1),
+    IN_UNIT("first_quantity", "first quantity", VariantRow, quantity),
+    {COLUMN("unit", TEXT, VariantRow, unit), .label = "unit"},
 };
 
 static const Column convergence_columns[] = {
     {COLUMN("samples", LONG, ConvergenceRow, n), .label = "by samples"},
     SHARE("not_safe", "NOT SAFE, %", ConvergenceRow, share),
-    PLAIN("mean", "mean of the first quantity", ConvergenceRow, mean, -1),
-    PLAIN("mean_error", "+-", ConvergenceRow, mean_error, -1),
+    IN_UNIT("mean", "mean of the first quantity", ConvergenceRow, mean),
+    IN_UNIT("mean_error", "+-", ConvergenceRow, mean_error),
+    {COLUMN("unit", TEXT, ConvergenceRow, unit), .label = "unit"},
 };
 
 static const Column sobol_columns[] = {
@@ -113,7 +115,8 @@ static const Column fitted_columns[] = {
 static const Column design_columns[] = {
     {COLUMN("sample", LONG, DesignRow, sample), .label = "sample"},
     {COLUMN("values", CHARS, DesignRow, values), .label = "with"},
-    PLAIN("value", "is", DesignRow, value, -1),
+    IN_UNIT("value", "is", DesignRow, value),
+    {COLUMN("unit", TEXT, DesignRow, unit), .label = "unit"},
     {COLUMN("keeps", TEXT, DesignRow, keeps), .label = "keeps all"},
     PLAIN("broken", "broken by", DesignRow, broken, 4),
     {COLUMN("verdict", TEXT, DesignRow, verdict), .label = "verdict"},
@@ -123,9 +126,10 @@ static const Column design_columns[] = {
 
 static const Column tornado_columns[] = {
     {COLUMN("parameter", TEXT, TornadoRow, name), .label = "parameter"},
-    PLAIN("low", "at its lowest tenth", TornadoRow, low, -1),
-    PLAIN("high", "at its highest", TornadoRow, high, -1),
-    PLAIN("swing", "swing", TornadoRow, swing, -1),
+    IN_UNIT("low", "at its lowest tenth", TornadoRow, low),
+    IN_UNIT("high", "at its highest", TornadoRow, high),
+    IN_UNIT("swing", "swing", TornadoRow, swing),
+    {COLUMN("unit", TEXT, TornadoRow, unit), .label = "unit"},
     PLAIN("rank_correlation", "rank correlation", TornadoRow, rank, 3),
 };
 
@@ -181,7 +185,7 @@ static void say_limited(Lines *l, const Findings *f)
 /* The best design, or that there is none. */
 static void say_design(Lines *l, const Study *s, const Findings *f)
 {
-    const char *const what = s->aim.most ? "MOST" : "LEAST", *const unit = unit_of_key(s->aim.name);
+    const char *const what = s->aim.most ? "MOST" : "LEAST", *const unit = aim_unit(s);
     const DesignRow *const d = f->design;
     if (f->n_designs == 0) {
         line(l, "NO DESIGN: no sample has an answer with %s\n", s->aim.name);
@@ -268,6 +272,12 @@ static void say_runs(Lines *l, const Study *s, const Findings *f)
     line(l, s->pilot ? "\n  runs     %ld" : "  runs     %ld", f->runs);
     if (!s->pilot) line(l, ", where theory's margin is within %.3g of 0", s->close[0]);
     line(l, "; %ld changed the verdict\n", f->changed);
+    for (int q = 0; q < s->n_quantities && f->chosen; q++) {
+        if (s->quantity[q].of != BY_RUN) continue;
+        line(l, "  beware   the runs were chosen, near a limit: their quantities %s\n",
+             s->pilot ? "are told of the pilots alone" : "have no statistics, which 'fidelity: auto' or 'run' have");
+        break;
+    }
     for (int k = 0; k < LIMIT_KINDS; k++) {
         if (!(f->off[k] > s->close[k])) continue;
         line(l, "  beware   theory's margin of %s was off by %.3g, more than the band of %.3g: %s\n",

@@ -188,6 +188,14 @@ static void theory_and_runs(void **state)
         check_finite(rows.value[2 * i]);
     }
     assert_int_equal(f.runs, 3);
+    /* three runs near a limit say nothing of the five: they have no statistics, and theory has */
+    assert_int_equal(f.quantity[0].spread.n, 5);
+    assert_int_equal(f.quantity[1].spread.n, 0);
+    check_nan(f.quantity[1].spread.mean);
+    for (int k = 0; k < f.n_limits; k++) {
+        const int runs_alone = strcmp(f.limit[k].name, "roller_peak") == 0 || strcmp(f.limit[k].name, "alpha") == 0;
+        assert_int_equal(isnan(f.limit[k].share.value) != 0, runs_alone);
+    }
     assert_int_equal(rows.row[0].verdict, VERDICT_SAFE);
     assert_int_equal(rows.row[4].verdict, VERDICT_NOT_SAFE);
     size_t size;
@@ -268,6 +276,14 @@ static void pilots_find_the_band(void **state)
     check_equal(band[LIMIT_SPEED], 0);
     for (int i = 0; i < 32; i++) assert_int_equal(rows[0].row[i].verdict, rows[1].row[i].verdict);
     check_between((double)f[0].runs, 6, 26);
+    /* what runs say is told of the pilots, a fair draw, not of those near a limit */
+    for (int q = 2; q < 4; q++) {
+        double mean = 0;
+        for (int i = 0; i < 6; i++) mean += rows[1].value[i * rows[1].width + q - 2] / 6;
+        assert_int_equal(f[0].quantity[q].spread.n, 6);
+        check_share(f[0].quantity[q].spread.mean, mean, 1e-9);
+        assert_int_equal(f[1].quantity[q - 2].spread.n, 32);
+    }
     check_at_most(f[0].off[LIMIT_WINCH], band[LIMIT_WINCH]);
     for (int i = 0; i < 6; i++) rows[0].row[i].answered = BY_THEORY;
     pilots_bands(s[0], &rows[0], band);
@@ -280,6 +296,30 @@ static void pilots_find_the_band(void **state)
     pilots_bands(s[0], &rows[0], band);
     check_at_least(band[LIMIT_PULL], 1e3);
     for (int k = 0; k < 2; k++) clear(s[k], &rows[k], &f[k]);
+}
+
+/* Parameters of a few values: those that share one share their rank and their mean, so that one that does nothing has a
+ * swing and a correlation of none, in whatever order its samples come. */
+static void ties_in_a_grid(void **state)
+{
+    (void)state;
+    study_compute("parameters:\n"
+                  "  friction.mu: {values: [0.1, 0.2, 0.3, 0.4]}\n"
+                  "  cables.power.EI: {values: [5 kN m2, 10 kN m2]}\n"
+                  "grid: [friction.mu, cables.power.EI]\nquantities: [reference_total_N]\n",
+                  "ties", 2);
+    Study *s;
+    Rows rows;
+    Findings f = findings_in("ties", &s, &rows);
+    const double least = rows.value[0], most = rows.value[7];
+    assert_int_equal(f.n_tornado, 2);
+    assert_string_equal(f.tornado[0].name, "friction.mu");
+    check_share(f.tornado[0].low, least, 1e-12);
+    check_share(f.tornado[0].high, most, 1e-12);
+    check_share(f.tornado[0].rank, 1, 1e-12);
+    check_at_most(f.tornado[1].swing, 1e-6 * most);
+    check_at_most(fabs(f.tornado[1].rank), 1e-9);
+    clear(s, &rows, &f);
 }
 
 /* The pull W mu with independent factors: variances of a product. mass 18..22, mu 0.1..0.3; the third does nothing. */
@@ -315,6 +355,7 @@ int main(void)
                                        cmocka_unit_test(theory_and_runs),
                                        cmocka_unit_test(pilots_find_the_band),
                                        cmocka_unit_test(tornado_and_responses),
+                                       cmocka_unit_test(ties_in_a_grid),
                                        cmocka_unit_test(indices_of_a_pull)};
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

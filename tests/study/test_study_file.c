@@ -209,6 +209,8 @@ static void bad_quantities(void **state)
     const char *const row[][2] = {
         {"quantities: [reference_totl_N]\n", "value 'reference_totl_N' is not in the answer of theory"},
         {"quantities: [limits]\n", "leads to no number in the answer of theory"},
+        {"quantities: [reference_total_N, largest_force_N, reference_total_N]\n",
+         "'reference_total_N' stands here twice"},
         {"fidelity: run\nquantities: [pull_force.mean]\n", "is not in the answer of a run"},
         {"quantities: {run: [pull_force.peak_N]}\n", "'fidelity' is 'theory'"},
         {"fidelity: both\nquantities: [reference_total_N]\n", "expected lists under 'theory' and 'run'"},
