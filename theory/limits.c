@@ -44,6 +44,13 @@ static const struct {
 
 const char *limits_name(LimitKind kind) { return kinds[kind].name; }
 
+/* Of nothing everything is missing, and so of next to nothing: a thousand times as much as there is, at most. */
+static double margin_at_least(double value, double limit)
+{
+    static const double MOST = 1000;
+    return value * (1 + MOST) > limit ? 1 - limit / value : limit > 0 ? -MOST : 1;
+}
+
 /* (LI4). A value that is not known is not judged, and neither is one whose limit is not. */
 static void judge(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f,
                   hawser_limit *out)
@@ -58,7 +65,7 @@ static void judge(const LimitsDef *def, LimitKind kind, double diameter, int cab
         return;
     }
     out->judged = 1;
-    out->margin = limits_at_least(def, kind, f) ? 1 - out->limit / out->value : 1 - out->value / out->limit;
+    out->margin = limits_at_least(def, kind, f) ? margin_at_least(out->value, out->limit) : 1 - out->value / out->limit;
     if (kind == LIMIT_RUN_AWAY) out->margin = f->value > 0 ? -f->value / fmax(f->value, f->rating) : 1; /* (LI12) */
     out->ok = out->margin >= 0;
 }

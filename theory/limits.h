@@ -155,6 +155,9 @@ void limits_defaults(LimitsDef *def);
  * LIMIT_FILL and LIMIT_WEIGHT into finding[LIMIT_KINDS]; begin with no duct (name NULL). (LI8) */
 void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctLoad *load,
                  Finding finding[LIMIT_KINDS]);
+/* How the source of `trip` begins where more is needed than is allowed. */
+#define LIMITS_NO_TRIP "no trip does"
+
 /* Sets the findings against the limits, (LI4): out[HAWSER_LIMITS_MAX]. Returns how many; 0 if def is not present. */
 int limits_judge(const LimitsDef *def, double diameter, int cables, const Finding finding[LIMIT_KINDS],
                  hawser_limit *out);

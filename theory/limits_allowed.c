@@ -157,8 +157,12 @@ static double trip_allowed(const LimitsDef *def, int cables, const Finding *f, c
                  f->steady / 1e3);
         return f->value < f->steady ? f->steady : NAN;
     }
-    snprintf(source, SOURCE_SIZE, "from %.4g kN, needed, to %.4g kN, allowed; advised %.4g kN", f->steady / 1e3,
-             most / 1e3, usual / 1e3);
+    if (most < f->steady)
+        snprintf(source, SOURCE_SIZE, LIMITS_NO_TRIP ": %.4g kN are needed, %.4g kN allowed", f->steady / 1e3,
+                 most / 1e3);
+    else
+        snprintf(source, SOURCE_SIZE, "from %.4g kN, needed, to %.4g kN, allowed; advised %.4g kN", f->steady / 1e3,
+                 most / 1e3, usual / 1e3);
     return f->value < f->steady ? f->steady : most;
 }
 

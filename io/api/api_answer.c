@@ -150,13 +150,16 @@ static void inverse_lines(Answer *a, const Scene *scene, const Inverse *inverse,
     for (int i = 0; i < inverse->n; ++i) {
         const InverseAnswer *const b = &inverse->answer[i];
         const char *const but = *b->stays ? " but " : "";
+        if (b->way == way && b->kind == INVERSE_FRICTION && b->from < b->value)
+            answer_line(a, "remedy", "friction of %.3g to %.3g, now %.3g, would keep all limits%s%s",
+                        ceil(1e3 * b->from) / 1e3, floor(1e3 * b->value) / 1e3, b->now, but, b->stays);
         if (b->way != way || b->end != SEARCH_FOUND || !(b->value < b->now)) continue;
         if (b->kind == INVERSE_FRICTION)
             answer_line(a, "remedy", "friction of at most %.3g, now %.3g, would keep all limits%s%s",
                         floor(1e3 * b->value) / 1e3, b->now, but, b->stays);
         if (b->kind == INVERSE_LENGTH)
             answer_line(a, "remedy", "a pull of at most %s, now %s, would keep all limits%s%s",
-                        hawser_show(b->value, "m", a->units, shown), hawser_show(b->now, "m", a->units, now), but,
+                        show_bound(b->value, 0, "m", a->units, shown), hawser_show(b->now, "m", a->units, now), but,
                         b->stays);
     }
     if (inverse->asked && m->n > 0)

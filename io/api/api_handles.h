@@ -140,6 +140,8 @@ void answer_theory(Answer *a, const Scene *scene, const Calculator *c, const Inv
  * Errors: MEMORY; *rows is NULL then. */
 hawser_status along_rows(hawser_sim *s, AlongRow **rows, int *n, hawser_error *err);
 
+/* A value in three digits as it is shown, rounded up where at least so much is asked for and down where at most. */
+const char *show_bound(double value, int least, const char *unit, hawser_units units, char *text);
 /* What would make a broken limit hold, from its own figures and the scene's: "a radius of 8.5 m in 'bend' would do".
  * The tension is taken to stay as it is. `text` has 256 bytes and is empty where nothing can be told. */
 void limit_remedy(const Scene *scene, const hawser_limit *broken, hawser_units units, char *text);

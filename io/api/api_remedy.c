@@ -11,8 +11,7 @@
  * another run is another. */
 static const double SPARE = 1.005;
 
-/* A value in three digits as it is shown, rounded up where at least so much is asked for and down where at most. */
-static const char *show_bound(double value, int least, const char *unit, hawser_units units, char *text)
+const char *show_bound(double value, int least, const char *unit, hawser_units units, char *text)
 {
     const double shown = value * scale_of(unit, value, units).factor, step = pow(10, floor(log10(shown)) - 2);
     const double steps = least ? ceil(shown / step - 1e-9) : floor(shown / step + 1e-9);
@@ -96,16 +95,23 @@ static void rope_remedy(const Scene *scene, const hawser_limit *l, hawser_units 
              show_bound(l->value * factor, 1, "N", units, strength));
 }
 
-/* m, inside diameter between `narrow` and `wide`, which is enough, at which the uppermost cable has that clearance. */
-static double diameter_for(const SceneDef *def, const SurfaceDef *now, double clearance, double narrow, double wide)
+static int has_clearance(const SceneDef *def, const SurfaceDef *now, double clearance, double diameter)
 {
-    for (int i = 0; i < 30; ++i) {
+    SurfaceDef duct = *now;
+    DuctLoad load;
+    duct.bore = diameter / 2;
+    return !bundle_in(def, &duct, &load, NULL) && load.clearance >= clearance;
+}
+
+/* m, the inside diameter above `now` from which on the uppermost cable has that clearance: it falls where a triangle
+ * becomes a cradle, so that the search comes down from where it is certain. */
+static double diameter_for(const SceneDef *def, const SurfaceDef *duct, double clearance, double now)
+{
+    double wide = 8 * now + clearance, narrow = wide;
+    while (narrow > now && has_clearance(def, duct, clearance, narrow)) wide = narrow, narrow /= 1.005;
+    for (int i = 0; i < 40; ++i) {
         const double middle = (narrow + wide) / 2;
-        SurfaceDef duct = *now;
-        DuctLoad load;
-        duct.bore = middle / 2;
-        const int enough = !bundle_in(def, &duct, &load, NULL) && load.clearance >= clearance;
-        *(enough ? &wide : &narrow) = middle;
+        *(has_clearance(def, duct, clearance, middle) ? &wide : &narrow) = middle;
     }
     return wide;
 }
@@ -120,7 +126,7 @@ static void duct_remedy(const Scene *scene, const hawser_limit *l, hawser_units 
     if (!duct) return;
     const double D = 2 * (duct->bore > 0 ? duct->bore : duct->shape.radius);
     double wider = D * sqrt(l->value / l->limit);
-    if (!strcmp(l->name, "clearance")) wider = diameter_for(&scene->def, duct, l->limit, D, D + l->limit - l->value);
+    if (!strcmp(l->name, "clearance")) wider = diameter_for(&scene->def, duct, l->limit, D);
     if (!strcmp(l->name, "jam_ratio")) {
         wider = D * limits->jam_to / l->value;
         show_bound(D * limits->jam_from / l->value, 0, "m", units, most);
@@ -133,23 +139,21 @@ static void duct_remedy(const Scene *scene, const hawser_limit *l, hawser_units 
 static void roller_remedy(const hawser_limit *l, char *text)
 {
     const int steady = !strcmp(l->name, "roller_steady");
-    snprintf(text, REMEDY_MAX, "rollers there at %.2g of their spacing, or rated %.3g times as high%s",
-             l->limit / l->value, l->value / l->limit, steady ? "" : ", or a softer start (drive.winch.to)");
+    snprintf(text, REMEDY_MAX, "rollers there at %.3g of their spacing, or rated %.4g times as high%s",
+             floor(1e3 * l->limit / l->value) / 1e3, ceil(1e3 * l->value / l->limit) / 1e3,
+             steady ? "" : ", or a softer start (drive.winch.to)");
 }
 
-/* Remedies that are the limit itself, or of `missing` what is missing, put into words. */
+/* Remedies that are the limit itself, put into words. */
 static const struct SimpleRemedy {
-    const char *name;
-    int missing;
-    const char *before, *after;
+    const char *name, *before, *after;
 } simple[] = {
-    {"bend_radius", 0, "a radius of at least ", " there"},
-    {"rope_bend", 0, "sheaves and bends of at least ", " times the rope's diameter"},
-    {"conveyor", 0, "more conveyors, each with at most ", ""},
-    {"squeeze", 0, "longer conveyors or more of them, pressing with at most ", ""},
-    {"run_away", 1, "a brake of ", " more where the pull begins (drive.tail.tension)"},
-    {"trip", 0, "a winch that stops at ", " (drive.winch.trip)"},
-    {"speed", 0, "a winch that pulls with at most ", " (drive.winch.speed)"},
+    {"bend_radius", "a radius of at least ", " there"},
+    {"rope_bend", "sheaves and bends of at least ", " times the rope's diameter"},
+    {"push", "more conveyors or machines, each with at most ", ""},
+    {"squeeze", "longer conveyors or more of them, pressing with at most ", ""},
+    {"trip", "a winch that stops at ", " (drive.winch.trip)"},
+    {"speed", "a winch that pulls with at most ", " (drive.winch.speed)"},
 };
 
 static void simple_remedy(const hawser_limit *l, hawser_units units, char *text)
@@ -157,9 +161,20 @@ static void simple_remedy(const hawser_limit *l, hawser_units units, char *text)
     char value[HAWSER_SHOWN_MAX];
     for (size_t k = 0; k < sizeof simple / sizeof *simple; ++k) {
         if (strcmp(l->name, simple[k].name) != 0) continue;
-        hawser_show(simple[k].missing ? l->value : l->limit, l->unit, units, value);
+        show_bound(l->limit, l->value < l->limit, l->unit, units, value);
         snprintf(text, REMEDY_MAX, "%s%s%s", simple[k].before, value, simple[k].after);
     }
+    if (!strncmp(l->source, LIMITS_NO_TRIP, strlen(LIMITS_NO_TRIP))) *text = 0; /* what lowers the pull is said there */
+}
+
+/* `drive.tail` is of each cable (BU10); what pushes the cable from behind may push less. */
+static void run_away_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
+{
+    char value[HAWSER_SHOWN_MAX];
+    const int tails = bundle_tails(&scene->def.bundle);
+    show_bound(l->value / tails, 1, "N", units, value);
+    snprintf(text, REMEDY_MAX, "a brake of %s more where the pull begins (drive.tail.tension%s)%s", value,
+             tails > 1 ? ", of each cable" : "", scene->def.theory.feed > 0 ? ", or less feed (theory.feed)" : "");
 }
 
 void limit_remedy(const Scene *scene, const hawser_limit *broken, hawser_units units, char *text)
@@ -181,6 +196,8 @@ void limit_remedy(const Scene *scene, const hawser_limit *broken, hawser_units u
         duct_remedy(scene, l, units, text);
     } else if (!strncmp(l->name, "roller_", 7)) {
         roller_remedy(l, text);
+    } else if (!strcmp(l->name, "run_away")) {
+        run_away_remedy(scene, l, units, text);
     } else if (!strcmp(l->name, "alpha")) {
         snprintf(text, REMEDY_MAX, "a softer start: a longer drive.winch.to, ramp step5");
     } else {

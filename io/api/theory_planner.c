@@ -83,9 +83,12 @@ static int sections_add(const Scene *scene, const Calculator *c, TheoryTables *t
                                   NAN,
                                   NAN,
                                   largest_between(&c->plan.way[k].pull, s.from, s.to)};
+            double nearest = 1e-9 * c->route->length; /* just behind a pit another section has begun */
             for (int h = 0; h < c->heads[k].n; ++h) {
                 const HeadForce *const at = &c->heads[k].row[h];
-                if (fabs(at->head - s.to) > 1e-9 * c->route->length) continue;
+                const double off = fabs(at->head - s.to);
+                if (!(off < nearest)) continue;
+                nearest = off;
                 row[n].force = at->force;
                 row[n].restart = at->restart;
             }
@@ -129,9 +132,11 @@ static int brakes_add(const Calculator *c, TheoryTables *t)
 
 /* -------------------------------------------------------------------------------- what would still hold */
 
+enum { RESULT_MAX = 96 + INVERSE_STAYS_MAX };
+
 typedef struct AnswerRow {
     const char *direction, *unit, *place;
-    char question[96], result[96];
+    char question[96], result[RESULT_MAX];
     double now, value;
     const char *binds;
 } AnswerRow;
@@ -149,12 +154,17 @@ static const Column answer_column[] = {
 static const Columns answer_columns = COLUMNS(AnswerRow, answer_column);
 
 /* In words: how far from now, or why there is no number, and what stays broken all the same. */
-static void result_say(const InverseAnswer *a, char result[96])
+static void result_say(const InverseAnswer *a, char result[RESULT_MAX])
 {
-    char text[64] = "none: it would not help";
+    char text[88] = "none: it would not help";
     if (a->end == SEARCH_EVERYWHERE) snprintf(text, sizeof text, "any: nothing binds within 1000 times");
     if (a->end == SEARCH_FOUND) snprintf(text, sizeof text, "%.5g times the case's", a->value / a->now);
-    snprintf(result, 96, "%s%s%s%s", text, *a->stays ? "; " : "", a->stays, *a->stays ? " stays" : "");
+    if (!isnan(a->from) && a->end != SEARCH_NOWHERE) {
+        const size_t n = strlen(text);
+        snprintf(text + n, sizeof text - n, ", at least %.5g", a->from);
+    }
+    const char *const stay = !*a->stays ? "" : strchr(a->stays, ',') ? " stay" : " stays";
+    snprintf(result, RESULT_MAX, "%s%s%s%s", text, *a->stays ? "; " : "", a->stays, stay);
 }
 
 static void answer_say(const InverseAnswer *a, AnswerRow *row)

@@ -233,10 +233,7 @@ static hawser_status form_check(const CaseReader *r, const CaseNode *node)
 }
 
 /* The most rollers that a row may have at a place: guides to both sides, or one above a carrier. */
-static int most_at_a_place(const Row *row)
-{
-    return row->places.guide == GUIDE_BOTH || row->hold != HOLD_NONE ? 2 : 1;
-}
+static int most_at_a_place(const Row *row) { return row->places.guide == GUIDE_BOTH || row->hold != HOLD_NONE ? 2 : 1; }
 
 /* Places one by one. */
 static hawser_status row_at(const CaseReader *r, Row *row, const CaseNode *at, int *laid)

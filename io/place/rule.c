@@ -14,7 +14,7 @@ static const CaseKey rule_keys[] = {
     {"straights", KEY_NUMBER, DIM_LENGTH, .otherwise = "2.5 m, from 20 kg/m on 1.5 m", ABOVE(0, LONG),
      AT(RuleRecord, straights)},
     {"bends", KEY_NUMBER, DIM_LENGTH, .fallback = "800 mm", ABOVE(0, LONG), AT(RuleRecord, bends)},
-    {"share", KEY_NUMBER, .fallback = "0.8", ABOVE(0, 1), AT(RuleRecord, share)},
+    {"share", KEY_NUMBER, .fallback = "0.625", ABOVE(0, 1), AT(RuleRecord, share)},
     {"guides", KEY_FLAG, .fallback = "true", AT(RuleRecord, guides)},
     {"hold_downs", KEY_FLAG, .fallback = "true", AT(RuleRecord, hold_downs)},
     {"reserve", KEY_NUMBER, .fallback = "1.25", FROM(1, 100), AT(RuleRecord, reserve)},

@@ -35,14 +35,47 @@ static hawser_status friction_set(const Scene *scene, Stretches *s, hawser_error
     return HAWSER_OK;
 }
 
-/* Beyond either end of the route things are as they are at the end: a longer pull goes on in the same duct. */
-static void ends_extend(Stretches *s, double length)
+/* A stretch in a bend, which holds s, as it is on a straight beyond the route's end, where the weight correction may be
+ * another.
+ */
+static PullStretch straightened(const Scene *scene, const PullStretch *bend, double s)
 {
+    const SurfaceDef *const on = surface_at(&scene->def, s);
+    const double in_bend = bundle_theory_friction(&scene->def, on, 1);
+    const double factor = in_bend > 0 ? bundle_theory_friction(&scene->def, on, 0) / in_bend : 1;
+    PullStretch straight = *bend;
+    straight.mu *= factor;
+    straight.mu_static *= factor;
+    return straight;
+}
+
+/* Beyond either end of the route things are as they are at the end: a longer pull goes on in the same duct, straight.
+ */
+static hawser_status ends_extend(const Scene *scene, Stretches *s, hawser_error *err)
+{
+    const Route *const route = &scene->route;
     int first = 0;
-    while (s->n > 1 && s->stretch[s->n - 1].from >= length) --s->n;
+    while (s->n > 1 && s->stretch[s->n - 1].from >= route->length) --s->n;
     while (first + 1 < s->n && s->stretch[first + 1].from <= 0) ++first;
     s->n -= first;
     memmove(s->stretch, s->stretch + first, (size_t)s->n * sizeof *s->stretch);
+    PullStretch *const longer = realloc(s->stretch, ((size_t)s->n + 2) * sizeof *longer);
+    if (!longer) return error_memory(err);
+    s->stretch = longer;
+    const double inside = 1e-9 * route->length;
+    const PullStretch last = straightened(scene, &longer[s->n - 1], route->length - inside),
+                      before = straightened(scene, &longer[0], inside);
+    if (route->piece[route->n - 1].kind != ROUTE_STRAIGHT && last.mu != longer[s->n - 1].mu) {
+        longer[s->n] = last;
+        longer[s->n++].from = route->length;
+    }
+    if (route->piece[0].kind != ROUTE_STRAIGHT && before.mu != longer[0].mu) {
+        memmove(longer + 1, longer, (size_t)s->n++ * sizeof *longer);
+        longer[0] = before;
+        longer[1].from = 0;
+        longer[0].from = fmin(longer[0].from, -1);
+    }
+    return HAWSER_OK;
 }
 
 /* How the cables lie in the ducts; what friction and weight they make is in the stretches. */
@@ -52,7 +85,7 @@ static hawser_status cables_set(const Scene *scene, Calculator *c, hawser_error 
     c->duct = calloc((size_t)def->n_surfaces + 1, sizeof *c->duct);
     hawser_status status = c->duct ? stretches_find(scene, &c->stretches, err) : error_memory(err);
     if (!status) status = friction_set(scene, &c->stretches, err);
-    if (!status) ends_extend(&c->stretches, scene->route.length);
+    if (!status) status = ends_extend(scene, &c->stretches, err);
     for (int i = 0; i < def->n_surfaces && !status; ++i) {
         if (def->surfaces[i].shape.kind != SURFACE_DUCT) continue;
         c->duct[c->n_ducts].surface = &def->surfaces[i];
@@ -409,9 +442,13 @@ static hawser_status route_vary(const Scene *scene, const Variation *by, Route *
     const SceneDef *const def = &scene->def;
     RoutePieceDef *const piece = malloc((size_t)def->n_route * sizeof *piece);
     if (!piece) return error_memory(err);
-    for (int p = 0; p < def->n_route; ++p) {
+    for (int p = 0, last = -1, meant = 0; p < def->n_route; ++p) {
+        if (p > last) { /* a bend is one in whatever parts it is drawn */
+            last = route_turn_end(&scene->route, p);
+            meant = by->bend < 0 || (by->bend >= p && by->bend <= last);
+        }
         piece[p] = def->route[p];
-        if (by->bend < 0 || by->bend == p) piece_grow(&piece[p], by->radius);
+        if (meant) piece_grow(&piece[p], by->radius);
     }
     const hawser_status status =
         route_build(out, def->n_route, piece, def->route_start, def->route_heading, def->route_slope, err);

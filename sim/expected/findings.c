@@ -192,16 +192,36 @@ static hawser_status way_run_away(const Scene *scene, const Route *route, const 
     return HAWSER_OK;
 }
 
-/* The largest push: of a conveyor, of what a machine of the section `theory` takes off, of what feeds the cable. */
-static Finding largest_push(const Calculator *c, int way)
+static int has_machines(const Calculator *c)
 {
-    const Pull *const pull = &c->plan.way[way].pull;
-    Finding f = {.value = c->def.feed};
-    snprintf(f.where, sizeof f.where, "%s", c->def.feed > 0 ? "theory.feed" : "");
+    int n = 0;
+    for (int i = 0; i < c->def.n_steps; ++i) n += c->def.step[i].kind == STEP_TAKE;
+    return n > 0;
+}
+
+/* What machines of the section `theory` take off of a pull, or of those to come, if one takes more than `f` has. */
+static void machines_push(const Calculator *c, const Pull *pull, Finding *f)
+{
     for (int i = 0; i < c->def.n_steps; ++i) {
         const PullStep *const step = &c->def.step[i];
         const double taken = fmin(step->force, fmax(0, pull_at(pull, step->at).tension));
-        if (step->kind == STEP_TAKE && taken > f.value) f = finding_at(c->route, taken, step->at);
+        if (step->kind == STEP_TAKE && taken > f->value) *f = finding_at(c->route, taken, step->at);
+    }
+}
+
+/* The largest push: of a conveyor, of a machine, at speed or from rest (PN2), of what feeds the cable. */
+static hawser_status largest_push(const Calculator *c, int way, Finding *out, hawser_error *err)
+{
+    const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};
+    Finding f = {.value = c->def.feed};
+    snprintf(f.where, sizeof f.where, "%s", c->def.feed > 0 ? "theory.feed" : "");
+    machines_push(c, &c->plan.way[way].pull, &f);
+    if (has_machines(c)) {
+        Pull rest;
+        const hawser_status status = plan_pull(&c->def, &c->plan.duct, &from_rest, &rest, err);
+        if (status) return status;
+        machines_push(c, &rest, &f);
+        pull_clear(&rest);
     }
     for (int i = 0; i < c->n_pushers; ++i) {
         const double force = fabs(c->push[way][i].force);
@@ -209,7 +229,8 @@ static Finding largest_push(const Calculator *c, int way)
         f.value = force;
         snprintf(f.where, sizeof f.where, "%s", c->pusher[i].name);
     }
-    return f;
+    *out = f;
+    return HAWSER_OK;
 }
 
 hawser_status findings_of_way(const Scene *scene, const Route *route, const Calculator *c, int way,
@@ -221,14 +242,16 @@ hawser_status findings_of_way(const Scene *scene, const Route *route, const Calc
                                     ? finding_on(route, w->restart_max, w->restart_at, w->restart_piece)
                                     : finding_on(route, w->pull.max_tension, w->pull.max_at, w->pull.max_piece);
     finding[LIMIT_WINCH].value = finding[LIMIT_ROPE].value;
-    finding[LIMIT_PUSH] = largest_push(c, way);
-    const hawser_status status = way_run_away(scene, route, c, way, &finding[LIMIT_RUN_AWAY], err);
+    hawser_status status = largest_push(c, way, &finding[LIMIT_PUSH], err);
+    if (!status) status = way_run_away(scene, route, c, way, &finding[LIMIT_RUN_AWAY], err);
     if (status) return status;
     findings_trip(scene, w->force, finding[LIMIT_ROPE].value, c->beyond[way], &finding[LIMIT_TRIP]);
     if (finding[LIMIT_RUN_AWAY].value > 0) finding[LIMIT_TRIP].steady = NAN;
     findings_of_scene(scene, finding);
     finding[LIMIT_ROPE_BEND] = rope_bend(scene, route, 0, c->n_turners, c->turner);
-    if (c->def.feed > 0 || scene->def.theory.n_machines > 0) finding[LIMIT_PUSH].absent = 0;
+    /* machines that are asked for push too, if there are none yet */
+    const int asked = has_machines(c) || !isnan(scene->def.theory.machine_push);
+    if (c->def.feed > 0 || asked) finding[LIMIT_PUSH].absent = 0;
     return HAWSER_OK;
 }
 

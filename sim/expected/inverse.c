@@ -43,10 +43,15 @@ static int varied(Question *q, const Variation *by, Calculator *c)
     return !status;
 }
 
-/* Which limits the question does not touch: those that neither half nor twice of it changes. */
+/* Which broken limits the question does not touch: those that neither half nor twice of it changes. What holds may
+ * break farther on. */
 static void touched_find(Question *q)
 {
-    for (int i = 0; i < HAWSER_LIMITS_MAX; ++i) q->untouched[i] = 1;
+    for (int i = 0; i < HAWSER_LIMITS_MAX; ++i) q->untouched[i] = 0;
+    for (int i = 0; i < q->base->n_limits; ++i) {
+        const hawser_limit *const l = &q->base->limit[q->way][i];
+        q->untouched[i] = l->judged && !l->ok;
+    }
     for (int k = 0; k < 2; ++k) {
         Calculator c;
         const Variation by = variation_of(q, k ? 2 : 0.5);
@@ -73,13 +78,15 @@ static const hawser_limit *broken(const Question *q, const Calculator *c)
 
 static int keeps(const Question *q, const Calculator *c) { return c->pulled[q->way].holds && !broken(q, c); }
 
-/* The first of those that it does not touch. */
-static void stays_find(const Question *q, const Calculator *c, char stays[24])
+/* Those that are broken and that it does not touch, as far as there is room. */
+static void stays_find(const Question *q, const Calculator *c, char stays[INVERSE_STAYS_MAX])
 {
+    size_t n = 0;
     *stays = 0;
-    for (int i = 0; i < c->n_limits && !*stays; ++i) {
+    for (int i = 0; i < c->n_limits; ++i) {
         const hawser_limit *const l = &c->limit[q->way][i];
-        if (l->judged && !l->ok && q->untouched[i]) snprintf(stays, 24, "%.23s", l->name);
+        if (!l->judged || l->ok || !q->untouched[i] || n + strlen(l->name) + 3 > INVERSE_STAYS_MAX) continue;
+        n += (size_t)snprintf(stays + n, INVERSE_STAYS_MAX - n, "%s%s", n ? ", " : "", l->name);
     }
 }
 
@@ -156,15 +163,40 @@ static double now_of(const Question *q)
     return radius;
 }
 
-static InverseAnswer answer_find(Question *q)
+/* Whether what is wrong is that the cable runs ahead, which more friction may hold. */
+static int runs_ahead(const Question *q)
+{
+    const hawser_limit *const l = q->base->limit[q->way];
+    int broken_by_it = !q->base->pulled[q->way].holds;
+    for (int i = 0; i < q->base->n_limits; ++i)
+        broken_by_it |= l[i].judged && !l[i].ok && !strcmp(l[i].name, limits_name(LIMIT_RUN_AWAY));
+    return broken_by_it;
+}
+
+/* The bound; of friction, where less than there is does not help, that of the range in which more does, from *from on
+ * (PN9). */
+static SearchBound bound_find(Question *q, double *from)
 {
     const int less = q->kind == INVERSE_RADIUS || q->kind == INVERSE_BEND;
-    InverseAnswer a = {.kind = q->kind, .way = q->way, .now = now_of(q), .value = NAN};
-    const SearchDef search = {question_holds, q, 1, less ? 1 / FARTHEST : FARTHEST};
+    const SearchDef search = {question_holds, q, 1, less ? 1 / FARTHEST : FARTHEST},
+                    more = {question_holds, q, 1, 1 / FARTHEST};
+    const SearchBound bound = search_bound(&search);
+    if (bound.end != SEARCH_NOWHERE || q->kind != INVERSE_FRICTION || !runs_ahead(q)) return bound;
+    const SearchBound least = search_bound(&more);
+    if (least.end != SEARCH_FOUND) return bound;
+    const SearchDef beyond = {question_holds, q, least.value, FARTHEST};
+    *from = least.value;
+    return search_bound(&beyond);
+}
+
+static InverseAnswer answer_find(Question *q)
+{
+    InverseAnswer a = {.kind = q->kind, .way = q->way, .now = now_of(q), .value = NAN, .from = NAN};
     touched_find(q);
     enough_find(q);
-    const SearchBound bound = search_bound(&search);
+    const SearchBound bound = bound_find(q, &a.from);
     a.end = bound.end;
+    a.from *= a.now;
     if (q->kind == INVERSE_BEND) snprintf(a.what, sizeof a.what, "%s", q->base->route->piece[q->bend].name);
     if (bound.end == SEARCH_FOUND) a.value = bound.value * a.now;
     Calculator c;
@@ -178,6 +210,9 @@ static InverseAnswer answer_find(Question *q)
 }
 
 /* -------------------------------------------------------------------------------------------- machines */
+
+/* m: so far from a bend that a place written in ten digits is not in it. */
+static const double BESIDE = 1e-5;
 
 /* Where the tension first reaches `push` behind `after` along the pull; NAN: nowhere. In a bend no machine stands: it
  * is moved to the bend's end, or with `early` to its start if that is behind `after`. */
@@ -193,7 +228,7 @@ static double next_place(const Calculator *c, int way, double push, double after
         if (piece->kind != ROUTE_STRAIGHT) {
             const double ends[2] = {piece->s0, piece->s0 + piece->length};
             const double begin = ends[way == PLAN_BACKWARD], end = ends[way == PLAN_FORWARD];
-            return early && sign * (begin - after) > 0 ? begin : end;
+            return early && sign * (begin - after) > 0 ? begin - sign * BESIDE : end + sign * BESIDE;
         }
         if (low == span->s0 && span->t0 >= push) return low;
         for (int k = 0; k < 60; ++k) {

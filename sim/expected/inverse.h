@@ -8,6 +8,8 @@
 
 typedef enum InverseKind { INVERSE_FRICTION, INVERSE_RADIUS, INVERSE_BEND, INVERSE_LENGTH, INVERSE_KINDS } InverseKind;
 
+enum { INVERSE_STAYS_MAX = 64 };
+
 /* One answer. Limits that are broken and that the question does not touch (a duct too full, whatever the friction) do
  * not count, and are named. Of friction the largest on the route stands for all, of radii the smallest. */
 typedef struct InverseAnswer {
@@ -19,7 +21,8 @@ typedef struct InverseAnswer {
     char binds[24]; /* the limit that is broken just beyond, or whatever the value is; "pulled": the cable slackens */
     char where[80]; /* its place then */
     char what[64];  /* the bend that is meant */
-    char stays[24]; /* a limit that stays broken, if there is one */
+    double from;    /* of friction, where less would not hold either: at least so much; NAN: no matter how little */
+    char stays[INVERSE_STAYS_MAX]; /* limits that stay broken, by name */
 } InverseAnswer;
 
 enum { INVERSE_MACHINES_MAX = 64 };
@@ -28,7 +31,7 @@ enum { INVERSE_MACHINES_MAX = 64 };
 typedef struct InverseMachines {
     int way, n;                                                   /* -1: no number of them keeps the limits */
     double at[INVERSE_MACHINES_MAX], takes[INVERSE_MACHINES_MAX]; /* m along the route; N, at speed */
-    char stays[24];
+    char stays[INVERSE_STAYS_MAX];
     char binds[24], where[80]; /* with one fewer; with n of -1, whatever their number is */
 } InverseMachines;
 

@@ -54,7 +54,7 @@ static void words(void **state)
         {"winch", "N", 15200, 10000, "5.2 kN less"},
         {"rope", "N", 15000, 10000, "a rope that breaks at 75 kN (limits.rope_strength)"},
         {"bend_radius", "m", 1.5, 2, "a radius of at least 2 m there"},
-        {"run_away", "N", 11730, 0, "a brake of 11.73 kN more where the pull begins (drive.tail.tension)"},
+        {"run_away", "N", 11730, 0, "a brake of 11.8 kN more where the pull begins (drive.tail.tension)"},
         {"speed", "m/s", 0.3, 0.25, "at most 0.25 m/s"},
         {"roller_steady", "N", 5000, 2500, "rollers there at 0.5 of their spacing, or rated 2 times as high"},
         {"alpha", "1", 2, 1.5, "a softer start"},

@@ -31,18 +31,23 @@ static double pitch_ratio(int cables)
     return ratio[cables - 1];
 }
 
+/* Cables that are thinner by less lie as equal ones do (BU6): of the thickest's diameter. */
+static const double ALIKE = 0.1;
+
 hawser_status bundle_shape(const BundleSet *set, BundleShape *out, hawser_error *err)
 {
     *out = (BundleShape){.diameter = nth_diameter(set, 0)};
+    const double alike = set->twisted ? 1 : 1 - ALIKE;
     for (int k = 0; k < set->kinds; k++) {
-        const int thick = set->diameter[k] >= out->diameter;
+        const int thick = set->diameter[k] >= alike * out->diameter;
         out->cables += set->count[k];
         if (thick) out->thickest += set->count[k];
         if (!thick) out->thinner_square += set->count[k] * set->diameter[k] * set->diameter[k];
     }
     if (out->thickest > 4 || out->cables > BUNDLE_CABLES_MAX) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "%d cables, %d of them the thickest: the theory knows 1 to 4 of those, and %d in all",
+                         "%d cables, %d of them as thick as the thickest within a tenth: the theory knows 1 to 4 of "
+                         "those, and %d in all",
                          out->cables, out->thickest, BUNDLE_CABLES_MAX);
     }
     if (set->twisted && (out->cables < 2 || out->cables > out->thickest)) {

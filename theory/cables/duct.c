@@ -119,7 +119,8 @@ static double layout_clearance(DuctLayout layout, double D, double d, double x)
     } else if (layout == DUCT_DIAMOND) {
         top = r - 2 * r * double_cosine;
     }
-    return sqrt(fmax(0, r * r - across * across)) - top;
+    const double clear = sqrt(fmax(0, r * r - across * across)) - top;
+    return clear > 1e-12 * r ? clear : 0; /* cables that touch the wall above their middle */
 }
 
 /* (BU8): how far below the duct's centre the middle of the cables lies, and so how far it can move from there. */

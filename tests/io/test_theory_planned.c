@@ -1,0 +1,223 @@
+/* What the planner's side once said wrong with status 0: the winch's force of another section, limits that hold now and
+ * break farther on, machines that push more than the cable bears, several cables' brake, duct and friction. */
+#include "tests/io/theory_fixture.h"
+
+#include "io/api/api_handles.h"
+
+static const double G = 9.81;
+
+#define CABLE "cables: {c: {d: 40 mm, mass: 10 kg/m}}\nchain: [{cable: c, length: 10 m}]\n"
+#define DUCT  "surfaces: {ducts: [{name: duct, radius: 60 mm, friction: {mu: 0.3}}]}\n"
+#define MANY(cables, rest)                                                                                             \
+    "cables: {c: {d: 40 mm, mass: 4 kg/m}, e: {d: 39.9 mm, mass: 4 kg/m}}\nchain: [{cable: c, length: 10 m}]\n"        \
+    "bundle: {" cables "}\n" rest
+
+/* The answer to a question about the pull forward; NAN: none. */
+static double answer_to(const json_t *all, const char *question, const char *key)
+{
+    json_t *row;
+    size_t i;
+    json_array_foreach(json_object_get(all, "answers"), i, row)
+    {
+        if (strcmp(json_string_value(json_object_get(row, "direction")), "forward") != 0) continue;
+        if (!strstr(json_string_value(json_object_get(row, "question")), question)) continue;
+        const json_t *const value = json_object_get(row, key);
+        return json_is_number(value) ? json_number_value(value) : NAN;
+    }
+    fail_msg("no answer to '%s'", question);
+    return NAN;
+}
+
+/* A section's force is that with the head in its pit, not of what is pulled anew just behind it, whatever the lengths
+ * round to. */
+static void sections_end_before_their_pit(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 40; k++) {
+        char pieces[80], pit[80];
+        const double before = 97.3 + 13.7 * k, behind = 21.1 + 5.3 * (k % 7);
+        snprintf(pieces, sizeof pieces, "[{straight: %.1f m}, {straight: %.1f m}]", before, behind);
+        snprintf(pit, sizeof pit, "[{at: %.1f m, name: pit, back: 100 N}]", before);
+        json_t *const all = theory_of(CABLE "route: {pieces: [{straight: 1 m}]}\n" DUCT,
+                                      (const char *const[]){"route.pieces", pieces, "theory.pits", pit, NULL});
+        const json_t *const sections = json_object_get(all, "sections");
+        check_share(number_of(json_array_get(sections, 0), "force_N"), 0.3 * 10 * G * before, 1e-9);
+        check_share(number_of(json_array_get(sections, 1), "force_N"), 100 + 0.3 * 10 * G * behind, 1e-9);
+        json_decref(all);
+    }
+}
+
+/* Three cables whose third is a little thinner lie as three equal ones do; a much thinner one is disregarded. */
+static void nearly_equal_cables(void **state)
+{
+    (void)state;
+    static const char rest[] = MANY("members: [{cable: c, count: 2}, {cable: e}]",
+                                    "route: {pieces: [{straight: 100 m}, {bend: 90 deg, radius: 4 m, plane: left}]}\n"
+                                    "surfaces: {ducts: [{name: duct, radius: 51 mm, friction: {mu: 0.3}}]}\n"
+                                    "limits: {pull: 180 kN, sidewall: 3 kN/m, bend_radius: 1 m}\n");
+    double clearance[3], pull[3];
+    static const char *const thin[] = {"40 mm", "39.9 mm", "30 mm"};
+    for (int i = 0; i < 3; i++) {
+        json_t *const all = theory_of(rest, (const char *const[]){"cables.e.d", thin[i], NULL});
+        clearance[i] = limit_of(all, "clearance");
+        pull[i] = limit_of(all, "pull");
+        json_decref(all);
+    }
+    check_share(clearance[1], clearance[0], 0.02);
+    check_share(pull[1], pull[0], 0.02);
+    check_above(clearance[2], 1.5 * clearance[0]);
+}
+
+/* Cables that touch the wall above their middle have no clearance, to whichever side rounding falls. */
+static void no_clearance_in_a_cradle(void **state)
+{
+    (void)state;
+    static const char cradle[] =
+        MANY("cables: 3, layout: cradle", "route: {pieces: [{straight: 50 m}]}\n"
+                                          "surfaces: {ducts: [{name: duct, radius: 46 mm, friction: {mu: 0.3}}]}\n"
+                                          "limits: {pull: 90 kN, sidewall: 9 kN/m, bend_radius: 1 m, fill: 0.9}\n");
+    for (int k = 0; k < 20; k++) {
+        char radius[20];
+        snprintf(radius, sizeof radius, "%.2f mm", 45 + 0.13 * k);
+        json_t *const all = theory_of(cradle, (const char *const[]){"surfaces.ducts.0.radius", radius, NULL});
+        check_equal(limit_of(all, "clearance"), 0);
+        verdict_has(all, "NOT SAFE: 1 of 8 limits broken: clearance");
+        json_decref(all);
+    }
+}
+
+/* A limit that neither half nor twice of a thing changes may break farther on. */
+static void limits_that_break_farther_on(void **state)
+{
+    (void)state;
+    json_t *all = theory_of(CABLE DUCT "route: {slope: -10 deg, pieces: [{straight: 100 m}]}\n"
+                                       "drive: {tail: {tension: 5 kN}}\nlimits: {pull: 6 kN, sidewall: 3 kN/m}\n",
+                            (const char *const[]){"surfaces.ducts.0.friction.mu", "0.05", NULL});
+    /* 5 kN + w L (mu cos - sin) = 6 kN */
+    const double slope = M_PI / 18;
+    check_share(answer_to(all, "largest friction", "value"), (1000 / (10 * G * 100) + sin(slope)) / cos(slope), 1e-6);
+    json_decref(all);
+    all = theory_of(CABLE DUCT "route: {pieces: [{straight: 10 m}, {bend: 90 deg, radius: 15 m, plane: left}]}\n"
+                               "limits: {pull: 60 kN, sidewall: 30 kN/m, bend_radius: 3 m}\n",
+                    NULL);
+    check_share(answer_to(all, "critical bend", "value"), 3, 1e-6);
+    json_decref(all);
+}
+
+/* Of a cable that runs ahead more friction holds it: a range, tan of the slope its lower end. */
+static void more_friction_holds(void **state)
+{
+    (void)state;
+    json_t *const all = theory_of(CABLE DUCT "route: {slope: -15 deg, pieces: [{straight: 100 m}]}\n"
+                                             "limits: {pull: 8 kN, sidewall: 3 kN/m}\n",
+                                  (const char *const[]){"surfaces.ducts.0.friction.mu", "0.2", NULL});
+    const double slope = M_PI / 12, most = (8000 / (10 * G * 100) + sin(slope)) / cos(slope);
+    check_share(answer_to(all, "largest friction", "value"), most, 1e-6);
+    json_t *row;
+    size_t i;
+    char least[40];
+    snprintf(least, sizeof least, "at least %.5g", tan(slope));
+    json_array_foreach(json_object_get(all, "answers"), i, row)
+    {
+        if (strstr(json_string_value(json_object_get(row, "question")), "largest friction") && i == 0)
+            check_has(json_string_value(json_object_get(row, "result")), least);
+    }
+    json_decref(all);
+}
+
+#define MACHINES                                                                                                       \
+    CABLE "route: {pieces: [{straight: 400 m}]}\ndrive: {winch: {speed: 6 m/min}}\nsurfaces: {ducts: [{name: duct, "   \
+          "radius: 60 mm, friction: {mu_s: 0.5, mu_d: 0.1}}]}\nlimits: {pull: 30 kN, sidewall: 3 kN/m, push: 3 kN}\n"
+
+/* Machines push from rest with all that they may; those that are asked for push, too. */
+static void machines_push(void **state)
+{
+    (void)state;
+    json_t *all = theory_of(MACHINES, (const char *const[]){"theory.machines", "[{at: 200 m, push: 5 kN}]", NULL});
+    check_equal(limit_of(all, "push"), 5000);
+    verdict_has(all, "push by 66.7 %");
+    json_decref(all);
+    all = theory_of(MACHINES, (const char *const[]){"theory.machine_push", "5 kN", "limits.pull", "18 kN", NULL});
+    check_nan(answer_to(all, "more machines", "value"));
+    json_decref(all);
+    all = theory_of(MACHINES, (const char *const[]){"theory.machine_push", "3 kN", "limits.pull", "18 kN", NULL});
+    check_equal(answer_to(all, "more machines", "value"), 1);
+    json_decref(all);
+}
+
+/* A pull that goes on beyond a bend is straight there, with the friction of straights. */
+static void longer_beyond_a_bend(void **state)
+{
+    (void)state;
+    static const char *const pieces[] = {
+        "[{straight: 100 m}, {bend: 1 deg, radius: 10 m, plane: left}]",
+        "[{straight: 100 m}, {bend: 1 deg, radius: 10 m, plane: left}, {straight: 1 m}]"};
+    double longest[2];
+    for (int i = 0; i < 2; i++) {
+        json_t *const all = theory_of(MANY("cables: 3, layout: triangle, weight_correction: straights",
+                                           "route: {pieces: [{straight: 1 m}]}\n"
+                                           "surfaces: {ducts: [{name: duct, radius: 48 mm, friction: {mu: 0.3}}]}\n"
+                                           "limits: {pull: 8 kN, sidewall: 3 kN/m, bend_radius: 1 m, fill: 0.6}\n"),
+                                      (const char *const[]){"route.pieces", pieces[i], NULL});
+        longest[i] = answer_to(all, "longest length", "value");
+        json_decref(all);
+    }
+    check_share(longest[0], longest[1], 1e-6);
+}
+
+/* The number behind some words of the answer as text; what else it `says`, or NULL. */
+static double number_behind(const char *text, const char *words, const char *says)
+{
+    char *answer = NULL;
+    double number = NAN;
+    hawser_case *const c = case_with(text, NULL);
+    assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &answer, NULL), HAWSER_OK);
+    hawser_case_free(c);
+    const char *const at = strstr(answer, words);
+    assert_non_null(at);
+    assert_int_equal(sscanf(at + strlen(words), "%lf", &number), 1);
+    if (says) check_has(answer, says);
+    hawser_text_free(answer);
+    return number;
+}
+
+#define STEEP                                                                                                          \
+    MANY("cables: 3, layout: triangle", "route: {slope: -10 deg, pieces: [{straight: 200 m}]}\n"                       \
+                                        "surfaces: {ducts: [{name: duct, radius: 46 mm, friction: {mu: 0.05}}]}\n"     \
+                                        "limits: {pull: 90 kN, sidewall: 9 kN/m, fill: 0.9, clearance: 1 mm}\n")
+
+/* A remedy that is put into the case does: of several cables a brake of each, a duct from which on it is wide enough
+ * (a triangle becomes a cradle), and all of them rounded to the safe side. */
+static void remedies_do(void **state)
+{
+    (void)state;
+    char setting[40];
+    snprintf(setting, sizeof setting, "%.6f N", number_behind(STEEP, "remedy         a brake of ", "of each cable"));
+    json_t *all = theory_of(STEEP, (const char *const[]){"drive.tail.tension", setting, NULL});
+    verdict_has(all, "SAFE: all");
+    check_below(number_of(all, "reference_total_N"), 30);
+    json_decref(all);
+    static const char wide[] =
+        MANY("cables: 3, layout: auto", "route: {pieces: [{straight: 20 m}]}\n"
+                                        "surfaces: {ducts: [{name: duct, radius: 47 mm, friction: {mu: 0.3}}]}\n"
+                                        "limits: {pull: 90 kN, sidewall: 9 kN/m, bend_radius: 1 m, fill: 0.9, "
+                                        "clearance: 16 mm, jam_from: 1, jam_to: 1}\n");
+    const double diameter = number_behind(wide, "an inside diameter of at least ", NULL);
+    for (int k = 0; k < 12; k++) {
+        snprintf(setting, sizeof setting, "%.6f %s", diameter / 2 * (1 + 0.02 * k), diameter < 1 ? "m" : "mm");
+        all = theory_of(wide, (const char *const[]){"surfaces.ducts.0.radius", setting, NULL});
+        check_at_least(limit_of(all, "clearance"), 0.016 - 1e-12);
+        json_decref(all);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sections_end_before_their_pit), cmocka_unit_test(nearly_equal_cables),
+        cmocka_unit_test(no_clearance_in_a_cradle),      cmocka_unit_test(limits_that_break_farther_on),
+        cmocka_unit_test(more_friction_holds),           cmocka_unit_test(machines_push),
+        cmocka_unit_test(longer_beyond_a_bend),          cmocka_unit_test(remedies_do),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
