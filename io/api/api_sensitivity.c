@@ -179,12 +179,15 @@ static hawser_status changes_write(const Changes *x, const char *title, hawser_f
 {
     const PlanWay *const way = x->calculator.plan.way;
     const int one_sided = x->way[PLAN_FORWARD].one_sided || x->way[PLAN_BACKWARD].one_sided;
+    char values[160];
+    snprintf(values, sizeof values, "%s%s",
+             one_sided ? "one-sided, where a machine takes just what arrives: for less tension there" : "two-sided",
+             x->calculator.n_pushers > 0 ? "; pushes are held as they are, also where they go by friction or tension"
+                                         : "");
     const Fact fact[] = {
         {"forward_total_N", "winch force, pulled forward", "N", cell_number(way[PLAN_FORWARD].force)},
         {"backward_total_N", "winch force, pulled backward", "N", cell_number(way[PLAN_BACKWARD].force)},
-        {"values", "values", "",
-         cell_text(one_sided ? "one-sided, where a machine takes just what arrives: for less tension there"
-                             : "two-sided")},
+        {"values", "values", "", cell_text(values)},
     };
     const Table table[] = {
         {"sensitivities", "What the winch's force changes by, the route full of cable, at speed",
