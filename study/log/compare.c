@@ -190,7 +190,7 @@ static const char *answer_say(const Comparison *c, char *text, size_t size)
 static hawser_status document_make(const Comparison *c, const char *results, const char *log, char **text,
                                    hawser_error *err)
 {
-    char answer[2048];
+    char answer[4096];
     const long *const k = c->log.count;
     const Fact fact[] = {{"results", NULL, "", cell_text(results)},
                          {"log", NULL, "", cell_text(log)},
@@ -245,7 +245,7 @@ static void figures_add(Text *page, const Comparison *c, double *scratch)
 
 static hawser_status page_write_to(const Comparison *c, const char *results, const char *log, hawser_error *err)
 {
-    char answer[2048], title[NAME_BYTES], folder[OUT_PATH_MAX];
+    char answer[4096], title[NAME_BYTES], folder[OUT_PATH_MAX];
     const char *const slash = strrchr(c->options.page, '/');
     const Table table = {"agreement", "Agreement", COLUMNS(Agreement, agreement_columns), c->n_models, c->agreement};
     double *const scratch = malloc(((size_t)c->n_points * 4 + 1) * sizeof *scratch);

@@ -3,16 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "study/log/log.h"
-#include "tests/study/study_fixture.h"
-
-static PullLog log_of(const char *text)
-{
-    PullLog log;
-    hawser_error err;
-    if (log_read(scratch_write("log.csv", text), &log, &err)) fail_msg("%s", err.message);
-    return log;
-}
+#include "tests/study/log_fixture.h"
 
 /* The same reading in many hands: 12 500 N at 90 s and 9.5 m. */
 static void heads_and_units(void **state)
