@@ -51,7 +51,9 @@ hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study 
     double from = INFINITY, to = -INFINITY;
     for (long i = 0; i < log.n && !status; i++) {
         log.length[i] += record.head;
-        if (!isfinite(log.length[i]) || log.length[i] < record.from || log.length[i] > record.to) continue;
+        if (log.use[i] == LOG_LOST || !isfinite(log.length[i]) || log.length[i] < record.from ||
+            log.length[i] > record.to)
+            continue;
         from = fmin(from, log.length[i]);
         to = fmax(to, log.length[i]);
     }
