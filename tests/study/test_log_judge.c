@@ -15,7 +15,7 @@ static void begin(const char *head) { at = (size_t)snprintf(text, sizeof text, "
 
 #define ROW(...) (at += (size_t)snprintf(text + at, sizeof text - at, __VA_ARGS__))
 
-/* 10 Hz at 0.1 m/s, a rest from 20 s to 40 s, behind it 9 kN that fall to 5 kN with a time of 0.3 s; spikes of 20 kN,
+/* 10 Hz at 0.1 m/s, a rest from 20 s to 40 s, behind it 9 kN that fall to 5 kN with a time of 0.1 s; spikes of 20 kN,
  * 30 readings and 20 s behind that. */
 static void peaks_and_spikes(void **state)
 {
@@ -25,7 +25,7 @@ static void peaks_and_spikes(void **state)
         const double t = 0.1 * i;
         const int rest = i >= 200 && i < 400;
         const double length = rest ? 2 : i < 200 ? 0.1 * t : 0.1 * (t - 20) + 0.01;
-        const double force = rest ? 3 : 5 + 0.004 * (i % 7) + (i >= 400 ? 4 * exp(-(t - 40) / 0.3) : 0);
+        const double force = rest ? 4.9 : 5 + 0.004 * (i % 7) + (i >= 400 ? 4 * exp(-(t - 40) / 0.1) : 0);
         ROW("%.1f,%.4f,%.4f\n", t, i == 430 || i == 600 ? 20 : force, length);
     }
     PullLog log = log_judged(text, NAN, 0);
@@ -109,6 +109,11 @@ static void wrong_once(void **state)
     log = log_judged(text, NAN, 0);
     assert_true(log_says(&log, "set back, 1 in all, first from 5.9 m to 0 m in line 62"));
     log_free(&log);
+    begin("time [s],pull [kN],length [m]"); /* a metre a reading: none of them is wrong */
+    for (int i = 0; i < 100; i++) ROW("%d,5,%d\n", i, i % 60);
+    log = log_judged(text, NAN, 0);
+    assert_int_equal(log.count[LOG_LOST], 0);
+    log_free(&log);
     begin("time [s],pull [kN],length [m]");
     for (int i = 0; i < 100; i++) ROW("%d,5,%.1f\n", i, 99.9 - 0.1 * i);
     log_refused(text, "its length runs down, from 99.9 m in line 2 to 90 m in line 101");
@@ -130,7 +135,7 @@ static void coarse_counter(void **state)
     PullLog log = log_judged(text, NAN, 0);
     assert_int_equal(log.starts, 1);
     assert_int_equal(log.use[2400], LOG_RESTART);
-    assert_int_equal(log.use[2000], LOG_AT_REST);
+    for (int i = 1600; i < 2400; i++) assert_int_equal(log.use[i], LOG_AT_REST);
     check_at_least((double)log.count[LOG_MOVING], 2900);
     log_free(&log);
 }
@@ -148,7 +153,8 @@ static void force_alone(void **state)
     assert_true(log_says(&log, "is low but rises steadily: they were taken for a pull"));
     log_free(&log);
     begin("time [s],pull [kN]");
-    for (int i = 0; i < 300; i++) ROW("%d,%.3f\n", i, (i < 40 ? 0.2 : 2 + 0.02 * i) + 0.01 * (i % 3));
+    for (int i = 0; i < 300; i++)
+        ROW("%d,%.3f\n", i, (i < 30 ? 0.2 : i < 40 ? 0.2 + 0.12 * (i - 30) : 2 + 0.02 * i) + 0.01 * (i % 3));
     log = log_judged(text, 0.1, 0);
     assert_int_equal(log.starts, 1);
     check_close(log.length[299], 25.9, 0.6);
@@ -167,18 +173,19 @@ static void force_alone(void **state)
 static void where_it_begins(void **state)
 {
     (void)state;
-    for (int kind = 0; kind < 3; kind++) {
+    for (int kind = 0; kind < 4; kind++) {
         static const char *const heads[] = {"time [s],pull [kN],length [m]", "time [s],pull [kN],length [m]",
-                                            "time [s],pull [kN],speed [m/s]"};
+                                            "time [s],pull [kN],speed [m/s]", "time [s],pull [kN],length [m]"};
         begin(heads[kind]);
         for (int i = 0; i < 400; i++) {
             const double t = 0.1 * (i - 100), speed = fmin(0.1, 0.02 * t), way = t > 5 ? 0.1 * t - 0.25 : 0.01 * t * t;
-            const double value[] = {way, floor(way / 0.05) * 0.05, speed};
+            const double value[] = {way, floor(way / 0.05) * 0.05, speed, floor(t + 1e-9) * 0.1};
             ROW("%.1f,%.3f,%.5f\n", 0.1 * i, i > 100 ? 5. : 1., i > 100 ? value[kind] : 0);
         }
         PullLog log = log_judged(text, NAN, 0);
         assert_true(log.from_rest);
-        assert_in_range(log.begin, 100, kind == 1 ? 122 : 100); /* the first 0.05 m take 2.2 s */
+        static const long last[] = {100, 122, 100, 109}; /* 0.05 m take 2.2 s; 0.1 m at once 1 s */
+        assert_in_range(log.begin, 100, last[kind]);
         log_free(&log);
     }
     PullLog log = log_judged("time [s],pull [kN],length [m]\n1,5,0.1\n2,5,0.2\n3,5,0.3\n", NAN, 0);

@@ -42,6 +42,7 @@ static void marks_between_thousands(void **state)
          2,
          {52, 1092}},
         {"Zeit;Zugkraft [kN];Weg\n1,0;52;0,1\n2,0;1,092;0,2\n", NULL, 2, {52000, 1092}},
+        {"time [s];pull [N]\n1;1,234e3\n2;52\n", NULL, 2, {1234, 52}},
         /* all cells have it: decimal, and said; commas that separate leave points no other use */
         {"time [s];pull [kN]\n1;1,234\n2;2,345\n",
          "the comma in '1,234' is taken as the decimal mark",
@@ -172,7 +173,12 @@ static void dates(void **state)
     /* what the day is only the span tells; it is said */
     const double two[] = {60, day + 60};
     static const char *const either[] = {"05/06/2026 00:01:00", "06/06/2026 00:01:00"};
+    static const char *const other[] = {"06/05/2026 00:01:00", "06/06/2026 00:01:00"}, *const leap[] = {
+                                                                                           "2024-02-28 00:01:00",
+                                                                                           "2024-03-01 00:01:00"};
     times_are("time,pull [N]", either, 2, two, "Dates like '05/06/2026 00:01:00' are taken as day first");
+    times_are("time,pull [N]", other, 2, two, "Dates like '06/05/2026 00:01:00' are taken as month first");
+    times_are("time,pull [N]", leap, 2, (const double[]){60, 2 * day + 60}, NULL);
 }
 
 /* Without dates each fall of the clock is a midnight; a stamp that the next one does not go on from is none. */
