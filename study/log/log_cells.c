@@ -54,8 +54,9 @@ char separator_of(const char *line, const char *rest)
     return first;
 }
 
-int line_cut(char *at, char separator, char *cell[CELLS_MAX])
+int line_cut(char *line, char separator, char *cell[CELLS_MAX])
 {
+    char *at = line;
     int n = 0;
     for (int more = 1; more && n < CELLS_MAX; n++) {
         while (*at == ' ' || (*at == '\t' && separator != '\t')) at++;
@@ -83,10 +84,11 @@ int cells_filled(int n, char *const *cell)
 
 /* How a number is written. */
 typedef struct Shape {
-    char text[WORD_MAX];       /* sign, digits, marks; ' for blanks and apostrophes */
-    size_t body;               /* its first digit or mark */
-    size_t end;                /* its exponent, or its end */
-    int decimal, mark, either; /* '.' or ',': that of the decimals, that between thousands, that which can be both; 0 */
+    char text[WORD_MAX]; /* sign, digits, marks; ' for blanks and apostrophes */
+    size_t body;         /* its first digit or mark */
+    size_t end;          /* its exponent, or its end */
+    char decimal, mark,
+        either; /* '.' or ',': that of the decimals, that between thousands, that which can be both; 0 */
     int digits;
 } Shape;
 
@@ -184,7 +186,7 @@ int marks_see(Marks *m, const char *cell, int line)
     Shape s;
     if (!shape_of(cell, &s)) return 0;
     for (int k = 0; k < 2; k++) {
-        const int mark = k ? ',' : '.';
+        const char mark = k ? ',' : '.';
         m->decimal[k] += s.decimal == mark;
         m->thousands[k] += s.mark == mark;
         if (s.either != mark) continue;
@@ -204,7 +206,7 @@ double cell_number(const Units *units, const char *cell, const int thousands[2])
     size_t n = 0;
     Shape s;
     if (!shape_of(cell, &s)) return NAN;
-    const int drop = s.either && thousands[s.either == ','] ? s.either : s.mark;
+    const char drop = s.either && thousands[s.either == ','] ? s.either : s.mark;
     for (const char *c = s.text + (s.text[0] == '+'); *c; c++) {
         if (drop && *c == drop) continue;
         s.text[n++] = *c;

@@ -125,7 +125,7 @@ static const char parts[] = "_ /-,:";
 /* The unit among a name's words: its end from some word on, "per" a "/"; else one word, "length_ft_raw". 0: none. */
 static double words_scale(const Units *u, const char *name, LogColumn kind)
 {
-    char unit[UNIT_TEXT_MAX];
+    char unit[UNIT_TEXT_MAX] = "";
     double last = unit_scale(u, name, kind);
     for (const char *at = strpbrk(name, parts); at && !(last > 0); at = strpbrk(at + 1, parts)) {
         size_t n = 0;

@@ -156,7 +156,7 @@ static void clock_find(Reader *r, PullLog *log)
         column[OF_TIME] = column[OF_DATE];
         for (long i = 0; i < r->rows; i++) r->row[i].cell[OF_TIME] = r->row[i].cell[OF_DATE];
     }
-    if (!r->clock || strchr(strchr(first, ':') + 1, ':') || r->minutes) return;
+    if (!r->clock || !first || strchr(strchr(first, ':') + 1, ':') || r->minutes) return;
     const char *const point = strpbrk(strchr(first, ':'), ".,");
     r->minutes = point && isdigit((unsigned char)point[1]);
     if (cell_clock(first, 0) == cell_clock(first, 1)) return;
