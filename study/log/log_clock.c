@@ -182,8 +182,11 @@ hawser_status clocks_go_on(PullLog *log, const char *const *date, int minutes, h
                             : a->falls != b->falls ? b->falls < a->falls
                                                    : b->span < a->span;
     const int dated = fit[month_first].span > 0;
-    if (dated && a->read == b->read && a->span != b->span)
-        log_say(log, "Dates like '%.20s' are taken as %s first", date[0], month_first ? "month" : "day");
+    if (dated && a->read == b->read && a->span != b->span) {
+        long i = 0;
+        while (isnan(date_days(date[i], 0))) i++;
+        log_say(log, "Dates like '%.20s' are taken as %s first", date[i], month_first ? "month" : "day");
+    }
     Course c = {.last = NAN};
     for (long i = 0; i < log->n; i++) {
         const double day = dated ? date_days(date[i], month_first) - fit[month_first].first : NAN;
