@@ -193,11 +193,9 @@ static const char *answer_say(const Comparison *c, char *text, size_t size)
 static hawser_status document_make(const Comparison *c, const char *results, const char *log, char **text,
                                    hawser_error *err)
 {
-    char answer[4096], notes[LOG_NOTES * (LOG_NOTE_MAX + 2)] = "";
+    char answer[4096], notes[LOG_NOTES_MAX];
     const long *const k = c->log.count;
-    size_t n = 0;
-    for (int i = 0; i < c->log.n_notes; i++)
-        n += (size_t)snprintf(notes + n, sizeof notes - n, "%s%s", i > 0 ? "; " : "", c->log.note[i]);
+    log_notes(c->log.n_notes, c->log.note, notes);
     const Fact fact[] = {{"results", NULL, "", cell_text(results)},
                          {"log", NULL, "", cell_text(log)},
                          {"aligned_by", NULL, "", cell_text(c->options.by_start ? "start" : "length")},

@@ -36,6 +36,14 @@ void log_say_first(PullLog *log, const char *format, ...)
     vsnprintf(log->note[0], LOG_NOTE_MAX, format, list);
     va_end(list);
 }
+void log_notes(int n, const char note[][LOG_NOTE_MAX], char text[LOG_NOTES_MAX])
+{
+    size_t at = 0;
+    *text = 0;
+    for (int i = 0; i < n; i++)
+        at += (size_t)snprintf(text + at, LOG_NOTES_MAX - at, "%s%s", i > 0 ? "; " : "", note[i]);
+}
+
 static int compare_points(const void *a, const void *b)
 {
     const LogPoint *const p = a, *const q = b;

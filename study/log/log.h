@@ -16,7 +16,7 @@ typedef enum LogUse {
     LOG_USES
 } LogUse;
 
-enum { LOG_NOTES = 10, LOG_NOTE_MAX = 240 };
+enum { LOG_NOTES = 10, LOG_NOTE_MAX = 240, LOG_NOTES_MAX = LOG_NOTES * (LOG_NOTE_MAX + 2) };
 
 typedef struct PullLog {
     long n;
@@ -44,6 +44,9 @@ hawser_status log_judge(PullLog *log, double speed, int raw, hawser_error *err);
 /* A note behind the others, or before them: what weighs most. */
 void log_say(PullLog *log, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void log_say_first(PullLog *log, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* All notes in one text, as programs read them. */
+void log_notes(int n, const char note[][LOG_NOTE_MAX], char text[LOG_NOTES_MAX]);
 
 /* Means of readings at speed over equal parts of an axis, and starts one by one. */
 typedef struct LogPoint {

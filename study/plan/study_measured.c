@@ -69,6 +69,7 @@ hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study 
         m->starts = log.starts;
         m->n_notes = log.n_notes;
         memcpy(m->note, log.note, sizeof m->note);
+        log_notes(m->n_notes, m->note, m->notes);
         status = m->n < 0 ? error_memory(r->err) : points_weigh(m, record.starts, r->err);
     }
     if (!status && m->n <= s->n_parameters)

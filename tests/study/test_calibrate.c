@@ -381,6 +381,10 @@ static void wrong_length(void **state)
     Findings found = calibrate("parameters:\n  friction.mu: {range: {from: 0.05, to: 0.5}}\n"
                                "calibrate: {log: pull.csv, from: 0 m}\n",
                                "wrong", &s, &rows);
+    char *const summary = bytes_of("wrong", "summary.json", &(size_t){0});
+    check_has(summary,
+              "\"notes\": \"Force from column 'pull [kN]'; Single lengths far off their neighbours are lost: 1,");
+    free(summary);
     assert_int_equal(s->measured.n, 100);
     assert_int_equal(s->measured.lost, 1);
     check_close(found.fit.x[0], 0.17, 1e-3);
