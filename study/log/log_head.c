@@ -233,25 +233,47 @@ int head_has_minutes(const LogHead *h)
     return c >= 0 && (says_minutes(h->name[c]) || (c < h->units && says_minutes(h->unit[c])));
 }
 
+/* What stands below a name in the row of units: its scale, 0 where it is no unit; `below`, "" before, is its text if it
+ * is no number and no clock. */
+static double below_scale(const Units *u, const LogHead *h, LogColumn kind, char below[UNIT_TEXT_MAX])
+{
+    Marks marks = {.plain = 0};
+    const int c = h->column[kind];
+    if (c >= h->units || marks_see(&marks, h->unit[c], 0) || !isnan(cell_clock(h->unit[c], 0))) return 0;
+    const char *const text = h->unit[c] + strspn(h->unit[c], "[( ");
+    unit_trim(text, strcspn(text, "])"), below);
+    return unit_scale(u, below, kind);
+}
+
+/* A name with a unit and what stands below it: another unit is an error, a word is said, for the name may be none. */
+static hawser_status units_agree(const LogHead *h, LogColumn kind, const char *below, double scale, const char *place,
+                                 PullLog *log, hawser_error *err)
+{
+    const char *const name = h->name[h->column[kind]];
+    const double other = h->scale[kind];
+    if (scale > 0 && fabs(scale - other) > 1e-9 * other) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "%s: column '%.100s' has the unit '%s' below it, and another in its name", place, name, below);
+    }
+    const int word = strlen(below) > 1 && isalpha((unsigned char)below[0]);
+    if (!(scale > 0) && word && kind == OF_FORCE)
+        log_say(log, "BEWARE: below '%.80s' stands '%s', which is no unit: is that row the head?", name, below);
+    return HAWSER_OK;
+}
+
 hawser_status head_unit(const Units *u, LogHead *h, LogColumn kind, int clock, const char *place, PullLog *log,
                         hawser_error *err)
 {
     char unit[UNIT_TEXT_MAX] = "", below[UNIT_TEXT_MAX] = "";
-    Marks marks = {.plain = 0};
-    const int c = h->column[kind];
+    const char *const name = h->name[h->column[kind]];
+    const double under = below_scale(u, h, kind, below);
     double *const scale = &h->scale[kind];
-    *scale = head_scale(u, h->name[c], kind, unit);
-    if (*scale > 0) return HAWSER_OK;
-    if (c < h->units && !marks_see(&marks, h->unit[c], 0) && isnan(cell_clock(h->unit[c], 0))) {
-        const char *const text = h->unit[c] + strspn(h->unit[c], "[( ");
-        unit_trim(text, strcspn(text, "])"), below);
-    }
-    *scale = unit_scale(u, below, kind);
-    if (*scale > 0) return HAWSER_OK;
-    *scale = 1;
-    if (clock) return HAWSER_OK;
+    *scale = head_scale(u, name, kind, unit);
+    if (*scale > 0) return units_agree(h, kind, below, under, place, log, err);
+    *scale = under > 0 ? under : 1;
+    if (under > 0 || clock) return HAWSER_OK;
     if (*unit || *below || kind == OF_FORCE || kind == OF_SPEED)
         return unit_refuse(h, kind, *unit ? unit : below, place, err);
-    log_say(log, "Column '%.100s' names no unit: taken as %s", h->name[c], kind == OF_TIME ? "s" : "m");
+    log_say(log, "Column '%.100s' names no unit: taken as %s", name, kind == OF_TIME ? "s" : "m");
     return HAWSER_OK;
 }

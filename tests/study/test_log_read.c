@@ -130,6 +130,14 @@ static void heads(void **state)
     PullLog log = log_of("time [s],pull [kN]\n1,1\ntime [s],pull [kN]\n2,2\n");
     assert_int_equal(log.n, 2);
     log_free(&log);
+    log = log_of("Load cell 5 t; cable length 100 m\nF1;s1\n1;1\n");
+    assert_true(log_says(&log, "BEWARE: below 'Load cell 5 t' stands 'F1', which is no unit: is that row the head?"));
+    log_free(&log);
+    log = log_of("time [s],pull [kN]\ns,kN\n1,1\n");
+    assert_int_equal(log.n_notes, 1);
+    log_free(&log);
+    log_refused("Load cell 5 t; cable length 100 m\nkN;m\n1;1\n",
+                "log.csv:1: column 'Load cell 5 t' has the unit 'kN' below it, and another in its name");
     log_refused("time [s],pull [kN]\n1,1\ntime [s],pull [N]\n2,2\n", "log.csv:3: another head than that of line 1");
 }
 
