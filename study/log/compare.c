@@ -78,27 +78,30 @@ static hawser_status model_make(const Sheet *series, const char *column, const c
     return HAWSER_OK;
 }
 
-/* Where the log begins to pull: its first reading at speed, or its first start. */
-static double log_start(const PullLog *log, const double *axis)
+/* Whether any reading has a place on an axis. */
+static int has_places(const PullLog *log, const double *axis)
 {
     for (long i = 0; i < log->n; i++) {
-        if ((log->use[i] == LOG_MOVING || log->use[i] == LOG_RESTART) && isfinite(axis[i])) return axis[i];
+        if ((log->use[i] == LOG_MOVING || log->use[i] == LOG_RESTART) && isfinite(axis[i])) return 1;
     }
-    return NAN;
+    return 0;
 }
 
-/* The readings on the models' axis: lengths as they stand, times from the start; moved by `shift`. */
+/* The readings on the models' axis: lengths as they stand, times from the last reading at rest, as the models' are;
+ * moved by `shift`. */
 static hawser_status axis_make(Comparison *c, hawser_error *err)
 {
-    const double *const from = c->options.by_start ? c->log.time : c->log.length;
-    if (c->options.by_start ? !c->log.has_time : !isfinite(log_start(&c->log, from)))
+    const int by_start = c->options.by_start;
+    const double *const from = by_start ? c->log.time : c->log.length;
+    if (by_start ? !c->log.has_time : !has_places(&c->log, from))
         return error_set(err, HAWSER_ERR_INPUT, "the log has no %s: align it by %s",
-                         c->options.by_start ? "time" : "length, and no speed to reckon it from",
-                         c->options.by_start ? "length" : "start");
+                         by_start ? "time" : "length, and no speed to reckon it from", by_start ? "length" : "start");
     c->axis = malloc(((size_t)c->log.n + 1) * sizeof *c->axis);
     if (!c->axis) return error_memory(err);
-    const double zero = c->options.by_start ? log_start(&c->log, from) : 0;
+    const double zero = by_start && c->log.begin >= 0 ? from[c->log.begin] : 0;
     for (long i = 0; i < c->log.n; i++) c->axis[i] = from[i] - zero + c->options.shift;
+    if (by_start && !c->log.from_rest)
+        log_say_first(&c->log, "The log does not begin at rest: the run's start is laid at its first reading");
     return HAWSER_OK;
 }
 
@@ -190,8 +193,9 @@ static const char *answer_say(const Comparison *c, char *text, size_t size)
 static hawser_status document_make(const Comparison *c, const char *results, const char *log, char **text,
                                    hawser_error *err)
 {
-    char answer[2048];
+    char answer[4096], notes[LOG_NOTES_MAX];
     const long *const k = c->log.count;
+    log_notes(c->log.n_notes, c->log.note, notes);
     const Fact fact[] = {{"results", NULL, "", cell_text(results)},
                          {"log", NULL, "", cell_text(log)},
                          {"aligned_by", NULL, "", cell_text(c->options.by_start ? "start" : "length")},
@@ -205,7 +209,8 @@ static hawser_status document_make(const Comparison *c, const char *results, con
                          {"at_rest", NULL, "", cell_number((double)k[LOG_AT_REST])},
                          {"lost", NULL, "", cell_number((double)k[LOG_LOST])},
                          {"dropped", NULL, "", cell_number((double)k[LOG_DROPPED])},
-                         {"spikes", NULL, "", cell_number((double)k[LOG_SPIKE])}};
+                         {"spikes", NULL, "", cell_number((double)k[LOG_SPIKE])},
+                         {"notes", NULL, "", cell_text(notes)}};
     const Table table = {"agreement", "Agreement", COLUMNS(Agreement, agreement_columns), c->n_models, c->agreement};
     const Document doc = {.title = "A measured pull",
                           .n_facts = sizeof fact / sizeof *fact,
@@ -245,7 +250,7 @@ static void figures_add(Text *page, const Comparison *c, double *scratch)
 
 static hawser_status page_write_to(const Comparison *c, const char *results, const char *log, hawser_error *err)
 {
-    char answer[2048], title[NAME_BYTES], folder[OUT_PATH_MAX];
+    char answer[4096], title[NAME_BYTES], folder[OUT_PATH_MAX];
     const char *const slash = strrchr(c->options.page, '/');
     const Table table = {"agreement", "Agreement", COLUMNS(Agreement, agreement_columns), c->n_models, c->agreement};
     double *const scratch = malloc(((size_t)c->n_points * 4 + 1) * sizeof *scratch);

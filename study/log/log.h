@@ -16,27 +16,37 @@ typedef enum LogUse {
     LOG_USES
 } LogUse;
 
-enum { LOG_NOTES = 6, LOG_NOTE_MAX = 200 };
+enum { LOG_NOTES = 10, LOG_NOTE_MAX = 240, LOG_NOTES_MAX = LOG_NOTES * (LOG_NOTE_MAX + 2) };
 
 typedef struct PullLog {
     long n;
     int has_time, has_length, has_speed;   /* columns that the file has */
     double *time, *length, *speed, *force; /* [n] s, m, m/s, N; NAN: not known */
+    int *line;                             /* [n] of the file */
     unsigned char *use;                    /* [n] a LogUse */
     long count[LOG_USES];
     long starts; /* behind a rest */
-    int n_notes;
+    long begin;  /* the last reading at rest before the first motion, else the first that counts; -1: there is none */
+    int from_rest, n_notes;             /* whether it is at rest there */
     char note[LOG_NOTES][LOG_NOTE_MAX]; /* sentences: which columns were taken, what was assumed */
 } PullLog;
 
-/* Reads a CSV file: the first row in which a force and a time or length are recognised names the columns. Nothing is
- * judged yet. Errors: INPUT with file and line (no such row, a force without a unit, no readings), MEMORY. */
+/* Reads a CSV file: the first row in which a force and a time or length are recognised, and no row below it before the
+ * readings, names the columns. Nothing is judged yet. Errors: INPUT with file and line (no such row, a force without a
+ * unit, rows with more cells than the head, marks that may be decimal or not, no readings), MEMORY. */
 hawser_status log_read(const char *path, PullLog *log, hawser_error *err);
 void log_free(PullLog *log);
 /* Says what each reading is good for, (LO1)-(LO3), and fills lengths that the file does not have: from speed and time,
  * or from `speed` (m/s; NAN: not known) and the time that it moved. raw: spikes and drop-outs are taken as they are.
- * Errors: INPUT (nothing moves), MEMORY. */
+ * Errors: INPUT (nothing moves, lengths that run down, forces below 0), MEMORY. */
 hawser_status log_judge(PullLog *log, double speed, int raw, hawser_error *err);
+
+/* A note behind the others, or before them: what weighs most. */
+void log_say(PullLog *log, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void log_say_first(PullLog *log, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* All notes in one text, as programs read them. */
+void log_notes(int n, const char note[][LOG_NOTE_MAX], char text[LOG_NOTES_MAX]);
 
 /* Means of readings at speed over equal parts of an axis, and starts one by one. */
 typedef struct LogPoint {

@@ -90,6 +90,7 @@ typedef struct Measured {
     double width; /* m: of the parts that readings are averaged over */
     int n_notes;
     char note[LOG_NOTES][LOG_NOTE_MAX]; /* of the log: which columns were taken, what was assumed */
+    char notes[LOG_NOTES_MAX];          /* all of them */
 } Measured;
 
 typedef struct Study {

@@ -51,7 +51,9 @@ hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study 
     double from = INFINITY, to = -INFINITY;
     for (long i = 0; i < log.n && !status; i++) {
         log.length[i] += record.head;
-        if (!isfinite(log.length[i]) || log.length[i] < record.from || log.length[i] > record.to) continue;
+        if (log.use[i] == LOG_LOST || !isfinite(log.length[i]) || log.length[i] < record.from ||
+            log.length[i] > record.to)
+            continue;
         from = fmin(from, log.length[i]);
         to = fmax(to, log.length[i]);
     }
@@ -67,6 +69,7 @@ hawser_status measured_read(const CaseReader *r, const CaseNode *section, Study 
         m->starts = log.starts;
         m->n_notes = log.n_notes;
         memcpy(m->note, log.note, sizeof m->note);
+        log_notes(m->n_notes, m->note, m->notes);
         status = m->n < 0 ? error_memory(r->err) : points_weigh(m, record.starts, r->err);
     }
     if (!status && m->n <= s->n_parameters)

@@ -340,6 +340,7 @@ static int facts_list(const Study *s, const Findings *f, Fact *fact)
         fact[n++] = (Fact){"lag_correlation", NULL, "", cell_number(f->fit.lag)};
         fact[n++] = (Fact){"independent_residuals", NULL, "", cell_number(f->fit.effective)};
         fact[n++] = (Fact){"least_singular_value", NULL, "", cell_number(f->fit.least_singular)};
+        fact[n++] = (Fact){"notes", NULL, "", cell_text(s->measured.notes)};
     }
     fact[n++] = (Fact){"verdicts_changed_by_runs", NULL, "", cell_number((double)f->changed)};
     return n;

@@ -364,14 +364,38 @@ static void refused(void **state)
     }
 }
 
+/* A length that is wrong once is no place: the parts are those of the others. */
+static void wrong_length(void **state)
+{
+    (void)state;
+    static const char *const set[][2] = {{"friction.mu", "0.17"}};
+    const Truth t = truth_of(set, 1);
+    FILE *const f = fopen(scratch_path("pull.csv"), "w");
+    assert_non_null(f);
+    fprintf(f, "time [s];pull [kN];length [m]\n");
+    for (int i = 0; i < 580; i++)
+        fprintf(f, "%d;%.4f;%.2f\n", i, between(&t, t.force, 0.1 * i) / 1000, 0.1 * i + (i == 300 ? 5000 : 0));
+    fclose(f);
+    Study *s;
+    Rows rows;
+    Findings found = calibrate("parameters:\n  friction.mu: {range: {from: 0.05, to: 0.5}}\n"
+                               "calibrate: {log: pull.csv, from: 0 m}\n",
+                               "wrong", &s, &rows);
+    char *const summary = bytes_of("wrong", "summary.json", &(size_t){0});
+    check_has(summary,
+              "\"notes\": \"Force from column 'pull [kN]'; Single lengths far off their neighbours are lost: 1,");
+    free(summary);
+    assert_int_equal(s->measured.n, 100);
+    assert_int_equal(s->measured.lost, 1);
+    check_close(found.fit.x[0], 0.17, 1e-3);
+    clear(s, &rows, &found);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(intervals_cover),
-                                       cmocka_unit_test(stretches_and_dry_start),
-                                       cmocka_unit_test(not_told_apart),
-                                       cmocka_unit_test(goes_on),
-                                       cmocka_unit_test(runs_give_them_back),
-                                       cmocka_unit_test(runs_cannot_tell),
-                                       cmocka_unit_test(refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(intervals_cover),  cmocka_unit_test(stretches_and_dry_start),
+                                       cmocka_unit_test(not_told_apart),   cmocka_unit_test(goes_on),
+                                       cmocka_unit_test(wrong_length),     cmocka_unit_test(runs_give_them_back),
+                                       cmocka_unit_test(runs_cannot_tell), cmocka_unit_test(refused)};
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

@@ -3,16 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "study/log/log.h"
-#include "tests/study/study_fixture.h"
-
-static PullLog log_of(const char *text)
-{
-    PullLog log;
-    hawser_error err;
-    if (log_read(scratch_write("log.csv", text), &log, &err)) fail_msg("%s", err.message);
-    return log;
-}
+#include "tests/study/log_fixture.h"
 
 /* The same reading in many hands: 12 500 N at 90 s and 9.5 m. */
 static void heads_and_units(void **state)
@@ -219,6 +210,7 @@ static void agreement(void **state)
         check_close(strtod(strstr(text, "\"correlation\":") + 14, NULL), 1, 1e-3);
         check_close(strtod(strstr(text, "\"within_pct\":") + 13, NULL), 100, 1e-9);
         check_close(strtod(strstr(text, "\"peak_log_N\":") + 13, NULL), 1.04 * 8000, 20);
+        assert_true(!strstr(text, "The log does not begin at rest") == !by_start);
         const char *const theory = strstr(text, "\"model\": \"theory\"");
         assert_non_null(theory);
         check_close(strtod(strstr(theory, "\"bias_pct\":") + 11, NULL), 100 * (1.1 / 1.04 - 1), 0.1);
@@ -235,11 +227,35 @@ static void agreement(void **state)
     check_has(err.message, "no stretch in common");
 }
 
+/* Times are laid from the last reading at rest, in the log as in the run, whatever a start takes. */
+static void aligned_at_the_start(void **state)
+{
+    (void)state;
+    char rows[20000], log[20000], *text;
+    hawser_error err;
+    size_t n = (size_t)snprintf(rows, sizeof rows, "time_s,winch_force_N,winch_speed_m_per_s,winch_travel_m\n"),
+           m = (size_t)snprintf(log, sizeof log, "time [s];pull [N];length [m]\n");
+    for (int i = 0; i <= 200; i++) {
+        const double at = fmax(0, 0.05 * (i - 20)), force = i < 20 ? 1000 : 5000 + 1000 * at;
+        n += (size_t)snprintf(rows + n, sizeof rows - n, "%g,%.6f,0.1,%g\n", 0.5 * i, force, at);
+        if (i >= 10) m += (size_t)snprintf(log + m, sizeof log - m, "%g;%.6f;%g\n", 0.5 * i + 99, force, at + 4);
+    }
+    scratch_write("summary.json", "{\"title\": \"a line\"}");
+    scratch_write("series.csv", rows);
+    scratch_write("line.csv", log);
+    const hawser_compare_options options = {.by_start = 1, .format = HAWSER_JSON};
+    if (hawser_compare(scratch_folder(), scratch_path("line.csv"), &options, &text, &err)) fail_msg("%s", err.message);
+    check_close(strtod(strstr(text, "\"bias_pct\":") + 11, NULL), 0, 1e-6);
+    check_close(strtod(strstr(text, "\"rms_pct\":") + 10, NULL), 0, 1e-6);
+    assert_null(strstr(text, "does not begin at rest"));
+    hawser_text_free(text);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(heads_and_units),  cmocka_unit_test(refused),
-                                       cmocka_unit_test(two_fields),       cmocka_unit_test(halves_of_the_day),
-                                       cmocka_unit_test(what_counts),      cmocka_unit_test(lengths_by_speed),
-                                       cmocka_unit_test(counter_set_back), cmocka_unit_test(agreement)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(heads_and_units),   cmocka_unit_test(refused),     cmocka_unit_test(two_fields),
+        cmocka_unit_test(halves_of_the_day), cmocka_unit_test(what_counts), cmocka_unit_test(lengths_by_speed),
+        cmocka_unit_test(counter_set_back),  cmocka_unit_test(agreement),   cmocka_unit_test(aligned_at_the_start)};
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }
