@@ -1,0 +1,83 @@
+/* What a file leaves open is refused or said: no line is made up where the file has none. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "hawser/route.h"
+#include "tests/support/check.h"
+
+/* Why the first line of a file of this text cannot be a route: "" if it can; else as the file's refusal. */
+static const char *trouble(const char *text, const hawser_route_options *options, hawser_route_figures *figures)
+{
+    static char why[1024];
+    char path[] = "/tmp/hawser-doubt-XXXXXX";
+    hawser_error err = {.message = ""};
+    hawser_routes *r = NULL;
+    const int fd = mkstemp(path);
+    assert_true(fd >= 0);
+    assert_int_equal(write(fd, text, strlen(text)), (long)strlen(text));
+    close(fd);
+    hawser_status status = hawser_routes_read(path, options, &r, &err);
+    unlink(path);
+    if (!status) status = hawser_routes_figures(r, 0, figures, &err);
+    snprintf(why, sizeof why, "%s", status ? err.message : figures->problem ? figures->problem : "");
+    figures->problem = figures->name = figures->layer = NULL;
+    hawser_routes_free(r);
+    return why;
+}
+
+#define LANDXML(geometry, profile)                                                                                     \
+    "<LandXML><Units><Metric linearUnit=\"meter\"/></Units><Alignments><Alignment name=\"a\"><CoordGeom>" geometry     \
+    "</CoordGeom>" profile "</Alignment></Alignments></LandXML>"
+#define LINE(from, to) "<Line><Start>" from "</Start><End>" to "</End></Line>"
+
+/* Elements that do not meet: what is missing between them is not built. Within the tolerance it is bridged. */
+static void gaps_between_elements(void **state)
+{
+    (void)state;
+    hawser_route_options options = hawser_route_defaults();
+    hawser_route_figures f;
+    check_has(trouble(LANDXML(LINE("0 0", "0 50") LINE("0 60", "0 100"), ""), &options, &f),
+              "gap of 10 m at 50.000, 0.000, where element 1 ends: the next one begins at 60.000, 0.000, and at most "
+              "0.05 m");
+    check_has(trouble("x,y,direction,length,radius\n0,0,0,50,\n52,0,0,30,\n", &options, &f),
+              "gap of 2 m at 50.000, 0.000");
+    assert_string_equal(trouble(LANDXML(LINE("0 0", "0 50") LINE("0 50.04", "0 100"), ""), &options, &f), "");
+    options.radius_m = 1; /* nor is it where corners are rounded */
+    check_has(trouble(LANDXML(LINE("0 0", "0 50") LINE("9 60", "0 100"), ""), &options, &f), "gap of 13.45 m");
+}
+
+/* A profile whose elements are not at one height where they meet, in a table and in a model. */
+static void jumps_of_the_profile(void **state)
+{
+    (void)state;
+    static const char *const head = "x,y,direction,length,z,start gradient\n";
+    hawser_route_options options = hawser_route_defaults();
+    hawser_route_figures f;
+    char text[4000];
+    snprintf(text, sizeof text, "%s0,0,0,50,10,0.02\n50,0,0,50,11.08,0.02\n", head);
+    check_has(trouble(text, &options, &f), "the profile jumps by 0.08 m at station 50 m, from 11.0000 m to 11.0800 m");
+    options.tolerance_m = 0.09;
+    assert_string_equal(trouble(text, &options, &f), "");
+    snprintf(text, sizeof text, "%s",
+             "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('IFC4X3'));\nENDSEC;\nDATA;\n"
+             "#8=IFCALIGNMENT('1',$,'al',$,$,$,$,$);\n"
+             "#9=IFCALIGNMENTHORIZONTAL('2',$,$,$,$,$,$);\n"
+             "#10=IFCALIGNMENTVERTICAL('3',$,$,$,$,$,$);\n"
+             "#12=IFCRELNESTS('4',$,$,$,#8,(#9,#10));\n"
+             "#100=IFCCARTESIANPOINT((0.,0.));\n"
+             "#101=IFCALIGNMENTHORIZONTALSEGMENT($,$,#100,0.,0.,0.,100.,$,.LINE.);\n"
+             "#20=IFCRELNESTS('5',$,$,$,#9,(#101));\n"
+             "#103=IFCALIGNMENTVERTICALSEGMENT($,$,0.,50.,10.,0.02,0.02,$,.CONSTANTGRADIENT.);\n"
+             "#105=IFCALIGNMENTVERTICALSEGMENT($,$,50.,50.,14.,-.02,-.02,$,.CONSTANTGRADIENT.);\n"
+             "#21=IFCRELNESTS('6',$,$,$,#10,(#103,#105));\nENDSEC;\nEND-ISO-10303-21;\n");
+    check_has(trouble(text, &options, &f), "the profile jumps by 3 m at station 50 m, from 11.0000 m to 14.0000 m");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(gaps_between_elements), cmocka_unit_test(jumps_of_the_profile)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
