@@ -76,7 +76,7 @@ static hawser_status asked_check(const Alignment *from, const Alignment *profile
                                  hawser_error *err)
 {
     const int heights = from->n_profile > 0 || (from->n_points > 0 && !from->flat);
-    int bent = 0;
+    int bent = from->bent;
     for (int i = 0; i < from->n_plan; ++i) bent |= from->plan[i].k0 != 0 || from->plan[i].k1 != 0;
     if (!isnan(options->height) && heights && !profile)
         return error_set(err, HAWSER_ERR_INPUT,

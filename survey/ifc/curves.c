@@ -209,6 +209,7 @@ static int arc_add(const Corners *c, Vec3 p, Vec3 q, Vec3 r, Alignment *to)
     const double step = 2 * acos(fmax(0, 1 - 1e-3 / fmax(radius, 1e-3)));
     const int n = (int)fmin(10000, 1 + turn / fmax(step, 1e-3));
     int fine = 1;
+    to->bent = 1;
     for (int i = 1; i <= n && fine; ++i) {
         const double at = turn * i / n;
         fine = straight_add(c, p, v3_axpy(v3_axpy(centre, radius * cos(at), out), radius * sin(at), forth), to);

@@ -76,8 +76,57 @@ static void jumps_of_the_profile(void **state)
     check_has(trouble(text, &options, &f), "the profile jumps by 3 m at station 50 m, from 11.0000 m to 14.0000 m");
 }
 
+#define DXF(entities)                                                                                                  \
+    "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n6\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" entities "0\nENDSEC\n0\nEOF\n"
+#define DXF_LINE(x1, y1, z1, x2, y2, z2)                                                                               \
+    "0\nLINE\n8\nL\n10\n" #x1 "\n20\n" #y1 "\n30\n" #z1 "\n11\n" #x2 "\n21\n" #y2 "\n31\n" #z2 "\n"
+#define DXF_ARC(x, y, z, radius, from, to, more)                                                                       \
+    "0\nARC\n8\nL\n10\n" #x "\n20\n" #y "\n30\n" #z "\n40\n" #radius "\n50\n" #from "\n51\n" #to "\n" more
+
+/* A drawing's straights stay straight with a corner between them, at whatever height an arc among them lies. */
+static void straights_beside_arcs(void **state)
+{
+    (void)state;
+    static const char *const drawing[] = {
+        DXF(DXF_LINE(0, 0, 0, 100, 0, 0) DXF_LINE(100, 0, 0, 190, 40, 0) DXF_LINE(190, 40, 0, 190, 140, 0)
+                DXF_ARC(150, 140, 0, 40, 0, 90, "")),
+        DXF(DXF_LINE(0, 0, 5, 100, 0, 5) DXF_LINE(100, 0, 5, 190, 40, 5) DXF_LINE(190, 40, 5, 190, 140, 5)
+                DXF_ARC(150, 140, 5, 40, 0, 90, "")),
+        DXF(DXF_LINE(0, 0, 0, 100, 0, 5) DXF_LINE(100, 0, 5, 190, 40, 5) DXF_LINE(190, 40, 5, 190, 140, 5)
+                DXF_ARC(150, 140, 5, 40, 0, 90, ""))};
+    const hawser_route_options options = hawser_route_defaults();
+    double radius = 0;
+    for (int i = 0; i < 3; ++i) {
+        hawser_route_figures f;
+        assert_string_equal(trouble(drawing[i], &options, &f), "");
+        if (i == 0) radius = f.least_radius_m;
+        check_share(f.least_radius_m, radius, i < 2 ? 1e-6 : 0.02);
+        check_close(f.horizontal_length_m, 200 + hypot(90, 40) + 20 * acos(-1), i < 2 ? 1e-9 : 1e-3);
+    }
+}
+
+/* A radius is for corners: what is an arc or a spline in the file has its own. */
+static void radius_beside_curves(void **state)
+{
+    (void)state;
+    static const char *const drawing[] = {
+        DXF(DXF_LINE(0, 0, 5, 50, 0, 5) DXF_ARC(50, 20, 5, 20, 270, 360, "")),
+        DXF(DXF_LINE(0, 0, 4, 50, 0, 5) DXF_ARC(50, 20, 5, 20, 270, 360, "")),
+        DXF(DXF_ARC(50, 20, 5, 20, 270, 360, "210\n0\n220\n0.6\n230\n0.8\n")),
+        DXF("0\nSPLINE\n8\nL\n70\n8\n71\n3\n72\n8\n73\n4\n74\n0\n40\n0\n40\n0\n40\n0\n40\n0\n40\n1\n40\n1\n40\n"
+            "1\n40\n1\n10\n0\n20\n0\n30\n0\n10\n20\n20\n0\n30\n0\n10\n40\n20\n20\n30\n0\n10\n40\n20\n40\n30\n"
+            "0\n")};
+    hawser_route_options options = hawser_route_defaults();
+    hawser_route_figures f;
+    options.radius_m = 5;
+    for (size_t i = 0; i < sizeof drawing / sizeof *drawing; ++i)
+        check_has(trouble(drawing[i], &options, &f), "has bends of its own: a 'radius' rounds the corners");
+    assert_string_equal(trouble(DXF(DXF_LINE(0, 0, 5, 50, 0, 5) DXF_LINE(50, 0, 5, 50, 50, 5)), &options, &f), "");
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(gaps_between_elements), cmocka_unit_test(jumps_of_the_profile)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(gaps_between_elements), cmocka_unit_test(jumps_of_the_profile),
+                                       cmocka_unit_test(straights_beside_arcs), cmocka_unit_test(radius_beside_curves)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
