@@ -16,6 +16,7 @@ enum { ROOM = 1 << 16, ROOM_TIMES = 16 }; /* that must be there before it is rea
 /* What is said of the geometry that is being read. */
 typedef struct Label {
     const char *name, *layer;
+    int whole; /* number of the feature of several parts; 0: none */
 } Label;
 
 static hawser_status position_read(MapPlaces *p, const json_t *at, Vec3 *out, int *has_height)
@@ -35,6 +36,7 @@ static hawser_status line_read(MapPlaces *p, const json_t *positions, const Labe
     Alignment *const a = survey_add(s, label->name);
     if (!a) return error_memory(p->in->err);
     snprintf(a->layer, sizeof a->layer, "%s", label->layer);
+    a->whole = label->whole;
     size_t heights = 0;
     for (size_t i = 0; i < n; ++i) {
         Vec3 *const point = alignment_add_point(a);
@@ -86,7 +88,7 @@ static Label label_of(const json_t *feature)
     const char *name = json_string_value(json_object_get(properties, "name"));
     const char *const layer = json_string_value(json_object_get(properties, "layer"));
     if (!name) name = json_string_value(json_object_get(feature, "id"));
-    return (Label){name ? name : "", layer ? layer : ""};
+    return (Label){name ? name : "", layer ? layer : "", 0};
 }
 
 static hawser_status geometry_read(MapPlaces *p, const json_t *g, const Label *label, int depth)
@@ -105,7 +107,10 @@ static hawser_status geometry_read(MapPlaces *p, const json_t *g, const Label *l
         return geometry ? geometry_read(p, geometry, &own, depth + 1) : HAWSER_OK;
     }
     if (!strcmp(type, "LineString")) return line_read(p, coordinates, label);
-    if (!strcmp(type, "MultiLineString")) return list_read(p, coordinates, label, depth, line_of);
+    if (!strcmp(type, "MultiLineString")) {
+        const Label parts = {label->name, label->layer, p->in->out->n + 1};
+        return list_read(p, coordinates, &parts, depth, line_of);
+    }
     if (!strcmp(type, "Point")) return mark_read(p, coordinates, label);
     if (!strcmp(type, "MultiPoint")) return list_read(p, coordinates, label, depth, mark_of);
     survey_ignore(p->in->out, type);
@@ -181,7 +186,7 @@ hawser_status geojson_read(SurveyInput *in)
         if (json_error_code(&where) == json_error_out_of_memory) return error_memory(in->err);
         return input_error(in, "no JSON: %s", where.text);
     }
-    const Label none = {"", ""};
+    const Label none = {"", "", 0};
     hawser_status status = system_find(&places, root);
     if (!status) status = geometry_read(&places, root, &none, 0);
     if (!status && in->out->n == 0 && in->out->n_marks == 0) status = input_error(in, "no line and no point in it");

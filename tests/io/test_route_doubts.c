@@ -5,6 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "hawser/hawser.h"
 #include "hawser/route.h"
 #include "tests/support/check.h"
 
@@ -26,6 +27,36 @@ static const char *trouble(const char *text, const hawser_route_options *options
     figures->problem = figures->name = figures->layer = NULL;
     hawser_routes_free(r);
     return why;
+}
+
+/* What `check` says of a case whose route is a file of this name and text, as JSON; else why not. */
+static const char *said(const char *name, const char *text, const char *keys)
+{
+    static char all[1 << 16];
+    char folder[] = "/tmp/hawser-doubt-XXXXXX", path[80], case_path[80], *check = NULL;
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    snprintf(case_path, sizeof case_path, "%s/case.yaml", folder);
+    FILE *f = fopen(path, "w");
+    fputs(text, f);
+    fclose(f);
+    f = fopen(case_path, "w");
+    fprintf(f,
+            "cables: {c: {d: 90 mm, mass: 20 kg/m}}\nroute: {file: %s%s}\nrollers: {along: [{spacing: 2 m}]}\n"
+            "friction: {mu: 0.2}\nlimits: {pull: 30 kN}\n",
+            name, keys);
+    fclose(f);
+    hawser_case *c = NULL;
+    hawser_error err;
+    hawser_status status = hawser_case_load(case_path, &c, &err);
+    if (!status) status = hawser_case_describe(c, HAWSER_JSON, &check, &err);
+    snprintf(all, sizeof all, "%s", status ? err.message : check);
+    hawser_text_free(check);
+    hawser_case_free(c);
+    unlink(path);
+    unlink(case_path);
+    rmdir(folder);
+    return all;
 }
 
 #define LANDXML(geometry, profile)                                                                                     \
@@ -124,9 +155,33 @@ static void radius_beside_curves(void **state)
     assert_string_equal(trouble(DXF(DXF_LINE(0, 0, 5, 50, 0, 5) DXF_LINE(50, 0, 5, 50, 50, 5)), &options, &f), "");
 }
 
+/* Parts of one feature that touch are one line; what of a file is not the route is said, however short. */
+static void lines_beside_the_route(void **state)
+{
+    (void)state;
+    static const char *const map = "{\"type\":\"Feature\",\"coordinates_in\":\"m\",\"properties\":{\"name\":\"r\"},"
+                                   "\"geometry\":{\"type\":\"MultiLineString\",\"coordinates\":[[[0,0],[100,0]],"
+                                   "[[109,0],[100,0]],[[109,%d],[112,0]]]}}";
+    const hawser_route_options options = hawser_route_defaults();
+    hawser_route_figures f;
+    char text[400];
+    snprintf(text, sizeof text, map, 0);
+    assert_string_equal(trouble(text, &options, &f), "");
+    check_close(f.length_m, 112, 1e-9);
+    assert_null(strstr(said("map.geojson", text, ""), "other line"));
+    snprintf(text, sizeof text, map, 9);
+    assert_string_equal(trouble(text, &options, &f), "");
+    check_close(f.length_m, 109, 1e-9);
+    check_has(said("map.geojson", text, ""), "1 other line, 9.487 m, is not in the route");
+    check_has(said("gap.dxf",
+                   DXF(DXF_LINE(0, 0, 0, 500, 0, 0) DXF_LINE(502, 0, 0, 540, 0, 0) DXF_LINE(545, 0, 0, 550, 0, 0)), ""),
+              "2 other lines, together 43 m, are not in the route");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(gaps_between_elements), cmocka_unit_test(jumps_of_the_profile),
-                                       cmocka_unit_test(straights_beside_arcs), cmocka_unit_test(radius_beside_curves)};
+                                       cmocka_unit_test(straights_beside_arcs), cmocka_unit_test(radius_beside_curves),
+                                       cmocka_unit_test(lines_beside_the_route)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
