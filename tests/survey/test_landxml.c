@@ -190,6 +190,42 @@ static void spirals_turn(void **state)
     bad(text, "a Spiral without rot, cw or ccw");
 }
 
+/* A Curve of more than half a turn that neither a Center nor a length tells: its delta does, in the unit that the file
+ * says, or in the one that goes with chord and radius. */
+static void delta_of_a_curve(void **state)
+{
+    (void)state;
+    static const char *const unit[] = {"",
+                                       "angularUnit=\"decimal degrees\"",
+                                       "angularUnit=\"radians\"",
+                                       "angularUnit=\"grads\"",
+                                       "angularUnit=\"decimal dd.mm.ss\"",
+                                       "angularUnit=\"radians\""};
+    static const char *const delta[] = {"270", "270", "4.712388980", "300", "270.0000", "270"};
+    char text[1000];
+    Survey s;
+    for (size_t i = 0; i < sizeof unit / sizeof *unit; ++i) {
+        snprintf(text, sizeof text,
+                 "<LandXML><Units><Metric linearUnit=\"meter\" %s/></Units><Alignments><Alignment><CoordGeom>"
+                 "<Curve rot=\"ccw\" radius=\"10\" delta=\"%s\"><Start>0 20</Start><End>10 10</End></Curve>"
+                 "</CoordGeom></Alignment></Alignments></LandXML>",
+                 unit[i], delta[i]);
+        assert_string_equal(read_text(text, &s), "");
+        check_close(s.alignment[0].plan[0].length, 15 * acos(-1), 1e-6);
+        survey_clear(&s);
+    }
+    bad(XML(METRIC,
+            ALIGNMENT("<Curve rot=\"cw\" radius=\"10\" delta=\"20\"><Start>0 20</Start><End>10 10</End></Curve>", "")),
+        "a Curve's delta is 20, and its chord of 14.14213562 m and radius of 10 m are 90 or 270 deg");
+    assert_string_equal(
+        read_text(
+            XML(METRIC, ALIGNMENT("<Curve rot=\"cw\" radius=\"10\"><Start>0 20</Start><End>10 10</End></Curve>", "")),
+            &s),
+        "");
+    check_has(s.ignored[0].what, "taken the short way");
+    survey_clear(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(tramway),
@@ -198,6 +234,7 @@ int main(void)
                                        cmocka_unit_test(what_is_left_out),
                                        cmocka_unit_test(what_contradicts_itself),
                                        cmocka_unit_test(spirals_turn),
-                                       cmocka_unit_test(what_is_wrong)};
+                                       cmocka_unit_test(what_is_wrong),
+                                       cmocka_unit_test(delta_of_a_curve)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
