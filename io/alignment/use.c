@@ -89,6 +89,17 @@ static hawser_status asked_check(const Alignment *from, const Alignment *profile
     return HAWSER_OK;
 }
 
+/* Stations of a part are on the file's line, but for their rounding. */
+static hawser_status stations_check(const Alignment *a, const LineOptions *options, hawser_error *err)
+{
+    const double rounding = 0.01, end = a->station + alignment_measure(a).plan_length;
+    const double from = isnan(options->from) ? a->station : options->from, to = isnan(options->to) ? end : options->to;
+    if (from >= a->station - rounding && to <= end + rounding) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "'%.60s' reaches from station %.10g m to %.10g m: it cannot be used from %.10g m to %.10g m",
+                     a->name, a->station, end, from, to);
+}
+
 /* What a file leaves out between two elements is not made up. `within`, m: what is bridged. */
 static hawser_status gaps_check(const Alignment *a, double within, hawser_error *err)
 {
@@ -209,6 +220,7 @@ hawser_status line_use(const Alignment *from, const LineOptions *options, UsedLi
     hawser_status status = profile_find(options, &s, &profile, err);
     if (!status) status = asked_check(from, profile, options, err);
     if (!status) status = whole_check(from, profile, options, err);
+    if (!status) status = stations_check(from, options, err);
     if (!status) status = !isnan(options->corner) ? keep(from, used, err) : fit(from, profile, options, used, err);
     if (!status) status = part_take(options, &used->line, err);
     if (!status) status = measure(from, !profile, options, used, err);
