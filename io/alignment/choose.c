@@ -222,10 +222,12 @@ hawser_status line_choose(const LinePick *pick, const Survey *s, const Alignment
                      rivals + 1, names, open ? ", or join them (" : "", open ? open : "", open ? ")" : "");
 }
 
-void line_others_say(Survey *s, const Alignment *chosen)
+void line_notes_say(Survey *s, const Alignment *chosen)
 {
     double sum = 0;
     char what[SURVEY_NAME_MAX];
+    if (strstr(s->unit, "does not say") && strncmp(s->unit, "as asked", 8))
+        survey_ignore(s, "unit of length: the file does not say it, metres are taken");
     for (int i = 0; i < s->n; ++i) sum += alignment_measure(&s->alignment[i]).plan_length;
     sum -= alignment_measure(chosen).plan_length;
     const int others = s->n - 1;

@@ -34,8 +34,8 @@ hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err);
 /* The one that is meant: the only one, or the longest if no other has a tenth of its length. Errors: INPUT that names
  * the longest of them. */
 hawser_status line_choose(const LinePick *pick, const Survey *s, const Alignment **out, hawser_error *err);
-/* Counts the lines beside the chosen one among what is not read. */
-void line_others_say(Survey *s, const Alignment *chosen);
+/* Counts the lines beside the chosen one, and a unit that is not said, among what is not read. */
+void line_notes_say(Survey *s, const Alignment *chosen);
 
 /* What a case's route may have: some 70 km of short bends, whose parts are shown in 2 s. */
 enum { LINE_PIECES_MOST = 50000 };

@@ -15,7 +15,7 @@ static hawser_status profile_find(const LineOptions *options, Survey *s, const A
     if (!options->profile.path) return HAWSER_OK;
     hawser_status status = lines_read(&options->profile, s, err);
     if (!status) status = line_choose(&options->profile, s, profile, err);
-    if (!status) line_others_say(s, *profile);
+    if (!status) line_notes_say(s, *profile);
     return status;
 }
 

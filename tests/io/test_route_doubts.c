@@ -178,10 +178,26 @@ static void lines_beside_the_route(void **state)
               "2 other lines, together 43 m, are not in the route");
 }
 
+/* A drawing without units is in metres, and a case says that it was taken so, unless it gives them. */
+static void units_that_are_not_said(void **state)
+{
+    (void)state;
+    static const char *const drawing[] = {
+        "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n0\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" DXF_LINE(
+            0, 0, 0, 50, 0, 0) "0\nENDSEC\n0\nEOF\n",
+        "0\nSECTION\n2\nENTITIES\n" DXF_LINE(0, 0, 0, 50, 0, 0) "0\nENDSEC\n0\nEOF\n"};
+    for (int i = 0; i < 2; ++i) {
+        check_has(said("plan.dxf", drawing[i], ""), "unit of length: the file does not say it, metres are taken");
+        assert_null(strstr(said("plan.dxf", drawing[i], ", units: m"), "unit of length"));
+    }
+    assert_null(strstr(said("plan.dxf", DXF(DXF_LINE(0, 0, 0, 50, 0, 0)), ""), "unit of length"));
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(gaps_between_elements), cmocka_unit_test(jumps_of_the_profile),
-                                       cmocka_unit_test(straights_beside_arcs), cmocka_unit_test(radius_beside_curves),
-                                       cmocka_unit_test(lines_beside_the_route)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(gaps_between_elements),  cmocka_unit_test(jumps_of_the_profile),
+        cmocka_unit_test(straights_beside_arcs),  cmocka_unit_test(radius_beside_curves),
+        cmocka_unit_test(lines_beside_the_route), cmocka_unit_test(units_that_are_not_said)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
