@@ -307,6 +307,31 @@ static void kinds_of_segments(void **state)
     bad(text, "alignment 'al', #5: a CIRCULARARC with radii of 0 and 30: expected the same at both ends");
 }
 
+/* A vertical layout in a child of the alignment that has the plan: the child is a line with both. */
+static void child_alignments(void **state)
+{
+    (void)state;
+    Survey s;
+    assert_string_equal(
+        read_text(IFC("IFC4X3",
+                      "#8=IFCALIGNMENT('1',$,'al',$,$,$,$,$);\n#9=IFCALIGNMENTHORIZONTAL('2',$,$,$,$,$,$);\n"
+                      "#10=IFCALIGNMENTVERTICAL('3',$,$,$,$,$,$);\n#12=IFCRELNESTS('4',$,$,$,#8,(#9));\n"
+                      "#13=IFCALIGNMENT('c1',$,'child',$,$,$,$,$);\n#14=IFCRELAGGREGATES('a1',$,$,$,#8,(#13));\n"
+                      "#15=IFCRELNESTS('n1',$,$,$,#13,(#10));\n#100=IFCCARTESIANPOINT((0.,0.));\n"
+                      "#101=IFCALIGNMENTHORIZONTALSEGMENT($,$,#100,0.,0.,0.,100.,$,.LINE.);\n"
+                      "#20=IFCRELNESTS('5',$,$,$,#9,(#101));\n"
+                      "#103=IFCALIGNMENTVERTICALSEGMENT($,$,0.,100.,10.,0.2,0.2,$,.CONSTANTGRADIENT.);\n"
+                      "#21=IFCRELNESTS('6',$,$,$,#10,(#103));\n"),
+                  &s),
+        "");
+    assert_int_equal(s.n, 1);
+    assert_string_equal(s.alignment[0].name, "child");
+    check_vec(alignment_measure(&s.alignment[0]).end, v3(100, 0, 30), 1e-9);
+    assert_int_equal(s.n_ignored, 1);
+    check_has(s.ignored[0].what, "an alignment without heights");
+    survey_clear(&s);
+}
+
 static void what_is_wrong(void **state)
 {
     (void)state;
@@ -341,6 +366,7 @@ int main(void)
                                        cmocka_unit_test(curves_of_other_kinds),
                                        cmocka_unit_test(polynomials),
                                        cmocka_unit_test(kinds_of_segments),
+                                       cmocka_unit_test(child_alignments),
                                        cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
