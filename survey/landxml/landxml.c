@@ -72,7 +72,7 @@ static double number(Reader *r, const char **attributes, const char *name, doubl
     const char *const text = attribute(attributes, name);
     double value;
     if (!text || !*text) return NAN;
-    if (!strncasecmp(text, "inf", 3)) return INFINITY;
+    if (!strcasecmp(text, "inf") || !strcasecmp(text, "infinity")) return INFINITY;
     if (input_number_whole(r->in, text, &value)) return unit * value;
     FAIL(r, "attribute '%s' is '%.40s': expected a number", name, text);
     return NAN;

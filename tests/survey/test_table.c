@@ -276,6 +276,25 @@ static void stations_are_the_way(void **state)
     survey_clear(&s);
 }
 
+/* "inf" is a straight where a radius is asked for, as a whole word; what only begins so is no number. */
+static void infinite_radii(void **state)
+{
+    (void)state;
+    static const char *const words[] = {"inf", "INF", "-Infinity ", "infinite", "\xE2\x88\x9E"};
+    for (size_t i = 0; i < sizeof words / sizeof *words; ++i) {
+        char text[200];
+        Survey s;
+        snprintf(text, sizeof text, "x,y,direction,length,start radius,end radius\n0,0,0,50,%s,%s\n", words[i],
+                 words[i]);
+        assert_string_equal(read_text(text, &s), "");
+        check_close(s.alignment[0].plan[0].k0, 0, 0);
+        survey_clear(&s);
+    }
+    bad("x,y,length,radius\n0,0,50,inferred 30\n", "2: 'inferred 30' is no number");
+    bad("x,y,z\n0,0,inf\n10,0,5\n", "2: 'inf' is no number");
+    bad("x,y,z\n0,0,inferred\n10,0,5\n", "2: 'inferred' is no number");
+}
+
 /* A radius without an end gradient ends with the next row's gradient; a column of radii at one end alone does not say
  * what is at the other. */
 static void radii_have_two_ends(void **state)
@@ -291,8 +310,10 @@ static void radii_have_two_ends(void **state)
     survey_clear(&s);
     bad("station,z,start gradient,length,radius\n0,10,-0.01,48,\n48,9.52,-0.01,4,200\n",
         "3: a radius of 200 m, and no gradient at its end that differs from -0.01");
-    bad("x,y,length,start radius\n0,0,50,\n50,0,31.4159265,20\n", "a column of start radii, and none of end: elements need both");
-    bad("x,y,length,end radius\n0,0,50,\n50,0,31.4159265,20\n", "a column of end radii, and none of start: elements need both");
+    bad("x,y,length,start radius\n0,0,50,\n50,0,31.4159265,20\n",
+        "a column of start radii, and none of end: elements need both");
+    bad("x,y,length,end radius\n0,0,50,\n50,0,31.4159265,20\n",
+        "a column of end radii, and none of start: elements need both");
 }
 
 int main(void)
@@ -303,6 +324,7 @@ int main(void)
         cmocka_unit_test(points_and_corners),   cmocka_unit_test(as_spreadsheets_write_them),
         cmocka_unit_test(what_is_wrong),        cmocka_unit_test(nothing_is_dropped),
         cmocka_unit_test(slopes_have_signs),    cmocka_unit_test(turns_have_sides),
-        cmocka_unit_test(stations_are_the_way), cmocka_unit_test(radii_have_two_ends)};
+        cmocka_unit_test(stations_are_the_way), cmocka_unit_test(infinite_radii),
+        cmocka_unit_test(radii_have_two_ends)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
