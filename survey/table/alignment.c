@@ -176,6 +176,8 @@ static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
         return input_error(in, "a column of %s radii, and none of %s: elements need both, or one 'radius'",
                            t->has[COLUMN_RADIUS_START] ? "start" : "end", t->has[COLUMN_RADIUS_END] ? "start" : "end");
     for (int i = 0; i < t->n && !status; ++i) status = element_check(in, t, i);
+    if (!status && t->n == 1 && isnan(t->row[0].value[COLUMN_HEADING]))
+        return input_error(in, "an element alone needs its direction: there is no next one that tells it");
     if (status) return status;
     const Convention c = convention_find(in, t);
     for (int i = 0; i < t->n; ++i) {

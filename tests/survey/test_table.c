@@ -181,7 +181,7 @@ static void what_is_wrong(void **state)
     bad("\xFF\xFEx", "UTF-16 text: save it as UTF-8");
     bad("x,y\n1,\n", "a point needs x and y");
     bad("x,y,length\n1,1,\n", "an element needs x, y and a length");
-    bad("x,y,length,radius\n0,0,1e9,1\n", "only lines with an element that turns more than 100 times");
+    bad("x,y,direction,length,radius\n0,0,0,1e9,1\n", "only lines with an element that turns more than 100 times");
     bad("x,y\n0,0\n1e300,1\n", "only lines with a place or a length beyond a million km");
     bad("colour,size\nred,3\n", "the columns are none of these");
 }
@@ -310,6 +310,7 @@ static void radii_have_two_ends(void **state)
     survey_clear(&s);
     bad("station,z,start gradient,length,radius\n0,10,-0.01,48,\n48,9.52,-0.01,4,200\n",
         "3: a radius of 200 m, and no gradient at its end that differs from -0.01");
+    bad("x,y,azimuth (deg),length,radius\n0,0,$,999999,\n", "2: an element alone needs its direction");
     bad("x,y,length,start radius\n0,0,50,\n50,0,31.4159265,20\n",
         "a column of start radii, and none of end: elements need both");
     bad("x,y,length,end radius\n0,0,50,\n50,0,31.4159265,20\n",
