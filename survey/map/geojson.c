@@ -145,6 +145,19 @@ static int is_in_degrees(Survey *s, const char *crs, const json_t *root)
     return degrees;
 }
 
+/* Metres of a Mercator map of the world, by the number of its system: they are too long by 1/cos(latitude). */
+static int is_web_map(const char *crs)
+{
+    static const char *const numbers[] = {"3857", "3785", "3395", "900913", "102100", "102113", "54004"};
+    if (!crs) return 0;
+    const char *digits = crs + strlen(crs);
+    while (digits > crs && strchr("0123456789", digits[-1])) --digits;
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i) {
+        if (!strcmp(digits, numbers[i])) return 1;
+    }
+    return 0;
+}
+
 /* A file may say which place its projection is about ("origin"). Degrees, but for files that say that they hold metres:
  * by "coordinates_in", or by the "crs" of old files. */
 static hawser_status system_find(MapPlaces *p, const json_t *root)
@@ -152,6 +165,11 @@ static hawser_status system_find(MapPlaces *p, const json_t *root)
     const char *const in = json_string_value(json_object_get(root, "coordinates_in"));
     const char *const crs =
         json_string_value(json_object_get(json_object_get(json_object_get(root, "crs"), "properties"), "name"));
+    if (is_web_map(crs))
+        return input_error(p->in,
+                           "crs '%.60s': metres of a map of the world are too long away from the equator: expected "
+                           "longitude and latitude (WGS 84), or a projection that is true to scale there",
+                           crs);
     p->plain = (in && !strcmp(in, "m")) || !is_in_degrees(p->in->out, crs, root);
     const hawser_status status = map_unit(p);
     if (status) return status;
@@ -176,9 +194,12 @@ hawser_status geojson_read(SurveyInput *in)
     }
     /* without memory jansson finds fault with some word of the text, so that it is asked for before */
     if (!memory_room(ROOM + ROOM_TIMES * (size_t)state.st_size)) return error_memory(in->err);
+    char mark[3] = ""; /* of the order of bytes, which jansson takes for a fault */
+    const long begin = fread(mark, 1, 3, in->file) == 3 && !memcmp(mark, "\xEF\xBB\xBF", 3) ? 3 : 0;
+    input_seek(in, begin);
     json_t *root = json_loadf(in->file, JSON_DISABLE_EOF_CHECK, &where);
     if (!root) { /* so what it finds is looked for twice */
-        input_seek(in, 0);
+        input_seek(in, begin);
         root = json_loadf(in->file, JSON_DISABLE_EOF_CHECK, &where);
     }
     if (!root) {
