@@ -259,6 +259,11 @@ static PointOf point_here(Reader *r, const char *name)
     double value[3] = {0};
     char *text = r->text;
     int n = 0;
+    if (strlen(r->reference) == WORD_MOST - 1) {
+        FAIL(r, "<%s> refers to a point whose name is longer than %d bytes, '%s...'", name, WORD_MOST - 2,
+             r->reference);
+        return (PointOf){0};
+    }
     if (*r->reference && (r->text_length == 0 || r->text[strspn(r->text, " \t\r\n")] == 0)) {
         const PointOf *const found = land_points_find(&r->points, r->reference);
         if (!found) FAIL(r, "<%s> refers to point '%s', which does not stand before it", name, r->reference);
@@ -293,7 +298,12 @@ static void corner_end(Reader *r, const char *name)
     char *text = r->text;
     int n = 0;
     while (n < 2 && text && next_number(r, &text, &value[n])) ++n;
-    const int arc = r->curve_radius != 0;
+    const int arc = r->curve_radius != 0, uneven = !strcmp(name, "UnsymParaCurve");
+    if ((uneven && !(r->curve_length > 0 && r->curve_after > 0)) ||
+        (!strcmp(name, "ParaCurve") && isnan(r->curve_length))) {
+        FAIL(r, "<%s> needs %s", name, uneven ? "lengthIn and lengthOut above 0" : "a length");
+        return;
+    }
     if (n < 2 || (arc && !(r->curve_radius > 0))) {
         FAIL(r, "<%s> needs station and height%s", name, arc ? " and a radius above 0" : "");
         return;
@@ -482,8 +492,8 @@ static void end(void *data, const char *name)
     }
     const int point = land_point_kind(name);
     if (!strcmp(name, "CgPoint")) {
-        if (*r->point_name && !land_points_add(&r->points, r->point_name, point_here(r, name)) && !r->status)
-            fail_memory(r);
+        const int whole = *r->point_name && strlen(r->point_name) < WORD_MOST - 1; /* others are found by no name */
+        if (whole && !land_points_add(&r->points, r->point_name, point_here(r, name)) && !r->status) fail_memory(r);
     } else if (r->current < 0) {
         return;
     } else if (r->geometry_at && point >= 0) {
