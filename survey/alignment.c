@@ -225,7 +225,8 @@ static double element_length(const ProfileElement *e, double to)
     return (0.5 * (at * sqrt(1 + at * at) - from * sqrt(1 + from * from)) + 0.5 * (asinh(at) - asinh(from))) / e->bend;
 }
 
-/* Of the whole, which is `plan` metres long in plan: the profile's first and last grade go on. */
+/* Of the whole, which is `plan` metres long in plan: the profile's first and last grade go on; what it has beyond the
+ * line's ends does not count. */
 static double space_length(const Alignment *a, double plan)
 {
     double sum = 0;
@@ -233,9 +234,12 @@ static double space_length(const Alignment *a, double plan)
         for (int i = 1; i < a->n_points; ++i) sum += v3_norm(v3_sub(a->point[i], a->point[i - 1]));
         return a->n_points ? sum : plan;
     }
+    const ProfileElement *const tail = &a->profile[a->n_profile - 1];
+    if (a->n_plan + a->n_points == 0) plan = tail->station + tail->length; /* a profile alone has its own */
     for (int i = 0; i < a->n_profile; ++i) {
         const ProfileElement *const e = &a->profile[i];
-        const double from = i ? e->station : 0, to = i + 1 < a->n_profile ? e[1].station : plan;
+        const double from = i ? fmin(fmax(e->station, 0), plan) : 0;
+        const double to = i + 1 < a->n_profile ? fmin(fmax(e[1].station, 0), plan) : plan;
         const double end = fmin(e->station + e->length, to), start = fmax(from, e->station);
         const double before = sqrt(1 + e->grade * e->grade);
         const double last = profile_at(e, e->length).grade;

@@ -50,6 +50,8 @@ typedef struct Alignment {
     PieceNames names;        /* of elements in plan */
     int flat;                /* the points have no heights of their own */
     int drawn;               /* the points are corners with straights between; else they may be places along bends */
+    int bent;                /* some of the points are places along curves of the file: no corners to be rounded */
+    int whole;               /* parts of one feature of a map have the same number here; 0: it has but one */
     double stated_length;    /* m, in plan, by the file's own word; NAN: it says nothing */
     double station;          /* the file's number for where the alignment begins */
 } Alignment;

@@ -1,6 +1,7 @@
 /* A part of an alignment. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/base/error.h"
 #include "survey/alignment.h"
@@ -25,9 +26,13 @@ static void plan_cut(Alignment *a, double from, double to)
     a->n_plan = n;
 }
 
+/* Where the part begins behind an element's end, or lies before the first one, that element's grade goes on, as it does
+ * on the whole line. */
 static void profile_cut(Alignment *a, double from, double to)
 {
-    int n = 0;
+    const AlignmentPlace at = alignment_at(a, from);
+    int n = 0, last = 0, first = -1; /* the element whose grade is that of `from`, and the first one that is kept */
+    while (last + 1 < a->n_profile && from >= a->profile[last + 1].station) ++last;
     for (int i = 0; i < a->n_profile; ++i) {
         const ProfileElement e = a->profile[i];
         const double begin = fmax(from - e.station, 0), end = fmin(to - e.station, e.length);
@@ -36,6 +41,13 @@ static void profile_cut(Alignment *a, double from, double to)
         *part = profile_at(&e, begin);
         part->station = e.station + begin - from;
         part->length = end - begin;
+        if (first < 0) first = i;
+    }
+    const double lead = n ? a->profile[0].station : to - from;
+    if (a->n_profile > 0 && first != last && lead >= LEAST) {
+        memmove(a->profile + 1, a->profile, (size_t)n * sizeof *a->profile); /* there is room: `last` is not kept */
+        a->profile[0] = (ProfileElement){.length = lead, .z = at.at.z, .grade = at.grade};
+        ++n;
     }
     a->n_profile = n;
 }
@@ -74,8 +86,8 @@ hawser_status alignment_cut(Alignment *a, double from, double to, hawser_error *
                          "be cut out",
                          a->name, a->station, a->station + length, a->station + from, a->station + to);
     }
-    plan_cut(a, from, to);
     profile_cut(a, from, to);
+    plan_cut(a, from, to);
     const hawser_status status = a->n_points ? points_cut(a, from, to, err) : HAWSER_OK;
     a->station += from;
     a->stated_length = NAN;

@@ -55,6 +55,7 @@ static hawser_status line_find(const CaseReader *r, const CaseNode *node, const 
     hawser_status status = lines_read(&options->line, &s, err);
     if (status) return status;
     status = line_choose(&options->line, &s, &line, err);
+    if (!status) line_notes_say(&s, line);
     if (!status) status = line_use(line, options, used, err);
     if (!status) status = unread_say(r, node, s.n_ignored, s.ignored);
     survey_clear(&s);

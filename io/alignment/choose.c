@@ -59,8 +59,9 @@ static int layer_is_new(const Survey *s, int i, Layers *met)
 
 static const char *const fork_word = "fork of ", *const gap_word = "gap of ";
 
-/* Says where the lines of a layer end although something goes on: with places if there are few, else how many. */
-static void doubts_say(const char *layer, const Joined *j, Survey *notes)
+/* Says where the lines of a layer, or the parts of a feature (`what`, its name), end although something goes on: with
+ * places if there are few, else how many. */
+static void doubts_say(const char *what, const char *name, const Joined *j, Survey *notes)
 {
     enum { FEW = 4 };
     char text[2 * SURVEY_NAME_MAX]; /* with room for a layer's name, a rise and places far away */
@@ -70,37 +71,56 @@ static void doubts_say(const char *layer, const Joined *j, Survey *notes)
         char rise[40] = "";
         if (d->rise > 0) snprintf(rise, sizeof rise, ", and %.4g m in height,", d->rise);
         if (d->kind == JOIN_FORK)
-            snprintf(text, sizeof text, "%s%d ends at %.3f, %.3f, layer '%.40s': lines end there", fork_word, d->ends,
-                     d->at.x, d->at.y, layer);
+            snprintf(text, sizeof text, "%s%d ends at %.3f, %.3f, %s '%.40s': lines end there", fork_word, d->ends,
+                     d->at.x, d->at.y, what, name);
         else
-            snprintf(text, sizeof text, "%s%.4g m%s at %.3f, %.3f, layer '%.40s': not joined", gap_word, d->away, rise,
-                     d->at.x, d->at.y, layer);
+            snprintf(text, sizeof text, "%s%.4g m%s at %.3f, %.3f, %s '%.40s': not joined", gap_word, d->away, rise,
+                     d->at.x, d->at.y, what, name);
         survey_ignore(notes, text);
     }
-    snprintf(text, sizeof text, "forks, at which lines end, layer '%.60s'", layer);
+    snprintf(text, sizeof text, "forks, at which lines end, %s '%.60s'", what, name);
     for (int i = 0; !few && i < j->n_forks; ++i) survey_ignore(notes, text);
-    snprintf(text, sizeof text, "gaps, which are not joined, layer '%.60s'", layer);
+    snprintf(text, sizeof text, "gaps, which are not joined, %s '%.60s'", what, name);
     for (int i = 0; !few && i < j->n_gaps; ++i) survey_ignore(notes, text);
-    snprintf(text, sizeof text, "pieces drawn twice, layer '%.60s'", layer);
+    snprintf(text, sizeof text, "pieces drawn twice, %s '%.60s'", what, name);
     for (int i = 0; i < j->doubles; ++i) survey_ignore(notes, text);
-    snprintf(text, sizeof text, "pieces straight up or down, layer '%.60s'", layer);
+    snprintf(text, sizeof text, "pieces straight up or down, %s '%.60s'", what, name);
     for (int i = 0; i < j->upright; ++i) survey_ignore(notes, text);
-    snprintf(text, sizeof text, "heights of a line of which some pieces have none, layer '%.60s'", layer);
+    snprintf(text, sizeof text, "heights of a line of which some pieces have none, %s '%.60s'", what, name);
     for (int i = 0; i < j->lost_heights; ++i) survey_ignore(notes, text);
 }
 
-/* Only drawings have layers: their lines come in pieces, and pieces of one layer belong together. */
+/* Parts of one feature of a map, from line i on, that touch become one line; *next: the line behind them. */
+static hawser_status parts_join(const LinePick *pick, Survey *pieces, int i, int *next, Survey *out, hawser_error *err)
+{
+    const Alignment *const a = &pieces->alignment[i];
+    JoinOptions options = join_options();
+    Joined joined;
+    Survey parts = {.alignment = &pieces->alignment[i]}; /* a view: nothing of it is freed */
+    while (i + parts.n < pieces->n && a[parts.n].whole == a->whole) ++parts.n;
+    options.tolerance = pick->join;
+    *next = i + parts.n;
+    const hawser_status status = join_lines(&parts, &options, out, &joined, err);
+    if (!status) doubts_say("in", a->name, &joined, pieces);
+    return status;
+}
+
+/* Lines of drawings come in pieces, and pieces of one layer belong together; without a layer the parts of a feature do.
+ */
 static hawser_status pieces_join(const LinePick *pick, Survey *pieces, Survey *out, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     Layers met = {.n = 0};
-    for (int i = 0; i < pieces->n && !status; ++i) {
+    for (int i = 0, next; i < pieces->n && !status; i = next) {
         const Alignment *const a = &pieces->alignment[i];
+        next = i + 1;
         if (met.n > LAYERS_MOST)
             return error_set(err, HAWSER_ERR_INPUT, "%.200s: lines on more than %d layers: choose one by 'layer'",
                              pick->path, LAYERS_MOST);
         if (!is_picked(pick, a)) continue;
-        if (!*a->layer) {
+        if (!*a->layer && a->whole) {
+            status = parts_join(pick, pieces, i, &next, out, err);
+        } else if (!*a->layer) {
             Alignment *const copy = survey_add(out, a->name);
             if (!copy || !alignment_copy(a, copy)) status = error_memory(err);
         } else if (layer_is_new(pieces, i, &met)) {
@@ -110,7 +130,7 @@ static hawser_status pieces_join(const LinePick *pick, Survey *pieces, Survey *o
             options.layer = a->layer;
             options.name = pick->name;
             status = join_lines(pieces, &options, out, &joined, err);
-            if (!status) doubts_say(a->layer, &joined, pieces);
+            if (!status) doubts_say("layer", a->layer, &joined, pieces);
         }
     }
     return status;
@@ -200,4 +220,18 @@ hawser_status line_choose(const LinePick *pick, const Survey *s, const Alignment
     return error_set(err, HAWSER_ERR_INPUT,
                      "%.200s: %d lines could be meant, such as %s: choose one by 'name' or 'layer'%s%s%s", pick->path,
                      rivals + 1, names, open ? ", or join them (" : "", open ? open : "", open ? ")" : "");
+}
+
+void line_notes_say(Survey *s, const Alignment *chosen)
+{
+    double sum = 0;
+    char what[SURVEY_NAME_MAX];
+    if (strstr(s->unit, "does not say") && strncmp(s->unit, "as asked", 8))
+        survey_ignore(s, "unit of length: the file does not say it, metres are taken");
+    for (int i = 0; i < s->n; ++i) sum += alignment_measure(&s->alignment[i]).plan_length;
+    sum -= alignment_measure(chosen).plan_length;
+    const int others = s->n - 1;
+    snprintf(what, sizeof what, "%d other line%s, %s%.4g m, %s not in the route", others, others > 1 ? "s" : "",
+             others > 1 ? "together " : "", sum, others > 1 ? "are" : "is");
+    if (others > 0) survey_ignore(s, what);
 }

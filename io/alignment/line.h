@@ -27,13 +27,15 @@ LineOptions line_options(void);
 
 /* Metres in a unit of length by its name, "mm" or "US_survey_foot". Errors: INPUT, MEMORY. */
 hawser_status line_unit(const char *name, double *metres, hawser_error *err);
-/* All lines of a file that the pick chooses: those of drawings joined, layer by layer, the longest of each first.
- * What the joining leaves open, forks and gaps with their places, is in out->ignored. Errors: INPUT (also: nothing is
- * chosen), MEMORY; then nothing is left allocated. */
+/* All lines of a file that the pick chooses: those of drawings joined, layer by layer, the longest of each first; so
+ * are the parts of a map's feature without a layer. What the joining leaves open, forks and gaps with their places, is
+ * in out->ignored. Errors: INPUT (also: nothing is chosen), MEMORY; then nothing is left allocated. */
 hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err);
 /* The one that is meant: the only one, or the longest if no other has a tenth of its length. Errors: INPUT that names
  * the longest of them. */
 hawser_status line_choose(const LinePick *pick, const Survey *s, const Alignment **out, hawser_error *err);
+/* Counts the lines beside the chosen one, and a unit that is not said, among what is not read. */
+void line_notes_say(Survey *s, const Alignment *chosen);
 
 /* What a case's route may have: some 70 km of short bends, whose parts are shown in 2 s. */
 enum { LINE_PIECES_MOST = 50000 };

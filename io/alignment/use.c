@@ -15,6 +15,7 @@ static hawser_status profile_find(const LineOptions *options, Survey *s, const A
     if (!options->profile.path) return HAWSER_OK;
     hawser_status status = lines_read(&options->profile, s, err);
     if (!status) status = line_choose(&options->profile, s, profile, err);
+    if (!status) line_notes_say(s, *profile);
     return status;
 }
 
@@ -76,7 +77,7 @@ static hawser_status asked_check(const Alignment *from, const Alignment *profile
                                  hawser_error *err)
 {
     const int heights = from->n_profile > 0 || (from->n_points > 0 && !from->flat);
-    int bent = 0;
+    int bent = from->bent;
     for (int i = 0; i < from->n_plan; ++i) bent |= from->plan[i].k0 != 0 || from->plan[i].k1 != 0;
     if (!isnan(options->height) && heights && !profile)
         return error_set(err, HAWSER_ERR_INPUT,
@@ -86,6 +87,60 @@ static hawser_status asked_check(const Alignment *from, const Alignment *profile
                          "'%.60s' has %s: a 'radius' rounds the corners of a line of straights without, leave it out",
                          from->name, bent ? "bends of its own" : "a profile");
     return HAWSER_OK;
+}
+
+/* Stations of a part are on the file's line, but for their rounding. */
+static hawser_status stations_check(const Alignment *a, const LineOptions *options, hawser_error *err)
+{
+    const double rounding = 0.01, end = a->station + alignment_measure(a).plan_length;
+    const double from = isnan(options->from) ? a->station : options->from, to = isnan(options->to) ? end : options->to;
+    if (from >= a->station - rounding && to <= end + rounding) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "'%.60s' reaches from station %.10g m to %.10g m: it cannot be used from %.10g m to %.10g m",
+                     a->name, a->station, end, from, to);
+}
+
+/* What a file leaves out between two elements is not made up. `within`, m: what is bridged. */
+static hawser_status gaps_check(const Alignment *a, double within, hawser_error *err)
+{
+    for (int i = 0; i + 1 < a->n_plan; ++i) {
+        const PlanElement end = plan_at(&a->plan[i], a->plan[i].length), *const next = &a->plan[i + 1];
+        const double gap = hypot(next->x - end.x, next->y - end.y);
+        if (gap <= within) continue;
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "'%.60s': gap of %.4g m at %.3f, %.3f, where element %d ends: the next one begins at %.3f, "
+                         "%.3f, and at most %.3g m are bridged (the tolerance)",
+                         a->name, gap, end.x, end.y, i + 1, next->x, next->y, within);
+    }
+    return HAWSER_OK;
+}
+
+/* The same of a profile: over a gap the grade goes on, so that only its height can miss the next element's. */
+static hawser_status jumps_check(const Alignment *a, double within, hawser_error *err)
+{
+    for (int i = 0; i + 1 < a->n_profile; ++i) {
+        const ProfileElement *const e = &a->profile[i], *const next = e + 1;
+        const double way = next->station - e->station;
+        const ProfileElement end = profile_at(e, fmin(way, e->length));
+        const double z = end.z + end.grade * fmax(way - e->length, 0);
+        if (fabs(next->z - z) <= within) continue;
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "'%.60s': the profile jumps by %.4g m at station %.10g m, from %.4f m to %.4f m, and at most "
+                         "%.3g m are bridged (the tolerance)",
+                         a->name, next->z - z, a->station + next->station, z, next->z, within);
+    }
+    return HAWSER_OK;
+}
+
+/* Neither the line nor the one that its heights come from has a hole. */
+static hawser_status whole_check(const Alignment *from, const Alignment *profile, const LineOptions *options,
+                                 hawser_error *err)
+{
+    const double within = options->tolerance;
+    hawser_status status = gaps_check(from, larger_of(within, options->line.join), err);
+    if (!status) status = jumps_check(profile ? profile : from, within, err);
+    if (!status && profile) status = gaps_check(profile, larger_of(within, options->profile.join), err);
+    return status;
 }
 
 /* Corners that get a radius need no fit; straights that were joined are a line of points then. */
@@ -164,6 +219,8 @@ hawser_status line_use(const Alignment *from, const LineOptions *options, UsedLi
         return error_set(err, HAWSER_ERR_INPUT, "'%.60s' is a profile without a plan: no route", from->name);
     hawser_status status = profile_find(options, &s, &profile, err);
     if (!status) status = asked_check(from, profile, options, err);
+    if (!status) status = whole_check(from, profile, options, err);
+    if (!status) status = stations_check(from, options, err);
     if (!status) status = !isnan(options->corner) ? keep(from, used, err) : fit(from, profile, options, used, err);
     if (!status) status = part_take(options, &used->line, err);
     if (!status) status = measure(from, !profile, options, used, err);

@@ -93,6 +93,7 @@ static int chords_add(Alignment *to, const DxfSystem *s, Vec3 a, Vec3 b, double 
     const int n = isfinite(radius) ? (int)fmin(10000, 1 + fabs(turn) / fmax(step, 1e-3)) : 1;
     const Vec3 along = v3_scale(1 / fmax(chord, 1e-300), v3_sub(b, a)), left = v3(-along.y, along.x, 0);
     int fine = 1;
+    to->bent |= n > 1;
     for (int i = 1; i <= n && fine; ++i) { /* seen from the chord's middle, the arc from -turn/2 to turn/2 */
         const double angle = turn * (i - 0.5 * n) / n, half = turn / 2;
         const double x = n > 1 ? 0.5 * chord * (1 + sin(angle) / sin(half)) : chord;

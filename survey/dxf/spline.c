@@ -120,7 +120,9 @@ static hawser_status corners_add(const SurveyInput *in, const DxfEntity *e, cons
         memset(corner + n, 0, (size_t)(parts + 1) * sizeof *corner);
         for (int k = n ? 1 : 0; k <= parts; ++k) corner[n++].at = spline_at(s, i, from + (to - from) * k / parts);
     }
+    const int before = in->out->n;
     if (!status) status = dxf_add_corners(in, e, n, corner, 0, 1);
+    if (!status && in->out->n > before) in->out->alignment[before].bent = s->degree > 1;
     free(corner);
     return status;
 }
@@ -131,9 +133,13 @@ static hawser_status fits_add(const SurveyInput *in, const DxfEntity *e, const S
     DxfCorner *const corner = calloc((size_t)s->n_fits + 1, sizeof *corner);
     if (!corner) return error_memory(in->err);
     survey_ignore(in->out, "SPLINE: what is between its fit points, for it has no control points");
+    const int before = in->out->n;
     for (int i = 0; i < s->n_fits; ++i) corner[i].at = s->fit[i];
     const hawser_status status = dxf_add_corners(in, e, s->n_fits, corner, 0, 1);
-    if (!status && in->out->n > 0) in->out->alignment[in->out->n - 1].drawn = 0;
+    if (!status && in->out->n > before) {
+        in->out->alignment[before].drawn = 0;
+        in->out->alignment[before].bent = 1;
+    }
     free(corner);
     return status;
 }

@@ -107,11 +107,14 @@ static int heights_of_profile(const Alignment *from, double shift, Line *l)
     return fine;
 }
 
-/* A drawn profile: its points or elements' ends, x the station; the line begins at `station`. */
+/* A drawn profile: its points or elements' ends, x the station; the line begins at `station`. One that is drawn from
+ * right to left is turned around, with what is known of the way from each place to the next. */
 static int heights_drawn(const Alignment *from, double station, Line *l)
 {
     if (!plan_line(from, v3(station, 0, 0), l)) return 0;
-    for (int i = 0, j = l->n - 1; i < j && l->node[0].x > l->node[l->n - 1].x; ++i, --j) {
+    const int leftward = l->n > 1 && l->node[0].x > l->node[l->n - 1].x;
+    for (int i = l->n - 1; leftward && i > 0; --i) l->node[i].drawn = l->node[i - 1].drawn;
+    for (int i = 0, j = l->n - 1; leftward && i < j; ++i, --j) {
         const Node kept = l->node[i];
         l->node[i] = l->node[j];
         l->node[j] = kept;

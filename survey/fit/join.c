@@ -276,13 +276,49 @@ static int point_add(Alignment *a, Vec3 p)
     return to != NULL;
 }
 
-/* Whether all elements are straights, in plan and in height. */
-static int is_straight(const Alignment *a)
+/* What pieces that become one line have in common. */
+typedef struct Common {
+    int heights, elements; /* some have them */
+    int drawn;             /* all are straights, or curves that the file has */
+    int bent;              /* some are curves of the file */
+    int level;             /* all have heights, and these are z */
+    double z;
+} Common;
+
+/* Whether all of a piece is at the height of its start. */
+static int is_level(const Alignment *a)
 {
-    for (int i = 0; i < a->n_plan; ++i) {
-        if (a->plan[i].k0 != 0 || a->plan[i].k1 != 0 || a->n_profile > 1) return 0;
+    int level = 1;
+    for (int i = 0; i < a->n_profile; ++i)
+        level &= a->profile[i].grade == 0 && a->profile[i].bend == 0 && a->profile[i].z == a->profile[0].z;
+    for (int i = 0; i < a->n_points && a->n_profile == 0; ++i) level &= a->point[i].z == a->point[0].z;
+    return level;
+}
+
+static Common common_of(const Net *net, int n)
+{
+    Common c = {.drawn = 1, .level = n > 1, .z = NAN};
+    for (int k = 0; k < n; ++k) {
+        const Alignment *const a = net->piece[net->order[k] < 0 ? -1 - net->order[k] : net->order[k]];
+        const double z = alignment_at(a, 0).at.z;
+        c.heights |= !is_flat(a) && n > 1;
+        c.elements |= a->n_plan > 0;
+        c.drawn &= a->n_plan > 0 || a->drawn;
+        c.bent |= a->bent;
+        for (int i = 0; i < a->n_plan; ++i) c.bent |= a->plan[i].k0 != 0 || a->plan[i].k1 != 0;
+        c.level &= !is_flat(a) && is_level(a) && (k == 0 || fabs(z - c.z) < 1e-6);
+        c.z = k == 0 ? z : c.z;
     }
-    return 1;
+    return c;
+}
+
+/* How many chords stand for an element: they are 0.2 mm beside it at most, so that those beside them stay straights. */
+static int chords_of(const Alignment *a, const PlanElement *e)
+{
+    enum { CHORDS_MOST = 10000 };
+    const double off = 2e-4, k = fmax(fabs(e->k0), fabs(e->k1)), step = sqrt(8 * off / fmax(k, 1e-12));
+    const int parts = (int)fmin(CHORDS_MOST, k == 0 ? 1 : 1 + e->length / step);
+    return a->n_profile > 1 && parts < SAMPLES ? SAMPLES : parts;
 }
 
 /* A piece as points: its own, or places along its elements. */
@@ -295,7 +331,7 @@ static int points_take(const Alignment *from, Alignment *to)
         fine = point_add(to, from->n_profile ? alignment_at(from, s).at : from->point[i]);
     }
     for (int i = 0; i < from->n_plan && fine; s += from->plan[i++].length) {
-        const int parts = from->plan[i].k0 == 0 && from->plan[i].k1 == 0 && from->n_profile < 2 ? 1 : SAMPLES;
+        const int parts = chords_of(from, &from->plan[i]);
         for (int k = 0; k <= parts && fine; ++k)
             fine = point_add(to, alignment_at(from, s + from->plan[i].length * k / parts).at);
     }
@@ -322,18 +358,23 @@ static int elements_take(const Alignment *from, Alignment *to)
     return 1;
 }
 
-/* n pieces of net->order as one line: of points if there are heights, else of elements, else of points again if there
- * is nothing but points. Heights that jump where two pieces meet are those of pieces without: then the line has none.
- */
+/* A line of elements lies level. 0: no memory. */
+static int level_add(Alignment *a, double z)
+{
+    const double length = alignment_measure(a).plan_length;
+    ProfileElement *const e = alignment_add_profile(a);
+    if (e) *e = (ProfileElement){.length = length, .z = z};
+    return e != NULL;
+}
+
+/* n pieces of net->order as one line: of elements if none has heights, or there are curves and all are at one height;
+ * of points if there is nothing but points, or heights differ. Heights that jump where two pieces meet are those of
+ * pieces without: then the line has none. */
 static int line_make(const Net *net, int n, double tolerance, Joined *joined, Survey *to)
 {
-    int heights = 0, elements = 0, jump = 0, drawn = 1;
-    for (int k = 0; k < n; ++k) {
-        const Alignment *const a = net->piece[net->order[k] < 0 ? -1 - net->order[k] : net->order[k]];
-        heights |= !is_flat(a) && n > 1;
-        elements |= a->n_plan > 0;
-        drawn &= a->n_plan == 0 ? a->drawn : is_straight(a);
-    }
+    const Common all = common_of(net, n);
+    const int elements = all.elements && (!all.heights || (all.level && all.bent));
+    int jump = 0;
     Alignment *const line = survey_add(to, "");
     int fine = line != NULL;
     for (int k = 0; k < n && fine; ++k) {
@@ -345,18 +386,20 @@ static int line_make(const Net *net, int n, double tolerance, Joined *joined, Su
         if (k == 0) {
             memcpy(line->name, piece.name, sizeof line->name);
             memcpy(line->layer, piece.layer, sizeof line->layer);
-            line->flat = !heights;
-            line->drawn = drawn;
+            line->flat = !all.heights;
+            line->drawn = all.drawn;
+            line->bent = all.bent;
         }
         if (n == 1) { /* as it is */
             *line = piece;
             return 1;
         }
         const double z = alignment_measure(&piece).start.z;
-        if (heights && line->n_points) jump |= fabs(z - line->point[line->n_points - 1].z) > 2 * tolerance;
-        fine = heights || !elements ? points_take(&piece, line) : elements_take(&piece, line);
+        if (all.heights && line->n_points) jump |= fabs(z - line->point[line->n_points - 1].z) > 2 * tolerance;
+        fine = elements ? elements_take(&piece, line) : points_take(&piece, line);
         alignment_clear(&piece);
     }
+    if (fine && elements && all.level) fine = level_add(line, all.z);
     if (fine && jump) { /* pieces without heights among others */
         for (int i = 0; i < line->n_points; ++i) line->point[i].z = 0;
         line->flat = 1;

@@ -34,8 +34,8 @@ typedef struct Joined {
 
 /* Joins the pieces of `from` that the options choose; every line that comes of it is added to `to`, the longest first,
  * with the first piece's name and layer. Lines without a gap between them end at a fork. Alignments that are not level
- * keep their heights: a line of elements at several heights becomes one of points. Errors: INPUT (nothing chosen, a
- * tolerance that is not above 0), MEMORY. */
+ * keep their heights: a line of elements at several heights becomes one of points, chords 0.2 mm beside its curves.
+ * Errors: INPUT (nothing chosen, a tolerance that is not above 0), MEMORY. */
 hawser_status join_lines(const Survey *from, const JoinOptions *options, Survey *to, Joined *joined, hawser_error *err);
 
 /* Which alignment: by name or layer, the nearest to a point, or else the longest. */

@@ -14,6 +14,7 @@ typedef struct Segment {
     double from, length;   /* on the parent, along it */
     double radius, spiral; /* of a circle; constant of a clothoid; 0: neither */
     double square;         /* coefficient of x^2 of a polynomial */
+    int degree, bent;      /* of a polynomial; its x or z is none of degree 1 */
 } Segment;
 
 /* The points of an indexed curve, m. */
@@ -52,11 +53,30 @@ static hawser_status lengths_read(const IfcFile *file, const StepEntity *e, cons
     return status;
 }
 
-/* The second coefficient of an IfcPolynomialCurve's y. */
-static double square_of(const StepEntity *parent)
+/* y over x of an IfcPolynomialCurve(Position, X, Y, Z), whose coordinates are polynomials of a parameter: the
+ * coefficient of x^2, and the highest power of any coordinate. */
+static void polynomial_read(const StepEntity *parent, Segment *out)
 {
-    const StepValue *const c = step_item(parent, step_attribute(parent, 2), 2);
-    return c && c->kind == STEP_NUMBER ? c->number : 0;
+    double linear = 1; /* x of the parameter */
+    for (int of = 1; of < 4; ++of) {
+        const StepValue *v = step_item(parent, step_attribute(parent, of), 0);
+        for (int i = 0; v; v = step_behind(parent, v), ++i) {
+            if (v->kind != STEP_NUMBER || v->number == 0) continue;
+            if (i > out->degree) out->degree = i;
+            if (of == 1 && i == 1) linear = v->number;
+            if (of == 2 && i == 2) out->square = v->number / (linear * linear);
+            if (of != 2 && i > 1) out->bent = 1;
+        }
+    }
+}
+
+/* Of a segment's polynomial what a straight in plan, or a parabola of the profile, is not. */
+static hawser_status degree_check(const IfcFile *file, const Segment *s, long id, int profile)
+{
+    if (!(fabs(s->length) > 1e-9) || s->degree <= (profile && !s->bent ? 2 : 1)) return HAWSER_OK;
+    return input_error(
+        file->step.in, "#%ld: a segment on an IFCPOLYNOMIALCURVE of degree %d, which is not read: expected %s", id,
+        s->degree, profile ? "y of degree 2 at most over x" : "straights, circles and clothoids in plan");
 }
 
 static hawser_status segment_read(const IfcFile *file, long id, Segment *out)
@@ -76,7 +96,7 @@ static hawser_status segment_read(const IfcFile *file, long id, Segment *out)
         if (!strcmp(parent.name, "IFCCLOTHOID"))
             out->spiral = step_number(&parent, 1);
         else if (!strcmp(parent.name, "IFCPOLYNOMIALCURVE"))
-            out->square = square_of(&parent);
+            polynomial_read(&parent, out);
         else if (strcmp(parent.name, "IFCLINE") && !(out->radius > 0))
             status = input_error(file->step.in, "#%ld: a segment on an %s, which is not read", id, parent.name);
     }
@@ -122,11 +142,14 @@ static hawser_status segments_add(const IfcFile *file, const StepEntity *curve, 
 {
     Segment now, next = {0};
     const StepValue *v = step_item(curve, step_attribute(curve, 0), 0);
-    hawser_status status = v ? segment_read(file, v->reference, &next) : HAWSER_OK;
+    long id = v ? v->reference : 0;
+    hawser_status status = v ? segment_read(file, id, &next) : HAWSER_OK;
     while (v && !status) {
         now = next;
         v = step_behind(curve, v);
-        if (v) status = segment_read(file, v->reference, &next);
+        if (!status) status = degree_check(file, &now, id, profile);
+        if (v && !status) status = segment_read(file, v->reference, &next);
+        id = v ? v->reference : 0;
         if (!status) status = profile ? profile_add(file, &now, v ? next.start.x : NAN, a) : plan_add(file, &now, a);
     }
     return status;
@@ -209,6 +232,7 @@ static int arc_add(const Corners *c, Vec3 p, Vec3 q, Vec3 r, Alignment *to)
     const double step = 2 * acos(fmax(0, 1 - 1e-3 / fmax(radius, 1e-3)));
     const int n = (int)fmin(10000, 1 + turn / fmax(step, 1e-3));
     int fine = 1;
+    to->bent = 1;
     for (int i = 1; i <= n && fine; ++i) {
         const double at = turn * i / n;
         fine = straight_add(c, p, v3_axpy(v3_axpy(centre, radius * cos(at), out), radius * sin(at), forth), to);

@@ -207,7 +207,9 @@ static hawser_status layout_add(const IfcFile *file, long id, Alignment *a)
     const int plan = !status && !strcmp(e.name, "IFCALIGNMENTHORIZONTAL");
     const int profile = !status && !strcmp(e.name, "IFCALIGNMENTVERTICAL");
     const IfcNest *const part = ifc_parts(file, id, &n);
-    if (!status && !plan && !profile && !strncmp(e.name, "IFCALIGNMENT", 12)) survey_ignore(file->step.in->out, e.name);
+    const int child = !status && !strcmp(e.name, "IFCALIGNMENT"); /* read as a line of its own */
+    if (!status && !plan && !profile && !child && !strncmp(e.name, "IFCALIGNMENT", 12))
+        survey_ignore(file->step.in->out, e.name);
     if (!status && !strcmp(e.name, "IFCREFERENT"))
         survey_ignore(file->step.in->out, "IFCREFERENT: stations count from where the line begins");
     if ((plan && a->n_plan == 0) || (profile && a->n_profile == 0)) {
@@ -216,6 +218,53 @@ static hawser_status layout_add(const IfcFile *file, long id, Alignment *a)
         survey_ignore(file->step.in->out, "further vertical layouts of an alignment");
     }
     step_entity_free(&e);
+    return status;
+}
+
+/* The number of an entity's part of that name, the first one; 0: none. */
+static hawser_status part_find(const IfcFile *file, long id, const char *name, long *found)
+{
+    StepEntity e = {0};
+    int n = 0;
+    const IfcNest *const part = ifc_parts(file, id, &n);
+    hawser_status status = HAWSER_OK;
+    *found = 0;
+    for (int i = 0; i < n && !status && !*found; ++i) {
+        status = step_entity(&file->step, part[i].part, &e);
+        if (!status && !strcmp(e.name, name)) *found = part[i].part;
+    }
+    step_entity_free(&e);
+    return status;
+}
+
+/* A child alignment, which has a vertical layout alone, stands over the plan of the alignment that it is part of. */
+static hawser_status parent_plan_add(const IfcFile *file, long id, Alignment *a)
+{
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < file->n_nests && !status && a->n_plan == 0; ++i) {
+        long plan = 0;
+        if (file->nest[i].part != id) continue;
+        status = part_find(file, file->nest[i].whole, "IFCALIGNMENTHORIZONTAL", &plan);
+        if (!status && plan) status = layout_add(file, plan, a);
+    }
+    return status;
+}
+
+/* Whether an alignment is but the plan of its children: it has no vertical layout, and one of them has. */
+static hawser_status is_parent(const IfcFile *file, long id, int *yes)
+{
+    int n = 0;
+    long own = 0, of_child = 0;
+    const IfcNest *const part = ifc_parts(file, id, &n);
+    hawser_status status = part_find(file, id, "IFCALIGNMENTVERTICAL", &own);
+    for (int i = 0; i < n && !status && !own && !of_child; ++i) {
+        StepEntity e = {0};
+        status = step_entity(&file->step, part[i].part, &e);
+        if (!status && !strcmp(e.name, "IFCALIGNMENT"))
+            status = part_find(file, part[i].part, "IFCALIGNMENTVERTICAL", &of_child);
+        step_entity_free(&e);
+    }
+    *yes = of_child != 0;
     return status;
 }
 
@@ -235,6 +284,7 @@ static hawser_status alignment_read(const IfcFile *file, long id)
     if (!status && a->n_plan + a->n_profile == 0 && step_reference(&e, 7))
         status = ifc_axis(file, step_reference(&e, 7), a);
     if (!status && a->n_plan == 0 && step_reference(&e, 6)) status = ifc_shape(file, step_reference(&e, 6), a);
+    if (!status && a->n_plan + a->n_points == 0 && a->n_profile > 0) status = parent_plan_add(file, id, a);
     if (!status) status = placement_apply(file, step_reference(&e, 5), a);
     step_entity_free(&e);
     return status;
@@ -244,7 +294,12 @@ static hawser_status alignments_read(IfcFile *file)
 {
     hawser_status status = HAWSER_OK;
     for (int i = -1; !status && (i = step_next(&file->step, i + 1, "IFCALIGNMENT")) >= 0;) {
-        status = alignment_read(file, file->step.entry[i].id);
+        int parent = 0;
+        status = is_parent(file, file->step.entry[i].id, &parent);
+        if (!status && parent)
+            survey_ignore(file->step.in->out, "an alignment without heights: its children's are over its plan");
+        else if (!status)
+            status = alignment_read(file, file->step.entry[i].id);
     }
     return status;
 }

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/error.h"
+
 #include "survey/ifc/parts.h"
 
 static double curvature(double radius) { return radius == 0 || isnan(radius) ? 0 : 1 / radius; }
@@ -12,8 +14,8 @@ static double curvature(double radius) { return radius == 0 || isnan(radius) ? 0
 static void transition_note(const IfcFile *file, const StepValue *type)
 {
     char what[SURVEY_NAME_MAX];
-    if (step_is(type, "LINE") || step_is(type, "CIRCULARARC") ||
-        strstr(type->text ? type->text : "CLOTHOID", "CLOTHOID") || type->kind == STEP_NONE) {
+    if (step_is(type, "LINE") || step_is(type, "CIRCULARARC") || step_is(type, "CLOTHOID") ||
+        step_is(type, "CLOTHOIDCURVE") || type->kind == STEP_NONE || !type->text) {
         return;
     }
     snprintf(what, sizeof what, "transition of type %.*s: taken as a clothoid", type->length, type->text);
@@ -29,13 +31,20 @@ hawser_status ifc_horizontal_segment(const IfcFile *file, const StepEntity *e, A
     const hawser_status status = ifc_triple(file, step_reference(e, 2), &start, NULL);
     if (status) return status;
     if (step_number(e, 6) > 0) transition_note(file, type);
+    const double k0 = line ? 0 : curvature(unit * step_number(e, 4)),
+                 k1 = line ? 0 : curvature(unit * step_number(e, 5));
+    if (step_is(type, "CIRCULARARC") && step_number(e, 6) > 0 && fabs(k0 - k1) > 1e-6 * fmax(fabs(k0), fabs(k1)))
+        return input_error(file->step.in,
+                           "alignment '%.40s', #%ld: a CIRCULARARC with radii of %g and %g: expected the same at both "
+                           "ends",
+                           a->name, e->id, step_number(e, 4), step_number(e, 5));
     return ifc_add_plan(file, a,
                         (PlanElement){.x = unit * start.x,
                                       .y = unit * start.y,
                                       .heading = file->angle * step_number(e, 3),
                                       .length = unit * step_number(e, 6),
-                                      .k0 = line ? 0 : curvature(unit * step_number(e, 4)),
-                                      .k1 = line ? 0 : curvature(unit * step_number(e, 5))});
+                                      .k0 = k0,
+                                      .k1 = k1});
 }
 
 /* Gradients at both ends and the length say what bends; a stated radius is only their rounding. */

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "survey/input.h"
+#include "survey/landxml/angles.h"
 #include "survey/landxml/points.h"
 
 enum { DEPTH_MOST = 64, TEXT_MOST = 1 << 26, WORD_MOST = 64, CORNERS_MOST = 1 << 20, CHUNK = 1 << 16 };
@@ -15,6 +16,7 @@ enum { DEPTH_MOST = 64, TEXT_MOST = 1 << 26, WORD_MOST = 64, CORNERS_MOST = 1 <<
 typedef struct Geometry {
     PointOf have[GEOMETRY_POINTS];     /* Start, End, Center, PI */
     double length, radius, radius_end; /* m; NAN: not given, infinite: straight */
+    double delta;                      /* as the file has it; NAN: not given */
     int right;                         /* turns clockwise */
     int turns;                         /* it says which way it turns */
     char kind[WORD_MOST];              /* of a spiral */
@@ -28,6 +30,7 @@ typedef struct Reader {
     int geometry_at;    /* depth of a CoordGeom that is read, 0: none */
     int current;        /* alignment, -1: none */
     Geometry geometry;
+    LandAngle angle; /* the file's unit of angles */
     LandPoints points;
     char point_name[WORD_MOST];
     char reference[WORD_MOST]; /* pntRef of the element that is open */
@@ -69,7 +72,7 @@ static double number(Reader *r, const char **attributes, const char *name, doubl
     const char *const text = attribute(attributes, name);
     double value;
     if (!text || !*text) return NAN;
-    if (!strncasecmp(text, "inf", 3)) return INFINITY;
+    if (!strcasecmp(text, "inf") || !strcasecmp(text, "infinity")) return INFINITY;
     if (input_number_whole(r->in, text, &value)) return unit * value;
     FAIL(r, "attribute '%s' is '%.40s': expected a number", name, text);
     return NAN;
@@ -96,13 +99,27 @@ static void line_add(Reader *r, Vec3 from, Vec3 to)
     element_add(r, from, atan2(to.y - from.y, to.x - from.x), hypot(to.x - from.x, to.y - from.y), 0, 0);
 }
 
-/* Where a curve's centre is if the file does not say: by the chord, the radius and the side. `long_way`: beyond half a
- * turn. */
-static Vec3 centre_guess(const Geometry *g, Vec3 start, Vec3 end)
+/* Whether a curve without a centre goes on beyond half a turn: by its length, or else its angle. */
+static int is_long_way(Reader *r, const Geometry *g, double chord)
+{
+    const double turn = 2 * asin(fmin(1, 0.5 * chord / g->radius));
+    if (g->length > 0) return g->length > acos(-1) * g->radius;
+    if (isnan(g->delta) && !g->have[POINT_PI].known)
+        survey_ignore(r->in->out, "a Curve without Center, length, delta: taken the short way");
+    if (isnan(g->delta)) return 0;
+    const int long_way = land_long_way(g->delta, r->angle, fmin(1, 0.5 * chord / g->radius));
+    if (long_way < 0)
+        FAIL(r, "a Curve's delta is %.10g, and its chord of %.10g m and radius of %.10g m are %.6g or %.6g deg",
+             g->delta, chord, g->radius, turn * 180 / acos(-1), 360 - turn * 180 / acos(-1));
+    return long_way;
+}
+
+/* Where a curve's centre is if the file does not say: by the chord, the radius and the side. */
+static Vec3 centre_guess(Reader *r, const Geometry *g, Vec3 start, Vec3 end)
 {
     const double chord = hypot(end.x - start.x, end.y - start.y), half = 0.5 * chord;
     const double away = sqrt(fmax(0, g->radius * g->radius - half * half));
-    const int long_way = g->length > acos(-1) * g->radius;
+    const int long_way = is_long_way(r, g, chord);
     const double side = (g->right != long_way ? -away : away) / fmax(chord, 1e-12);
     return v3(0.5 * (start.x + end.x) - side * (end.y - start.y), 0.5 * (start.y + end.y) + side * (end.x - start.x),
               0);
@@ -121,7 +138,7 @@ static void curve_add(Reader *r)
         return;
     }
     const Vec3 start = g->have[POINT_START].at, end = g->have[POINT_END].at;
-    const Vec3 centre = has_centre ? g->have[POINT_CENTER].at : centre_guess(g, start, end);
+    const Vec3 centre = has_centre ? g->have[POINT_CENTER].at : centre_guess(r, g, start, end);
     const double radius = hypot(start.x - centre.x, start.y - centre.y), side = g->right ? -1 : 1;
     if (!(radius > 1e-6)) {
         FAIL(r, "a Curve begins in its Center");
@@ -212,6 +229,7 @@ static void geometry_begin(Reader *r, const char **attributes)
     if (isnan(radius)) radius = number(r, attributes, "radiusStart", unit);
     r->geometry = (Geometry){.length = number(r, attributes, "length", unit),
                              .radius = radius,
+                             .delta = number(r, attributes, "delta", 1),
                              .radius_end = number(r, attributes, "radiusEnd", unit),
                              .right = rot && !strcasecmp(rot, "cw"),
                              .turns = rot && (!strcasecmp(rot, "cw") || !strcasecmp(rot, "ccw"))};
@@ -241,6 +259,11 @@ static PointOf point_here(Reader *r, const char *name)
     double value[3] = {0};
     char *text = r->text;
     int n = 0;
+    if (strlen(r->reference) == WORD_MOST - 1) {
+        FAIL(r, "<%s> refers to a point whose name is longer than %d bytes, '%s...'", name, WORD_MOST - 2,
+             r->reference);
+        return (PointOf){0};
+    }
     if (*r->reference && (r->text_length == 0 || r->text[strspn(r->text, " \t\r\n")] == 0)) {
         const PointOf *const found = land_points_find(&r->points, r->reference);
         if (!found) FAIL(r, "<%s> refers to point '%s', which does not stand before it", name, r->reference);
@@ -275,7 +298,12 @@ static void corner_end(Reader *r, const char *name)
     char *text = r->text;
     int n = 0;
     while (n < 2 && text && next_number(r, &text, &value[n])) ++n;
-    const int arc = r->curve_radius != 0;
+    const int arc = r->curve_radius != 0, uneven = !strcmp(name, "UnsymParaCurve");
+    if ((uneven && !(r->curve_length > 0 && r->curve_after > 0)) ||
+        (!strcmp(name, "ParaCurve") && isnan(r->curve_length))) {
+        FAIL(r, "<%s> needs %s", name, uneven ? "lengthIn and lengthOut above 0" : "a length");
+        return;
+    }
     if (n < 2 || (arc && !(r->curve_radius > 0))) {
         FAIL(r, "<%s> needs station and height%s", name, arc ? " and a radius above 0" : "");
         return;
@@ -344,6 +372,7 @@ static void units_read(Reader *r, const char **attributes)
 {
     const char *const name = attribute(attributes, "linearUnit");
     const double before = r->in->unit;
+    r->angle = land_angle_of(attribute(attributes, "angularUnit"));
     for (size_t i = 0; name && i < sizeof units / sizeof *units; ++i) {
         if (strcasecmp(name, units[i].name)) continue;
         input_unit(r->in, units[i].metres, name);
@@ -463,8 +492,8 @@ static void end(void *data, const char *name)
     }
     const int point = land_point_kind(name);
     if (!strcmp(name, "CgPoint")) {
-        if (*r->point_name && !land_points_add(&r->points, r->point_name, point_here(r, name)) && !r->status)
-            fail_memory(r);
+        const int whole = *r->point_name && strlen(r->point_name) < WORD_MOST - 1; /* others are found by no name */
+        if (whole && !land_points_add(&r->points, r->point_name, point_here(r, name)) && !r->status) fail_memory(r);
     } else if (r->current < 0) {
         return;
     } else if (r->geometry_at && point >= 0) {

@@ -16,6 +16,7 @@ enum { ROOM = 1 << 16, ROOM_TIMES = 16 }; /* that must be there before it is rea
 /* What is said of the geometry that is being read. */
 typedef struct Label {
     const char *name, *layer;
+    int whole; /* number of the feature of several parts; 0: none */
 } Label;
 
 static hawser_status position_read(MapPlaces *p, const json_t *at, Vec3 *out, int *has_height)
@@ -35,6 +36,7 @@ static hawser_status line_read(MapPlaces *p, const json_t *positions, const Labe
     Alignment *const a = survey_add(s, label->name);
     if (!a) return error_memory(p->in->err);
     snprintf(a->layer, sizeof a->layer, "%s", label->layer);
+    a->whole = label->whole;
     size_t heights = 0;
     for (size_t i = 0; i < n; ++i) {
         Vec3 *const point = alignment_add_point(a);
@@ -86,7 +88,7 @@ static Label label_of(const json_t *feature)
     const char *name = json_string_value(json_object_get(properties, "name"));
     const char *const layer = json_string_value(json_object_get(properties, "layer"));
     if (!name) name = json_string_value(json_object_get(feature, "id"));
-    return (Label){name ? name : "", layer ? layer : ""};
+    return (Label){name ? name : "", layer ? layer : "", 0};
 }
 
 static hawser_status geometry_read(MapPlaces *p, const json_t *g, const Label *label, int depth)
@@ -105,7 +107,10 @@ static hawser_status geometry_read(MapPlaces *p, const json_t *g, const Label *l
         return geometry ? geometry_read(p, geometry, &own, depth + 1) : HAWSER_OK;
     }
     if (!strcmp(type, "LineString")) return line_read(p, coordinates, label);
-    if (!strcmp(type, "MultiLineString")) return list_read(p, coordinates, label, depth, line_of);
+    if (!strcmp(type, "MultiLineString")) {
+        const Label parts = {label->name, label->layer, p->in->out->n + 1};
+        return list_read(p, coordinates, &parts, depth, line_of);
+    }
     if (!strcmp(type, "Point")) return mark_read(p, coordinates, label);
     if (!strcmp(type, "MultiPoint")) return list_read(p, coordinates, label, depth, mark_of);
     survey_ignore(p->in->out, type);
@@ -140,6 +145,19 @@ static int is_in_degrees(Survey *s, const char *crs, const json_t *root)
     return degrees;
 }
 
+/* Metres of a Mercator map of the world, by the number of its system: they are too long by 1/cos(latitude). */
+static int is_web_map(const char *crs)
+{
+    static const char *const numbers[] = {"3857", "3785", "3395", "900913", "102100", "102113", "54004"};
+    if (!crs) return 0;
+    const char *digits = crs + strlen(crs);
+    while (digits > crs && strchr("0123456789", digits[-1])) --digits;
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i) {
+        if (!strcmp(digits, numbers[i])) return 1;
+    }
+    return 0;
+}
+
 /* A file may say which place its projection is about ("origin"). Degrees, but for files that say that they hold metres:
  * by "coordinates_in", or by the "crs" of old files. */
 static hawser_status system_find(MapPlaces *p, const json_t *root)
@@ -147,6 +165,11 @@ static hawser_status system_find(MapPlaces *p, const json_t *root)
     const char *const in = json_string_value(json_object_get(root, "coordinates_in"));
     const char *const crs =
         json_string_value(json_object_get(json_object_get(json_object_get(root, "crs"), "properties"), "name"));
+    if (is_web_map(crs))
+        return input_error(p->in,
+                           "crs '%.60s': metres of a map of the world are too long away from the equator: expected "
+                           "longitude and latitude (WGS 84), or a projection that is true to scale there",
+                           crs);
     p->plain = (in && !strcmp(in, "m")) || !is_in_degrees(p->in->out, crs, root);
     const hawser_status status = map_unit(p);
     if (status) return status;
@@ -171,9 +194,12 @@ hawser_status geojson_read(SurveyInput *in)
     }
     /* without memory jansson finds fault with some word of the text, so that it is asked for before */
     if (!memory_room(ROOM + ROOM_TIMES * (size_t)state.st_size)) return error_memory(in->err);
+    char mark[3] = ""; /* of the order of bytes, which jansson takes for a fault */
+    const long begin = fread(mark, 1, 3, in->file) == 3 && !memcmp(mark, "\xEF\xBB\xBF", 3) ? 3 : 0;
+    input_seek(in, begin);
     json_t *root = json_loadf(in->file, JSON_DISABLE_EOF_CHECK, &where);
     if (!root) { /* so what it finds is looked for twice */
-        input_seek(in, 0);
+        input_seek(in, begin);
         root = json_loadf(in->file, JSON_DISABLE_EOF_CHECK, &where);
     }
     if (!root) {
@@ -181,7 +207,7 @@ hawser_status geojson_read(SurveyInput *in)
         if (json_error_code(&where) == json_error_out_of_memory) return error_memory(in->err);
         return input_error(in, "no JSON: %s", where.text);
     }
-    const Label none = {"", ""};
+    const Label none = {"", "", 0};
     hawser_status status = system_find(&places, root);
     if (!status) status = geometry_read(&places, root, &none, 0);
     if (!status && in->out->n == 0 && in->out->n_marks == 0) status = input_error(in, "no line and no point in it");

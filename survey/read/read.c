@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { HEAD_SIZE = 512 };
+enum { HEAD_SIZE = 1 << 14 }; /* comments may stand before what tells */
 
 typedef hawser_status (*Reader)(SurveyInput *in);
 
@@ -23,7 +23,31 @@ static hawser_status dwg_read(SurveyInput *in)
 {
     return input_error(in, "a DWG drawing, which cannot be read: save it as DXF (SAVEAS, any version from R12 on)");
 }
-static int is_gpx(const char *head) { return *head == '<' && strstr(head, "<gpx") != NULL; }
+
+/* Behind a declaration, a comment or a DOCTYPE with its brackets, which begins there; NULL: it does not end. */
+static const char *prolog_end(const char *text)
+{
+    const int comment = !strncmp(text, "<!--", 4), declaration = text[1] == '?';
+    const char *const end = comment ? strstr(text + 4, "-->") : declaration ? strstr(text, "?>") : NULL;
+    if (comment || declaration) return end ? end + (comment ? 3 : 2) : NULL;
+    for (int depth = 0; *text; ++text) {
+        depth += (*text == '[') - (*text == ']');
+        if (*text == '>' && depth == 0) return text + 1;
+    }
+    return NULL;
+}
+
+/* XML whose outermost element is gpx, with or without a prefix. */
+static int is_gpx(const char *head)
+{
+    while (head && *head == '<' && (head[1] == '?' || head[1] == '!')) {
+        head = prolog_end(head);
+        head += head ? strspn(head, " \t\r\n") : 0;
+    }
+    if (!head || *head != '<') return 0;
+    const size_t size = strcspn(head + 1, " \t\r\n/>");
+    return (size == 3 || (size > 3 && head[size - 3] == ':')) && !strncmp(head + size - 2, "gpx", 3);
+}
 static int is_json(const char *head) { return *head == '{'; }
 static int is_xml(const char *head) { return *head == '<'; }
 static int is_table(const char *head) { return *head != 0; }

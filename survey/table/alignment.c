@@ -8,6 +8,27 @@
 
 #define TURN (2 * 3.14159265358979323846)
 
+/* ----------------------------------------------------------------------------------------------------- stations */
+
+/* Stations that are to be found again are the way from the first row on, m, in plan or in space, within a hundredth. */
+static hawser_status way_check(const SurveyInput *in, const Table *t, int i, double plan, double space)
+{
+    const double slack = 0.01, least = 1, on = t->row[i].value[COLUMN_STATION] - t->row[0].value[COLUMN_STATION];
+    if (isnan(on) || (on >= plan * (1 - slack) - least && on <= space * (1 + slack) + least)) return HAWSER_OK;
+    return input_error(in,
+                       "station %.10g m is %.10g m from the first one, and the way to it is %.10g m: expected stations "
+                       "that are the way, or none",
+                       t->row[i].value[COLUMN_STATION], on, plan);
+}
+
+/* Those that were measured along a slope are told apart from the way in plan, by which parts of a line are taken. */
+static void slope_say(SurveyInput *in, const Table *t, double plan)
+{
+    const double on = t->row[t->n - 1].value[COLUMN_STATION] - t->row[0].value[COLUMN_STATION];
+    if (on > 1.01 * plan + 1)
+        survey_ignore(in->out, "stations along the slope: those of 'from' and 'to' count in plan");
+}
+
 /* ------------------------------------------------------------------------------------------- elements in plan */
 
 /* How a table may write headings: against x or against north, in which unit; and which side a positive radius is on. */
@@ -150,7 +171,13 @@ static hawser_status element_check(SurveyInput *in, const Table *t, int i)
 static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
 {
     hawser_status status = HAWSER_OK;
+    in->line = 0;
+    if (t->has[COLUMN_RADIUS_START] != t->has[COLUMN_RADIUS_END])
+        return input_error(in, "a column of %s radii, and none of %s: elements need both, or one 'radius'",
+                           t->has[COLUMN_RADIUS_START] ? "start" : "end", t->has[COLUMN_RADIUS_END] ? "start" : "end");
     for (int i = 0; i < t->n && !status; ++i) status = element_check(in, t, i);
+    if (!status && t->n == 1 && isnan(t->row[0].value[COLUMN_HEADING]))
+        return input_error(in, "an element alone needs its direction: there is no next one that tells it");
     if (status) return status;
     const Convention c = convention_find(in, t);
     for (int i = 0; i < t->n; ++i) {
@@ -160,9 +187,11 @@ static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
         e->name = t->row[i].name;
     }
     double station = 0;
-    for (int i = 0; i < t->n && !status && t->has[COLUMN_Z] && t->has[COLUMN_GRADE]; ++i) {
+    const int rises = t->has[COLUMN_Z] && t->has[COLUMN_GRADE];
+    for (int i = 0; i < t->n && !status; ++i) {
         in->line = t->row[i].line;
-        status = rise_add(in, &t->row[i], station, a);
+        status = way_check(in, t, i, station, station);
+        if (!status && rises) status = rise_add(in, &t->row[i], station, a);
         station += t->row[i].value[COLUMN_LENGTH];
     }
     return status;
@@ -170,7 +199,15 @@ static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
 
 /* ---------------------------------------------------------------------------------------------------- profiles */
 
-/* What a row leaves out: the first one begins at 0, a slope is a gradient, a grade leads to the next height. */
+/* The gradient with which the row behind row i begins; NAN: it says none. */
+static double next_grade(const Table *t, int i)
+{
+    const double *const v = i + 1 < t->n ? t->row[i + 1].value : NULL;
+    return v ? v[t->has[COLUMN_GRADE] ? COLUMN_GRADE : COLUMN_SLOPE] : NAN;
+}
+
+/* What a row leaves out: the first one begins at 0, a slope is a gradient, a grade leads to the next height; one with a
+ * radius ends with the gradient of the next. */
 static void profile_fill(const Table *t, int i, double v[COLUMN_TYPE])
 {
     const double *const next = i + 1 < t->n ? t->row[i + 1].value : NULL;
@@ -180,6 +217,7 @@ static void profile_fill(const Table *t, int i, double v[COLUMN_TYPE])
     if (next && isnan(v[COLUMN_GRADE])) {
         v[COLUMN_GRADE] = (next[COLUMN_Z] - v[COLUMN_Z]) / (next[COLUMN_STATION] - v[COLUMN_STATION]);
     }
+    if (isnan(v[COLUMN_GRADE_END]) && fabs(v[COLUMN_RADIUS]) > 0) v[COLUMN_GRADE_END] = next_grade(t, i);
     if (isnan(v[COLUMN_GRADE_END])) v[COLUMN_GRADE_END] = v[COLUMN_GRADE];
 }
 
@@ -204,6 +242,11 @@ static hawser_status profile_make(SurveyInput *in, const Table *t, Alignment *a)
         if (status) return status;
         const double radius = fabs(v[COLUMN_RADIUS]), change = v[COLUMN_GRADE_END] - v[COLUMN_GRADE];
         const int arc = change != 0 && radius > 0;
+        if (radius > 0 && !arc)
+            return input_error(in,
+                               "a radius of %g m, and no gradient at its end that differs from %g: expected 'end "
+                               "gradient', or a next row's",
+                               radius, v[COLUMN_GRADE]);
         ProfileElement *const e = alignment_add_profile(a);
         if (!e) return error_memory(in->err);
         *e = (ProfileElement){.kind = arc ? PROFILE_ARC : PROFILE_PARABOLA,
@@ -261,6 +304,7 @@ static hawser_status station_check(const SurveyInput *in, const Table *t, int i)
 
 static hawser_status points_make(SurveyInput *in, const Table *t, Alignment *a)
 {
+    double plan = 0, space = 0;
     for (int i = 0; i < t->n; ++i) {
         const double *const v = t->row[i].value, z = v[COLUMN_Z];
         in->line = t->row[i].line;
@@ -273,7 +317,12 @@ static hawser_status points_make(SurveyInput *in, const Table *t, Alignment *a)
         if (isnan(z) != isnan(t->row[0].value[COLUMN_Z]))
             return input_error(in, "a height in some rows and none in others: give all, or leave the column out");
         a->flat = isnan(z);
+        const Vec3 step = v3_sub(*p, a->point[i > 0 ? i - 1 : 0]);
+        plan += hypot(step.x, step.y);
+        space += v3_norm(step);
+        if (way_check(in, t, i, plan, space)) return HAWSER_ERR_INPUT;
     }
+    slope_say(in, t, plan);
     return HAWSER_OK;
 }
 
@@ -359,6 +408,7 @@ static hawser_status pieces_make(SurveyInput *in, const Table *t, Alignment *a)
         status = piece_station(in, t->row[i].value[COLUMN_STATION], &at);
         if (!status) status = piece_lay(in, &t->row[i], a, &at);
     }
+    if (!status) slope_say(in, t, at.then[0]);
     alignment_chain(a);
     return status;
 }

@@ -227,6 +227,19 @@ static TableTurn turn_of(const char *text)
     return TURN_NONE;
 }
 
+/* The word that stands for a straight where a radius is asked for. */
+static int is_infinite(const char *text)
+{
+    static const char *const words[] = {"inf", "infinity", "infinite", "\xE2\x88\x9E"};
+    text += *text == '+' || *text == '-';
+    size_t size = strlen(text);
+    while (size && strchr(" \r", text[size - 1])) --size;
+    for (size_t i = 0; i < sizeof words / sizeof *words; ++i) {
+        if (strlen(words[i]) == size && !strncasecmp(text, words[i], size)) return 1;
+    }
+    return 0;
+}
+
 static hawser_status cell_read(SurveyInput *in, const Columns *columns, int i, char *text, TableRow *row)
 {
     const TableColumn c = columns->meaning[i];
@@ -236,8 +249,9 @@ static hawser_status cell_read(SurveyInput *in, const Columns *columns, int i, c
     if (c == COLUMN_TURN && *text && *text != '-' && row->turn == TURN_NONE)
         return input_error(in, "turn '%.40s': expected left, right, up or down", text);
     if (c >= COLUMN_TYPE || !*text || !strcmp(text, "-") || !strcmp(text, "$")) return HAWSER_OK;
-    if (!strncasecmp(text, "inf", 3)) {
-        row->value[c] = 0; /* of a radius: straight */
+    const int radius = c == COLUMN_RADIUS || c == COLUMN_RADIUS_START || c == COLUMN_RADIUS_END;
+    if ((radius || c == COLUMN_VERTICAL_RADIUS) && is_infinite(text)) {
+        row->value[c] = 0; /* straight */
         return HAWSER_OK;
     }
     if (!cell_number(in, columns, i, text, &row->value[c])) return input_error(in, "'%.40s' is no number", text);

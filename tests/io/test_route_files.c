@@ -111,9 +111,12 @@ static void parts_are_cut_and_turned(void **state)
         check_below(apart(place(r, 0, s).position_m, place(whole, 0, begin + length - s).position_m), 1e-5);
     hawser_error err;
     hawser_routes *none;
-    options.to_m = 150;
+    options.to_m = 132.005; /* the line ends at 132 m: rounding */
     assert_int_equal(hawser_routes_read(ROUTES "tunnel.xml", &options, &none, &err), HAWSER_OK);
     hawser_routes_free(none);
+    options.to_m = 150;
+    assert_int_equal(hawser_routes_read(ROUTES "tunnel.xml", &options, &none, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "m: it cannot be used from 20 m to 150 m");
     options.from_m = 140;
     assert_int_equal(hawser_routes_read(ROUTES "tunnel.xml", &options, &none, &err), HAWSER_ERR_INPUT);
     check_has(err.message, "reaches from station 0 m to");

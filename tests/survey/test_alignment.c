@@ -128,10 +128,50 @@ static void reversed(void **state)
     alignment_clear(&b);
 }
 
+/* A profile that goes on behind the line, as one of a longer road does: its length is the line's. */
+static void profile_beyond_the_line(void **state)
+{
+    (void)state;
+    hawser_error err;
+    const ProfileCorner corner[] = {
+        {.station = 0, .z = 10}, {.station = 50, .z = 20}, {.station = 150, .z = 20}, {.station = 300, .z = 50}};
+    Alignment a = {0};
+    *alignment_add_plan(&a) = (PlanElement){.length = 100};
+    assert_int_equal(profile_from_corners(&a, 4, corner, &err), HAWSER_OK);
+    check_close(alignment_measure(&a).length, sqrt(2600) + 50, 1e-12);
+    for (int i = 0; i < a.n_profile; ++i) a.profile[i].station -= 250; /* before its start: 200 m of it */
+    check_close(alignment_measure(&a).length, 50 * sqrt(1.04) + 50 * sqrt(1.04), 1e-12);
+    alignment_clear(&a);
+}
+
+/* A part that begins where the profile has ended, or ends before it begins, is as it was on the whole line. */
+static void parts_beyond_the_profile(void **state)
+{
+    (void)state;
+    static const double part[][2] = {{60, 100}, {5, 15}, {5, 60}, {42, 100}, {25, 90}, {40, 46}, {30, 41}};
+    for (size_t k = 0; k < sizeof part / sizeof *part; ++k) {
+        hawser_error err;
+        Alignment a = {0}, b;
+        *alignment_add_plan(&a) = (PlanElement){.length = 100};
+        *alignment_add_profile(&a) = (ProfileElement){PROFILE_PARABOLA, 20, 20, 10, 0.1, 0.002};
+        *alignment_add_profile(&a) = (ProfileElement){PROFILE_PARABOLA, 45, 5, 13.1, 0.14, 0};
+        assert_true(alignment_copy(&a, &b));
+        assert_int_equal(alignment_cut(&b, part[k][0], part[k][1], &err), HAWSER_OK);
+        for (double s = 0; s <= part[k][1] - part[k][0]; s += 0.5)
+            check_vec(alignment_at(&b, s).at, alignment_at(&a, part[k][0] + s).at, 1e-12);
+        alignment_clear(&a);
+        alignment_clear(&b);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(clothoids_against_quadrature), cmocka_unit_test(arcs_and_lines),
-                                       cmocka_unit_test(profiles), cmocka_unit_test(corners),
-                                       cmocka_unit_test(reversed)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(clothoids_against_quadrature),
+                                       cmocka_unit_test(arcs_and_lines),
+                                       cmocka_unit_test(profiles),
+                                       cmocka_unit_test(corners),
+                                       cmocka_unit_test(reversed),
+                                       cmocka_unit_test(profile_beyond_the_line),
+                                       cmocka_unit_test(parts_beyond_the_profile)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -474,6 +474,32 @@ static void what_is_wrong(void **state)
     alignment_clear(&a);
 }
 
+/* A drawn profile of several corners is the same from either side. */
+static void drawn_from_either_side(void **state)
+{
+    (void)state;
+    static const double corner[][2] = {{0, 0}, {33, 5}, {66, 5}, {100, 10}};
+    FitOptions options = fit_options();
+    FitReport report;
+    hawser_error err = {.message = ""};
+    Alignment plan = {.name = "plan"}, out[2];
+    add(&plan, 100, 0, 0);
+    options.profile_drawn = 1;
+    for (int turned = 0; turned < 2; ++turned) {
+        Alignment profile = {.flat = 1, .drawn = 1};
+        for (int i = 0; i < 4; ++i)
+            *alignment_add_point(&profile) = v3(corner[turned ? 3 - i : i][0], corner[turned ? 3 - i : i][1], 0);
+        if (fit_alignment(&plan, &profile, &options, &out[turned], &report, &err)) fail_msg("%s", err.message);
+        alignment_clear(&profile);
+    }
+    for (double s = 0; s <= 100; s += 1)
+        check_close(alignment_at(&out[0], s).at.z, alignment_at(&out[1], s).at.z, 1e-3);
+    check_close(alignment_at(&out[1], 16.5).at.z, 2.5, 0.06);
+    alignment_clear(&plan);
+    alignment_clear(&out[0]);
+    alignment_clear(&out[1]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -483,6 +509,7 @@ int main(void)
         cmocka_unit_test(grades_stay_straight),   cmocka_unit_test(smooth_lines_stay),
         cmocka_unit_test(arcs_are_kept),          cmocka_unit_test(heights_from_elsewhere),
         cmocka_unit_test(rough_lines_are_within), cmocka_unit_test(bends_have_error_bars),
-        cmocka_unit_test(heights_have_stations),  cmocka_unit_test(what_is_wrong)};
+        cmocka_unit_test(heights_have_stations),  cmocka_unit_test(what_is_wrong),
+        cmocka_unit_test(drawn_from_either_side)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -247,6 +247,91 @@ static void curves_of_other_kinds(void **state)
         "on an IFCCOSINESPIRAL, which is not read");
 }
 
+/* Curves of a higher degree than what they would be read as are refused; those of a lower one are what they are. */
+static void polynomials(void **state)
+{
+    (void)state;
+    static const char *const plan =
+        "#4=IFCCOMPOSITECURVE((#10),.F.);\n"
+        "#10=IFCCURVESEGMENT(.CONTINUOUS.,#11,IFCLENGTHMEASURE(0.),IFCLENGTHMEASURE(20.),#13);\n"
+        "#11=IFCAXIS2PLACEMENT2D(#12,$);\n#12=IFCCARTESIANPOINT((0.,0.));\n"
+        "#13=IFCPOLYNOMIALCURVE(#11,(0.,1.),%s,$);\n";
+    static const char *const profile =
+        "#4=IFCGRADIENTCURVE((#10),.F.,#20,$);\n#20=IFCPOLYLINE((#12,#21));\n#21=IFCCARTESIANPOINT((20.,0.));\n"
+        "#10=IFCCURVESEGMENT(.CONTINUOUS.,#11,IFCLENGTHMEASURE(0.),IFCLENGTHMEASURE(20.),#13);\n"
+        "#11=IFCAXIS2PLACEMENT2D(#12,$);\n#12=IFCCARTESIANPOINT((0.,0.));\n#13=IFCPOLYNOMIALCURVE(#11,(0.,2.),%s,$);\n";
+    static const struct {
+        const char *y;
+        int in_profile;
+        const char *why;
+    } cases[] = {{"(0.,0.)", 0, ""},
+                 {"(0.,0.,0.,0.001)", 0, "#10: a segment on an IFCPOLYNOMIALCURVE of degree 3, which is not read"},
+                 {"(0.,0.,0.01)", 0, "of degree 2, which is not read: expected straights, circles"},
+                 {"(0.,0.,0.04,0.)", 1, ""},
+                 {"(0.,0.,0.04,0.001)", 1, "of degree 3, which is not read: expected y of degree 2 at most over x"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        char text[2000], body[1000];
+        Survey s;
+        snprintf(body, sizeof body, cases[i].in_profile ? profile : plan, cases[i].y);
+        snprintf(text, sizeof text, IFC("IFC4X3", DRAWN("%s")), body);
+        const char *const why = read_text(text, &s);
+        if (*cases[i].why) check_has(why, cases[i].why);
+        if (*cases[i].why) continue;
+        assert_string_equal(why, "");
+        if (cases[i].in_profile) check_close(alignment_at(&s.alignment[0], 10).at.z, 1, 1e-12);
+        survey_clear(&s);
+    }
+}
+
+/* The kind of a segment is its own word, not what comes behind it; an arc has one radius. */
+static void kinds_of_segments(void **state)
+{
+    (void)state;
+    static const char *const file =
+        IFC("IFC4X3", "#1=IFCALIGNMENT('1',$,'al',$,$,$,$,$);\n#2=IFCALIGNMENTHORIZONTAL('2',$,$,$,$,$,$);\n"
+                      "#3=IFCRELNESTS($,$,$,$,#1,(#2));\n#4=IFCRELNESTS($,$,$,$,#2,(#5));\n"
+                      "#5=IFCALIGNMENTHORIZONTALSEGMENT('CLOTHOID','CLOTHOID',#6,0.,%s,30.,20.,$,.%s.,'CLOTHOID');\n"
+                      "#6=IFCCARTESIANPOINT((0.,0.));\n");
+    char text[2000];
+    Survey s;
+    snprintf(text, sizeof text, file, "0.", "BLOSSCURVE");
+    assert_string_equal(read_text(text, &s), "");
+    assert_int_equal(s.n_ignored, 1);
+    check_has(s.ignored[0].what, "transition of type BLOSSCURVE: taken as a clothoid");
+    survey_clear(&s);
+    snprintf(text, sizeof text, file, "0.", "CLOTHOID");
+    assert_string_equal(read_text(text, &s), "");
+    assert_int_equal(s.n_ignored, 0);
+    survey_clear(&s);
+    snprintf(text, sizeof text, file, "0.", "CIRCULARARC");
+    bad(text, "alignment 'al', #5: a CIRCULARARC with radii of 0 and 30: expected the same at both ends");
+}
+
+/* A vertical layout in a child of the alignment that has the plan: the child is a line with both. */
+static void child_alignments(void **state)
+{
+    (void)state;
+    Survey s;
+    assert_string_equal(
+        read_text(IFC("IFC4X3",
+                      "#8=IFCALIGNMENT('1',$,'al',$,$,$,$,$);\n#9=IFCALIGNMENTHORIZONTAL('2',$,$,$,$,$,$);\n"
+                      "#10=IFCALIGNMENTVERTICAL('3',$,$,$,$,$,$);\n#12=IFCRELNESTS('4',$,$,$,#8,(#9));\n"
+                      "#13=IFCALIGNMENT('c1',$,'child',$,$,$,$,$);\n#14=IFCRELAGGREGATES('a1',$,$,$,#8,(#13));\n"
+                      "#15=IFCRELNESTS('n1',$,$,$,#13,(#10));\n#100=IFCCARTESIANPOINT((0.,0.));\n"
+                      "#101=IFCALIGNMENTHORIZONTALSEGMENT($,$,#100,0.,0.,0.,100.,$,.LINE.);\n"
+                      "#20=IFCRELNESTS('5',$,$,$,#9,(#101));\n"
+                      "#103=IFCALIGNMENTVERTICALSEGMENT($,$,0.,100.,10.,0.2,0.2,$,.CONSTANTGRADIENT.);\n"
+                      "#21=IFCRELNESTS('6',$,$,$,#10,(#103));\n"),
+                  &s),
+        "");
+    assert_int_equal(s.n, 1);
+    assert_string_equal(s.alignment[0].name, "child");
+    check_vec(alignment_measure(&s.alignment[0]).end, v3(100, 0, 30), 1e-9);
+    assert_int_equal(s.n_ignored, 1);
+    check_has(s.ignored[0].what, "an alignment without heights");
+    survey_clear(&s);
+}
+
 static void what_is_wrong(void **state)
 {
     (void)state;
@@ -279,6 +364,9 @@ int main(void)
                                        cmocka_unit_test(level_at_its_placement),
                                        cmocka_unit_test(older_schema_and_polyline),
                                        cmocka_unit_test(curves_of_other_kinds),
+                                       cmocka_unit_test(polynomials),
+                                       cmocka_unit_test(kinds_of_segments),
+                                       cmocka_unit_test(child_alignments),
                                        cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -107,6 +107,38 @@ static void heights(void **state)
     survey_clear(&s);
 }
 
+/* Straights and an arc at one height are elements, as they are at 0 m; where one rises, the arc is chords 0.2 mm beside
+ * it, and the straights stay straights. */
+static void arcs_at_a_height(void **state)
+{
+    (void)state;
+    for (int rise = 0; rise < 2; ++rise) {
+        Survey s = {0};
+        Joined j;
+        straight(&s, "C", v3(0, 0, 5 - rise), v3(100, 0, 5))->drawn = 1;
+        straight(&s, "C", v3(100, 0, 5), v3(194, 34, 5))->drawn = 1;
+        Alignment *const a = arc(&s, "C", (PlanElement){194, 34, atan2(34, 94), 60, 0.05, 0.05, 0, 0});
+        *alignment_add_profile(a) = (ProfileElement){.length = 60, .z = 5};
+        a->flat = 0;
+        Survey to = joined(&s, NULL, &j);
+        const Alignment *const line = &to.alignment[0];
+        assert_int_equal(to.n, 1);
+        assert_int_equal(line->n_plan, rise ? 0 : 3);
+        assert_true(line->drawn && line->bent && !line->flat);
+        check_close(alignment_measure(line).length, hypot(100, rise) + hypot(94, 34) + 60, rise ? 2e-3 : 1e-9);
+        check_close(alignment_at(line, 150).at.z, 5, 1e-12);
+        const Alignment *const own = &s.alignment[2];
+        for (int i = 2; i + 1 < line->n_points; ++i) { /* a chord's middle beside the circle */
+            const Vec3 middle = v3_scale(0.5, v3_add(line->point[i], line->point[i + 1]));
+            const PlanElement quarter = plan_at(own->plan, 10 * acos(-1));
+            const double x = quarter.x - 20 * sin(quarter.heading), y = quarter.y + 20 * cos(quarter.heading);
+            check_close(hypot(middle.x - x, middle.y - y), 20, 2e-4);
+        }
+        survey_clear(&to);
+        survey_clear(&s);
+    }
+}
+
 /* Ten thousand pieces of a circle in any order: one closed line. */
 static void many(void **state)
 {
@@ -202,6 +234,7 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(order_and_direction),
                                        cmocka_unit_test(forks_and_gaps),
                                        cmocka_unit_test(heights),
+                                       cmocka_unit_test(arcs_at_a_height),
                                        cmocka_unit_test(pieces_without_heights),
                                        cmocka_unit_test(own_ends),
                                        cmocka_unit_test(many),

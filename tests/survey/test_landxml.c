@@ -190,6 +190,73 @@ static void spirals_turn(void **state)
     bad(text, "a Spiral without rot, cw or ccw");
 }
 
+/* Two points whose names differ behind the 63rd letter are not taken for one another; those that nobody asks for are
+ * read over. */
+static void long_names_of_points(void **state)
+{
+    (void)state;
+#define LONG "PPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPP"
+#define POINTS                                                                                                         \
+    "<CgPoints><CgPoint name=\"A\">0 0</CgPoint><CgPoint name=\"" LONG "2\">0 100</CgPoint><CgPoint name=\"" LONG      \
+    "3\">0 300</CgPoint><CgPoint name=\"B\">0 50</CgPoint></CgPoints>"
+#define TO(name) ALIGNMENT("<Line><Start pntRef=\"A\"/><End pntRef=\"" name "\"/></Line>", "")
+    Survey s;
+    bad(XML(METRIC, POINTS TO(LONG "2")), "<End> refers to a point whose name is longer than 62 bytes, 'PPP");
+    assert_string_equal(read_text(XML(METRIC, POINTS TO("B")), &s), "");
+    check_close(alignment_measure(&s.alignment[0]).length, 50, 1e-12);
+    survey_clear(&s);
+}
+
+/* Curves of a profile without their lengths are no corners. */
+static void curves_need_lengths(void **state)
+{
+    (void)state;
+    bad(XML(METRIC, ALIGNMENT("<Line><Start>0 0</Start><End>0 100</End></Line>",
+                              "<Profile><ProfAlign><PVI>0 10</PVI><UnsymParaCurve lengthIn=\"0\" lengthOut=\"40\">50 15"
+                              "</UnsymParaCurve><PVI>100 10</PVI></ProfAlign></Profile>")),
+        "<UnsymParaCurve> needs lengthIn and lengthOut above 0");
+    bad(XML(METRIC, ALIGNMENT("<Line><Start>0 0</Start><End>0 100</End></Line>",
+                              "<Profile><ProfAlign><PVI>0 10</PVI><ParaCurve>50 15</ParaCurve><PVI>100 10</PVI>"
+                              "</ProfAlign></Profile>")),
+        "<ParaCurve> needs a length");
+}
+
+/* A Curve of more than half a turn that neither a Center nor a length tells: its delta does, in the unit that the file
+ * says, or in the one that goes with chord and radius. */
+static void delta_of_a_curve(void **state)
+{
+    (void)state;
+    static const char *const unit[] = {"",
+                                       "angularUnit=\"decimal degrees\"",
+                                       "angularUnit=\"radians\"",
+                                       "angularUnit=\"grads\"",
+                                       "angularUnit=\"decimal dd.mm.ss\"",
+                                       "angularUnit=\"radians\""};
+    static const char *const delta[] = {"270", "270", "4.712388980", "300", "270.0000", "270"};
+    char text[1000];
+    Survey s;
+    for (size_t i = 0; i < sizeof unit / sizeof *unit; ++i) {
+        snprintf(text, sizeof text,
+                 "<LandXML><Units><Metric linearUnit=\"meter\" %s/></Units><Alignments><Alignment><CoordGeom>"
+                 "<Curve rot=\"ccw\" radius=\"10\" delta=\"%s\"><Start>0 20</Start><End>10 10</End></Curve>"
+                 "</CoordGeom></Alignment></Alignments></LandXML>",
+                 unit[i], delta[i]);
+        assert_string_equal(read_text(text, &s), "");
+        check_close(s.alignment[0].plan[0].length, 15 * acos(-1), 1e-6);
+        survey_clear(&s);
+    }
+    bad(XML(METRIC,
+            ALIGNMENT("<Curve rot=\"cw\" radius=\"10\" delta=\"20\"><Start>0 20</Start><End>10 10</End></Curve>", "")),
+        "a Curve's delta is 20, and its chord of 14.14213562 m and radius of 10 m are 90 or 270 deg");
+    assert_string_equal(
+        read_text(
+            XML(METRIC, ALIGNMENT("<Curve rot=\"cw\" radius=\"10\"><Start>0 20</Start><End>10 10</End></Curve>", "")),
+            &s),
+        "");
+    check_has(s.ignored[0].what, "taken the short way");
+    survey_clear(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(tramway),
@@ -198,6 +265,9 @@ int main(void)
                                        cmocka_unit_test(what_is_left_out),
                                        cmocka_unit_test(what_contradicts_itself),
                                        cmocka_unit_test(spirals_turn),
-                                       cmocka_unit_test(what_is_wrong)};
+                                       cmocka_unit_test(what_is_wrong),
+                                       cmocka_unit_test(long_names_of_points),
+                                       cmocka_unit_test(curves_need_lengths),
+                                       cmocka_unit_test(delta_of_a_curve)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -150,6 +150,34 @@ static void crs_of_other_names(void **state)
     survey_clear(&s);
 }
 
+/* A prefix of its own, comments longer than a page and a DOCTYPE before the outermost element; a mark of the order of
+ * bytes before JSON. */
+static void what_stands_before(void **state)
+{
+    (void)state;
+    static const char *const track =
+        "<trk><trkseg><trkpt lat=\"60\" lon=\"10\"/><trkpt lat=\"60.001\" lon=\"10\"/></trkseg></trk>";
+    char text[4000], comment[2000];
+    Survey s;
+    memset(comment, 'x', sizeof comment);
+    comment[sizeof comment - 1] = 0;
+    snprintf(text, sizeof text, "<?xml version=\"1.0\"?>\n<!-- <g> %s -->\n<!DOCTYPE gpx [ <!-- > --> ]><gpx>%s</gpx>",
+             comment, track);
+    assert_string_equal(read_text(text, &s), "");
+    assert_int_equal(s.n, 1);
+    survey_clear(&s);
+    snprintf(text, sizeof text, "<g:gpx xmlns:g=\"http://www.topografix.com/GPX/1/1\">%s</g:gpx>", track);
+    assert_string_equal(read_text(text, &s), "");
+    assert_int_equal(s.n, 1);
+    survey_clear(&s);
+    bad("<xgpx/>", "expected <LandXML>");
+    assert_string_equal(
+        read_text("\xEF\xBB\xBF{\"type\":\"LineString\",\"coordinates_in\":\"m\",\"coordinates\":[[0,0],[3,4]]}", &s),
+        "");
+    check_close(alignment_measure(&s.alignment[0]).length, 5, 1e-12);
+    survey_clear(&s);
+}
+
 static void what_is_wrong(void **state)
 {
     (void)state;
@@ -158,6 +186,9 @@ static void what_is_wrong(void **state)
     bad("{\"type\":\"LineString\",\"coordinates\":[[1],[2,3]]}", "no list of two or three numbers");
     bad("{\"type\":\"LineString\",\"coordinates\":[[10,60],[20,60]]}", "farther than 300 km");
     bad("{\"type\":\"LineString\",\"coordinates\":[[500000,6700000],[1,1]]}", "expected degrees");
+    bad("{\"type\":\"LineString\",\"crs\":{\"properties\":{\"name\":\"urn:ogc:def:crs:EPSG::3857\"}},"
+        "\"coordinates\":[[1113194,8399737],[1113294,8399737]]}",
+        "crs 'urn:ogc:def:crs:EPSG::3857': metres of a map of the world are too long");
     bad("{\"type\":\"Polygon\",\"coordinates\":[]}", "no line and no point");
     bad("{}", "without a type");
     bad("<gpx><trk><trkseg><trkpt lat=\"x\" lon=\"1\"/></trkseg></trk></gpx>", "'x' is no number");
@@ -168,7 +199,11 @@ static void what_is_wrong(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(projection), cmocka_unit_test(gpx), cmocka_unit_test(geojson),
-                                       cmocka_unit_test(crs_of_other_names), cmocka_unit_test(what_is_wrong)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(projection),
+                                       cmocka_unit_test(gpx),
+                                       cmocka_unit_test(geojson),
+                                       cmocka_unit_test(crs_of_other_names),
+                                       cmocka_unit_test(what_stands_before),
+                                       cmocka_unit_test(what_is_wrong)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -181,7 +181,7 @@ static void what_is_wrong(void **state)
     bad("\xFF\xFEx", "UTF-16 text: save it as UTF-8");
     bad("x,y\n1,\n", "a point needs x and y");
     bad("x,y,length\n1,1,\n", "an element needs x, y and a length");
-    bad("x,y,length,radius\n0,0,1e9,1\n", "only lines with an element that turns more than 100 times");
+    bad("x,y,direction,length,radius\n0,0,0,1e9,1\n", "only lines with an element that turns more than 100 times");
     bad("x,y\n0,0\n1e300,1\n", "only lines with a place or a length beyond a million km");
     bad("colour,size\nred,3\n", "the columns are none of these");
 }
@@ -254,13 +254,78 @@ static void turns_have_sides(void **state)
     survey_clear(&s);
 }
 
+/* Stations beside points, elements and pieces are the way along them, or the table is refused: a part of the line would
+ * be another. Along a slope they may be longer, and that is said. */
+static void stations_are_the_way(void **state)
+{
+    (void)state;
+    Survey s;
+    bad("station,x,y,z\n0,0,0,10\n150,100,0,10\n300,200,0,10\n",
+        "3: station 150 m is 150 m from the first one, and the way "
+        "to it is 100 m: expected stations that are the way");
+    bad("station,x,y,direction,length\n0,0,0,0,100\n100,100,0,0,100\n1000,200,0,0,100\n",
+        "4: station 1000 m is 1000 m from the first one, and the way to it is 200 m");
+    assert_string_equal(read_text("station,x,y\n1000,0,0\n1100.9,100,0\n1201.5,200,0\n", &s), "");
+    assert_int_equal(s.n_ignored, 0);
+    survey_clear(&s);
+    assert_string_equal(read_text("station,x,y,z\n0,0,0,0\n111.8,100,0,50\n", &s), "");
+    check_has(s.ignored[0].what, "stations along the slope");
+    survey_clear(&s);
+    assert_string_equal(read_text("station,length,slope\n0,100,0.5\n100,100,0.5\n", &s), "");
+    check_has(s.ignored[0].what, "stations along the slope");
+    survey_clear(&s);
+}
+
+/* "inf" is a straight where a radius is asked for, as a whole word; what only begins so is no number. */
+static void infinite_radii(void **state)
+{
+    (void)state;
+    static const char *const words[] = {"inf", "INF", "-Infinity ", "infinite", "\xE2\x88\x9E"};
+    for (size_t i = 0; i < sizeof words / sizeof *words; ++i) {
+        char text[200];
+        Survey s;
+        snprintf(text, sizeof text, "x,y,direction,length,start radius,end radius\n0,0,0,50,%s,%s\n", words[i],
+                 words[i]);
+        assert_string_equal(read_text(text, &s), "");
+        check_close(s.alignment[0].plan[0].k0, 0, 0);
+        survey_clear(&s);
+    }
+    bad("x,y,length,radius\n0,0,50,inferred 30\n", "2: 'inferred 30' is no number");
+    bad("x,y,z\n0,0,inf\n10,0,5\n", "2: 'inf' is no number");
+    bad("x,y,z\n0,0,inferred\n10,0,5\n", "2: 'inferred' is no number");
+}
+
+/* A radius without an end gradient ends with the next row's gradient; a column of radii at one end alone does not say
+ * what is at the other. */
+static void radii_have_two_ends(void **state)
+{
+    (void)state;
+    Survey s;
+    assert_string_equal(read_text("station,z,start gradient,length,radius\n0,10,-0.01,48,\n48,9.52,-0.01,4,200\n"
+                                  "52,9.52,0.01,48,\n",
+                                  &s),
+                        "");
+    check_close(s.alignment[0].profile[1].bend, 1.0 / 200, 1e-12);
+    assert_int_equal(s.alignment[0].profile[1].kind, PROFILE_ARC);
+    survey_clear(&s);
+    bad("station,z,start gradient,length,radius\n0,10,-0.01,48,\n48,9.52,-0.01,4,200\n",
+        "3: a radius of 200 m, and no gradient at its end that differs from -0.01");
+    bad("x,y,azimuth (deg),length,radius\n0,0,$,999999,\n", "2: an element alone needs its direction");
+    bad("x,y,length,start radius\n0,0,50,\n50,0,31.4159265,20\n",
+        "a column of start radii, and none of end: elements need both");
+    bad("x,y,length,end radius\n0,0,50,\n50,0,31.4159265,20\n",
+        "a column of end radii, and none of start: elements need both");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(railway_as_tables),  cmocka_unit_test(tables_with_other_signs),
-        cmocka_unit_test(planners_pieces),    cmocka_unit_test(rows_have_names),
-        cmocka_unit_test(points_and_corners), cmocka_unit_test(as_spreadsheets_write_them),
-        cmocka_unit_test(what_is_wrong),      cmocka_unit_test(nothing_is_dropped),
-        cmocka_unit_test(slopes_have_signs),  cmocka_unit_test(turns_have_sides)};
+        cmocka_unit_test(railway_as_tables),    cmocka_unit_test(tables_with_other_signs),
+        cmocka_unit_test(planners_pieces),      cmocka_unit_test(rows_have_names),
+        cmocka_unit_test(points_and_corners),   cmocka_unit_test(as_spreadsheets_write_them),
+        cmocka_unit_test(what_is_wrong),        cmocka_unit_test(nothing_is_dropped),
+        cmocka_unit_test(slopes_have_signs),    cmocka_unit_test(turns_have_sides),
+        cmocka_unit_test(stations_are_the_way), cmocka_unit_test(infinite_radii),
+        cmocka_unit_test(radii_have_two_ends)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
