@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "study/log/log_order.h"
+#include "study/log/log.h"
 #include "study/maths/estimate.h"
 
 /* (LO1): neighbours either way, robust deviations, and share of their median, beyond which a reading is a spike; share

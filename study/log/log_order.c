@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "study/log/log_order.h"
+#include "study/log/log.h"
 #include "study/maths/estimate.h"
 
 /* (LO1a): metres, and steps of the neighbours, beyond which a single length is wrong; a fall that is said. Share of
