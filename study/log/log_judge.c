@@ -22,7 +22,7 @@ static const double SPIKE_DEVIATIONS = 6, SPIKE_SHARE = 0.1, DROP_SHARE = 0.05, 
 static double median_of(int n, double *x) { return quantile_of_sorted(sort_finite(n, x), x, 0.5); }
 
 /* The median of the forces around reading m of those that are kept, and their robust deviation about it. */
-static double local_median(const PullLog *log, const Kept *k, long m, double *deviation)
+static double local_median(const PullLog *log, const LogKept *k, long m, double *deviation)
 {
     double x[2 * NEIGHBOURS + 1];
     int n = 0;
@@ -37,7 +37,7 @@ static double local_median(const PullLog *log, const Kept *k, long m, double *de
 
 /* Neighbours over which speeds are taken: twice as many as there usually are between two steps of the counter (LO2a).
  */
-static void reach_find(const PullLog *log, Kept *k)
+static void reach_find(const PullLog *log, LogKept *k)
 {
     int n = 0;
     k->reach = NEIGHBOURS;
@@ -53,7 +53,7 @@ static void reach_find(const PullLog *log, Kept *k)
 
 /* Speeds: the file's, or differences of its lengths over the neighbours, since lengths are rounded; without either the
  * smoothed force stands for them. */
-static void speeds_find(const PullLog *log, Kept *k)
+static void speeds_find(const PullLog *log, LogKept *k)
 {
     double deviation;
     reach_find(log, k);
@@ -73,7 +73,7 @@ static void speeds_find(const PullLog *log, Kept *k)
 }
 
 /* The largest of v but for a hundredth of them and a few, which may be wrong. */
-static double largest_usual(const Kept *k)
+static double largest_usual(const LogKept *k)
 {
     int n = 0;
     for (long m = 0; m < k->n; m++) {
@@ -86,7 +86,7 @@ static double largest_usual(const Kept *k)
 
 /* A log that begins with a low force is at rest there by its force alone, unless that rises steadily: then it begins to
  * pull. Says so either way. */
-static void rise_judge(PullLog *log, const Kept *k)
+static void rise_judge(PullLog *log, const LogKept *k)
 {
     long low = 0, all = 0;
     for (long m = 0; m < k->n; m++) {
@@ -113,7 +113,7 @@ static void rise_judge(PullLog *log, const Kept *k)
 }
 
 /* Marks where the winch stands (LO2). Returns 0 if it never moves. */
-static int rests_find(PullLog *log, Kept *k)
+static int rests_find(PullLog *log, LogKept *k)
 {
     const int by_force = !log->has_speed && !log->has_length;
     const double most = largest_usual(k);
@@ -133,7 +133,7 @@ static int rests_find(PullLog *log, Kept *k)
 }
 
 /* Spikes and drop-outs among readings in motion (LO1). */
-static void spikes_find(PullLog *log, Kept *k)
+static void spikes_find(PullLog *log, LogKept *k)
 {
     double deviation;
     int n = 0;
@@ -151,7 +151,7 @@ static void spikes_find(PullLog *log, Kept *k)
 }
 
 /* The speed at a kept reading, without a single wrong one: the median of three. */
-static double speed_around(const PullLog *log, const Kept *k, long m)
+static double speed_around(const PullLog *log, const LogKept *k, long m)
 {
     double v[3];
     int n = 0;
@@ -162,7 +162,7 @@ static double speed_around(const PullLog *log, const Kept *k, long m)
 }
 
 /* Gaps in time over which lengths are reckoned. */
-static void gaps_say(PullLog *log, const Kept *k)
+static void gaps_say(PullLog *log, const LogKept *k)
 {
     int n = 0;
     long gaps = 0, first = 0;
@@ -182,7 +182,7 @@ static void gaps_say(PullLog *log, const Kept *k)
 }
 
 /* Lengths by the speed and the time in motion, where the file has none. */
-static void lengths_fill(PullLog *log, const Kept *k, double speed)
+static void lengths_fill(PullLog *log, const LogKept *k, double speed)
 {
     double length = 0;
     if (log->has_length || !log->has_time || (!log->has_speed && isnan(speed))) return;
@@ -197,7 +197,7 @@ static void lengths_fill(PullLog *log, const Kept *k, double speed)
 
 /* Where the log begins to pull: the last reading that has not moved from where the first half of its first rest was.
  * Speeds over neighbours see motion some readings early or late. */
-static void begin_find(PullLog *log, const Kept *k)
+static void begin_find(PullLog *log, const LogKept *k)
 {
     const double *const x = log->has_length ? log->length : log->speed;
     long m = 0;
@@ -216,7 +216,7 @@ static void begin_find(PullLog *log, const Kept *k)
 
 /* Whether a reading of the start at m is a single one, far above both its neighbours: no peak of breaking away, which
  * is the less sharp the later it comes. */
-static int is_lone(const PullLog *log, const Kept *k, long m, long j)
+static int is_lone(const PullLog *log, const LogKept *k, long m, long j)
 {
     if (j == 0 || j + 1 >= k->n) return 0;
     const double around = fmax(log->force[k->at[j - 1]], log->force[k->at[j + 1]]);
@@ -225,7 +225,7 @@ static int is_lone(const PullLog *log, const Kept *k, long m, long j)
 
 /* The start at reading m, behind a rest: its largest force is what it takes to break away, the rest of it is no pull at
  * speed (LO3). Returns the first reading behind it. */
-static long start_judge(PullLog *log, const Kept *k, long m, int raw)
+static long start_judge(PullLog *log, const LogKept *k, long m, int raw)
 {
     const int by_length = isfinite(log->length[k->at[m]]) != 0;
     const double *const axis = by_length ? log->length : log->time,
@@ -246,7 +246,7 @@ static long start_judge(PullLog *log, const Kept *k, long m, int raw)
 }
 
 /* The readings just before a rest at reading m: the force falls while lengths are still rounded to motion. */
-static void stop_judge(PullLog *log, const Kept *k, long m)
+static void stop_judge(PullLog *log, const LogKept *k, long m)
 {
     for (long j = m > k->reach ? m - k->reach : 0; j < m; j++) {
         if (log->use[k->at[j]] == LOG_MOVING) log->use[k->at[j]] = LOG_AT_REST;
@@ -254,7 +254,7 @@ static void stop_judge(PullLog *log, const Kept *k, long m)
 }
 
 /* All starts and stops. */
-static void starts_find(PullLog *log, const Kept *k, int raw)
+static void starts_find(PullLog *log, const LogKept *k, int raw)
 {
     log->starts = 0;
     for (long m = 1; m < k->n; m++) {
@@ -267,8 +267,8 @@ static void starts_find(PullLog *log, const Kept *k, int raw)
 
 hawser_status log_judge(PullLog *log, double speed, int raw, hawser_error *err)
 {
-    Kept k = {0};
-    hawser_status status = kept_find(log, &k, err);
+    LogKept k = {0};
+    hawser_status status = log_kept_find(log, &k, err);
     if (!status) {
         speeds_find(log, &k);
         if (!rests_find(log, &k)) status = error_set(err, HAWSER_ERR_INPUT, "the log: nothing moves in it");
@@ -281,6 +281,6 @@ hawser_status log_judge(PullLog *log, double speed, int raw, hawser_error *err)
         memset(log->count, 0, sizeof log->count);
         for (long i = 0; i < log->n; i++) log->count[log->use[i]]++;
     }
-    kept_free(&k);
+    log_kept_free(&k);
     return status;
 }

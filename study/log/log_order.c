@@ -12,7 +12,7 @@
  * readings beyond which their loss is said first. */
 static const double LENGTH_OFF_M = 0.5, LENGTH_OFF_STEPS = 5, LOST_SHARE = 0.03;
 
-void kept_free(Kept *k)
+void log_kept_free(LogKept *k)
 {
     free(k->at);
     free(k->x);
@@ -54,7 +54,7 @@ static hawser_status course_find(const double *x, long *n, long *at, hawser_erro
 }
 
 /* Leaves out single lengths far off both neighbours. */
-static void lengths_check(PullLog *log, Kept *k)
+static void lengths_check(PullLog *log, LogKept *k)
 {
     long kept = 0, wrong = 0;
     int line = 0;
@@ -78,7 +78,7 @@ static void lengths_check(PullLog *log, Kept *k)
 }
 
 /* Readings of equal time go evenly up to the next stamp, or as far as stamps usually are apart. */
-static void times_spread(PullLog *log, Kept *k)
+static void times_spread(PullLog *log, LogKept *k)
 {
     int n = 0;
     long equal = 0, last = 0;
@@ -134,7 +134,7 @@ static hawser_status signs_check(const PullLog *log, hawser_error *err)
 }
 
 /* Lengths that fall: places are the counter's. */
-static void falls_say(PullLog *log, const Kept *k)
+static void falls_say(PullLog *log, const LogKept *k)
 {
     long falls = 0, first = 0;
     for (long m = 1; m < k->n; m++) {
@@ -168,11 +168,11 @@ static void losses_say(PullLog *log)
                   log->line[first]);
 }
 
-hawser_status kept_find(PullLog *log, Kept *k, hawser_error *err)
+hawser_status log_kept_find(PullLog *log, LogKept *k, hawser_error *err)
 {
     const size_t n = (size_t)log->n + 1;
     const double *const axis = log->has_time ? log->time : log->length;
-    *k = (Kept){.at = malloc(n * sizeof *k->at), .x = malloc(n * sizeof *k->x), .v = malloc(n * sizeof *k->v)};
+    *k = (LogKept){.at = malloc(n * sizeof *k->at), .x = malloc(n * sizeof *k->x), .v = malloc(n * sizeof *k->v)};
     if (!k->at || !k->x || !k->v) return error_memory(err);
     hawser_status status = signs_check(log, err);
     if (status) return status;
