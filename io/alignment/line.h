@@ -51,8 +51,9 @@ typedef struct UsedLine {
     int n_unread;
     SurveyIgnored *unread; /* [n_unread] what was left out of the profile's file; allocated */
 } UsedLine;
-/* Errors: INPUT (farther off than the tolerance, stations that are not on the line, no heights along it; a height for a
- * line that has some, a radius for one with bends or a profile), MEMORY. Then nothing is left allocated; else clear it.
+/* Errors: INPUT (farther off than the tolerance, gaps and jumps above it, stations that are not on the line, no heights
+ * along it; a height for a line that has some, a radius for one with bends or a profile), MEMORY. Then nothing is left
+ * allocated; else clear it.
  */
 hawser_status line_use(const Alignment *from, const LineOptions *options, UsedLine *used, hawser_error *err);
 void line_clear(UsedLine *used);
