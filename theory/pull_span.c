@@ -147,8 +147,8 @@ static double least_weight(const SpanLaw *p, SpanFrame f, double tension)
 /* (T28) in this frame. */
 static SpanLaw weighed(const SpanLaw *p, SpanFrame f, double tension)
 {
-    SpanLaw best = with_weight(p, p->weight);
-    if (!(p->lightest > 0)) return best;
+    SpanLaw best = with_weight(p, p->counts > 0 ? p->counts : p->weight);
+    if (!(p->lightest > 0) || p->counts > 0) return best;
     const double between = p->least ? least_weight(p, f, tension) : NAN;
     const double other[2] = {p->lightest, fmin(fmax(between, p->lightest), p->weight)};
     double rate = rate_of(&best, f, tension);
@@ -160,6 +160,12 @@ static SpanLaw weighed(const SpanLaw *p, SpanFrame f, double tension)
         rate = its;
     }
     return best;
+}
+
+double span_counts(const SpanLaw *p)
+{
+    if (!(p->lightest > 0) || p->line.route || p->line.curvature > 0) return 0;
+    return weighed(p, span_frame(&p->line, p->line.s_ref), 0).weight;
 }
 
 SpanLaw span_weighed(const SpanLaw *p, double s, double tension)
@@ -237,7 +243,7 @@ static int weight_side(const SpanLaw *p, SpanFrame f, double tension)
 static int corner_side(const SpanLaw *p, double s, double tension)
 {
     const SpanFrame f = span_frame(&p->line, s);
-    if (p->lightest > 0) return weight_side(p, f, tension);
+    if (p->lightest > 0) return p->counts > 0 ? 0 : weight_side(p, f, tension);
     if (p->law != PULL_REFERENCE || f.curvature <= 0) return 0;
     if (!p->separate && fabs(f.bz) > ZERO_FORCE) return 0;
     const double pull = tension * f.curvature;
@@ -256,7 +262,7 @@ static double step_to_corner(const SpanLaw *p, double s, double tension, double 
     int after = before ? corner_side(p, s + p->direction * h, *end) : 0;
     if (after == 0 || after == before) return h;
     double low = 0, high = h;
-    for (int i = 0; i < 60 && after != 0; i++) {
+    for (int i = 0; i < 40 && after != 0; i++) { /* the rate has no jump there: 1e-12 of the step are 1e-24 of it */
         const double x = low + (high - low) / 2;
         after = corner_side(p, s + p->direction * x, dopri_step(p, s, tension, x, k, error));
         *(after == before ? &low : &high) = x;

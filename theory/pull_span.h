@@ -42,15 +42,18 @@ typedef struct SpanLaw {
     double weight; /* N/m */
     double mu;
     double
-        lightest; /* N/m: each metre weighs from so much to `weight`, and counts with what makes (T28); 0: `weight` */
-    int least;    /* the least tension is asked for, not the largest */
-    int separate; /* what carries the weight does not hold the cable in level bends: (LI1) in place of (T6) */
+        lightest;  /* N/m: each metre weighs from so much to `weight`, and counts with what makes (T28); 0: `weight` */
+    double counts; /* N/m, the one that does so all along, as on straights; 0: it is looked for at each place */
+    int least;     /* the least tension is asked for, not the largest */
+    int separate;  /* what carries the weight does not hold the cable in level bends: (LI1) in place of (T6) */
     SpanLine line;
 } SpanLaw;
 
 /* The line of the route around s (m): of the piece there, or straight beyond the ends. */
 SpanLine span_line(const Route *route, double s);
 SpanFrame span_frame(const SpanLine *line, double s);
+/* Which of unlike weights counts all along; 0: not everywhere the same, or all are alike. */
+double span_counts(const SpanLaw *p);
 /* The law with the one weight that counts at s, of unlike ones (T28), and with the one that presses most. */
 SpanLaw span_weighed(const SpanLaw *p, double s, double tension);
 SpanLaw span_pressing(const SpanLaw *p, double s, double tension);

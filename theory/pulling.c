@@ -73,14 +73,16 @@ static SpanLaw law_between(const PullDef *def, double low, double high)
 {
     const double middle = low + (high - low) / 2;
     const PullStretch *a = stretch_at(def->n_stretches, def->stretch, middle);
-    return (SpanLaw){.law = def->law,
-                     .direction = def->to > def->from ? 1 : -1,
-                     .weight = a->weight,
-                     .mu = def->restart ? fmax(a->mu, a->mu_static) : a->mu,
-                     .lightest = a->lightest,
-                     .least = def->least,
-                     .separate = a->separate,
-                     .line = span_line(def->route, middle)};
+    SpanLaw law = {.law = def->law,
+                   .direction = def->to > def->from ? 1 : -1,
+                   .weight = a->weight,
+                   .mu = def->restart ? fmax(a->mu, a->mu_static) : a->mu,
+                   .lightest = a->lightest,
+                   .least = def->least,
+                   .separate = a->separate,
+                   .line = span_line(def->route, middle)};
+    law.counts = span_counts(&law);
+    return law;
 }
 
 /* The tension behind the steps at s: forces first, then what machines take of it (PN2); where the pull begins anew

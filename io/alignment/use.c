@@ -48,6 +48,12 @@ static hawser_status chain(const LineOptions *options, UsedLine *used, hawser_er
                      used->line.name, used->deviation, options->tolerance);
 }
 
+/* Whether the heights of a line are drawn: its plan has stations and heights. */
+static int is_drawn(const Alignment *profile)
+{
+    return profile->n_profile == 0 && (profile->n_plan > 0 || profile->flat);
+}
+
 /* Joined elements are taken as they are; what the fit changes it reports. It holds the deviation where it cuts a line,
  * and may pass it a little where pieces are then joined: a smaller one is asked for until the whole line is within,
  * unless it is far off. */
@@ -58,7 +64,7 @@ static hawser_status fit(const Alignment *from, const Alignment *profile, const 
     FitOptions how = fit_options();
     FitReport report;
     hawser_status status = HAWSER_OK;
-    how.profile_drawn = profile && profile->n_profile == 0 && (profile->n_plan > 0 || profile->flat);
+    how.profile_drawn = profile && is_drawn(profile);
     for (int k = 0; k < TRIES && !status; ++k) {
         how.deviation = options->tolerance / (1 << k);
         alignment_clear(&used->line);
@@ -100,13 +106,20 @@ static hawser_status stations_check(const Alignment *a, const LineOptions *optio
                      a->name, a->station, end, from, to);
 }
 
-/* What a file leaves out between two elements is not made up. `within`, m: what is bridged. */
-static hawser_status gaps_check(const Alignment *a, double within, hawser_error *err)
+/* The part that is used, m from where the line begins. */
+typedef struct Used {
+    double from, to;
+} Used;
+
+/* What a file leaves out between two elements of it is not made up. `within`, m: what is bridged. */
+static hawser_status gaps_check(const Alignment *a, Used part, double within, hawser_error *err)
 {
+    double s = 0;
     for (int i = 0; i + 1 < a->n_plan; ++i) {
         const PlanElement end = plan_at(&a->plan[i], a->plan[i].length), *const next = &a->plan[i + 1];
         const double gap = hypot(next->x - end.x, next->y - end.y);
-        if (gap <= within) continue;
+        s += a->plan[i].length;
+        if (gap <= within || s <= part.from || s >= part.to) continue;
         return error_set(err, HAWSER_ERR_INPUT,
                          "'%.60s': gap of %.4g m at %.3f, %.3f, where element %d ends: the next one begins at %.3f, "
                          "%.3f, and at most %.3g m are bridged (the tolerance)",
@@ -116,14 +129,14 @@ static hawser_status gaps_check(const Alignment *a, double within, hawser_error 
 }
 
 /* The same of a profile: over a gap the grade goes on, so that only its height can miss the next element's. */
-static hawser_status jumps_check(const Alignment *a, double within, hawser_error *err)
+static hawser_status jumps_check(const Alignment *a, Used part, double within, hawser_error *err)
 {
     for (int i = 0; i + 1 < a->n_profile; ++i) {
         const ProfileElement *const e = &a->profile[i], *const next = e + 1;
         const double way = next->station - e->station;
         const ProfileElement end = profile_at(e, fmin(way, e->length));
         const double z = end.z + end.grade * fmax(way - e->length, 0);
-        if (fabs(next->z - z) <= within) continue;
+        if (fabs(next->z - z) <= within || next->station <= part.from || next->station >= part.to) continue;
         return error_set(err, HAWSER_ERR_INPUT,
                          "'%.60s': the profile jumps by %.4g m at station %.10g m, from %.4f m to %.4f m, and at most "
                          "%.3g m are bridged (the tolerance)",
@@ -132,14 +145,18 @@ static hawser_status jumps_check(const Alignment *a, double within, hawser_error
     return HAWSER_OK;
 }
 
-/* Neither the line nor the one that its heights come from has a hole. */
+/* Neither what is used of the line nor the one that its heights come from has a hole. */
 static hawser_status whole_check(const Alignment *from, const Alignment *profile, const LineOptions *options,
                                  hawser_error *err)
 {
     const double within = options->tolerance;
-    hawser_status status = gaps_check(from, larger_of(within, options->line.join), err);
-    if (!status) status = jumps_check(profile ? profile : from, within, err);
-    if (!status && profile) status = gaps_check(profile, larger_of(within, options->profile.join), err);
+    const Used all = {-INFINITY, INFINITY};
+    const Used part = {isnan(options->from) ? -INFINITY : options->from - from->station,
+                       isnan(options->to) ? INFINITY : options->to - from->station};
+    hawser_status status = gaps_check(from, part, larger_of(within, options->line.join), err);
+    if (!status) status = profile ? jumps_check(profile, all, within, err) : jumps_check(from, part, within, err);
+    if (!status && profile && is_drawn(profile))
+        status = gaps_check(profile, all, larger_of(within, options->profile.join), err);
     return status;
 }
 

@@ -150,9 +150,13 @@ static void inverse_lines(Answer *a, const Scene *scene, const Inverse *inverse,
     for (int i = 0; i < inverse->n; ++i) {
         const InverseAnswer *const b = &inverse->answer[i];
         const char *const but = *b->stays ? " but " : "";
-        if (b->way == way && b->kind == INVERSE_FRICTION && b->from < b->value)
-            answer_line(a, "remedy", "friction of %.3g to %.3g, now %.3g, would keep all limits%s%s",
-                        ceil(1e3 * b->from) / 1e3, floor(1e3 * b->value) / 1e3, b->now, but, b->stays);
+        const double least = ceil(1e3 * b->from) / 1e3, most = floor(1e3 * b->value) / 1e3; /* rounded inward */
+        if (b->way == way && b->end == SEARCH_EVERYWHERE && !isnan(least))
+            answer_line(a, "remedy", "friction of at least %.3g, now %.3g, would keep all limits%s%s", least, b->now,
+                        but, b->stays);
+        if (b->way == way && b->end == SEARCH_FOUND && least <= most)
+            answer_line(a, "remedy", "friction of %.3g to %.3g, now %.3g, would keep all limits%s%s", least, most,
+                        b->now, but, b->stays);
         if (b->way != way || b->end != SEARCH_FOUND || !(b->value < b->now)) continue;
         if (b->kind == INVERSE_FRICTION)
             answer_line(a, "remedy", "friction of at most %.3g, now %.3g, would keep all limits%s%s",

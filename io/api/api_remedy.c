@@ -159,6 +159,10 @@ static const struct SimpleRemedy {
 static void simple_remedy(const hawser_limit *l, hawser_units units, char *text)
 {
     char value[HAWSER_SHOWN_MAX];
+    if (!strcmp(l->where, "theory.feed")) {
+        snprintf(text, REMEDY_MAX, "less feed (theory.feed): at most %s", show_bound(l->limit, 0, "N", units, value));
+        return;
+    }
     for (size_t k = 0; k < sizeof simple / sizeof *simple; ++k) {
         if (strcmp(l->name, simple[k].name) != 0) continue;
         show_bound(l->limit, l->value < l->limit, l->unit, units, value);

@@ -214,6 +214,16 @@ static InverseAnswer answer_find(Question *q)
 /* m: so far from a bend that a place written in ten digits is not in it. */
 static const double BESIDE = 1e-5;
 
+/* m: where the bends begin and end that follow each other without a straight, around a piece. */
+static void bends_around(const Route *route, int piece, double ends[2])
+{
+    int first = piece, last = piece;
+    while (first > 0 && route->piece[first - 1].kind != ROUTE_STRAIGHT) --first;
+    while (last + 1 < route->n && route->piece[last + 1].kind != ROUTE_STRAIGHT) ++last;
+    ends[0] = route->piece[first].s0;
+    ends[1] = route->piece[last].s0 + route->piece[last].length;
+}
+
 /* Where the tension first reaches `push` behind `after` along the pull; NAN: nowhere. In a bend no machine stands: it
  * is moved to the bend's end, or with `early` to its start if that is behind `after`. */
 static double next_place(const Calculator *c, int way, double push, double after, int early)
@@ -224,11 +234,13 @@ static double next_place(const Calculator *c, int way, double push, double after
         const PullSpan *const span = &pull->span[i];
         if (sign * (span->s1 - after) <= 0 || fmax(span->t0, span->t1) < push) continue;
         double low = sign * (after - span->s0) > 0 ? after : span->s0, high = span->s1;
-        const RoutePiece *const piece = &c->route->piece[span->piece];
-        if (piece->kind != ROUTE_STRAIGHT) {
-            const double ends[2] = {piece->s0, piece->s0 + piece->length};
-            const double begin = ends[way == PLAN_BACKWARD], end = ends[way == PLAN_FORWARD];
-            return early && sign * (begin - after) > 0 ? begin - sign * BESIDE : end + sign * BESIDE;
+        if (c->route->piece[span->piece].kind != ROUTE_STRAIGHT) {
+            double ends[2];
+            bends_around(c->route, span->piece, ends);
+            const double begin = ends[way == PLAN_BACKWARD] - sign * BESIDE,
+                         end = ends[way == PLAN_FORWARD] + sign * BESIDE;
+            const double at = early && sign * (begin - after) > 0 ? begin : end;
+            return at > 0 && at < c->route->length ? at : NAN;
         }
         if (low == span->s0 && span->t0 >= push) return low;
         for (int k = 0; k < 60; ++k) {

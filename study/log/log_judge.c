@@ -258,8 +258,9 @@ static void starts_find(PullLog *log, const LogKept *k, int raw)
 {
     log->starts = 0;
     for (long m = 1; m < k->n; m++) {
-        if (log->use[k->at[m]] == LOG_AT_REST) stop_judge(log, k, m);
-        if (log->use[k->at[m - 1]] != LOG_AT_REST || log->use[k->at[m]] == LOG_AT_REST) continue;
+        const int rested = log->use[k->at[m - 1]] == LOG_AT_REST, rests = log->use[k->at[m]] == LOG_AT_REST;
+        if (rests && !rested) stop_judge(log, k, m);
+        if (rests || !rested) continue;
         m = start_judge(log, k, m, raw);
         log->starts++;
     }

@@ -47,6 +47,8 @@ static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
     f->most_share = (there - (double)f->by_verdict[VERDICT_SAFE]) / there;
 }
 
+static int is_pilot(const Study *s, long i) { return s->pilot > 0 && study_is_pilot(s, i); }
+
 /* Whether some samples have no run, so that runs are those near a limit. */
 static int runs_are_chosen(const Study *s, const Rows *rows)
 {
@@ -72,18 +74,20 @@ static void limits_find(const Study *s, const Rows *rows, double *x, Findings *f
     for (int k = 0; k < LIMIT_KINDS; k++) {
         LimitRow row = {.name = limits_name((LimitKind)k), .band = NAN, .off = f->off[k]};
         if (s->fidelity == BY_BOTH) row.band = s->close[k];
+        const int pilots_alone = f->chosen && by_runs_alone(rows, k);
         int n = 0;
         for (long i = 0; i < rows->n; i++) {
             const Row *const r = &rows->row[i];
-            if (r->state != ROW_DONE || isnan(r->margin[k])) continue;
-            row.broken += r->margin[k] < 0;
+            const double margin = isnan(r->margin[k]) ? r->theory[k] : r->margin[k]; /* a run may not judge it */
+            if (r->state != ROW_DONE) continue;
             row.binds += r->verdict == VERDICT_NOT_SAFE && r->limited_by == k;
-            x[n++] = r->margin[k];
+            if (isnan(margin) || (pilots_alone && !is_pilot(s, i))) continue;
+            row.broken += margin < 0;
+            x[n++] = margin;
         }
-        if (n == 0) continue;
+        if (n == 0 && row.binds == 0) continue;
         row.judged = n;
         row.share = share_percent(share_in(s, row.broken, n));
-        if (f->chosen && by_runs_alone(rows, k)) row.share = (Share){NAN, NAN, NAN};
         row.least = sort_finite(n, x) ? x[0] : NAN;
         row.median = quantile_of_sorted(n, x, 0.5);
         f->limit[f->n_limits++] = row;
@@ -96,7 +100,7 @@ static void limits_find(const Study *s, const Rows *rows, double *x, Findings *f
 double quantity_fair(const Study *s, const Rows *rows, const Findings *f, int q, long i)
 {
     if (rows->row[i].state != ROW_DONE) return NAN;
-    if (f->chosen && s->quantity[q].of == BY_RUN && !(s->pilot > 0 && study_is_pilot(s, i))) return NAN;
+    if (f->chosen && s->quantity[q].of == BY_RUN && !is_pilot(s, i)) return NAN;
     return rows->value[i * rows->width + q];
 }
 

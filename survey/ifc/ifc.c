@@ -237,8 +237,9 @@ static hawser_status part_find(const IfcFile *file, long id, const char *name, l
     return status;
 }
 
-/* A child alignment, which has a vertical layout alone, stands over the plan of the alignment that it is part of. */
-static hawser_status parent_plan_add(const IfcFile *file, long id, Alignment *a)
+/* A child alignment, which has a vertical layout alone, stands over the plan of the alignment that it is part of. Where
+ * it has no placement of its own, 0, that is its parent's. */
+static hawser_status parent_plan_add(const IfcFile *file, long id, Alignment *a, long *placement)
 {
     hawser_status status = HAWSER_OK;
     for (int i = 0; i < file->n_nests && !status && a->n_plan == 0; ++i) {
@@ -246,25 +247,39 @@ static hawser_status parent_plan_add(const IfcFile *file, long id, Alignment *a)
         if (file->nest[i].part != id) continue;
         status = part_find(file, file->nest[i].whole, "IFCALIGNMENTHORIZONTAL", &plan);
         if (!status && plan) status = layout_add(file, plan, a);
+        StepEntity parent = {0};
+        if (!status && plan && !*placement) status = step_entity(&file->step, file->nest[i].whole, &parent);
+        if (!status && plan && !*placement) *placement = step_reference(&parent, 5);
+        step_entity_free(&parent);
     }
     return status;
 }
 
-/* Whether an alignment is but the plan of its children: it has no vertical layout, and one of them has. */
+/* Whether a child stands over its parent's plan: it has a vertical layout and no line of its own. */
+static hawser_status is_over_parent(const IfcFile *file, const StepEntity *child, long id, int *yes)
+{
+    long plan = 0, profile = 0;
+    hawser_status status = part_find(file, id, "IFCALIGNMENTHORIZONTAL", &plan);
+    if (!status) status = part_find(file, id, "IFCALIGNMENTVERTICAL", &profile);
+    *yes = profile && !plan && !step_reference(child, 6) && !step_reference(child, 7);
+    return status;
+}
+
+/* Whether an alignment is but the plan of its children: it has no vertical layout, and one of them stands over it. */
 static hawser_status is_parent(const IfcFile *file, long id, int *yes)
 {
     int n = 0;
-    long own = 0, of_child = 0;
+    long own = 0;
+    int of_child = 0;
     const IfcNest *const part = ifc_parts(file, id, &n);
     hawser_status status = part_find(file, id, "IFCALIGNMENTVERTICAL", &own);
     for (int i = 0; i < n && !status && !own && !of_child; ++i) {
         StepEntity e = {0};
         status = step_entity(&file->step, part[i].part, &e);
-        if (!status && !strcmp(e.name, "IFCALIGNMENT"))
-            status = part_find(file, part[i].part, "IFCALIGNMENTVERTICAL", &of_child);
+        if (!status && !strcmp(e.name, "IFCALIGNMENT")) status = is_over_parent(file, &e, part[i].part, &of_child);
         step_entity_free(&e);
     }
-    *yes = of_child != 0;
+    *yes = of_child;
     return status;
 }
 
@@ -284,8 +299,9 @@ static hawser_status alignment_read(const IfcFile *file, long id)
     if (!status && a->n_plan + a->n_profile == 0 && step_reference(&e, 7))
         status = ifc_axis(file, step_reference(&e, 7), a);
     if (!status && a->n_plan == 0 && step_reference(&e, 6)) status = ifc_shape(file, step_reference(&e, 6), a);
-    if (!status && a->n_plan + a->n_points == 0 && a->n_profile > 0) status = parent_plan_add(file, id, a);
-    if (!status) status = placement_apply(file, step_reference(&e, 5), a);
+    long placement = step_reference(&e, 5);
+    if (!status && a->n_plan + a->n_points == 0 && a->n_profile > 0) status = parent_plan_add(file, id, a, &placement);
+    if (!status) status = placement_apply(file, placement, a);
     step_entity_free(&e);
     return status;
 }

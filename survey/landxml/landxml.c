@@ -16,7 +16,7 @@ enum { DEPTH_MOST = 64, TEXT_MOST = 1 << 26, WORD_MOST = 64, CORNERS_MOST = 1 <<
 typedef struct Geometry {
     PointOf have[GEOMETRY_POINTS];     /* Start, End, Center, PI */
     double length, radius, radius_end; /* m; NAN: not given, infinite: straight */
-    double delta;                      /* as the file has it; NAN: not given */
+    char delta[WORD_MOST];             /* as the file has it; "": not given */
     int right;                         /* turns clockwise */
     int turns;                         /* it says which way it turns */
     char kind[WORD_MOST];              /* of a spiral */
@@ -104,13 +104,18 @@ static int is_long_way(Reader *r, const Geometry *g, double chord)
 {
     const double turn = 2 * asin(fmin(1, 0.5 * chord / g->radius));
     if (g->length > 0) return g->length > acos(-1) * g->radius;
-    if (isnan(g->delta) && !g->have[POINT_PI].known)
+    if (!*g->delta && !g->have[POINT_PI].known)
         survey_ignore(r->in->out, "a Curve without Center, length, delta: taken the short way");
-    if (isnan(g->delta)) return 0;
-    const int long_way = land_long_way(g->delta, r->angle, fmin(1, 0.5 * chord / g->radius));
+    if (!*g->delta) return 0;
+    double delta = NAN;
+    if (!input_number_whole(r->in, g->delta, &delta)) {
+        FAIL(r, "attribute 'delta' is '%.40s': expected a number, or 'length' or Center beside it", g->delta);
+        return 0;
+    }
+    const int long_way = land_long_way(delta, r->angle, fmin(1, 0.5 * chord / g->radius));
     if (long_way < 0)
-        FAIL(r, "a Curve's delta is %.10g, and its chord of %.10g m and radius of %.10g m are %.6g or %.6g deg",
-             g->delta, chord, g->radius, turn * 180 / acos(-1), 360 - turn * 180 / acos(-1));
+        FAIL(r, "a Curve's delta is %.10g, and its chord of %.10g m and radius of %.10g m are %.6g or %.6g deg", delta,
+             chord, g->radius, turn * 180 / acos(-1), 360 - turn * 180 / acos(-1));
     return long_way;
 }
 
@@ -229,11 +234,11 @@ static void geometry_begin(Reader *r, const char **attributes)
     if (isnan(radius)) radius = number(r, attributes, "radiusStart", unit);
     r->geometry = (Geometry){.length = number(r, attributes, "length", unit),
                              .radius = radius,
-                             .delta = number(r, attributes, "delta", 1),
                              .radius_end = number(r, attributes, "radiusEnd", unit),
                              .right = rot && !strcasecmp(rot, "cw"),
                              .turns = rot && (!strcasecmp(rot, "cw") || !strcasecmp(rot, "ccw"))};
     word(r->geometry.kind, attribute(attributes, "spiType"));
+    word(r->geometry.delta, attribute(attributes, "delta"));
 }
 
 static void geometry_end(Reader *r, const char *name)

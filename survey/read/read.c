@@ -42,7 +42,7 @@ static int is_gpx(const char *head)
 {
     while (head && *head == '<' && (head[1] == '?' || head[1] == '!')) {
         head = prolog_end(head);
-        head += head ? strspn(head, " \t\r\n") : 0;
+        if (head) head += strspn(head, " \t\r\n");
     }
     if (!head || *head != '<') return 0;
     const size_t size = strcspn(head + 1, " \t\r\n/>");
