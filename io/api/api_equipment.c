@@ -206,6 +206,7 @@ hawser_status hawser_case_equipment(hawser_case *c, hawser_format format, char *
     if (!c || !text) return error_argument(err, c ? "text" : "c");
     *text = NULL;
     hawser_status status = case_ensure_read(c, err);
+    if (!status) status = case_alone(c, "the crew's list", err);
     if (status) return status;
     if (c->def.rod.present)
         return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': equipment stands along a route", c->name);

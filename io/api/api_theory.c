@@ -423,6 +423,27 @@ static hawser_status chains_write(const hawser_case *c, Theory *const t[], hawse
     return status;
 }
 
+/* What stands along the way is there once: a machine and a feed push what lies beside each other with a part for each,
+ * and no rope; the reel's, the rope's and the pits' allowances are the cables'. */
+static hawser_status shared_set(const SceneDef *def, int rope, TheoryDef *out, TheoryPlaceDef **own, hawser_error *err)
+{
+    int cables = 0;
+    for (int k = 0; k <= def->n_beside; ++k) cables += !chain_def(def, k)->strand.rope;
+    const double part = rope || cables == 0 ? 0 : 1.0 / cables;
+    TheoryPlaceDef *const place = *own = malloc((size_t)(out->n_machines + out->n_pits + 1) * sizeof *place);
+    if (!place) return error_memory(err);
+    for (int i = 0; i < out->n_machines + out->n_pits; ++i) {
+        const int pit = i >= out->n_machines;
+        place[i] = pit ? out->pits[i - out->n_machines] : out->machines[i];
+        place[i].force *= pit ? !rope : part;
+    }
+    out->machines = place;
+    out->pits = place + out->n_machines;
+    out->feed *= part;
+    if (rope) out->reel = out->rope = 0;
+    return HAWSER_OK;
+}
+
 /* A rope bears what it draws beside its own (SC15): the sum, of friction on rope and cables apart, is no less than that
  * on all together. */
 static void drawn_set(const SceneDef *def, Theory *const t[], int rope, TheoryDef *out)
@@ -447,9 +468,13 @@ static hawser_status chains_theory(const hawser_case *c, hawser_format format, c
         for (int k = 0; !status && k <= c->def.n_beside; ++k) {
             SceneDef own = *chain_def(&c->def, k); /* the scene makes its own copy */
             if (own.strand.rope != ropes) continue;
+            TheoryPlaceDef *place;
             if (ropes) drawn_set(&c->def, t, k, &own.theory);
-            t[k] = calloc(1, sizeof *t[k]);
-            status = t[k] ? case_name_error(c, build_and_solve(t[k], &own, &wish, err), err) : error_memory(err);
+            status = shared_set(&c->def, ropes, &own.theory, &place, err);
+            t[k] = status ? NULL : calloc(1, sizeof *t[k]);
+            if (!status && !t[k]) status = error_memory(err);
+            if (!status) status = case_name_error(c, build_and_solve(t[k], &own, &wish, err), err);
+            free(place);
         }
     }
     if (!status) status = chains_write(c, t, format, text, err);

@@ -217,6 +217,16 @@ static void factors_set(Reading *all, const LayDef *lay, int cables, double thic
     }
 }
 
+/* A chain that is joined hangs on one grip, whatever the case's limits say of a pull; a rope has one for each that it
+ * draws. */
+static void grips_set(Reading *all, int k)
+{
+    const StrandDef *const strand = &all->record[k].def;
+    int drawn = 0;
+    for (int l = 0; l < all->n; ++l) drawn += all->record[l].def.joined == k;
+    if (strand->joined >= 0 || drawn > 0) all->def[k].limits.grips = strand->joined >= 0 ? 1 : drawn;
+}
+
 /* Places of those that the lay says; ropes lie on the route. */
 static hawser_status places_find(Reading *all, const CaseNode *node)
 {
@@ -247,6 +257,7 @@ static hawser_status places_find(Reading *all, const CaseNode *node)
         /* heads and rope would begin inside each other */
         if (strand->rope) strand->eye = diameter / 2 + diameter_of(&all->def[k]) / 2;
         all->def[k].strand = *strand;
+        grips_set(all, k);
         all->def[k].ties = lay.ties;
     }
     if (!status) factors_set(all, &lay.def, cables, diameter);

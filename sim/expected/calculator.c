@@ -30,8 +30,6 @@ static hawser_status friction_set(const Scene *scene, Stretches *s, hawser_error
             longer[i].mu_static = correction * def->mu_s;
         }
     }
-    for (int i = 0; i < s->n && !isnan(theory->rope_mu); ++i)
-        longer[i].mu_rope = longer[i].mu_rope_static = theory->rope_mu;
     return HAWSER_OK;
 }
 
@@ -78,6 +76,22 @@ static hawser_status ends_extend(const Scene *scene, Stretches *s, hawser_error 
     return HAWSER_OK;
 }
 
+/* The least and largest friction are the cable's, before a duct's correction, whatever the rope's is. Of a rope that
+ * draws chains `rope_mu` is its own. */
+static void frictions_find(const Scene *scene, Calculator *c)
+{
+    const double rope_mu = scene->def.theory.rope_mu;
+    c->mu_least = INFINITY;
+    for (int i = 0; i < c->stretches.n; ++i) {
+        PullStretch *const s = &c->stretches.stretch[i];
+        c->mu_least = fmin(c->mu_least, s->mu_rope);
+        c->mu_largest = fmax(c->mu_largest, s->mu_rope);
+        if (isnan(rope_mu)) continue;
+        s->mu_rope = s->mu_rope_static = rope_mu;
+        if (scene->def.strand.rope) s->mu = s->mu_static = rope_mu;
+    }
+}
+
 /* How the cables lie in the ducts; what friction and weight they make is in the stretches. */
 static hawser_status cables_set(const Scene *scene, Calculator *c, hawser_error *err)
 {
@@ -86,15 +100,11 @@ static hawser_status cables_set(const Scene *scene, Calculator *c, hawser_error 
     hawser_status status = c->duct ? stretches_find(scene, &c->stretches, err) : error_memory(err);
     if (!status) status = friction_set(scene, &c->stretches, err);
     if (!status) status = ends_extend(scene, &c->stretches, err);
+    if (!status) frictions_find(scene, c);
     for (int i = 0; i < def->n_surfaces && !status; ++i) {
         if (def->surfaces[i].shape.kind != SURFACE_DUCT) continue;
         c->duct[c->n_ducts].surface = &def->surfaces[i];
         status = bundle_in(def, &def->surfaces[i], &c->duct[c->n_ducts++].load, err);
-    }
-    c->mu_least = INFINITY;
-    for (int i = 0; i < c->stretches.n && !status; ++i) {
-        c->mu_least = fmin(c->mu_least, c->stretches.stretch[i].mu_rope);
-        c->mu_largest = fmax(c->mu_largest, c->stretches.stretch[i].mu_rope);
     }
     return status;
 }

@@ -165,6 +165,18 @@ static void longer_beyond_a_bend(void **state)
     check_share(longest[0], longest[1], 1e-6);
 }
 
+/* The rope's own friction is not the cable's, which is asked for. */
+static void the_cables_friction(void **state)
+{
+    (void)state;
+    json_t *const all =
+        theory_of(CABLE DUCT "route: {pieces: [{straight: 100 m}]}\nlimits: {pull: 6 kN, sidewall: 3 kN/m}\n",
+                  (const char *const[]){"theory.rope_mu", "0.6", NULL});
+    check_share(answer_to(all, "largest friction", "value"), 6000 / (10 * G * 100), 1e-6);
+    check_equal(answer_to(all, "largest friction", "now"), 0.3);
+    json_decref(all);
+}
+
 /* The number behind some words of the answer as text; what else it `says`, or NULL. */
 static double number_behind(const char *text, const char *words, const char *says)
 {
@@ -214,10 +226,15 @@ static void remedies_do(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sections_end_before_their_pit), cmocka_unit_test(nearly_equal_cables),
-        cmocka_unit_test(no_clearance_in_a_cradle),      cmocka_unit_test(limits_that_break_farther_on),
-        cmocka_unit_test(more_friction_holds),           cmocka_unit_test(machines_push),
-        cmocka_unit_test(longer_beyond_a_bend),          cmocka_unit_test(remedies_do),
+        cmocka_unit_test(sections_end_before_their_pit),
+        cmocka_unit_test(nearly_equal_cables),
+        cmocka_unit_test(no_clearance_in_a_cradle),
+        cmocka_unit_test(limits_that_break_farther_on),
+        cmocka_unit_test(more_friction_holds),
+        cmocka_unit_test(machines_push),
+        cmocka_unit_test(longer_beyond_a_bend),
+        cmocka_unit_test(the_cables_friction),
+        cmocka_unit_test(remedies_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

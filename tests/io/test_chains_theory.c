@@ -1,0 +1,110 @@
+/* Theory of several chains under one rope: what stands along the way is there once, and what each hangs on is its own.
+ */
+#include "tests/io/theory_fixture.h"
+
+#define CABLES                                                                                                         \
+    "gravity: 10 m/s2\n"                                                                                               \
+    "cables: {power: {d: 40 mm, mass: 2 kg/m, EA: 50 MN, EI: 60, GA: 10 MN, GJ: 60}, rope: {d: 20 mm, mass: 1 kg/m, "  \
+    "EA: 10 MN, EI: 5, GA: 1 MN, GJ: 5}}\n"
+#define CHAINS                                                                                                         \
+    CABLES "chain: [{cable: power, length: 100 m}]\n"                                                                  \
+           "chains: {rope: {chain: [{cable: rope, length: 100 m}]}, a: {join: rope}, b: {join: rope}}\n"               \
+           "lay: {pattern: flat}\nroute: {head_at: 0 m, pieces: [{straight: 100 m}]}\n"                                \
+           "surfaces: {trays: [{width: 400 mm, height: 100 mm}]}\nfriction: {mu: 0.2}\n"                               \
+           "drive: {winch: {speed: 6 m/min}, tail: {tension: 500 N}}\nrun: {duration: 3 s}\n"                          \
+           "limits: {pull: 5 kN, attachment_rating: 2 kN, grips: 3, sidewall: 3 kN/m, rope_strength: 100 kN}\n"
+
+/* Of each chain by name, in the order of the case: rope, a, b. */
+static void pulls_of(const char *const *settings, double pull[3])
+{
+    json_t *const all = theory_of(CHAINS, settings);
+    const json_t *const rows = json_object_get(all, "chains");
+    for (size_t k = 0; k < 3; k++) pull[k] = number_of(json_array_get(rows, k), "pull_N");
+    json_decref(all);
+}
+
+/* 20 N/m for 100 m at mu 0.2 behind 500 N: 900 N each; 10 N/m of rope: 200 N. */
+static void machines_and_feed_are_there_once(void **state)
+{
+    (void)state;
+    double plain[3], machine[3], feed[3], rope[3];
+    pulls_of(NULL, plain);
+    check_share(plain[1], 900, 1e-9);
+    check_share(plain[0], 2000, 1e-9);
+    pulls_of((const char *const[]){"theory.machines", "[{at: 5 m, push: 300 N}]", NULL}, machine);
+    pulls_of((const char *const[]){"theory.feed", "300 N", NULL}, feed);
+    pulls_of((const char *const[]){"theory.rope_mu", "0.5", NULL}, rope);
+    for (int k = 1; k < 3; k++) {
+        check_share(machine[k], 900 - 150, 1e-9);
+        check_share(feed[k], 900 - 150, 1e-9);
+        check_share(rope[k], 900, 1e-9);
+    }
+    check_share(machine[0], 2000 - 300, 1e-9);
+    check_share(feed[0], 2000 - 300, 1e-9);
+    check_share(rope[0], 2000 + 0.3 * 10 * 100, 1e-9);
+}
+
+/* The limits of one of the chains, by the order of the case. */
+static const json_t *limits_of(const json_t *all, const char *chain)
+{
+    return json_object_get(json_object_get(all, "theory"), chain);
+}
+
+/* A cable that is joined hangs on one grip, whatever the limits say; the rope on as many as it draws. */
+static void grips_of_each(void **state)
+{
+    (void)state;
+    json_t *const all = theory_of(CHAINS, NULL);
+    static const char *const chain[] = {"rope", "a"};
+    static const double allowed[] = {4000, 2000};
+    for (int k = 0; k < 2; k++) {
+        json_t *row;
+        size_t i;
+        int found = 0;
+        json_array_foreach(json_object_get(limits_of(all, chain[k]), "limits"), i, row)
+        {
+            if (strcmp(json_string_value(json_object_get(row, "name")), "attachment") != 0) continue;
+            check_equal(number_of(row, "limit"), allowed[k]);
+            found = 1;
+        }
+        assert_true(found);
+    }
+    json_decref(all);
+}
+
+/* Rollers bear all chains: of one of them nothing is judged, and nothing is listed for a crew. */
+static void rollers_bear_all(void **state)
+{
+    (void)state;
+    char *text = NULL;
+    hawser_error err;
+    const char *const settings[] = {
+        "surfaces",    "{}",    "rollers", "{along: {spacing: 1 m, width: 600 mm, rating: 30 N}}",
+        "lay.spacing", "60 mm", NULL};
+    json_t *const all = theory_of(CHAINS, settings);
+    json_t *row;
+    size_t i;
+    int found = 0;
+    json_array_foreach(json_object_get(limits_of(all, "a"), "limits"), i, row)
+    {
+        if (strcmp(json_string_value(json_object_get(row, "name")), "roller_steady") != 0) continue;
+        check_has(json_string_value(json_object_get(row, "source")), "is not added up");
+        found = 1;
+    }
+    assert_true(found);
+    json_decref(all);
+    hawser_case *const c = case_with(CHAINS, settings);
+    assert_int_equal(hawser_case_equipment(c, HAWSER_TABLE, &text, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "cannot be had of several chains");
+    hawser_case_free(c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(machines_and_feed_are_there_once),
+        cmocka_unit_test(grips_of_each),
+        cmocka_unit_test(rollers_bear_all),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
