@@ -452,6 +452,7 @@ static void drawn_set(const SceneDef *def, Theory *const t[], int rope, TheoryDe
         if (chain_def(def, k)->strand.joined != rope || !t[k]) continue;
         const Calculator *const c = &t[k]->calculator;
         out->n_drawn++;
+        out->drawn_weight = fmax(out->drawn_weight, t[k]->scene.cable_weight);
         for (int way = 0; way < PLAN_WAYS; ++way) {
             out->drawn[way] += c->plan.way[way].force;
             out->drawn_more[way] += calculator_peak(&t[k]->scene, c, way) - c->plan.way[way].force;

@@ -2,6 +2,7 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "sim/expected/calculator.h"
 #include "sim/expected/findings.h"
@@ -99,11 +100,16 @@ static int cables_pulled(const Scene *scene)
 static void rope_findings(const Scene *scene, int way, Finding f[LIMIT_KINDS])
 {
     const TheoryDef *const theory = &scene->def.theory;
-    const double all = theory->drawn[way], most = all + theory->drawn_more[way];
+    double all = theory->drawn[way], most = all + theory->drawn_more[way];
+    const int cable = scene->cable_weight >= theory->drawn_weight * (1 - 1e-9); /* what weighs as much is no rope */
+    if (cable) all = most = f[LIMIT_ROPE].value;
     if (scene->def.strand.joined >= 0) f[LIMIT_ROPE].absent = f[LIMIT_WINCH].absent = 1;
     if (theory->n_drawn == 0) return;
-    f[LIMIT_PULL] = (Finding){.value = all, .where = "the eye"};
-    f[LIMIT_RESTART] = f[LIMIT_ATTACHMENT] = (Finding){.value = most, .where = "the eye"};
+    f[LIMIT_PULL] = f[LIMIT_RESTART] = f[LIMIT_ATTACHMENT] = (Finding){.value = most};
+    f[LIMIT_PULL].value = all;
+    snprintf(f[LIMIT_PULL].where, sizeof f->where, "%s", cable ? "the head" : "the eye");
+    memcpy(f[LIMIT_RESTART].where, f[LIMIT_PULL].where, sizeof f->where);
+    memcpy(f[LIMIT_ATTACHMENT].where, f[LIMIT_PULL].where, sizeof f->where);
 }
 
 static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error *err)

@@ -72,6 +72,26 @@ static void grips_of_each(void **state)
     json_decref(all);
 }
 
+/* A cable that draws another, as heavy as itself, is no rope: all that it pulls with is judged. */
+static void tandem(void **state)
+{
+    (void)state;
+    static const char *const ropes[] = {"{chain: [{cable: rope, length: 100 m}]}",
+                                        "{chain: [{cable: power, length: 100 m}]}"};
+    static const double pull[] = {1800, 2000 + 200};
+    for (int k = 0; k < 2; k++) {
+        json_t *const all = theory_of(CHAINS, (const char *const[]){"chains.rope", ropes[k], NULL});
+        json_t *row;
+        size_t i;
+        json_array_foreach(json_object_get(limits_of(all, "rope"), "limits"), i, row)
+        {
+            const char *const name = json_string_value(json_object_get(row, "name"));
+            if (!strcmp(name, "pull")) check_share(number_of(row, "value"), pull[k], 1e-9);
+        }
+        json_decref(all);
+    }
+}
+
 /* Rollers bear all chains: of one of them nothing is judged, and nothing is listed for a crew. */
 static void rollers_bear_all(void **state)
 {
@@ -104,6 +124,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(machines_and_feed_are_there_once),
         cmocka_unit_test(grips_of_each),
+        cmocka_unit_test(tandem),
         cmocka_unit_test(rollers_bear_all),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
