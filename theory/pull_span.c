@@ -98,8 +98,8 @@ static SpanLaw with_weight(const SpanLaw *p, double weight)
 /* The law with the weight that presses most in this frame. */
 static SpanLaw pressing(const SpanLaw *p, SpanFrame f, double tension)
 {
+    if (!(p->lightest > 0)) return *p;
     const SpanLaw heavy = with_weight(p, p->weight), light = with_weight(p, p->lightest);
-    if (!(p->lightest > 0)) return heavy;
     return sum_of_supports(&light, f, tension) > sum_of_supports(&heavy, f, tension) ? light : heavy;
 }
 

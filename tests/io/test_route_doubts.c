@@ -76,6 +76,11 @@ static void gaps_between_elements(void **state)
     check_has(trouble("x,y,direction,length,radius\n0,0,0,50,\n52,0,0,30,\n", &options, &f),
               "gap of 2 m at 50.000, 0.000");
     assert_string_equal(trouble(LANDXML(LINE("0 0", "0 50") LINE("0 50.04", "0 100"), ""), &options, &f), "");
+    options.to_m = 40; /* a part beside it has no gap */
+    assert_string_equal(trouble(LANDXML(LINE("0 0", "0 50") LINE("0 60", "0 100"), ""), &options, &f), "");
+    options.to_m = 70;
+    check_has(trouble(LANDXML(LINE("0 0", "0 50") LINE("0 60", "0 100"), ""), &options, &f), "gap of 10 m");
+    options.to_m = NAN;
     options.radius_m = 1; /* nor is it where corners are rounded */
     check_has(trouble(LANDXML(LINE("0 0", "0 50") LINE("9 60", "0 100"), ""), &options, &f), "gap of 13.45 m");
 }
@@ -90,6 +95,9 @@ static void jumps_of_the_profile(void **state)
     char text[4000];
     snprintf(text, sizeof text, "%s0,0,0,50,10,0.02\n50,0,0,50,11.08,0.02\n", head);
     check_has(trouble(text, &options, &f), "the profile jumps by 0.08 m at station 50 m, from 11.0000 m to 11.0800 m");
+    options.to_m = 40;
+    assert_string_equal(trouble(text, &options, &f), "");
+    options.to_m = NAN;
     options.tolerance_m = 0.09;
     assert_string_equal(trouble(text, &options, &f), "");
     snprintf(text, sizeof text, "%s",

@@ -193,6 +193,32 @@ static double number_behind(const char *text, const char *words, const char *say
     return number;
 }
 
+/* Bends that follow each other hold no machine, at either end of one of them; too much feed is less feed. */
+static void machines_beside_bends(void **state)
+{
+    (void)state;
+    json_t *const all = theory_of(
+        CABLE DUCT
+        "route: {pieces: [{straight: 200 m}, {bend: 60 deg, radius: 12 m, plane: left}, {bend: 60 deg, radius: "
+        "14 m, plane: left}, {bend: 90 deg, radius: 12 m, plane: right}, {straight: 200 m}]}\n"
+        "limits: {pull: 14 kN, sidewall: 9 kN/m, push: 6 kN}\ntheory: {machine_push: 5 kN}\n",
+        NULL);
+    const double turn = 200 + M_PI / 3 * 12 + M_PI / 3 * 14 + M_PI / 2 * 12;
+    json_t *row;
+    size_t i;
+    json_array_foreach(json_object_get(all, "machines"), i, row)
+    {
+        const double at = number_of(row, "at_m");
+        if (at > 200) check_above(at, turn);
+    }
+    assert_true(i > 0);
+    json_decref(all);
+    check_close(number_behind(CABLE DUCT "route: {pieces: [{straight: 100 m}]}\nlimits: {pull: 90 kN, push: 1 kN}\n"
+                                         "theory: {feed: 2 kN, bears: 9 kN}\n",
+                              "less feed (theory.feed): at most ", NULL),
+                1, 0);
+}
+
 #define STEEP                                                                                                          \
     MANY("cables: 3, layout: triangle", "route: {slope: -10 deg, pieces: [{straight: 200 m}]}\n"                       \
                                         "surfaces: {ducts: [{name: duct, radius: 46 mm, friction: {mu: 0.05}}]}\n"     \
@@ -235,6 +261,7 @@ int main(void)
         cmocka_unit_test(longer_beyond_a_bend),
         cmocka_unit_test(the_cables_friction),
         cmocka_unit_test(remedies_do),
+        cmocka_unit_test(machines_beside_bends),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

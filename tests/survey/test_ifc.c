@@ -307,28 +307,41 @@ static void kinds_of_segments(void **state)
     bad(text, "alignment 'al', #5: a CIRCULARARC with radii of 0 and 30: expected the same at both ends");
 }
 
-/* A vertical layout in a child of the alignment that has the plan: the child is a line with both. */
+#define PARENT(placement)                                                                                              \
+    "#8=IFCALIGNMENT('1',$,'al',$,$," placement ",$,$);\n#9=IFCALIGNMENTHORIZONTAL('2',$,$,$,$,$,$);\n"                \
+    "#10=IFCALIGNMENTVERTICAL('3',$,$,$,$,$,$);\n#12=IFCRELNESTS('4',$,$,$,#8,(#9));\n"                                \
+    "#13=IFCALIGNMENT('c1',$,'child',$,$,$,$,$);\n#14=IFCRELAGGREGATES('a1',$,$,$,#8,(#13));\n"                        \
+    "#100=IFCCARTESIANPOINT((0.,0.));\n"                                                                               \
+    "#101=IFCALIGNMENTHORIZONTALSEGMENT($,$,#100,0.,0.,0.,100.,$,.LINE.);\n"                                           \
+    "#20=IFCRELNESTS('5',$,$,$,#9,(#101));\n"                                                                          \
+    "#103=IFCALIGNMENTVERTICALSEGMENT($,$,0.,100.,10.,0.2,0.2,$,.CONSTANTGRADIENT.);\n"                                \
+    "#21=IFCRELNESTS('6',$,$,$,#10,(#103));\n"
+
+/* A vertical layout in a child of the alignment that has the plan: the child is a line with both, where its parent is
+ * placed; one with a plan of its own is a line beside its parent. */
 static void child_alignments(void **state)
 {
     (void)state;
     Survey s;
-    assert_string_equal(
-        read_text(IFC("IFC4X3",
-                      "#8=IFCALIGNMENT('1',$,'al',$,$,$,$,$);\n#9=IFCALIGNMENTHORIZONTAL('2',$,$,$,$,$,$);\n"
-                      "#10=IFCALIGNMENTVERTICAL('3',$,$,$,$,$,$);\n#12=IFCRELNESTS('4',$,$,$,#8,(#9));\n"
-                      "#13=IFCALIGNMENT('c1',$,'child',$,$,$,$,$);\n#14=IFCRELAGGREGATES('a1',$,$,$,#8,(#13));\n"
-                      "#15=IFCRELNESTS('n1',$,$,$,#13,(#10));\n#100=IFCCARTESIANPOINT((0.,0.));\n"
-                      "#101=IFCALIGNMENTHORIZONTALSEGMENT($,$,#100,0.,0.,0.,100.,$,.LINE.);\n"
-                      "#20=IFCRELNESTS('5',$,$,$,#9,(#101));\n"
-                      "#103=IFCALIGNMENTVERTICALSEGMENT($,$,0.,100.,10.,0.2,0.2,$,.CONSTANTGRADIENT.);\n"
-                      "#21=IFCRELNESTS('6',$,$,$,#10,(#103));\n"),
-                  &s),
-        "");
+    static const char placed[] =
+        IFC("IFC4X3", PARENT("#30") "#15=IFCRELNESTS('n1',$,$,$,#13,(#10));\n#30=IFCLOCALPLACEMENT($,#31);\n"
+                                    "#31=IFCAXIS2PLACEMENT3D(#32,$,$);\n#32=IFCCARTESIANPOINT((1000.,2000.,50.));\n");
+    assert_string_equal(read_text(IFC("IFC4X3", PARENT("$") "#15=IFCRELNESTS('n1',$,$,$,#13,(#10));\n"), &s), "");
     assert_int_equal(s.n, 1);
     assert_string_equal(s.alignment[0].name, "child");
     check_vec(alignment_measure(&s.alignment[0]).end, v3(100, 0, 30), 1e-9);
     assert_int_equal(s.n_ignored, 1);
     check_has(s.ignored[0].what, "an alignment without heights");
+    survey_clear(&s);
+    assert_string_equal(read_text(placed, &s), "");
+    check_vec(alignment_measure(&s.alignment[0]).end, v3(1100, 2000, 80), 1e-9);
+    survey_clear(&s);
+    static const char branch[] = IFC(
+        "IFC4X3", PARENT("$") "#15=IFCRELNESTS('n1',$,$,$,#13,(#10,#16));\n"
+                              "#16=IFCALIGNMENTHORIZONTAL('h2',$,$,$,$,$,$);\n#22=IFCRELNESTS('7',$,$,$,#16,(#104));\n"
+                              "#104=IFCALIGNMENTHORIZONTALSEGMENT($,$,#100,0.5,0.,0.,60.,$,.LINE.);\n");
+    assert_string_equal(read_text(branch, &s), "");
+    assert_int_equal(s.n, 2);
     survey_clear(&s);
 }
 

@@ -255,6 +255,18 @@ static void delta_of_a_curve(void **state)
         "");
     check_has(s.ignored[0].what, "taken the short way");
     survey_clear(&s);
+    /* an angle in words is of no use, unless nobody needs it */
+    bad(XML(METRIC,
+            ALIGNMENT("<Curve rot=\"cw\" radius=\"10\" delta=\"90-00-00\"><Start>0 20</Start><End>10 10</End></Curve>",
+                      "")),
+        "attribute 'delta' is '90-00-00': expected a number");
+    assert_string_equal(
+        read_text(XML(METRIC, ALIGNMENT("<Curve rot=\"ccw\" radius=\"10\" delta=\"90-00-00\"><Start>0 20</Start>"
+                                        "<Center>0 10</Center><End>10 10</End></Curve>",
+                                        "")),
+                  &s),
+        "");
+    survey_clear(&s);
 }
 
 int main(void)
