@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "io/report/states.h"
+#include "io/results/results_h5.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -178,41 +179,48 @@ static hawser_status states_add(Text *out, hid_t file, Folder *folder, double go
     return status == HAWSER_ERR_MEMORY ? error_memory(err) : HAWSER_OK;
 }
 
-/* The file with its states; < 0: it cannot be read. That of a run in progress may be caught before its first flush or
- * in the middle of one, when what points to the states does not fit them yet: a little later it does. */
-static hid_t states_wait(const char *path, int running)
+/* The file with its states. That of a run in progress may be caught before its first flush: a little later it is there.
+ */
+static StatesFile states_wait(const char *path, int running)
 {
     const struct timespec nap = {0, 100 * 1000 * 1000};
-    hid_t file = states_open(path);
-    for (int k = 0; running && k < TRIES && (file < 0 || states_count(file) == 0); k++) {
-        if (file >= 0) H5Fclose(file);
+    StatesFile s = states_open(path);
+    for (int k = 0; running && !s.cut && k < TRIES && (s.file < 0 || states_count(s.file) == 0); k++) {
+        states_close(&s);
         nanosleep(&nap, NULL);
-        file = states_open(path);
+        s = states_open(path);
     }
-    return file;
+    return s;
 }
 
 /* What results.h5 has: geometry, envelopes, states. */
+static hawser_status states_file_add(Text *out, hid_t file, Folder *folder, double share, hawser_error *err)
+{
+    geometry_add(out, file, folder);
+    if (states_count(file) == 0) {
+        folder_say(folder, "results.h5 holds no states: the page has no 3-D view");
+        return HAWSER_OK;
+    }
+    const double segments = fmax(0, folder_figure(folder, "segments"));
+    return states_add(out, file, folder, fmin(share * states_most, states_least + states_per_segment * segments), err);
+}
+
+/* The same, of the file if it can be read. */
 static hawser_status file_add(Text *out, Folder *folder, double share, hawser_error *err)
 {
     char *const path = folder_path(folder, "results.h5");
     if (!path) return error_memory(err);
-    const hid_t file = states_wait(path, !strcmp(folder_text(folder, "outcome"), "running"));
+    StatesFile s = states_wait(path, !strcmp(folder_text(folder, "outcome"), "running"));
     free(path);
-    if (file < 0) {
-        folder_say(folder, "results.h5 is not there or cannot be read: the page has no 3-D view");
-        return HAWSER_OK;
-    }
-    geometry_add(out, file, folder);
-    const int n = states_count(file);
     hawser_status status = HAWSER_OK;
-    if (n == 0) folder_say(folder, "results.h5 holds no states: the page has no 3-D view");
-    if (n > 0) {
-        const double segments = fmax(0, folder_figure(folder, "segments"));
-        status =
-            states_add(out, file, folder, fmin(share * states_most, states_least + states_per_segment * segments), err);
-    }
-    H5Fclose(file);
+    if (s.cut)
+        folder_say(folder, "results.h5 was cut off in the middle of a change, which 'hawser run --resume' completes: "
+                           "the page has no 3-D view");
+    else if (s.file < 0)
+        folder_say(folder, "results.h5 is not there or cannot be read: the page has no 3-D view");
+    else
+        status = states_file_add(out, s.file, folder, share, err);
+    states_close(&s);
     return status;
 }
 

@@ -12,21 +12,6 @@ static const double numbers_most = 3e8;
 /* HDF5 does not survive an allocation that fails: what it may take to open a file or a set, bytes. */
 enum { ROOM = 4 << 20 };
 
-hid_t states_open(const char *path)
-{
-    hid_t file = -1;
-    if (!memory_room(ROOM)) return -1;
-    H5E_BEGIN_TRY
-    {
-        const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-        H5Pset_file_locking(access, 0, 1); /* a run may still be writing, or the disk know no locks */
-        file = H5Fopen(path, H5F_ACC_RDONLY, access);
-        H5Pclose(access);
-    }
-    H5E_END_TRY
-    return file;
-}
-
 /* A set of that rank, and its dimensions; < 0: there is none. */
 static hid_t set_open(hid_t parent, const char *name, int rank, hsize_t *dims)
 {

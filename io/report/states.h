@@ -33,8 +33,6 @@ typedef struct States {
     Field field[FIELDS];
 } States;
 
-/* results.h5 open for reading; < 0: it is not there, or no such file. HDF5 keeps silent. */
-hid_t states_open(const char *path);
 /* How many states there are; 0: none that could be shown. */
 int states_count(hid_t file);
 /* At most so many states, evenly chosen, the first and the last among them. Errors: INPUT (sets that do not fit each

@@ -74,7 +74,6 @@ int states_belong(hid_t file, const char *run, const char *series)
 static hawser_status states_check(const char *dir, const char *run, const char *series, hawser_error *err)
 {
     char path[OUT_PATH_MAX];
-    hid_t file = -1;
     int broken = 0;
     hawser_status status = out_join(path, dir, "results.h5", err);
     if (status || access(path, R_OK)) return status;
@@ -84,17 +83,9 @@ static hawser_status states_check(const char *dir, const char *run, const char *
         return error_set(err, HAWSER_ERR_INPUT, "'%.600s' is damaged: its bytes are not those that the run has written",
                          path);
     if (!memory_room(ROOM)) return error_memory(err);
-    H5E_BEGIN_TRY
-    {
-        const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-        H5Pset_file_locking(access, 0, 1);
-        file = H5Fopen(path, H5F_ACC_RDONLY, access);
-        H5Pclose(access);
-    }
-    H5E_END_TRY
-    if (file < 0) return HAWSER_OK; /* being written, or damaged: who reads it says so */
-    const int belongs = states_belong(file, run, series);
-    H5Fclose(file);
+    StatesFile states = states_open(path);
+    const int belongs = states.file < 0 || states_belong(states.file, run, series); /* else who reads it says so */
+    states_close(&states);
     if (belongs) return HAWSER_OK;
     return error_set(err, HAWSER_ERR_INPUT, "'%.600s' does not belong to the summary beside it: it is of another run",
                      path);

@@ -305,21 +305,22 @@ hawser_status results_row(Results *r, const hawser_sample *s, hawser_error *err)
 }
 
 /* The states first, then the file that points to them. */
-static hawser_status flush_states(Results *r, hawser_error *err)
+static hawser_status flush_states(Results *r, int must, hawser_error *err)
 {
-    if (!r->n_pending) return HAWSER_OK;
-    hawser_status status = h5_flush(r->h5, err);
+    if (!r->n_pending && !(must && r->h5)) return HAWSER_OK;
+    hawser_status status = h5_flush(r->h5, must, err);
     if (!status) status = xdmf_append(&r->xdmf, r->n_pending, r->states - r->n_pending, r->pending, err);
     r->n_pending = 0;
     return status;
 }
 
-/* What readers are promised: after this, every row and state is there for them. */
-static hawser_status flush_all(Results *r, hawser_error *err)
+/* What readers are promised: after this, every row and state is there for them; must: even if one of them is reading.
+ */
+static hawser_status flush_all(Results *r, int must, hawser_error *err)
 {
     const hawser_status status = out_flush(&r->series, err);
     r->last_flush = clock_now();
-    return status ? status : flush_states(r, err);
+    return status ? status : flush_states(r, must, err);
 }
 
 /* Frames wait for results.xdmf until they are flushed; there is room for a fixed number of them. */
@@ -330,18 +331,18 @@ hawser_status results_state(Results *r, const hawser_sample *sample, hawser_erro
     if (status) return status;
     r->states++;
     r->pending[r->n_pending++] = sample->t;
-    return r->n_pending == PENDING_MAX ? flush_all(r, err) : HAWSER_OK;
+    return r->n_pending == PENDING_MAX ? flush_all(r, 0, err) : HAWSER_OK;
 }
 
 /* By wall time: a fast run would spend its time flushing, a slow one would hide its states for minutes. */
 hawser_status results_tick(Results *r, hawser_error *err)
 {
-    return clock_now() - r->last_flush < flush_interval ? HAWSER_OK : flush_all(r, err);
+    return clock_now() - r->last_flush < flush_interval ? HAWSER_OK : flush_all(r, 0, err);
 }
 
 hawser_status results_position(Results *r, ResultsPosition *position, hawser_error *err)
 {
-    hawser_status s = flush_all(r, err);
+    hawser_status s = flush_all(r, 1, err);
     if (!s) s = out_sync_in(&r->dir, "series.csv", err);
     if (!s && r->h5) s = out_sync_in(&r->dir, "results.xdmf", err);
     if (!s && r->h5) s = out_sync_in(&r->dir, "results.h5", err);
@@ -399,7 +400,7 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
 {
     const int n[TABLES] = {t->n_stations, t->n_rollers};
     const void *const rows[TABLES] = {t->station, t->roller};
-    hawser_status s = flush_all(r, err);
+    hawser_status s = flush_all(r, 0, err);
     if (r->h5 && t->envelope) keep_first(&s, h5_envelope(r->h5, t->envelope, s ? NULL : err));
     keep_first(&s, out_close(&r->series, s ? NULL : err));
     if (!s && r->h5) keep_first(&s, states_tie(r, err));

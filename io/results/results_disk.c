@@ -8,22 +8,28 @@
  * at once. A flush writes the pages, from the last to the first: what is new lies behind what points to it, and the
  * superblock, which is at 0, comes at the very end. A kill within these few writes, of a page each, leaves a file
  * between the two: so the pages are written to a journal before, which is there for no longer than that, and
- * disk_recover does again what it says. */
+ * disk_recover does again what it says.
+ *
+ * HDF5 does not survive a file that changes while it reads: it takes sizes from one place for bytes of another. So a
+ * reader's lock holds flushes back, and a flush keeps readers out. */
 #include "io/results/results_h5.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "core/base/checkpoint.h"
+#include "core/base/error.h"
 #include "core/base/file.h"
 
 /* What the property list carries. */
 typedef struct DiskInfo {
-    int *error;
+    DiskWords *words;
     int at; /* the folder's descriptor, to which names are relative behind their last slash; AT_FDCWD: as they are */
 } DiskInfo;
 
@@ -40,7 +46,8 @@ typedef struct DiskPage {
 typedef struct DiskFile {
     H5FD_t base; /* HDF5's part, first */
     int fd, at;  /* its descriptor, its folder's */
-    int *error;
+    int patient; /* readers have not been waited for in vain */
+    DiskWords *words;
     haddr_t allocated, size; /* bytes that HDF5 uses, bytes there */
     haddr_t kept;            /* bytes that are as the last flush left them */
     DiskPage *page;          /* [pages] of them that have changed since, in the file's order; room for page_room */
@@ -55,7 +62,7 @@ static const haddr_t address_max = ((haddr_t)1 << 62) - 1;
 /* The first one tells the reason; later ones are its consequences. */
 static void keep_error(const DiskFile *f)
 {
-    if (!*f->error) *f->error = errno ? errno : EIO;
+    if (!f->words->error) f->words->error = errno ? errno : EIO;
 }
 
 /* ------------------------------------------------------------------------------------------------------ journal */
@@ -139,6 +146,70 @@ hawser_status disk_recover(int at, const char *name, hawser_error *err)
     return status;
 }
 
+/* ------------------------------------------------------------------------------------------- readers and flushes */
+
+/* A lock on a file, for which it waits up to `tries` naps. 1: it is held, or there are no locks here; 0: somebody else
+ * has it. */
+static int lock_take(int fd, int operation, int tries)
+{
+    const struct timespec nap = {0, 5 * 1000 * 1000};
+    for (int k = 0;; k++) {
+        if (!flock(fd, operation | LOCK_NB) || errno != EWOULDBLOCK) return 1;
+        if (k >= tries) return 0;
+        nanosleep(&nap, NULL);
+    }
+}
+
+/* Whether a flush may go on. One that a checkpoint needs, or the file's end, waits for readers, but not for ever. */
+static int flush_begin(DiskFile *f, int must)
+{
+    enum { TRIES = 2000 }; /* 10 s */
+    const int held = lock_take(f->fd, LOCK_EX, must && f->patient ? TRIES : 0);
+    if (held || must) f->patient = held;
+    return held || must;
+}
+
+static void flush_end(const DiskFile *f) { flock(f->fd, LOCK_UN); }
+
+/* Whether the program was killed within a flush: the journal is there, and not because of one that goes on. < 0: nobody
+ * knows. */
+static int cut_off(const char *path)
+{
+    char name[OUT_PATH_MAX], *all = NULL;
+    JournalHead head;
+    size_t size;
+    journal_path(name, path);
+    const hawser_status status = *name ? file_whole(name, JOURNAL_MOST, &all, &size, NULL) : HAWSER_OK;
+    const int whole = all && journal_is_whole(all, size, &head);
+    free(all);
+    return status ? -1 : whole;
+}
+
+StatesFile states_open(const char *path)
+{
+    enum { TRIES = 400, ROOM = 4 << 20 }; /* 2 s; what HDF5 may take to open a file or a set, bytes */
+    StatesFile s = {.file = -1, .lock = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+    const int cut = s.lock >= 0 && lock_take(s.lock, LOCK_SH, TRIES) ? cut_off(path) : -1;
+    s.cut = cut > 0;
+    if (cut || !memory_room(ROOM)) return s;
+    H5E_BEGIN_TRY
+    {
+        const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+        H5Pset_file_locking(access, 0, 1); /* it is held, or the disk knows none */
+        s.file = H5Fopen(path, H5F_ACC_RDONLY, access);
+        H5Pclose(access);
+    }
+    H5E_END_TRY
+    return s;
+}
+
+void states_close(StatesFile *s)
+{
+    if (s->file >= 0) H5Fclose(s->file);
+    if (s->lock >= 0) close(s->lock);
+    *s = (StatesFile){.file = -1, .lock = -1};
+}
+
 /* --------------------------------------------------------------------------------------------------- the driver */
 
 /* The name within the folder of a file that HDF5 knows by its path. */
@@ -159,14 +230,15 @@ static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t
     const int fd = info ? openat(info->at, name_at(info, name), mode, 0666) : -1;
     DiskFile *f = fd < 0 || fstat(fd, &state) ? NULL : calloc(1, sizeof *f);
     if (!f) {
-        if (info) *info->error = errno;
+        if (info) info->words->error = errno;
         if (fd >= 0) close(fd);
         return NULL;
     }
-    *info->error = 0; /* HDF5 tries softer ways to open a file first */
+    info->words->error = 0; /* HDF5 tries softer ways to open a file first */
     f->fd = fd;
     f->at = info->at;
-    f->error = info->error;
+    f->words = info->words;
+    f->patient = 1;
     f->size = f->kept = (haddr_t)state.st_size;
     f->device = state.st_dev;
     f->inode = state.st_ino;
@@ -225,7 +297,7 @@ static int read_all(const DiskFile *f, haddr_t at, size_t size, char *p)
  */
 static void write_all(DiskFile *f, haddr_t at, size_t size, const char *p)
 {
-    if (!*f->error && !whole_pwrite(f->fd, p, size, (off_t)at)) keep_error(f);
+    if (!f->words->error && !whole_pwrite(f->fd, p, size, (off_t)at)) keep_error(f);
 }
 
 /* The first changed page with that number or a higher one; f->pages if there is none. */
@@ -290,7 +362,7 @@ static herr_t disk_write(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t 
     DiskFile *f = (DiskFile *)file;
     const char *from = buffer;
     (void)type, (void)transfer;
-    while (size > 0 && at < f->kept && !*f->error) {
+    while (size > 0 && at < f->kept && !f->words->error) {
         const haddr_t offset = at % PAGE, room = PAGE - offset < f->kept - at ? PAGE - offset : f->kept - at;
         const size_t n = size < room ? size : room;
         errno = 0;
@@ -310,7 +382,7 @@ static herr_t disk_write(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t 
  * that shrinks below that waits for the flush. */
 static void fit_size(DiskFile *f)
 {
-    if (*f->error || f->allocated == f->size) return;
+    if (f->words->error || f->allocated == f->size) return;
     errno = 0;
     if (ftruncate(f->fd, (off_t)f->allocated)) keep_error(f);
     f->size = f->allocated;
@@ -329,8 +401,9 @@ static herr_t disk_flush(H5FD_t *file, hid_t transfer, hbool_t closing)
 {
     DiskFile *f = (DiskFile *)file;
     const int journal = f->pages > 0;
-    (void)transfer, (void)closing;
-    if (journal && !*f->error) journal_write(f);
+    (void)transfer;
+    if (!flush_begin(f, closing || f->words->must)) return 0;
+    if (journal && !f->words->error) journal_write(f);
     for (size_t k = f->pages; k-- > 0;) {
         const haddr_t at = f->page[k].number * PAGE;
         write_all(f, at, at + PAGE < f->kept ? PAGE : (size_t)(f->kept - at), f->page[k].bytes);
@@ -339,7 +412,8 @@ static herr_t disk_flush(H5FD_t *file, hid_t transfer, hbool_t closing)
     f->pages = 0;
     fit_size(f);
     f->kept = f->size;
-    if (journal && *f->journal && !*f->error) unlinkat(f->at, f->journal, 0);
+    if (journal && *f->journal && !f->words->error) unlinkat(f->at, f->journal, 0);
+    flush_end(f);
     return 0;
 }
 
@@ -348,7 +422,7 @@ static herr_t disk_close(H5FD_t *file)
 {
     DiskFile *f = (DiskFile *)file;
     disk_flush(file, H5P_DEFAULT, 1);
-    if (*f->journal && !*f->error) unlinkat(f->at, f->journal, 0); /* if that failed before */
+    if (*f->journal && !f->words->error) unlinkat(f->at, f->journal, 0); /* if that failed before */
     if (close(f->fd)) keep_error(f);
     free(f->page);
     free(f);
@@ -356,7 +430,7 @@ static herr_t disk_close(H5FD_t *file)
 }
 
 /* The driver is registered for each file, so that no state is shared between simulations. */
-hid_t disk_driver_use(hid_t access, int at, int *error)
+hid_t disk_driver_use(hid_t access, int at, DiskWords *words)
 {
     const H5FD_class_t driver = {.name = "hawser_disk",
                                  .maxaddr = address_max,
@@ -374,9 +448,9 @@ hid_t disk_driver_use(hid_t access, int at, int *error)
                                  .flush = disk_flush,
                                  .truncate = disk_truncate,
                                  .fl_map = H5FD_FLMAP_DICHOTOMY};
-    const DiskInfo info = {error, at};
+    const DiskInfo info = {words, at};
     const hid_t id = H5FDregister(&driver);
-    *error = 0;
+    words->error = 0;
     if (id >= 0 && H5Pset_driver(access, id, &info) < 0) {
         H5FDunregister(id);
         return -1;

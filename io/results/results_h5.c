@@ -28,10 +28,10 @@ struct H5File {
     int segments, rollers;
     int deflate; /* sets are compressed */
     hsize_t rows;
-    int disk_error; /* errno of the first write that failed, see results_h5.h */
-    size_t room;    /* bytes that HDF5 must find when it is entered */
-    void *reserve;  /* [room] given back when the file is closed */
-    float *frame;   /* [3*segments] scratch of the frames */
+    DiskWords disk;
+    size_t room;   /* bytes that HDF5 must find when it is entered */
+    void *reserve; /* [room] given back when the file is closed */
+    float *frame;  /* [3*segments] scratch of the frames */
     OutSpot spot;
 };
 
@@ -44,7 +44,7 @@ static hawser_status h5_room(const H5File *h, hawser_error *err)
 /* The result of a call: what HDF5 says and what the disk said. */
 static hawser_status h5_result(const H5File *h, int ok, hawser_error *err)
 {
-    return ok && !h->disk_error ? HAWSER_OK : out_error(h->spot.path, h->disk_error, err);
+    return ok && !h->disk.error ? HAWSER_OK : out_error(h->spot.path, h->disk.error, err);
 }
 
 /* How many items a row of this kind has in this scene. */
@@ -110,7 +110,7 @@ static int write_connectivity(H5File *h)
 {
     const hsize_t dims[2] = {(hsize_t)h->segments - 1, 2};
     int *pairs = malloc(2 * sizeof *pairs * (size_t)(h->segments));
-    if (!pairs) h->disk_error = ENOMEM;
+    if (!pairs) h->disk.error = ENOMEM;
     if (!pairs) return 0;
     for (int i = 0; i + 1 < h->segments; i++) {
         pairs[2 * i] = i;
@@ -129,7 +129,7 @@ static int write_rollers(H5File *h, const ResultsDef *def)
     char(*name)[NAME_MAX_LENGTH] = calloc((size_t)n, sizeof *name);
     double *s = malloc(sizeof *s * (size_t)n);
     int ok = name && s;
-    if (!ok) h->disk_error = ENOMEM;
+    if (!ok) h->disk.error = ENOMEM;
     for (int i = 0; i < def->rollers && ok; i++) {
         strncpy(name[i], def->roller[i].name, NAME_MAX_LENGTH - 1);
         s[i] = def->roller[i].s;
@@ -148,7 +148,7 @@ static int write_rollers(H5File *h, const ResultsDef *def)
 static hid_t driven_file(H5File *h, int resume)
 {
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-    h->driver = disk_driver_use(access, h->spot.at, &h->disk_error);
+    h->driver = disk_driver_use(access, h->spot.at, &h->disk);
     H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
     hid_t file = -1;
     if (h->driver >= 0) {
@@ -177,7 +177,7 @@ static int make_file(H5File *h, const ResultsDef *def)
     if (frames < 0) return 0;
     h->frames = frames;
     ok = h5_text(frames, "description", "single precision copies for results.xdmf, one group a state");
-    ok = ok && (!def->geometry || geometry_write(file, def->geometry, &h->disk_error));
+    ok = ok && (!def->geometry || geometry_write(file, def->geometry, &h->disk.error));
     return ok && write_rollers(h, def) && (h->segments < 2 || write_connectivity(h)) &&
            H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
 }
@@ -186,7 +186,7 @@ static int make_file(H5File *h, const ResultsDef *def)
 static int name_file(H5File *h, const OutSpot *to)
 {
     if (renameat(h->spot.at, spot_name(&h->spot), to->at, spot_name(to))) {
-        h->disk_error = errno;
+        h->disk.error = errno;
         return 0;
     }
     h->spot = *to;
@@ -227,7 +227,7 @@ hawser_status h5_open(H5File **out, const OutDir *dir, const ResultsDef *def, ha
         h->spot = part;
         H5E_BEGIN_TRY { ok = make_file(h, def); }
         H5E_END_TRY
-        ok = ok && !h->disk_error;
+        ok = ok && !h->disk.error;
         if (ok) status = out_sync_in(dir, part_name, err);
         ok = ok && !status && name_file(h, &spot);
         if (!status) status = h5_result(h, ok, err);
@@ -300,7 +300,7 @@ hawser_status h5_resume(H5File **out, const OutDir *dir, const ResultsDef *def, 
     }
     if (status) {
         /* what it was to be is not known */
-    } else if (!ok && !h->disk_error) {
+    } else if (!ok && !h->disk.error) {
         status = error_set(err, HAWSER_ERR_OUTPUT,
                            "cannot go on with '%.700s': it has not the states of the checkpoint", spot.path);
     } else {
@@ -398,13 +398,15 @@ hawser_status h5_series(H5File *h, const char *sum, hawser_error *err)
 }
 
 /* HDF5 keeps chunks and metadata back until this. */
-hawser_status h5_flush(H5File *h, hawser_error *err)
+hawser_status h5_flush(H5File *h, int must, hawser_error *err)
 {
     herr_t code = -1;
     const hawser_status room = h5_room(h, err);
     if (room) return room;
+    h->disk.must = must;
     H5E_BEGIN_TRY { code = H5Fflush(h->file, H5F_SCOPE_LOCAL); }
     H5E_END_TRY
+    h->disk.must = 0;
     return h5_result(h, code >= 0, err);
 }
 
@@ -422,7 +424,7 @@ hawser_status h5_close(H5File **file, hawser_error *err)
         H5E_BEGIN_TRY { code = H5Fclose(h->file); }
         H5E_END_TRY
         status = h5_result(h, code >= 0, err);
-        /* a file that HDF5 would not close may still ask for disk_error: better lost than read after free */
+        /* a file that HDF5 would not close may still ask for what it is told: better lost than read after free */
         if (code < 0) return status;
     }
     if (h->driver > 0) H5FDunregister(h->driver);

@@ -1,6 +1,8 @@
 """Results: what a run has written into a folder, by Python or by `hawser run`."""
 from __future__ import annotations
 
+import contextlib
+import fcntl
 import functools
 import html
 import json
@@ -8,7 +10,9 @@ import os
 import pathlib
 import shutil
 import tempfile
+import time
 import webbrowser
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -50,6 +54,26 @@ class Figure(str):
 
     def _repr_svg_(self) -> str:
         return str(self)
+
+
+@contextlib.contextmanager
+def held(path: pathlib.Path) -> Iterator[pathlib.Path]:
+    """results.h5 as the last flush left it, which it stays meanwhile: HDF5 must not see a file that changes, or one whose run was
+    killed within a flush."""
+    with open(path, "rb") as file:
+        for last in [False] * 40 + [True]:
+            try:
+                fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+                break
+            except BlockingIOError:
+                if last:
+                    raise OutputError(f"{path}: its run has been writing it for more than 2 s: try again") from None
+                time.sleep(0.05)
+            except OSError:  # the disk knows no locks
+                break
+        if os.path.exists(f"{path}.journal"):
+            raise OutputError(f"{path}: its run was killed while it wrote this file: 'hawser run --resume' completes it")
+        yield path
 
 
 TEXTS = ("name", "key", "value", "unit", "origin", "where", "source")  # columns that hold no numbers
@@ -189,7 +213,7 @@ class Result:
             import h5py
         except ImportError as missing:
             raise ImportError("states are read with h5py, which is not there (Debian: python3-h5py)") from missing
-        with h5py.File(self.folder / "results.h5", "r") as file:
+        with held(self.folder / "results.h5") as path, h5py.File(path, "r") as file:
             arrays = {name: np.asarray(file[name]) for name in ("time", *AXES) if name in file}
             units = {name: as_text(file[name].attrs["unit"]) for name in arrays}
             told = {name: as_text(file[name].attrs["description"]) for name in arrays}

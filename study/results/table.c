@@ -270,7 +270,7 @@ static void kept_free(Kept *kept)
 static hawser_status file_write(const Study *s, const Rows *rows, const Kept *kept, const char *path, hawser_error *err)
 {
     enum { ROOM = 4 << 20 };
-    int disk = 0;
+    DiskWords disk = {0};
     if (!memory_room(ROOM)) return error_memory(err);
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS), driver = disk_driver_use(access, AT_FDCWD, &disk);
     const hid_t file = driver < 0 ? -1 : H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
@@ -278,7 +278,7 @@ static hawser_status file_write(const Study *s, const Rows *rows, const Kept *ke
     if (file >= 0) ok &= H5Fclose(file) >= 0;
     H5Pclose(access);
     if (driver >= 0) H5FDunregister(driver);
-    return ok && !disk ? HAWSER_OK : out_error(path, disk, err);
+    return ok && !disk.error ? HAWSER_OK : out_error(path, disk.error, err);
 }
 
 hawser_status table_h5(const Study *s, const Rows *rows, const char *dir, hawser_error *err)

@@ -1,6 +1,7 @@
 """Runs and their results."""
 from __future__ import annotations
 
+import fcntl
 import gc
 import os
 import signal
@@ -67,6 +68,20 @@ def test_states(pull):
     assert states["roller_load"].sel(roller="R5").shape == (9,)
     moved = states["position"].sel(xyz="x").isel(segment=19)
     assert float(moved[-1] - moved[0]) == pytest.approx(0.15, rel=0.02)  # half a second of ramp
+
+
+def test_states_while_they_are_written(pull):
+    result = hawser.run(pull)
+    with open(result.folder / "results.h5", "rb") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        threading.Timer(0.3, fcntl.flock, (file, fcntl.LOCK_UN)).start()
+        assert len(result.states["time"]) == 5
+        fcntl.flock(file, fcntl.LOCK_EX)
+        with pytest.raises(hawser.OutputError, match="try again"):
+            hawser.Result(result.folder).states
+    (result.folder / "results.h5.journal").touch()
+    with pytest.raises(hawser.OutputError, match="--resume"):
+        hawser.Result(result.folder).states
 
 
 def test_states_without_xarray(pull, monkeypatch):
