@@ -221,7 +221,7 @@ static int states_check(hid_t file)
     return n;
 }
 
-/* A program writes, this one reads, as fast as they can; then the writer is killed. */
+/* A program writes as fast as it can, this one reads; then the writer is killed. */
 static void test_read_while_written(void **state)
 {
     enum { ENOUGH = 400 };
@@ -237,12 +237,12 @@ static void test_read_while_written(void **state)
         check_at_least(n, before);
         states_close(&s);
         before = n;
-        nap(1);
+        nap(20); /* so that the writer, who looks every 5 ms, finds a moment */
     }
     kill(child, SIGKILL);
     waitpid(child, NULL, 0);
     check_at_least(before, ENOUGH);
-    check_at_least(reads, 20);
+    check_at_least(reads, 2);
     StatesFile s = states_open(fixture_path(f, "results.h5"));
     if (!s.cut) check_at_least(states_check(s.file), before);
     states_close(&s);
