@@ -206,9 +206,8 @@ hawser_status sim_summary_text(const hawser_sim *s, const OutDir *dir, char **te
         .n_limits = sim_limits(s, &summary, limit),
         .limit = limit,
         .n_overloads = peaks_overload(&s->peaks, scene, &theory, &overload),
-        .trip_N = limits->present
-                      ? limits_trip(limits, scene->def.bundle.shape.thickest, theory.needed, theory.beyond).force
-                      : NAN};
+        .trip_N = limits->present ? limits_trip(limits, bundle_pulled(&scene->def), theory.needed, theory.beyond).force
+                                  : NAN};
     peaks_theory_free(&theory);
     if (labels.n_overloads < 0) return error_memory(err);
     char remedy[HAWSER_LIMITS_MAX][REMEDY_MAX];

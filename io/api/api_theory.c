@@ -451,8 +451,6 @@ static void drawn_set(const SceneDef *def, Theory *const t[], int rope, TheoryDe
     for (int k = 0; k <= def->n_beside; ++k) {
         if (chain_def(def, k)->strand.joined != rope || !t[k]) continue;
         const Calculator *const c = &t[k]->calculator;
-        out->n_drawn++;
-        out->drawn_weight = fmax(out->drawn_weight, t[k]->scene.cable_weight);
         for (int way = 0; way < PLAN_WAYS; ++way) {
             out->drawn[way] += c->plan.way[way].force;
             out->drawn_more[way] += calculator_peak(&t[k]->scene, c, way) - c->plan.way[way].force;
@@ -468,7 +466,7 @@ static hawser_status chains_theory(const hawser_case *c, hawser_format format, c
     for (int ropes = 0; ropes < 2; ++ropes) { /* they come behind what they draw */
         for (int k = 0; !status && k <= c->def.n_beside; ++k) {
             SceneDef own = *chain_def(&c->def, k); /* the scene makes its own copy */
-            if (own.strand.rope != ropes) continue;
+            if ((own.strand.rope > 0) != ropes) continue;
             TheoryPlaceDef *place;
             if (ropes) drawn_set(&c->def, t, k, &own.theory);
             status = shared_set(&c->def, ropes, &own.theory, &place, err);

@@ -115,7 +115,7 @@ static hawser_status joins_find(Reading *all)
         if (rope < 0) return case_value_error(all->r->err, join, " is not the name of a chain");
         if (rope == k) return case_value_error(all->r->err, join, ": a chain cannot be joined to itself");
         record->def.joined = rope;
-        all->record[rope].def.rope = 1;
+        all->record[rope].def.rope++;
     }
     for (int k = 0; k < all->n; ++k) {
         const StrandRecord *const record = &all->record[k];
@@ -217,14 +217,30 @@ static void factors_set(Reading *all, const LayDef *lay, int cables, double thic
     }
 }
 
-/* A chain that is joined hangs on one grip, whatever the case's limits say of a pull; a rope has one for each that it
- * draws. */
+/* kg/m, of the heaviest piece. */
+static double mass_of(const SceneDef *def)
+{
+    double most = 0;
+    for (int p = 0; p < def->n_pieces; ++p) most = fmax(most, def->cables[def->pieces[p].cable].mass);
+    return most;
+}
+
+/* Whether a chain to which others are joined is a cable itself: what weighs as much as these is no rope. */
+static int leads(const Reading *all, int k)
+{
+    double heaviest = 0;
+    for (int l = 0; l < all->n; ++l)
+        if (all->record[l].def.joined == k) heaviest = fmax(heaviest, mass_of(&all->def[l]));
+    return all->record[k].def.rope && mass_of(&all->def[k]) >= heaviest * (1 - 1e-9);
+}
+
+/* A chain that is joined hangs on one grip, whatever the case's limits say of a pull, and so does a cable that draws
+ * others; a rope has one for each of them. */
 static void grips_set(Reading *all, int k)
 {
     const StrandDef *const strand = &all->record[k].def;
-    int drawn = 0;
-    for (int l = 0; l < all->n; ++l) drawn += all->record[l].def.joined == k;
-    if (strand->joined >= 0 || drawn > 0) all->def[k].limits.grips = strand->joined >= 0 ? 1 : drawn;
+    if (strand->joined >= 0 || strand->rope)
+        all->def[k].limits.grips = strand->rope && !strand->leads ? strand->rope : 1;
 }
 
 /* Places of those that the lay says; ropes lie on the route. */
@@ -256,6 +272,7 @@ static hawser_status places_find(Reading *all, const CaseNode *node)
         if (!given && !strand->rope && lay.def.pattern == LAY_TRIPLEXED) strand->lay = lay.length;
         /* heads and rope would begin inside each other */
         if (strand->rope) strand->eye = diameter / 2 + diameter_of(&all->def[k]) / 2;
+        strand->leads = leads(all, k);
         all->def[k].strand = *strand;
         grips_set(all, k);
         all->def[k].ties = lay.ties;

@@ -119,8 +119,16 @@ hawser_status bundle_in(const SceneDef *def, const SurfaceDef *duct, DuctLoad *o
     const double inside = 2 * (duct->bore > 0 ? duct->bore : duct->shape.radius);
     const DuctDef alone = {.duct_diameter = inside, .cable_diameter = bundle_diameter(def), .cables = 1};
     const DuctDef set = bundle_in_duct(&b->set, &b->shape, inside);
-    if (duct->several.cables > 0) return duct_load(&duct->several, out, err);
+    DuctDef several = duct->several;
+    several.duct_diameter = inside;
+    if (several.cables > 0 && !duct_load(&several, out, NULL)) return HAWSER_OK; /* else each is one alone */
     return duct_load(bundle_present(b) ? &set : &alone, out, err);
+}
+
+int bundle_pulled(const SceneDef *def)
+{
+    const StrandDef *const strand = &def->strand;
+    return strand->rope && !strand->leads ? strand->rope : def->bundle.shape.thickest;
 }
 
 int bundle_cables_in(const SceneDef *def, const SurfaceDef *duct)

@@ -29,7 +29,9 @@ hawser_status bundle_make(struct SceneDef *def, hawser_error *err);
 double bundle_diameter(const struct SceneDef *def);
 /* How the cables lie in a duct; also one alone, or several chains. Errors: as duct_load. */
 hawser_status bundle_in(const struct SceneDef *def, const struct SurfaceDef *duct, DuctLoad *out, hawser_error *err);
-/* How many they are. */
+/* For how many cables what the winch pulls with counts (LI9): those of the scene, or that it draws as their rope. */
+int bundle_pulled(const struct SceneDef *def);
+/* How many lie in a duct. */
 int bundle_cables_in(const struct SceneDef *def, const struct SurfaceDef *duct);
 /* By how much friction on a surface (NULL: on rollers) is larger for the cables' layout, on a straight or in a bend
  * (BU7). */

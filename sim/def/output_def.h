@@ -104,8 +104,6 @@ typedef struct TheoryDef {
     /* N, each way, what the cables that this one draws as their rope pull at it, and by how much more with their heads
      * elsewhere or from rest; not of the case, but of the calculation for those */
     double drawn[PLAN_WAYS], drawn_more[PLAN_WAYS];
-    double drawn_weight; /* N/m, of the heaviest of them */
-    int n_drawn;         /* so many cables; 0: it draws none */
     /* nothing carries the cable, and: no friction is given, the default's is nobody's; it is to be simulated, too */
     int guessed_friction, would_fall;
     int simulated; /* the case says how it is run */

@@ -23,7 +23,8 @@ typedef struct StrandDef {
     double lay;      /* m of the route for a whole turn about it, to the right as it goes on; 0: it lies straight */
     int joined;      /* the chain to whose tail its head is joined; -1: none */
     HeadHold held;
-    int rope;   /* others are joined to it: */
+    int rope;   /* so many others are joined to it: */
+    int leads;  /* it weighs as much as one of them: it is no rope, but a cable that draws others */
     double eye; /* m, from the heads of these to its tail */
     int swivel; /* of a rope: its first joint transmits no torsion */
 } StrandDef;

@@ -89,25 +89,19 @@ double calculator_peak(const Scene *scene, const Calculator *c, int way)
     return fmax(heads->peak.force, heads->restart_peak.restart) + scene->def.theory.drawn_more[way];
 }
 
-/* How many cables the winch pulls at: that of the scene, or those that it draws as their rope. */
-static int cables_pulled(const Scene *scene)
-{
-    return scene->def.theory.n_drawn > 0 ? scene->def.theory.n_drawn : scene->def.bundle.shape.thickest;
-}
-
 /* Of chains with a rope: what rope and winch bear is asked where all that they pull is known, and of all cables
  * together what their heads bear (LI9). */
 static void rope_findings(const Scene *scene, int way, Finding f[LIMIT_KINDS])
 {
     const TheoryDef *const theory = &scene->def.theory;
+    const StrandDef *const strand = &scene->def.strand;
     double all = theory->drawn[way], most = all + theory->drawn_more[way];
-    const int cable = scene->cable_weight >= theory->drawn_weight * (1 - 1e-9); /* what weighs as much is no rope */
-    if (cable) all = most = f[LIMIT_ROPE].value;
-    if (scene->def.strand.joined >= 0) f[LIMIT_ROPE].absent = f[LIMIT_WINCH].absent = 1;
-    if (theory->n_drawn == 0) return;
+    if (strand->leads) all = most = f[LIMIT_ROPE].value;
+    if (strand->joined >= 0) f[LIMIT_ROPE].absent = f[LIMIT_WINCH].absent = 1;
+    if (!strand->rope) return;
     f[LIMIT_PULL] = f[LIMIT_RESTART] = f[LIMIT_ATTACHMENT] = (Finding){.value = most};
     f[LIMIT_PULL].value = all;
-    snprintf(f[LIMIT_PULL].where, sizeof f->where, "%s", cable ? "the head" : "the eye");
+    snprintf(f[LIMIT_PULL].where, sizeof f->where, "%s", strand->leads ? "the head" : "the eye");
     memcpy(f[LIMIT_RESTART].where, f[LIMIT_PULL].where, sizeof f->where);
     memcpy(f[LIMIT_ATTACHMENT].where, f[LIMIT_PULL].where, sizeof f->where);
 }
@@ -133,7 +127,7 @@ static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error 
             limits_duct(&scene->def.limits, bundle_cables_in(&scene->def, c->duct[i].surface), c->duct[i].surface->name,
                         &c->duct[i].load, f);
         c->n_limits =
-            limits_judge(&scene->def.limits, bundle_diameter(&scene->def), cables_pulled(scene), f, c->limit[k]);
+            limits_judge(&scene->def.limits, bundle_diameter(&scene->def), bundle_pulled(&scene->def), f, c->limit[k]);
     }
     return HAWSER_OK;
 }
@@ -181,7 +175,8 @@ static void best_set(Calculator *c)
 static void trip_set(const Scene *scene, Calculator *c)
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {
-        c->trip[k] = limits_trip(&scene->def.limits, cables_pulled(scene), calculator_peak(scene, c, k), c->beyond[k]);
+        c->trip[k] =
+            limits_trip(&scene->def.limits, bundle_pulled(&scene->def), calculator_peak(scene, c, k), c->beyond[k]);
         if (!c->pulled[k].holds) c->trip[k] = (TripSetting){NAN, "not known before the cable is held back"};
     }
 }

@@ -143,6 +143,7 @@ static void by_theory(const Peaks *peaks, const Stats *stats, const Scene *scene
         return;
     }
     f[LIMIT_ALPHA] = alpha_finding(peaks, scene, &theory);
+    f[LIMIT_ALPHA].absent |= scene->def.strand.rope > 0;
     trip_finding(stats, scene, expected, &theory, &f[LIMIT_TRIP]);
     if (f[LIMIT_RUN_AWAY].value > 0) f[LIMIT_TRIP].steady = NAN;
     pushed_finding(peaks, scene, &f[LIMIT_RUN_AWAY]);
@@ -182,5 +183,5 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
     free(turner);
     speed_finding(peaks, scene, &f[LIMIT_SPEED]);
     duct_findings(def, f);
-    return limits_judge(&def->limits, bundle_diameter(def), def->bundle.shape.thickest, f, out);
+    return limits_judge(&def->limits, bundle_diameter(def), bundle_pulled(def), f, out);
 }

@@ -134,7 +134,8 @@ int peaks_overload(const Peaks *peaks, const Scene *scene, const PeaksTheory *th
     Moments moments = {.scene = scene, .at = {.t = NAN}};
     int n = 0;
     *out = malloc(((size_t)peaks->n_rollers + 1) * sizeof **out);
-    if (*out && !peaks->present) return 0; /* a rod has no theory to ask */
+    /* a rod has no theory to ask, that of a rope goes without what it draws */
+    if (*out && (!peaks->present || scene->def.strand.rope)) return 0;
     const int at_once = begins_at_once(scene, peaks);
     hawser_status status = *out ? HAWSER_OK : HAWSER_ERR_MEMORY;
     if (!status && at_once) status = range_solve(peaks, scene, theory->at, &range);

@@ -377,6 +377,30 @@ static void test_judged(void **state)
     hawser_sim_free(s);
 }
 
+/* A rope has what it draws to bear, and each of these what it may be pulled with; its own theory goes without them, so
+ * that no roller is overloaded by it. */
+static void test_rope_judged(void **state)
+{
+    (void)state;
+    const char *const settings[] = {
+        "limits",  "{pull: 250 N, rope_strength: 6 kN}",     "lay", "{pattern: flat, spacing: 60 mm}", "surfaces", "{}",
+        "rollers", "{along: {spacing: 1 m, width: 600 mm}}", NULL};
+    hawser_sim *const s = run(load(FOLDER "chains-rope.yaml", settings));
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    int found = 0;
+    for (int i = hawser_sim_limits(s, limit) - 1; i >= 0; --i) {
+        const int pull = !strcmp(limit[i].name, "pull"), alpha = !strcmp(limit[i].name, "alpha");
+        if (!strcmp(limit[i].name, "rope")) check_above(limit[i].value, 350);
+        if (pull) check_share(limit[i].limit, limit[i].value > 250 ? 750 : 250, 1e-12);
+        if (alpha) check_has(limit[i].where, "chain '");
+        if (!pull && !alpha) continue;
+        assert_true(limit[i].ok);
+        found += pull + alpha;
+    }
+    assert_int_equal(found, 2);
+    hawser_sim_free(s);
+}
+
 /* One lies beside the rollers and falls: the figures of all are not to be trusted, and whose fault it is stands there.
  */
 static void test_fallen(void **state)
@@ -570,6 +594,7 @@ int main(void)
         cmocka_unit_test(test_resumed),     cmocka_unit_test(test_page),    cmocka_unit_test(test_alone),
         cmocka_unit_test(test_theory),      cmocka_unit_test(test_judged),  cmocka_unit_test(test_fallen),
         cmocka_unit_test(test_rope_theory), cmocka_unit_test(test_rest),    cmocka_unit_test(test_jam),
+        cmocka_unit_test(test_rope_judged),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

@@ -72,13 +72,14 @@ static void grips_of_each(void **state)
     json_decref(all);
 }
 
-/* A cable that draws another, as heavy as itself, is no rope: all that it pulls with is judged. */
+/* A cable that draws others, as heavy as itself, is no rope: all that it pulls with is judged, by what it may be pulled
+ * with alone. */
 static void tandem(void **state)
 {
     (void)state;
     static const char *const ropes[] = {"{chain: [{cable: rope, length: 100 m}]}",
                                         "{chain: [{cable: power, length: 100 m}]}"};
-    static const double pull[] = {1800, 2000 + 200};
+    static const double pull[] = {1800, 2000 + 200}, allowed[] = {2 * 5000, 5000}, holds[] = {2 * 2000, 2000};
     for (int k = 0; k < 2; k++) {
         json_t *const all = theory_of(CHAINS, (const char *const[]){"chains.rope", ropes[k], NULL});
         json_t *row;
@@ -87,6 +88,8 @@ static void tandem(void **state)
         {
             const char *const name = json_string_value(json_object_get(row, "name"));
             if (!strcmp(name, "pull")) check_share(number_of(row, "value"), pull[k], 1e-9);
+            if (!strcmp(name, "pull")) check_share(number_of(row, "limit"), allowed[k], 1e-9);
+            if (!strcmp(name, "attachment")) check_share(number_of(row, "limit"), holds[k], 1e-9);
         }
         json_decref(all);
     }
@@ -119,12 +122,37 @@ static void rollers_bear_all(void **state)
     hawser_case_free(c);
 }
 
+/* A duct that is said to be wide enough for all of them is, and one somewhat narrower is not. */
+static void duct_for_all(void **state)
+{
+    (void)state;
+    static const char text[] =
+        CABLES "chain: [{cable: power, length: 20 m}]\n"
+               "chains: {rope: {chain: [{cable: rope, length: 20 m}]}, a: {join: rope}, b: {join: rope}, c: {join: "
+               "rope}}\nlay: {pattern: triangular}\nroute: {head_at: 0 m, pieces: [{straight: 20 m}]}\n"
+               "surfaces: {ducts: [{name: duct, radius: 44 mm}]}\nfriction: {mu: 0.2}\n"
+               "drive: {winch: {speed: 6 m/min}, tail: {tension: 500 N}}\nrun: {duration: 3 s}\n"
+               "limits: {pull: 50 kN, sidewall: 3 kN/m, fill: 0.9}\n";
+    char setting[40];
+    const double diameter = number_behind(text, "an inside diameter of at least ", NULL);
+    for (int k = -1; k < 12; k++) {
+        snprintf(setting, sizeof setting, "%.6f mm", diameter / 2 * (1 + 0.01 * k));
+        json_t *const all = theory_of(text, (const char *const[]){"surfaces.ducts.0.radius", setting, NULL});
+        if (k < 0)
+            check_below(limit_of(limits_of(all, "a"), "clearance"), 6.35e-3);
+        else
+            check_at_least(limit_of(limits_of(all, "a"), "clearance"), 6.35e-3 - 1e-9);
+        json_decref(all);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(machines_and_feed_are_there_once),
         cmocka_unit_test(grips_of_each),
         cmocka_unit_test(tandem),
+        cmocka_unit_test(duct_for_all),
         cmocka_unit_test(rollers_bear_all),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

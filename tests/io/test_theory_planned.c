@@ -177,22 +177,6 @@ static void the_cables_friction(void **state)
     json_decref(all);
 }
 
-/* The number behind some words of the answer as text; what else it `says`, or NULL. */
-static double number_behind(const char *text, const char *words, const char *says)
-{
-    char *answer = NULL;
-    double number = NAN;
-    hawser_case *const c = case_with(text, NULL);
-    assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &answer, NULL), HAWSER_OK);
-    hawser_case_free(c);
-    const char *const at = strstr(answer, words);
-    assert_non_null(at);
-    assert_int_equal(sscanf(at + strlen(words), "%lf", &number), 1);
-    if (says) check_has(answer, says);
-    hawser_text_free(answer);
-    return number;
-}
-
 /* Bends that follow each other hold no machine, at either end of one of them; too much feed is less feed. */
 static void machines_beside_bends(void **state)
 {

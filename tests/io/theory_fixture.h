@@ -54,4 +54,20 @@ static inline double limit_of(const json_t *answer, const char *name)
     return NAN;
 }
 
+/* The number behind some words of the answer as text; what else it `says`, or NULL. */
+static inline double number_behind(const char *text, const char *words, const char *says)
+{
+    char *answer = NULL;
+    double number = NAN;
+    hawser_case *const c = case_with(text, NULL);
+    assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &answer, NULL), HAWSER_OK);
+    hawser_case_free(c);
+    const char *const at = strstr(answer, words);
+    assert_non_null(at);
+    assert_int_equal(sscanf(at + strlen(words), "%lf", &number), 1);
+    if (says) check_has(answer, says);
+    hawser_text_free(answer);
+    return number;
+}
+
 #endif
