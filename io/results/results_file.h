@@ -221,8 +221,7 @@ hawser_status h5_append(H5File *h, const hawser_sample *sample, hawser_error *er
 hawser_status h5_envelope(H5File *h, const Envelope *envelope, hawser_error *err);
 /* The series that the states belong to, by its sum, when that is whole. Errors: OUTPUT. */
 hawser_status h5_series(H5File *h, const char *sum, hawser_error *err);
-/* After this, readers see every state; must 0: unless one of them is reading, who holds it back until the next one.
- * Errors: OUTPUT. */
+/* After this, readers see every state; must 0: unless one of them holds it back by reading. Errors: OUTPUT. */
 hawser_status h5_flush(H5File *h, int must, hawser_error *err);
 /* Closes *file and sets it to NULL (NULL is fine). Errors: OUTPUT. */
 hawser_status h5_close(H5File **file, hawser_error *err);
