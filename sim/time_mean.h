@@ -61,6 +61,15 @@ static inline void mean_raise(TimeMean *m, double value, double sharpness)
     m->at_peak = 0;
 }
 
+static const double HELD_SHARP = 16; /* second differences, whose eighth is twice what two steps are apart */
+
+/* What two steps held one after the other, which counts for the peak alone (EB14): the lower of both; the top of a
+ * parabola stands no more above the higher one than that stands above the other. */
+static inline void mean_held(TimeMean *m, double before, double now)
+{
+    mean_raise(m, fmin(now, before), HELD_SHARP * fabs(now - before));
+}
+
 /* A block ends here, and the next one begins. */
 static inline void mean_block(TimeMean *m)
 {

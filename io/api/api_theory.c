@@ -458,26 +458,85 @@ static void drawn_set(const SceneDef *def, Theory *const t[], int rope, TheoryDe
     }
 }
 
-static hawser_status chains_theory(const hawser_case *c, hawser_format format, char **text, hawser_error *err)
+/* N, what several chains press rollers with, of one chain each way: those that it draws, and all others; [n_rollers]
+ * each, two after two in one piece of memory. */
+static double *rollers_of(const SceneDef *def, double *all, int way, int others)
+{
+    return all + (size_t)(2 * way + others) * (size_t)def->n_rollers;
+}
+
+/* Rollers bear all chains: adds to what chain `of` says of them what one does that is solved, beside it or drawn by it.
+ * What a rope draws is said with the rope. */
+static hawser_status rollers_add(const SceneDef *def, const Theory *t, int others, double *all, hawser_error *err)
+{
+    double *const load = malloc(((size_t)def->n_rollers + 1) * sizeof *load);
+    if (!load) return error_memory(err);
+    for (int way = 0; way < PLAN_WAYS; ++way) {
+        double *const sum = rollers_of(def, all, way, others);
+        calculator_rollers(&t->scene, &t->calculator, way, load);
+        for (int r = 0; r < def->n_rollers; ++r) sum[r] += load[r];
+    }
+    free(load);
+    return HAWSER_OK;
+}
+
+/* The chain that is solved last, with which rollers are judged: the last rope, or where there is none the last cable.
+ */
+static int last_chain(const SceneDef *def)
+{
+    int last = def->n_beside;
+    while (last > 0 && !chain_def(def, last)->strand.rope) --last;
+    return chain_def(def, last)->strand.rope ? last : def->n_beside;
+}
+
+static hawser_status rollers_set(const SceneDef *def, Theory *const t[], int of, double **memory, TheoryDef *out,
+                                 hawser_error *err)
+{
+    const int last = of == last_chain(def);
+    double *const all = *memory = calloc(2 * PLAN_WAYS * (size_t)def->n_rollers + 1, sizeof *all);
+    hawser_status status = HAWSER_OK;
+    if (!all) return error_memory(err);
+    for (int k = 0; !status && k <= def->n_beside; ++k) {
+        const int rope = chain_def(def, k)->strand.joined;
+        if (t[k] && (rope == of || (last && rope < 0))) status = rollers_add(def, t[k], rope != of, all, err);
+    }
+    for (int way = 0; way < PLAN_WAYS; ++way) {
+        out->rollers_drawn[way] = rollers_of(def, all, way, 0);
+        out->rollers_others[way] = rollers_of(def, all, way, 1);
+    }
+    out->rollers_elsewhere = !last;
+    return status;
+}
+
+/* One of them, when what it draws is solved; *rollers is its memory. */
+static hawser_status chain_theory(const hawser_case *c, Theory *t[], int k, double **rollers, hawser_error *err)
 {
     const TheoryWish wish = {0};
+    SceneDef own = *chain_def(&c->def, k); /* the scene makes its own copy */
+    const int rope = own.strand.rope > 0;
+    TheoryPlaceDef *place = NULL;
+    if (rope) drawn_set(&c->def, t, k, &own.theory);
+    hawser_status status = rollers_set(&c->def, t, k, rollers, &own.theory, err);
+    if (!status) status = shared_set(&c->def, rope, &own.theory, &place, err);
+    t[k] = status ? NULL : calloc(1, sizeof *t[k]);
+    if (!status && !t[k]) status = error_memory(err);
+    if (!status) status = case_name_error(c, build_and_solve(t[k], &own, &wish, err), err);
+    free(place);
+    return status;
+}
+
+static hawser_status chains_theory(const hawser_case *c, hawser_format format, char **text, hawser_error *err)
+{
     Theory *t[STRANDS_MAX] = {NULL};
+    double *rollers[STRANDS_MAX] = {NULL};
     hawser_status status = HAWSER_OK;
     for (int ropes = 0; ropes < 2; ++ropes) { /* they come behind what they draw */
-        for (int k = 0; !status && k <= c->def.n_beside; ++k) {
-            SceneDef own = *chain_def(&c->def, k); /* the scene makes its own copy */
-            if ((own.strand.rope > 0) != ropes) continue;
-            TheoryPlaceDef *place;
-            if (ropes) drawn_set(&c->def, t, k, &own.theory);
-            status = shared_set(&c->def, ropes, &own.theory, &place, err);
-            t[k] = status ? NULL : calloc(1, sizeof *t[k]);
-            if (!status && !t[k]) status = error_memory(err);
-            if (!status) status = case_name_error(c, build_and_solve(t[k], &own, &wish, err), err);
-            free(place);
-        }
+        for (int k = 0; !status && k <= c->def.n_beside; ++k)
+            if ((chain_def(&c->def, k)->strand.rope > 0) == ropes) status = chain_theory(c, t, k, &rollers[k], err);
     }
     if (!status) status = chains_write(c, t, format, text, err);
     for (int k = 0; k <= c->def.n_beside; ++k) theory_free(t[k]);
+    for (int k = 0; k <= c->def.n_beside; ++k) free(rollers[k]);
     return status;
 }
 

@@ -102,6 +102,9 @@ hawser_status calculator_know(const Scene *scene, Calculator *c, hawser_error *e
 hawser_status gaps_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);
 /* Whether something holds it to the side where it turns (T30), into a condition that holds: aside.c. Errors: MEMORY. */
 hawser_status aside_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);
+/* load [n_rollers]: N, what theory has each rated roller bear of this chain with what those bring that it draws, and
+ * what all others do (SC18); 0 where it knows of none. */
+void calculator_rollers(const Scene *scene, const Calculator *c, int way, double *load);
 /* N, of the winch, wherever the head is, at speed or from rest; of a rope with all that it draws, whatever each pulls
  * at most (SC15). */
 double calculator_peak(const Scene *scene, const Calculator *c, int way);

@@ -2,8 +2,10 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "core/base/error.h"
 #include "sim/expected/calculator.h"
 #include "sim/expected/findings.h"
 #include "theory/place/place.h"
@@ -51,36 +53,77 @@ static double load_on(const Scene *scene, const Calculator *c, const PlanWay *wa
     return roller_is_guide(&scene->route, roller) ? piece->guided : piece->carried;
 }
 
-/* The rated roller that is loaded most for its rating, by the piece on which it stands or a bend beside it. */
-static Finding roller_finding(const Scene *scene, const Calculator *c, const PlanWay *way)
+/* Takes in what a roller bears of this chain, N, if that is more than was known; turned: some of it is tension. */
+static void borne_take(const Scene *scene, int way, int r, double own, int turned, double *load)
 {
-    Finding worst = {.value = NAN}, unknown = {.value = NAN};
+    const TheoryDef *const theory = &scene->def.theory;
+    const double drawn = theory->rollers_drawn[way] ? theory->rollers_drawn[way][r] : 0;
+    const double others = theory->rollers_others[way] ? theory->rollers_others[way][r] : 0;
+    if (!(own > 0)) own = 0;
+    load[r] = fmax(load[r], others + (turned ? own + drawn : fmax(own, drawn)));
+}
+
+/* Of the rows on the route's own pieces; why one that is rated cannot be told, or an empty text. */
+static void rows_bear(const Scene *scene, const Calculator *c, int way, double *load, char why[160])
+{
+    const PlanWay *const plan = &c->plan.way[way];
+    *why = 0;
     for (int r = 0; r < scene->def.n_rollers; ++r) {
         const RollerDef *const roller = &scene->def.rollers[r];
         if (isnan(roller->s) && roller->rating > 0)
-            snprintf(unknown.why, sizeof unknown.why, "of rollers.list and obstacles theory knows no load: a run does");
+            snprintf(why, 160, "of rollers.list and obstacles theory knows no load: a run does");
         if (isnan(roller->s) || !(roller->rating > 0)) continue;
-        const PlaceLine line = {&scene->route, &way->pull, scene->cable_weight, 0, scene->route.length};
+        const PlaceLine line = {&scene->route, &plan->pull, scene->cable_weight, 0, scene->route.length};
         if (roller->hold_down && line_load(&line, roller->s).up < 0)
-            snprintf(unknown.why, sizeof unknown.why,
-                     "of hold-downs that the cable lifts off to theory knows no load: a run does");
+            snprintf(why, 160, "of hold-downs that the cable lifts off to theory knows no load: a run does");
         if (roller->hold_down ||
             (roller_is_guide(&scene->route, roller) && guide_stands_outside(&scene->route, roller)))
             continue;
-        const double load = load_on(scene, c, way, roller);
-        if (load > 0) finding_load(&worst, roller->name, load, roller->rating);
+        const int piece = route_at(&scene->route, roller->s).piece;
+        borne_take(scene, way, r, load_on(scene, c, plan, roller), scene->route.piece[piece].kind != ROUTE_STRAIGHT,
+                   load);
     }
-    for (int i = 0; i < c->n_bearers; ++i) {
-        const RollerDef *const roller = &scene->def.rollers[c->bearer[i].roller];
-        const double load = way->piece[c->bearer[i].piece].roller_load;
-        if (load > 0) finding_load(&worst, roller->name, load, roller->rating);
-    }
+}
+
+/* load [n_rollers]: what each bears, N, at most by all that theory knows of it. */
+static void rollers_bear(const Scene *scene, const Calculator *c, int way, double *load, char why[160])
+{
+    const PlanWay *const plan = &c->plan.way[way];
+    for (int r = 0; r < scene->def.n_rollers; ++r) load[r] = 0;
+    rows_bear(scene, c, way, load, why);
+    for (int i = 0; i < c->n_bearers; ++i)
+        borne_take(scene, way, c->bearer[i].roller, plan->piece[c->bearer[i].piece].roller_load, 1, load);
     for (int i = 0; i < c->n_beside; ++i) {
-        const RollerDef *const roller = &scene->def.rollers[c->beside[i].roller];
-        finding_load(&worst, roller->name, load_beside_bend(scene, &way->pull, &c->beside[i]), roller->rating);
+        const Beside *const beside = &c->beside[i];
+        borne_take(scene, way, beside->roller, load_beside_bend(scene, &plan->pull, beside),
+                   hypot(beside->down, beside->aside) > 0, load);
     }
+}
+
+void calculator_rollers(const Scene *scene, const Calculator *c, int way, double *load)
+{
+    char why[160];
+    rollers_bear(scene, c, way, load, why);
+}
+
+/* The rated roller that is loaded most for its rating, by the piece on which it stands or a bend beside it. Errors:
+ * MEMORY. */
+static hawser_status roller_finding(const Scene *scene, const Calculator *c, int way, Finding *out, hawser_error *err)
+{
+    Finding worst = {.value = NAN}, unknown = {.value = NAN};
+    *out = (Finding){.absent = 1};
+    if (scene->def.theory.rollers_elsewhere) return HAWSER_OK;
+    double *const load = malloc(((size_t)scene->def.n_rollers + 1) * sizeof *load);
+    if (!load) return error_memory(err);
+    rollers_bear(scene, c, way, load, unknown.why);
+    for (int r = 0; r < scene->def.n_rollers; ++r) {
+        const RollerDef *const roller = &scene->def.rollers[r];
+        if (load[r] > 0) finding_load(&worst, roller->name, load[r], roller->rating);
+    }
+    free(load);
     const int broken = worst.value > worst.rating / scene->def.limits.roller_factor;
-    return *unknown.why && !broken ? unknown : worst;
+    *out = *unknown.why && !broken ? unknown : worst;
+    return HAWSER_OK;
 }
 
 double calculator_peak(const Scene *scene, const Calculator *c, int way)
@@ -117,9 +160,9 @@ static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error 
         f[LIMIT_RESTART] = finding_on(route, way->restart_max, way->restart_at, way->restart_piece);
         f[LIMIT_SIDEWALL] = sidewall_finding(route, way);
         f[LIMIT_BEND] = bend_finding(c, k);
-        f[LIMIT_ROLLER_STEADY] = roller_finding(scene, c, way);
         f[LIMIT_ROPE].value = calculator_peak(scene, c, k);
-        const hawser_status status = findings_of_way(scene, route, c, k, f, err);
+        hawser_status status = roller_finding(scene, c, k, &f[LIMIT_ROLLER_STEADY], err);
+        if (!status) status = findings_of_way(scene, route, c, k, f, err);
         if (status) return status;
         rope_findings(scene, k, f);
         limits_duct(&scene->def.limits, c->cables, NULL, NULL, f);

@@ -94,11 +94,6 @@ void findings_of_scene(const Scene *scene, Finding finding[LIMIT_KINDS])
     finding[LIMIT_SQUEEZE] = squeeze(def);
     finding[LIMIT_PUSH].absent = def->n_conveyors == 0;
     finding[LIMIT_SPEED] = speed_said(scene);
-    for (int k = 0; k < 2 && def->strand.present; ++k) {
-        Finding *const rollers = &finding[k ? LIMIT_ROLLER_STEADY : LIMIT_ROLLER_PEAK];
-        rollers->value = NAN;
-        snprintf(rollers->why, sizeof rollers->why, "what several chains press rollers with is not added up");
-    }
     if (has_row(def)) return;
     finding[LIMIT_ALPHA].absent = 1;
     if (!has_rating(def)) finding[LIMIT_ROLLER_STEADY].absent = finding[LIMIT_ROLLER_PEAK].absent = 1;

@@ -5,6 +5,7 @@
 
 #include "sim/expected/expected.h"
 #include "sim/judge/compression.h"
+#include "sim/watch/borne.h"
 #include "sim/watch/stats.h"
 
 /* m along the route, where the cable's front was at a time, s. */
@@ -26,8 +27,9 @@ typedef struct Peaks {
     const char *pusher;
     Compression pushed; /* where nothing pulls any more */
     int n_rollers;
-    double *roller;   /* [n_rollers] N, tension of the cable where it passes the roller; NAN: none yet */
-    PeakMoment *when; /* [n_rollers] when that was so large */
+    double *roller;     /* [n_rollers] N, tension of the cable where it passes the roller; NAN: none yet */
+    PeakMoment *when;   /* [n_rollers] when that was so large */
+    const Borne *borne; /* of the first of several chains: what all press rollers with; NULL */
 } Peaks;
 
 /* The overload factor of eq. 12 at one roller. */

@@ -32,21 +32,33 @@ static Finding bend_finding(const Peaks *peaks, const Scene *scene)
     return f;
 }
 
-/* The rated roller with the largest load for its rating; steady or peak. A load that comes within the steady window is
- * steady once it is there: what lasts is asked for, not the window's mean. */
-static Finding roller_finding(const Stats *stats, int steady)
+/* What a roller bears, N: steady or at most, and that one's error bar; of the first of several chains what all do. A
+ * load that comes within the steady window is steady once it is there: what lasts is asked for, not the window's mean.
+ */
+static double roller_load(const Peaks *peaks, const Stats *stats, int r, int steady, double *error)
+{
+    const Borne *const all = peaks->borne;
+    const hawser_roller *const own = &stats->roller_out[r];
+    if (steady) {
+        *error = all ? all->steady_error[r] : own->steady_error_N;
+        return mean_lasting(all ? &all->load[r] : &stats->roller[r].load);
+    }
+    *error = all ? all->peak_error[r] : own->peak_error_N;
+    return all ? all->load[r].peak : own->peak_N;
+}
+
+/* The rated roller with the largest load for its rating; steady or peak. */
+static Finding roller_finding(const Peaks *peaks, const Stats *stats, int steady)
 {
     Finding worst = {.value = NAN};
+    double error;
     for (int r = 0; r < stats->n_rollers; ++r) {
         const hawser_roller *const roller = &stats->roller_out[r];
-        finding_load(&worst, roller->name, steady ? mean_lasting(&stats->roller[r].load) : roller->peak_N,
-                     roller->rating_N);
+        finding_load(&worst, roller->name, roller_load(peaks, stats, r, steady, &error), roller->rating_N);
     }
     for (int r = 0; r < stats->n_rollers; ++r) { /* whose bar reaches farthest, as a load on the worst */
-        const hawser_roller *const roller = &stats->roller_out[r];
-        const double most = steady ? mean_lasting(&stats->roller[r].load) + roller->steady_error_N
-                                   : roller->peak_N + roller->peak_error_N;
-        if (roller->rating_N > 0) worst.error = fmax(worst.error, most / roller->rating_N * worst.rating - worst.value);
+        const double rating = stats->roller_out[r].rating_N, load = roller_load(peaks, stats, r, steady, &error);
+        if (rating > 0) worst.error = fmax(worst.error, (load + error) / rating * worst.rating - worst.value);
     }
     return worst;
 }
@@ -160,8 +172,8 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         f[LIMIT_PULL] = finding_at(&scene->route, peaks->tension.value, peaks->tension.at);
         f[LIMIT_SIDEWALL] = sidewall_finding(peaks, stats, scene);
         f[LIMIT_BEND] = bend_finding(peaks, scene);
-        f[LIMIT_ROLLER_STEADY] = roller_finding(stats, 1);
-        f[LIMIT_ROLLER_PEAK] = roller_finding(stats, 0);
+        f[LIMIT_ROLLER_STEADY] = roller_finding(peaks, stats, 1);
+        f[LIMIT_ROLLER_PEAK] = roller_finding(peaks, stats, 0);
         f[LIMIT_ROPE] = finding_at(&scene->route, peaks->rope.value, peaks->rope.at);
         f[LIMIT_WINCH] = f[LIMIT_ROPE];
         f[LIMIT_ATTACHMENT] = finding_at(&scene->route, peaks->front.value, peaks->front.at);
@@ -175,6 +187,7 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         }
     }
     findings_of_scene(scene, f);
+    if (def->strand.present && !peaks->borne) f[LIMIT_ROLLER_STEADY].absent = f[LIMIT_ROLLER_PEAK].absent = 1;
     int n;
     Turner *turner;
     f[LIMIT_ROPE_BEND] = turners_find(scene, &scene->route, &n, &turner, NULL)

@@ -233,15 +233,29 @@ static void rod_watch(Sim *s)
     st->stability.turned |= turned(&st->scene, 0, &st->ws.kin) & TURNED_JOINT;
 }
 
+/* Chains have one integrator, the first's: who swings fastest bounds its steps (EB25). */
+static void swings_bound(Sim *first)
+{
+    double least = 0;
+    if (!first->stage.integrator) return;
+    for (int k = 0; k < sim_chains(first); ++k) {
+        const double bound = sim_chain(first, k)->stats.swings.bound;
+        if (bound > 0 && !(least > 0 && least < bound)) least = bound;
+    }
+    integrator_bound(first->stage.integrator, least);
+}
+
 /* Peaks between two rows are peaks of the run as well (EB14). */
 static void peak_watch(Sim *s)
 {
     Stage *const st = &s->stage;
-    if (!st->scene.winch->present) return;
-    const double start = clock_now(), pull = st->motion->ops->winch_pull(st->motion, st->t, st->y);
+    const int drawn = st->scene.winch->present;
+    if (!drawn && st->scene.def.strand.joined < 0) return;
+    const double start = clock_now(), pull = drawn ? st->motion->ops->winch_pull(st->motion, st->t, st->y)
+                                                   : together_pull(s->together ? s->together : s->leader->together, s);
     st->motion->ops->glance(st->motion);
     const int due = stats_step(&s->stats, &st->scene, st->t, pull, st->ws.law[0], st->ws.on_roller);
-    if (st->integrator) integrator_bound(st->integrator, s->stats.swings.bound); /* chains have one: the first's */
+    if (drawn) swings_bound(s->leader ? s->leader : s);
     s->record_s += clock_now() - start;
     if (!due) return;
     const hawser_sample *const look = sim_look(s, SAMPLE_ROW);
@@ -342,6 +356,14 @@ static hawser_status step_watch(Sim *s, hawser_error *err)
     return status ? status : script_due(s, err);
 }
 
+/* Peaks of what all press rollers with. */
+static void chains_watch(struct Together *all)
+{
+    if (!together_stepped(all)) return;
+    for (int k = all->n - 1; k >= 0; --k) sim_look(all->sim[k], SAMPLE_ROW);
+    together_peak(all);
+}
+
 /* One step of the equations of motion. */
 static hawser_status advance_moving(Sim *s, double t, hawser_error *err)
 {
@@ -349,7 +371,9 @@ static hawser_status advance_moving(Sim *s, double t, hawser_error *err)
     hawser_status status = s->together ? together_step(s->together, stop, err) : stage_step(&s->stage, stop, err);
     if (status == HAWSER_ERR_RUN) failure_explain(s, err);
     if (!status) stall_watch(s);
+    if (!status && s->together) together_follow(s->together);
     for (int k = 0; !status && k < sim_chains(s); ++k) status = step_watch(sim_chain(s, k), err);
+    if (!status && s->together) chains_watch(s->together);
     return status ? status : quasi_begin(s, err);
 }
 
@@ -447,6 +471,7 @@ static void record_now(Sim *s, SampleParts parts)
 {
     if (s->stage.torn) return;
     for (int k = sim_chains(s) - 1; k >= 0; --k) record_one(sim_chain(s, k), parts);
+    if (s->together) together_row(s->together);
     overlap_watch(s);
 }
 

@@ -94,6 +94,8 @@ hawser_status together_new(Sim **sim, int n, hawser_error *err)
     totals_set(all);
     if (all->no_memory) return error_memory(err);
     for (int k = 0; !status && k < n; ++k) status = sim_trip_set(sim[k], err);
+    if (!status && sim[0]->peaks.present) status = borne_new(&all->borne, sim[0]->stage.scene.def.n_rollers, err);
+    sim[0]->peaks.borne = &all->borne;
     return status;
 }
 
@@ -101,6 +103,7 @@ struct Together *together_free(struct Together *all)
 {
     if (!all) return NULL;
     bunch_free(&all->bunch);
+    borne_free(&all->borne);
     free(all->sim);
     free(all->y);
     free(all->state);
@@ -159,7 +162,50 @@ hawser_status together_checkpoint(Checkpoint *c, struct Together *all, hawser_er
     if (!c->reading) status = steps_ready(&steps, first->t, err);
     for (int k = 0; !status && k < all->n; ++k) status = stage_state_checkpoint(c, &all->sim[k]->stage, 1, err);
     if (!status && c->reading && !c->status) bunch_gather(&all->bunch, all->state, all->y);
+    borne_checkpoint(c, &all->borne);
     return status ? status : steps_checkpoint(c, &steps, first->t, all->n, all->ws, err);
+}
+
+/* [n] what each chain's forces on rollers are by its workspace. */
+static int forces_of(const Together *all, const Vec3 *on_roller[STRANDS_MAX])
+{
+    for (int k = 0; k < all->n; ++k) on_roller[k] = all->ws[k]->on_roller;
+    return all->n;
+}
+
+void together_row(Together *all)
+{
+    const Vec3 *on_roller[STRANDS_MAX] = {NULL};
+    const Stats *const first = &all->sim[0]->stats;
+    if (first->fresh)
+        borne_row(&all->borne, forces_of(all, on_roller), on_roller, first->dt, first->steady, first->block);
+}
+
+int together_stepped(Together *all)
+{
+    const Vec3 *on_roller[STRANDS_MAX] = {NULL};
+    return borne_step(&all->borne, forces_of(all, on_roller), on_roller);
+}
+
+void together_peak(Together *all)
+{
+    const Vec3 *on_roller[STRANDS_MAX] = {NULL};
+    borne_peak(&all->borne, forces_of(all, on_roller), on_roller);
+}
+
+void together_follow(Together *all)
+{
+    for (int k = 0; k < all->n; ++k) {
+        Stage *const st = &all->sim[k]->stage;
+        dynamics_kinematics(&st->scene, &st->ws, st->t, st->y);
+    }
+}
+
+double together_pull(const Together *all, const Sim *of)
+{
+    int k = 0;
+    while (all->sim[k] != of) ++k;
+    return bunch_pull(&all->bunch, k);
 }
 
 /* A chain whose head is joined to a rope goes as that does. */

@@ -5,6 +5,7 @@
 
 #include "sim/bunch/bunch.h"
 #include "sim/run/parts.h"
+#include "sim/watch/borne.h"
 
 struct Together {
     int n;
@@ -13,6 +14,7 @@ struct Together {
     double *y;      /* [bunch.motion.size] the state of all */
     double **state; /* [n] each one's own, which stays where it is */
     Workspace **ws; /* [n] */
+    Borne borne;    /* what all press rollers with; of no rollers where no limits ask for it */
     int no_memory;  /* theory of a rope lacked it: a figure is missing */
 };
 
@@ -28,6 +30,15 @@ hawser_status together_relax(struct Together *all, hawser_relaxation *out, hawse
 hawser_status together_step(struct Together *all, double stop, hawser_error *err);
 /* What all go on from, as stage_checkpoint of one. */
 hawser_status together_checkpoint(Checkpoint *c, struct Together *all, hawser_error *err);
+/* What all press rollers with: a row of all has been recorded; a step of all has been taken, after which it may be that
+ * all are to be looked at (1), and the third is to be told (sim/watch/borne.h). */
+void together_row(struct Together *all);
+int together_stepped(struct Together *all);
+void together_peak(struct Together *all);
+/* Kinematics of all as a step has left them: what was evaluated last is an iterate's. */
+void together_follow(struct Together *all);
+/* N, at that one's head: of its winch, or what joins it to its rope, by the kinematics of now. */
+double together_pull(const struct Together *all, const Sim *of);
 /* After a look at the state of now: what pulls chain k, if that is another one, into its workspace; and, with the
  * first, what the chains do to each other into its scene. */
 void together_look(struct Together *all, const Sim *of);

@@ -300,6 +300,7 @@ static void blocks_end(Stats *stats, const Scene *scene, const Kinematics *kin, 
     if (++stats->passing < BLOCK_LEAST || way < length) return;
     stats->passing = 0;
     stats->passed_at = sample->winch_travel;
+    stats->block = 1;
     mean_block(&stats->pull);
     for (int i = 0; i < stats->n_stations; ++i) mean_block(&stats->station[i]);
     for (int r = 0; r < stats->n_rollers; ++r) mean_block(&stats->roller[r].load);
@@ -313,6 +314,7 @@ void stats_record(Stats *stats, const Scene *scene, const Kinematics *kin, const
     if (!stats->fresh) return;
     stats->dt = dt;
     stats->steady = steady;
+    stats->block = 0;
     mean_add(&stats->pull, sample->winch_force, dt, steady);
     if (stats->last_t < 0) stats->at_rest = sample->winch_force;
     if (stats->pull.at_peak) peak_record(stats, scene, kin, sample);
@@ -358,7 +360,8 @@ int stats_step(Stats *stats, const Scene *scene, double t, double pull, const do
     double *const before = stats->now, *const now = stats->before, load = 0;
     const int n = watched_count(stats), first_roller = n - stats->n_rollers;
     int due = 0;
-    swings_step(&stats->swings, scene, t, pull);
+    const int shared = scene->def.strand.present && !scene->winch->present; /* heads on one rope jostle */
+    if (!shared) swings_step(&stats->swings, scene, t, pull);
     mean_add(&stats->stepped, pull, t - stats->step_t, stats->step_t >= stats->steady_from - 1e-9);
     stats->step_t = t;
     step_values(stats, scene, pull, tension, on_roller, now);
@@ -374,10 +377,7 @@ int stats_step(Stats *stats, const Scene *scene, double t, double pull, const do
     return due;
 }
 
-static const double SHARP = 16; /* second differences, whose eighth is twice what two steps are apart */
-
-/* All at once, each with the lower of its two steps' values; the top of a parabola stands no more above the higher one
- * than that stands above the other. */
+/* All at once, each with the lower of its two steps' values. */
 double stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     const double pull = stats->pull.peak;
@@ -388,8 +388,7 @@ double stats_peak(Stats *stats, const Scene *scene, const Kinematics *kin, const
         now[WATCHED + i] = stats_tension_at(scene, kin, sample, stats->station_out[i].s);
     for (int r = 0; r < stats->n_rollers; ++r) now[WATCHED + stats->n_stations + r] = sample->roller_load[r];
     for (int k = 0; k < watched_count(stats); ++k) {
-        const double held = fmin(now[k], stats->before[k]), apart = fabs(now[k] - stats->before[k]);
-        if (!isnan(apart)) mean_raise(watched(stats, k), held, SHARP * apart);
+        if (!isnan(now[k]) && !isnan(stats->before[k])) mean_held(watched(stats, k), stats->before[k], now[k]);
     }
     if (stats->pull.peak > pull) peak_record(stats, scene, kin, sample);
     for (int i = 0; i < stats->n_stations; ++i)

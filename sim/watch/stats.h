@@ -23,6 +23,7 @@ typedef struct Stats {
     double steady_from; /* s */
     /* of the last sample: whether it was a new one; s since the one before; whether that counts for the means */
     int fresh, steady;
+    int block; /* a block of the means has ended with it (EB1) */
     double dt;
     TimeMean pull;    /* N, on the rope's end */
     TimeMean stepped; /* N, the same by steps instead of samples (EB33) */

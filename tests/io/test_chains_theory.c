@@ -95,33 +95,6 @@ static void tandem(void **state)
     }
 }
 
-/* Rollers bear all chains: of one of them nothing is judged, and nothing is listed for a crew. */
-static void rollers_bear_all(void **state)
-{
-    (void)state;
-    char *text = NULL;
-    hawser_error err;
-    const char *const settings[] = {
-        "surfaces",    "{}",    "rollers", "{along: {spacing: 1 m, width: 600 mm, rating: 30 N}}",
-        "lay.spacing", "60 mm", NULL};
-    json_t *const all = theory_of(CHAINS, settings);
-    json_t *row;
-    size_t i;
-    int found = 0;
-    json_array_foreach(json_object_get(limits_of(all, "a"), "limits"), i, row)
-    {
-        if (strcmp(json_string_value(json_object_get(row, "name")), "roller_steady") != 0) continue;
-        check_has(json_string_value(json_object_get(row, "source")), "is not added up");
-        found = 1;
-    }
-    assert_true(found);
-    json_decref(all);
-    hawser_case *const c = case_with(CHAINS, settings);
-    assert_int_equal(hawser_case_equipment(c, HAWSER_TABLE, &text, &err), HAWSER_ERR_INPUT);
-    check_has(err.message, "cannot be had of several chains");
-    hawser_case_free(c);
-}
-
 /* A duct that is said to be wide enough for all of them is, and one somewhat narrower is not. */
 static void duct_for_all(void **state)
 {
@@ -153,7 +126,6 @@ int main(void)
         cmocka_unit_test(grips_of_each),
         cmocka_unit_test(tandem),
         cmocka_unit_test(duct_for_all),
-        cmocka_unit_test(rollers_bear_all),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

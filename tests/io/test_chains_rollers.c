@@ -1,0 +1,192 @@
+/* Rollers bear several chains together: theory and runs judge them by the sum (SC18). */
+#include "tests/io/theory_fixture.h"
+
+#define CABLES                                                                                                         \
+    "gravity: 10 m/s2\n"                                                                                               \
+    "cables: {power: {d: 40 mm, mass: 2 kg/m, EA: 5 MN, EI: 60, GA: 10 MN, GJ: 60}, rope: {d: 20 mm, mass: 1 kg/m, "   \
+    "EA: 10 MN, EI: 5, GA: 1 MN, GJ: 5}}\n"
+#define REST                                                                                                           \
+    "rollers: {along: {from: 0.25 m, to: 19.75 m, spacing: 500 mm, width: 600 mm, rating: 30 N}}\n"                    \
+    "friction: {mu: 0.2}\nrun: {duration: 3 s, steady_from: 2 s}\n"                                                    \
+    "limits: {pull: 5 kN, sidewall: 3 kN/m, rope_strength: 100 kN, speed: 1 m/s}\n"
+#define STRAIGHT "route: {head_at: 7 m, pieces: [{straight: 20 m}]}\n"
+#define CHAINS                                                                                                         \
+    CABLES                                                                                                             \
+    "chain: [{cable: power, length: 6 m, segment: 250 mm}]\n"                                                          \
+    "chains: {rope: {chain: [{cable: rope, length: 6 m, segment: 250 mm}]}, a: {join: rope}, b: {join: rope}}\n"       \
+    "lay: {pattern: flat, spacing: 60 mm}\n"                                                                           \
+    "drive: {winch: {speed: 0.5 m/s}, tail: {tension: 100 N}}\n" REST
+
+/* One cable alone, with so much behind it. */
+static double alone(const char *cable, const char *tail, const char *route)
+{
+    char text[1500];
+    snprintf(text, sizeof text,
+             CABLES "chain: [{cable: %s, length: 6 m, segment: 250 mm}]\ndrive: {winch: {speed: 0.5 m/s}, tail: "
+                    "{tension: %s}}\n%s" REST,
+             cable, tail, route);
+    json_t *const all = theory_of(text, NULL);
+    const double load = limit_of(all, "roller_steady");
+    json_decref(all);
+    return load;
+}
+
+/* On a straight rollers bear two cables, or the rope that runs there before them; in a bend tension presses, of which
+ * the rope has more. */
+static void theory_adds_up(void **state)
+{
+    (void)state;
+    static const char *const route[] = {
+        STRAIGHT, "route: {head_at: 7 m, pieces: [{straight: 8 m}, {bend: 60 deg, radius: 4 m, plane: left}, "
+                  "{straight: 8 m}]}\n"};
+    for (int bent = 0; bent < 2; ++bent) {
+        char text[1500];
+        snprintf(text, sizeof text, CHAINS "%s", route[bent]);
+        json_t *const all = theory_of(text, NULL), *const of = json_object_get(all, "theory");
+        const double cables = 2 * alone("power", "100 N", route[bent]), rope = alone("rope", "0 N", route[bent]);
+        print_message("two cables %.3f N, rope %.3f N\n", cables, rope);
+        check_share(limit_of(json_object_get(of, "rope"), "roller_steady"), bent ? cables + rope : cables, 1e-9);
+        if (!bent) verdict_has(json_object_get(of, "rope"), "NOT SAFE");
+        json_t *row;
+        size_t i;
+        json_array_foreach(json_object_get(json_object_get(of, "a"), "limits"), i, row)
+            assert_string_not_equal(json_string_value(json_object_get(row, "name")), "roller_steady");
+        json_decref(all);
+    }
+}
+
+/* Cables that have a winch each are judged with the last. */
+static void without_a_rope(void **state)
+{
+    (void)state;
+    json_t *const all = theory_of(CHAINS STRAIGHT, (const char *const[]){"chains", "{a: {}, b: {}, c: {}}", NULL});
+    json_t *const of = json_object_get(all, "theory");
+    check_share(limit_of(json_object_get(of, "c"), "roller_steady"), 3 * alone("power", "100 N", STRAIGHT), 1e-9);
+    json_decref(all);
+}
+
+/* Nothing is listed for a crew: the lists are one cable's. */
+static void no_crew(void **state)
+{
+    (void)state;
+    char *text = NULL;
+    hawser_error err;
+    hawser_case *const c = case_with(CHAINS STRAIGHT, NULL);
+    assert_int_equal(hawser_case_equipment(c, HAWSER_TABLE, &text, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "cannot be had of several chains");
+    hawser_case_free(c);
+}
+
+static hawser_limit limit_called(hawser_sim *s, const char *name)
+{
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    const int n = hawser_sim_limits(s, limit);
+    for (int i = 0; i < n; ++i)
+        if (!strcmp(limit[i].name, name)) return limit[i];
+    return (hawser_limit){.value = NAN};
+}
+
+/* The load of a roller that bears a chain, steady or at most, and its bar; N. */
+static double load_of(hawser_sim *s, const char *roller, int steady, double *error)
+{
+    const hawser_roller *row;
+    const int n = hawser_sim_rollers(s, &row);
+    for (int r = 0; r < n; ++r) {
+        if (strcmp(row[r].name, roller) != 0) continue;
+        *error += steady ? row[r].steady_error_N : row[r].peak_error_N;
+        return steady ? row[r].steady_N : row[r].peak_N;
+    }
+    fail_msg("no roller %s", roller);
+    return NAN;
+}
+
+/* Two cables side by side press alike and at once: the roller has twice what one does, the rope none where it is gone.
+ */
+static void run_adds_up(void **state)
+{
+    (void)state;
+    static const char *const name[] = {"roller_steady", "roller_peak"};
+    hawser_sim *const s = sim_of(CHAINS STRAIGHT, NULL);
+    hawser_error err;
+    if (hawser_sim_run(s, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    for (int k = 0; k < 2; ++k) {
+        const hawser_limit all = limit_called(s, name[k]);
+        double error = 0, sum = 0;
+        for (int i = 0; i < 3; ++i) sum += load_of(hawser_sim_chain(s, i), all.where, !k, &error);
+        print_message("%s %.2f N on %s, bar %.2g N; sum of all %.2f N\n", name[k], all.value, all.where, all.error,
+                      sum);
+        assert_true(all.judged && !all.ok);
+        if (k == 0) check_between(all.value / sum, 1, 2); /* what lasts, beside what was the mean */
+        if (k == 1) check_between(all.value / sum, 0.95, 1 + 1e-9);
+        check_at_least(all.error, (1 - 1e-9) * error);
+        for (int i = 1; i < 3; ++i) check_nan(limit_called(hawser_sim_chain(s, i), name[k]).value);
+    }
+    hawser_sim_free(s);
+}
+
+/* Three that do nothing to each other: what one does, three times. Loads after a step are those of its last iteration.
+ */
+static void three_of_one(void **state)
+{
+    (void)state;
+    static const char *const name[] = {"roller_steady", "roller_peak"};
+    hawser_sim *const three = sim_of(
+        CHAINS STRAIGHT,
+        (const char *const[]){"chains", "{a: {place: [0 m, 0 m]}, b: {place: [0 m, 0 m]}, c: {place: [0 m, 0 m]}}",
+                              "contact.between_chains", "false", NULL});
+    hawser_sim *const one = sim_of(CABLES "chain: [{cable: power, length: 6 m, segment: 250 mm}]\n"
+                                          "drive: {winch: {speed: 0.5 m/s}, tail: {tension: 100 N}}\n"
+                                          "solver: {planar: off, passes: 1}\n" REST STRAIGHT,
+                                   NULL);
+    hawser_error err;
+    if (hawser_sim_run(three, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    if (hawser_sim_run(one, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    for (int k = 0; k < 2; ++k) {
+        const hawser_limit all = limit_called(three, name[k]), own = limit_called(one, name[k]);
+        print_message("%s: three %.6f N on %s, one %.6f N on %s\n", name[k], all.value, all.where, own.value,
+                      own.where);
+        check_share(all.value, 3 * own.value, k ? 0.02 : 1e-12);
+        check_share(all.error, 3 * own.error, 0.02);
+    }
+    hawser_sim_free(three);
+    hawser_sim_free(one);
+}
+
+static void go_on(hawser_sim *s, int from, int to)
+{
+    hawser_error err;
+    for (int i = from; i < to; ++i) {
+        if (hawser_sim_advance(s, 0.05 * (i + 1), 0, &err)) fail_msg("%s", err.message);
+        hawser_sim_record(s);
+    }
+}
+
+/* A run that goes on from the middle says the same in the end. */
+static void run_goes_on(void **state)
+{
+    (void)state;
+    hawser_sim *const whole = sim_of(CHAINS STRAIGHT, NULL), *const half = sim_of(CHAINS STRAIGHT, NULL);
+    hawser_error err;
+    void *bytes;
+    size_t size;
+    go_on(whole, 0, 50);
+    assert_int_equal(hawser_sim_save_memory(whole, &bytes, &size, &err), HAWSER_OK);
+    if (hawser_sim_load_memory(half, bytes, size, &err)) fail_msg("%s", err.message);
+    hawser_bytes_free(bytes);
+    go_on(whole, 50, 60);
+    go_on(half, 50, 60);
+    check_equal(limit_called(half, "roller_steady").value, limit_called(whole, "roller_steady").value);
+    check_equal(limit_called(half, "roller_peak").value, limit_called(whole, "roller_peak").value);
+    check_above(limit_called(half, "roller_steady").value, 20);
+    hawser_sim_free(whole);
+    hawser_sim_free(half);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(theory_adds_up), cmocka_unit_test(without_a_rope), cmocka_unit_test(no_crew),
+        cmocka_unit_test(run_adds_up),    cmocka_unit_test(three_of_one),   cmocka_unit_test(run_goes_on),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
