@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "theory/cables/duct.h"
+#include "theory/cables/bundle.h"
 
 /* In the order of the enumerations that they stand for. */
 static const char *const holds[] = {"eye", "basket", NULL};
@@ -176,13 +176,13 @@ static hawser_status lay_check(Reading *all, const CaseNode *node, double length
 /* All cables as one set: the thickest, and those that are thinner (BU6). */
 static DuctDef set_of(const Reading *all, const LayDef *lay, double thickest)
 {
-    static const double ALIKE = 0.999;
     DuctDef set = {.cable_diameter = thickest, .twisted = lay->pattern == LAY_TRIPLEXED};
+    const double alike = bundle_alike(set.twisted);
     double three[3] = {0}; /* m, the thickest, by falling diameter */
     for (int k = 0; k < all->n; ++k) {
         double d = diameter_of(&all->def[k]);
         if (all->record[k].def.rope) continue;
-        const int thinner = d < ALIKE * thickest;
+        const int thinner = d < alike * thickest;
         set.cables += !thinner;
         set.thinner += thinner;
         if (thinner) set.thinner_square += d * d;
@@ -234,6 +234,18 @@ static int leads(const Reading *all, int k)
     return all->record[k].def.rope && mass_of(&all->def[k]) >= heaviest * (1 - 1e-9);
 }
 
+/* How many of those that a rope draws are as thick as the thickest of them: an earth beside phases bears little. */
+static int strong_ones(const Reading *all, int rope)
+{
+    double thickest = 0;
+    int strong = 0;
+    for (int k = 0; k < all->n; ++k)
+        if (all->record[k].def.joined == rope) thickest = fmax(thickest, diameter_of(&all->def[k]));
+    for (int k = 0; k < all->n; ++k)
+        strong += all->record[k].def.joined == rope && diameter_of(&all->def[k]) >= bundle_alike(0) * thickest;
+    return strong;
+}
+
 /* A chain that is joined hangs on one grip, whatever the case's limits say of a pull, and so does a cable that draws
  * others; a rope has one for each of them. */
 static void grips_set(Reading *all, int k)
@@ -273,6 +285,7 @@ static hawser_status places_find(Reading *all, const CaseNode *node)
         /* heads and rope would begin inside each other */
         if (strand->rope) strand->eye = diameter / 2 + diameter_of(&all->def[k]) / 2;
         strand->leads = leads(all, k);
+        strand->strong = strong_ones(all, k);
         all->def[k].strand = *strand;
         grips_set(all, k);
         all->def[k].ties = lay.ties;

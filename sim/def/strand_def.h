@@ -24,6 +24,7 @@ typedef struct StrandDef {
     int joined;      /* the chain to whose tail its head is joined; -1: none */
     HeadHold held;
     int rope;   /* so many others are joined to it: */
+    int strong; /* of these the thickest, which are pulled together (BU6) */
     int leads;  /* it weighs as much as one of them: it is no rope, but a cable that draws others */
     double eye; /* m, from the heads of these to its tail */
     int swivel; /* of a rope: its first joint transmits no torsion */

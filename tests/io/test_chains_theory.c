@@ -95,6 +95,35 @@ static void tandem(void **state)
     }
 }
 
+/* An earth beside two phases, thinner by more than a tenth, adds to what is pulled and not to what may be: two of 10 kN
+ * together. One that is thinner by less is a cable like them. */
+static void thin_earth(void **state)
+{
+    (void)state;
+    static const char *const diameter[] = {"15 mm", "36.5 mm"};
+    static const double allowed[] = {10000, 15000};
+    for (int k = 0; k < 2; k++) {
+        char cables[400];
+        snprintf(cables, sizeof cables,
+                 "{power: {d: 40 mm, mass: 2 kg/m, EA: 50 MN, EI: 60, GA: 10 MN, GJ: 60}, rope: {d: 20 mm, mass: 1 "
+                 "kg/m, EA: 10 MN, EI: 5, GA: 1 MN, GJ: 5}, earth: {d: %s, mass: 1.5 kg/m, EA: 10 MN, EI: 5, GA: 1 "
+                 "MN, GJ: 5}}",
+                 diameter[k]);
+        json_t *const all =
+            theory_of(CHAINS, (const char *const[]){"cables", cables, "chains.e",
+                                                    "{join: rope, chain: [{cable: earth, length: 100 m}]}", NULL});
+        json_t *row;
+        size_t i;
+        json_array_foreach(json_object_get(limits_of(all, "rope"), "limits"), i, row)
+        {
+            if (strcmp(json_string_value(json_object_get(row, "name")), "pull") != 0) continue;
+            check_share(number_of(row, "limit"), allowed[k], 1e-9);
+            check_share(number_of(row, "value"), 2 * 900 + 800, 1e-9);
+        }
+        json_decref(all);
+    }
+}
+
 /* A duct that is said to be wide enough for all of them is, and one somewhat narrower is not. */
 static void duct_for_all(void **state)
 {
@@ -125,6 +154,7 @@ int main(void)
         cmocka_unit_test(machines_and_feed_are_there_once),
         cmocka_unit_test(grips_of_each),
         cmocka_unit_test(tandem),
+        cmocka_unit_test(thin_earth),
         cmocka_unit_test(duct_for_all),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -31,13 +31,12 @@ static double pitch_ratio(int cables)
     return ratio[cables - 1];
 }
 
-/* Cables that are thinner by less lie as equal ones do (BU6): of the thickest's diameter. */
-static const double ALIKE = 0.1;
+double bundle_alike(int twisted) { return twisted ? 1 : 0.9; }
 
 hawser_status bundle_shape(const BundleSet *set, BundleShape *out, hawser_error *err)
 {
     *out = (BundleShape){.diameter = nth_diameter(set, 0)};
-    const double alike = set->twisted ? 1 : 1 - ALIKE;
+    const double alike = bundle_alike(set->twisted);
     for (int k = 0; k < set->kinds; k++) {
         const int thick = set->diameter[k] >= alike * out->diameter;
         out->cables += set->count[k];

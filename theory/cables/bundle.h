@@ -33,6 +33,9 @@ typedef struct BundleShape {
     double share;          /* of a force across the bundle, on the worst cable where there is no duct (BU9) */
 } BundleShape;
 
+/* Share of the thickest's diameter from which on cables lie, and are pulled, as equal ones (BU6); twisted ones must be
+ * equal. */
+double bundle_alike(int twisted);
 /* Errors: INPUT: more cables than a duct's formulas know. */
 hawser_status bundle_shape(const BundleSet *set, BundleShape *out, hawser_error *err);
 /* The set in a duct of this inside diameter (m), for duct_load. */
