@@ -251,8 +251,7 @@ static int strong_ones(const Reading *all, int rope)
 static void grips_set(Reading *all, int k)
 {
     const StrandDef *const strand = &all->record[k].def;
-    if (strand->joined >= 0 || strand->rope)
-        all->def[k].limits.grips = strand->rope && !strand->leads ? strand->rope : 1;
+    if (strand->joined >= 0 || strand->rope) all->def[k].limits.grips = strand_is_rope(strand) ? strand->rope : 1;
 }
 
 /* Places of those that the lay says; ropes lie on the route. */

@@ -128,7 +128,7 @@ hawser_status bundle_in(const SceneDef *def, const SurfaceDef *duct, DuctLoad *o
 int bundle_pulled(const SceneDef *def)
 {
     const StrandDef *const strand = &def->strand;
-    return strand->rope && !strand->leads ? strand->strong : def->bundle.shape.thickest;
+    return strand_is_rope(strand) ? strand->strong : def->bundle.shape.thickest;
 }
 
 int bundle_cables_in(const SceneDef *def, const SurfaceDef *duct)

@@ -30,6 +30,9 @@ typedef struct StrandDef {
     int swivel; /* of a rope: its first joint transmits no torsion */
 } StrandDef;
 
+/* Whether it is a rope alone: others are joined to it, and it is no cable itself. */
+static inline int strand_is_rope(const StrandDef *strand) { return strand->rope > 0 && !strand->leads; }
+
 /* What ties chains to each other where they lie side by side. */
 typedef struct TiesDef {
     double spacing;   /* m along the route; 0: none */

@@ -55,13 +55,14 @@ static double bent_round(const SceneDef *def, const Route *route, int p, int to,
     return bare && turn / 2 >= WRAPPED ? fmin(fmin(before, ahead), 2 * radius) : 2 * radius;
 }
 
-/* The rope's diameter, m: as the case says, or of the thickest rope in the chain; NAN: nobody knows. */
+/* The rope's diameter, m: as the case says, or of the thickest rope in the chain, which may be one; NAN: nobody knows.
+ */
 static double rope_diameter(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
     if (!isnan(def->limits.rope_diameter)) return def->limits.rope_diameter;
     double most = NAN;
-    for (int p = scene_def_eye(def); p < def->n_pieces; ++p)
+    for (int p = strand_is_rope(&def->strand) ? 0 : scene_def_eye(def); p < def->n_pieces; ++p)
         most = fmax(most, def->cables[def->pieces[p].cable].diameter);
     return most;
 }
@@ -80,7 +81,7 @@ Finding rope_bend(const Scene *scene, const Route *route, double head, int n, co
         f = (Finding){.value = scene->def.limits.sheave};
         snprintf(f.where, sizeof f.where, "the smallest sheave");
     }
-    f.absent = isinf(f.value);
+    f.absent = isinf(f.value) || scene->def.strand.joined >= 0; /* the rope of chains is said with the rope */
     f.value /= rope_diameter(scene);
     snprintf(f.why, sizeof f.why, "needs limits.rope_diameter, or a rope in chain");
     return f;

@@ -187,12 +187,14 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         }
     }
     findings_of_scene(scene, f);
+    f[LIMIT_BEND].absent |= strand_is_rope(&def->strand);
     if (def->strand.present && !peaks->borne) f[LIMIT_ROLLER_STEADY].absent = f[LIMIT_ROLLER_PEAK].absent = 1;
     int n;
     Turner *turner;
-    f[LIMIT_ROPE_BEND] = turners_find(scene, &scene->route, &n, &turner, NULL)
-                             ? NO_MEMORY
-                             : rope_bend(scene, &scene->route, scene->joint_s[scene->eye], n, turner);
+    f[LIMIT_ROPE_BEND] =
+        turners_find(scene, &scene->route, &n, &turner, NULL)
+            ? NO_MEMORY
+            : rope_bend(scene, &scene->route, scene->joint_s[strand_is_rope(&def->strand) ? 0 : scene->eye], n, turner);
     free(turner);
     speed_finding(peaks, scene, &f[LIMIT_SPEED]);
     duct_findings(def, f);

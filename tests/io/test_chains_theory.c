@@ -95,6 +95,39 @@ static void tandem(void **state)
     }
 }
 
+/* What a rope is bent round is asked of the rope by its own diameter, 2 x 3 m over 20 mm, and a cable's least radius of
+ * the cables, 3 m, not of the rope; the rope's bend counts with its tail ahead of the bends. */
+static void bends_of_each(void **state)
+{
+    (void)state;
+    static const char *const route =
+        "{head_at: 1 m, pieces: [{straight: 4 m}, {bend: 45 deg, radius: 3 m, plane: left}, {straight: 10 m}]}";
+    const char *const settings[] = {
+        "route", route, "chain", "[{cable: power, length: 3 m}]", "chains.rope.chain", "[{cable: rope, length: 12 m}]",
+        NULL};
+    json_t *const all = theory_of(CHAINS, settings);
+    check_share(limit_of(limits_of(all, "rope"), "rope_bend"), 300, 1e-9);
+    check_share(limit_of(limits_of(all, "a"), "bend_radius"), 3, 1e-9);
+    for (int k = 0; k < 2; k++) {
+        json_t *row;
+        size_t i;
+        json_array_foreach(json_object_get(limits_of(all, k ? "a" : "rope"), "limits"), i, row)
+            assert_string_not_equal(json_string_value(json_object_get(row, "name")), k ? "rope_bend" : "bend_radius");
+    }
+    json_decref(all);
+    hawser_sim *const s = sim_of(CHAINS, settings);
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    const int n = hawser_sim_limits(s, limit);
+    int found = 0;
+    for (int i = 0; i < n; i++) {
+        if (strcmp(limit[i].name, "rope_bend") != 0) continue;
+        check_share(limit[i].value, 300, 1e-9);
+        found = 1;
+    }
+    assert_true(found);
+    hawser_sim_free(s);
+}
+
 /* An earth beside two phases, thinner by more than a tenth, adds to what is pulled and not to what may be: two of 10 kN
  * together. One that is thinner by less is a cable like them. */
 static void thin_earth(void **state)
@@ -154,6 +187,7 @@ int main(void)
         cmocka_unit_test(machines_and_feed_are_there_once),
         cmocka_unit_test(grips_of_each),
         cmocka_unit_test(tandem),
+        cmocka_unit_test(bends_of_each),
         cmocka_unit_test(thin_earth),
         cmocka_unit_test(duct_for_all),
     };
