@@ -160,7 +160,7 @@ static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error 
         f[LIMIT_RESTART] = finding_on(route, way->restart_max, way->restart_at, way->restart_piece);
         f[LIMIT_SIDEWALL] = sidewall_finding(route, way);
         f[LIMIT_BEND] = bend_finding(c, k);
-        f[LIMIT_BEND].absent = strand_is_rope(&scene->def.strand);
+        if (strand_is_rope(&scene->def.strand)) f[LIMIT_BEND].absent = f[LIMIT_SIDEWALL].absent = 1;
         f[LIMIT_ROPE].value = calculator_peak(scene, c, k);
         hawser_status status = roller_finding(scene, c, k, &f[LIMIT_ROLLER_STEADY], err);
         if (!status) status = findings_of_way(scene, route, c, k, f, err);

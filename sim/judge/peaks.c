@@ -37,17 +37,26 @@ static Vec3 axis_of(const Kinematics *kin, int i)
     return quat_rotate(q, v3(1, 0, 0));
 }
 
+/* The last joint of what is cable, counted from the first simulated one; of a rope that draws others the first before
+ * which there is nothing but their heads. */
+static int cable_end(const Scene *scene)
+{
+    const int eye = strand_is_rope(&scene->def.strand) ? 1 : scene->eye - scene->first;
+    return eye < scene->chain.n ? eye : scene->chain.n; /* it has passed the winch */
+}
+
 /* Tension and the pressure that it brings in a bend of the route, on the worst loaded of several cables. */
 static void joints_record(Peaks *peaks, const Scene *scene, const hawser_sample *sample, int eye)
 {
     const double *const tension = sample->tension + scene->first;
+    const int front = scene->eye - scene->first < scene->chain.n ? scene->eye - scene->first : scene->chain.n;
     for (int j = 0; j <= eye; ++j) {
         const double s = sample_joint_place(scene, sample, j);
         take(&peaks->tension, tension[j], s);
         take(&peaks->sidewall, sidewall_at(scene, s, tension[j]), s);
     }
     take(&peaks->front, tension[eye], sample_joint_place(scene, sample, eye));
-    peaks->reached = fmax(peaks->reached, sample_joint_place(scene, sample, eye));
+    peaks->reached = fmax(peaks->reached, sample_joint_place(scene, sample, front));
     for (int j = eye + 1; j <= scene->chain.n; ++j)
         take(&peaks->rope, tension[j], sample_joint_place(scene, sample, j));
     take(&peaks->rope, sample->winch_force, sample_joint_place(scene, sample, scene->chain.n));
@@ -127,8 +136,7 @@ static double drawn_with(const Scene *scene, const hawser_sample *sample)
 void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const hawser_sample *sample)
 {
     if (!peaks->present) return;
-    int eye = scene->eye - scene->first;
-    if (eye > scene->chain.n) eye = scene->chain.n; /* it has passed the winch */
+    const int eye = cable_end(scene);
     peaks->recorded++;
     peaks->speed = fmax(peaks->speed, fabs(drawn_with(scene, sample)));
     joints_record(peaks, scene, sample, eye);

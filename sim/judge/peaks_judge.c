@@ -187,7 +187,7 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         }
     }
     findings_of_scene(scene, f);
-    f[LIMIT_BEND].absent |= strand_is_rope(&def->strand);
+    if (strand_is_rope(&def->strand)) f[LIMIT_BEND].absent = f[LIMIT_SIDEWALL].absent = 1;
     if (def->strand.present && !peaks->borne) f[LIMIT_ROLLER_STEADY].absent = f[LIMIT_ROLLER_PEAK].absent = 1;
     int n;
     Turner *turner;

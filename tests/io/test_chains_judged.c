@@ -1,4 +1,5 @@
-/* Rollers bear several chains together: theory and runs judge them by the sum (SC18). */
+/* What of several chains is judged of which: rollers bear all together, theory and runs judge them by the sum (SC18);
+ * what the cables are pulled with is there where they are joined to the rope. */
 #include "tests/io/theory_fixture.h"
 
 #define CABLES                                                                                                         \
@@ -124,6 +125,31 @@ static void run_adds_up(void **state)
     hawser_sim_free(s);
 }
 
+/* Of the rope what the two heads pull together is put before what cables and grips bear, not its own weight and
+ * friction ahead of them; its own strength and the winch have all of it. Pressure and radius of cables are not asked of
+ * it. */
+static void rope_and_eye(void **state)
+{
+    (void)state;
+    const char *const settings[] = {"limits.attachment_rating", "1 kN", "chains",
+                                    "{a: {join: rope}, b: {join: rope}, rope: {chain: [{cable: rope, length: 6 m, "
+                                    "segment: 250 mm}]}}",
+                                    NULL};
+    hawser_sim *const s = sim_of(CHAINS STRAIGHT, settings), *const third = hawser_sim_chain(s, 2);
+    hawser_error err;
+    if (hawser_sim_run(s, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    double heads = 0;
+    for (int k = 0; k < 2; ++k) heads += limit_called(hawser_sim_chain(s, k), "attachment").value;
+    const double pull = limit_called(third, "pull").value, rope = limit_called(third, "rope").value;
+    print_message("heads %.2f N, pull %.2f N, rope %.2f N\n", heads, pull, rope);
+    check_between(pull / heads, 0.97, 1.03); /* peaks of each by itself */
+    check_equal(limit_called(third, "attachment").value, pull);
+    check_above(rope, pull + 5); /* three metres of rope at 2 N/m */
+    check_nan(limit_called(third, "sidewall").value);
+    check_nan(limit_called(third, "bend_radius").value);
+    hawser_sim_free(s);
+}
+
 /* Three that do nothing to each other: what one does, three times. Loads after a step are those of its last iteration.
  */
 static void three_of_one(void **state)
@@ -186,7 +212,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(theory_adds_up), cmocka_unit_test(without_a_rope), cmocka_unit_test(no_crew),
-        cmocka_unit_test(run_adds_up),    cmocka_unit_test(three_of_one),   cmocka_unit_test(run_goes_on),
+        cmocka_unit_test(run_adds_up),    cmocka_unit_test(rope_and_eye),   cmocka_unit_test(three_of_one),
+        cmocka_unit_test(run_goes_on),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
