@@ -444,6 +444,14 @@ static hawser_status shared_set(const SceneDef *def, int rope, TheoryDef *out, T
     return HAWSER_OK;
 }
 
+/* N, at the head, wherever that is. */
+static double heads_least(const HeadSeries *heads)
+{
+    double least = INFINITY;
+    for (int i = 0; i < heads->n; ++i) least = fmin(least, heads->row[i].tension);
+    return heads->n > 0 ? least : 0;
+}
+
 /* A rope bears what it draws beside its own (SC15): the sum, of friction on rope and cables apart, is no less than that
  * on all together. */
 static void drawn_set(const SceneDef *def, Theory *const t[], int rope, TheoryDef *out)
@@ -453,6 +461,7 @@ static void drawn_set(const SceneDef *def, Theory *const t[], int rope, TheoryDe
         const Calculator *const c = &t[k]->calculator;
         for (int way = 0; way < PLAN_WAYS; ++way) {
             out->drawn[way] += c->plan.way[way].force;
+            out->drawn_least[way] += heads_least(&c->heads[way]);
             out->drawn_more[way] += calculator_peak(&t[k]->scene, c, way) - c->plan.way[way].force;
         }
     }

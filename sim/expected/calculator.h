@@ -45,8 +45,8 @@ typedef struct Pushed {
 
 /* What makes a cable run away: the case as it is; with the least friction of its script; what pushes gives more than
  * the pull needs, at the winch; it does so by its weight, however little it is pushed; before the back tension is there
- * that comes in late. */
-typedef enum Away { AWAY_AS_IT_IS, AWAY_LOOSENED, AWAY_OVERFED, AWAY_BY_ITSELF, AWAY_EARLY } Away;
+ * that comes in late; of a chain that draws others, more than these hold it back by. */
+typedef enum Away { AWAY_AS_IT_IS, AWAY_LOOSENED, AWAY_OVERFED, AWAY_BY_ITSELF, AWAY_EARLY, AWAY_FROM_DRAWN } Away;
 
 typedef struct Calculator {
     const Route *route; /* the scene's, or `own` */

@@ -257,15 +257,33 @@ static void look_at_heads(const Asked *a, Found *out)
     }
 }
 
+/* A rope runs ahead of what it draws where that holds it back by less than it needs: at least by so much, (SC19). */
+static hawser_status ask_drawing(const Asked *a, Found *out, hawser_error *err)
+{
+    Asked held = *a;
+    Pull pull;
+    held.def.back_tension += a->scene->def.theory.drawn_least[a->way];
+    const hawser_status status = pull_at_least(&held, (HeldBy){NULL, NULL}, &pull, err);
+    if (status) return status;
+    found_take(out, pushed_in(&held, &pull), AWAY_FROM_DRAWN, 0);
+    pull_clear(&pull);
+    return HAWSER_OK;
+}
+
+static hawser_status ask_all(const Asked *a, Found *out, hawser_error *err)
+{
+    hawser_status status = ask_both(a, AWAY_AS_IT_IS, out, err);
+    if (!status && !is_pushed(out->most) && friction_least_told(&a->scene->def) < 1) status = ask_loosened(a, out, err);
+    if (!status && !is_pushed(out->most)) look_at_heads(a, out);
+    return status;
+}
+
 static hawser_status way_pulled(const Scene *scene, Calculator *c, int way, hawser_error *err)
 {
     const Asked asked = {scene, c, way, c->def, c->push[way]};
-    const Pushed plain = pushed_in(&asked, &c->plan.way[way].pull);
-    Found found = {plain, AWAY_AS_IT_IS, 0};
-    hawser_status status = ask_both(&asked, AWAY_AS_IT_IS, &found, err);
-    if (!status && !is_pushed(found.most) && friction_least_told(&scene->def) < 1)
-        status = ask_loosened(&asked, &found, err);
-    if (!status && !is_pushed(found.most)) look_at_heads(&asked, &found);
+    const int draws = scene->def.strand.rope > 0;
+    Found found = {draws ? (Pushed){0} : pushed_in(&asked, &c->plan.way[way].pull), AWAY_AS_IT_IS, 0};
+    const hawser_status status = draws ? ask_drawing(&asked, &found, err) : ask_all(&asked, &found, err);
     c->pushed[way] = found.most;
     c->away[way] = found.why;
     c->early[way] = found.t;
@@ -295,6 +313,11 @@ void away_say(const Calculator *c, int way, int size, char *text)
         snprintf(text, (size_t)size,
                  "what pushes gives more than is needed, and the cable pushes the winch with %.4g kN: let it push less",
                  pushed);
+    } else if (c->away[way] == AWAY_FROM_DRAWN) {
+        snprintf(text, (size_t)size,
+                 "it would run ahead of what it draws, pushed with %.4g kN at %.32s: hold that back by more "
+                 "(drive.tail.tension)",
+                 pushed, at.where);
     } else if (c->away[way] == AWAY_BY_ITSELF) {
         snprintf(text, (size_t)size,
                  "without what pushes it the cable would run away as well, pushed with %.4g kN at %.32s: hold it back "

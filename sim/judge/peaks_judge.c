@@ -157,6 +157,8 @@ static void by_theory(const Peaks *peaks, const Stats *stats, const Scene *scene
     f[LIMIT_ALPHA] = alpha_finding(peaks, scene, &theory);
     f[LIMIT_ALPHA].absent |= scene->def.strand.rope > 0;
     trip_finding(stats, scene, expected, &theory, &f[LIMIT_TRIP]);
+    if (scene->def.strand.rope)
+        f[LIMIT_RUN_AWAY] = (Finding){0}; /* theory of it alone knows nothing of what it draws */
     if (f[LIMIT_RUN_AWAY].value > 0) f[LIMIT_TRIP].steady = NAN;
     pushed_finding(peaks, scene, &f[LIMIT_RUN_AWAY]);
     peaks_theory_free(&theory);

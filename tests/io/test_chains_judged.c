@@ -150,6 +150,43 @@ static void rope_and_eye(void **state)
     hawser_sim_free(s);
 }
 
+/* A cable and its rope, as one chain or as two that are joined, are one pull: down a slope and over an edge, where the
+ * rope alone would run ahead. */
+static void one_on_a_rope(void **state)
+{
+    (void)state;
+    static const char *const name[] = {"pull", "attachment", "rope", "winch", "run_away", "rope_bend"};
+    static const char *const chains[] = {
+        "chain: [{cable: power, length: 5 m, segment: 250 mm}, {cable: rope, length: 8 m, segment: 250 mm}]\n",
+        "chain: [{cable: power, length: 5 m, segment: 250 mm}]\nchains: {rope: {chain: [{cable: rope, length: 8 m, "
+        "segment: 250 mm}]}, a: {join: rope, place: [0 m, 0 m]}}\n"};
+    hawser_sim *s[2];
+    for (int k = 0; k < 2; ++k) {
+        char text[1500];
+        hawser_error err;
+        snprintf(text, sizeof text,
+                 CABLES "%sroute: {head_at: 5 m, slope: -5 deg, pieces: [{straight: 6 m}, {bend: 30 deg, radius: 3 m, "
+                        "plane: down}, {straight: 6 m}]}\nsurfaces: {ducts: [{radius: 60 mm}]}\nfriction: {mu: 0.2}\n"
+                        "drive: {winch: {speed: 0.5 m/s, to: 1 s}, tail: {tension: 200 N}}\n"
+                        "run: {duration: 8 s, steady_from: 6 s}\noutput: {interval: 20 ms}\n"
+                        "solver: {planar: off, passes: 1}\n"
+                        "limits: {pull: 5 kN, attachment_rating: 2 kN, sidewall: 3 kN/m, rope_strength: 100 kN, "
+                        "winch_capacity: 3 kN, speed: 1 m/s}\n",
+                 chains[k]);
+        s[k] = sim_of(text, NULL);
+        if (hawser_sim_run(s[k], NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    }
+    for (size_t i = 0; i < sizeof name / sizeof *name; ++i) {
+        const hawser_limit one = limit_called(s[0], name[i]), two = limit_called(s[1], name[i]);
+        print_message("%s: %.4g %s, %.4g\n", name[i], one.value, one.unit, two.value);
+        check_close(two.value, one.value, 0.03 * fabs(one.value));
+        assert_int_equal(two.judged, one.judged);
+        assert_int_equal(two.ok, one.ok);
+    }
+    hawser_sim_free(s[0]);
+    hawser_sim_free(s[1]);
+}
+
 /* Three that do nothing to each other: what one does, three times. Loads after a step are those of its last iteration.
  */
 static void three_of_one(void **state)
@@ -212,8 +249,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(theory_adds_up), cmocka_unit_test(without_a_rope), cmocka_unit_test(no_crew),
-        cmocka_unit_test(run_adds_up),    cmocka_unit_test(rope_and_eye),   cmocka_unit_test(three_of_one),
-        cmocka_unit_test(run_goes_on),
+        cmocka_unit_test(run_adds_up),    cmocka_unit_test(rope_and_eye),   cmocka_unit_test(one_on_a_rope),
+        cmocka_unit_test(three_of_one),   cmocka_unit_test(run_goes_on),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -95,6 +95,37 @@ static void tandem(void **state)
     }
 }
 
+/* Down a slope of 20 degrees the rope alone would run: 20 m of 10 N/m, of which friction of 0.1 holds 27 %: 49.6 N.
+ * What it draws holds it, by 300.8 N at least; by 0.8 N it does not. */
+static void held_by_what_it_draws(void **state)
+{
+    (void)state;
+    static const char *const tail[] = {"400 N", "100 N"};
+    const double down = 20 * (sin(M_PI / 9) - 0.1 * cos(M_PI / 9));
+    for (int k = 0; k < 2; k++) {
+        const char *const settings[] = {
+            "route",
+            "{slope: -20 deg, head_at: 0 m, pieces: [{straight: 20 m}]}",
+            "friction.mu",
+            "0.1",
+            "chain",
+            "[{cable: power, length: 20 m}]",
+            "drive.tail.tension",
+            tail[k],
+            "chains",
+            "{rope: {chain: [{cable: rope, length: 20 m}]}, a: {join: rope}, b: {still: true}}",
+            NULL};
+        json_t *const all = theory_of(CHAINS, settings);
+        const json_t *const rope = limits_of(all, "rope");
+        const double holds = (k ? 100 : 400) - 20 * down;
+        print_message("%.2f N hold %.2f N\n", holds, 10 * down);
+        check_close(limit_of(rope, "run_away"), fmax(0, 10 * down - holds), 1e-6);
+        verdict_has(rope, k ? "it would run ahead of what it draws" : "SAFE");
+        verdict_has(limits_of(all, "a"), "SAFE");
+        json_decref(all);
+    }
+}
+
 /* What a rope is bent round is asked of the rope by its own diameter, 2 x 3 m over 20 mm, and a cable's least radius of
  * the cables, 3 m, not of the rope; the rope's bend counts with its tail ahead of the bends. */
 static void bends_of_each(void **state)
@@ -187,6 +218,7 @@ int main(void)
         cmocka_unit_test(machines_and_feed_are_there_once),
         cmocka_unit_test(grips_of_each),
         cmocka_unit_test(tandem),
+        cmocka_unit_test(held_by_what_it_draws),
         cmocka_unit_test(bends_of_each),
         cmocka_unit_test(thin_earth),
         cmocka_unit_test(duct_for_all),
