@@ -354,6 +354,23 @@ static hawser_status definitions_read(Reading *all, CaseReadOne *read)
     return HAWSER_OK;
 }
 
+/* A head is pinned to a tail: both must be at one place, or the pin would tear them there. */
+static hawser_status heads_check(const Reading *all)
+{
+    static const double APART = 1e-6; /* m */
+    for (int k = 0; k < all->n; ++k) {
+        const int rope = all->record[k].def.joined;
+        if (rope < 0 || fabs(all->def[k].head_at - all->def[rope].head_at) <= APART) continue;
+        const int said = case_node_key(all->node[k], "head_at") ? k : rope;
+        return case_key_error(all->r->err, all->node[said], "head_at",
+                              "the head of '%s' is at %g m and the tail of '%s' that draws it at %g m: they must be at "
+                              "one place ('head_at' of a chain that draws others is its tail's)",
+                              all->record[k].def.name, all->def[k].head_at, all->record[rope].def.name,
+                              all->def[rope].head_at);
+    }
+    return HAWSER_OK;
+}
+
 /* A run is as long as the first chain that says how long; chains that are led say nothing of it. */
 static void duration_share(Reading *all)
 {
@@ -377,6 +394,7 @@ static hawser_status all_read(Reading *all, CaseReadOne *read)
     if (!status) status = joins_find(all);
     if (!status) status = definitions_read(all, read);
     if (!status) status = foreign_check(all);
+    if (!status) status = heads_check(all);
     if (!status) status = places_find(all, case_node_key(all->tree->root, "lay"));
     if (!status) duration_share(all);
     return status;

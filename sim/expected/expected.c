@@ -48,7 +48,7 @@ static double drum_tension(const Scene *scene)
 }
 
 /* The cable from the route's start (behind it the lead-in is frictionless) or the tail to its front, and the rope. A
- * rope that draws others lies between them and the route's end, at most: nothing carries it beyond. */
+ * chain that draws others, and rope ahead of it, lie between them and the route's end: nothing carries it beyond. */
 static void front_set(const Scene *scene, double front, double back, Expected *out)
 {
     const double moved = front - scene->joint_s[scene->eye], tail = scene->joint_s[0] + moved;
@@ -57,7 +57,8 @@ static void front_set(const Scene *scene, double front, double back, Expected *o
     out->to = front;
     out->rope_to = fmax(front, rope_end(scene, moved));
     if (strand->rope) {
-        out->to = out->rope_to = fmin(front, scene->route.length);
+        out->to = fmin(front, scene->route.length);
+        out->rope_to = fmax(out->to, rope_end(scene, moved));
         out->from = fmin(tail, out->to);
     }
     out->start_tension = scene->reel->winding.turns > 0 ? starts_reel(scene, front, back) : back;
