@@ -187,6 +187,7 @@ void block_extras_checkpoint(Checkpoint *c, BlockExtras *x)
     if (c->status) return;
     x->count = count;
     CHECKPOINT(c, x->version);
+    checkpoint_longs(c, 1, &x->version);
     checkpoint_put(c, "x->start", x->start, ((size_t)x->n + 1) * sizeof *x->start);
     if (count == 0) { /* whose rows nobody asks for */
         if (c->reading && !c->status) memset(x->start, 0, ((size_t)x->n + 1) * sizeof *x->start);

@@ -317,6 +317,14 @@ static void factors_renew(Checkpoint *c, LinSolver *s, const LinMatrix *m)
     checkpoint_check(c, status == 0, "its Newton matrix cannot be factored");
 }
 
+void lin_stats_checkpoint(Checkpoint *c, LinStats *stats)
+{
+    CHECKPOINT_FROM(c, stats, LinStats, analyses);
+    checkpoint_longs(c, 7,
+                     (const long[]){stats->analyses, stats->factors, stats->refactors, stats->fallbacks, stats->solves,
+                                    stats->pivoted, stats->nonzeros});
+}
+
 /* The solver for what the back end gave up on, if it has ever been needed. */
 static void backup_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a)
 {
@@ -334,7 +342,7 @@ void linsolver_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a, co
     CHECKPOINT(c, s->ready);
     CHECKPOINT(c, s->use_backup);
     CHECKPOINT(c, s->was_rough);
-    CHECKPOINT_FROM(c, &s->stats, LinStats, analyses);
+    lin_stats_checkpoint(c, &s->stats);
     if (c->reading && !c->status && !pattern_renew(s, a)) checkpoint_lack(c);
     if (c->status) return;
     if (c->reading && s->backend->rough) s->backend->rough(s->self, s->was_rough);

@@ -241,7 +241,7 @@ static void klu_checkpoint(Checkpoint *c, void *self, const LinMatrix *a, int re
     if (!checkpoint_check(c, factored || !ready, "its Newton matrix has no factors")) return;
     if (c->reading && factored) factors_again(c, s, a, ready);
     CHECKPOINT(c, s->rcond);
-    CHECKPOINT_FROM(c, &s->stats, LinStats, analyses);
+    lin_stats_checkpoint(c, &s->stats);
 }
 
 static void klu_drop_self(void *self) { klu_drop(self); }

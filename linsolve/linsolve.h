@@ -93,6 +93,8 @@ void linsolver_rough(LinSolver *s, int rough);
 /* What the solver has learned, and the factors of a (or of the sparse matrix b; the other is NULL), which has the
  * values that were factored last: read, they are made again with the same bits. */
 void linsolver_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a, const SparseMatrix *b);
+/* Its counts and what follows them. */
+void lin_stats_checkpoint(Checkpoint *c, LinStats *stats);
 
 void linsolver_stats(const LinSolver *s, LinStats *stats);
 /* "auto", "block", ... */

@@ -84,6 +84,7 @@ void workspace_checkpoint(Checkpoint *c, Workspace *ws)
     CHECKPOINT(c, ws->rhs_evals);
     CHECKPOINT(c, ws->refreshes);
     CHECKPOINT(c, ws->candidates_max);
+    checkpoint_longs(c, 2, (const long[]){ws->rhs_evals, ws->refreshes});
     EACH_ROOM(room, ws->scene, checkpoint) room->kind->checkpoint(c, room, ws->scene, ws);
 }
 

@@ -61,6 +61,19 @@ int checkpoint_number(Checkpoint *c, int n, size_t each, const char *fault)
     return checkpoint_check(c, n >= 0 && (!c->reading || (size_t)n <= (c->size - c->at) / each), fault);
 }
 
+static const char IMPOSSIBLE[] = "a number of what has happened so far is impossible";
+
+void checkpoint_counts(Checkpoint *c, int n, const int count[])
+{
+    for (int k = 0; k < n; ++k) checkpoint_check(c, count[k] >= 0 && count[k] <= CHECKPOINT_COUNT_MAX, IMPOSSIBLE);
+}
+
+void checkpoint_longs(Checkpoint *c, int n, const long count[])
+{
+    static const double MOST = 1e15;
+    for (int k = 0; k < n; ++k) checkpoint_check(c, count[k] >= 0 && (double)count[k] <= MOST, IMPOSSIBLE);
+}
+
 void checkpoint_lack(Checkpoint *c)
 {
     if (c->status) return;

@@ -313,6 +313,7 @@ static void checkpoint(Checkpoint *c, Motion *m)
     const SelfLines lines = bunch_lines(b);
     self_pairs_checkpoint(c, &lines, &b->pairs);
     CHECKPOINT(c, b->refreshes);
+    checkpoint_longs(c, 1, &b->refreshes);
     newton_checkpoint(c, &b->whole, NULL);
     for (int k = 0; k < b->n; ++k) b->part[k].gamma = b->whole.gamma;
 }

@@ -249,6 +249,7 @@ void winch_controls(Room *room, ControlsVisit *visit)
     const Profile level = profile_level(0);
     Winch *const w = room->self;
     controls_bytes(visit, &w->phase, sizeof w->phase);
+    if (visit->load && !(w->phase.trips >= 0 && w->phase.trips <= CHECKPOINT_COUNT_MAX)) visit->wrong = 1;
     controls_profile_mend(visit, &w->phase.speed, &w->speed);
     controls_profile_mend(visit, &w->phase.tension, &w->tension);
     controls_profile_mend(visit, &w->phase.hold, &level);

@@ -153,7 +153,7 @@ void newton_extra_checkpoint(Checkpoint *c, Newton *nw)
     CHECKPOINT(c, extra->version);
     CHECKPOINT(c, extra->stale);
     CHECKPOINT(c, extra->options.ordering);
-    CHECKPOINT_FROM(c, &extra->retired, LinStats, analyses);
+    lin_stats_checkpoint(c, &extra->retired);
     CHECKPOINT(c, count);
     const char *const fault = "a number of blocks is impossible";
     checkpoint_check(c, count == 0 || extra->version >= 0, fault);

@@ -18,6 +18,7 @@ static void stats_checkpoint(Checkpoint *c, Stats *s)
 {
     const size_t watched = (size_t)(2 + s->n_stations + s->n_rollers), stations = (size_t)s->n_stations;
     CHECKPOINT_UP_TO(c, s, Stats, n_stations);
+    checkpoint_counts(c, 3, (const int[]){s->passing, s->swings.steps, s->swings.downward});
     checkpoint_put(c, "s->station", s->station, stations * sizeof *s->station);
     checkpoint_put(c, "s->roller", s->roller, (size_t)s->n_rollers * sizeof *s->roller);
     checkpoint_put(c, "s->surface", s->surface, (size_t)s->n_surfaces * sizeof *s->surface);
@@ -49,6 +50,7 @@ static void peaks_checkpoint(Checkpoint *c, Peaks *p)
     checkpoint_put(c, "p->when", p->when, (size_t)p->n_rollers * sizeof *p->when);
     Compression *const pushed = &p->pushed;
     CHECKPOINT_UP_TO(c, pushed, Compression, joints);
+    checkpoint_counts(c, 2, (const int[]){p->recorded, pushed->rows});
     checkpoint_put(c, "pushed->sum", pushed->sum, (size_t)pushed->joints * sizeof *pushed->sum);
     checkpoint_put(c, "pushed->time", pushed->time, (size_t)pushed->joints * sizeof *pushed->time);
     checkpoint_put(c, "pushed->force", pushed->force, (size_t)pushed->n_pushers * sizeof *pushed->force);
@@ -68,6 +70,7 @@ static void passing_checkpoint(Checkpoint *c, Passing *p, const Scene *scene)
     CHECKPOINT_UP_TO(c, &p->edge, Edge, name);
     checkpoint_text(c, "p->edge.name", &p->edge.name);
     CHECKPOINT(c, p->overlap);
+    checkpoint_counts(c, 2, (const int[]){p->through, p->overlap.looks});
     p->says[PASSING_SAYS_MAX - 1] = p->overlap.says[OVERLAP_SAYS_MAX - 1] = 0;
 }
 
@@ -109,6 +112,7 @@ static void events_checkpoint(Checkpoint *c, EventLog *log)
     int n = log->n;
     CHECKPOINT(c, n);
     CHECKPOINT(c, log->missed);
+    checkpoint_longs(c, 1, (const long[]){log->missed});
     checkpoint_check(c, n <= EVENTS_MAX, "a number of events is impossible");
     if (!checkpoint_number(c, n, sizeof log->event->t, "a number of events is impossible")) return;
     hawser_error lack = {HAWSER_OK, ""};
@@ -140,6 +144,7 @@ static void modes_checkpoint(Checkpoint *c, Modes *m, int segments)
         m->segments = segments;
     }
     CHECKPOINT(c, m->iterations);
+    checkpoint_counts(c, 1, &m->iterations);
     if (n > 0) checkpoint_put(c, "m->shape", m->shape, (size_t)n * each * sizeof *m->shape);
     for (int k = 0; k < n; ++k) {
         CHECKPOINT_UP_TO(c, &m->out[k], hawser_mode, shape);
@@ -173,6 +178,14 @@ static hawser_status calls_go_on(Sim *s, hawser_error *err)
     return stage_to_space(&s->stage, "a law of force acts on segments", err);
 }
 
+static void stall_checkpoint(Checkpoint *c, Stall *stall)
+{
+    const StallFrom *const from = &stall->from;
+    CHECKPOINT(c, *stall);
+    checkpoint_counts(c, 1, &stall->left);
+    checkpoint_longs(c, 4, (const long[]){from->steps, from->error_fails, from->newton_fails, from->strides});
+}
+
 /* What is watched of one chain. */
 static hawser_status watched_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
 {
@@ -188,8 +201,9 @@ static hawser_status watched_checkpoint(Checkpoint *c, Sim *s, hawser_error *err
     modes_checkpoint(c, &s->modes, scene->chain.n);
     CHECKPOINT(c, s->stray);
     CHECKPOINT(c, s->steadiness);
-    CHECKPOINT(c, s->stall);
+    stall_checkpoint(c, &s->stall);
     CHECKPOINT(c, s->relaxation);
+    checkpoint_counts(c, 1, &s->relaxation.iterations);
     CHECKPOINT(c, s->active_max);
     CHECKPOINT(c, s->overturned);
     CHECKPOINT(c, s->relaxed);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "core/base/checkpoint.h"
 #include "core/base/clock.h"
 #include "sim/equipment/reel.h"
 #include "sim/run/together.h"
@@ -9,7 +10,8 @@
 void sim_relaxation_take(Sim *s, const hawser_relaxation *found)
 {
     hawser_relaxation *const worst = &s->relaxation;
-    const int iterations = worst->iterations + found->iterations;
+    const int room = CHECKPOINT_COUNT_MAX - worst->iterations, more = found->iterations;
+    const int iterations = worst->iterations + (more < room ? more : room);
     const double before = worst->tolerance_N > 0 ? worst->residual_N / worst->tolerance_N : -1;
     if (!(found->residual_N / found->tolerance_N <= before)) *worst = *found;
     worst->iterations = iterations;

@@ -382,11 +382,15 @@ hawser_status quasi_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
     CHECKPOINT(c, q->waits);
     CHECKPOINT(c, q->failed);
     CHECKPOINT_UP_TO(c, &q->said, hawser_quasi_static, why);
+    const hawser_quasi_static *const said = &q->said;
+    checkpoint_counts(c, 4, (const int[]){q->known, q->waits, q->failed, q->peak.rollers});
+    checkpoint_longs(c, 4, (const long[]){said->positions, said->iterations, said->stretches, said->refused});
     CHECKPOINT(c, s->positions.back);
     CHECKPOINT(c, s->positions.hanging);
     const int hung = s->positions.hanging.segment;
     checkpoint_check(c, hung >= -1 && hung < s->stage.scene.total, "a rope of another chain");
     CHECKPOINT(c, s->positions.soft);
+    checkpoint_counts(c, 1, &s->positions.soft);
     CHECKPOINT(c, s->positions.push_share);
     CHECKPOINT(c, books);
     lie_checkpoint(c, &s->positions.lie, &s->stage.scene);

@@ -518,6 +518,7 @@ hawser_status stage_state_checkpoint(Checkpoint *c, Stage *st, int beside, hawse
     CHECKPOINT(c, n);
     CHECKPOINT(c, st->joined);
     CHECKPOINT(c, st->left);
+    checkpoint_longs(c, 2, (const long[]){st->joined, st->left});
     CHECKPOINT(c, reel);
     CHECKPOINT(c, planar);
     CHECKPOINT(c, st->plane_why);

@@ -197,7 +197,7 @@ static int orders_fit(void *cvode, int most)
         int at, least, more; /* more than the highest order */
     } number[] = {{AT_MOST, 1, 0},       {AT_ORDER, 1, 0},  {AT_TRIED, !fresh, 0}, {AT_NEXT_ORDER, 0, 0},
                   {AT_LAST_ORDER, 0, 0}, {AT_LENGTH, 2, 1}, {AT_KEPT, 0, 0}};
-    int ok = int_at(cvode, AT_VECTORS) == most && int_at(cvode, AT_LENGTH) == int_at(cvode, AT_ORDER) + 1;
+    int ok = int_at(cvode, AT_VECTORS) == most && (long)int_at(cvode, AT_LENGTH) == int_at(cvode, AT_ORDER) + 1L;
     memcpy((char *)cvode + AT_VECTORS, &most, sizeof most);
     for (size_t k = 0; k < sizeof number / sizeof *number; ++k) {
         const int n = int_at(cvode, number[k].at);

@@ -384,6 +384,7 @@ void esdirk_checkpoint(Checkpoint *c, Esdirk *e)
     CHECKPOINT(c, e->now);
     if (!checkpoint_check(c, e->now == 0 || e->now == 1, "its stages are impossible")) return;
     CHECKPOINT_FROM(c, e, Esdirk, begun);
+    checkpoint_longs(c, 1, &e->matrix_step);
     for (int i = 0; i < 2 * ESDIRK_STAGES; ++i)
         checkpoint_put(c, "rates of a stage", e->rate[i / ESDIRK_STAGES][i % ESDIRK_STAGES], bytes);
 }
