@@ -224,6 +224,23 @@ static int steps_fit(const void *cvode)
     return ok;
 }
 
+void cvode_counts(void *cvode, IntegratorStats *stats)
+{
+    CVodeGetNumSteps(cvode, &stats->steps);
+    CVodeGetNumRhsEvals(cvode, &stats->rhs_evals);
+    CVodeGetNumNonlinSolvIters(cvode, &stats->newton_iters);
+    CVodeGetNumLinSolvSetups(cvode, &stats->lin_setups);
+    CVodeGetNumErrTestFails(cvode, &stats->error_fails);
+    CVodeGetNumNonlinSolvConvFails(cvode, &stats->newton_fails);
+}
+
+void counts_check(Checkpoint *c, const IntegratorStats *s)
+{
+    checkpoint_longs(c, 8,
+                     (const long[]){s->steps, s->rhs_evals, s->newton_iters, s->jac_evals, s->lin_setups,
+                                    s->error_fails, s->newton_fails, s->strides});
+}
+
 void cvode_memory_checkpoint(Checkpoint *c, void *cvode)
 {
     int projects = pointer_at(cvode, AT_PROJECTION) != NULL;
@@ -233,6 +250,9 @@ void cvode_memory_checkpoint(Checkpoint *c, void *cvode)
     stretches(c, "cvode", cvode, OWN, own);
     stretches(c, "cvode's linear solver", pointer_at(cvode, AT_LINEAR), LINEAR, linear);
     if (projects) stretches(c, "cvode's projection", pointer_at(cvode, AT_PROJECTION), PROJECTION, projection);
+    IntegratorStats now = {0};
+    cvode_counts(cvode, &now);
+    counts_check(c, &now);
     const int fits = orders_fit(cvode, vectors);
     if (!c->status) checkpoint_check(c, fits, "its order of integration is impossible");
     if (!c->status) checkpoint_check(c, projection_fits(cvode, projects), "it was integrated with other constraints");

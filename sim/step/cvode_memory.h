@@ -8,11 +8,16 @@
 #include <sundials/sundials_nvector.h>
 
 #include "core/base/checkpoint.h"
+#include "sim/step/motion.h"
 
 enum { CVODE_HISTORY_MAX = 13 };
 
 /* Whether the list holds for this CVODE; *why (may be NULL) says what does not. */
 int cvode_memory_known(void *cvode, const char **why);
+/* What CVODE has counted since it was started anew: steps, evaluations, iterations, set-ups and failures alone. */
+void cvode_counts(void *cvode, IntegratorStats *stats);
+/* Whether counts that have been read can be counted on with. */
+void counts_check(Checkpoint *c, const IntegratorStats *counts);
 /* All but vectors. CVODE must have made a step: its first one sets it up. */
 void cvode_memory_checkpoint(Checkpoint *c, void *cvode);
 /* Those vectors of the history that the next step reads; returns how many. */

@@ -524,23 +524,12 @@ hawser_status integrator_renew(Integrator **in, Motion *motion, double t, double
 
 void integrator_go_on(Integrator *in, const IntegratorStats *so_far) { in->before = in->stats = *so_far; }
 
-/* What CVODE counts since it was started anew. */
-static void counts_of_cvode(const Integrator *in, IntegratorStats *stats)
-{
-    CVodeGetNumSteps(in->cvode, &stats->steps);
-    CVodeGetNumRhsEvals(in->cvode, &stats->rhs_evals);
-    CVodeGetNumNonlinSolvIters(in->cvode, &stats->newton_iters);
-    CVodeGetNumLinSolvSetups(in->cvode, &stats->lin_setups);
-    CVodeGetNumErrTestFails(in->cvode, &stats->error_fails);
-    CVodeGetNumNonlinSolvConvFails(in->cvode, &stats->newton_fails);
-}
-
 void integrator_stats(const Integrator *in, IntegratorStats *stats)
 {
     const IntegratorStats *const before = &in->before;
     *stats = in->stats;
     if (in->esdirk) return; /* it counts for itself, and goes on counting */
-    counts_of_cvode(in, stats);
+    cvode_counts(in->cvode, stats);
     CVodeGetLastStep(in->cvode, &stats->last_step);
     stats->steps += before->steps;
     stats->rhs_evals += before->rhs_evals;
@@ -574,13 +563,6 @@ hawser_status integrator_prepare(Integrator *in, double t, hawser_error *err)
     return integrator_known(in, &why) ? HAWSER_OK : error_set(err, HAWSER_ERR_RUN, "%s", why);
 }
 
-static void counts_check(Checkpoint *c, const IntegratorStats *s)
-{
-    checkpoint_longs(c, 8,
-                     (const long[]){s->steps, s->rhs_evals, s->newton_iters, s->jac_evals, s->lin_setups,
-                                    s->error_fails, s->newton_fails, s->strides});
-}
-
 void integrator_checkpoint(Checkpoint *c, Integrator *in)
 {
     N_Vector history[CVODE_HISTORY_MAX];
@@ -603,10 +585,7 @@ void integrator_checkpoint(Checkpoint *c, Integrator *in)
         esdirk_checkpoint(c, in->esdirk);
         return;
     }
-    IntegratorStats now = {0};
     cvode_memory_checkpoint(c, in->cvode);
-    counts_of_cvode(in, &now);
-    counts_check(c, &now);
     if (c->status) return;
     const int n = cvode_memory_history(in->cvode, history);
     for (int k = 0; k < n; ++k) checkpoint_put(c, "history", NV_DATA_S(history[k]), bytes);
