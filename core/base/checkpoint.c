@@ -65,13 +65,15 @@ static const char IMPOSSIBLE[] = "a number of what has happened so far is imposs
 
 void checkpoint_counts(Checkpoint *c, int n, const int count[])
 {
-    for (int k = 0; k < n; ++k) checkpoint_check(c, count[k] >= 0 && count[k] <= CHECKPOINT_COUNT_MAX, IMPOSSIBLE);
+    for (int k = 0; c->reading && k < n; ++k)
+        checkpoint_check(c, count[k] >= 0 && count[k] <= CHECKPOINT_COUNT_MAX, IMPOSSIBLE);
 }
 
 void checkpoint_longs(Checkpoint *c, int n, const long count[])
 {
     static const double MOST = 1e15;
-    for (int k = 0; k < n; ++k) checkpoint_check(c, count[k] >= 0 && (double)count[k] <= MOST, IMPOSSIBLE);
+    for (int k = 0; c->reading && k < n; ++k)
+        checkpoint_check(c, count[k] >= 0 && (double)count[k] <= MOST, IMPOSSIBLE);
 }
 
 void checkpoint_lack(Checkpoint *c)

@@ -224,9 +224,23 @@ static hawser_status ask_by_itself(const Asked *a, Found *out, hawser_error *err
     return status;
 }
 
+/* A rope runs ahead of what it draws where that holds it back by less than it needs: at least by so much, (SC19). */
+static hawser_status ask_drawing(const Asked *a, Found *out, hawser_error *err)
+{
+    Asked held = *a;
+    Pull pull;
+    held.def.back_tension += a->scene->def.theory.drawn_least[a->way];
+    const hawser_status status = pull_at_least(&held, (HeldBy){NULL, NULL}, &pull, err);
+    if (status) return status;
+    found_take(out, pushed_in(&held, &pull), AWAY_FROM_DRAWN, 0);
+    pull_clear(&pull);
+    return HAWSER_OK;
+}
+
 /* The case as it is, and without what pushes, until something is found. */
 static hawser_status ask_both(const Asked *a, Away why, Found *out, hawser_error *err)
 {
+    if (a->scene->def.strand.rope) return ask_drawing(a, out, err);
     const hawser_status status = ask(a, why, out, err);
     return status || is_pushed(out->most) || !is_helped(a) ? status : ask_by_itself(a, out, err);
 }
@@ -248,7 +262,9 @@ static void look_at_heads(const Asked *a, Found *out)
 {
     const HeadSeries *const heads = &a->c->heads[a->way];
     const double begins = fmax(0, a->scene->joint_s[a->scene->eye]);
-    if (!a->scene->def.theory.simulated || !a->scene->def.winch.present || a->way == PLAN_BACKWARD) return;
+    if (a->scene->def.strand.rope || !a->scene->def.theory.simulated || !a->scene->def.winch.present ||
+        a->way == PLAN_BACKWARD)
+        return;
     for (int i = 0; i < heads->n; ++i) {
         const HeadForce *const row = &heads->row[i];
         const Pushed now = {-row->force, 1e-9 * fmax(1, heads->peak.force), row->head,
@@ -257,33 +273,15 @@ static void look_at_heads(const Asked *a, Found *out)
     }
 }
 
-/* A rope runs ahead of what it draws where that holds it back by less than it needs: at least by so much, (SC19). */
-static hawser_status ask_drawing(const Asked *a, Found *out, hawser_error *err)
-{
-    Asked held = *a;
-    Pull pull;
-    held.def.back_tension += a->scene->def.theory.drawn_least[a->way];
-    const hawser_status status = pull_at_least(&held, (HeldBy){NULL, NULL}, &pull, err);
-    if (status) return status;
-    found_take(out, pushed_in(&held, &pull), AWAY_FROM_DRAWN, 0);
-    pull_clear(&pull);
-    return HAWSER_OK;
-}
-
-static hawser_status ask_all(const Asked *a, Found *out, hawser_error *err)
-{
-    hawser_status status = ask_both(a, AWAY_AS_IT_IS, out, err);
-    if (!status && !is_pushed(out->most) && friction_least_told(&a->scene->def) < 1) status = ask_loosened(a, out, err);
-    if (!status && !is_pushed(out->most)) look_at_heads(a, out);
-    return status;
-}
-
 static hawser_status way_pulled(const Scene *scene, Calculator *c, int way, hawser_error *err)
 {
     const Asked asked = {scene, c, way, c->def, c->push[way]};
-    const int draws = scene->def.strand.rope > 0;
-    Found found = {draws ? (Pushed){0} : pushed_in(&asked, &c->plan.way[way].pull), AWAY_AS_IT_IS, 0};
-    const hawser_status status = draws ? ask_drawing(&asked, &found, err) : ask_all(&asked, &found, err);
+    const Pushed plain = scene->def.strand.rope ? (Pushed){0} : pushed_in(&asked, &c->plan.way[way].pull);
+    Found found = {plain, AWAY_AS_IT_IS, 0};
+    hawser_status status = ask_both(&asked, AWAY_AS_IT_IS, &found, err);
+    if (!status && !is_pushed(found.most) && friction_least_told(&scene->def) < 1)
+        status = ask_loosened(&asked, &found, err);
+    if (!status && !is_pushed(found.most)) look_at_heads(&asked, &found);
     c->pushed[way] = found.most;
     c->away[way] = found.why;
     c->early[way] = found.t;

@@ -137,7 +137,7 @@ void peaks_record(Peaks *peaks, const Scene *scene, const Kinematics *kin, const
 {
     if (!peaks->present) return;
     const int eye = cable_end(scene);
-    peaks->recorded++;
+    peaks->recorded = 1;
     peaks->speed = fmax(peaks->speed, fabs(drawn_with(scene, sample)));
     joints_record(peaks, scene, sample, eye);
     bends_record(peaks, scene, sample, eye);

@@ -15,7 +15,7 @@ typedef struct PeakMoment {
 
 typedef struct Peaks {
     int present;
-    int recorded;   /* samples so far */
+    int recorded;   /* a sample, or more */
     Peak tension;   /* N, of the cable, eye included */
     Peak sidewall;  /* N/m, T/R of the route's bends, on the worst cable */
     Peak curvature; /* 1/m, of the cable between neighbouring segments */

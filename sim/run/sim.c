@@ -371,7 +371,6 @@ static hawser_status advance_moving(Sim *s, double t, hawser_error *err)
     hawser_status status = s->together ? together_step(s->together, stop, err) : stage_step(&s->stage, stop, err);
     if (status == HAWSER_ERR_RUN) failure_explain(s, err);
     if (!status) stall_watch(s);
-    if (!status && s->together) together_follow(s->together);
     for (int k = 0; !status && k < sim_chains(s); ++k) status = step_watch(sim_chain(s, k), err);
     if (!status && s->together) chains_watch(s->together);
     return status ? status : quasi_begin(s, err);

@@ -155,10 +155,14 @@ static void figures_fill(const Sim *s, hawser_summary *out)
         out->error_max_pct = out->error_mean_pct = out->error_max_paper_pct = out->error_mean_paper_pct = NAN;
 }
 
-/* What all chains press rollers with is as uncertain as what each does, whose tables are up to date. */
+/* What all chains press rollers with is as uncertain as what each does; the first one's table is up to date. */
 static void borne_errors_add(struct Together *all)
 {
     Borne *const sum = &all->borne;
+    for (int k = 1; k < all->n; ++k) {
+        hawser_summary own;
+        figures_fill(all->sim[k], &own);
+    }
     for (int r = 0; r < sum->n; ++r) {
         sum->steady_error[r] = sum->peak_error[r] = 0;
         for (int k = 0; k < all->n; ++k) {
@@ -171,11 +175,7 @@ static void borne_errors_add(struct Together *all)
 
 int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out)
 {
-    for (int k = 1; k < sim_chains(s); ++k) {
-        hawser_summary own;
-        figures_fill(s->together->sim[k], &own);
-    }
-    if (s->together) borne_errors_add(s->together);
+    if (s->together && s->together->borne.n > 0) borne_errors_add(s->together);
     const double bar = figures->pull_peak_error.total, peak = figures->pull_peak_N;
     int n = peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, peak > 0 && bar > 0 ? bar / peak : 0, out);
     for (int k = 1; k < sim_chains(s); ++k) {

@@ -193,14 +193,6 @@ void together_peak(Together *all)
     borne_peak(&all->borne, forces_of(all, on_roller), on_roller);
 }
 
-void together_follow(Together *all)
-{
-    for (int k = 0; k < all->n; ++k) {
-        Stage *const st = &all->sim[k]->stage;
-        dynamics_kinematics(&st->scene, &st->ws, st->t, st->y);
-    }
-}
-
 double together_pull(const Together *all, const Sim *of)
 {
     int k = 0;

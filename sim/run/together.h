@@ -35,8 +35,6 @@ hawser_status together_checkpoint(Checkpoint *c, struct Together *all, hawser_er
 void together_row(struct Together *all);
 int together_stepped(struct Together *all);
 void together_peak(struct Together *all);
-/* Kinematics of all as a step has left them: what was evaluated last is an iterate's. */
-void together_follow(struct Together *all);
 /* N, at that one's head: of its winch, or what joins it to its rope, by the kinematics of now. */
 double together_pull(const struct Together *all, const Sim *of);
 /* After a look at the state of now: what pulls chain k, if that is another one, into its workspace; and, with the

@@ -79,7 +79,8 @@ void swings_step(Swings *s, const Scene *scene, double t, double pull)
     } else {
         rise_record(s, before, pull, h, t);
     }
-    if (++s->steps > SWINGS_STEPS && longest > 0 && h > 0) bound_set(s, solver, longest, h);
+    if (s->steps <= SWINGS_STEPS) ++s->steps; /* more are not counted: a run may have any number */
+    if (s->steps > SWINGS_STEPS && longest > 0 && h > 0) bound_set(s, solver, longest, h);
 }
 
 double swings_rise(const Swings *s) { return (s->downward > 0 ? s->top : s->pull[SWINGS_STEPS - 1]) - s->bottom; }
