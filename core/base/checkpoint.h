@@ -58,8 +58,8 @@ int checkpoint_check(Checkpoint *c, int ok, const char *fault);
 /* The same for a number of things that has been read, each of which has at least `each` bytes in what follows: no
  * memory is asked for what cannot be there. */
 int checkpoint_number(Checkpoint *c, int n, size_t each, const char *fault);
-/* Numbers of what has happened so far that have been read, [n]: none below zero, and none so large that its kind comes to an end when it is
- * counted on. */
+/* Numbers of what has happened so far that have been read, [n]: none below zero, and none so large that its kind comes
+ * to an end when it is counted on. */
 enum { CHECKPOINT_COUNT_MAX = 1 << 30 };
 void checkpoint_counts(Checkpoint *c, int n, const int count[]);
 void checkpoint_longs(Checkpoint *c, int n, const long count[]);

@@ -26,15 +26,14 @@ const hawser_sample *sim_look(Sim *s, SampleParts parts)
     if (between) dynamics_kinematics(&s->stage.scene, &s->stage.ws, s->stage.t, s->stage.y);
     if (!between) active = s->stage.motion->ops->look(s->stage.motion, s->stage.t, s->stage.y, parts >= SAMPLE_FIELDS);
     if (s->stage.scene.reel->present) dynamics_tail_pull(&s->stage.scene, &s->stage.ws);
-    if (s->together || s->leader) together_look(s->together ? s->together : s->leader->together, s);
+    if (together_of(s)) together_look(together_of(s), s);
     const hawser_sample *const look = sample_take(&s->look, &s->stage.scene, &s->stage.ws, s->stage.t, active, parts);
     if (s->by_position.n_grid > 0) {
         s->look.sample.head_at = along_eye(&s->stage.scene, &s->stage.ws.kin, look->winch_travel);
         s->look.sample.reference =
             by_position_reference(&s->by_position, look->head_at, expected_back(&s->stage.scene, s->stage.t));
     }
-    if (s->together || s->leader)
-        s->look.sample.reference = together_expected(s->together ? s->together : s->leader->together, s);
+    if (together_of(s)) s->look.sample.reference = together_expected(together_of(s), s);
     machines_look(&s->machines, &s->stage.scene, &s->stage.ws, s->stage.t);
     s->look.sample.machines = s->machines.n;
     s->look.sample.machine = s->machines.out;

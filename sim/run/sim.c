@@ -252,7 +252,7 @@ static void peak_watch(Sim *s)
     const int drawn = st->scene.winch->present;
     if (!drawn && st->scene.def.strand.joined < 0) return;
     const double start = clock_now(), pull = drawn ? st->motion->ops->winch_pull(st->motion, st->t, st->y)
-                                                   : together_pull(s->together ? s->together : s->leader->together, s);
+                                                   : together_pull(together_of(s), s);
     st->motion->ops->glance(st->motion);
     const int due = stats_step(&s->stats, &st->scene, st->t, pull, st->ws.law[0], st->ws.on_roller);
     if (drawn) swings_bound(s->leader ? s->leader : s);

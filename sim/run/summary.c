@@ -73,7 +73,7 @@ static void figures_fill(const Sim *s, hawser_summary *out);
 /* What the meshes of the cables that a rope draws make of their pulls, it pulls too (SC17). */
 static void drawn_errors_add(const Sim *rope, hawser_summary *out)
 {
-    const struct Together *const all = rope->leader ? rope->leader->together : rope->together;
+    const struct Together *const all = together_of(rope);
     for (int k = 0; k < all->n; ++k) {
         const int joined = all->sim[k]->stage.scene.def.strand.joined;
         hawser_summary own;

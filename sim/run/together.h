@@ -18,6 +18,8 @@ struct Together {
     int no_memory;  /* theory of a rope lacked it: a figure is missing */
 };
 
+/* What moves a simulation with others; NULL: it is alone. */
+static inline struct Together *together_of(const Sim *s) { return s->leader ? s->leader->together : s->together; }
 /* What moves n simulations together, of which the first leads: takes over the list, not what is in it. Errors: INPUT,
  * MEMORY; together_free follows either way, and the list stays the caller's if nothing has been made
  * (sim[0]->together). */
