@@ -11,48 +11,124 @@
 static const double WRAPPED = 30 * M_PI / 180;
 static const double REACH = 5; /* m: farther from a bend in which no roller stands something else bears the rope */
 
-/* The diameter of the nearest one from `begin` to `end`, seen from `from`, that a bend with this curvature presses the
- * rope on, or of the nearest carrier; INFINITY: there is none. */
-static double nearest_turner(int n, const Turner *turner, double begin, double end, double from, Vec3 curvature)
+/* The nearest one from `begin` to `end`, seen from `from`, that a bend with this curvature presses the rope on, or the
+ * nearest carrier; NULL: there is none. */
+static const Turner *nearest_turner(int n, const Turner *turner, double begin, double end, double from, Vec3 curvature)
 {
-    double least[2] = {INFINITY, INFINITY}, across[2] = {INFINITY, INFINITY};
+    double least[2] = {INFINITY, INFINITY};
+    const Turner *nearest[2] = {NULL, NULL};
     for (int i = 0; i < n; ++i) {
         const double away = fabs(turner[i].s - from);
         const int inner = bend_side(turner[i].off, curvature) > 0;
         if (turner[i].s < begin || turner[i].s > end || !(inner || turner[i].carries) || away >= least[inner]) continue;
         least[inner] = away;
-        across[inner] = turner[i].across;
+        nearest[inner] = &turner[i];
     }
-    return across[isfinite(least[1])];
+    return nearest[nearest[1] ? 1 : 0];
 }
 
-/* m, around what a bend of pieces p to `to` bends the rope: its own diameter, or that of its smallest roller where few
- * share the turn. These are the ones on its inner side, or without such the carriers (grooves hold it); in a bend
- * without rollers and without a duct those to both sides. */
+/* ----------------------------------------------------------------------------------- how much each of them turns it */
+
+/* A walk along a bend: by how much the route has turned from its begin up to s, and the integral of that. */
+typedef struct Walk {
+    const Route *route;
+    int piece, last;
+    double s, turned, sum; /* m, rad, rad m */
+} Walk;
+
+enum { PARTS = 8 }; /* of a piece, in each of which the curvature counts as linear */
+
+static double curvature_on(const Route *route, int piece, double s)
+{
+    const RoutePiece *const p = &route->piece[piece];
+    return p->kind == ROUTE_BEND ? 1 / p->radius : v3_norm(route_way_on_piece(route, piece, s).curvature);
+}
+
+/* Up to `to`; what lies before the bend does not turn, nor what lies beyond it. */
+static void walk_on(Walk *w, double to)
+{
+    while (w->s < to && w->piece <= w->last) {
+        const RoutePiece *const p = &w->route->piece[w->piece];
+        const double end = p->s0 + p->length, next = fmin(fmin(to, end), w->s + p->length / PARTS), h = next - w->s;
+        const double k0 = curvature_on(w->route, w->piece, w->s), k1 = curvature_on(w->route, w->piece, next);
+        w->sum += h * (w->turned + h * (2 * k0 + k1) / 6);
+        w->turned += h * (k0 + k1) / 2;
+        w->s = next;
+        w->piece += next >= end;
+    }
+    if (w->s < to) w->sum += (to - w->s) * w->turned;
+    w->s = fmax(w->s, to);
+}
+
+/* The rope from one roller to the next: its chord goes as the route does on the mean between them. (LI13) */
+typedef struct Wrap {
+    Walk walk;
+    int n;              /* rollers, or groups of rollers that stand at one place */
+    double s, sum;      /* of the walk at the last one */
+    double way, across; /* rad, of the chord to it; its diameter, m */
+    double round;       /* m, the smallest diameter that it is wrapped round */
+} Wrap;
+
+static Wrap wrap_begin(const Route *route, int p, int to)
+{
+    return (Wrap){.walk = {.route = route, .piece = p, .last = to, .s = route->piece[p].s0}, .round = INFINITY};
+}
+
+/* The chord ahead of the last roller goes that way. */
+static void wrap_leave(Wrap *w, double way)
+{
+    if (w->n > 0 && way - w->way >= WRAPPED * (1 - 1e-9)) w->round = fmin(w->round, w->across);
+    w->way = way;
+}
+
+static void wrap_roller(Wrap *w, const Turner *roller)
+{
+    if (w->n > 0 && roller->s - w->s < (roller->across + w->across) / 2) { /* one above the other */
+        w->across = fmin(w->across, roller->across);
+        return;
+    }
+    walk_on(&w->walk, roller->s);
+    wrap_leave(w, w->n > 0 ? (w->walk.sum - w->sum) / (roller->s - w->s) : 0);
+    w->n++;
+    w->s = roller->s;
+    w->sum = w->walk.sum;
+    w->across = roller->across;
+}
+
+static double wrap_end(Wrap *w, double end)
+{
+    walk_on(&w->walk, end);
+    wrap_leave(w, w->walk.turned);
+    return w->round;
+}
+
+/* m, around what a bend of pieces p to `to` bends the rope: its own diameter, or that of the smallest roller that it is
+ * wrapped round. Rollers share the turn that stand on its inner side, or without such the carriers (grooves hold it);
+ * of a bend without rollers and without a duct those to both sides. */
 static double bent_round(const SceneDef *def, const Route *route, int p, int to, int n, const Turner *turner)
 {
-    int count[2] = {0, 0}; /* carriers that lie level, those on the inner side */
-    double smallest[2] = {INFINITY, INFINITY}, turn = 0, radius = INFINITY;
+    Wrap wrap[] = {wrap_begin(route, p, to), wrap_begin(route, p, to)}; /* carriers that lie level; the inner side */
     const double begin = route->piece[p].s0, end = route->piece[to].s0 + route->piece[to].length;
-    for (int k = p; k <= to; ++k) {
-        turn += route->piece[k].angle;
-        radius = fmin(radius, route->piece[k].radius);
-    }
+    double radius = INFINITY;
+    for (int k = p; k <= to; ++k) radius = fmin(radius, route->piece[k].radius);
     for (int i = 0; i < n; ++i) {
         const int inner = turner[i].inner > 0;
-        if (!(turner[i].s >= begin && turner[i].s <= end) || !(inner || (turner[i].carries && turner[i].inner == 0)))
-            continue;
-        smallest[inner] = fmin(smallest[inner], turner[i].across);
-        count[inner]++;
+        if (turner[i].s >= begin && turner[i].s <= end && (inner || (turner[i].carries && turner[i].inner == 0)))
+            wrap_roller(&wrap[inner], &turner[i]);
     }
-    const int by = count[1] > 0;
-    if (count[by] > 0) return turn / count[by] >= WRAPPED ? smallest[by] : 2 * radius;
+    const int by = wrap[1].n > 0;
+    double round = wrap_end(&wrap[by], end);
+    if (wrap[by].n > 0) return isfinite(round) ? round : 2 * radius;
     const double middle = (begin + end) / 2;
     const Vec3 curvature = route_at(route, middle).curvature;
-    const double before = nearest_turner(n, turner, begin - REACH, begin, begin, curvature),
-                 ahead = nearest_turner(n, turner, end, end + REACH, end, curvature);
-    const int bare = isfinite(before) && isfinite(ahead) && !surface_at(def, middle);
-    return bare && turn / 2 >= WRAPPED ? fmin(fmin(before, ahead), 2 * radius) : 2 * radius;
+    const Turner *const before = nearest_turner(n, turner, begin - REACH, begin, begin, curvature),
+                        *const ahead = nearest_turner(n, turner, end, end + REACH, end, curvature);
+    if (!before || !ahead || surface_at(def, middle)) return 2 * radius;
+    Wrap between = wrap_begin(route, p, to);
+    wrap_roller(&between, before);
+    wrap_roller(&between, ahead);
+    round = wrap_end(&between, end);
+    return fmin(round, 2 * radius);
 }
 
 /* The rope's diameter, m: as the case says, or of the thickest rope in the chain, which may be one; NAN: nobody knows.

@@ -450,98 +450,6 @@ static void belts_among_themselves(void **state)
     free(text);
 }
 
-/* --------------------------------------------------------------------------------------------- what bends the rope */
-
-static const char CORNER[] =
-    "chain: [{cable: c, length: 8 m, segment: 1 m}, {cable: rope, length: 12 m, segment: 1 m}]\n"
-    "route: {head_at: 9 m, pieces: [{straight: 10 m}, {bend: 90 deg, radius: 1 m, plane: left}, {straight: 8 m}]}\n"
-    "drive: {tail: {tension: 1 kN, ramp: none}}\nrun: {duration: 1 s}\n";
-
-/* The rope's bend over its diameter, by theory. */
-static double bend_with(const char *rollers, const char *surfaces)
-{
-    char *const text = case_of(CORNER);
-    json_t *const all = theory_of(
-        text, (const char *const[]){"rollers", rollers, "surfaces", surfaces, "limits.rope_diameter", "20 mm", NULL});
-    const double found = limit_of(all, "rope_bend");
-    json_decref(all);
-    free(text);
-    return found;
-}
-
-/* The corner's middle is at (10 + sin 45, 1 - cos 45); a roller that the cable lies against there is nearer to its
- * centre at (10, 1). */
-static void what_bends_the_rope(void **state)
-{
-    (void)state;
-    static const char row[] = "{from: 0 m, to: 9.5 m, spacing: 1 m, radius: 60 mm}";
-    char rollers[900];
-    snprintf(rollers, sizeof rollers, "{along: [%s]}", row);
-    check_share(bend_with(rollers, "{}"), 2 / 0.02, 1e-9); /* nothing stands beyond the corner */
-    const double away = 1 - 0.04 - 0.09;
-    snprintf(rollers, sizeof rollers,
-             "{along: [%s], list: [{centre: [%.6f, %.6f, 0], axis: [0, 0, 1], radius: 90 mm, width: 400 mm}]}", row,
-             10 + away * sqrt(0.5), 1 - away * sqrt(0.5));
-    check_share(bend_with(rollers, "{}"), 0.18 / 0.02, 1e-9); /* one upright roller in it, listed */
-    snprintf(rollers, sizeof rollers, "{along: [%s], list: [{centre: [14, 3, 0], axis: [0, 0, 1], radius: 90 mm}]}",
-             row);
-    check_share(bend_with(rollers, "{}"), 2 / 0.02, 1e-9); /* one that is elsewhere */
-    static const char both[] = "{along: [{from: 0 m, to: 9.9 m, spacing: 900 mm, radius: 60 mm}, {from: 11.8 m, to: "
-                               "19 m, spacing: 900 mm, radius: 50 mm}]}";
-    check_share(bend_with(both, "{}"), 0.1 / 0.02, 1e-9); /* one to each side, and none in it */
-    check_share(bend_with(both, "{ducts: [{name: d, from: 9.95 m, to: 11.7 m, radius: 80 mm}]}"), 2 / 0.02, 1e-9);
-}
-
-/* Rollers turn the rope where they stand on a bend's inner side, and only where the cable reaches them. */
-static void what_does_not_bend_the_rope(void **state)
-{
-    (void)state;
-    char rollers[1600];
-    const double in = 1 - 0.04 - 0.09, out = 1 + 0.04 + 0.06;
-    int used = snprintf(rollers, sizeof rollers,
-                        "{along: [{from: 0 m, to: 9.5 m, spacing: 1 m, radius: 60 mm}], list: [{centre: [%.6f, %.6f, "
-                        "0], axis: [0, 0, 1], radius: 90 mm, width: 400 mm}",
-                        10 + in * sqrt(0.5), 1 - in * sqrt(0.5));
-    for (int k = 1; k < 4; k++)
-        used += snprintf(rollers + used, sizeof rollers - (size_t)used,
-                         ", {centre: [%.6f, %.6f, 0], axis: [0, 0, 1], radius: 60 mm, width: 400 mm}",
-                         10 + out * sin(k * M_PI / 8), 1 - out * cos(k * M_PI / 8));
-    snprintf(rollers + used, sizeof rollers - (size_t)used, "]}");
-    check_share(bend_with(rollers, "{}"), 0.18 / 0.02, 1e-9); /* three on the outer side bear nothing of it */
-    static const char *const guides[] = {"inside", "both", "left"};
-    for (int k = 0; k < 3; k++) {
-        snprintf(rollers, sizeof rollers,
-                 "{along: [{spacing: 1 m, radius: 60 mm}, {guide: %s, spacing: 1.2 m, gap: 5 mm, radius: 80 mm, name: "
-                 "G}]}",
-                 guides[k]);
-        check_share(bend_with(rollers, "{}"), 0.16 / 0.02, 1e-9);
-    }
-    /* a crest bends it round its carriers, whatever stands beside it; a sag round what holds it down */
-    char *const text = case_of(CORNER);
-    static const struct {
-        const char *plane, *rollers;
-    } row[] = {{"down", "{along: [{from: 0 m, to: 9.5 m, spacing: 1 m}, {at: [10.8 m], radius: 70 mm}, {guide: both, "
-                        "where: [[10 m, 11.5 m]], spacing: 300 mm, radius: 20 mm, gap: 5 mm, name: G}]}"},
-               {"up", "{along: [{spacing: 200 mm, radius: 20 mm, hold_down: [[10.75 m, 10.85 m]], gap: 2 mm}]}"}};
-    for (int k = 0; k < 2; k++) {
-        json_t *const all =
-            theory_of(text, (const char *const[]){"route.pieces.1",
-                                                  k ? "{bend: 60 deg, radius: 1 m, plane: up}"
-                                                    : "{bend: 60 deg, radius: 1 m, plane: down}",
-                                                  "rollers", row[k].rollers, "limits.rope_diameter", "20 mm", NULL});
-        check_share(limit_of(all, "rope_bend"), k ? 2 : 7, 1e-9);
-        json_decref(all);
-    }
-    /* one beside a long bend, farther off than the cable is thick, is none of its */
-    json_t *const all =
-        theory_of(text, (const char *const[]){"route.pieces.1", "{bend: 90 deg, radius: 100 m, plane: left}", "rollers",
-                                              "{list: [{centre: [80.7, 27.8, 0], axis: [0, 0, 1], radius: 60 mm}]}",
-                                              "limits.rope_diameter", "20 mm", NULL});
-    check_share(limit_of(all, "rope_bend"), 200 / 0.02, 1e-9);
-    json_decref(all);
-    free(text);
-}
-
 /* Behind a bend that takes most of a belt's push a slope pushes as it does without the belt, 124 N: no push of the
  * belt's, though it has more. */
 static void a_slope_behind_a_belt(void **state)
@@ -586,8 +494,6 @@ int main(void)
         cmocka_unit_test(a_belt_that_holds_back),
         cmocka_unit_test(belts_among_themselves),
         cmocka_unit_test(a_slope_behind_a_belt),
-        cmocka_unit_test(what_bends_the_rope),
-        cmocka_unit_test(what_does_not_bend_the_rope),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
