@@ -19,13 +19,14 @@ static const double DAMPED = 0.01;                       /* of what moves, by th
 static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pull, of itself */
 static const double OFF_ROUTE = 2;                       /* m: more than any sag between supports */
 static const double SLOWEST = 1;                         /* speed of full friction over that of the pull */
-static const double DRIFT = 0.05;  /* of the mean pull, from the window's first half to its second */
-static const double PUSHED = 0.01; /* of the largest pull, that the cable may push the winch with in the mean */
-static const double SHARED = 0.02; /* of the pull, that so much may move from a belt to the winch */
-static const double EDGE = 0.7;    /* of half a roller's width, that the cable may lie off its middle at rest */
-static const double SPIKE = 0.2;   /* of the largest pull, above the rows beside it */
-static const double INSIDE = 0.25; /* of both radii, that cables may lie inside each other */
-enum { LOOKS = 16 };               /* at the cable's place in a run */
+static const double STANDS = 0.999; /* of the largest speed, that the mean in the window may be short of */
+static const double DRIFT = 0.05;   /* of the mean pull, from the window's first half to its second */
+static const double PUSHED = 0.01;  /* of the largest pull, that the cable may push the winch with in the mean */
+static const double SHARED = 0.02;  /* of the pull, that so much may move from a belt to the winch */
+static const double EDGE = 0.7;     /* of half a roller's width, that the cable may lie off its middle at rest */
+static const double SPIKE = 0.2;    /* of the largest pull, above the rows beside it */
+static const double INSIDE = 0.25;  /* of both radii, that cables may lie inside each other */
+enum { LOOKS = 16 };                /* at the cable's place in a run */
 
 void stray_record(Stray *stray, const Scene *scene, const Kinematics *kin, double travel, double t)
 {
@@ -254,6 +255,27 @@ static void add_friction_speed(List *list, const TrustFacts *f)
         strstr(slowest.key, "bearing") ? "rad/s" : "m/s");
 }
 
+/* What the winch, or belts, draw with at most, m/s; of a set tension what counts as moving; 0: nothing draws. */
+static double drawn_at_most(const TrustFacts *f)
+{
+    const SceneDef *const def = &f->scene->def;
+    if (!def->winch.present) return belts_largest_speed(def);
+    const int draws = def->winch.mode == WINCH_TENSION || winch_largest_speed(f->scene->winch, def->duration) > 0;
+    return draws ? f->scene->largest_speed : 0;
+}
+
+/* Means of a window in which the cable stands are figures of no pull. */
+static void add_drawn(List *list, const TrustFacts *f)
+{
+    const double most = drawn_at_most(f), speed = f->figures->steady_speed_m_per_s;
+    if (!(most > 0)) return;
+    add(list, "drawn", "1", 1 - fmax(speed, 0) / most, STANDS,
+        "within the steady window, from %.4g s on, the cable stands or goes back: what pulls has stopped, or is too "
+        "weak: set "
+        "run.steady_from and run.duration to a time in which it is pulled",
+        f->figures->steady_from_s);
+}
+
 /* (WI23) */
 static void add_shared(List *list, const TrustFacts *f)
 {
@@ -471,9 +493,11 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     add_friction_speed(&list, f);
     if (placed) add_decided(&list, f);
     if (!dynamic) return list.n;
-    if (f->figures->steady_to_s > f->figures->steady_from_s) add_errors(&list, f->figures);
+    const int window = f->figures->steady_to_s > f->figures->steady_from_s;
+    if (window) add_errors(&list, f->figures);
     add_decided(&list, f);
-    if (scene->def.winch.present && f->figures->steady_to_s > f->figures->steady_from_s) add_pushed(&list, f->figures);
+    if (scene->def.winch.present && window) add_pushed(&list, f->figures);
+    if (window) add_drawn(&list, f);
     add_shared(&list, f);
     if (scene->def.winch.present) add_steadiness(&list, f);
     return list.n;
