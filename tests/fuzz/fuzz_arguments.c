@@ -186,9 +186,9 @@ static int words_take(const uint8_t *data, size_t size, char room[WORDS_MAX + 5]
     const char *const command = commands[*data++ % COMMANDS];
     snprintf(room[n++], WORD_MAX, "%s", command);
     --size;
-    /* a second of each scene at least: those that take a moment, and of one name */
-    if (!strcmp(command, "validate"))
-        snprintf(room[n++], WORD_MAX, "--fast"), snprintf(room[n++], WORD_MAX, "--filter=no such");
+    const int validates = !strcmp(command, "validate");
+    /* a second of each scene at least: those that take a moment, and of no other name than this */
+    if (validates) snprintf(room[n++], WORD_MAX, "--fast"), snprintf(room[n++], WORD_MAX, "--filter=no such");
     if (!strcmp(command, "study")) snprintf(room[n++], WORD_MAX, "--jobs=1");
     for (int k = 0; k < WORDS_MAX - 3 && size > 0; ++k) {
         const uint8_t what = *data++;
@@ -197,6 +197,7 @@ static int words_take(const uint8_t *data, size_t size, char room[WORDS_MAX + 5]
             snprintf(room[n++], WORD_MAX, "%s", words[what % WORDS]);
         else
             word_own(&data, &size, room[n++]);
+        n -= validates && !strncmp(room[n - 1], "--fi", 4);
     }
     return n;
 }
