@@ -2,6 +2,8 @@
  * is wrong with it. */
 #include "core/base/checkpoint.h"
 
+#include <limits.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -339,13 +341,54 @@ static void test_profiles(void **state)
     }
 }
 
+/* What has happened so far is counted on: a number below zero, or at the end of its kind, is refused where it is read,
+ * any of them; what a run has counted itself is written. */
+static void test_counts(void **state)
+{
+    (void)state;
+    static const struct {
+        long number;
+        int count, longs; /* whether it is taken as each of them */
+    } row[] = {{0, 1, 1},
+               {CHECKPOINT_COUNT_MAX, 1, 1},
+               {CHECKPOINT_COUNT_MAX + 1L, 0, 1},
+               {INT32_MAX, 0, 1},
+               {-1, 0, 0},
+               {INT32_MIN, 0, 0},
+               {1000000000000000, 1, 1},
+               {1000000000000001, 1, 0},
+               {LONG_MAX, 1, 0},
+               {LONG_MIN, 1, 0}};
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        const int fits = row[k].number >= INT32_MIN && row[k].number <= INT32_MAX;
+        for (int at = 0; at < 3; at++) {
+            int count[3] = {0};
+            long longs[3] = {0};
+            count[at] = fits ? (int)row[k].number : 0;
+            longs[at] = row[k].number;
+            Checkpoint reading[2] = {checkpoint_over("", 0, NULL), checkpoint_over("", 0, NULL)};
+            checkpoint_counts(&reading[0], 3, count);
+            checkpoint_longs(&reading[1], 3, longs);
+            assert_int_equal(reading[0].status, row[k].count ? HAWSER_OK : HAWSER_ERR_INPUT);
+            assert_int_equal(reading[1].status, row[k].longs ? HAWSER_OK : HAWSER_ERR_INPUT);
+            if (!row[k].count)
+                assert_string_equal(reading[0].fault, "a number of what has happened so far is impossible");
+            Checkpoint writing = checkpoint_new(ROOM);
+            checkpoint_counts(&writing, 3, count);
+            checkpoint_longs(&writing, 3, longs);
+            assert_int_equal(writing.status, HAWSER_OK);
+            checkpoint_free(&writing);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_round_trip), cmocka_unit_test(test_lists),       cmocka_unit_test(test_cut_off),
         cmocka_unit_test(test_changed),    cmocka_unit_test(test_first_fault), cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_hash),       cmocka_unit_test(test_extras),      cmocka_unit_test(test_no_extras),
-        cmocka_unit_test(test_profiles),
+        cmocka_unit_test(test_counts),     cmocka_unit_test(test_hash),        cmocka_unit_test(test_extras),
+        cmocka_unit_test(test_no_extras),  cmocka_unit_test(test_profiles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
