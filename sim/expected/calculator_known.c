@@ -258,13 +258,12 @@ static double tension_most(const Scene *scene)
     return fmax(most, profile_largest_until(&scene->def.winch.tension, until));
 }
 
-/* The calculation takes conveyors as the case has them, not as the crew changes them or as they jam, and a winch that
- * can pull: one of a set tension stops where that is not enough. */
-static hawser_condition drive_of(const Scene *scene, const Calculator *c)
+/* The calculation takes conveyors, rollers and motors as the case has them, not as the crew changes them or as they
+ * jam. */
+static hawser_condition drive_told(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
     hawser_condition out = {.name = "drive", .unit = "1", .holds = 1};
-    double needed = 0, has = tension_set(scene);
     for (int i = 0; i < def->n_jams; ++i) {
         const char *const what = def->jams[i].what;
         if (conveyor_named(def, what)) conveyor_doubted("jams", "stops", what, &out);
@@ -284,33 +283,64 @@ static hawser_condition drive_of(const Scene *scene, const Calculator *c)
     }
     const char *const late = motor_late(scene);
     if (late && out.holds) drive_doubted("rollers", "have a motor that comes in late,", late, &out);
-    for (int k = 0; k < PLAN_WAYS; ++k)
-        if (!c->def.skip[k] && (k == PLAN_FORWARD || c->def.skip[PLAN_FORWARD]))
-            needed = fmax(c->plan.way[k].force, c->heads[k].peak.force);
-    if (!def->winch.present || def->winch.mode != WINCH_TENSION) return out;
+    return out;
+}
+
+/* Where the winch needs least, with the front where it begins or at a corner ahead of that. */
+static hawser_status least_needed(const Scene *scene, const Calculator *c, int way, HeadForce *least, hawser_error *err)
+{
+    const double forth = way == PLAN_BACKWARD ? -1 : 1, begins = fmax(0, scene->joint_s[scene->eye]);
+    const double first = way == PLAN_BACKWARD ? c->route->length - begins : begins;
+    HeadSeries fronts = {0};
+    hawser_status status = plan_head(&c->def, &c->plan.duct, way, first, least, err);
+    if (!status) status = plan_heads(&c->def, &c->plan.duct, way, INFINITY, &fronts, err);
+    for (int i = 0; i < fronts.n; ++i)
+        if (forth * (fronts.row[i].head - first) > 0 && fronts.row[i].force < least->force) *least = fronts.row[i];
+    plan_heads_free(&fronts);
+    return status;
+}
+
+/* A set tension that no speed bounds is the pull all the way, also where less is needed. */
+static hawser_status drive_unbounded(const Scene *scene, const Calculator *c, int way, hawser_condition *out,
+                                     hawser_error *err)
+{
     const double most = tension_most(scene);
-    if (has >= needed * (1 - 1e-9) && most > MORE * needed && !isfinite(scene->winch->speed_limit) && out.holds) {
-        out = (hawser_condition){.name = "drive", .unit = "1", .value = most / needed, .allowed = MORE};
-        snprintf(out.remedy, sizeof out.remedy,
-                 "the winch pulls with %.4g kN, where %.4g kN are needed: without drive.winch.tension.speed_limit that "
-                 "is the pull, and the cable gathers speed",
-                 most / 1e3, needed / 1e3);
-    }
-    if (has >= needed * (1 - 1e-9)) return out;
-    out.value = needed / has;
-    out.allowed = 1;
-    out.holds = 0;
-    snprintf(out.remedy, sizeof out.remedy,
+    HeadForce least;
+    const hawser_status status = least_needed(scene, c, way, &least, err);
+    if (status || !(most > MORE * least.force)) return status;
+    const double needed = fmax(least.force, 0);
+    *out = (hawser_condition){.name = "drive", .unit = "1", .value = most / fmax(needed, 1e-3 * most), .allowed = MORE};
+    snprintf(out->remedy, sizeof out->remedy,
+             "the winch pulls with %.4g kN, where %.4g kN are needed with the front at %.4g m: without "
+             "drive.winch.tension.speed_limit that is the pull, and the cable gathers speed",
+             most / 1e3, needed / 1e3, least.head);
+    return HAWSER_OK;
+}
+
+/* What drives the cable is known, and can: a winch of a set tension stops where that is not enough. */
+static hawser_status drive_of(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err)
+{
+    const int way = c->def.skip[PLAN_FORWARD] ? PLAN_BACKWARD : PLAN_FORWARD;
+    const double needed = fmax(c->plan.way[way].force, c->heads[way].peak.force), has = tension_set(scene);
+    *out = drive_told(scene);
+    if (!scene->def.winch.present || scene->def.winch.mode != WINCH_TENSION) return HAWSER_OK;
+    if (has >= needed * (1 - 1e-9))
+        return out->holds && !isfinite(scene->winch->speed_limit) ? drive_unbounded(scene, c, way, out, err)
+                                                                  : HAWSER_OK;
+    out->value = needed / has;
+    out->allowed = 1;
+    out->holds = 0;
+    snprintf(out->remedy, sizeof out->remedy,
              "the winch pulls with at most %.4g kN (drive.winch.tension), and %.4g kN are needed: it stops on the way",
              has / 1e3, needed / 1e3);
-    return out;
+    return HAWSER_OK;
 }
 
 hawser_status calculator_know(const Scene *scene, Calculator *c, hawser_error *err)
 {
     c->known[KNOWN_FRICTION] = friction_of(scene, c->def.lightest > 0 ? c->def.lightest : scene->cable_weight);
     c->known[KNOWN_MEDIUM] = medium_of(scene);
-    c->known[KNOWN_DRIVE] = drive_of(scene, c);
     friction_told(&scene->def, &c->known[KNOWN_FRICTION]);
-    return supported_by(scene, c, &c->known[KNOWN_SUPPORT], err);
+    const hawser_status status = drive_of(scene, c, &c->known[KNOWN_DRIVE], err);
+    return status ? status : supported_by(scene, c, &c->known[KNOWN_SUPPORT], err);
 }

@@ -16,13 +16,19 @@ static void says(const char *const *settings, const char *part)
     json_decref(all);
 }
 
-/* A winch of set tension pulls with what is set. */
+/* A winch of set tension pulls with what is set, all the way: 1.45 kN also where the front is at 20 m and 814 N do. */
 static void tension_beyond_what_is_needed(void **state)
 {
     (void)state;
-    says((const char *const[]){"drive.winch", "{tension: {force: 10 kN, to: 2 s}}", NULL}, "where 1.442 kN are needed");
-    says((const char *const[]){"drive.winch", "{tension: {force: 1.45 kN, to: 2 s}}", NULL}, "SAFE: all");
-    says((const char *const[]){"drive.winch", "{tension: {force: 10 kN, to: 2 s, speed_limit: 0.1 m/s}}", NULL},
+    static const char limited[] = "{tension: {force: 1.45 kN, to: 2 s, speed_limit: 0.1 m/s}}";
+    says((const char *const[]){"drive.winch", "{tension: {force: 10 kN, to: 2 s}}", NULL},
+         "where 0.8139 kN are needed");
+    says((const char *const[]){"drive.winch", "{tension: {force: 1.45 kN, to: 2 s}}", NULL},
+         "where 0.8139 kN are needed with the front at 20 m");
+    says((const char *const[]){"drive.winch", "{tension: {force: 1.4 kN, to: 2 s}}", NULL}, "1.442 kN are needed");
+    says((const char *const[]){"drive.winch", limited, NULL}, "SAFE: all");
+    /* a cable that lies in the route already needs the same all the way */
+    says((const char *const[]){"route.head_at", "59.9 m", "drive.winch", "{tension: {force: 1.45 kN, to: 2 s}}", NULL},
          "SAFE: all");
 }
 
