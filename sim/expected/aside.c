@@ -32,7 +32,9 @@ typedef struct Gate {
 typedef struct Gates {
     const Scene *scene;
     const Calculator *c;
-    double cable, weight; /* m, its radius; N/m, of the lightest piece */
+    int rope;             /* it is the rope ahead that is asked, where it lies before the cable has come there */
+    double cable, weight; /* m, its radius; N/m, of the lightest piece; or the rope's */
+    double from, to;      /* m along the route, where it is asked */
     int flanks;           /* whether flanks that bear something hold the cable on the route; else it may leave them */
     int n;
     Gate *gate; /* [n] by rising s */
@@ -259,6 +261,7 @@ static void press_take(const Gates *g, const Pull *pull, Point a, Point b, Point
     const double turn = fabs(turn_at(a, b, c));
     if (b.gate < 0 || !(turn > STRAIGHT)) return;
     const Gate *const gate = &g->gate[b.gate];
+    if (gate->s < g->from || gate->s > g->to) return;
     const RoutePoint at = route_at(g->c->route, gate->s);
     const double tension = fmax(0, pull_at(pull, gate->s).tension), level = hypot(at.tangent.x, at.tangent.y);
     const double force = tension * level * turn;
@@ -345,34 +348,41 @@ static Press route_press(const Gates *g, const Pull *pull)
     return worst;
 }
 
-static void press_say(const Press *press, hawser_condition *out)
+static void press_say(const Gates *g, const Press *press, hawser_condition *out)
 {
     const char *const end = "give 'guide: inside' there, or leave out 'run' and 'drive'";
+    const char *const what = g->rope ? "rope" : "cable";
     out->holds = 0;
     out->unit = "N";
     out->value = press->force;
     out->allowed = press->borne;
     if (press->borne > 0) {
         snprintf(out->remedy, sizeof out->remedy,
-                 "taut, the cable presses to the side with %.3g N at %.1f m, and what leans or is grooved there bears "
+                 "taut, the %s presses to the side with %.3g N at %.1f m, and what leans or is grooved there bears "
                  "%.3g N: %s",
-                 press->force, press->s, press->borne, end);
+                 what, press->force, press->s, press->borne, end);
     } else {
         snprintf(out->remedy, sizeof out->remedy,
-                 "nothing holds the cable to the side at %.1f m (guide, groove, wall or duct): taut, it runs off its "
+                 "nothing holds the %s to the side at %.1f m (guide, groove, wall or duct): taut, it runs off its "
                  "rollers; %s",
-                 press->s, end);
+                 what, press->s, end);
     }
 }
 
-/* What it presses with at worst, beyond what is borne there, either way. */
-static hawser_status worst_press(Gates *g, Press *worst, hawser_error *err)
+/* What it presses with at worst, beyond what is borne there, either way. As the cable's front comes to a place the rope
+ * has the tension there that the cable has from then on. */
+static hawser_status worst_press(Gates *g, int flanks, Press *worst, hawser_error *err)
 {
     const Calculator *const c = g->c;
+    const double begins = g->rope ? fmax(0, g->scene->joint_s[g->scene->eye]) : 0;
+    g->flanks = flanks;
+    g->n = 0;
     const hawser_status status = gates_find(g, err);
     *worst = (Press){0};
     for (int k = 0; k < PLAN_WAYS && !status; ++k) {
         if (c->def.skip[k]) continue;
+        g->from = k == PLAN_BACKWARD ? 0 : begins;
+        g->to = c->route->length - (k == PLAN_BACKWARD ? begins : 0);
         const Press press = route_press(g, &c->plan.way[k].pull);
         if (press.force - press.borne > worst->force - worst->borne) *worst = press;
     }
@@ -380,17 +390,26 @@ static hawser_status worst_press(Gates *g, Press *worst, hawser_error *err)
     return status;
 }
 
+/* It leaves flanks that do not bear it: guides beside them may. */
+static hawser_status ask_aside(Gates *g, hawser_condition *out, hawser_error *err)
+{
+    Press worst, guided;
+    hawser_status status = worst_press(g, 1, &worst, err);
+    if (status || !(worst.force > worst.borne)) return status;
+    status = worst_press(g, 0, &guided, err);
+    if (!status && guided.force > guided.borne) press_say(g, worst.borne > 0 ? &worst : &guided, out);
+    return status;
+}
+
 hawser_status aside_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err)
 {
-    const double weight = c->def.lightest > 0 ? c->def.lightest : scene->cable_weight;
-    Gates g = {.scene = scene, .c = c, .cable = bundle_diameter(&scene->def) / 2, .weight = weight, .flanks = 1};
+    const double weight = c->def.lightest > 0 ? c->def.lightest : scene->cable_weight,
+                 thick = bundle_diameter(&scene->def);
+    const double rope = rope_diameter(scene);
+    Gates g = {.scene = scene, .c = c, .cable = thick / 2, .weight = weight};
     if (!scene->def.winch.present && c->n_pushers == 0) return HAWSER_OK; /* nothing moves it on */
-    Press worst, guided;
-    hawser_status status = worst_press(&g, &worst, err);
-    if (status || !(worst.force > worst.borne)) return status;
-    /* it leaves flanks that do not bear it: guides beside them may */
-    g.flanks = g.n = 0;
-    status = worst_press(&g, &guided, err);
-    if (!status && guided.force > guided.borne) press_say(worst.borne > 0 ? &worst : &guided, out);
-    return status;
+    const hawser_status status = ask_aside(&g, out, err);
+    if (status || !out->holds || !(c->def.rope_weight > 0)) return status;
+    g = (Gates){.scene = scene, .c = c, .rope = 1, .cable = fmin(rope, thick) / 2, .weight = c->def.rope_weight};
+    return ask_aside(&g, out, err);
 }

@@ -102,6 +102,9 @@ void finding_load(Finding *worst, const char *roller, double load, double rating
 
 /* --------------------------------------------------------------------------- what bends the rope: rope_bend.c */
 
+/* The rope's diameter, m: as the case says, or of the thickest rope in the chain, which may be one; NAN: nobody knows.
+ */
+double rope_diameter(const Scene *scene);
 /* The smallest diameter that the rope is bent round ahead of `head` (m along the route), over its own: of bends, of
  * rollers on which it turns, of the sheave that the case names. */
 Finding rope_bend(const Scene *scene, const Route *route, double head, int n, const Turner *turner);

@@ -131,9 +131,7 @@ static double bent_round(const SceneDef *def, const Route *route, int p, int to,
     return fmin(round, 2 * radius);
 }
 
-/* The rope's diameter, m: as the case says, or of the thickest rope in the chain, which may be one; NAN: nobody knows.
- */
-static double rope_diameter(const Scene *scene)
+double rope_diameter(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
     if (!isnan(def->limits.rope_diameter)) return def->limits.rope_diameter;
