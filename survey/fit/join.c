@@ -75,6 +75,12 @@ static void grid_near(const Grid *g, Vec3 p, int (*each)(void *data, int i), voi
 
 /* ------------------------------------------------------------------------------------------------------------- ends */
 
+/* Pieces that go straight up at one knot: their heights, m. */
+typedef struct Shaft {
+    double low, high;
+    int n;
+} Shaft;
+
 /* Pieces that are to be joined, with their two ends. */
 typedef struct Net {
     int n;
@@ -87,6 +93,7 @@ typedef struct Net {
     int *ends;               /* [2 n] of a knot: how many */
     char *used;              /* [n] */
     int *order;              /* [n] */
+    Shaft *shaft;            /* [2 n] of a knot */
 } Net;
 
 static int is_chosen(const Alignment *a, const JoinOptions *o)
@@ -108,9 +115,10 @@ static int net_alloc(const Survey *s, Net *net)
                  malloc(2 * n * sizeof *net->other),
                  calloc(2 * n, sizeof *net->ends),
                  calloc(n, 1),
-                 malloc(n * sizeof *net->order)};
+                 malloc(n * sizeof *net->order),
+                 malloc(2 * n * sizeof *net->shaft)};
     return net->piece && net->length && net->end && net->knot && net->first && net->other && net->ends && net->used &&
-           net->order;
+           net->order && net->shaft;
 }
 
 static void net_free(Net *net)
@@ -124,28 +132,31 @@ static void net_free(Net *net)
     free(net->ends);
     free(net->used);
     free(net->order);
+    free(net->shaft);
 }
+
+static int is_flat(const Alignment *a) { return a->n_profile == 0 && (a->flat || a->n_points == 0); }
 
 static void net_fill(const Survey *s, const JoinOptions *o, Net *net)
 {
     for (int i = 0; i < s->n; ++i) {
         if (!is_chosen(&s->alignment[i], o)) continue;
-        const AlignmentMeasure m = alignment_measure(&s->alignment[i]);
-        net->piece[net->n] = &s->alignment[i];
+        const Alignment *const a = &s->alignment[i];
+        const AlignmentMeasure m = alignment_measure(a);
+        net->piece[net->n] = a;
         net->length[net->n] = m.plan_length;
         net->end[2 * net->n] = m.start;
-        net->end[2 * net->n + 1] = m.end;
+        net->end[2 * net->n + 1] = a->n_points > 0 && !is_flat(a) ? a->point[a->n_points - 1] : m.end;
         ++net->n;
     }
 }
 
-static int is_flat(const Alignment *a) { return a->n_profile == 0 && (a->flat || a->n_points == 0); }
-
 typedef struct Search {
     const Net *net;
     int from, found;
-    int gaps; /* looked for: the two ends of one straight piece are none */
-    double within, least;
+    int gaps;             /* looked for: the two ends of one straight piece are none */
+    double within, least; /* m in plan */
+    double rank;          /* m, of the one that was found: of ends that are as near the one at its height counts */
 } Search;
 
 /* An end that may be the same place: near in plan, and in height if both have heights. */
@@ -153,11 +164,12 @@ static int end_near(void *data, int i)
 {
     Search *const s = data;
     const Vec3 a = s->net->end[s->from], b = s->net->end[i];
-    const double away = hypot(a.x - b.x, a.y - b.y);
+    const double away = hypot(a.x - b.x, a.y - b.y), rank = hypot(away, 1e-3 * (a.z - b.z));
     const int level = is_flat(s->net->piece[s->from / 2]) || is_flat(s->net->piece[i / 2]);
-    if (i == s->from || away > s->within || away >= s->least) return 0;
+    if (i == s->from || away > s->within || rank >= s->rank) return 0;
     if (s->gaps && i / 2 == s->from / 2 && away > 0.5 * s->net->length[i / 2]) return 0;
-    if (!level && fabs(a.z - b.z) > s->within) return 0;
+    if (!level && !s->gaps && fabs(a.z - b.z) > s->within) return 0;
+    s->rank = rank;
     s->least = away;
     s->found = i;
     return 0;
@@ -169,8 +181,9 @@ static int knots_find(const JoinOptions *o, Net *net)
     Grid g;
     const int fine = grid_alloc(2 * net->n, net->end, o->tolerance, &g);
     for (int i = 0; fine && i < 2 * net->n; ++i) {
-        Search s = {net, i, -1, 0, o->tolerance, INFINITY};
+        Search s = {net, i, -1, 0, o->tolerance, INFINITY, INFINITY};
         net->first[i] = net->other[i] = -1;
+        net->shaft[i] = (Shaft){INFINITY, -INFINITY, 0};
         grid_near(&g, net->end[i], end_near, &s);
         net->knot[i] = s.found < 0 ? i : net->knot[s.found];
         if (s.found < 0) grid_put(&g, i); /* the first there stands for all */
@@ -190,28 +203,56 @@ static int is_double(const Net *net, int i, int k, double tolerance)
     return hypot(a.x - b.x, a.y - b.y) <= 2 * tolerance;
 }
 
-/* Hangs the ends to their knots; pieces drawn twice, those that go straight up or down, and those that are shorter than
- * the tolerance, are left out. */
+static int goes_up(const Net *net, int i, double tolerance)
+{
+    return net->length[i] <= 2 * tolerance && fabs(net->end[2 * i].z - net->end[2 * i + 1].z) > tolerance;
+}
+
+static void piece_hang(Net *net, int i)
+{
+    for (int e = 2 * i; e <= 2 * i + 1; ++e) {
+        const int knot = net->knot[e];
+        net->other[e] = net->first[knot];
+        net->first[knot] = e;
+        net->ends[knot]++;
+    }
+    net->used[i] = 0;
+}
+
+/* What goes straight up or down is a shaft of the line if one piece ends at its foot and one at its head; at one knot,
+ * of pieces without heights too, it may join these. Others stand beside the line. */
+static void shaft_hang(Net *net, int i, Joined *joined)
+{
+    const int a = net->knot[2 * i], b = net->knot[2 * i + 1];
+    if (a != b && net->ends[a] == 1 && net->ends[b] == 1) {
+        piece_hang(net, i);
+        return;
+    }
+    const double z[] = {net->end[2 * i].z, net->end[2 * i + 1].z};
+    Shaft *const at = &net->shaft[a];
+    joined->upright++;
+    if (a != b) return;
+    at->low = fmin(at->low, fmin(z[0], z[1]));
+    at->high = fmax(at->high, fmax(z[0], z[1]));
+    at->n++;
+}
+
+/* Hangs the ends to their knots; pieces drawn twice, and those that are shorter than the tolerance, are left out. */
 static void ends_hang(const JoinOptions *o, Net *net, Joined *joined)
 {
     for (int i = 0; i < net->n; ++i) {
-        const int a = net->knot[2 * i], b = net->knot[2 * i + 1];
-        const int upright =
-            net->length[i] <= 2 * o->tolerance && fabs(net->end[2 * i].z - net->end[2 * i + 1].z) > o->tolerance;
-        int twice = upright || (a == b && net->length[i] <= 2 * o->tolerance), looked = 0;
+        const int a = net->knot[2 * i], b = net->knot[2 * i + 1], up = goes_up(net, i, o->tolerance);
+        int twice = a == b && net->length[i] <= 2 * o->tolerance, looked = 0;
+        net->used[i] = 1;
+        if (up) continue;
         for (int e = net->first[a]; e >= 0 && !twice && looked < LOOKED_AT; e = net->other[e], ++looked) {
             twice = is_double(net, e / 2, i, o->tolerance);
         }
-        joined->doubles += twice && !upright;
-        joined->upright += upright;
-        net->used[i] = (char)twice;
-        for (int k = 0; k < 2 && !twice; ++k) {
-            const int e = 2 * i + k, knot = net->knot[e];
-            net->other[e] = net->first[knot];
-            net->first[knot] = e;
-            net->ends[knot]++;
-        }
+        joined->doubles += twice;
+        if (!twice) piece_hang(net, i);
     }
+    for (int i = 0; i < net->n; ++i)
+        if (goes_up(net, i, o->tolerance)) shaft_hang(net, i, joined);
 }
 
 /* ------------------------------------------------------------------------------------------------------------- doubts
@@ -239,7 +280,7 @@ static int doubts_find(const JoinOptions *o, const Net *net, Joined *joined)
         if (net->knot[i] == i && net->ends[i] > 2)
             doubt_add(joined, (JoinDoubt){JOIN_FORK, net->end[i], net->ends[i], 0, 0});
         if (net->knot[i] != i || net->ends[i] == 0) continue;
-        Search s = {net, i, -1, 1, gap_reach(o->tolerance), INFINITY};
+        Search s = {net, i, -1, 1, gap_reach(o->tolerance), INFINITY, INFINITY};
         if (net->ends[i] == 1) grid_near(&g, net->end[i], end_near, &s);
         if (s.found >= 0)
             doubt_add(joined, (JoinDoubt){JOIN_GAP, net->end[i], 1, s.least, rise_between(net, i, s.found)});
@@ -367,10 +408,23 @@ static int level_add(Alignment *a, double z)
     return e != NULL;
 }
 
+/* Whether the height of a line jumps where the next of its pieces begins, at z. A shaft that is drawn there is the
+ * line's. */
+static int jumps(Net *net, int piece, double z, const Alignment *line, double tolerance, Joined *joined)
+{
+    Shaft *const shaft = &net->shaft[net->knot[piece < 0 ? 2 * (-1 - piece) + 1 : 2 * piece]];
+    const double before = line->point[line->n_points - 1].z, within = 2 * tolerance;
+    if (fabs(z - before) <= within) return 0;
+    if (!(shaft->low <= fmin(before, z) + within && shaft->high >= fmax(before, z) - within)) return 1;
+    joined->upright -= shaft->n;
+    shaft->n = 0;
+    return 0;
+}
+
 /* n pieces of net->order as one line: of elements if none has heights, or there are curves and all are at one height;
- * of points if there is nothing but points, or heights differ. Heights that jump where two pieces meet are those of
- * pieces without: then the line has none. */
-static int line_make(const Net *net, int n, double tolerance, Joined *joined, Survey *to)
+ * of points if there is nothing but points, or heights differ. Heights that jump where two pieces meet are a shaft that
+ * is drawn there, or those of pieces without: then the line has none. */
+static int line_make(Net *net, int n, double tolerance, Joined *joined, Survey *to)
 {
     const Common all = common_of(net, n);
     const int elements = all.elements && (!all.heights || (all.level && all.bent));
@@ -395,7 +449,7 @@ static int line_make(const Net *net, int n, double tolerance, Joined *joined, Su
             return 1;
         }
         const double z = alignment_measure(&piece).start.z;
-        if (all.heights && line->n_points) jump |= fabs(z - line->point[line->n_points - 1].z) > 2 * tolerance;
+        if (all.heights && line->n_points) jump |= jumps(net, net->order[k], z, line, tolerance, joined);
         fine = elements ? elements_take(&piece, line) : points_take(&piece, line);
         alignment_clear(&piece);
     }

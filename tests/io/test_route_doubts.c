@@ -186,6 +186,21 @@ static void lines_beside_the_route(void **state)
               "2 other lines, together 43 m, are not in the route");
 }
 
+/* A shaft between two lines is part of the route, with a radius for its corners: 120 m less what two quarter arcs of 2
+ * m cut off, 2 (4 - pi) m. It was left out, and the route level. Without a radius there is no such profile. */
+static void a_shaft_in_a_drawing(void **state)
+{
+    (void)state;
+    static const char shaft[] =
+        DXF(DXF_LINE(0, 0, 0, 50, 0, 0) DXF_LINE(50, 0, 0, 50, 0, 20) DXF_LINE(50, 0, 20, 100, 0, 20));
+    check_has(said("shaft.dxf", shaft, ", radius: 2 m"), "\"route_length_m\": 118.2831853");
+    assert_null(strstr(said("shaft.dxf", shaft, ", radius: 2 m"), "straight up"));
+    check_has(said("shaft.dxf", shaft, ""), "is 20 m above or below a point that lies no farther along the line");
+    static const char beside[] =
+        DXF(DXF_LINE(0, 0, 5, 50, 0, 5) DXF_LINE(50, 0, 5, 50, 0, 25) DXF_LINE(50, 0, 5, 100, 0, 5));
+    check_has(said("manhole.dxf", beside, ""), "pieces straight up or down, layer");
+}
+
 /* A drawing without units is in metres, and a case says that it was taken so, unless it gives them. */
 static void units_that_are_not_said(void **state)
 {
@@ -206,6 +221,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gaps_between_elements),  cmocka_unit_test(jumps_of_the_profile),
         cmocka_unit_test(straights_beside_arcs),  cmocka_unit_test(radius_beside_curves),
-        cmocka_unit_test(lines_beside_the_route), cmocka_unit_test(units_that_are_not_said)};
+        cmocka_unit_test(lines_beside_the_route), cmocka_unit_test(units_that_are_not_said),
+        cmocka_unit_test(a_shaft_in_a_drawing)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -189,6 +189,64 @@ static void pieces_without_heights(void **state)
     survey_clear(&s);
 }
 
+/* A shaft that is drawn as a line straight up joins what ends at its foot and at its head, at any height and in any
+ * order, pieces at 0 m too, which may have no heights; it was left out, and the line was level. */
+static void shafts(void **state)
+{
+    (void)state;
+    static const double foot[] = {5, 0, -20};
+    for (int k = 0; k < 12; ++k) {
+        const double z = foot[k % 3];
+        Survey s = {0};
+        Joined j;
+        const Vec3 low = v3(50, 0, z), high = v3(50, 0, z + 20);
+        const int turned = k / 3 % 2, first = k / 6;
+        if (first) straight(&s, "C", turned ? high : low, turned ? low : high);
+        straight(&s, "C", v3(0, 0, z), low);
+        if (!first) straight(&s, "C", turned ? high : low, turned ? low : high);
+        straight(&s, "C", v3(100, 0, z + 20), high);
+        Survey to = joined(&s, NULL, &j);
+        assert_int_equal(to.n, 1);
+        const Alignment *const line = &to.alignment[0];
+        assert_int_equal(j.upright + j.lost_heights + j.doubles + j.n_doubts, 0);
+        assert_false(line->flat);
+        check_close(alignment_measure(line).length, 120, 1e-9);
+        check_close(fabs(line->point[0].z - line->point[line->n_points - 1].z), 20, 1e-12);
+        survey_clear(&to);
+        survey_clear(&s);
+    }
+}
+
+/* One that stands beside the line, or at its end, is none of it; what it does not reach is a gap in height. */
+static void shafts_beside(void **state)
+{
+    (void)state;
+    Survey s = {0};
+    Joined j;
+    straight(&s, "C", v3(0, 0, 5), v3(50, 0, 5));
+    straight(&s, "C", v3(50, 0, 5), v3(50, 0, 25));
+    straight(&s, "C", v3(50, 0, 5), v3(100, 0, 5));
+    straight(&s, "C", v3(100, 0, 5), v3(100, 0, 9));
+    Survey to = joined(&s, NULL, &j);
+    assert_int_equal(to.n, 1);
+    assert_int_equal(j.upright, 2);
+    check_close(alignment_measure(&to.alignment[0]).length, 100, 1e-9);
+    survey_clear(&to);
+    survey_clear(&s);
+    for (int reaches = 0; reaches < 2; ++reaches) {
+        straight(&s, "C", v3(0, 0, 5), v3(50, 0, 5));
+        straight(&s, "C", v3(50, 0, 5), v3(50, 0, reaches ? 25 : 15));
+        straight(&s, "C", v3(50, 0, 25), v3(100, 0, 25));
+        to = joined(&s, NULL, &j);
+        assert_int_equal(to.n, reaches ? 1 : 2);
+        assert_int_equal(j.upright, !reaches);
+        assert_int_equal(j.n_gaps, !reaches);
+        if (!reaches) check_close(j.doubt[0].rise, 20, 1e-12);
+        survey_clear(&to);
+        survey_clear(&s);
+    }
+}
+
 /* The two ends of a short straight are no gap; those of a line that nearly closes are. */
 static void own_ends(void **state)
 {
@@ -236,6 +294,8 @@ int main(void)
                                        cmocka_unit_test(heights),
                                        cmocka_unit_test(arcs_at_a_height),
                                        cmocka_unit_test(pieces_without_heights),
+                                       cmocka_unit_test(shafts),
+                                       cmocka_unit_test(shafts_beside),
                                        cmocka_unit_test(own_ends),
                                        cmocka_unit_test(many),
                                        cmocka_unit_test(choosing)};
