@@ -320,6 +320,7 @@ static int point_add(Alignment *a, Vec3 p)
 /* What pieces that become one line have in common. */
 typedef struct Common {
     int heights, elements; /* some have them */
+    int partly;            /* some have lost them */
     int drawn;             /* all are straights, or curves that the file has */
     int bent;              /* some are curves of the file */
     int level;             /* all have heights, and these are z */
@@ -344,6 +345,7 @@ static Common common_of(const Net *net, int n)
         const double z = alignment_at(a, 0).at.z;
         c.heights |= !is_flat(a) && n > 1;
         c.elements |= a->n_plan > 0;
+        c.partly |= a->partly;
         c.drawn &= a->n_plan > 0 || a->drawn;
         c.bent |= a->bent;
         for (int i = 0; i < a->n_plan; ++i) c.bent |= a->plan[i].k0 != 0 || a->plan[i].k1 != 0;
@@ -443,6 +445,7 @@ static int line_make(Net *net, int n, double tolerance, Joined *joined, Survey *
             line->flat = !all.heights;
             line->drawn = all.drawn;
             line->bent = all.bent;
+            line->partly = all.partly;
         }
         if (n == 1) { /* as it is */
             *line = piece;
@@ -456,7 +459,7 @@ static int line_make(Net *net, int n, double tolerance, Joined *joined, Survey *
     if (fine && elements && all.level) fine = level_add(line, all.z);
     if (fine && jump) { /* pieces without heights among others */
         for (int i = 0; i < line->n_points; ++i) line->point[i].z = 0;
-        line->flat = 1;
+        line->flat = line->partly = 1;
         joined->lost_heights++;
     }
     return fine;

@@ -47,7 +47,8 @@ static hawser_status line_read(MapPlaces *p, const json_t *positions, const Labe
         heights += (size_t)has_height;
     }
     a->flat = heights < n;
-    if (a->flat && heights) survey_ignore(s, "heights of a line in which some points have none");
+    a->partly = a->flat && heights > 0;
+    if (a->partly) survey_ignore(s, "heights of a line in which some points have none");
     for (int i = 0; i < a->n_points && a->flat; ++i) a->point[i].z = 0;
     return HAWSER_OK;
 }

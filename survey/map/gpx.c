@@ -102,7 +102,8 @@ static void line_end(Reader *r)
     if (r->line < 0) return;
     Alignment *const a = &s->alignment[r->line];
     a->flat = r->heights < r->points;
-    if (a->flat && r->heights) survey_ignore(s, "heights of a line in which some points have none");
+    a->partly = a->flat && r->heights > 0;
+    if (a->partly) survey_ignore(s, "heights of a line in which some points have none");
     for (int i = 0; i < a->n_points && a->flat; ++i) a->point[i].z = 0;
     if (a->n_points < 2) {
         survey_ignore(s, "a line of fewer than two points");

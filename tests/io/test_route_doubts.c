@@ -201,6 +201,25 @@ static void a_shaft_in_a_drawing(void **state)
     check_has(said("manhole.dxf", beside, ""), "pieces straight up or down, layer");
 }
 
+/* Heights of a part of the route were left out with those that are there, and the route was level at 0 m. */
+static void heights_of_a_part(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name, *text;
+    } file[] = {
+        {"map.geojson", "{\"type\":\"Feature\",\"coordinates_in\":\"m\",\"properties\":{},\"geometry\":{\"type\":"
+                        "\"LineString\",\"coordinates\":[[0,0,5],[100,0,9],[200,0]]}}"},
+        {"track.gpx", "<gpx version=\"1.1\"><trk><trkseg><trkpt lat=\"50\" lon=\"7\"><ele>5</ele></trkpt><trkpt "
+                      "lat=\"50\" lon=\"7.001\"/><trkpt lat=\"50\" lon=\"7.002\"><ele>9</ele></trkpt></trkseg>"
+                      "</trk></gpx>"},
+        {"plan.dxf", DXF(DXF_LINE(0, 0, 30, 50, 0, 31) DXF_LINE(50, 0, 0, 100, 0, 0))}};
+    for (size_t k = 0; k < sizeof file / sizeof *file; ++k) {
+        check_has(said(file[k].name, file[k].text, ""), "give it one 'height', or a 'profile'");
+        check_has(said(file[k].name, file[k].text, ", height: 12 m"), "route_length_m");
+    }
+}
+
 /* A drawing without units is in metres, and a case says that it was taken so, unless it gives them. */
 static void units_that_are_not_said(void **state)
 {
@@ -222,6 +241,6 @@ int main(void)
         cmocka_unit_test(gaps_between_elements),  cmocka_unit_test(jumps_of_the_profile),
         cmocka_unit_test(straights_beside_arcs),  cmocka_unit_test(radius_beside_curves),
         cmocka_unit_test(lines_beside_the_route), cmocka_unit_test(units_that_are_not_said),
-        cmocka_unit_test(a_shaft_in_a_drawing)};
+        cmocka_unit_test(a_shaft_in_a_drawing),   cmocka_unit_test(heights_of_a_part)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
