@@ -49,7 +49,7 @@ typedef struct Alignment {
     Vec3 *point;             /* [n_points] corners of a line of straights; then there are no elements in plan */
     PieceNames names;        /* of elements in plan */
     int flat;                /* the points have no heights of their own */
-    int partly;              /* some of them had, or some of its pieces, which are not kept */
+    int partly;              /* the file has heights of some of it, which are not kept */
     int drawn;               /* the points are corners with straights between; else they may be places along bends */
     int bent;                /* some of the points are places along curves of the file: no corners to be rounded */
     int whole;               /* parts of one feature of a map have the same number here; 0: it has but one */

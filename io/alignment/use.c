@@ -88,10 +88,12 @@ static hawser_status asked_check(const Alignment *from, const Alignment *profile
     if (!isnan(options->height) && heights && !profile)
         return error_set(err, HAWSER_ERR_INPUT,
                          "'%.60s' has heights of its own: a 'height' is for a line without, leave it out", from->name);
-    if (from->partly && !profile && isnan(options->height))
-        return error_set(err, HAWSER_ERR_INPUT,
-                         "'%.60s': some of it has heights and some has none: give it one 'height', or a 'profile'",
-                         from->name);
+    if (from->partly && from->n_profile == 0 && !profile && isnan(options->height))
+        return error_set(
+            err, HAWSER_ERR_INPUT,
+            "'%.60s': the file has heights of a part of it, or beside its plan, which cannot be kept: give "
+            "it one 'height', or a 'profile'",
+            from->name);
     if (!isnan(options->corner) && (bent || profile || from->n_profile > 0))
         return error_set(err, HAWSER_ERR_INPUT,
                          "'%.60s' has %s: a 'radius' rounds the corners of a line of straights without, leave it out",

@@ -320,7 +320,7 @@ static int point_add(Alignment *a, Vec3 p)
 /* What pieces that become one line have in common. */
 typedef struct Common {
     int heights, elements; /* some have them */
-    int partly;            /* some have lost them */
+    int partly;            /* the file has them of some, which are not kept */
     int drawn;             /* all are straights, or curves that the file has */
     int bent;              /* some are curves of the file */
     int level;             /* all have heights, and these are z */

@@ -202,7 +202,12 @@ static int next_number(Reader *r, char **text, double *value)
     return 0;
 }
 
-static const char *const lost_heights = "heights of Start, End and PntList3D: only those of a Profile are read";
+/* Heights beside the plan are not read: without a Profile nobody knows them. */
+static void heights_lose(Reader *r)
+{
+    r->in->out->alignment[r->current].partly = 1;
+    survey_ignore(r->in->out, "heights of Start, End and PntList3D: only those of a Profile are read");
+}
 
 /* The straights between the points of a PntList: `size` numbers each, northing before easting. */
 static void list_add(Reader *r, int size)
@@ -213,7 +218,7 @@ static void list_add(Reader *r, int size)
     char *text = r->text;
     for (int i = 0; text && next_number(r, &text, &value[i % size]); ++i) {
         if (i % size < size - 1) continue;
-        if (value[2] != 0) survey_ignore(r->in->out, lost_heights);
+        if (value[2] != 0) heights_lose(r);
         const Vec3 at = v3_scale(r->in->unit, v3(value[1], value[0], 0));
         if (before.known) line_add(r, before.at, at);
         before = (PointOf){at, 1};
@@ -244,7 +249,7 @@ static void geometry_begin(Reader *r, const char **attributes)
 static void geometry_end(Reader *r, const char *name)
 {
     const PointOf *const have = r->geometry.have;
-    if (have[POINT_START].at.z != 0 || have[POINT_END].at.z != 0) survey_ignore(r->in->out, lost_heights);
+    if (have[POINT_START].at.z != 0 || have[POINT_END].at.z != 0) heights_lose(r);
     if (!have[POINT_START].known || !have[POINT_END].known) {
         FAIL(r, "a %s without Start or End", name);
     } else if (!strcmp(name, "Curve")) {

@@ -218,6 +218,10 @@ static void heights_of_a_part(void **state)
         check_has(said(file[k].name, file[k].text, ""), "give it one 'height', or a 'profile'");
         check_has(said(file[k].name, file[k].text, ", height: 12 m"), "route_length_m");
     }
+    static const char profile[] = "<Profile><ProfAlign name=\"p\"><PVI>0 5</PVI><PVI>50 9</PVI></ProfAlign></Profile>";
+    char whole[800];
+    snprintf(whole, sizeof whole, LANDXML(LINE("0 0 5", "0 50 9"), "%s"), profile);
+    check_has(said("route.xml", whole, ""), "route_length_m");
 }
 
 /* A drawing without units is in metres, and a case says that it was taken so, unless it gives them. */
