@@ -9,8 +9,7 @@
 
 /* ---------------------------------------------------------------------------------------------- lists that grow */
 
-/* Room for one more of `size` bytes in the array at *array, which has n; rounded up to powers of two. NULL: none. */
-static void *one_more(void *array, int *n, size_t size)
+void *survey_one_more(void *array, int *n, size_t size)
 {
     void **const list = array;
     if (*n >= SURVEY_MOST) return NULL;
@@ -34,20 +33,23 @@ static void name_set(char name[SURVEY_NAME_MAX], const char *text)
 
 Alignment *survey_add(Survey *s, const char *name)
 {
-    Alignment *const a = one_more(&s->alignment, &s->n, sizeof *a);
+    Alignment *const a = survey_one_more(&s->alignment, &s->n, sizeof *a);
     if (!a) return NULL;
     name_set(a->name, name);
     a->stated_length = NAN;
     return a;
 }
 
-PlanElement *alignment_add_plan(Alignment *a) { return one_more(&a->plan, &a->n_plan, sizeof *a->plan); }
-ProfileElement *alignment_add_profile(Alignment *a) { return one_more(&a->profile, &a->n_profile, sizeof *a->profile); }
-Vec3 *alignment_add_point(Alignment *a) { return one_more(&a->point, &a->n_points, sizeof *a->point); }
+PlanElement *alignment_add_plan(Alignment *a) { return survey_one_more(&a->plan, &a->n_plan, sizeof *a->plan); }
+ProfileElement *alignment_add_profile(Alignment *a)
+{
+    return survey_one_more(&a->profile, &a->n_profile, sizeof *a->profile);
+}
+Vec3 *alignment_add_point(Alignment *a) { return survey_one_more(&a->point, &a->n_points, sizeof *a->point); }
 
 SurveyMark *survey_add_mark(Survey *s, const char *name, const char *layer)
 {
-    SurveyMark *const mark = one_more(&s->mark, &s->n_marks, sizeof *mark);
+    SurveyMark *const mark = survey_one_more(&s->mark, &s->n_marks, sizeof *mark);
     if (!mark) return NULL;
     name_set(mark->name, name);
     name_set(mark->layer, layer);
@@ -64,7 +66,7 @@ void survey_ignore(Survey *s, const char *what)
         s->ignored[i].times++;
         return;
     }
-    SurveyIgnored *const item = one_more(&s->ignored, &s->n_ignored, sizeof *item);
+    SurveyIgnored *const item = survey_one_more(&s->ignored, &s->n_ignored, sizeof *item);
     if (!item) return;
     name_set(item->what, kind);
     item->times = 1;

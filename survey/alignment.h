@@ -85,6 +85,7 @@ typedef struct Survey {
 /* Adds an alignment, an element, a point, a mark at the end; NULL: no memory, or more than SURVEY_MOST of them. What is
  * added is zero but for NANs where it says so above; it moves when the next one is added. */
 enum { SURVEY_MOST = 20000000 };
+void *survey_one_more(void *array, int *n, size_t size); /* of any list: of `size` bytes in the array at *array, [*n] */
 Alignment *survey_add(Survey *s, const char *name);
 PlanElement *alignment_add_plan(Alignment *a);
 ProfileElement *alignment_add_profile(Alignment *a);

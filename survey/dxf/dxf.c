@@ -106,16 +106,12 @@ static hawser_status polyline_read(DxfStream *s, const DxfEntity *head)
         }
         status = entity_read(s, &tag, &vertex);
         if (status || (dxf_flags(&vertex) & FRAME) || n >= SURVEY_MOST) continue;
-        if ((n & (n - 1)) == 0) {
-            DxfCorner *const wider = realloc(corner, (n ? 2 * (size_t)n : 1) * sizeof *wider);
-            if (!wider)
-                status = error_memory(s->in->err);
-            else
-                corner = wider;
-        }
+        DxfCorner *const next = survey_one_more(&corner, &n, sizeof *next);
         const double z = space ? dxf_number(&vertex, 30, 0) : dxf_number(head, 30, 0);
-        if (!status)
-            corner[n++] =
+        if (!next)
+            status = error_memory(s->in->err);
+        else
+            *next =
                 (DxfCorner){v3(dxf_number(&vertex, 10, 0), dxf_number(&vertex, 20, 0), z), dxf_number(&vertex, 42, 0)};
     }
     if (!status && more < 0) status = s->in->err->status;

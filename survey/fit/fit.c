@@ -281,13 +281,10 @@ static int is_smooth_plan(const Alignment *a)
 int node_add(Line *l, double x, double y, int drawn)
 {
     if (l->n && hypot(l->node[l->n - 1].x - x, l->node[l->n - 1].y - y) < 1e-6) return 1;
-    if ((l->n & (l->n - 1)) == 0) {
-        Node *const wider = realloc(l->node, (l->n ? 2 * (size_t)l->n : 1) * sizeof *wider);
-        if (!wider) return 0;
-        l->node = wider;
-    }
-    if (l->n) l->node[l->n - 1].drawn = drawn;
-    l->node[l->n++] = (Node){x, y, 1, 0, 0};
+    Node *const node = survey_one_more(&l->node, &l->n, sizeof *node);
+    if (!node) return 0;
+    if (l->n > 1) node[-1].drawn = drawn;
+    *node = (Node){x, y, 1, 0, 0};
     return 1;
 }
 

@@ -108,12 +108,9 @@ static int by_whole(const void *a, const void *b)
 static hawser_status nest_add(IfcFile *file, long whole, long part)
 {
     const int n = file->n_nests;
-    if ((n & (n - 1)) == 0) {
-        IfcNest *const wider = realloc(file->nest, (n ? 2 * (size_t)n : 1) * sizeof *wider);
-        if (!wider) return error_memory(file->step.in->err);
-        file->nest = wider;
-    }
-    file->nest[file->n_nests++] = (IfcNest){whole, part, n};
+    IfcNest *const nest = survey_one_more(&file->nest, &file->n_nests, sizeof *nest);
+    if (!nest) return error_memory(file->step.in->err);
+    *nest = (IfcNest){whole, part, n};
     return HAWSER_OK;
 }
 

@@ -95,12 +95,9 @@ static int by_id(const void *a, const void *b)
 static hawser_status entry_add(StepFile *file, long id, const char *name)
 {
     if (file->n >= SURVEY_MOST) return input_error(file->in, "more than %d entities", SURVEY_MOST);
-    if ((file->n & (file->n - 1)) == 0) {
-        StepEntry *const wider = realloc(file->entry, (file->n ? 2 * (size_t)file->n : 1) * sizeof *wider);
-        if (!wider) return error_memory(file->in->err);
-        file->entry = wider;
-    }
-    file->entry[file->n++] = (StepEntry){id, (size_t)(name - file->text)};
+    StepEntry *const entry = survey_one_more(&file->entry, &file->n, sizeof *entry);
+    if (!entry) return error_memory(file->in->err);
+    *entry = (StepEntry){id, (size_t)(name - file->text)};
     return HAWSER_OK;
 }
 

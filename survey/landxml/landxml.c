@@ -322,23 +322,19 @@ static void corner_end(Reader *r, const char *name)
         FAIL(r, "a profile of more than %d corners", CORNERS_MOST);
         return;
     }
-    if ((r->n_corners & (r->n_corners - 1)) == 0) {
-        const size_t room = r->n_corners ? 2 * (size_t)r->n_corners : 1;
-        ProfileCorner *const wider = realloc(r->corner, room * sizeof *wider);
-        if (!wider) {
-            fail_memory(r);
-            return;
-        }
-        r->corner = wider;
+    ProfileCorner *const corner = survey_one_more(&r->corner, &r->n_corners, sizeof *corner);
+    if (!corner) {
+        fail_memory(r);
+        return;
     }
     const double unit = r->in->unit, start = r->in->out->alignment[r->current].station;
     const int curved = strcmp(name, "PVI") != 0 && !arc;
-    r->corner[r->n_corners++] = (ProfileCorner){.station = unit * value[0] - start,
-                                                .z = unit * value[1],
-                                                .kind = arc ? PROFILE_ARC : PROFILE_PARABOLA,
-                                                .before = curved && r->curve_length > 0 ? r->curve_length : 0,
-                                                .after = curved && r->curve_after > 0 ? r->curve_after : 0,
-                                                .radius = arc ? r->curve_radius : 0};
+    *corner = (ProfileCorner){.station = unit * value[0] - start,
+                              .z = unit * value[1],
+                              .kind = arc ? PROFILE_ARC : PROFILE_PARABOLA,
+                              .before = curved && r->curve_length > 0 ? r->curve_length : 0,
+                              .after = curved && r->curve_after > 0 ? r->curve_after : 0,
+                              .radius = arc ? r->curve_radius : 0};
 }
 
 static void profile_end(Reader *r)

@@ -316,13 +316,9 @@ static hawser_status row_read(SurveyInput *in, const Columns *columns, char *tex
                 in, "'%.40s' is cell %d of a row, and there are %d columns: are decimal commas among commas?", cell[i],
                 i + 1, columns->n);
     }
-    if ((table->n & (table->n - 1)) == 0) {
-        TableRow *const wider = realloc(table->row, (table->n ? 2 * (size_t)table->n : 1) * sizeof *wider);
-        if (!wider) return error_memory(in->err);
-        table->row = wider;
-    }
     if (table->n >= SURVEY_MOST) return input_error(in, "more than %d rows", SURVEY_MOST);
-    TableRow *const row = &table->row[table->n++];
+    TableRow *const row = survey_one_more(&table->row, &table->n, sizeof *row);
+    if (!row) return error_memory(in->err);
     *row = (TableRow){.line = in->line};
     for (int c = 0; c < COLUMN_TYPE; ++c) row->value[c] = NAN;
     hawser_status status = HAWSER_OK;

@@ -9,13 +9,9 @@ static const double chord_off = 5e-5; /* m */
 
 static int stretch_add(Stretches *out, Stretch item)
 {
-    if ((out->n & (out->n - 1)) == 0) {
-        Stretch *const wider = realloc(out->item, (out->n ? 2 * (size_t)out->n : 1) * sizeof *wider);
-        if (!wider) return 0;
-        out->item = wider;
-    }
-    out->item[out->n++] = item;
-    return 1;
+    Stretch *const added = survey_one_more(&out->item, &out->n, sizeof *added);
+    if (added) *added = item;
+    return added != NULL;
 }
 
 /* The profile from s on, beyond its ends on its first and last grade. */
