@@ -53,24 +53,23 @@ static int has_rating(const SceneDef *def)
     return 0;
 }
 
-double belts_largest_speed(const SceneDef *def)
-{
-    double most = 0;
-    for (int i = 0; i < def->n_conveyors; ++i) {
-        const ConveyorDef *const c = &def->conveyors[i];
-        if (!c->sync) most = fmax(most, profile_largest_until(&c->speed, def->duration));
-    }
-    return most;
-}
-
-/* The largest speed that the script tells winch or belts, m/s. */
-static double speed_told(const SceneDef *def)
+/* The largest speed that the script tells winch or belts (`kind`), m/s. */
+static double speed_told(const SceneDef *def, int kind)
 {
     double most = 0;
     for (int i = 0; i < def->n_script; ++i) {
         const Command *const told = &def->script[i].command;
-        const int draws = def->winch.present ? HAWSER_WINCH_SPEED : HAWSER_CONVEYOR_SPEED;
-        if (told->kind == draws) most = fmax(most, fabs(told->value));
+        if ((int)told->kind == kind) most = fmax(most, fabs(told->value));
+    }
+    return most;
+}
+
+double belts_largest_speed(const SceneDef *def)
+{
+    double most = speed_told(def, HAWSER_CONVEYOR_SPEED);
+    for (int i = 0; i < def->n_conveyors; ++i) {
+        const ConveyorDef *const c = &def->conveyors[i];
+        if (!c->sync) most = fmax(most, profile_largest_until(&c->speed, def->duration));
     }
     return most;
 }
@@ -80,9 +79,8 @@ static Finding speed_said(const Scene *scene)
 {
     const SceneDef *const def = &scene->def;
     const WinchDef *const winch = &def->winch;
-    if (!winch->present)
-        return (Finding){.value = fmax(belts_largest_speed(def), speed_told(def)), .absent = def->n_conveyors == 0};
-    Finding f = {.value = fmax(winch_largest_speed(scene->winch, def->duration), speed_told(def))};
+    if (!winch->present) return (Finding){.value = belts_largest_speed(def), .absent = def->n_conveyors == 0};
+    Finding f = {.value = fmax(winch_largest_speed(scene->winch, def->duration), speed_told(def, HAWSER_WINCH_SPEED))};
     if (winch->mode == WINCH_TENSION && !isfinite(scene->winch->speed_limit)) f.value = NAN;
     snprintf(f.why, sizeof f.why, "a winch of set tension without a speed_limit: a run says");
     return f;

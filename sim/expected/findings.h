@@ -5,7 +5,7 @@
 
 #include "sim/expected/calculator.h"
 
-/* m/s, of the fastest belt with a speed of its own, as the case has it; 0: there is none. */
+/* m/s, of the fastest belt with a speed of its own, as the case or its script has it; 0: there is none. */
 double belts_largest_speed(const SceneDef *def);
 /* What the scene itself says: belts, the winch's largest speed; marks absent what the scene does not have. */
 void findings_of_scene(const Scene *scene, Finding finding[LIMIT_KINDS]);

@@ -10,6 +10,7 @@
 #include "hawser/hawser.h"
 #include "sim/equipment/drum.h"
 #include "sim/expected/calculator.h"
+#include "sim/expected/findings.h"
 
 /* What is asked of a pull one way: the case's own question, or one with less friction, without what pushes. */
 typedef struct Asked {
@@ -107,10 +108,11 @@ typedef struct Early {
     double t, head, back; /* s, m along the route, N */
 } Early;
 
-/* The winch's travel by then, with what the script makes of it at once, m. */
+/* The winch's travel by then, with what the script makes of it at once, m; without a winch at most what belts do. */
 static double travel_told(const Scene *scene, double t)
 {
     const SceneDef *const def = &scene->def;
+    if (!def->winch.present) return t * belts_largest_speed(def);
     double from = 0, travel = 0, told = NAN, before = NAN;
     for (int i = 0; i <= def->n_script && from < t; ++i) {
         const double to = i < def->n_script ? fmin(def->script[i].at, t) : t;

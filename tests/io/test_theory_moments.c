@@ -58,6 +58,31 @@ static void a_back_tension_that_comes_late(void **state)
                "pushed with 0.0457 kN at 97.7");
 }
 
+/* Belts alone say how far the front may be: a slope of 60 m is reached after 40 m, 80 s at their speed. */
+static void a_late_back_tension_behind_belts(void **state)
+{
+    (void)state;
+    static const char text[] = CABLE
+        "lead_in: {}\nchain: [{cable: c, length: 160 m}]\n"
+        "route: {head_at: 4 m, transition_radius: 10 m, pieces: [{straight: 40 m}, {straight: 60 m, slope: -20 deg}, "
+        "{straight: 60 m, slope: 0 deg}]}\n"
+        "friction: {mu: 0.2}\nsurfaces: {ducts: [{radius: 60 mm, place: resting}]}\nrun: {duration: 330 s}\n"
+        "limits: {pull: 30 kN, sidewall: 3 kN/m, speed: 1 m/s, push: 20 kN}\n"
+        "conveyors: [{name: K, from: 1 m, to: 3 m, clamp: 20 kN, mu: 0.3, limit: 6 kN, belt: {speed: 0.5 m/s, to: 2 "
+        "s}}]\n";
+    static const struct {
+        const char *tail, *says;
+    } row[] = {
+        {"{tension: 3 kN}", "SAFE: all"},
+        {"{tension: 3 kN, from: 10 s, to: 70 s}", "SAFE: all"},
+        {"{tension: 3 kN, from: 200 s, to: 210 s}", "before the back tension has come in"},
+    };
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        print_message("%s\n", row[k].tail);
+        verdict_is(text, (const char *const[]){"drive", "{}", "drive.tail", row[k].tail, NULL}, row[k].says);
+    }
+}
+
 /* A winch of set tension that is let down when the cable has arrived, after 100 m at 0.1 m/s, or on the way. */
 static void a_set_tension_that_is_let_down(void **state)
 {
@@ -234,10 +259,11 @@ static void carriers_beside_guides(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_back_tension_that_comes_late),  cmocka_unit_test(a_set_tension_that_is_let_down),
-        cmocka_unit_test(a_slope_behind_a_belt),           cmocka_unit_test(the_last_roller_of_a_row),
-        cmocka_unit_test(a_winch_that_is_pushed_at_times), cmocka_unit_test(a_roller_behind_a_duct),
-        cmocka_unit_test(a_gap_among_what_carries),        cmocka_unit_test(carriers_beside_guides),
+        cmocka_unit_test(a_back_tension_that_comes_late), cmocka_unit_test(a_late_back_tension_behind_belts),
+        cmocka_unit_test(a_set_tension_that_is_let_down), cmocka_unit_test(a_slope_behind_a_belt),
+        cmocka_unit_test(the_last_roller_of_a_row),       cmocka_unit_test(a_winch_that_is_pushed_at_times),
+        cmocka_unit_test(a_roller_behind_a_duct),         cmocka_unit_test(a_gap_among_what_carries),
+        cmocka_unit_test(carriers_beside_guides),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
