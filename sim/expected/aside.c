@@ -369,6 +369,27 @@ static void press_say(const Gates *g, const Press *press, hawser_condition *out)
     }
 }
 
+static void worst_take(Press press, Press *worst)
+{
+    if (press.force - press.borne > worst->force - worst->borne) *worst = press;
+}
+
+/* By the pull at speed, and from rest where that is more. */
+static hawser_status way_take(const Gates *g, int way, Press *worst, hawser_error *err)
+{
+    const Calculator *const c = g->c;
+    const PlanWay *const plan = &c->plan.way[way];
+    worst_take(route_press(g, &plan->pull), worst);
+    if (!(plan->restart_max > plan->pull.max_tension * (1 + 1e-9))) return HAWSER_OK;
+    const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};
+    Pull rest;
+    const hawser_status status = plan_pull(&c->def, &c->plan.duct, &from_rest, &rest, err);
+    if (status) return status;
+    worst_take(route_press(g, &rest), worst);
+    pull_clear(&rest);
+    return HAWSER_OK;
+}
+
 /* What it presses with at worst, beyond what is borne there, either way. As the cable's front comes to a place the rope
  * has the tension there that the cable has from then on. */
 static hawser_status worst_press(Gates *g, int flanks, Press *worst, hawser_error *err)
@@ -377,14 +398,13 @@ static hawser_status worst_press(Gates *g, int flanks, Press *worst, hawser_erro
     const double begins = g->rope ? fmax(0, g->scene->joint_s[g->scene->eye]) : 0;
     g->flanks = flanks;
     g->n = 0;
-    const hawser_status status = gates_find(g, err);
+    hawser_status status = gates_find(g, err);
     *worst = (Press){0};
     for (int k = 0; k < PLAN_WAYS && !status; ++k) {
         if (c->def.skip[k]) continue;
         g->from = k == PLAN_BACKWARD ? 0 : begins;
         g->to = c->route->length - (k == PLAN_BACKWARD ? begins : 0);
-        const Press press = route_press(g, &c->plan.way[k].pull);
-        if (press.force - press.borne > worst->force - worst->borne) *worst = press;
+        status = way_take(g, k, worst, err);
     }
     free(g->gate);
     return status;
