@@ -61,7 +61,8 @@ static hawser_status heights_at_feet(const Alignment *plan, const Alignment *fro
             return point_refuse(from, p, "beside the line whose heights it is to give", f->away, err);
         if (back && rise > o->deviation)
             return point_refuse(from, p,
-                                "above or below a point that lies no farther along the line: no profile can say that",
+                                "above or below a point that lies no farther along the line: no profile can say that, "
+                                "a 'radius' for the corners of a line of straights can",
                                 rise, err);
         if (!back) z = p->z;
         if (!back && !node_add(l, s, z, from->drawn)) status = error_memory(err);
