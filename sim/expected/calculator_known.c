@@ -27,7 +27,8 @@ static hawser_status supported_by(const Scene *scene, const Calculator *c, hawse
     }
     *result = out;
     if (hangs || !theory->simulated) return HAWSER_OK;
-    const hawser_status status = gaps_judge(scene, c, result, err);
+    hawser_status status = gaps_judge(scene, c, result, err);
+    if (!status && result->holds) status = lifted_judge(scene, c, result, err);
     return status || !result->holds ? status : aside_judge(scene, c, result, err);
 }
 

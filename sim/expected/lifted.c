@@ -1,0 +1,221 @@
+/* Whether its tension lifts the cable off what carries it, where the route turns upward: a run in which it leaves its
+ * route so far is not trusted, and theory has it lying there. docs/model.md, "Pulling theory" (T31). */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/base/error.h"
+#include "sim/expected/calculator.h"
+
+static const double LIFTED = 2;       /* m off its route, as of a run (condition on_route) */
+static const double STEP = 0.5;       /* m between places */
+static const double CEILING = .7;     /* of its normal, downward */
+static const double STEEP = M_PI / 3; /* rad, of a slope over whose plan no string is looked at */
+enum { MOST = 20000 };                /* places */
+
+/* A place of the route. */
+typedef struct Place {
+    double s, x; /* m along the route, in plan */
+    double f;    /* m, its height over a parabola that bends as the cable would */
+    int held;    /* something is above it */
+    int steep;
+} Place;
+
+typedef struct Places {
+    const Scene *scene;
+    const Calculator *c;
+    double weight; /* N/m, of the lightest piece */
+    int n;
+    Place *place; /* [n], evenly along the route */
+} Places;
+
+typedef struct Lift {
+    double by, at; /* m; m along the route */
+} Lift;
+
+static void lift_take(double by, double at, Lift *most)
+{
+    if (by > most->by) *most = (Lift){by, at};
+}
+
+/* ---------------------------------------------------------------------------------------------- what holds it down */
+
+static void hold(Places *p, double from, double to)
+{
+    const double step = p->place[1].s;
+    const int first = (int)fmax(0, round(from / step)), last = (int)fmin(p->n - 1, round(to / step));
+    for (int i = first; i <= last; ++i) p->place[i].held = 1;
+}
+
+/* Where the cable would meet a ceiling before it is too far off. */
+static void ceiling_hold(Places *p, const SurfaceShape *on)
+{
+    const Vec3 normal = v3_unit(on->normal), across = v3_cross(normal, on->along);
+    if (on->kind != SURFACE_PLANE || normal.z > -CEILING) return;
+    for (int i = 0; i < p->n; ++i) {
+        const Vec3 off = v3_sub(route_at(p->c->route, p->place[i].s).position, on->point);
+        const double below = v3_dot(off, normal) / -normal.z;
+        if (on->length > 0 && fabs(v3_dot(off, on->along)) > on->length / 2) continue;
+        if (on->width > 0 && fabs(v3_dot(off, across)) > on->width / 2) continue;
+        p->place[i].held |= below > 0 && below < LIFTED;
+    }
+}
+
+/* Ducts, ceilings, belts, and rollers above it. */
+static void places_hold(Places *p)
+{
+    const SceneDef *const def = &p->scene->def;
+    const Calculator *const c = p->c;
+    for (int k = 0; k < def->n_surfaces; ++k) {
+        const SurfaceShape *const on = &def->surfaces[k].shape;
+        if (on->kind == SURFACE_DUCT) hold(p, on->from, on->to);
+        ceiling_hold(p, on);
+    }
+    for (int k = 0; k < c->n_pushers; ++k)
+        if (c->pusher[k].holds) hold(p, c->pusher[k].from, 2 * c->pusher[k].at - c->pusher[k].from);
+    for (int i = 0; i < c->n_turners; ++i) {
+        const Turner *const t = &c->turner[i];
+        if (def->rollers[t->roller].hold_down || t->off.z > 0.5) hold(p, t->s, t->s);
+    }
+}
+
+/* ----------------------------------------------------------------------------------------------------- the string */
+
+/* Heights over the plan, and over a parabola that bends by w/T. */
+static void places_fill(Places *p, const Pull *pull)
+{
+    const Route *const route = p->c->route;
+    double slope = 0, sunk = 0, x = 0;
+    for (int i = 0; i < p->n; ++i) {
+        const double s = route->length * i / (p->n - 1), before = i ? p->place[i - 1].s : s, middle = (s + before) / 2;
+        const RoutePoint at = route_at(route, s), half = route_at(route, middle);
+        const double level = fmax(hypot(half.tangent.x, half.tangent.y), 1e-3), dx = (s - before) * level;
+        const double bends = p->weight / (fmax(1, pull_at(pull, middle).tension) * level * level);
+        sunk += (slope + bends * dx / 2) * dx;
+        slope += bends * dx;
+        x += dx;
+        p->place[i] = (Place){s, x, at.position.z - sunk, 0, hypot(at.tangent.x, at.tangent.y) < cos(STEEP)};
+    }
+}
+
+/* Twice the area of a triangle, positive if c is above the way from a to b. */
+static double above(const Place *a, const Place *b, const Place *c)
+{
+    return (b->x - a->x) * (c->f - a->f) - (b->f - a->f) * (c->x - a->x);
+}
+
+/* From place `first` to `last`, at which it lies on the route: the string is the least that is nowhere below the route
+ * and bends upward by no more than w/T, the parabola and over it the upper hull of the rest. `hull` has room for all.
+ */
+static void section_lift(const Places *p, int first, int last, int *hull, Lift *most)
+{
+    int n = 0;
+    for (int i = first; i <= last; ++i) {
+        while (n > 1 && above(&p->place[hull[n - 2]], &p->place[hull[n - 1]], &p->place[i]) >= 0) --n;
+        hull[n++] = i;
+    }
+    for (int k = 0; k + 1 < n; ++k) {
+        const Place *const a = &p->place[hull[k]], *const b = &p->place[hull[k + 1]];
+        for (const Place *at = a + 1; at < b; ++at)
+            lift_take(a->f + (b->f - a->f) * (at->x - a->x) / (b->x - a->x) - at->f, at->s, most);
+    }
+}
+
+static void gentle_lift(const Places *p, int *hull, Lift *most)
+{
+    for (int first = 0, i = 1; i < p->n; ++i) {
+        if (!p->place[i].held && !p->place[i].steep && i < p->n - 1) continue;
+        if (i > first + 1) section_lift(p, first, i, hull, most);
+        first = i;
+    }
+}
+
+/* ------------------------------------------------------------------------------------------------------- the shafts */
+
+static double straight_beside(const Route *route, int piece)
+{
+    if (piece < 0 || piece >= route->n || route->piece[piece].kind != ROUTE_STRAIGHT) return 0;
+    return route->piece[piece].length;
+}
+
+/* In a corner that is steep on one side the cable bends by T/w, or as far as the straights beside it reach: it is by
+ * (R' - R)(1/cos(a/2) - 1) off an arc of R. */
+static void steep_lift(const Places *p, const Pull *pull, Lift *most)
+{
+    const Route *const route = p->c->route;
+    const double step = p->place[1].s;
+    for (int k = 0, to; k < route->n; k = to + 1) {
+        to = route_turn_end(route, k);
+        if (route->piece[k].kind == ROUTE_STRAIGHT) continue;
+        const double begin = route->piece[k].s0, end = route->piece[to].s0 + route->piece[to].length;
+        const double a = route_slope(route, begin), b = route_slope(route, end), turn = b - a;
+        if (!(turn > 0) || fmax(fabs(a), fabs(b)) < STEEP) continue;
+        int held = 0;
+        for (int i = (int)(begin / step); i < p->n && p->place[i].s <= end + step; ++i) held |= p->place[i].held;
+        if (held) continue;
+        const double radius = (end - begin) / turn, middle = (begin + end) / 2;
+        const double reach = fmin(straight_beside(route, k - 1), straight_beside(route, to + 1)) / tan(turn / 2);
+        const double bends = fmin(pull_at(pull, middle).tension / p->weight, radius + reach);
+        lift_take((bends - radius) * (1 / cos(turn / 2) - 1), middle, most);
+    }
+}
+
+/* ------------------------------------------------------------------------------------------------------- the route */
+
+/* Whether the route bends upward by more than w/T anywhere. */
+static int may_lift(const Places *p, const Pull *pull)
+{
+    const Route *const route = p->c->route;
+    for (int k = 0; k < route->n; ++k) {
+        const RoutePiece *const piece = &route->piece[k];
+        for (int i = 1; piece->kind != ROUTE_STRAIGHT && i < 6; i += 2) {
+            const double s = piece->s0 + piece->length * i / 6;
+            const RoutePoint at = route_at(route, s);
+            const double holds = p->weight * (at.tangent.x * at.tangent.x + at.tangent.y * at.tangent.y);
+            if (pull->max_tension * at.curvature.z > holds && pull_at(pull, s).tension * at.curvature.z > holds)
+                return 1;
+        }
+    }
+    return 0;
+}
+
+/* The most of one way. */
+static hawser_status way_lift(Places *p, const Pull *pull, Lift *most, hawser_error *err)
+{
+    p->place = malloc((size_t)p->n * sizeof *p->place);
+    int *const hull = malloc((size_t)p->n * sizeof *hull);
+    const int fine = p->place && hull;
+    if (fine) {
+        places_fill(p, pull);
+        places_hold(p);
+        gentle_lift(p, hull, most);
+        steep_lift(p, pull, most);
+    }
+    free(p->place);
+    free(hull);
+    return fine ? HAWSER_OK : error_memory(err);
+}
+
+hawser_status lifted_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err)
+{
+    Places p = {.scene = scene,
+                .c = c,
+                .weight = c->def.lightest > 0 ? c->def.lightest : scene->cable_weight,
+                .n = 2 + (int)fmin(MOST, c->route->length / STEP)};
+    Lift most = {LIFTED, 0};
+    hawser_status status = HAWSER_OK;
+    if (!scene->def.winch.present && c->n_pushers == 0) return HAWSER_OK; /* nothing moves it on */
+    if (!(p.weight > 0)) return HAWSER_OK;
+    for (int way = 0; way < PLAN_WAYS && !status; ++way) {
+        const Pull *const pull = &c->plan.way[way].pull;
+        if (!c->def.skip[way] && may_lift(&p, pull)) status = way_lift(&p, pull, &most, err);
+    }
+    if (status || !(most.by > LIFTED)) return status;
+    *out = (hawser_condition){.name = out->name, .unit = "m", .value = most.by, .allowed = LIFTED};
+    snprintf(
+        out->remedy, sizeof out->remedy,
+        "taut, the cable lifts off what carries it by %.3g m at %.1f m: give hold-downs or a duct there, or leave out "
+        "'run' and 'drive'",
+        most.by, most.at);
+    return HAWSER_OK;
+}
