@@ -26,7 +26,8 @@ typedef struct Places {
     const Calculator *c;
     double weight; /* N/m, of the lightest piece */
     int n;
-    Place *place; /* [n], evenly along the route */
+    double step;  /* m */
+    Place *place; /* [n], each a step farther along the route */
 } Places;
 
 typedef struct Lift {
@@ -42,8 +43,7 @@ static void lift_take(double by, double at, Lift *most)
 
 static void hold(Places *p, double from, double to)
 {
-    const double step = p->place[1].s;
-    const int first = (int)fmax(0, round(from / step)), last = (int)fmin(p->n - 1, round(to / step));
+    const int first = (int)fmax(0, round(from / p->step)), last = (int)fmin(p->n - 1, round(to / p->step));
     for (int i = first; i <= last; ++i) p->place[i].held = 1;
 }
 
@@ -87,7 +87,7 @@ static void places_fill(Places *p, const Pull *pull)
     const Route *const route = p->c->route;
     double slope = 0, sunk = 0, x = 0;
     for (int i = 0; i < p->n; ++i) {
-        const double s = route->length * i / (p->n - 1), before = i ? p->place[i - 1].s : s, middle = (s + before) / 2;
+        const double s = p->step * i, before = i ? p->place[i - 1].s : s, middle = (s + before) / 2;
         const RoutePoint at = route_at(route, s), half = route_at(route, middle);
         const double level = fmax(hypot(half.tangent.x, half.tangent.y), 1e-3), dx = (s - before) * level;
         const double bends = p->weight / (fmax(1, pull_at(pull, middle).tension) * level * level);
@@ -143,7 +143,6 @@ static double straight_beside(const Route *route, int piece)
 static void steep_lift(const Places *p, const Pull *pull, Lift *most)
 {
     const Route *const route = p->c->route;
-    const double step = p->place[1].s;
     for (int k = 0, to; k < route->n; k = to + 1) {
         to = route_turn_end(route, k);
         if (route->piece[k].kind == ROUTE_STRAIGHT) continue;
@@ -151,7 +150,7 @@ static void steep_lift(const Places *p, const Pull *pull, Lift *most)
         const double a = route_slope(route, begin), b = route_slope(route, end), turn = b - a;
         if (!(turn > 0) || fmax(fabs(a), fabs(b)) < STEEP) continue;
         int held = 0;
-        for (int i = (int)(begin / step); i < p->n && p->place[i].s <= end + step; ++i) held |= p->place[i].held;
+        for (int i = (int)(begin / p->step); i < p->n && p->place[i].s <= end + p->step; ++i) held |= p->place[i].held;
         if (held) continue;
         const double radius = (end - begin) / turn, middle = (begin + end) / 2;
         const double reach = fmin(straight_beside(route, k - 1), straight_beside(route, to + 1)) / tan(turn / 2);
@@ -182,8 +181,8 @@ static int may_lift(const Places *p, const Pull *pull)
 /* The most of one way. */
 static hawser_status way_lift(Places *p, const Pull *pull, Lift *most, hawser_error *err)
 {
-    p->place = malloc((size_t)p->n * sizeof *p->place);
-    int *const hull = malloc((size_t)p->n * sizeof *hull);
+    p->place = calloc((size_t)p->n, sizeof *p->place);
+    int *const hull = calloc((size_t)p->n, sizeof *hull);
     const int fine = p->place && hull;
     if (fine) {
         places_fill(p, pull);
@@ -202,6 +201,7 @@ hawser_status lifted_judge(const Scene *scene, const Calculator *c, hawser_condi
                 .c = c,
                 .weight = c->def.lightest > 0 ? c->def.lightest : scene->cable_weight,
                 .n = 2 + (int)fmin(MOST, c->route->length / STEP)};
+    p.step = c->route->length / (p.n - 1);
     Lift most = {LIFTED, 0};
     hawser_status status = HAWSER_OK;
     if (!scene->def.winch.present && c->n_pushers == 0) return HAWSER_OK; /* nothing moves it on */
