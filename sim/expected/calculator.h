@@ -100,7 +100,8 @@ hawser_status calculator_know(const Scene *scene, Calculator *c, hawser_error *e
 /* Whether the cable sags too far where nothing carries it (T29), into a condition that holds: gaps.c. Errors: as
  * plan_build. */
 hawser_status gaps_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);
-/* Whether its tension lifts it off its route (T31), into a condition that holds: lifted.c. Errors: MEMORY. */
+/* Whether its tension lifts it off its route, pulled forward (T31), into a condition that holds: lifted.c. Errors:
+ * MEMORY. */
 hawser_status lifted_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);
 /* Whether something holds it to the side where it turns (T30), into a condition that holds: aside.c. Errors: MEMORY. */
 hawser_status aside_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);

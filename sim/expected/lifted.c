@@ -178,8 +178,8 @@ static int may_lift(const Places *p, const Pull *pull)
     return 0;
 }
 
-/* The most of one way. */
-static hawser_status way_lift(Places *p, const Pull *pull, Lift *most, hawser_error *err)
+/* The most of one pull. */
+static hawser_status pull_lift(Places *p, const Pull *pull, Lift *most, hawser_error *err)
 {
     p->place = calloc((size_t)p->n, sizeof *p->place);
     int *const hull = calloc((size_t)p->n, sizeof *hull);
@@ -203,13 +203,10 @@ hawser_status lifted_judge(const Scene *scene, const Calculator *c, hawser_condi
                 .n = 2 + (int)fmin(MOST, c->route->length / STEP)};
     p.step = c->route->length / (p.n - 1);
     Lift most = {LIFTED, 0};
-    hawser_status status = HAWSER_OK;
+    const Pull *const pull = &c->plan.way[c->def.skip[PLAN_FORWARD] ? PLAN_BACKWARD : PLAN_FORWARD].pull;
     if (!scene->def.winch.present && c->n_pushers == 0) return HAWSER_OK; /* nothing moves it on */
-    if (!(p.weight > 0)) return HAWSER_OK;
-    for (int way = 0; way < PLAN_WAYS && !status; ++way) {
-        const Pull *const pull = &c->plan.way[way].pull;
-        if (!c->def.skip[way] && may_lift(&p, pull)) status = way_lift(&p, pull, &most, err);
-    }
+    if (!(p.weight > 0) || !may_lift(&p, pull)) return HAWSER_OK;
+    const hawser_status status = pull_lift(&p, pull, &most, err);
     if (status || !(most.by > LIFTED)) return status;
     *out = (hawser_condition){.name = out->name, .unit = "m", .value = most.by, .allowed = LIFTED};
     snprintf(
