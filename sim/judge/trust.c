@@ -271,8 +271,7 @@ static void add_drawn(List *list, const TrustFacts *f)
     if (!(most > 0)) return;
     add(list, "drawn", "1", 1 - fmax(speed, 0) / most, STANDS,
         "within the steady window, from %.4g s on, the cable stands or goes back: what pulls has stopped, or is too "
-        "weak: set "
-        "run.steady_from and run.duration to a time in which it is pulled",
+        "weak: set run.steady_from and run.duration to a time in which it is pulled",
         f->figures->steady_from_s);
 }
 
