@@ -2,6 +2,7 @@
 
 #include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/base/error.h"
 #include "theory/search.h"
@@ -207,26 +208,38 @@ static double rope_onward(const PlanDef *def, int way, int restart, double from,
     return span_integrate(&law, from, tension, to, NULL);
 }
 
-/* The place of the head, of those of the section that begins with places->s[*i], at which the winch needs most, and
- * that force. Of two ropes the one that is tighter at a place is so at the section's end: only the tightest is
- * followed. *i becomes the next section's. */
-static hawser_status section_top(const PlanDef *def, const DuctLoad *load, int way, int restart, const Places *places,
-                                 int *i, int *top, double *most, hawser_error *err)
+/* The places of a pull's head, and what is found there. */
+typedef struct Course {
+    const Places *places;
+    int i;           /* the section that is looked at begins with that place */
+    double *tension; /* [places->n] N, of the tightest rope there; NULL: not wanted */
+} Course;
+
+/* The place of the head, of those of the section that begins with place i, at which the winch needs most, and that
+ * force. Of two ropes the one that is tighter at a place is so at the section's end: only the tightest is followed. i
+ * becomes the next section's. */
+static hawser_status section_top(const PlanDef *def, const DuctLoad *load, int way, int restart, Course *course,
+                                 int *top, double *most, hawser_error *err)
 {
-    const PlanSection section = plan_section_at(def, way, places->s[*i]);
+    const Places *const places = course->places;
+    const int first = course->i;
+    const PlanSection section = plan_section_at(def, way, places->s[first]);
     const PlanPullDef what = {.way = way, .restart = restart, .head = section.to, .forces_only = 1};
     Pull cable;
     hawser_status status = plan_pull(def, load, &what, &cable, err);
     if (status) return status;
     double tightest = -INFINITY;
-    for (int span = 0, first = *i; *i < places->n && sign_of(way) * (places->s[*i] - section.to) <= 0; ++*i) {
-        const double s = places->s[*i];
-        if (*i > first) tightest = rope_onward(def, way, restart, places->s[*i - 1], s, tightest);
+    int span = 0, i = first;
+    for (; i < places->n && sign_of(way) * (places->s[i] - section.to) <= 0; ++i) {
+        const double s = places->s[i];
+        if (i > first) tightest = rope_onward(def, way, restart, places->s[i - 1], s, tightest);
         const double own = cable_tension(&cable, &span, s);
-        if (own > tightest) *top = *i;
+        if (own > tightest) *top = i;
         tightest = fmax(own, tightest);
+        if (course->tension) course->tension[i] = tightest;
     }
     pull_clear(&cable);
+    course->i = i;
     *most = tightest;
     if (isfinite(tightest)) return HAWSER_OK;
     return error_set(err, HAWSER_ERR_INPUT, "the tension grows past all bounds: too much friction and turn");
@@ -239,14 +252,15 @@ static hawser_status peak_find(const PlanDef *def, const DuctLoad *load, int way
     int top = 0;
     double most = -INFINITY;
     assert(places->n > 0); /* the ends of the route */
-    for (int i = 0; i < places->n;) {
-        int here = i;
+    Course course = {.places = places};
+    do {
+        int here = course.i;
         double force;
-        const hawser_status status = section_top(def, load, way, restart, places, &i, &here, &force, err);
+        const hawser_status status = section_top(def, load, way, restart, &course, &here, &force, err);
         if (status) return status;
         if (force > most) top = here;
         most = fmax(force, most);
-    }
+    } while (course.i < places->n);
     const hawser_status status = head_solve(def, load, way, places->s[top], before, peak, err);
     if (status || top == 0 || top == places->n - 1) return status;
     return peak_refine(def, load, way, restart, places->s[top - 1], places->s[top + 1], before, peak, err);
@@ -273,6 +287,77 @@ hawser_status plan_peaks(const PlanDef *def, const DuctLoad *load, int way, Head
     if (!status) status = peaks_by_sections(def, load, way, &places, out, err);
     free(places.s);
     return status;
+}
+
+/* -------------------------------------------------------------------------------------------------- the rope */
+
+/* Those that the head does not come to, which begins at `from`, are none. */
+static void places_begin(Places *places, int way, double from)
+{
+    int before = 0;
+    while (before < places->n && sign_of(way) * (places->s[before] - from) < 0) ++before;
+    places->n -= before;
+    memmove(places->s, places->s + before, (size_t)places->n * sizeof *places->s);
+}
+
+hawser_status plan_rope(const PlanDef *def, const DuctLoad *load, int way, int restart, double from, double apart,
+                        RopeSeries *out, hawser_error *err)
+{
+    Places places;
+    *out = (RopeSeries){0};
+    hawser_status status = places_find(def, way, apart, &places, err);
+    if (status) {
+        free(places.s);
+        return status;
+    }
+    places_begin(&places, way, from);
+    Course course = {.places = &places, .tension = calloc((size_t)places.n + 1, sizeof *course.tension)};
+    *out = (RopeSeries){way, restart, places.n, places.s, course.tension};
+    if (!course.tension) status = error_memory(err);
+    while (!status && course.i < places.n) {
+        int here;
+        double force;
+        status = section_top(def, load, way, restart, &course, &here, &force, err);
+    }
+    if (status) plan_rope_free(out);
+    return status;
+}
+
+void plan_rope_free(RopeSeries *rope)
+{
+    free(rope->s);
+    free(rope->tension);
+    *rope = (RopeSeries){0};
+}
+
+void plan_rope_ahead(const PlanDef *def, const RopeSeries *rope, double head, double until, double *tension)
+{
+    const int sign = sign_of(rope->way);
+    const double ends = plan_section_at(def, rope->way, head).to;
+    double s = head, there = drawn_at(&(Drawn){.rope = rope}, head);
+    for (int i = 0; i < rope->n && sign * (rope->s[i] - until) <= 0 && sign * (rope->s[i] - ends) <= 0; ++i) {
+        if (sign * (rope->s[i] - head) <= 0) continue;
+        there = rope_onward(def, rope->way, rope->restart, s, rope->s[i], there);
+        s = rope->s[i];
+        tension[i] = there;
+    }
+}
+
+double drawn_at(const Drawn *drawn, double s)
+{
+    const RopeSeries *const rope = drawn->rope;
+    if (!rope) return pull_at(drawn->pull, s).tension;
+    int low = 0, high = rope->n - 1; /* s lies between them */
+    const int sign = high > 0 && rope->s[high] < rope->s[0] ? -1 : 1;
+    if (high < 0 || sign * (s - rope->s[0]) < 0) return 0;
+    if (sign * (s - rope->s[high]) >= 0) return rope->tension[high];
+    while (high - low > 1) {
+        const int middle = low + (high - low) / 2;
+        if (sign * (s - rope->s[middle]) < 0) high = middle;
+        if (sign * (s - rope->s[middle]) >= 0) low = middle;
+    }
+    const double part = (s - rope->s[low]) / (rope->s[high] - rope->s[low]);
+    return rope->tension[low] + part * (rope->tension[high] - rope->tension[low]);
 }
 
 /* ------------------------------------------------------------------------------------------------- the rows */

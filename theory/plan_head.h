@@ -33,6 +33,31 @@ hawser_status plan_heads(const PlanDef *def, const DuctLoad *load, int way, doub
 hawser_status plan_peaks(const PlanDef *def, const DuctLoad *load, int way, HeadSeries *out, hawser_error *err);
 void plan_heads_free(HeadSeries *s);
 
+/* The most that rope ahead is drawn with at a place, wherever the head is behind it (PN6a). */
+typedef struct RopeSeries {
+    int way, restart; /* of which pull */
+    int n;
+    double *s;       /* [n] m along the route, in the pull's order */
+    double *tension; /* [n] N */
+} RopeSeries;
+/* from: m along the route, where the head begins; `apart` as plan_heads'; friction that goes by the length that has
+ * passed a place is that of the section's end. Errors: as pull_solve, MEMORY; nothing is left allocated then.
+ * plan_rope_free gives it back. */
+hawser_status plan_rope(const PlanDef *def, const DuctLoad *load, int way, int restart, double from, double apart,
+                        RopeSeries *out, hawser_error *err);
+void plan_rope_free(RopeSeries *rope);
+/* The same with the head at `head` and no farther: writes tension [n] at the places from there to `until`, or to the
+ * section's end, all m along the route; the others are left as they are. */
+void plan_rope_ahead(const PlanDef *def, const RopeSeries *rope, double head, double until, double *tension);
+
+/* What is drawn over the route: the cable with its pull, or rope ahead of it. */
+typedef struct Drawn {
+    const Pull *pull;
+    const RopeSeries *rope; /* NULL: the cable */
+} Drawn;
+/* N at s (m along the route); rope that has no tension there, since the head begins behind it: 0. */
+double drawn_at(const Drawn *drawn, double s);
+
 /* N, by which the rope ahead pulls at the cable's head by its own weight, so that the winch has less than the head: the
  * most of all places of the head (LI11a). 0: nowhere. Errors: as pull_solve, MEMORY. */
 hawser_status plan_relief(const PlanDef *def, const DuctLoad *load, int way, double *relief, hawser_error *err);

@@ -256,14 +256,14 @@ typedef struct Press {
 } Press;
 
 /* The cable turns at b, where a gate ends. */
-static void press_take(const Gates *g, const Pull *pull, Point a, Point b, Point c, Press *worst)
+static void press_take(const Gates *g, const Drawn *drawn, Point a, Point b, Point c, Press *worst)
 {
     const double turn = fabs(turn_at(a, b, c));
     if (b.gate < 0 || !(turn > STRAIGHT)) return;
     const Gate *const gate = &g->gate[b.gate];
     if (gate->s < g->from || gate->s > g->to) return;
     const RoutePoint at = route_at(g->c->route, gate->s);
-    const double tension = fmax(0, pull_at(pull, gate->s).tension), level = hypot(at.tangent.x, at.tangent.y);
+    const double tension = fmax(0, drawn_at(drawn, gate->s)), level = hypot(at.tangent.x, at.tangent.y);
     const double force = tension * level * turn;
     const double weighs = fmax(0, g->weight - tension * at.curvature.z) * gate->span;
     const double borne = isinf(gate->bears[b.side]) ? INFINITY : gate->bears[b.side] * weighs;
@@ -272,7 +272,7 @@ static void press_take(const Gates *g, const Pull *pull, Point a, Point b, Point
 
 /* The shortest way from a to b through gates first..last-1: a funnel that narrows from gate to gate, and begins anew
  * where its sides cross. */
-static void way_press(const Gates *g, const Pull *pull, int first, int last, Point a, Point b, Press *worst)
+static void way_press(const Gates *g, const Drawn *drawn, int first, int last, Point a, Point b, Press *worst)
 {
     Point before = a, apex = a, side[SIDES] = {a, a};
     int open = 1;
@@ -292,14 +292,14 @@ static void way_press(const Gates *g, const Pull *pull, int first, int last, Poi
             }
             turned = 1;
             const Point at = side[!k];
-            press_take(g, pull, before, apex, at, worst);
+            press_take(g, drawn, before, apex, at, worst);
             before = apex;
             apex = at;
             i = at.gate;
         }
         open = turned;
     }
-    press_take(g, pull, before, apex, b, worst);
+    press_take(g, drawn, before, apex, b, worst);
 }
 
 /* ------------------------------------------------------------------------------------------------------- the route */
@@ -332,7 +332,7 @@ static Point route_point(const Route *route, double s)
     return (Point){p.x, p.y, -1, LEFT};
 }
 
-static Press route_press(const Gates *g, const Pull *pull)
+static Press route_press(const Gates *g, const Drawn *drawn)
 {
     const Route *const route = g->c->route;
     Press worst = {0};
@@ -341,7 +341,7 @@ static Press route_press(const Gates *g, const Pull *pull)
         if (!next_held(g, s, &from, &to)) from = route->length;
         int last = gate;
         while (last < g->n && g->gate[last].s < from) ++last;
-        if (from > s) way_press(g, pull, gate, last, route_point(route, s), route_point(route, from), &worst);
+        if (from > s) way_press(g, drawn, gate, last, route_point(route, s), route_point(route, from), &worst);
         for (gate = last; gate < g->n && g->gate[gate].s <= to; ++gate) {
         }
     }
@@ -375,23 +375,37 @@ static void worst_take(Press press, Press *worst)
 }
 
 /* By the pull at speed, and from rest where that is more. */
-static hawser_status way_take(const Gates *g, int way, Press *worst, hawser_error *err)
+static hawser_status cable_take(const Gates *g, int way, Press *worst, hawser_error *err)
 {
     const Calculator *const c = g->c;
     const PlanWay *const plan = &c->plan.way[way];
-    worst_take(route_press(g, &plan->pull), worst);
+    worst_take(route_press(g, &(Drawn){.pull = &plan->pull}), worst);
     if (!(plan->restart_max > plan->pull.max_tension * (1 + 1e-9))) return HAWSER_OK;
     const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};
     Pull rest;
     const hawser_status status = plan_pull(&c->def, &c->plan.duct, &from_rest, &rest, err);
     if (status) return status;
-    worst_take(route_press(g, &rest), worst);
+    worst_take(route_press(g, &(Drawn){.pull = &rest}), worst);
     pull_clear(&rest);
     return HAWSER_OK;
 }
 
-/* What it presses with at worst, beyond what is borne there, either way. As the cable's front comes to a place the rope
- * has the tension there that the cable has from then on. */
+/* The same of rope ahead, with the cable's front wherever that is tightest. */
+static hawser_status rope_take(const Gates *g, int way, Press *worst, hawser_error *err)
+{
+    const Calculator *const c = g->c;
+    const double begins = way == PLAN_BACKWARD ? g->to : g->from, apart = fmax(APART, c->route->length / MOST);
+    for (int restart = 0; restart < 2; ++restart) {
+        RopeSeries rope;
+        const hawser_status status = plan_rope(&c->def, &c->plan.duct, way, restart, begins, apart, &rope, err);
+        if (status) return status;
+        worst_take(route_press(g, &(Drawn){.rope = &rope}), worst);
+        plan_rope_free(&rope);
+    }
+    return HAWSER_OK;
+}
+
+/* What it presses with at worst, beyond what is borne there, either way. */
 static hawser_status worst_press(Gates *g, int flanks, Press *worst, hawser_error *err)
 {
     const Calculator *const c = g->c;
@@ -404,7 +418,7 @@ static hawser_status worst_press(Gates *g, int flanks, Press *worst, hawser_erro
         if (c->def.skip[k]) continue;
         g->from = k == PLAN_BACKWARD ? 0 : begins;
         g->to = c->route->length - (k == PLAN_BACKWARD ? begins : 0);
-        status = way_take(g, k, worst, err);
+        status = g->rope ? rope_take(g, k, worst, err) : cable_take(g, k, worst, err);
     }
     free(g->gate);
     return status;

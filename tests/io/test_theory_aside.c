@@ -237,13 +237,43 @@ static void names_with_letters(void **state)
     json_decref(all);
 }
 
+/* Over a hill the rope is as taut as the cable is on the crest, while that has less tension when it comes to the bend
+ * behind it: in runs rope of 5 kg/m leaves the grooves, and rope of 12 kg/m stays. */
+static void the_rope_behind_a_hill(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables:\n"
+        "  c: {d: 80 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 1 kN m2, mass: 14 kg/m}\n"
+        "  rope: {d: 20 mm, EA: 8 MN, GA: 3 MN, GJ: 10 N m2, EI: 5 N m2, mass: 12 kg/m}\n"
+        "chain: [{cable: c, length: 78 m}, {cable: rope, length: 130 m}]\n"
+        "route:\n"
+        "  head_at: 78 m\n"
+        "  pieces: [{straight: 5 m}, {bend: 30 deg, radius: 40 m, plane: up}, {straight: 40 m},\n"
+        "    {bend: 60 deg, radius: 20 m, plane: down}, {straight: 40 m}, {bend: 30 deg, radius: 40 m, plane: up},\n"
+        "    {straight: 5 m}, {bend: 30 deg, radius: 20 m, plane: left}, {straight: 10 m}]\n"
+        "rollers: {along: " GROOVED("") "}\n"
+                                        "friction: {mu: 0.06}\nlimits: {pull: 90 kN, sidewall: 9 kN/m}\n"
+                                        "drive: {winch: {speed: 0.2 m/s, to: 1 s}, tail: {tension: 300 N, ramp: "
+                                        "none}}\nrun: {duration: 6 s}\n";
+    verdict_is(text, (const char *const[]){"title", "as it is", NULL}, 1);
+    static const char *const light[][2] = {{"78 m", "the rope presses to the side with"},
+                                           {"140 m", "SAFE: all"}}; /* the crest is behind the head */
+    for (int k = 0; k < 2; k++) {
+        json_t *const all =
+            theory_of(text, (const char *const[]){"cables.rope.mass", "5.5 kg/m", "route.head_at", light[k][0], NULL});
+        check_has(json_string_value(json_object_get(all, "verdict_forward")), light[k][1]);
+        json_decref(all);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rollers_and_guides),      cmocka_unit_test(on_straights),
         cmocka_unit_test(flanks_trays_and_floors), cmocka_unit_test(gates_in_one_place),
-        cmocka_unit_test(the_rope_ahead),          cmocka_unit_test(flanks_from_rest),
-        cmocka_unit_test(names_with_letters),
+        cmocka_unit_test(the_rope_ahead),          cmocka_unit_test(the_rope_behind_a_hill),
+        cmocka_unit_test(flanks_from_rest),        cmocka_unit_test(names_with_letters),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* The peaks over all places of the head, found by following the tightest rope alone, against those of all the rows; and
- * what bounds the work of a route with thousands of corners. */
+/* The peaks over all places of the head, found by following the tightest rope alone, against those of all the rows;
+ * what that rope has along the route; and what bounds the work of a route with thousands of corners. */
 #include "theory/plan.h"
 #include "theory/plan_head.h"
 
@@ -68,6 +68,99 @@ static void as_the_rows_have_them(void **state)
     route_clear(&route);
 }
 
+/* N at s with the head at `head`, and rope from there on. */
+static double tension_with(const PlanDef *def, int way, int restart, double head, double s)
+{
+    const PlanPullDef what = {.way = way, .restart = restart, .head = head};
+    Pull pull;
+    assert_int_equal(plan_pull(def, &SINGLE, &what, &pull, NULL), HAWSER_OK);
+    const double tension = pull_at(&pull, s).tension;
+    pull_clear(&pull);
+    return tension;
+}
+
+static int is_step(const PlanDef *def, double s)
+{
+    int step = 0;
+    for (int i = 0; i < def->n_steps; ++i) step |= fabs(def->step[i].at - s) < 1e-6;
+    return step;
+}
+
+/* At each place it is the most of all heads up to there, of the same section. */
+static void check_rope(const PlanDef *def, int way, int restart)
+{
+    RopeSeries rope;
+    assert_int_equal(plan_rope(def, &SINGLE, way, restart, way ? 200 : 0, 5, &rope, NULL), HAWSER_OK);
+    int earlier = 0; /* places at which the rope was tighter before the head came there */
+    for (int i = 0; i < rope.n; i += 3) {
+        double most = -INFINITY;
+        if (is_step(def, rope.s[i])) continue;
+        const double begins = plan_section_at(def, way, rope.s[i]).from;
+        for (int k = 0; k <= i; ++k) {
+            if ((rope.s[k] - begins) * (way ? -1 : 1) <= 0) continue;
+            most = fmax(most, tension_with(def, way, restart, rope.s[k], rope.s[i]));
+        }
+        if (isfinite(most)) check_close(rope.tension[i], most, 1e-9 * fabs(most) + 1e-9);
+        check_close(drawn_at(&(Drawn){.rope = &rope}, rope.s[i]), rope.tension[i], 1e-9 * fabs(rope.tension[i]));
+        earlier += most > tension_with(def, way, restart, rope.s[i], rope.s[i]) * (1 + 1e-9);
+    }
+    assert_true(way || earlier > 5);
+    plan_rope_free(&rope);
+}
+
+/* Rope ahead is tighter while the head is on the crest than when it comes down. */
+static void the_tightest_rope(void **state)
+{
+    (void)state;
+    Route route = crest_route();
+    const PullStretch lies[] = {{.from = -1, .weight = 200, .mu = 0.25, .mu_static = 0.4, .mu_rope = 0.3},
+                                {.from = 90, .weight = 200, .mu = 0.1, .mu_static = 0.1, .mu_rope = 0.2}};
+    const PullStep step[] = {{.at = 41, .force = 2000, .kind = STEP_TAKE},
+                             {.at = 131, .force = 700, .kind = STEP_ANEW}};
+    PlanDef def = {.route = &route, .n_stretches = 2, .stretch = lies, .reel_length = 15, .rope_weight = 8};
+    for (def.n_steps = 0; def.n_steps <= 2; def.n_steps += 2) {
+        def.step = step;
+        for (int k = 0; k < 4; ++k) check_rope(&def, k / 2, k % 2);
+    }
+    route_clear(&route);
+}
+
+/* With the head at one place it is that pull's; before it, and beyond what was asked for, nothing is touched; where the
+ * head begins behind all places there is none. */
+static void the_rope_of_one_head(void **state)
+{
+    (void)state;
+    Route route = crest_route();
+    const PullStretch lies = {.weight = 200, .mu = 0.25, .mu_static = 0.25, .mu_rope = 0.3};
+    const PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &lies, .reel_length = 15, .rope_weight = 8};
+    for (int way = 0; way < PLAN_WAYS; ++way) {
+        const double head = way ? 150.3 : 66.7, until = way ? 31 : 161;
+        RopeSeries rope;
+        assert_int_equal(plan_rope(&def, &SINGLE, way, 0, head, 4, &rope, NULL), HAWSER_OK);
+        check_equal(drawn_at(&(Drawn){.rope = &rope}, way ? 170 : 20), 0);
+        plan_rope_free(&rope);
+        assert_int_equal(plan_rope(&def, &SINGLE, way, 0, way ? route.length : 0, 4, &rope, NULL), HAWSER_OK);
+        double *const tension = calloc((size_t)rope.n, sizeof *tension);
+        assert_non_null(tension);
+        const double there = rope.tension[0];
+        plan_rope_ahead(&def, &rope, rope.s[0], until, tension);
+        check_equal(tension[0], 0);
+        for (int i = 1; i < rope.n; ++i) {
+            const int asked = way ? rope.s[i] >= until : rope.s[i] <= until;
+            const double with = tension_with(&def, way, 0, rope.s[0], rope.s[i]);
+            if (asked) check_close(tension[i], with, 1e-9 * fabs(there) + 1e-9 * fabs(with));
+            if (!asked) check_equal(tension[i], 0);
+        }
+        free(tension);
+        plan_rope_free(&rope);
+        assert_int_equal(plan_rope(&def, &SINGLE, way, 0, way ? -5 : 1e4, 4, &rope, NULL), HAWSER_OK);
+        assert_int_equal(rope.n, 0);
+        check_equal(drawn_at(&(Drawn){.rope = &rope}, 20), 0);
+        plan_rope_free(&rope);
+    }
+    route_clear(&route);
+}
+
 /* Of thousands of corners only some have a row; the peak is that of all of them. */
 static void rows_of_many_corners(void **state)
 {
@@ -124,6 +217,7 @@ static void enough_is_enough(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(as_the_rows_have_them), cmocka_unit_test(rows_of_many_corners),
-                                       cmocka_unit_test(enough_is_enough)};
+                                       cmocka_unit_test(enough_is_enough), cmocka_unit_test(the_tightest_rope),
+                                       cmocka_unit_test(the_rope_of_one_head)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

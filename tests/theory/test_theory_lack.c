@@ -84,6 +84,16 @@ static hawser_status heads(const Scene *s, double *value, hawser_error *err)
     return status;
 }
 
+static hawser_status ropes(const Scene *s, double *value, hawser_error *err)
+{
+    RopeSeries rope;
+    const hawser_status status = plan_rope(&s->def, &s->plan.duct, PLAN_FORWARD, 1, 12, 9, &rope, err);
+    *value = status ? NAN : rope.tension[rope.n - 1];
+    if (status) assert_null(rope.tension);
+    if (!status) plan_rope_free(&rope);
+    return status;
+}
+
 static hawser_status brakes(const Scene *s, double *value, hawser_error *err)
 {
     PlanDef def = s->def;
@@ -128,7 +138,7 @@ static hawser_status grids(const Scene *s, double *value, hawser_error *err)
 static void every_allocation(void **state)
 {
     (void)state;
-    static const Allocating each[] = {plans, one_head, heads, brakes, changes, rollers, grids};
+    static const Allocating each[] = {plans, one_head, heads, ropes, brakes, changes, rollers, grids};
     Scene s;
     if (!lack_works()) skip();
     scene_make(&s);
