@@ -11,16 +11,28 @@
 static const double WRAPPED = 30 * M_PI / 180;
 static const double REACH = 5; /* m: farther from a bend in which no roller stands something else bears the rope */
 
+/* The first of n that stands at `s` or beyond. */
+static int turner_from(int n, const Turner *turner, double s)
+{
+    int low = 0;
+    for (int high = n; low < high;) {
+        const int middle = low + (high - low) / 2;
+        if (turner[middle].s < s) low = middle + 1;
+        if (!(turner[middle].s < s)) high = middle;
+    }
+    return low;
+}
+
 /* The nearest one from `begin` to `end`, seen from `from`, that a bend with this curvature presses the rope on, or the
  * nearest carrier; NULL: there is none. */
 static const Turner *nearest_turner(int n, const Turner *turner, double begin, double end, double from, Vec3 curvature)
 {
     double least[2] = {INFINITY, INFINITY};
     const Turner *nearest[2] = {NULL, NULL};
-    for (int i = 0; i < n; ++i) {
+    for (int i = turner_from(n, turner, begin); i < n && turner[i].s <= end; ++i) {
         const double away = fabs(turner[i].s - from);
         const int inner = bend_side(turner[i].off, curvature) > 0;
-        if (turner[i].s < begin || turner[i].s > end || !(inner || turner[i].carries) || away >= least[inner]) continue;
+        if (!(inner || turner[i].carries) || away >= least[inner]) continue;
         least[inner] = away;
         nearest[inner] = &turner[i];
     }
@@ -111,10 +123,9 @@ static double bent_round(const SceneDef *def, const Route *route, int p, int to,
     const double begin = route->piece[p].s0, end = route->piece[to].s0 + route->piece[to].length;
     double radius = INFINITY;
     for (int k = p; k <= to; ++k) radius = fmin(radius, route->piece[k].radius);
-    for (int i = 0; i < n; ++i) {
+    for (int i = turner_from(n, turner, begin); i < n && turner[i].s <= end; ++i) {
         const int inner = turner[i].inner > 0;
-        if (turner[i].s >= begin && turner[i].s <= end && (inner || (turner[i].carries && turner[i].inner == 0)))
-            wrap_roller(&wrap[inner], &turner[i]);
+        if (inner || (turner[i].carries && turner[i].inner == 0)) wrap_roller(&wrap[inner], &turner[i]);
     }
     const int by = wrap[1].n > 0;
     double round = wrap_end(&wrap[by], end);
