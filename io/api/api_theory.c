@@ -208,6 +208,8 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     fact[n++] = (Fact){"largest_force_head_m", "with the head at", "m", cell_number(c->heads[PLAN_FORWARD].peak.head)};
     fact[n++] =
         (Fact){"max_sidewall_N_per_m", "largest sidewall pressure", "N/m", cell_number(there->pull.max_sidewall)};
+    fact[n++] = (Fact){"stiffness_N", "bending stiffness, not counted", "N",
+                       cell_number(stiffened_by(&t->scene, c, PLAN_FORWARD, &(double){0}))};
     fact[n++] = (Fact){"cables", "cables pulled together", "", cell_number(c->cables)};
     fact[n++] = (Fact){"better_direction", "less force when pulled", "", cell_text(theory_ways[c->plan.better])};
     fact[n++] = (Fact){"best_direction", "better by its limits", "", cell_text(best)};
@@ -249,9 +251,9 @@ static void page_make(Theory *t, const char *title, int forward_only, Page *page
     fill_terms(t);
     for (int k = 0; k < (forward_only ? 1 : PLAN_WAYS); k++) {
         const Calculator *const c = &t->calculator;
-        hawser_condition held[CALCULATOR_KNOWN + 1] = {[CALCULATOR_KNOWN] = c->pulled[k]};
+        hawser_condition held[CALCULATOR_KNOWN + 2] = {[CALCULATOR_KNOWN] = c->pulled[k], c->limp[k]};
         memcpy(held, c->known, sizeof c->known);
-        hawser_verdict(CALCULATOR_KNOWN + 1, held, c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
+        hawser_verdict(CALCULATOR_KNOWN + 2, held, c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
     }
     for (int i = 0; i < t->tables.n; i++) table[n++] = t->tables.table[i];
     table[n++] = (Table){"stations", "Tension along the route, full of cable, pulled forward",

@@ -39,6 +39,12 @@ typedef struct CableDef {
     unsigned estimated; /* CABLE_ESTIMATED_EA and so on: what nobody gave (CS1) */
 } CableDef;
 
+/* N m, in a bend of that curvature (1/m) at first bending, about the stiffer axis; straight on behind the table. */
+double cable_def_moment(const CableDef *cable, double curvature);
+/* N m for each metre of a cable with a table of bending that is bent so far and straightened again: what its loop
+ * encloses (HY3); elastic: 0. */
+double cable_def_loop(const CableDef *cable, double curvature);
+
 /* What would be estimated of the rigidities of a cable that has a diameter and a mass (CS1) to (CS7). */
 StiffnessEstimate cable_def_estimate(const CableDef *cable);
 

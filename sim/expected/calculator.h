@@ -16,7 +16,7 @@ typedef struct CalculatorDuct {
 } CalculatorDuct;
 
 /* What theory must know of a case for its pull to be the case's: what carries the cable; that nothing of that has more
- * friction than is reckoned with; that no fluid does. */
+ * friction than is reckoned with; that no fluid does; what drives it. */
 enum { KNOWN_SUPPORT, KNOWN_FRICTION, KNOWN_MEDIUM, KNOWN_DRIVE, CALCULATOR_KNOWN };
 
 /* Which rule of friction holds on a piece of the route: (T6), (LI1), or each on a part. */
@@ -76,6 +76,7 @@ typedef struct Calculator {
     int n_limits;             /* of either way; 0: the case has none */
     hawser_limit limit[PLAN_WAYS][HAWSER_LIMITS_MAX];
     hawser_condition pulled[PLAN_WAYS]; /* whether the cable is in tension everywhere */
+    hawser_condition limp[PLAN_WAYS];   /* whether its bending stiffness breaks no limit (T32) */
     Pushed pushed[PLAN_WAYS];           /* where it is not */
     Away away[PLAN_WAYS];               /* and why */
     double early[PLAN_WAYS];            /* s, of AWAY_EARLY: when it is pushed most */
@@ -95,7 +96,7 @@ void calculator_free(Calculator *c);
 hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err);
 /* Whether a bend presses the cable away from a guide of a row: it bears nothing. */
 int guide_stands_outside(const Route *route, const RollerDef *guide);
-/* Fills `known` of one that is solved: calculator_known.c. Errors: as plan_build. */
+/* Fills `known` and `limp` of one that is solved: calculator_known.c. Errors: as plan_build. */
 hawser_status calculator_know(const Scene *scene, Calculator *c, hawser_error *err);
 /* Whether the cable sags too far where nothing carries it (T29), into a condition that holds: gaps.c. Errors: as
  * plan_build. */
@@ -103,6 +104,11 @@ hawser_status gaps_judge(const Scene *scene, const Calculator *c, hawser_conditi
 /* Whether its tension lifts it off its route, pulled forward (T31), into a condition that holds: lifted.c. Errors:
  * MEMORY. */
 hawser_status lifted_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);
+/* N, about, by which bending stiffness raises the winch's force pulled that way; at: m along the route, of the bend
+ * with most of it (T32): stiffened.c. */
+double stiffened_by(const Scene *scene, const Calculator *c, int way, double *at);
+/* Whether that would break a limit that holds without. */
+hawser_condition stiffened_judge(const Scene *scene, const Calculator *c, int way);
 /* Whether something holds it to the side where it turns (T30), into a condition that holds: aside.c. Errors: MEMORY. */
 hawser_status aside_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);
 /* load [n_rollers]: N, what theory has each rated roller bear of this chain with what those bring that it draws, and

@@ -341,6 +341,8 @@ hawser_status calculator_know(const Scene *scene, Calculator *c, hawser_error *e
 {
     c->known[KNOWN_FRICTION] = friction_of(scene, c->def.lightest > 0 ? c->def.lightest : scene->cable_weight);
     c->known[KNOWN_MEDIUM] = medium_of(scene);
+    for (int k = 0; k < PLAN_WAYS; ++k)
+        if (!c->def.skip[k]) c->limp[k] = stiffened_judge(scene, c, k);
     friction_told(&scene->def, &c->known[KNOWN_FRICTION]);
     const hawser_status status = drive_of(scene, c, &c->known[KNOWN_DRIVE], err);
     return status ? status : supported_by(scene, c, &c->known[KNOWN_SUPPORT], err);

@@ -257,17 +257,17 @@ static double short_bend_pitch(const SceneDef *def, const RoutePiece *leg)
 
 /* Carriers below, guides beside, pairs on either side of the cable: two of the list in one place, one after the other.
  * What turns the cable decides: pairs, then guides. room: the least that pairs leave. */
-static void rollers_look(const Walk *w, const RoutePiece *leg, double radius, MeshPlace *p)
+static void rollers_look(const SceneDef *def, const Route *route, const RoutePiece *leg, double radius, MeshPlace *p)
 {
     enum { CARRIERS, GUIDES, PAIRS, ROWS };
     Row row[ROWS] = {{0}};
     double room = INFINITY, before = NAN, gap_before = NAN, reach = 0;
-    for (int i = 0; i < w->def->n_rollers; ++i) {
-        const RollerDef *const r = &w->def->rollers[i];
+    for (int i = 0; i < def->n_rollers; ++i) {
+        const RollerDef *const r = &def->rollers[i];
         if (!(r->s >= leg->s0 && r->s <= leg->s0 + leg->length)) continue;
         const Shape shape = roller_def_shape(r);
-        const double gap = shape_distance(&shape, route_at(w->route, r->s).position) - radius;
-        row_add(&row[roller_is_guide(w->route, r) ? GUIDES : CARRIERS], r->s);
+        const double gap = shape_distance(&shape, route_at(route, r->s).position) - radius;
+        row_add(&row[roller_is_guide(route, r) ? GUIDES : CARRIERS], r->s);
         if (fabs(before - r->s) < 1e-6) {
             row_add(&row[PAIRS], r->s);
             room = fmin(room, fmax(0, (gap + gap_before) / 2));
@@ -278,12 +278,28 @@ static void rollers_look(const Walk *w, const RoutePiece *leg, double radius, Me
         p->mu = r->friction.mu_d;
     }
     const Row *const by = row[PAIRS].places > 1 ? &row[PAIRS] : row[GUIDES].places > 1 ? &row[GUIDES] : &row[CARRIERS];
-    p->pitch = by->places > 1 ? (by->last - by->first) / (by->places - 1) : short_bend_pitch(w->def, leg);
+    p->pitch = by->places > 1 ? (by->last - by->first) / (by->places - 1) : short_bend_pitch(def, leg);
     if (by == &row[PAIRS]) p->room = room;
-    if (w->def->geometry != GEOMETRY_CYLINDER) return;
+    if (def->geometry != GEOMETRY_CYLINDER) return;
     p->pairs = row[PAIRS].places;
     p->reach = reach;
     p->play = room;
+}
+
+void mesh_sides(const SceneDef *def, const Route *route, const RoutePiece *bend, const CableDef *cable, MeshPlace *p)
+{
+    const SurfaceDef *const surface = surface_at(def, bend->s0 + bend->length / 2);
+    DuctLoad load;
+    p->room = NAN;
+    p->surface = surface != NULL;
+    if (!surface) {
+        rollers_look(def, route, bend, cable->diameter / 2, p);
+        return;
+    }
+    if (surface->shape.kind == SURFACE_DUCT) p->room = surface->shape.radius - cable->diameter / 2;
+    if (surface->several.cables > 0 && !def->strand.rope && !bundle_in(def, surface, &load, NULL)) p->room = load.room;
+    if (surface->shape.kind == SURFACE_FLAT && surface->shape.height > 0 && surface->shape.width > 0)
+        p->room = surface->shape.width / 2 - cable->diameter / 2;
 }
 
 /* By how much of a leg's middle the cable turns at a roller: weight and tension press together or apart (ME5). */
@@ -293,22 +309,6 @@ static double roller_turn(const Walk *w, const RoutePiece *leg, const MeshPlace 
     const double g = v3_norm(w->def->gravity);
     const Vec3 down = g > 0 ? v3_scale(w->weight / g / p->tension, w->def->gravity) : V3_ZERO;
     return v3_norm(v3_add(v3_scale(fmin(p->pitch, leg->length), bend), v3_scale(p->pitch, down)));
-}
-
-/* Moment over curvature in a bend of this radius, N m2. */
-static double bending_stiffness(const CableDef *cable, double radius)
-{
-    const BendingTable *const t = &cable->bending;
-    double curvature = 0, moment = 0;
-    if (t->rows == 0) return fmax(cable->ei_y, cable->ei_z);
-    for (int k = 0; k < t->rows; ++k) {
-        const double slope = (t->moment[k] - moment) / (t->curvature[k] - curvature);
-        const int last = k == t->rows - 1;
-        if (last || t->curvature[k] * radius >= 1) return radius * (moment + slope * (1 / radius - curvature));
-        curvature = t->curvature[k];
-        moment = t->moment[k];
-    }
-    return 0;
 }
 
 /* Whether a bend goes on in the next leg without a jump of curvature, as a clothoid into its arc: only where curvature
@@ -337,7 +337,7 @@ static MeshPlace place_make(const Walk *w, int piece, int leg, const RoutePiece 
                    .length = bend->length,
                    .room = NAN,
                    .tension = w->tension,
-                   .bending_length = sqrt(bending_stiffness(cable, bend->radius) / w->tension),
+                   .bending_length = sqrt(cable_def_moment(cable, 1 / bend->radius) * bend->radius / w->tension),
                    .diameter = cable->diameter,
                    .weight = cable->mass * v3_norm(def->gravity),
                    .mu = friction_on(def, bend),
@@ -346,18 +346,10 @@ static MeshPlace place_make(const Walk *w, int piece, int leg, const RoutePiece 
         p.wrapped = WRAPPED;
         return p;
     }
-    p.surface = surface != NULL;
-    if (!surface) {
-        rollers_look(w, bend, cable->diameter / 2, &p);
-        if (p.pitch > 0) p.turn = roller_turn(w, bend, &p);
-        p.wrapped = p.pitch > 0 ? 0 : WRAPPED;
-        return p;
-    }
-    DuctLoad load;
-    if (surface->shape.kind == SURFACE_DUCT) p.room = surface->shape.radius - cable->diameter / 2;
-    if (surface->several.cables > 0 && !def->strand.rope && !bundle_in(def, surface, &load, NULL)) p.room = load.room;
-    if (surface->shape.kind == SURFACE_FLAT && surface->shape.height > 0 && surface->shape.width > 0)
-        p.room = surface->shape.width / 2 - cable->diameter / 2;
+    mesh_sides(def, w->route, bend, cable, &p);
+    if (p.surface) return p;
+    if (p.pitch > 0) p.turn = roller_turn(w, bend, &p);
+    p.wrapped = p.pitch > 0 ? 0 : WRAPPED;
     return p;
 }
 

@@ -37,6 +37,9 @@ typedef struct Mesh {
  * the definition must be filled in, its segments need not be. Errors: MEMORY. */
 hawser_status mesh_find(const SceneDef *def, const Route *route, Mesh *out, hawser_error *err);
 void mesh_free(Mesh *mesh);
+/* What holds a cable in one bend, a leg of the route: fills room, surface, pitch, pairs, reach, play and, of rollers,
+ * mu of a place. */
+void mesh_sides(const SceneDef *def, const Route *route, const RoutePiece *bend, const CableDef *cable, MeshPlace *p);
 
 /* Share of the tension there by which segments of length h (m) are expected to raise it (ME1)-(ME7), (ME10)-(ME13). */
 double mesh_error(const MeshPlace *place, double h);
