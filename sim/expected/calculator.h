@@ -107,6 +107,8 @@ hawser_status lifted_judge(const Scene *scene, const Calculator *c, hawser_condi
 /* N, about, by which bending stiffness raises the winch's force pulled that way; at: m along the route, of the bend
  * with most of it (T32): stiffened.c. */
 double stiffened_by(const Scene *scene, const Calculator *c, int way, double *at);
+/* N, of what more pull the limits that hold allow, and the limit that allows least; NULL: none says anything of it. */
+double limits_left(const Calculator *c, int way, const hawser_limit **least);
 /* Whether that would break a limit that holds without. */
 hawser_condition stiffened_judge(const Scene *scene, const Calculator *c, int way);
 /* Whether something holds it to the side where it turns (T30), into a condition that holds: aside.c. Errors: MEMORY. */

@@ -1,8 +1,10 @@
 /* Whether theory is calculated with all that the case says. docs/limits.md, "Trust". */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "core/base/error.h"
 #include "core/profile.h"
 #include "sim/equipment/winch.h"
 #include "sim/expected/calculator.h"
@@ -318,13 +320,74 @@ static hawser_status drive_unbounded(const Scene *scene, const Calculator *c, in
     return HAWSER_OK;
 }
 
+/* A belt that runs with the winch takes over what lengths leave it, which may be nothing (condition `shared` of a run).
+ */
+static int runs_with_winch(const Scene *scene, const Pusher *by)
+{
+    if (strcmp(by->room->kind->name, "conveyors")) return 0;
+    const ConveyorDef *const belt = &scene->def.conveyors[by->item];
+    return scene->def.winch.present && belt->sync && belt->factor <= 1 && belt->factor >= 1;
+}
+
+/* N, by which the winch pulls more, or the cable has more, without those belts; NULL: there are none. */
+static hawser_status without_belts(const Scene *scene, const Calculator *c, int way, double *more, const Pusher **first,
+                                   hawser_error *err)
+{
+    const PlanPullDef whole = {.way = way, .whole = 1};
+    PlanDef def = c->def;
+    HeadSeries heads;
+    Pull pull;
+    PullStep *const push = malloc(((size_t)c->n_pushers + 1) * sizeof *push);
+    if (!push) return error_memory(err);
+    *first = NULL;
+    for (int i = 0; i < c->n_pushers; ++i) {
+        push[i] = c->push[way][i];
+        if (!(push[i].force > 0) || !runs_with_winch(scene, &c->pusher[i])) continue;
+        push[i].force = 0;
+        if (!*first) *first = &c->pusher[i];
+    }
+    def.push = def.push_back = push;
+    hawser_status status = *first ? plan_peaks(&def, &c->plan.duct, way, &heads, err) : HAWSER_OK;
+    if (!status && *first) {
+        *more = heads.peak.force - c->heads[way].peak.force;
+        plan_heads_free(&heads);
+        status = plan_pull(&def, &c->plan.duct, &whole, &pull, err);
+    }
+    if (!status && *first) {
+        *more = fmax(*more, pull.max_tension - c->plan.way[way].pull.max_tension);
+        pull_clear(&pull);
+    }
+    free(push);
+    return status;
+}
+
+/* Who pulls, the winch or belts that run with it, nobody knows: limits must hold whoever does. */
+static hawser_status drive_shared(const Scene *scene, const Calculator *c, int way, hawser_condition *out,
+                                  hawser_error *err)
+{
+    const hawser_limit *least;
+    const Pusher *first;
+    double more = 0;
+    const double left = limits_left(c, way, &least);
+    if (!out->holds || !least) return HAWSER_OK;
+    const hawser_status status = without_belts(scene, c, way, &more, &first, err);
+    if (status || !first || more <= left) return status;
+    *out = (hawser_condition){.name = "drive", .unit = "N", .value = more, .allowed = left};
+    snprintf(out->remedy, sizeof out->remedy,
+             "'%s' runs with the winch, so that lengths decide who of them pulls: without it %.4g kN more are needed, "
+             "and '%s' has %.4g kN left; give it a 'factor' of 1.02",
+             first->name, more / 1e3, least->name, left / 1e3);
+    return HAWSER_OK;
+}
+
 /* What drives the cable is known, and can: a winch of a set tension stops where that is not enough. */
 static hawser_status drive_of(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err)
 {
     const int way = c->def.skip[PLAN_FORWARD] ? PLAN_BACKWARD : PLAN_FORWARD;
     const double needed = fmax(c->plan.way[way].force, c->heads[way].peak.force), has = tension_set(scene);
     *out = drive_told(scene);
-    if (!scene->def.winch.present || scene->def.winch.mode != WINCH_TENSION) return HAWSER_OK;
+    const hawser_status status = drive_shared(scene, c, way, out, err);
+    if (status || !scene->def.winch.present || scene->def.winch.mode != WINCH_TENSION) return status;
     if (has >= needed * (1 - 1e-9))
         return out->holds && !isfinite(scene->winch->speed_limit) ? drive_unbounded(scene, c, way, out, err)
                                                                   : HAWSER_OK;

@@ -99,17 +99,24 @@ static double left_of(const hawser_limit *limit, const PlanWay *way)
     return way->pull.max_tension * (limit->limit / limit->value - 1);
 }
 
-hawser_condition stiffened_judge(const Scene *scene, const Calculator *c, int way)
+double limits_left(const Calculator *c, int way, const hawser_limit **least)
 {
-    const hawser_limit *least = NULL;
-    double left = INFINITY, at = 0;
+    double left = INFINITY;
+    *least = NULL;
     for (int k = 0; k < c->n_limits; ++k) {
         const double here = left_of(&c->limit[way][k], &c->plan.way[way]);
         if (here >= left) continue;
         left = here;
-        least = &c->limit[way][k];
+        *least = &c->limit[way][k];
     }
-    const double takes = stiffened_by(scene, c, way, &at);
+    return left;
+}
+
+hawser_condition stiffened_judge(const Scene *scene, const Calculator *c, int way)
+{
+    const hawser_limit *least;
+    double at = 0;
+    const double left = limits_left(c, way, &least), takes = stiffened_by(scene, c, way, &at);
     hawser_condition out = {.name = "stiffness", .unit = "N", .value = takes, .allowed = left / DOUBT, .holds = 1};
     if (!least || takes <= out.allowed) return out;
     out.holds = 0;

@@ -253,7 +253,8 @@ static void machines_put_back(void **state)
                      number(m, "at_m"));
         }
         strcat(list, "]");
-        const char *const set[] = {"limits.pull", "7 kN", "theory.machines", list, NULL};
+        const char *const set[] = {"limits.pull", "7 kN", "theory.machines", list, "cables.c.EI",
+                                   "1 N m2",      NULL}; /* (T32) */
         json_t *again = theory(data_text("planner"), set);
         if (few) check_has(word(again, "verdict_forward"), "NOT SAFE");
         if (!few) assert_memory_equal(word(again, "verdict_forward"), "SAFE", 4);

@@ -167,8 +167,9 @@ static void a_light_cable_holds_less(void **state)
 {
     (void)state;
     static const char text[] =
-        "cables: {heavy: {d: 80 mm, mass: 30 kg/m, E: 11.5 GPa, G: 4.15 GPa, A: 5000 mm2}, light: {d: 80 mm, mass: "
-        "3 kg/m, E: 11.5 GPa, G: 4.15 GPa, A: 5000 mm2}}\n"
+        "cables: {heavy: {d: 80 mm, mass: 30 kg/m, E: 11.5 GPa, G: 4.15 GPa, A: 5000 mm2, EI: 90 N m2}, light: {d: 80 "
+        "mm, mass: "
+        "3 kg/m, E: 11.5 GPa, G: 4.15 GPa, A: 5000 mm2, EI: 90 N m2}}\n"
         "chain: [{cable: light, length: 60 m}, {cable: heavy, length: 60 m, rope: false}]\n"
         "route: {head_at: 110 m, pieces: [{straight: 50 m, slope: 0 deg}, {straight: 40 m, slope: -30 deg}, {straight: "
         "30 m, slope: 0 deg}], transition_radius: 5 m}\n"
