@@ -96,14 +96,13 @@ static void a_loop_for_each_bend(void **state)
     } row[] = {
         {"{table: [[0.000001, 50], [1, 50]]}", 2 * 50 / 3.0},
         {"{table: [[1, 300], [2, 400]]}", 0},
-        /* W = 0.1*30/2 + (7/30)*(60 + 7)/2*... by hand: M(1/3) = 37, W = 1.5 + (30 + 37)/2 * 7/30; half: M(1/6) = 32 */
+        /* M(1/3) = 37 and W = 1.5 + 33.5 * 7/30; M(1/6) = 32 and W = 1.5 + 31 * 2/30 */
         {"{table: [[0.1, 30], [0.4, 39]]}", 1.5 + 33.5 * 7 / 30 - (37 / 3.0 - 4 * (1.5 + 31 * 2 / 30.0))},
     };
+    static const char cables[] = "{c: {d: 50 mm, EA: 12 MN, GA: 5 MN, GJ: 500 N m2, mass: 9 kg/m, bending: {}}}";
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
-        json_t *const all = theory_of(DUCT, (const char *const[]){bare[0], bare[1], "cables",
-                                                                  "{c: {d: 50 mm, EA: 12 MN, GA: 5 MN, GJ: 500 N m2, "
-                                                                  "mass: 9 kg/m, bending: {}}}",
-                                                                  "cables.c.bending", row[k].table, NULL});
+        const char *const settings[] = {bare[0], bare[1], "cables", cables, "cables.c.bending", row[k].table, NULL};
+        json_t *const all = theory_of(DUCT, settings);
         check_close(number_of(all, "stiffness_N"), row[k].loop, 1e-3);
         json_decref(all);
     }
