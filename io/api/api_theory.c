@@ -208,8 +208,7 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     fact[n++] = (Fact){"largest_force_head_m", "with the head at", "m", cell_number(c->heads[PLAN_FORWARD].peak.head)};
     fact[n++] =
         (Fact){"max_sidewall_N_per_m", "largest sidewall pressure", "N/m", cell_number(there->pull.max_sidewall)};
-    fact[n++] = (Fact){"stiffness_N", "bending stiffness, left out", "N",
-                       cell_number(stiffened_by(&t->scene, c, PLAN_FORWARD, &(double){0}))};
+    fact[n++] = (Fact){"stiffness_N", "bending stiffness, left out", "N", cell_number(c->limp[PLAN_FORWARD].value)};
     fact[n++] = (Fact){"cables", "cables pulled together", "", cell_number(c->cables)};
     fact[n++] = (Fact){"better_direction", "less force when pulled", "", cell_text(theory_ways[c->plan.better])};
     fact[n++] = (Fact){"best_direction", "better by its limits", "", cell_text(best)};

@@ -76,7 +76,7 @@ typedef struct Calculator {
     int n_limits;             /* of either way; 0: the case has none */
     hawser_limit limit[PLAN_WAYS][HAWSER_LIMITS_MAX];
     hawser_condition pulled[PLAN_WAYS]; /* whether the cable is in tension everywhere */
-    hawser_condition limp[PLAN_WAYS];   /* whether its bending stiffness breaks no limit (T32) */
+    hawser_condition limp[PLAN_WAYS];   /* whether its bending stiffness breaks no limit, and what it takes (T32) */
     Pushed pushed[PLAN_WAYS];           /* where it is not */
     Away away[PLAN_WAYS];               /* and why */
     double early[PLAN_WAYS];            /* s, of AWAY_EARLY: when it is pushed most */
@@ -104,12 +104,10 @@ hawser_status gaps_judge(const Scene *scene, const Calculator *c, hawser_conditi
 /* Whether its tension lifts it off its route, pulled forward (T31), into a condition that holds: lifted.c. Errors:
  * MEMORY. */
 hawser_status lifted_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);
-/* N, about, by which bending stiffness raises the winch's force pulled that way; at: m along the route, of the bend
- * with most of it (T32): stiffened.c. */
-double stiffened_by(const Scene *scene, const Calculator *c, int way, double *at);
 /* N, of what more pull the limits that hold allow, and the limit that allows least; NULL: none says anything of it. */
 double limits_left(const Calculator *c, int way, const hawser_limit **least);
-/* Whether that would break a limit that holds without. */
+/* Whether what bending stiffness takes, about (its `value`, N of the winch's force), would break a limit that holds
+ * without (T32): stiffened.c. */
 hawser_condition stiffened_judge(const Scene *scene, const Calculator *c, int way);
 /* Whether something holds it to the side where it turns (T30), into a condition that holds: aside.c. Errors: MEMORY. */
 hawser_status aside_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);

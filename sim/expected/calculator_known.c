@@ -358,7 +358,9 @@ static hawser_status without_belts(const Scene *scene, const Calculator *c, int 
         pull_clear(&pull);
     }
     free(push);
-    return status;
+    if (status != HAWSER_ERR_INPUT) return status;
+    *more = INFINITY; /* it grows past all bounds */
+    return HAWSER_OK;
 }
 
 /* Who pulls, the winch or belts that run with it, nobody knows: limits must hold whoever does. */

@@ -17,9 +17,22 @@ typedef struct Bend {
     double apart;            /* m, at least, of the places that hold it */
 } Bend;
 
-/* Of pieces p to `to`. */
-static Bend bend_at(const Scene *scene, const Route *route, int p, int to, const CableDef *cable)
+/* Whether rollers stand on its inner and on its outer side: pairs above and below do not hold a bend to the side. */
+static int rollers_hold(const Calculator *c, const Bend *b)
 {
+    int inner = 0, outer = 0;
+    for (int i = 0; i < c->n_turners; ++i) {
+        if (c->turner[i].s < b->begin || c->turner[i].s > b->end) continue;
+        inner |= c->turner[i].inner > 0;
+        outer |= c->turner[i].inner < 0;
+    }
+    return inner && outer;
+}
+
+/* Of pieces p to `to`. */
+static Bend bend_at(const Scene *scene, const Calculator *c, int p, int to, const CableDef *cable)
+{
+    const Route *const route = c->route;
     const RoutePiece *const first = &route->piece[p], *const last = &route->piece[to];
     Bend b = {.begin = first->s0, .end = last->s0 + last->length, .room = INFINITY};
     for (int k = p; k <= to; ++k) {
@@ -27,7 +40,7 @@ static Bend bend_at(const Scene *scene, const Route *route, int p, int to, const
         mesh_sides(&scene->def, route, &route->piece[k], cable, &side);
         b.turn += route->piece[k].angle;
         b.room = isnan(side.room) || isnan(b.room) ? NAN : fmin(b.room, fmax(0, 2 * side.room));
-        b.apart = fmax(cable->diameter, side.surface ? 0 : side.pitch);
+        b.apart = fmax(fmax(b.apart, cable->diameter), side.surface ? 0 : side.pitch);
     }
     b.radius = (b.end - b.begin) / b.turn;
     const double middle = (b.begin + b.end) / 2;
@@ -35,6 +48,7 @@ static Bend bend_at(const Scene *scene, const Route *route, int p, int to, const
     const Vec3 bends = route_at(route, middle).curvature;
     if (surface && surface->shape.kind == SURFACE_FLAT && fabs(bends.z) > hypot(bends.x, bends.y))
         b.room = NAN; /* a tray has no lid */
+    if (!surface && !isnan(b.room) && !rollers_hold(c, &b)) b.room = NAN;
     return b;
 }
 
@@ -61,31 +75,39 @@ static double bend_most(const Scene *scene, const Calculator *c, int way, int p,
     double most = 0;
     for (int k = 0; k < scene_def_eye(&scene->def); ++k) {
         const CableDef *const cable = &scene->def.cables[scene->def.pieces[k].cable];
-        const Bend b = bend_at(scene, c->route, p, to, cable);
+        const Bend b = bend_at(scene, c, p, to, cable);
         if (b.turn > 0 && isfinite(b.radius)) most = fmax(most, bend_takes(&b, cable, mu, tension));
     }
     return most * c->cables;
 }
 
-double stiffened_by(const Scene *scene, const Calculator *c, int way, double *at)
+/* N, about, by which it raises the winch's force of the section that it raises most; at: m along the route, of the bend
+ * with most of it. A pull that begins anew in a pit knows nothing of what was before. */
+static double way_takes(const Scene *scene, const Calculator *c, int way, double *at)
 {
     const Route *const route = c->route;
-    double all = 0, most = 0, behind = 1; /* behind: by how much what is held back at the route's begin grows */
+    double all = 0, worst = 0, most = 0,
+           ahead = 1; /* ahead, pulled back: by how much it grows up to the section's end */
+    double section = NAN;
     for (int p = 0, to; p < route->n; p = to + 1) {
         to = route_turn_end(route, p);
-        const RoutePiece *const first = &route->piece[p];
+        const RoutePiece *const first = &route->piece[p], *const last = &route->piece[to];
         if (first->kind == ROUTE_STRAIGHT) continue;
+        const double begins = plan_section_at(&c->def, way, (first->s0 + last->s0 + last->length) / 2).from;
+        if (begins > section || begins < section) all = 0, ahead = 1;
+        section = begins;
         const double here = bend_most(scene, c, way, p, to);
         double turn = 0;
         for (int k = p; k <= to; ++k) turn += route->piece[k].angle;
         const double grows = exp(stretch_at(c->def.n_stretches, c->def.stretch, first->s0)->mu * turn);
-        all = way == PLAN_BACKWARD ? all + here * behind : all * grows + here;
-        behind *= grows;
+        all = way == PLAN_BACKWARD ? all + here * ahead : all * grows + here;
+        ahead *= grows;
+        worst = fmax(worst, all);
         if (here <= most) continue;
         most = here;
         *at = first->s0;
     }
-    return all;
+    return worst;
 }
 
 /* What a limit has left, N, of those that go with the pull; INFINITY: it says nothing of it. */
@@ -116,7 +138,7 @@ hawser_condition stiffened_judge(const Scene *scene, const Calculator *c, int wa
 {
     const hawser_limit *least;
     double at = 0;
-    const double left = limits_left(c, way, &least), takes = stiffened_by(scene, c, way, &at);
+    const double left = limits_left(c, way, &least), takes = way_takes(scene, c, way, &at);
     hawser_condition out = {.name = "stiffness", .unit = "N", .value = takes, .allowed = left / DOUBT, .holds = 1};
     if (!least || takes <= out.allowed) return out;
     out.holds = 0;

@@ -81,7 +81,13 @@ static void where_both_sides_hold(void **state)
     snprintf(text, sizeof text, "%.*s%s%s", (int)(ducts - DUCT), DUCT, guided, behind);
     const double pairs = stiffness_of(text, "title", "as it is");
     check_above(pairs, 10);
-    check_equal(stiffness_of(text, "rollers.along.1", "{guide: inside, spacing: 500 mm}") > pairs, 0);
+    check_equal(stiffness_of(text, "rollers.along.1", "{guide: inside, spacing: 500 mm}"), 0);
+    check_equal(stiffness_of(text, "route.pieces", up), 0); /* guides beside a bend upward */
+    static const char below[] = "[{spacing: 500 mm, width: 1 m, hold_down: [[0 m, 20 m]]}]";
+    check_equal(stiffness_of(text, "rollers.along", below), 0); /* above and below a bend to the side */
+    json_t *const held = theory_of(text, (const char *const[]){"rollers.along", below, "route.pieces", up, NULL});
+    check_above(number_of(held, "stiffness_N"), 10);
+    json_decref(held);
 }
 
 /* The loop of a cable that yields is paid in every bend, whatever holds it: 2 m kappa where it yields at once with m,
@@ -120,6 +126,11 @@ static void with_the_bends_ahead(void **state)
     const double ahead = number_of(all, "stiffness_N");
     check_share(ahead, one * exp(0.2 * M_PI / 2), 0.05); /* the wide one takes nothing */
     json_decref(all);
+    /* a pit between them: what was taken before it is another winch's */
+    json_t *const pit = theory_of(DUCT, (const char *const[]){"drive.tail.tension", "0 N", "route.pieces", two,
+                                                              "theory.pits", "[{at: 13.2 m, back: 0 N}]", NULL});
+    check_share(number_of(pit, "stiffness_N"), one, 0.05);
+    json_decref(pit);
 }
 
 static double pull_of(const char *radius, const char *pieces, const char *ei)
