@@ -44,6 +44,7 @@ typedef struct PlanDef {
     int n_pushes;
     const PullStep *push;      /* conveyors and the like, by what they add; force > 0: along the pull; < 0: brake */
     const PullStep *push_back; /* the same when pulled back, by the same order; NULL: as push */
+    const PushLaw *pushes;     /* what push, by the tension that arrives, in place of their forces; NULL: these */
     int n_steps;
     const PullStep *step; /* machines (STEP_TAKE) and pits (STEP_ANEW), the same either way */
     int n_wear;           /* by rising `from`; 0: friction stays */

@@ -109,26 +109,41 @@ static hawser_status cables_set(const Scene *scene, Calculator *c, hawser_error 
     return status;
 }
 
-/* The pushes one by one along the pull, with cable in all of them: each takes what the ones before it leave. */
+/* The pushers of a calculator and what each pushes with, one way. */
+typedef struct Pushing {
+    const Scene *scene;
+    const Calculator *c;
+    PullStep *push; /* [c->n_pushers] */
+} Pushing;
+
+static double pusher_push(void *of, int i, double arriving)
+{
+    const Pushing *const p = of;
+    const Pusher *const by = &p->c->pusher[i];
+    return p->push[i].force = by->room->kind->push(by->room, p->scene, by->item, arriving, INFINITY);
+}
+
+/* The pushes in one pull, with cable in all of them: each takes what the ones before it leave. One that the pull does
+ * not reach has what arrives at its end. */
 static hawser_status pushes_find(const Scene *scene, Calculator *c, int way, hawser_error *err)
 {
     const DuctLoad single = {.weight_factor = 1, .sidewall_factor = 1};
     const PlanPullDef whole = {.way = way, .whole = 1};
-    PlanDef def = c->def;
     PullStep *const push = c->push[way];
-    for (int i = 0; i < c->n_pushers; ++i) push[i] = (PullStep){.at = c->pusher[i].at};
+    Pushing pushing = {scene, c, push};
+    const PushLaw law = {pusher_push, &pushing};
+    PlanDef def = c->def;
+    Pull pull;
+    if (c->n_pushers == 0) return HAWSER_OK;
+    for (int i = 0; i < c->n_pushers; ++i) push[i] = (PullStep){.at = c->pusher[i].at, .force = NAN};
     def.push = def.push_back = push;
+    def.pushes = &law;
     def.enough = 0; /* the pushes to come may take it off */
-    for (int k = 0; k < c->n_pushers; ++k) {
-        const int i = way == PLAN_BACKWARD ? c->n_pushers - 1 - k : k;
-        const Pusher *const by = &c->pusher[i];
-        Pull pull;
-        const hawser_status status = plan_pull(&def, &single, &whole, &pull, err);
-        if (status) return status;
-        const double arriving = pull_at(&pull, push[i].at).tension;
-        push[i].force = by->room->kind->push(by->room, scene, by->item, arriving, INFINITY);
-        pull_clear(&pull);
-    }
+    const hawser_status status = plan_pull(&def, &single, &whole, &pull, err);
+    if (status) return status;
+    for (int i = 0; i < c->n_pushers; ++i)
+        if (isnan(push[i].force)) pusher_push(&pushing, i, pull_at(&pull, push[i].at).tension);
+    pull_clear(&pull);
     return HAWSER_OK;
 }
 

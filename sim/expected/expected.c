@@ -134,7 +134,8 @@ static void tensions_unknown(Pull *pull)
     for (int i = 0; i < pull->n; ++i) pull->span[i].t0 = pull->span[i].t1 = NAN;
 }
 
-hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err)
+static hawser_status pull_with(const Scene *scene, const Expected *e, PullLaw law, const PushLaw *pushes, Pull *pull,
+                               hawser_error *err)
 {
     Stretches stretches;
     hawser_status status = stretches_find(scene, &stretches, err);
@@ -151,14 +152,37 @@ hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, 
                          .n_stretches = stretches.n,
                          .stretch = stretches.stretch,
                          .n_steps = e->n_steps,
-                         .step = e->step};
+                         .step = e->step,
+                         .pushes = pushes};
     status = pull_solve(&def, pull, err);
     if (!status && !expected_weighs(&scene->def)) tensions_unknown(pull);
     stretches_free(&stretches);
     return status;
 }
 
-/* Sets the steps one by one along the route: each needs the tension that the ones before it leave. */
+hawser_status expected_pull(const Scene *scene, const Expected *e, PullLaw law, Pull *pull, hawser_error *err)
+{
+    return pull_with(scene, e, law, NULL, pull, err);
+}
+
+/* Who pushes a pull, and what each pushes with. */
+typedef struct Pushing {
+    const Scene *scene;
+    Expected *e;
+} Pushing;
+
+static double pusher_push(void *of, int i, double arriving)
+{
+    const Pushing *const p = of;
+    const Pusher *const by = &p->e->pusher[i];
+    const double tension = expected_weighs(&p->scene->def) ? arriving : NAN;
+    const double push = by->room->kind->push(by->room, p->scene, by->item, tension, p->e->to);
+    p->e->step[i].force = -push;
+    return push;
+}
+
+/* Sets the steps in one pull: each needs the tension that the ones before it leave. Beyond the pull's ends nothing
+ * pushes. */
 static hawser_status steps_fill(const Scene *scene, Expected *out, hawser_error *err)
 {
     const int n = scene_pushers(scene, &out->pusher);
@@ -166,16 +190,17 @@ static hawser_status steps_fill(const Scene *scene, Expected *out, hawser_error 
     out->step = calloc((size_t)n + 1, sizeof *out->step);
     if (n < 0 || !out->step) return error_memory(err);
     for (int i = 0; i < n; ++i) {
-        const Pusher *const by = &out->pusher[i];
-        Pull pull;
-        const hawser_status status = expected_pull(scene, out, PULL_REFERENCE, &pull, err);
-        if (status) return status;
-        const int there = by->at > out->from && by->at < out->rope_to;
-        const double arriving = pull_at(&pull, by->at).tension;
-        const double push = there ? by->room->kind->push(by->room, scene, by->item, arriving, out->to) : 0;
-        out->step[out->n_steps++] = (PullStep){.at = by->at, .force = -push};
-        pull_clear(&pull);
+        const double at = out->pusher[i].at;
+        const int there = at > out->from && at < out->rope_to;
+        out->step[out->n_steps++] = (PullStep){.at = at, .kind = there ? STEP_PUSH : STEP_ADD, .item = i};
     }
+    Pushing pushing = {scene, out};
+    Pull pull;
+    const hawser_status status =
+        pull_with(scene, out, PULL_REFERENCE, &(PushLaw){pusher_push, &pushing}, &pull, err);
+    if (status) return status;
+    for (int i = 0; i < n; ++i) out->step[i].kind = STEP_ADD; /* they are known now */
+    pull_clear(&pull);
     return HAWSER_OK;
 }
 
