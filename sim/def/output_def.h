@@ -101,14 +101,6 @@ typedef struct TheoryDef {
     TheoryFrictionDef *friction;
     int n_machines, n_pits;
     TheoryPlaceDef *machines, *pits;
-    /* N, each way, what the cables that this one draws as their rope pull at it, and by how much more with their heads
-     * elsewhere or from rest; not of the case, but of the calculation for those */
-    double drawn[PLAN_WAYS], drawn_more[PLAN_WAYS];
-    double drawn_least[PLAN_WAYS]; /* N, at their heads, wherever these are */
-    /* likewise: whether rollers are judged with this one, of several chains the last; N, [n_rollers] or NULL, borrowed,
-     * with what those that it draws and all others press on them (SC18) */
-    int rollers_elsewhere;
-    const double *rollers_drawn[PLAN_WAYS], *rollers_others[PLAN_WAYS];
     /* nothing carries the cable, and: no friction is given, the default's is nobody's; it is to be simulated, too */
     int guessed_friction, would_fall;
     int simulated; /* the case says how it is run */

@@ -116,3 +116,49 @@ StiffnessEstimate cable_def_estimate(const CableDef *cable)
                             cable->conductor_cores};
     return stiffness_estimate(&make);
 }
+
+int scene_def_segments(const SceneDef *def)
+{
+    int n = 0;
+    for (int p = 0; p < def->n_pieces; ++p) n += def->pieces[p].segments;
+    return n;
+}
+
+/* The length of a rod's last segment at either end, where the others have h: h^2/2L if a point mass lies beyond its
+ * centre, so that this has a centre to sit on (RD4). */
+static double end_length(const SceneDef *def, int end, double h)
+{
+    double length = 0, own = h;
+    for (int p = 0; p < def->n_pieces; ++p) length += def->pieces[p].length;
+    for (int m = 0; m < def->rod.n_masses; ++m) {
+        const double at = def->rod.masses[m].at, away = end == ROD_TAIL ? at : length - at;
+        if (away < h / 2) own = fmin(h, h * h / (2 * length));
+    }
+    return own;
+}
+
+/* Lengths of the segments of piece p, all alike but for those at the ends of a rod: out [segments]. */
+static void piece_cut(const SceneDef *def, int p, double *out)
+{
+    const ChainPieceDef *const piece = &def->pieces[p];
+    const int n = piece->segments;
+    const double h = piece->length / n;
+    double tail = h, head = h;
+    if (def->rod.present && n > 2) {
+        if (p == 0) tail = end_length(def, ROD_TAIL, h);
+        if (p == def->n_pieces - 1) head = end_length(def, ROD_HEAD, h);
+    }
+    for (int k = 0; k < n; ++k) out[k] = tail < h || head < h ? (piece->length - tail - head) / (n - 2) : h;
+    if (tail < h || head < h) {
+        out[0] = tail;
+        out[n - 1] = head;
+    }
+}
+
+void scene_def_cut(const SceneDef *def, double *length)
+{
+    for (int p = 0; p < def->n_pieces; ++p) {
+        piece_cut(def, p, length);
+        length += def->pieces[p].segments;
+    }
+}

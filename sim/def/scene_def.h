@@ -225,6 +225,9 @@ void scene_def_defaults(SceneDef *def); /* every default there is; docs/case-for
 void scene_def_clear(SceneDef *def);
 /* How many pieces of the chain are the cable, from the tail on; those behind them are the rope. */
 int scene_def_eye(const SceneDef *def);
+/* Segments of the whole chain, and the length of each from the tail on, m: length [segments]. */
+int scene_def_segments(const SceneDef *def);
+void scene_def_cut(const SceneDef *def, double *length);
 /* What the cable touches of a roller; m of cable that roller r holds up (INFINITY: the only one; 0: not known). */
 Shape roller_def_shape(const RollerDef *roller);
 double roller_def_span(const SceneDef *def, int r);

@@ -7,7 +7,6 @@
 #include "core/base/error.h"
 #include "sim/expected/calculator.h"
 
-static const double LEVEL = .7;      /* of a wall's normal, upward, at most; of a tangent beside which guides stand */
 static const double LEANS = .05;     /* tangent of the least angle by which a roller leans or is grooved */
 static const double STRAIGHT = 1e-8; /* rad: less is no turn */
 static const double FREE = 2;        /* m to the side where nothing ends, or half the bend's radius */
@@ -30,7 +29,7 @@ typedef struct Gate {
 } Gate;
 
 typedef struct Gates {
-    const Scene *scene;
+    const Setup *setup;
     const Calculator *c;
     int rope;             /* it is the rope ahead that is asked, where it lies before the cable has come there */
     double cable, weight; /* m, its radius; N/m, of the lightest piece; or the rope's */
@@ -98,48 +97,31 @@ static void carrier_take(const Gates *g, const RollerDef *roller, Vec3 at, Gate 
 /* A wall beside the cable. */
 static void wall_take(const Gates *g, const SurfaceShape *wall, Vec3 at, Gate *gate)
 {
-    const Vec3 off = v3_sub(at, wall->point), across = v3_cross(wall->normal, wall->along);
-    const double above = v3_dot(off, wall->normal), leads = to_the_left(gate, wall->normal);
-    if (fabs(wall->normal.z) > LEVEL || !(above > 0) || fabs(leads) < LEVEL) return;
-    if (wall->length > 0 && fabs(v3_dot(off, wall->along)) > wall->length / 2) return;
-    if (wall->width > 0 && fabs(v3_dot(off, across)) > wall->width / 2) return;
-    gate_narrow(gate, leads < 0 ? LEFT : RIGHT, (above - g->cable) / fabs(leads), INFINITY);
+    const double above = v3_dot(v3_sub(at, wall->point), wall->normal), leads = to_the_left(gate, wall->normal);
+    if (fabs(wall->normal.z) > SUPPORT_LEVEL || !(above > 0) || fabs(leads) < SUPPORT_LEVEL) return;
+    if (plane_reaches(wall, at)) gate_narrow(gate, leads < 0 ? LEFT : RIGHT, (above - g->cable) / fabs(leads), INFINITY);
 }
 
 static void walls_take(const Gates *g, Vec3 at, Gate *gate)
 {
-    const SceneDef *const def = &g->scene->def;
-    for (int k = 0; k < def->n_surfaces; ++k)
-        if (!surface_along_route(&def->surfaces[k])) wall_take(g, &def->surfaces[k].shape, at, gate);
-}
-
-/* Whether the cable lies on a plane at `at`. */
-static int lies_on(const Gates *g, const SurfaceDef *surface, Vec3 at)
-{
-    const SurfaceShape *const floor = &surface->shape;
-    const Vec3 off = v3_sub(at, floor->point), across = v3_cross(floor->normal, floor->along);
-    const double above = v3_dot(off, floor->normal);
-    if (surface_along_route(surface) || !(floor->normal.z > LEVEL) || fabs(above - g->cable) > BELOW) return 0;
-    if (floor->length > 0 && fabs(v3_dot(off, floor->along)) > floor->length / 2) return 0;
-    return !(floor->width > 0 && fabs(v3_dot(off, across)) > floor->width / 2);
+    const Supports *const map = &g->setup->supports;
+    for (int k = 0; k < map->n_planes; ++k) wall_take(g, &map->plane[k]->shape, at, gate);
 }
 
 /* What carries there, of floors and of trays without sides or of two flanks; NULL: nothing. */
 static const SurfaceDef *carrier_at(const Gates *g, double s, Vec3 at)
 {
-    const SceneDef *const def = &g->scene->def;
-    for (int k = 0; k < def->n_surfaces; ++k) {
-        const SurfaceDef *const d = &def->surfaces[k];
-        const int here = surface_along_route(d) && s >= d->shape.from && s <= d->shape.to;
-        if ((here && surface_flank(d) < INFINITY) || lies_on(g, d, at)) return d;
-    }
-    return NULL;
+    const Supports *const map = &g->setup->supports;
+    const int k = supports_along(map, s);
+    const SurfaceDef *const on = k > 0 && s <= map->along[k - 1]->shape.to ? map->along[k - 1] : NULL;
+    if (on && surface_flank(on) < INFINITY) return on;
+    return supports_floor(map, at, g->cable - BELOW, g->cable + BELOW);
 }
 
 /* At how many places of the route floors and trays are looked at. */
 static int places_of(const Gates *g)
 {
-    return g->scene->def.n_surfaces > 0 ? (int)fmin(ceil(g->c->route->length / APART), MOST) : 0;
+    return g->setup->def->n_surfaces > 0 ? (int)fmin(ceil(g->c->route->length / APART), MOST) : 0;
 }
 
 /* Floors and trays; on a floor the cable may slide until it has left the route. */
@@ -200,20 +182,20 @@ static void gates_weigh(Gates *g)
 
 static hawser_status gates_find(Gates *g, hawser_error *err)
 {
-    const SceneDef *const def = &g->scene->def;
+    const Supports *const map = &g->setup->supports;
     const Calculator *const c = g->c;
-    g->gate = malloc(((size_t)c->n_turners + (size_t)places_of(g) + 1) * sizeof *g->gate);
+    g->gate = malloc(((size_t)map->n_rollers + (size_t)places_of(g) + 1) * sizeof *g->gate);
     if (!g->gate) return error_memory(err);
-    for (int i = 0; i < c->n_turners; ++i) {
-        if (c->turner[i].s < 0 || c->turner[i].s > c->route->length) continue;
-        const RollerDef *const roller = &def->rollers[c->turner[i].roller];
-        const RoutePoint at = route_at(c->route, c->turner[i].s);
-        const int above = c->turner[i].carries && c->turner[i].off.z > 0;
-        if (roller->hold_down || above || hypot(at.tangent.x, at.tangent.y) < LEVEL) continue;
+    for (int i = supports_from(map, 0); i < map->n_rollers && map->roller[i].s <= c->route->length; ++i) {
+        const SupportRoller *const by = &map->roller[i];
+        const RollerDef *const roller = &map->def->rollers[by->item];
+        const RoutePoint at = route_at(c->route, by->s);
+        const int carries = by->kind == SUPPORT_ROLLER, above = carries && by->off.z > 0;
+        if (by->kind == SUPPORT_HOLD_DOWN || above || hypot(at.tangent.x, at.tangent.y) < SUPPORT_LEVEL) continue;
         Gate *const gate = &g->gate[g->n++];
-        *gate = gate_at(c->route, c->turner[i].s);
+        *gate = gate_at(c->route, by->s);
         walls_take(g, at.position, gate);
-        if (c->turner[i].carries) {
+        if (carries) {
             carrier_take(g, roller, at.position, gate);
         } else {
             guide_take(g, roller, at.position, gate);
@@ -304,28 +286,6 @@ static void way_press(const Gates *g, const Drawn *drawn, int first, int last, P
 
 /* ------------------------------------------------------------------------------------------------------- the route */
 
-/* The first length at or after s in which the cable is held on its line: ducts, trays with sides, belts. */
-static int next_held(const Gates *g, double s, double *from, double *to)
-{
-    const SceneDef *const def = &g->scene->def;
-    *from = *to = INFINITY;
-    for (int k = 0; k < def->n_surfaces; ++k) {
-        const SurfaceDef *const on = &def->surfaces[k];
-        if (!surface_along_route(on) || surface_flank(on) < INFINITY || on->shape.to <= s || on->shape.from >= *from)
-            continue;
-        *from = on->shape.from;
-        *to = on->shape.to;
-    }
-    for (int k = 0; k < g->c->n_pushers; ++k) {
-        const Pusher *const by = &g->c->pusher[k];
-        const double end = 2 * by->at - by->from;
-        if (!by->holds || end <= s || by->from >= *from) continue;
-        *from = by->from;
-        *to = end;
-    }
-    return *from < g->c->route->length;
-}
-
 static Point route_point(const Route *route, double s)
 {
     const Vec3 p = route_at(route, s).position;
@@ -336,9 +296,11 @@ static Press route_press(const Gates *g, const Drawn *drawn)
 {
     const Route *const route = g->c->route;
     Press worst = {0};
-    int gate = 0;
-    for (double s = 0, from, to; s < route->length; s = to) {
-        if (!next_held(g, s, &from, &to)) from = route->length;
+    int gate = 0, next = 0;
+    for (double s = 0, to; s < route->length; s = to) {
+        const SupportLength *const held = supports_sides(&g->setup->supports, s, &next);
+        const double from = held ? held->from : route->length;
+        to = held ? held->to : INFINITY;
         int last = gate;
         while (last < g->n && g->gate[last].s < from) ++last;
         if (from > s) way_press(g, drawn, gate, last, route_point(route, s), route_point(route, from), &worst);
@@ -409,7 +371,7 @@ static hawser_status rope_take(const Gates *g, int way, Press *worst, hawser_err
 static hawser_status worst_press(Gates *g, int flanks, Press *worst, hawser_error *err)
 {
     const Calculator *const c = g->c;
-    const double begins = g->rope ? fmax(0, g->scene->joint_s[g->scene->eye]) : 0;
+    const double begins = g->rope ? fmax(0, g->setup->front) : 0;
     g->flanks = flanks;
     g->n = 0;
     hawser_status status = gates_find(g, err);
@@ -435,15 +397,15 @@ static hawser_status ask_aside(Gates *g, hawser_condition *out, hawser_error *er
     return status;
 }
 
-hawser_status aside_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err)
+hawser_status aside_judge(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err)
 {
-    const double weight = c->def.lightest > 0 ? c->def.lightest : scene->cable_weight,
-                 thick = bundle_diameter(&scene->def);
-    const double rope = rope_diameter(scene);
-    Gates g = {.scene = scene, .c = c, .cable = thick / 2, .weight = weight};
-    if (!scene->def.winch.present && c->n_pushers == 0) return HAWSER_OK; /* nothing moves it on */
+    const double weight = c->def.lightest > 0 ? c->def.lightest : setup->cable_weight,
+                 thick = bundle_diameter(setup->def);
+    const double rope = rope_diameter(setup);
+    Gates g = {.setup = setup, .c = c, .cable = thick / 2, .weight = weight};
+    if (!setup->def->winch.present && setup->n_pushers == 0) return HAWSER_OK; /* nothing moves it on */
     const hawser_status status = ask_aside(&g, out, err);
     if (status || !out->holds || !(c->def.rope_weight > 0)) return status;
-    g = (Gates){.scene = scene, .c = c, .rope = 1, .cable = fmin(rope, thick) / 2, .weight = c->def.rope_weight};
+    g = (Gates){.setup = setup, .c = c, .rope = 1, .cable = fmin(rope, thick) / 2, .weight = c->def.rope_weight};
     return ask_aside(&g, out, err);
 }

@@ -4,7 +4,6 @@
 #define HAWSER_SIM_EXPECTED_CALCULATOR_H
 
 #include "sim/expected/expected.h"
-#include "sim/expected/stretches.h"
 #include "theory/limits.h"
 #include "theory/plan.h"
 #include "theory/plan_head.h"
@@ -55,9 +54,7 @@ typedef struct Calculator {
     int cables;
     double mu_least, mu_largest; /* of what lies along the route, without a duct's correction and wear */
     Stretches stretches;         /* of all cables together */
-    int n_pushers;
-    Pusher *pusher;            /* [n_pushers] conveyors and whatever else pushes */
-    PullStep *push[PLAN_WAYS]; /* [n_pushers] N along the pull */
+    PullStep *push[PLAN_WAYS]; /* [the setup's pushers] N along the pull */
     PullStep *step;            /* [def.n_steps] machines and pits of the section `theory` */
     double *spacing, *guides;  /* [pieces] m, the largest gap between carriers there, and between guides; 0: none */
     int n_bearers;
@@ -67,8 +64,7 @@ typedef struct Calculator {
     SupportRule *rule; /* [pieces] */
     int n_ducts;
     CalculatorDuct *duct; /* [n_ducts] */
-    int n_turners;
-    Turner *turner; /* [n_turners] rollers that the rope may run on */
+    SupportRoller *roller; /* [the map's rollers] those that the rope may run on, on this route */
     Plan plan;
     HeadSeries heads[PLAN_WAYS]; /* the winch's force by the place of the head */
     double beyond[PLAN_WAYS]; /* N, by what the winch pulls more than the cable's front at least, what is drawn apart;
@@ -89,51 +85,51 @@ typedef struct Calculator {
 /* expected: has the tension of all cables where the pull begins, whichever way. forward_only: what belongs to the other
  * way stays zero, and `best` and `plan.better` say nothing. Errors: INPUT (as plan_build), MEMORY. Give it back with
  * calculator_free, also after an error. The scene must stay. */
-hawser_status calculator_build(const Scene *scene, const Expected *expected, int forward_only, Calculator *out,
+hawser_status calculator_build(const Setup *setup, const Expected *expected, int forward_only, Calculator *out,
                                hawser_error *err);
 void calculator_free(Calculator *c);
 /* Fills limits and `pulled` of one that is solved. Errors: MEMORY. */
-hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err);
+hawser_status calculator_judge(const Setup *setup, Calculator *c, hawser_error *err);
 /* Whether a bend presses the cable away from a guide of a row: it bears nothing. */
 int guide_stands_outside(const Route *route, const RollerDef *guide);
 /* Fills `known` and `limp` of one that is solved: calculator_known.c. Errors: as plan_build. */
-hawser_status calculator_know(const Scene *scene, Calculator *c, hawser_error *err);
+hawser_status calculator_know(const Setup *setup, Calculator *c, hawser_error *err);
 /* Whether the cable sags too far where nothing carries it (T29), into a condition that holds: gaps.c. Errors: as
  * plan_build. */
-hawser_status gaps_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);
+hawser_status gaps_judge(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err);
 /* Whether its tension lifts it off its route, pulled forward (T31), into a condition that holds: lifted.c. Errors:
  * MEMORY. */
-hawser_status lifted_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);
+hawser_status lifted_judge(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err);
 /* N, of what more pull the limits that hold allow, and the limit that allows least; NULL: none says anything of it. */
 double limits_left(const Calculator *c, int way, const hawser_limit **least);
 /* Whether what bending stiffness takes, about (its `value`, N of the winch's force), would break a limit that holds
  * without (T32): stiffened.c. */
-hawser_condition stiffened_judge(const Scene *scene, const Calculator *c, int way);
+hawser_condition stiffened_judge(const Setup *setup, const Calculator *c, int way);
 /* Whether something holds it to the side where it turns (T30), into a condition that holds: aside.c. Errors: MEMORY. */
-hawser_status aside_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err);
+hawser_status aside_judge(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err);
 /* load [n_rollers]: N, what theory has each rated roller bear of this chain with what those bring that it draws, and
  * what all others do (SC18); 0 where it knows of none. */
-void calculator_rollers(const Scene *scene, const Calculator *c, int way, double *load);
+void calculator_rollers(const Setup *setup, const Calculator *c, int way, double *load);
 /* N, of the winch, wherever the head is, at speed or from rest; of a rope with all that it draws, whatever each pulls
  * at most (SC15). */
-double calculator_peak(const Scene *scene, const Calculator *c, int way);
+double calculator_peak(const Setup *setup, const Calculator *c, int way);
 /* Fills `pulled`, `pushed`, `away` and `early`. Errors: as plan_build. */
-hawser_status calculator_pulled(const Scene *scene, Calculator *c, hawser_error *err);
+hawser_status calculator_pulled(const Setup *setup, Calculator *c, hawser_error *err);
 /* Whether a brake where the pull begins is what is missing. */
 int away_is_braked(Away away);
 /* Of a way of which it is not: why the cable is pushed, in words. */
 void away_say(const Calculator *c, int way, int size, char *text);
 /* The least factor that the script gives friction, of anything; at most 1. */
-double friction_least_told(const SceneDef *def);
+double friction_least_told(const Setup *setup);
 /* The calculator's question with that friction; the stretches are malloc'ed, the caller's, also after an error. Errors:
  * MEMORY. */
-hawser_status calculator_loosen(const Scene *scene, const Calculator *c, PlanDef *out, PullStretch **own,
+hawser_status calculator_loosen(const Setup *setup, const Calculator *c, PlanDef *out, PullStretch **own,
                                 hawser_error *err);
 /* The brake that holds a cable which is pushed; of one that the script lets go, with the winch's force with all of the
  * friction. Errors: as plan_brake. */
-hawser_status calculator_brake(const Scene *scene, const Calculator *c, int way, Brake *out, hawser_error *err);
+hawser_status calculator_brake(const Setup *setup, const Calculator *c, int way, Brake *out, hawser_error *err);
 /* Fills brake, trip and best of one that is solved; calculator_build's last step. Errors: as pull_solve, MEMORY. */
-hawser_status calculator_follow(const Scene *scene, Calculator *c, hawser_error *err);
+hawser_status calculator_follow(const Setup *setup, Calculator *c, hawser_error *err);
 
 /* The same pull with something else about it. */
 typedef struct Variation {
@@ -150,7 +146,7 @@ typedef struct Variation {
 
 /* Solved as far as plan, limits and `pulled` of that way go. Errors as calculator_build; give it back likewise. `base`
  * must stay. */
-hawser_status calculator_vary(const Scene *scene, const Calculator *base, const Variation *by, Calculator *out,
+hawser_status calculator_vary(const Setup *setup, const Calculator *base, const Variation *by, Calculator *out,
                               hawser_error *err);
 /* The limit that is broken most, or that is nearest to it; NULL if none is judged. */
 const hawser_limit *calculator_worst(const Calculator *c, int way);

@@ -38,107 +38,106 @@ static Finding sidewall_finding(const Route *route, const PlanWay *way)
 }
 
 /* N, (T18a). */
-static double load_beside_bend(const Scene *scene, const Pull *pull, const Beside *beside)
+static double load_beside_bend(const Setup *setup, const Pull *pull, const Beside *beside)
 {
     const double tension = fmax(0, pull_at(pull, beside->s).tension);
-    return hypot(fmax(0, scene->cable_weight * beside->gap + tension * beside->down), tension * beside->aside);
+    return hypot(fmax(0, setup->cable_weight * beside->gap + tension * beside->down), tension * beside->aside);
 }
 
 /* What a roller of the piece bears, N: where guides stand beside the carriers, each what goes its way. */
-static double load_on(const Scene *scene, const Calculator *c, const PlanWay *way, const RollerDef *roller)
+static double load_on(const Setup *setup, const Calculator *c, const PlanWay *way, const RollerDef *roller)
 {
-    const int p = route_at(&scene->route, roller->s).piece;
+    const int p = route_at(setup->route, roller->s).piece;
     const PlanPiece *const piece = &way->piece[p];
     if (!(piece->guided > 0) || !(c->guides[p] > 0)) return piece->roller_load;
-    return roller_is_guide(&scene->route, roller) ? piece->guided : piece->carried;
+    return roller_is_guide(setup->route, roller) ? piece->guided : piece->carried;
 }
 
 /* Takes in what a roller bears of this chain, N, if that is more than was known; turned: some of it is tension. */
-static void borne_take(const Scene *scene, int way, int r, double own, int turned, double *load)
+static void borne_take(const Setup *setup, int way, int r, double own, int turned, double *load)
 {
-    const TheoryDef *const theory = &scene->def.theory;
-    const double drawn = theory->rollers_drawn[way] ? theory->rollers_drawn[way][r] : 0;
-    const double others = theory->rollers_others[way] ? theory->rollers_others[way][r] : 0;
+    const Company *const with = &setup->company;
+    const double drawn = with->rollers_drawn[way] ? with->rollers_drawn[way][r] : 0;
+    const double others = with->rollers_others[way] ? with->rollers_others[way][r] : 0;
     if (!(own > 0)) own = 0;
     load[r] = fmax(load[r], others + (turned ? own + drawn : fmax(own, drawn)));
 }
 
 /* Of the rows on the route's own pieces; why one that is rated cannot be told, or an empty text. */
-static void rows_bear(const Scene *scene, const Calculator *c, int way, double *load, char why[160])
+static void rows_bear(const Setup *setup, const Calculator *c, int way, double *load, char why[160])
 {
     const PlanWay *const plan = &c->plan.way[way];
     *why = 0;
-    for (int r = 0; r < scene->def.n_rollers; ++r) {
-        const RollerDef *const roller = &scene->def.rollers[r];
+    for (int r = 0; r < setup->def->n_rollers; ++r) {
+        const RollerDef *const roller = &setup->def->rollers[r];
         if (isnan(roller->s) && roller->rating > 0)
             snprintf(why, 160, "of rollers.list and obstacles theory knows no load: a run does");
         if (isnan(roller->s) || !(roller->rating > 0)) continue;
-        const PlaceLine line = {&scene->route, &plan->pull, scene->cable_weight, 0, scene->route.length};
+        const PlaceLine line = {setup->route, &plan->pull, setup->cable_weight, 0, setup->route->length};
         if (roller->hold_down && line_load(&line, roller->s).up < 0)
             snprintf(why, 160, "of hold-downs that the cable lifts off to theory knows no load: a run does");
         if (roller->hold_down ||
-            (roller_is_guide(&scene->route, roller) && guide_stands_outside(&scene->route, roller)))
+            (roller_is_guide(setup->route, roller) && guide_stands_outside(setup->route, roller)))
             continue;
-        const int piece = route_at(&scene->route, roller->s).piece;
-        borne_take(scene, way, r, load_on(scene, c, plan, roller), scene->route.piece[piece].kind != ROUTE_STRAIGHT,
+        const int piece = route_at(setup->route, roller->s).piece;
+        borne_take(setup, way, r, load_on(setup, c, plan, roller), setup->route->piece[piece].kind != ROUTE_STRAIGHT,
                    load);
     }
 }
 
 /* load [n_rollers]: what each bears, N, at most by all that theory knows of it. */
-static void rollers_bear(const Scene *scene, const Calculator *c, int way, double *load, char why[160])
+static void rollers_bear(const Setup *setup, const Calculator *c, int way, double *load, char why[160])
 {
     const PlanWay *const plan = &c->plan.way[way];
-    for (int r = 0; r < scene->def.n_rollers; ++r) load[r] = 0;
-    rows_bear(scene, c, way, load, why);
+    for (int r = 0; r < setup->def->n_rollers; ++r) load[r] = 0;
+    rows_bear(setup, c, way, load, why);
     for (int i = 0; i < c->n_bearers; ++i)
-        borne_take(scene, way, c->bearer[i].roller, plan->piece[c->bearer[i].piece].roller_load, 1, load);
+        borne_take(setup, way, c->bearer[i].roller, plan->piece[c->bearer[i].piece].roller_load, 1, load);
     for (int i = 0; i < c->n_beside; ++i) {
         const Beside *const beside = &c->beside[i];
-        borne_take(scene, way, beside->roller, load_beside_bend(scene, &plan->pull, beside),
+        borne_take(setup, way, beside->roller, load_beside_bend(setup, &plan->pull, beside),
                    hypot(beside->down, beside->aside) > 0, load);
     }
 }
 
-void calculator_rollers(const Scene *scene, const Calculator *c, int way, double *load)
+void calculator_rollers(const Setup *setup, const Calculator *c, int way, double *load)
 {
     char why[160];
-    rollers_bear(scene, c, way, load, why);
+    rollers_bear(setup, c, way, load, why);
 }
 
 /* The rated roller that is loaded most for its rating, by the piece on which it stands or a bend beside it. Errors:
  * MEMORY. */
-static hawser_status roller_finding(const Scene *scene, const Calculator *c, int way, Finding *out, hawser_error *err)
+static hawser_status roller_finding(const Setup *setup, const Calculator *c, int way, Finding *out, hawser_error *err)
 {
     Finding worst = {.value = NAN}, unknown = {.value = NAN};
     *out = (Finding){.absent = 1};
-    if (scene->def.theory.rollers_elsewhere) return HAWSER_OK;
-    double *const load = malloc(((size_t)scene->def.n_rollers + 1) * sizeof *load);
+    if (setup->company.rollers_elsewhere) return HAWSER_OK;
+    double *const load = malloc(((size_t)setup->def->n_rollers + 1) * sizeof *load);
     if (!load) return error_memory(err);
-    rollers_bear(scene, c, way, load, unknown.why);
-    for (int r = 0; r < scene->def.n_rollers; ++r) {
-        const RollerDef *const roller = &scene->def.rollers[r];
+    rollers_bear(setup, c, way, load, unknown.why);
+    for (int r = 0; r < setup->def->n_rollers; ++r) {
+        const RollerDef *const roller = &setup->def->rollers[r];
         if (load[r] > 0) finding_load(&worst, roller->name, load[r], roller->rating);
     }
     free(load);
-    const int broken = worst.value > worst.rating / scene->def.limits.roller_factor;
+    const int broken = worst.value > worst.rating / setup->def->limits.roller_factor;
     *out = *unknown.why && !broken ? unknown : worst;
     return HAWSER_OK;
 }
 
-double calculator_peak(const Scene *scene, const Calculator *c, int way)
+double calculator_peak(const Setup *setup, const Calculator *c, int way)
 {
     const HeadSeries *const heads = &c->heads[way];
-    return fmax(heads->peak.force, heads->restart_peak.restart) + scene->def.theory.drawn_more[way];
+    return fmax(heads->peak.force, heads->restart_peak.restart) + setup->company.drawn_more[way];
 }
 
 /* Of chains with a rope: what rope and winch bear is asked where all that they pull is known, and of all cables
  * together what their heads bear (LI9). */
-static void rope_findings(const Scene *scene, int way, Finding f[LIMIT_KINDS])
+static void rope_findings(const Setup *setup, int way, Finding f[LIMIT_KINDS])
 {
-    const TheoryDef *const theory = &scene->def.theory;
-    const StrandDef *const strand = &scene->def.strand;
-    double all = theory->drawn[way], most = all + theory->drawn_more[way];
+    const StrandDef *const strand = &setup->def->strand;
+    double all = setup->company.drawn[way], most = all + setup->company.drawn_more[way];
     if (strand->leads) all = most = f[LIMIT_ROPE].value;
     if (strand->joined >= 0) f[LIMIT_ROPE].absent = f[LIMIT_WINCH].absent = 1;
     if (!strand->rope) return;
@@ -149,7 +148,7 @@ static void rope_findings(const Scene *scene, int way, Finding f[LIMIT_KINDS])
     memcpy(f[LIMIT_ATTACHMENT].where, f[LIMIT_PULL].where, sizeof f->where);
 }
 
-static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error *err)
+static hawser_status limits_set(const Setup *setup, Calculator *c, hawser_error *err)
 {
     const Route *const route = c->route;
     for (int k = 0; k < PLAN_WAYS; ++k) {
@@ -160,26 +159,26 @@ static hawser_status limits_set(const Scene *scene, Calculator *c, hawser_error 
         f[LIMIT_RESTART] = finding_on(route, way->restart_max, way->restart_at, way->restart_piece);
         f[LIMIT_SIDEWALL] = sidewall_finding(route, way);
         f[LIMIT_BEND] = bend_finding(c, k);
-        if (strand_is_rope(&scene->def.strand)) f[LIMIT_BEND].absent = f[LIMIT_SIDEWALL].absent = 1;
-        f[LIMIT_ROPE].value = calculator_peak(scene, c, k);
-        hawser_status status = roller_finding(scene, c, k, &f[LIMIT_ROLLER_STEADY], err);
-        if (!status) status = findings_of_way(scene, route, c, k, f, err);
+        if (strand_is_rope(&setup->def->strand)) f[LIMIT_BEND].absent = f[LIMIT_SIDEWALL].absent = 1;
+        f[LIMIT_ROPE].value = calculator_peak(setup, c, k);
+        hawser_status status = roller_finding(setup, c, k, &f[LIMIT_ROLLER_STEADY], err);
+        if (!status) status = findings_of_way(setup, route, c, k, f, err);
         if (status) return status;
-        rope_findings(scene, k, f);
-        limits_duct(&scene->def.limits, c->cables, NULL, NULL, f);
+        rope_findings(setup, k, f);
+        limits_duct(&setup->def->limits, c->cables, NULL, NULL, f);
         for (int i = 0; i < c->n_ducts; ++i)
-            limits_duct(&scene->def.limits, bundle_cables_in(&scene->def, c->duct[i].surface), c->duct[i].surface->name,
+            limits_duct(&setup->def->limits, bundle_cables_in(setup->def, c->duct[i].surface), c->duct[i].surface->name,
                         &c->duct[i].load, f);
         c->n_limits =
-            limits_judge(&scene->def.limits, bundle_diameter(&scene->def), bundle_pulled(&scene->def), f, c->limit[k]);
+            limits_judge(&setup->def->limits, bundle_diameter(setup->def), bundle_pulled(setup->def), f, c->limit[k]);
     }
     return HAWSER_OK;
 }
 
-hawser_status calculator_judge(const Scene *scene, Calculator *c, hawser_error *err)
+hawser_status calculator_judge(const Setup *setup, Calculator *c, hawser_error *err)
 {
-    const hawser_status status = calculator_pulled(scene, c, err);
-    return status ? status : limits_set(scene, c, err);
+    const hawser_status status = calculator_pulled(setup, c, err);
+    return status ? status : limits_set(setup, c, err);
 }
 
 /* -------------------------------------------------------------------------------- which way, trip, brake */
@@ -216,17 +215,17 @@ static void best_set(Calculator *c)
 }
 
 /* (PN10). Of a cable that runs away no force is known before it is held back. */
-static void trip_set(const Scene *scene, Calculator *c)
+static void trip_set(const Setup *setup, Calculator *c)
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {
         c->trip[k] =
-            limits_trip(&scene->def.limits, bundle_pulled(&scene->def), calculator_peak(scene, c, k), c->beyond[k]);
+            limits_trip(&setup->def->limits, bundle_pulled(setup->def), calculator_peak(setup, c, k), c->beyond[k]);
         if (!c->pulled[k].holds) c->trip[k] = (TripSetting){NAN, "not known before the cable is held back"};
     }
 }
 
 /* Where the cable would run away, in words: of one that the script lets go, with what it leaves of the friction. */
-static void brake_say(const Scene *scene, const Calculator *c, int way, hawser_condition *held)
+static void brake_say(const Setup *setup, const Calculator *c, int way, hawser_condition *held)
 {
     const Brake *const brake = &c->brake[way];
     const double pushed = held->value / 1e3, by = brake->brake / 1e3, winch = brake->force / 1e3;
@@ -234,7 +233,7 @@ static void brake_say(const Scene *scene, const Calculator *c, int way, hawser_c
     char why[56] = "the cable would run away or slacken:";
     if (c->away[way] == AWAY_LOOSENED)
         snprintf(why, sizeof why,
-                 "drive.script: with %.3g of friction it runs away:", friction_least_told(&scene->def));
+                 "drive.script: with %.3g of friction it runs away:", friction_least_told(setup));
     if (isnan(brake->brake)) {
         snprintf(held->remedy, sizeof held->remedy, "%s pushed with %.4g kN, and no brake at the start holds it", why,
                  pushed);
@@ -246,14 +245,14 @@ static void brake_say(const Scene *scene, const Calculator *c, int way, hawser_c
 }
 
 /* Where the cable would run away: the brake that holds it, in the remedy too. */
-static hawser_status brakes_set(const Scene *scene, Calculator *c, hawser_error *err)
+static hawser_status brakes_set(const Setup *setup, Calculator *c, hawser_error *err)
 {
     for (int k = 0; k < PLAN_WAYS; ++k) {
         if (c->pulled[k].holds || c->def.skip[k]) continue;
         if (away_is_braked(c->away[k])) {
-            const hawser_status status = calculator_brake(scene, c, k, &c->brake[k], err);
+            const hawser_status status = calculator_brake(setup, c, k, &c->brake[k], err);
             if (status) return status;
-            brake_say(scene, c, k, &c->pulled[k]);
+            brake_say(setup, c, k, &c->pulled[k]);
         } else {
             c->brake[k] = (Brake){NAN, NAN, c->pushed[k].piece, NAN, NAN, NAN};
             away_say(c, k, sizeof c->pulled[k].remedy, c->pulled[k].remedy);
@@ -262,12 +261,12 @@ static hawser_status brakes_set(const Scene *scene, Calculator *c, hawser_error 
     return HAWSER_OK;
 }
 
-hawser_status calculator_follow(const Scene *scene, Calculator *c, hawser_error *err)
+hawser_status calculator_follow(const Setup *setup, Calculator *c, hawser_error *err)
 {
-    const hawser_status status = brakes_set(scene, c, err);
+    const hawser_status status = brakes_set(setup, c, err);
     if (status) return status;
     c->plan.better = c->heads[PLAN_BACKWARD].peak.force < c->heads[PLAN_FORWARD].peak.force; /* of all sections */
     best_set(c);
-    trip_set(scene, c);
+    trip_set(setup, c);
     return HAWSER_OK;
 }

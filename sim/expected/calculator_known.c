@@ -6,21 +6,20 @@
 
 #include "core/base/error.h"
 #include "core/profile.h"
-#include "sim/equipment/winch.h"
 #include "sim/expected/calculator.h"
 
 /* Friction on nothing is nobody's: a case for theory alone may leave supports out, not friction as well. One that says
  * how it runs is a pull in which the cable would fall. */
-static hawser_status supported_by(const Scene *scene, const Calculator *c, hawser_condition *result, hawser_error *err)
+static hawser_status supported_by(const Setup *setup, const Calculator *c, hawser_condition *result, hawser_error *err)
 {
-    const TheoryDef *const theory = &scene->def.theory;
+    const TheoryDef *const theory = &setup->def->theory;
     const int hangs = theory->guessed_friction || theory->would_fall;
     hawser_condition out = {.name = "supported", .unit = "1", .value = hangs, .holds = !hangs};
     if (theory->guessed_friction) {
         snprintf(out.remedy, sizeof out.remedy,
                  "nothing carries the cable (no rollers, ducts, trays or floor), and no friction is given: the pull is "
                  "that of a guessed %g; give what carries it, or friction.mu",
-                 scene->def.friction.mu_d);
+                 setup->def->friction.mu_d);
     } else if (hangs) {
         snprintf(
             out.remedy, sizeof out.remedy,
@@ -29,22 +28,22 @@ static hawser_status supported_by(const Scene *scene, const Calculator *c, hawse
     }
     *result = out;
     if (hangs || !theory->simulated) return HAWSER_OK;
-    hawser_status status = gaps_judge(scene, c, result, err);
-    if (!status && result->holds) status = lifted_judge(scene, c, result, err);
-    return status || !result->holds ? status : aside_judge(scene, c, result, err);
+    hawser_status status = gaps_judge(setup, c, result, err);
+    if (!status && result->holds) status = lifted_judge(setup, c, result, err);
+    return status || !result->holds ? status : aside_judge(setup, c, result, err);
 }
 
 /* Whether the case gives friction for theory alone at s, or along the whole route if that is not known (NAN). */
-static int friction_given(const Scene *scene, double s)
+static int friction_given(const Setup *setup, double s)
 {
-    const TheoryDef *const theory = &scene->def.theory;
+    const TheoryDef *const theory = &setup->def->theory;
     double given = 0;
     for (int i = 0; i < theory->n_friction; ++i) {
         const TheoryFrictionDef *const f = &theory->friction[i];
         if (s >= f->from && s <= f->to) return 1;
-        given += fmax(0, fmin(f->to, scene->route.length) - fmax(f->from, 0));
+        given += fmax(0, fmin(f->to, setup->route->length) - fmax(f->from, 0));
     }
-    return isnan(s) && given >= scene->route.length * (1 - 1e-9);
+    return isnan(s) && given >= setup->route->length * (1 - 1e-9);
 }
 
 /* The largest friction that something has, in motion or from rest. */
@@ -72,32 +71,32 @@ static double wedge_of(const RollerDef *roller)
 
 /* A roller that spins holds the cable by its bearing (SP9), at most as if it stood; what does not go with the load is
  * most where the weight of the lightest cable (N/m) alone is on it. */
-static double bearing_friction(const Scene *scene, double lightest, int r)
+static double bearing_friction(const Setup *setup, double lightest, int r)
 {
-    const RollerDef *const roller = &scene->def.rollers[r];
+    const RollerDef *const roller = &setup->def->rollers[r];
     const SpinDef *const spin = &roller->spin;
     const double sine = spin->friction * spin->journal / roller->radius;
     if (!(spin->inertia > 0) || !(sine < 1)) return INFINITY;
     if (!(spin->torque > 0)) return tan(asin(sine));
-    return tan(asin(sine)) + spin->torque / (roller->radius * lightest * roller_def_span(&scene->def, r));
+    return tan(asin(sine)) + spin->torque / (roller->radius * lightest * roller_def_span(setup->def, r));
 }
 
 /* The friction of rows, listed rollers and planes is a run's; where there is more of it than of the case's, theory's
  * pull is too small. lightest: of the cable's pieces, N/m. */
-static hawser_condition friction_of(const Scene *scene, double lightest)
+static hawser_condition friction_of(const Setup *setup, double lightest)
 {
-    const SceneDef *const def = &scene->def;
+    const SceneDef *const def = setup->def;
     const double given[2] = {def->friction.mu_d, at_rest(&def->friction)};
     Rough rough[2] = {{given[0], "", 0}, {given[1], "", 0}};
     for (int r = 0; r < def->n_rollers; ++r) {
         const RollerDef *const roller = &def->rollers[r];
-        if (!friction_given(scene, roller->s))
-            friction_take(&roller->friction, wedge_of(roller), bearing_friction(scene, lightest, r), roller->name,
+        if (!friction_given(setup, roller->s))
+            friction_take(&roller->friction, wedge_of(roller), bearing_friction(setup, lightest, r), roller->name,
                           rough);
     }
     for (int k = 0; k < def->n_surfaces; ++k) {
         const SurfaceDef *const surface = &def->surfaces[k];
-        if (!surface_along_route(surface) && !friction_given(scene, NAN))
+        if (!surface_along_route(surface) && !friction_given(setup, NAN))
             friction_take(&surface->friction, 1, INFINITY, surface->name, rough);
     }
     /* friction from rest is named where that alone is too large */
@@ -134,11 +133,11 @@ static void friction_told(const SceneDef *def, hawser_condition *c)
 static const double WET = 0.02; /* of a cable's weight, that the fluid around it may take or add */
 
 /* The calculation knows no fluid: what lifts a cable down a slope, or streams against it, is not in the pull. */
-static hawser_condition medium_of(const Scene *scene)
+static hawser_condition medium_of(const Setup *setup)
 {
-    const SceneDef *const def = &scene->def;
+    const SceneDef *const def = setup->def;
     const MediumDef *const fluid = &def->medium;
-    const double speed = v3_norm(fluid->velocity) + starts_fastest(scene), g = v3_norm(def->gravity);
+    const double speed = v3_norm(fluid->velocity) + starts_fastest(setup), g = v3_norm(def->gravity);
     double most = 0;
     for (int k = 0; k < def->n_pieces && g > 0; ++k) {
         const CableDef *const cable = &def->cables[def->pieces[k].cable];
@@ -203,19 +202,19 @@ static const char *belt_outrun(const SceneDef *def, double speed)
 }
 
 /* What the winch may have hauled by then, m. */
-static double hauled_by(const Scene *scene, double t)
+static double hauled_by(const Setup *setup, double t)
 {
-    return scene->winch->mode == WINCH_TENSION ? scene->winch->speed_limit * t : winch_travel(scene->winch, t);
+    return setup->def->winch.mode == WINCH_TENSION ? winch_def_limit(&setup->def->winch) * t : profile_integral(&setup->def->winch.speed, t);
 }
 
 /* A motor that comes in when the winch has hauled for a metre or more; NULL: there is none. */
-static const char *motor_late(const Scene *scene)
+static const char *motor_late(const Setup *setup)
 {
-    for (int r = 0; r < scene->def.n_rollers; ++r) {
-        const MotorDef *const motor = &scene->def.rollers[r].spin.motor;
+    for (int r = 0; r < setup->def->n_rollers; ++r) {
+        const MotorDef *const motor = &setup->def->rollers[r].spin.motor;
         const int set = motor->kind != MOTOR_NONE && !(motor->factor > 0);
         const double risen = profile_risen_at(&motor->set);
-        if (set && risen > 0 && hauled_by(scene, risen) > LATE) return scene->def.rollers[r].name;
+        if (set && risen > 0 && hauled_by(setup, risen) > LATE) return setup->def->rollers[r].name;
     }
     return NULL;
 }
@@ -231,15 +230,15 @@ static void conveyor_doubted(const char *section, const char *does, const char *
 }
 
 /* The least of the winch's set tension from when it has risen until the front can be at the end, N. */
-static double tension_set(const Scene *scene)
+static double tension_set(const Setup *setup)
 {
-    const Profile *const set = &scene->def.winch.tension;
-    const double whole = scene->def.duration, limit = scene->winch->speed_limit, risen = profile_risen_at(set);
-    const double way = scene->route.length - fmax(0, scene->joint_s[scene->eye]);
+    const Profile *const set = &setup->def->winch.tension;
+    const double whole = setup->def->duration, limit = winch_def_limit(&setup->def->winch), risen = profile_risen_at(set);
+    const double way = setup->route->length - fmax(0, setup->front);
     const double until = fmin(whole, isfinite(limit) && way > 0 ? fmax(risen, 0) + way / limit : whole);
     double least = profile_least_between(set, fmin(risen, until), until), told = -INFINITY;
-    for (int i = 0; i < scene->def.n_script && scene->def.script[i].at <= until; ++i) {
-        const Command *const c = &scene->def.script[i].command;
+    for (int i = 0; i < setup->def->n_script && setup->def->script[i].at <= until; ++i) {
+        const Command *const c = &setup->def->script[i].command;
         if (c->kind != HAWSER_WINCH_TENSION) continue;
         least =
             c->value >= least && !(told > c->value) ? c->value : fmin(least, c->value); /* raised: it waits for it */
@@ -249,23 +248,23 @@ static double tension_set(const Scene *scene)
 }
 
 /* The largest of it in the run, N: the script's takes over. */
-static double tension_most(const Scene *scene)
+static double tension_most(const Setup *setup)
 {
-    double until = scene->def.duration > 0 ? scene->def.duration : INFINITY, most = 0;
-    for (int i = 0; i < scene->def.n_script && scene->def.script[i].at <= scene->def.duration; ++i) {
-        const Command *const c = &scene->def.script[i].command;
+    double until = setup->def->duration > 0 ? setup->def->duration : INFINITY, most = 0;
+    for (int i = 0; i < setup->def->n_script && setup->def->script[i].at <= setup->def->duration; ++i) {
+        const Command *const c = &setup->def->script[i].command;
         if (c->kind != HAWSER_WINCH_TENSION) continue;
-        until = fmin(until, scene->def.script[i].at);
+        until = fmin(until, setup->def->script[i].at);
         most = fmax(most, c->value);
     }
-    return fmax(most, profile_largest_until(&scene->def.winch.tension, until));
+    return fmax(most, profile_largest_until(&setup->def->winch.tension, until));
 }
 
 /* The calculation takes conveyors, rollers and motors as the case has them, not as the crew changes them or as they
  * jam. */
-static hawser_condition drive_told(const Scene *scene)
+static hawser_condition drive_told(const Setup *setup)
 {
-    const SceneDef *const def = &scene->def;
+    const SceneDef *const def = setup->def;
     hawser_condition out = {.name = "drive", .unit = "1", .holds = 1};
     for (int i = 0; i < def->n_jams; ++i) {
         const char *const what = def->jams[i].what;
@@ -281,18 +280,18 @@ static hawser_condition drive_told(const Scene *scene)
             drive_doubted("drive.script", "stops roller", told->what, &out);
         if (does && out.holds) conveyor_doubted("drive.script", does, told->what, &out);
         const char *const outrun = told->kind == HAWSER_WINCH_SPEED ? belt_outrun(def, told->value) : NULL;
-        if (outrun && out.holds && told->value > scene->largest_speed)
+        if (outrun && out.holds && told->value > setup->largest_speed)
             conveyor_doubted("drive.script", "outruns", outrun, &out);
     }
-    const char *const late = motor_late(scene);
+    const char *const late = motor_late(setup);
     if (late && out.holds) drive_doubted("rollers", "have a motor that comes in late,", late, &out);
     return out;
 }
 
 /* Where the winch needs least, with the front where it begins or at a corner ahead of that. */
-static hawser_status least_needed(const Scene *scene, const Calculator *c, int way, HeadForce *least, hawser_error *err)
+static hawser_status least_needed(const Setup *setup, const Calculator *c, int way, HeadForce *least, hawser_error *err)
 {
-    const double forth = way == PLAN_BACKWARD ? -1 : 1, begins = fmax(0, scene->joint_s[scene->eye]);
+    const double forth = way == PLAN_BACKWARD ? -1 : 1, begins = fmax(0, setup->front);
     const double first = way == PLAN_BACKWARD ? c->route->length - begins : begins;
     HeadSeries fronts = {0};
     hawser_status status = plan_head(&c->def, &c->plan.duct, way, first, least, err);
@@ -304,12 +303,12 @@ static hawser_status least_needed(const Scene *scene, const Calculator *c, int w
 }
 
 /* A set tension that no speed bounds is the pull all the way, also where less is needed. */
-static hawser_status drive_unbounded(const Scene *scene, const Calculator *c, int way, hawser_condition *out,
+static hawser_status drive_unbounded(const Setup *setup, const Calculator *c, int way, hawser_condition *out,
                                      hawser_error *err)
 {
-    const double most = tension_most(scene);
+    const double most = tension_most(setup);
     HeadForce least;
-    const hawser_status status = least_needed(scene, c, way, &least, err);
+    const hawser_status status = least_needed(setup, c, way, &least, err);
     if (status || !(most > MORE * least.force)) return status;
     const double needed = fmax(least.force, 0);
     *out = (hawser_condition){.name = "drive", .unit = "1", .value = most / fmax(needed, 1e-3 * most), .allowed = MORE};
@@ -322,29 +321,29 @@ static hawser_status drive_unbounded(const Scene *scene, const Calculator *c, in
 
 /* A belt that runs with the winch takes over what lengths leave it, which may be nothing (condition `shared` of a run).
  */
-static int runs_with_winch(const Scene *scene, const Pusher *by)
+static int runs_with_winch(const Setup *setup, const Pusher *by)
 {
-    if (strcmp(by->room->kind->name, "conveyors")) return 0;
-    const ConveyorDef *const belt = &scene->def.conveyors[by->item];
-    return scene->def.winch.present && belt->sync && belt->factor <= 1 && belt->factor >= 1;
+    if (by->kind != PUSH_BELT) return 0;
+    const ConveyorDef *const belt = &setup->def->conveyors[by->item];
+    return setup->def->winch.present && belt->sync && belt->factor <= 1 && belt->factor >= 1;
 }
 
 /* N, by which the winch pulls more, or the cable has more, without those belts; NULL: there are none. */
-static hawser_status without_belts(const Scene *scene, const Calculator *c, int way, double *more, const Pusher **first,
+static hawser_status without_belts(const Setup *setup, const Calculator *c, int way, double *more, const Pusher **first,
                                    hawser_error *err)
 {
     const PlanPullDef whole = {.way = way, .whole = 1};
     PlanDef def = c->def;
     HeadSeries heads;
     Pull pull;
-    PullStep *const push = malloc(((size_t)c->n_pushers + 1) * sizeof *push);
+    PullStep *const push = malloc(((size_t)setup->n_pushers + 1) * sizeof *push);
     if (!push) return error_memory(err);
     *first = NULL;
-    for (int i = 0; i < c->n_pushers; ++i) {
+    for (int i = 0; i < setup->n_pushers; ++i) {
         push[i] = c->push[way][i];
-        if (!(push[i].force > 0) || !runs_with_winch(scene, &c->pusher[i])) continue;
+        if (!(push[i].force > 0) || !runs_with_winch(setup, &setup->pusher[i])) continue;
         push[i].force = 0;
-        if (!*first) *first = &c->pusher[i];
+        if (!*first) *first = &setup->pusher[i];
     }
     def.push = def.push_back = push;
     hawser_status status = *first ? plan_peaks(&def, &c->plan.duct, way, &heads, err) : HAWSER_OK;
@@ -364,7 +363,7 @@ static hawser_status without_belts(const Scene *scene, const Calculator *c, int 
 }
 
 /* Who pulls, the winch or belts that run with it, nobody knows: limits must hold whoever does. */
-static hawser_status drive_shared(const Scene *scene, const Calculator *c, int way, hawser_condition *out,
+static hawser_status drive_shared(const Setup *setup, const Calculator *c, int way, hawser_condition *out,
                                   hawser_error *err)
 {
     const hawser_limit *least;
@@ -372,7 +371,7 @@ static hawser_status drive_shared(const Scene *scene, const Calculator *c, int w
     double more = 0;
     const double left = limits_left(c, way, &least);
     if (!out->holds || !least) return HAWSER_OK;
-    const hawser_status status = without_belts(scene, c, way, &more, &first, err);
+    const hawser_status status = without_belts(setup, c, way, &more, &first, err);
     if (status || !first || more <= left) return status;
     *out = (hawser_condition){.name = "drive", .unit = "N", .value = more, .allowed = left};
     snprintf(out->remedy, sizeof out->remedy,
@@ -383,15 +382,15 @@ static hawser_status drive_shared(const Scene *scene, const Calculator *c, int w
 }
 
 /* What drives the cable is known, and can: a winch of a set tension stops where that is not enough. */
-static hawser_status drive_of(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err)
+static hawser_status drive_of(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err)
 {
     const int way = c->def.skip[PLAN_FORWARD] ? PLAN_BACKWARD : PLAN_FORWARD;
-    const double needed = fmax(c->plan.way[way].force, c->heads[way].peak.force), has = tension_set(scene);
-    *out = drive_told(scene);
-    const hawser_status status = drive_shared(scene, c, way, out, err);
-    if (status || !scene->def.winch.present || scene->def.winch.mode != WINCH_TENSION) return status;
+    const double needed = fmax(c->plan.way[way].force, c->heads[way].peak.force), has = tension_set(setup);
+    *out = drive_told(setup);
+    const hawser_status status = drive_shared(setup, c, way, out, err);
+    if (status || !setup->def->winch.present || setup->def->winch.mode != WINCH_TENSION) return status;
     if (has >= needed * (1 - 1e-9))
-        return out->holds && !isfinite(scene->winch->speed_limit) ? drive_unbounded(scene, c, way, out, err)
+        return out->holds && !isfinite(winch_def_limit(&setup->def->winch)) ? drive_unbounded(setup, c, way, out, err)
                                                                   : HAWSER_OK;
     out->value = needed / has;
     out->allowed = 1;
@@ -402,13 +401,13 @@ static hawser_status drive_of(const Scene *scene, const Calculator *c, hawser_co
     return HAWSER_OK;
 }
 
-hawser_status calculator_know(const Scene *scene, Calculator *c, hawser_error *err)
+hawser_status calculator_know(const Setup *setup, Calculator *c, hawser_error *err)
 {
-    c->known[KNOWN_FRICTION] = friction_of(scene, c->def.lightest > 0 ? c->def.lightest : scene->cable_weight);
-    c->known[KNOWN_MEDIUM] = medium_of(scene);
+    c->known[KNOWN_FRICTION] = friction_of(setup, c->def.lightest > 0 ? c->def.lightest : setup->cable_weight);
+    c->known[KNOWN_MEDIUM] = medium_of(setup);
     for (int k = 0; k < PLAN_WAYS; ++k)
-        if (!c->def.skip[k]) c->limp[k] = stiffened_judge(scene, c, k);
-    friction_told(&scene->def, &c->known[KNOWN_FRICTION]);
-    const hawser_status status = drive_of(scene, c, &c->known[KNOWN_DRIVE], err);
-    return status ? status : supported_by(scene, c, &c->known[KNOWN_SUPPORT], err);
+        if (!c->def.skip[k]) c->limp[k] = stiffened_judge(setup, c, k);
+    friction_told(setup->def, &c->known[KNOWN_FRICTION]);
+    const hawser_status status = drive_of(setup, c, &c->known[KNOWN_DRIVE], err);
+    return status ? status : supported_by(setup, c, &c->known[KNOWN_SUPPORT], err);
 }

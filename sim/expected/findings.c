@@ -6,8 +6,6 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "sim/equipment/rooms.h"
-#include "sim/equipment/winch.h"
 
 /* --------------------------------------------------------------------------------------------- machines, winch */
 
@@ -75,31 +73,31 @@ double belts_largest_speed(const SceneDef *def)
 }
 
 /* As the case and its script have it; without a winch the belts draw. */
-static Finding speed_said(const Scene *scene)
+static Finding speed_said(const Setup *setup)
 {
-    const SceneDef *const def = &scene->def;
+    const SceneDef *const def = setup->def;
     const WinchDef *const winch = &def->winch;
     if (!winch->present) return (Finding){.value = belts_largest_speed(def), .absent = def->n_conveyors == 0};
-    Finding f = {.value = fmax(winch_largest_speed(scene->winch, def->duration), speed_told(def, HAWSER_WINCH_SPEED))};
-    if (winch->mode == WINCH_TENSION && !isfinite(scene->winch->speed_limit)) f.value = NAN;
+    Finding f = {.value = fmax(winch_def_largest(&setup->def->winch, def->duration), speed_told(def, HAWSER_WINCH_SPEED))};
+    if (winch->mode == WINCH_TENSION && !isfinite(winch_def_limit(&setup->def->winch))) f.value = NAN;
     snprintf(f.why, sizeof f.why, "a winch of set tension without a speed_limit: a run says");
     return f;
 }
 
-void findings_of_scene(const Scene *scene, Finding finding[LIMIT_KINDS])
+void findings_of_scene(const Setup *setup, Finding finding[LIMIT_KINDS])
 {
-    const SceneDef *const def = &scene->def;
+    const SceneDef *const def = setup->def;
     finding[LIMIT_SQUEEZE] = squeeze(def);
     finding[LIMIT_PUSH].absent = def->n_conveyors == 0;
-    finding[LIMIT_SPEED] = speed_said(scene);
+    finding[LIMIT_SPEED] = speed_said(setup);
     if (has_row(def)) return;
     finding[LIMIT_ALPHA].absent = 1;
     if (!has_rating(def)) finding[LIMIT_ROLLER_STEADY].absent = finding[LIMIT_ROLLER_PEAK].absent = 1;
 }
 
-void findings_trip(const Scene *scene, double force, double steady, double beyond, Finding *finding)
+void findings_trip(const Setup *setup, double force, double steady, double beyond, Finding *finding)
 {
-    const WinchDef *const winch = &scene->def.winch;
+    const WinchDef *const winch = &setup->def->winch;
     const double set = winch->trip.force > 0 ? winch->trip.force : winch->trip.factor * force;
     *finding = (Finding){.value = set > 0 ? set : NAN,
                          .steady = steady,
@@ -168,7 +166,7 @@ void findings_run_away(const Braked *b, Finding *finding)
 /* --------------------------------------------------------------------------------------------------- of theory */
 
 /* As findings_run_away, by the plan, which knows more of a pull than its stretches. */
-static hawser_status way_run_away(const Scene *scene, const Route *route, const Calculator *c, int way, Finding *out,
+static hawser_status way_run_away(const Setup *setup, const Route *route, const Calculator *c, int way, Finding *out,
                                   hawser_error *err)
 {
     const Pull *const pull = &c->plan.way[way].pull;
@@ -182,7 +180,7 @@ static hawser_status way_run_away(const Scene *scene, const Route *route, const 
         return HAWSER_OK;
     }
     Brake brake;
-    const hawser_status status = calculator_brake(scene, c, way, &brake, err);
+    const hawser_status status = calculator_brake(setup, c, way, &brake, err);
     if (status) return status;
     *out = finding_on(route, brake.brake, worst.at, worst.piece);
     out->rating = brake.max_tension;
@@ -208,7 +206,7 @@ static void machines_push(const Calculator *c, const Pull *pull, Finding *f)
 }
 
 /* The largest push: of a conveyor, of a machine, at speed or from rest (PN2), of what feeds the cable. */
-static hawser_status largest_push(const Calculator *c, int way, Finding *out, hawser_error *err)
+static hawser_status largest_push(const Setup *setup, const Calculator *c, int way, Finding *out, hawser_error *err)
 {
     const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};
     Finding f = {.value = c->def.feed};
@@ -221,17 +219,17 @@ static hawser_status largest_push(const Calculator *c, int way, Finding *out, ha
         machines_push(c, &rest, &f);
         pull_clear(&rest);
     }
-    for (int i = 0; i < c->n_pushers; ++i) {
+    for (int i = 0; i < setup->n_pushers; ++i) {
         const double force = fabs(c->push[way][i].force);
-        if (c->pusher[i].room->kind != &CONVEYOR_ROOM || force < f.value) continue;
+        if (setup->pusher[i].kind != PUSH_BELT || force < f.value) continue;
         f.value = force;
-        snprintf(f.where, sizeof f.where, "%s", c->pusher[i].name);
+        snprintf(f.where, sizeof f.where, "%s", setup->pusher[i].name);
     }
     *out = f;
     return HAWSER_OK;
 }
 
-hawser_status findings_of_way(const Scene *scene, const Route *route, const Calculator *c, int way,
+hawser_status findings_of_way(const Setup *setup, const Route *route, const Calculator *c, int way,
                               Finding finding[LIMIT_KINDS], hawser_error *err)
 {
     const PlanWay *const w = &c->plan.way[way];
@@ -240,15 +238,15 @@ hawser_status findings_of_way(const Scene *scene, const Route *route, const Calc
                                     ? finding_on(route, w->restart_max, w->restart_at, w->restart_piece)
                                     : finding_on(route, w->pull.max_tension, w->pull.max_at, w->pull.max_piece);
     finding[LIMIT_WINCH].value = finding[LIMIT_ROPE].value;
-    hawser_status status = largest_push(c, way, &finding[LIMIT_PUSH], err);
-    if (!status) status = way_run_away(scene, route, c, way, &finding[LIMIT_RUN_AWAY], err);
+    hawser_status status = largest_push(setup, c, way, &finding[LIMIT_PUSH], err);
+    if (!status) status = way_run_away(setup, route, c, way, &finding[LIMIT_RUN_AWAY], err);
     if (status) return status;
-    findings_trip(scene, w->force, finding[LIMIT_ROPE].value, c->beyond[way], &finding[LIMIT_TRIP]);
+    findings_trip(setup, w->force, finding[LIMIT_ROPE].value, c->beyond[way], &finding[LIMIT_TRIP]);
     if (finding[LIMIT_RUN_AWAY].value > 0) finding[LIMIT_TRIP].steady = NAN;
-    findings_of_scene(scene, finding);
-    finding[LIMIT_ROPE_BEND] = rope_bend(scene, route, 0, c->n_turners, c->turner);
+    findings_of_scene(setup, finding);
+    finding[LIMIT_ROPE_BEND] = rope_bend(setup, route, 0, c->roller);
     /* machines that are asked for push too, if there are none yet */
-    const int asked = has_machines(c) || !isnan(scene->def.theory.machine_push);
+    const int asked = has_machines(c) || !isnan(setup->def->theory.machine_push);
     if (c->def.feed > 0 || asked) finding[LIMIT_PUSH].absent = 0;
     return HAWSER_OK;
 }
@@ -256,17 +254,17 @@ hawser_status findings_of_way(const Scene *scene, const Route *route, const Calc
 /* ----------------------------------------------------------------------------------------------------- of a run */
 
 typedef struct RunPull {
-    const Scene *scene;
+    const Setup *setup;
     const Expected *expected;
 } RunPull;
 
 static hawser_status solve_run(const Braked *b, double more, Pull *out)
 {
     const RunPull *const run = b->of;
-    if (!expected_weighs(&run->scene->def)) return HAWSER_ERR_INPUT;
+    if (!expected_weighs(run->setup->def)) return HAWSER_ERR_INPUT;
     Expected e = *run->expected; /* borrowed */
     e.start_tension += more;
-    return expected_pull(run->scene, &e, PULL_REFERENCE, out, NULL);
+    return expected_pull(run->setup, &e, PULL_REFERENCE, out, NULL);
 }
 
 /* What pushes taken out of the pull: by it alone a slope may push the cable, whatever bends leave of a push before.
@@ -283,14 +281,14 @@ static hawser_status without_pushes(const Expected *e, Expected *out, hawser_err
     return HAWSER_OK;
 }
 
-hawser_status findings_of_run(const Scene *scene, const Expected *e, Finding finding[LIMIT_KINDS], hawser_error *err)
+hawser_status findings_of_run(const Setup *setup, const Expected *e, Finding finding[LIMIT_KINDS], hawser_error *err)
 {
     Finding *const away = &finding[LIMIT_RUN_AWAY];
     Expected alone;
-    RunPull run = {scene, e};
+    RunPull run = {setup, e};
     Braked b = {.solve = solve_run,
-                .route = &scene->route,
-                .beyond = scene->def.drag.force,
+                .route = setup->route,
+                .beyond = setup->def->drag.force,
                 .of = &run,
                 .n_steps = e->n_steps,
                 .step = e->step};
@@ -305,6 +303,6 @@ hawser_status findings_of_run(const Scene *scene, const Expected *e, Finding fin
         if (by_itself.value > 0) *away = by_itself;
     }
     free(alone.step);
-    if (!scene->def.winch.present) away->absent = 1;
+    if (!setup->def->winch.present) away->absent = 1;
     return HAWSER_OK;
 }

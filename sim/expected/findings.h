@@ -8,11 +8,11 @@
 /* m/s, of the fastest belt with a speed of its own, as the case or its script has it; 0: there is none. */
 double belts_largest_speed(const SceneDef *def);
 /* What the scene itself says: belts, the winch's largest speed; marks absent what the scene does not have. */
-void findings_of_scene(const Scene *scene, Finding finding[LIMIT_KINDS]);
+void findings_of_scene(const Setup *setup, Finding finding[LIMIT_KINDS]);
 
 /* The trip that the case sets, of a winch that needs `steady` N by itself (force of the winch by theory: `force`), of
  * which `beyond` are the rope's. Absent without a winch that has a speed. */
-void findings_trip(const Scene *scene, double force, double steady, double beyond, Finding *finding);
+void findings_trip(const Setup *setup, double force, double steady, double beyond, Finding *finding);
 
 /* A pull as theory has it, with so much more tension where it begins. Errors: as pull_solve. */
 typedef struct Braked Braked;
@@ -29,9 +29,9 @@ struct Braked {
 void findings_run_away(const Braked *b, Finding *finding);
 
 /* All of these for one way of a calculator whose pull on the rope is in `finding`. Errors: MEMORY. */
-hawser_status findings_of_way(const Scene *scene, const Route *route, const Calculator *c, int way,
+hawser_status findings_of_way(const Setup *setup, const Route *route, const Calculator *c, int way,
                               Finding finding[LIMIT_KINDS], hawser_error *err);
 /* The same for a run of which theory is known: run-away alone. Errors: MEMORY. */
-hawser_status findings_of_run(const Scene *scene, const Expected *e, Finding finding[LIMIT_KINDS], hawser_error *err);
+hawser_status findings_of_run(const Setup *setup, const Expected *e, Finding finding[LIMIT_KINDS], hawser_error *err);
 
 #endif

@@ -7,77 +7,28 @@
 #include "core/base/error.h"
 #include "sim/expected/calculator.h"
 
-static const double SPAN = 5;   /* m without anything that carries, from which on it is asked how far the cable sags */
-static const double SAG = 0.1;  /* of that length */
-static const double LEVEL = .7; /* of a floor's normal, upward */
+static const double SPAN = 5;  /* m without anything that carries, from which on it is asked how far the cable sags */
+static const double SAG = 0.1; /* of that length */
 enum { PLACES = 8 };            /* at which a span is compared with its chord */
 
 typedef struct Span {
     double from, to; /* m along the route */
 } Span;
 
-/* What covers a length of the route: ducts and trays, and what pushes, from where it begins to as far behind its
- * middle. Returns 0 where there are no more. */
-static int cover(const SceneDef *def, const Calculator *c, int k, Span *out)
-{
-    if (k >= def->n_surfaces + c->n_pushers) return 0;
-    *out = (Span){NAN, NAN};
-    if (k >= def->n_surfaces) {
-        const Pusher *const by = &c->pusher[k - def->n_surfaces];
-        if (by->holds) *out = (Span){by->from, 2 * by->at - by->from};
-    } else if (surface_along_route(&def->surfaces[k])) {
-        *out = (Span){def->surfaces[k].shape.from, def->surfaces[k].shape.to};
-    }
-    return 1;
-}
-
-/* From s on (m), the end of what is covered without a gap. */
-static double covered_to(const SceneDef *def, const Calculator *c, double s)
-{
-    Span on;
-    for (int k = 0; cover(def, c, k, &on); ++k) {
-        if (!(on.from <= s + 1e-6) || on.to <= s) continue;
-        s = on.to;
-        k = -1; /* another may go on from there */
-    }
-    return s;
-}
-
-/* Where the next thing that carries begins after s, m; `turner`: the first that is not behind it. */
-static double next_carried(const SceneDef *def, const Calculator *c, double s, int *turner)
-{
-    double next = c->route->length;
-    Span on;
-    for (; *turner < c->n_turners; ++*turner) {
-        const Turner *const t = &c->turner[*turner];
-        if (t->s > s && t->carries && !(t->off.z > 0)) break;
-    }
-    if (*turner < c->n_turners) next = fmin(next, c->turner[*turner].s);
-    for (int k = 0; cover(def, c, k, &on); ++k)
-        if (on.from > s) next = fmin(next, on.from);
-    return next;
-}
-
 /* Whether the cable comes to lie on a floor before it has left the route by more than its size and half a metre. */
-static int has_floor(const SceneDef *def, const Route *route, Span span)
+static int has_floor(const Supports *map, Span span)
 {
-    const Vec3 at = route_at(route, (span.from + span.to) / 2).position;
-    for (int k = 0; k < def->n_surfaces; ++k) {
-        const SurfaceDef *const s = &def->surfaces[k];
-        if (surface_along_route(s)) continue;
-        const Vec3 normal = v3_unit(s->shape.normal);
-        const double above = v3_dot(v3_sub(at, s->shape.point), normal);
-        if (normal.z > LEVEL && above > -bundle_diameter(def) && above < SAG * SPAN + bundle_diameter(def)) return 1;
-    }
-    return 0;
+    const Vec3 at = route_at(map->route, (span.from + span.to) / 2).position;
+    const double thick = bundle_diameter(map->def);
+    return supports_floor(map, at, -thick, SAG * SPAN + thick) != NULL;
 }
 
 /* How far the route leaves the straight line between both ends of a span, m; 0 where a roller holds its bend. */
-static double off_chord(const Calculator *c, Span span)
+static double off_chord(const Supports *map, Span span)
 {
-    const Route *const route = c->route;
-    for (int i = 0; i < c->n_turners; ++i)
-        if (c->turner[i].inner > 0 && c->turner[i].s > span.from && c->turner[i].s < span.to) return 0;
+    const Route *const route = map->route;
+    for (int i = supports_from(map, span.from); i < map->n_rollers && map->roller[i].s < span.to; ++i)
+        if (map->roller[i].inner > 0 && map->roller[i].s > span.from) return 0;
     const Vec3 a = route_at(route, span.from).position, along = v3_unit(v3_sub(route_at(route, span.to).position, a));
     double most = 0;
     for (int k = 1; k < PLACES; ++k) {
@@ -87,38 +38,45 @@ static double off_chord(const Calculator *c, Span span)
     return most;
 }
 
-/* As a string and a beam on two supports, m: (T29). */
-static double sag_of(const Scene *scene, const Route *route, const Pull *pull, Span span)
+/* The next span without anything that carries, from `from` (m) on; 0: there is none. */
+static int next_span(const Supports *map, double from, Span *out)
 {
-    const SceneDef *const def = &scene->def;
+    out->from = supports_covered(map, from);
+    if (!(out->from < map->route->length)) return 0;
+    out->to = supports_next(map, out->from);
+    return 1;
+}
+
+/* As a string and a beam on two supports, m: (T29). */
+static double sag_of(const Setup *setup, const Route *route, const Pull *pull, Span span)
+{
+    const SceneDef *const def = setup->def;
     const double length = span.to - span.from, middle = (span.from + span.to) / 2;
     const double rise = route_at(route, middle).tangent.z, across = sqrt(fmax(0, 1 - rise * rise));
     double stiff = INFINITY;
     for (int p = 0; p < scene_def_eye(def); ++p) stiff = fmin(stiff, def->cables[def->pieces[p].cable].ei_z);
     const double held = fmax(0, pull_at(pull, middle).tension) + 9.6 * fmax(0, stiff) / (length * length);
-    return scene->cable_weight * across * length * length / (8 * held);
+    return setup->cable_weight * across * length * length / (8 * held);
 }
 
 /* The spans of one way, with the least tension that it has; without the script's friction if it takes some away. */
-static hawser_status way_judge(const Scene *scene, const Calculator *c, int way, hawser_condition *out,
+static hawser_status way_judge(const Setup *setup, const Calculator *c, int way, hawser_condition *out,
                                hawser_error *err)
 {
-    const SceneDef *const def = &scene->def;
+    const Supports *const map = &setup->supports;
     const PlanPullDef whole = {.way = way, .whole = 1};
     PlanDef loose;
     PullStretch *own;
     Pull pull;
-    int turner = 0;
-    hawser_status status = calculator_loosen(scene, c, &loose, &own, err);
+    hawser_status status = calculator_loosen(setup, c, &loose, &own, err);
     const PlanDef slack = plan_slack(&loose);
     if (!status) status = plan_pull(&slack, &c->plan.duct, &whole, &pull, err);
     free(own);
     if (status) return status;
-    for (double from = covered_to(def, c, 0), to; from < c->route->length; from = covered_to(def, c, to)) {
-        to = next_carried(def, c, from, &turner);
-        const Span span = {from, to};
-        if (!(to - from > SPAN) || has_floor(def, c->route, span)) continue;
-        const double sag = fmax(sag_of(scene, c->route, &pull, span), off_chord(c, span)) / (to - from);
+    for (Span span = {0, 0}; next_span(map, span.to, &span);) {
+        const double from = span.from, to = span.to;
+        if (!(to - from > SPAN) || has_floor(map, span)) continue;
+        const double sag = fmax(sag_of(setup, c->route, &pull, span), off_chord(map, span)) / (to - from);
         if (!(sag > out->value)) continue;
         out->value = sag;
         out->holds = sag <= SAG;
@@ -132,21 +90,18 @@ static hawser_status way_judge(const Scene *scene, const Calculator *c, int way,
 }
 
 /* Whether there is a span of that length at all. */
-static int has_span(const SceneDef *def, const Calculator *c)
+static int has_span(const Supports *map)
 {
-    int turner = 0;
-    for (double from = covered_to(def, c, 0), to; from < c->route->length; from = covered_to(def, c, to)) {
-        to = next_carried(def, c, from, &turner);
-        if (to - from > SPAN) return 1;
-    }
+    for (Span span = {0, 0}; next_span(map, span.to, &span);)
+        if (span.to - span.from > SPAN) return 1;
     return 0;
 }
 
-hawser_status gaps_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err)
+hawser_status gaps_judge(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     out->allowed = SAG;
-    for (int k = 0; k < PLAN_WAYS && !status && has_span(&scene->def, c); ++k)
-        if (!c->def.skip[k]) status = way_judge(scene, c, k, out, err);
+    for (int k = 0; k < PLAN_WAYS && !status && has_span(&setup->supports); ++k)
+        if (!c->def.skip[k]) status = way_judge(setup, c, k, out, err);
     return status;
 }

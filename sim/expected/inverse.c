@@ -11,7 +11,7 @@ static const double FARTHEST = 1000;
 
 /* One question on its way to an answer. */
 typedef struct Question {
-    const Scene *scene;
+    const Setup *setup;
     const Calculator *base;
     InverseKind kind;
     int way, bend;                    /* bend: the piece that INVERSE_BEND is about */
@@ -35,7 +35,7 @@ static Variation variation_of(const Question *q, double x)
 static int varied(Question *q, const Variation *by, Calculator *c)
 {
     hawser_error local;
-    const hawser_status status = calculator_vary(q->scene, q->base, by, c, &local);
+    const hawser_status status = calculator_vary(q->setup, q->base, by, c, &local);
     if (status == HAWSER_ERR_MEMORY) {
         q->status = status;
         if (q->err) *q->err = local;
@@ -296,10 +296,10 @@ static void machines_find(Question *q, double push, InverseMachines *out)
 
 /* ------------------------------------------------------------------------------------------------ all of it */
 
-hawser_status inverse_find(const Scene *scene, const Calculator *base, Inverse *out, hawser_error *err)
+hawser_status inverse_find(const Setup *setup, const Calculator *base, Inverse *out, hawser_error *err)
 {
-    const double push = scene->def.theory.machine_push;
-    Question q = {.scene = scene, .base = base, .err = err};
+    const double push = setup->def->theory.machine_push;
+    Question q = {.setup = setup, .base = base, .err = err};
     memset(out, 0, sizeof *out);
     for (q.way = 0; q.way < PLAN_WAYS; ++q.way) {
         if (!calculator_worst(base, q.way)) continue;

@@ -43,6 +43,6 @@ typedef struct Inverse {
 } Inverse;
 
 /* Nothing is answered where no limit can be judged. Errors: MEMORY. */
-hawser_status inverse_find(const Scene *scene, const Calculator *base, Inverse *out, hawser_error *err);
+hawser_status inverse_find(const Setup *setup, const Calculator *base, Inverse *out, hawser_error *err);
 
 #endif

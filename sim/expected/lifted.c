@@ -9,9 +9,7 @@
 #include "core/base/error.h"
 #include "sim/expected/calculator.h"
 
-static const double LIFTED = 2;       /* m off its route, as of a run (condition on_route) */
-static const double STEP = 0.5;       /* m between places */
-static const double CEILING = .7;     /* of its normal, downward */
+static const double STEP = 0.5;    /* m between places */
 static const double STEEP = M_PI / 3; /* rad, of a slope over whose plan no string is looked at */
 enum { MOST = 20000, FRONTS = 8 };    /* places; of the cable's front that rope is looked at with */
 
@@ -24,7 +22,7 @@ typedef struct Place {
 } Place;
 
 typedef struct Places {
-    const Scene *scene;
+    const Setup *setup;
     const Calculator *c;
     Drawn drawn;
     double from;   /* m along the route: it lies ahead of that */
@@ -56,33 +54,25 @@ static void hold(Places *p, double from, double to)
 /* Where the cable would meet a ceiling before it is too far off. */
 static void ceiling_hold(Places *p, const SurfaceShape *on)
 {
-    const Vec3 normal = v3_unit(on->normal), across = v3_cross(normal, on->along);
-    if (on->kind != SURFACE_PLANE || normal.z > -CEILING) return;
+    if (on->normal.z > -SUPPORT_LEVEL) return;
     for (int i = 0; i < p->n; ++i) {
-        const Vec3 off = v3_sub(route_at(p->c->route, p->place[i].s).position, on->point);
-        const double below = v3_dot(off, normal) / -normal.z;
-        if (on->length > 0 && fabs(v3_dot(off, on->along)) > on->length / 2) continue;
-        if (on->width > 0 && fabs(v3_dot(off, across)) > on->width / 2) continue;
-        p->place[i].held |= below > 0 && below < LIFTED;
+        const Vec3 at = route_at(p->c->route, p->place[i].s).position;
+        const double below = v3_dot(v3_sub(at, on->point), on->normal) / -on->normal.z;
+        p->place[i].held |= below > 0 && below < SUPPORT_OFF_ROUTE && plane_reaches(on, at);
     }
 }
 
-/* Ducts, ceilings, belts, and rollers above it; of rope, the cable behind it. */
+/* What is above it: ducts, belts, rollers, ceilings; of rope, the cable behind it. */
 static void places_hold(Places *p)
 {
+    const Supports *const map = &p->setup->supports;
     if (p->from > 0) hold(p, 0, p->from);
-    const SceneDef *const def = &p->scene->def;
-    const Calculator *const c = p->c;
-    for (int k = 0; k < def->n_surfaces; ++k) {
-        const SurfaceShape *const on = &def->surfaces[k].shape;
-        if (on->kind == SURFACE_DUCT) hold(p, on->from, on->to);
-        ceiling_hold(p, on);
-    }
-    for (int k = 0; k < c->n_pushers; ++k)
-        if (c->pusher[k].holds) hold(p, c->pusher[k].from, 2 * c->pusher[k].at - c->pusher[k].from);
-    for (int i = 0; i < c->n_turners; ++i) {
-        const Turner *const t = &c->turner[i];
-        if (def->rollers[t->roller].hold_down || t->off.z > 0.5) hold(p, t->s, t->s);
+    for (int k = 0; k < map->n_planes; ++k) ceiling_hold(p, &map->plane[k]->shape);
+    for (int k = 0; k < map->n_lengths; ++k)
+        if (map->length[k].above) hold(p, map->length[k].from, map->length[k].to);
+    for (int i = 0; i < map->n_rollers; ++i) {
+        const SupportRoller *const r = &map->roller[i];
+        if (r->kind == SUPPORT_HOLD_DOWN || r->off.z > 0.5) hold(p, r->s, r->s);
     }
 }
 
@@ -263,15 +253,15 @@ static hawser_status places_lift(Places *p, Lift *most, hawser_error *err)
 }
 
 /* Rope ahead, at speed. */
-static hawser_status rope_lift(const Scene *scene, const Calculator *c, Lift *most, hawser_error *err)
+static hawser_status rope_lift(const Setup *setup, const Calculator *c, Lift *most, hawser_error *err)
 {
-    const double begins = fmax(0, scene->joint_s[scene->eye]), apart = fmax(STEP, c->route->length / MOST);
+    const double begins = fmax(0, setup->front), apart = fmax(STEP, c->route->length / MOST);
     RopeSeries rope;
     hawser_status status = plan_rope(&c->def, &c->plan.duct, PLAN_FORWARD, 0, begins, apart, &rope, err);
     if (status) return status;
     RopeSeries ahead = rope; /* with the front at one place */
     ahead.tension = malloc(((size_t)rope.n + 1) * sizeof *ahead.tension);
-    Places closer = {.scene = scene, .c = c, .weight = c->def.rope_weight, .drawn = {.rope = &ahead}};
+    Places closer = {.setup = setup, .c = c, .weight = c->def.rope_weight, .drawn = {.rope = &ahead}};
     Places p = closer;
     p.drawn.rope = &rope;
     p.from = begins;
@@ -282,20 +272,20 @@ static hawser_status rope_lift(const Scene *scene, const Calculator *c, Lift *mo
     return status;
 }
 
-hawser_status lifted_judge(const Scene *scene, const Calculator *c, hawser_condition *out, hawser_error *err)
+hawser_status lifted_judge(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err)
 {
     const int way = c->def.skip[PLAN_FORWARD] ? PLAN_BACKWARD : PLAN_FORWARD;
-    Places cable = {.scene = scene,
+    Places cable = {.setup = setup,
                     .c = c,
-                    .weight = c->def.lightest > 0 ? c->def.lightest : scene->cable_weight,
+                    .weight = c->def.lightest > 0 ? c->def.lightest : setup->cable_weight,
                     .drawn = {.pull = &c->plan.way[way].pull}};
-    Lift most = {LIFTED, 0};
-    if (!scene->def.winch.present && c->n_pushers == 0) return HAWSER_OK; /* nothing moves it on */
+    Lift most = {SUPPORT_OFF_ROUTE, 0};
+    if (!setup->def->winch.present && setup->n_pushers == 0) return HAWSER_OK; /* nothing moves it on */
     hawser_status status = places_lift(&cable, &most, err);
-    const int rope = !(most.by > LIFTED);
-    if (!status && rope && way == PLAN_FORWARD && c->def.rope_weight > 0) status = rope_lift(scene, c, &most, err);
-    if (status || !(most.by > LIFTED)) return status;
-    *out = (hawser_condition){.name = out->name, .unit = "m", .value = most.by, .allowed = LIFTED};
+    const int rope = !(most.by > SUPPORT_OFF_ROUTE);
+    if (!status && rope && way == PLAN_FORWARD && c->def.rope_weight > 0) status = rope_lift(setup, c, &most, err);
+    if (status || !(most.by > SUPPORT_OFF_ROUTE)) return status;
+    *out = (hawser_condition){.name = out->name, .unit = "m", .value = most.by, .allowed = SUPPORT_OFF_ROUTE};
     snprintf(out->remedy, sizeof out->remedy,
              "taut, the %s lifts off what carries it by %.3g m at %.1f m: give hold-downs or a duct there, or leave "
              "out 'run' and 'drive'",

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
-#include "sim/expected/stretches.h"
 
 /* ------------------------------------------------------------------------------------------ errors, by the laws */
 
@@ -180,22 +179,24 @@ static const double WRAPPED = 0.09;
 
 /* Along the way: what is known where a leg of the route ends. */
 typedef struct Walk {
+    const Supports *map;
     const SceneDef *def;
     const Route *route;
     double weight;  /* N/m, of the chain's first cable */
     double tension; /* N, at the end of the leg before */
 } Walk;
 
-static double friction_on(const SceneDef *def, const RoutePiece *leg)
+static double friction_on(const Supports *map, const RoutePiece *leg)
 {
-    const SurfaceDef *const surface = surface_at(def, leg->s0 + leg->length / 2);
+    const SceneDef *const def = map->def;
+    const SurfaceDef *const surface = supports_surface(map, leg->s0 + leg->length / 2);
     return surface ? surface_theory_friction(def, surface, leg->kind != ROUTE_STRAIGHT) : def->friction.mu_d;
 }
 
 /* The pulling theory in one line a leg: friction on the weight, rise, capstan; never below the weight of a metre. */
 static void walk_leg(Walk *w, const RoutePiece *leg)
 {
-    const double mu = friction_on(w->def, leg);
+    const double mu = friction_on(w->map, leg);
     const double rise = route_at(w->route, leg->s0 + leg->length).position.z - leg->start.z;
     if (leg->kind != ROUTE_STRAIGHT) w->tension *= exp(mu * leg->angle);
     w->tension =
@@ -257,17 +258,23 @@ static double short_bend_pitch(const SceneDef *def, const RoutePiece *leg)
 
 /* Carriers below, guides beside, pairs on either side of the cable: two of the list in one place, one after the other.
  * What turns the cable decides: pairs, then guides. room: the least that pairs leave. */
-static void rollers_look(const SceneDef *def, const Route *route, const RoutePiece *leg, double radius, MeshPlace *p)
+static void rollers_look(const Supports *map, const RoutePiece *leg, double radius, MeshPlace *p)
 {
     enum { CARRIERS, GUIDES, PAIRS, ROWS };
+    const SceneDef *const def = map->def;
     Row row[ROWS] = {{0}};
     double room = INFINITY, before = NAN, gap_before = NAN, reach = 0;
-    for (int i = 0; i < def->n_rollers; ++i) {
+    int first = def->n_rollers, last = -1; /* of the list, between which all of the leg are */
+    for (int i = supports_from(map, leg->s0); i < map->n_rollers && map->roller[i].s <= leg->s0 + leg->length; ++i) {
+        if (map->roller[i].item < first) first = map->roller[i].item;
+        if (map->roller[i].item > last) last = map->roller[i].item;
+    }
+    for (int i = first; i <= last; ++i) {
         const RollerDef *const r = &def->rollers[i];
         if (!(r->s >= leg->s0 && r->s <= leg->s0 + leg->length)) continue;
         const Shape shape = roller_def_shape(r);
-        const double gap = shape_distance(&shape, route_at(route, r->s).position) - radius;
-        row_add(&row[roller_is_guide(route, r) ? GUIDES : CARRIERS], r->s);
+        const double gap = shape_distance(&shape, route_at(map->route, r->s).position) - radius;
+        row_add(&row[roller_is_guide(map->route, r) ? GUIDES : CARRIERS], r->s);
         if (fabs(before - r->s) < 1e-6) {
             row_add(&row[PAIRS], r->s);
             room = fmin(room, fmax(0, (gap + gap_before) / 2));
@@ -286,14 +293,15 @@ static void rollers_look(const SceneDef *def, const Route *route, const RoutePie
     p->play = room;
 }
 
-void mesh_sides(const SceneDef *def, const Route *route, const RoutePiece *bend, const CableDef *cable, MeshPlace *p)
+void mesh_sides(const Supports *map, const RoutePiece *bend, const CableDef *cable, MeshPlace *p)
 {
-    const SurfaceDef *const surface = surface_at(def, bend->s0 + bend->length / 2);
+    const SceneDef *const def = map->def;
+    const SurfaceDef *const surface = supports_surface(map, bend->s0 + bend->length / 2);
     DuctLoad load;
     p->room = NAN;
     p->surface = surface != NULL;
     if (!surface) {
-        rollers_look(def, route, bend, cable->diameter / 2, p);
+        rollers_look(map, bend, cable->diameter / 2, p);
         return;
     }
     if (surface->shape.kind == SURFACE_DUCT) p->room = surface->shape.radius - cable->diameter / 2;
@@ -329,7 +337,7 @@ static MeshPlace place_make(const Walk *w, int piece, int leg, const RoutePiece 
 {
     const SceneDef *const def = w->def;
     const CableDef *const cable = &def->cables[def->pieces[piece].cable];
-    const SurfaceDef *const surface = surface_at(def, bend->s0 + bend->length / 2);
+    const SurfaceDef *const surface = supports_surface(w->map, bend->s0 + bend->length / 2);
     MeshPlace p = {.piece = piece,
                    .leg = leg,
                    .at = bend->s0,
@@ -340,13 +348,13 @@ static MeshPlace place_make(const Walk *w, int piece, int leg, const RoutePiece 
                    .bending_length = sqrt(cable_def_moment(cable, 1 / bend->radius) * bend->radius / w->tension),
                    .diameter = cable->diameter,
                    .weight = cable->mass * v3_norm(def->gravity),
-                   .mu = friction_on(def, bend),
+                   .mu = friction_on(w->map, bend),
                    .impact = surface ? def->line_impact : def->impact};
     if (!def->winch.present && def->strand.joined < 0) { /* nothing is pulled: only the shape counts */
         p.wrapped = WRAPPED;
         return p;
     }
-    mesh_sides(def, w->route, bend, cable, &p);
+    mesh_sides(w->map, bend, cable, &p);
     if (p.surface) return p;
     if (p.pitch > 0) p.turn = roller_turn(w, bend, &p);
     p.wrapped = p.pitch > 0 ? 0 : WRAPPED;
@@ -382,8 +390,10 @@ static void rod_places(const SceneDef *def, Mesh *out)
     }
 }
 
-hawser_status mesh_find(const SceneDef *def, const Route *route, Mesh *out, hawser_error *err)
+hawser_status mesh_find(const Supports *map, Mesh *out, hawser_error *err)
 {
+    const SceneDef *const def = map->def;
+    const Route *const route = map->route;
     *out = (Mesh){0};
     out->place = calloc((size_t)def->n_pieces * (size_t)(route->n + 1) + 1, sizeof *out->place);
     if (!out->place) return error_memory(err);
@@ -394,7 +404,7 @@ hawser_status mesh_find(const SceneDef *def, const Route *route, Mesh *out, haws
     if (def->drum.present) out->place[out->n++] = drum_place(def);
     for (int k = 0; k < def->n_pieces; ++k) {
         const double weight = def->cables[def->pieces[0].cable].mass * v3_norm(def->gravity);
-        Walk walk = {def, route, weight, fmax(tail_tension(def), fmax(weight, 1))};
+        Walk walk = {map, def, route, weight, fmax(tail_tension(def), fmax(weight, 1))};
         double from, to;
         piece_way(def, route, k, &from, &to);
         for (int leg = 0; leg < route->n; ++leg) {

@@ -3,7 +3,7 @@
 #ifndef HAWSER_SIM_EXPECTED_MESH_H
 #define HAWSER_SIM_EXPECTED_MESH_H
 
-#include "sim/def/scene_def.h"
+#include "sim/expected/supports.h"
 
 /* A bend of the route with what holds one piece of the chain in it. */
 typedef struct MeshPlace {
@@ -33,13 +33,13 @@ typedef struct Mesh {
     MeshPlace *place; /* [n] owned, by pieces of the chain, then along the route */
 } Mesh;
 
-/* Every place that asks for something, of pieces that come there during the run; rollers, surfaces, drive and route of
- * the definition must be filled in, its segments need not be. Errors: MEMORY. */
-hawser_status mesh_find(const SceneDef *def, const Route *route, Mesh *out, hawser_error *err);
+/* Every place that asks for something, of pieces that come there during the run; the drive of the map's definition must
+ * be filled in, its segments need not be. Of a rod the map is empty but for definition and route. Errors: MEMORY. */
+hawser_status mesh_find(const Supports *map, Mesh *out, hawser_error *err);
 void mesh_free(Mesh *mesh);
 /* What holds a cable in one bend, a leg of the route: fills room, surface, pitch, pairs, reach, play and, of rollers,
  * mu of a place. */
-void mesh_sides(const SceneDef *def, const Route *route, const RoutePiece *bend, const CableDef *cable, MeshPlace *p);
+void mesh_sides(const Supports *map, const RoutePiece *bend, const CableDef *cable, MeshPlace *p);
 
 /* Share of the tension there by which segments of length h (m) are expected to raise it (ME1)-(ME7), (ME10)-(ME13). */
 double mesh_error(const MeshPlace *place, double h);

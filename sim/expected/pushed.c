@@ -8,42 +8,53 @@
 #include "core/base/error.h"
 #include "core/profile.h"
 #include "hawser/hawser.h"
-#include "sim/equipment/drum.h"
 #include "sim/expected/calculator.h"
 #include "sim/expected/findings.h"
 
 /* What is asked of a pull one way: the case's own question, or one with less friction, without what pushes. */
 typedef struct Asked {
-    const Scene *scene;
+    const Setup *setup;
     const Calculator *c;
     int way;
     PlanDef def;          /* its feed, pits and stretches */
     const PullStep *push; /* [c->n_pushers] of its way */
 } Asked;
 
-/* Whether what pushes at `from` still pushes at `to`: it is not behind it along the pull, and there is no pit from
- * which the pull begins anew (PN3). */
-static int pushes_as_far(const PlanDef *def, double forth, double from, double to)
-{
-    if (forth * (from - to) > 1e-6) return 0;
-    for (int i = 0; i < def->n_steps; ++i) {
-        const PullStep *const pit = &def->step[i];
-        if (pit->kind == STEP_ANEW && forth * (pit->at - from) >= 0 && forth * (to - pit->at) > 1e-6) return 0;
-    }
-    return 1;
-}
-
 static double forth_of(int way) { return way == PLAN_BACKWARD ? -1 : 1; }
 
-/* N by which the cable may be pushed at s: by what a machine behind that place pushes with, or by what is meant. */
-static double may_be_pushed(const Asked *a, const Pull *pull, double s)
+/* The last pit before s along the pull, from which it begins anew (PN3), m along the route times the direction;
+ * -INFINITY: there is none. */
+static double last_pit(const PlanDef *def, double forth, double s)
 {
-    const double forth = forth_of(a->way);
-    double most = 1e-9 * fmax(1, pull->max_tension); /* rounding */
-    if (pushes_as_far(&a->def, forth, plan_first(&a->def, a->way), s)) most = fmax(most, a->def.feed);
-    for (int i = 0; i < a->c->n_pushers; ++i)
-        if (pushes_as_far(&a->def, forth, a->push[i].at, s)) most = fmax(most, a->push[i].force);
-    return fmin(most, a->scene->def.theory.bears);
+    double last = -INFINITY;
+    for (int i = 0; i < def->n_steps; i++) {
+        const PullStep *const pit = &def->step[i];
+        if (pit->kind == STEP_ANEW && forth * (s - pit->at) > 1e-6) last = fmax(last, forth * pit->at);
+    }
+    return last;
+}
+
+/* What pushes at the places of a pull, one after the other along it: the largest push of those that are not behind the
+ * last pit. */
+typedef struct Reach {
+    int next;         /* push, along the pull */
+    double pit, most; /* m, as last_pit has it; N */
+} Reach;
+
+/* N by which the cable may be pushed at s: by what a machine behind that place pushes with, or by what is meant. */
+static double may_be_pushed(const Asked *a, const Pull *pull, double s, Reach *r)
+{
+    const double forth = forth_of(a->way), pit = last_pit(&a->def, forth, s), first = plan_first(&a->def, a->way);
+    const int n = a->setup->n_pushers, back = a->way == PLAN_BACKWARD;
+    if (pit > r->pit) { /* those behind it push no more; of the others the largest is looked for again */
+        *r = (Reach){.pit = pit};
+        while (r->next < n && forth * a->push[back ? n - 1 - r->next : r->next].at <= pit) ++r->next;
+    }
+    for (; r->next < n && forth * (a->push[back ? n - 1 - r->next : r->next].at - s) <= 1e-6; ++r->next)
+        r->most = fmax(r->most, a->push[back ? n - 1 - r->next : r->next].force);
+    double most = fmax(1e-9 * fmax(1, pull->max_tension), r->most); /* rounding */
+    if (forth * (first - s) <= 1e-6 && pit < forth * first) most = fmax(most, a->def.feed);
+    return fmin(most, a->setup->def->theory.bears);
 }
 
 static int is_pushed(Pushed p) { return p.force > p.allowed; }
@@ -52,10 +63,12 @@ static double excess(Pushed p) { return fmax(0, p.force - p.allowed); }
 
 static Pushed pushed_in(const Asked *a, const Pull *pull)
 {
-    Pushed worst = {fmax(0, -pull->min_tension), may_be_pushed(a, pull, pull->min_at), pull->min_at, pull->min_piece};
+    Reach there = {.pit = -INFINITY}, reach = there;
+    Pushed worst = {fmax(0, -pull->min_tension), may_be_pushed(a, pull, pull->min_at, &there), pull->min_at,
+                    pull->min_piece};
     for (int i = 0; i < pull->n; ++i) {
         const PullSpan *const span = &pull->span[i];
-        const Pushed here = {-span->least, may_be_pushed(a, pull, span->least_at), span->least_at, span->piece};
+        const Pushed here = {-span->least, may_be_pushed(a, pull, span->least_at, &reach), span->least_at, span->piece};
         if (here.force - here.allowed > excess(worst)) worst = here;
     }
     return worst;
@@ -64,7 +77,7 @@ static Pushed pushed_in(const Asked *a, const Pull *pull)
 /* At the winch, which a rope does not push. */
 static Pushed pushed_at_winch(const Asked *a, const Pull *pull)
 {
-    const double force = a->scene->def.winch.present ? fmax(0, -pull->end_tension) : 0;
+    const double force = a->setup->def->winch.present ? fmax(0, -pull->end_tension) : 0;
     return (Pushed){force, 1e-9 * fmax(0, pull->max_tension), plan_last(&a->def, a->way),
                     pull->span[pull->n - 1].piece};
 }
@@ -109,15 +122,15 @@ typedef struct Early {
 } Early;
 
 /* The winch's travel by then, with what the script makes of it at once, m; without a winch at most what belts do. */
-static double travel_told(const Scene *scene, double t)
+static double travel_told(const Setup *setup, double t)
 {
-    const SceneDef *const def = &scene->def;
+    const SceneDef *const def = setup->def;
     if (!def->winch.present) return t * belts_largest_speed(def);
     double from = 0, travel = 0, told = NAN, before = NAN;
     for (int i = 0; i <= def->n_script && from < t; ++i) {
         const double to = i < def->n_script ? fmin(def->script[i].at, t) : t;
         const Command *const c = i < def->n_script ? &def->script[i].command : NULL;
-        travel += isnan(told) ? expected_travel(scene, to) - expected_travel(scene, from) : told * (to - from);
+        travel += isnan(told) ? setup_travel(setup, to) - setup_travel(setup, from) : told * (to - from);
         from = to;
         if (!c) continue;
         if (c->kind == HAWSER_WINCH_SPEED) told = c->value;
@@ -130,31 +143,31 @@ static double travel_told(const Scene *scene, double t)
 }
 
 /* When the travel has become more than STARTED, s, at most `until`. */
-static double time_started(const Scene *scene, double until)
+static double time_started(const Setup *setup, double until)
 {
     double low = 0, high = until;
     for (int k = 0; k < 60; ++k) {
         const double middle = (low + high) / 2;
-        *(travel_told(scene, middle) > STARTED ? &high : &low) = middle;
+        *(travel_told(setup, middle) > STARTED ? &high : &low) = middle;
     }
     return high;
 }
 
 /* Those at which the head has moved, in no order; `early` has room for two times EARLY_TIMES and two. Returns how many.
  */
-static int early_times(const Scene *scene, int way, double risen, Early *early)
+static int early_times(const Setup *setup, int way, double risen, Early *early)
 {
-    const Profile *const back = starts_back(scene);
-    const double begins = scene->joint_s[scene->eye], started = time_started(scene, risen);
+    const Profile *const back = starts_back(setup);
+    const double begins = setup->front, started = time_started(setup, risen);
     const int corners = back->kind == PROFILE_TABLE ? back->n : 0, last = corners < EARLY_TIMES ? corners : EARLY_TIMES;
     int n = 0;
     for (int k = -1; k <= EARLY_TIMES + last; ++k) {
         const double even = started + (risen - started) * k / EARLY_TIMES;
         const double t = k < 0 ? back->t0 : k <= EARLY_TIMES ? even : back->time[k - EARLY_TIMES - 1];
-        const double travel = t > 0 && t <= risen ? travel_told(scene, t) : 0;
+        const double travel = t > 0 && t <= risen ? travel_told(setup, t) : 0;
         if (!(travel > STARTED)) continue;
-        const double along = fmin(fmax(begins + travel, 0), scene->route.length);
-        early[n++] = (Early){t, way == PLAN_BACKWARD ? scene->route.length - along : along, starts_least_at(scene, t)};
+        const double along = fmin(fmax(begins + travel, 0), setup->route->length);
+        early[n++] = (Early){t, way == PLAN_BACKWARD ? setup->route->length - along : along, starts_least_at(setup, t)};
     }
     return n;
 }
@@ -163,10 +176,10 @@ static int early_times(const Scene *scene, int way, double risen, Early *early)
  * far as the head comes in that time. */
 static hawser_status ask_early(const Asked *a, Found *out, hawser_error *err)
 {
-    const Scene *const scene = a->scene;
+    const Setup *const setup = a->setup;
     Early early[2 * EARLY_TIMES + 2];
-    const double risen = profile_risen_at(starts_back(scene)), forth = forth_of(a->way);
-    const int n = scene->drum->present || !(risen > 0) ? 0 : early_times(scene, a->way, risen, early);
+    const double risen = profile_risen_at(starts_back(setup)), forth = forth_of(a->way);
+    const int n = setup->def->drum.present || !(risen > 0) ? 0 : early_times(setup, a->way, risen, early);
     Early least = {risen, plan_first(&a->def, a->way), INFINITY};
     for (int k = 0; k < n; ++k) {
         if (forth * (early[k].head - least.head) > 0) least.head = early[k].head;
@@ -205,7 +218,7 @@ static hawser_status ask(const Asked *a, Away why, Found *out, hawser_error *err
 static int is_helped(const Asked *a)
 {
     int helped = a->def.feed > 0;
-    for (int i = 0; i < a->c->n_pushers; ++i) helped |= a->push[i].force > 0;
+    for (int i = 0; i < a->setup->n_pushers; ++i) helped |= a->push[i].force > 0;
     return helped;
 }
 
@@ -213,9 +226,9 @@ static int is_helped(const Asked *a)
 static hawser_status ask_by_itself(const Asked *a, Found *out, hawser_error *err)
 {
     Asked alone = *a;
-    PullStep *const push = malloc(((size_t)a->c->n_pushers + 1) * sizeof *push);
+    PullStep *const push = malloc(((size_t)a->setup->n_pushers + 1) * sizeof *push);
     if (!push) return error_memory(err);
-    for (int i = 0; i < a->c->n_pushers; ++i) {
+    for (int i = 0; i < a->setup->n_pushers; ++i) {
         push[i] = a->push[i];
         push[i].force = fmin(push[i].force, 0);
     }
@@ -231,7 +244,7 @@ static hawser_status ask_drawing(const Asked *a, Found *out, hawser_error *err)
 {
     Asked held = *a;
     Pull pull;
-    held.def.back_tension += a->scene->def.theory.drawn_least[a->way];
+    held.def.back_tension += a->setup->company.drawn_least[a->way];
     const hawser_status status = pull_at_least(&held, (HeldBy){NULL, NULL}, &pull, err);
     if (status) return status;
     found_take(out, pushed_in(&held, &pull), AWAY_FROM_DRAWN, 0);
@@ -242,7 +255,7 @@ static hawser_status ask_drawing(const Asked *a, Found *out, hawser_error *err)
 /* The case as it is, and without what pushes, until something is found. */
 static hawser_status ask_both(const Asked *a, Away why, Found *out, hawser_error *err)
 {
-    if (a->scene->def.strand.rope) return ask_drawing(a, out, err);
+    if (a->setup->def->strand.rope) return ask_drawing(a, out, err);
     const hawser_status status = ask(a, why, out, err);
     return status || is_pushed(out->most) || !is_helped(a) ? status : ask_by_itself(a, out, err);
 }
@@ -252,7 +265,7 @@ static hawser_status ask_loosened(const Asked *a, Found *out, hawser_error *err)
 {
     Asked loose = *a;
     PullStretch *own;
-    hawser_status status = calculator_loosen(a->scene, a->c, &loose.def, &own, err);
+    hawser_status status = calculator_loosen(a->setup, a->c, &loose.def, &own, err);
     if (!status) status = ask_both(&loose, AWAY_LOOSENED, out, err);
     free(own);
     return status;
@@ -263,8 +276,8 @@ static hawser_status ask_loosened(const Asked *a, Found *out, hawser_error *err)
 static void look_at_heads(const Asked *a, Found *out)
 {
     const HeadSeries *const heads = &a->c->heads[a->way];
-    const double begins = fmax(0, a->scene->joint_s[a->scene->eye]);
-    if (a->scene->def.strand.rope || !a->scene->def.theory.simulated || !a->scene->def.winch.present ||
+    const double begins = fmax(0, a->setup->front);
+    if (a->setup->def->strand.rope || !a->setup->def->theory.simulated || !a->setup->def->winch.present ||
         a->way == PLAN_BACKWARD)
         return;
     for (int i = 0; i < heads->n; ++i) {
@@ -275,13 +288,13 @@ static void look_at_heads(const Asked *a, Found *out)
     }
 }
 
-static hawser_status way_pulled(const Scene *scene, Calculator *c, int way, hawser_error *err)
+static hawser_status way_pulled(const Setup *setup, Calculator *c, int way, hawser_error *err)
 {
-    const Asked asked = {scene, c, way, c->def, c->push[way]};
-    const Pushed plain = scene->def.strand.rope ? (Pushed){0} : pushed_in(&asked, &c->plan.way[way].pull);
+    const Asked asked = {setup, c, way, c->def, c->push[way]};
+    const Pushed plain = setup->def->strand.rope ? (Pushed){0} : pushed_in(&asked, &c->plan.way[way].pull);
     Found found = {plain, AWAY_AS_IT_IS, 0};
     hawser_status status = ask_both(&asked, AWAY_AS_IT_IS, &found, err);
-    if (!status && !is_pushed(found.most) && friction_least_told(&scene->def) < 1)
+    if (!status && !is_pushed(found.most) && friction_least_told(setup) < 1)
         status = ask_loosened(&asked, &found, err);
     if (!status && !is_pushed(found.most)) look_at_heads(&asked, &found);
     c->pushed[way] = found.most;
@@ -295,11 +308,11 @@ static hawser_status way_pulled(const Scene *scene, Calculator *c, int way, haws
     return status;
 }
 
-hawser_status calculator_pulled(const Scene *scene, Calculator *c, hawser_error *err)
+hawser_status calculator_pulled(const Setup *setup, Calculator *c, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     for (int k = 0; k < PLAN_WAYS && !status; ++k)
-        if (!c->def.skip[k]) status = way_pulled(scene, c, k, err);
+        if (!c->def.skip[k]) status = way_pulled(setup, c, k, err);
     return status;
 }
 

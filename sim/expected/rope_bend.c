@@ -12,7 +12,7 @@ static const double WRAPPED = 30 * M_PI / 180;
 static const double REACH = 5; /* m: farther from a bend in which no roller stands something else bears the rope */
 
 /* The first of n that stands at `s` or beyond. */
-static int turner_from(int n, const Turner *turner, double s)
+static int turner_from(int n, const SupportRoller *turner, double s)
 {
     int low = 0;
     for (int high = n; low < high;) {
@@ -25,14 +25,14 @@ static int turner_from(int n, const Turner *turner, double s)
 
 /* The nearest one from `begin` to `end`, seen from `from`, that a bend with this curvature presses the rope on, or the
  * nearest carrier; NULL: there is none. */
-static const Turner *nearest_turner(int n, const Turner *turner, double begin, double end, double from, Vec3 curvature)
+static const SupportRoller *nearest_turner(int n, const SupportRoller *turner, double begin, double end, double from, Vec3 curvature)
 {
     double least[2] = {INFINITY, INFINITY};
-    const Turner *nearest[2] = {NULL, NULL};
+    const SupportRoller *nearest[2] = {NULL, NULL};
     for (int i = turner_from(n, turner, begin); i < n && turner[i].s <= end; ++i) {
         const double away = fabs(turner[i].s - from);
         const int inner = bend_side(turner[i].off, curvature) > 0;
-        if (!(inner || turner[i].carries) || away >= least[inner]) continue;
+        if (!(inner || turner[i].kind == SUPPORT_ROLLER) || away >= least[inner]) continue;
         least[inner] = away;
         nearest[inner] = &turner[i];
     }
@@ -93,7 +93,7 @@ static void wrap_leave(Wrap *w, double way)
     w->way = way;
 }
 
-static void wrap_roller(Wrap *w, const Turner *roller)
+static void wrap_roller(Wrap *w, const SupportRoller *roller)
 {
     if (w->n > 0 && roller->s - w->s < (roller->across + w->across) / 2) { /* one above the other */
         w->across = fmin(w->across, roller->across);
@@ -117,24 +117,25 @@ static double wrap_end(Wrap *w, double end)
 /* m, around what a bend of pieces p to `to` bends the rope: its own diameter, or that of the smallest roller that it is
  * wrapped round. Rollers share the turn that stand on its inner side, or without such the carriers (grooves hold it);
  * of a bend without rollers and without a duct those to both sides. */
-static double bent_round(const SceneDef *def, const Route *route, int p, int to, int n, const Turner *turner)
+static double bent_round(const Setup *setup, const Route *route, int p, int to, const SupportRoller *turner)
 {
     Wrap wrap[] = {wrap_begin(route, p, to), wrap_begin(route, p, to)}; /* carriers that lie level; the inner side */
     const double begin = route->piece[p].s0, end = route->piece[to].s0 + route->piece[to].length;
+    const int n = setup->supports.n_rollers;
     double radius = INFINITY;
     for (int k = p; k <= to; ++k) radius = fmin(radius, route->piece[k].radius);
     for (int i = turner_from(n, turner, begin); i < n && turner[i].s <= end; ++i) {
         const int inner = turner[i].inner > 0;
-        if (inner || (turner[i].carries && turner[i].inner == 0)) wrap_roller(&wrap[inner], &turner[i]);
+        if (inner || (turner[i].kind == SUPPORT_ROLLER && turner[i].inner == 0)) wrap_roller(&wrap[inner], &turner[i]);
     }
     const int by = wrap[1].n > 0;
     double round = wrap_end(&wrap[by], end);
     if (wrap[by].n > 0) return isfinite(round) ? round : 2 * radius;
     const double middle = (begin + end) / 2;
     const Vec3 curvature = route_at(route, middle).curvature;
-    const Turner *const before = nearest_turner(n, turner, begin - REACH, begin, begin, curvature),
+    const SupportRoller *const before = nearest_turner(n, turner, begin - REACH, begin, begin, curvature),
                         *const ahead = nearest_turner(n, turner, end, end + REACH, end, curvature);
-    if (!before || !ahead || surface_at(def, middle)) return 2 * radius;
+    if (!before || !ahead || supports_surface(&setup->supports, middle)) return 2 * radius;
     Wrap between = wrap_begin(route, p, to);
     wrap_roller(&between, before);
     wrap_roller(&between, ahead);
@@ -142,9 +143,9 @@ static double bent_round(const SceneDef *def, const Route *route, int p, int to,
     return fmin(round, 2 * radius);
 }
 
-double rope_diameter(const Scene *scene)
+double rope_diameter(const Setup *setup)
 {
-    const SceneDef *const def = &scene->def;
+    const SceneDef *const def = setup->def;
     if (!isnan(def->limits.rope_diameter)) return def->limits.rope_diameter;
     double most = NAN;
     for (int p = strand_is_rope(&def->strand) ? 0 : scene_def_eye(def); p < def->n_pieces; ++p)
@@ -152,22 +153,22 @@ double rope_diameter(const Scene *scene)
     return most;
 }
 
-Finding rope_bend(const Scene *scene, const Route *route, double head, int n, const Turner *turner)
+Finding rope_bend(const Setup *setup, const Route *route, double head, const SupportRoller *roller)
 {
     Finding f = {.value = INFINITY};
     for (int p = 0, to; p < route->n; p = to + 1) {
         to = route_turn_end(route, p);
         const RoutePiece *const last = &route->piece[to];
         if (last->kind == ROUTE_STRAIGHT || last->s0 + last->length <= head) continue;
-        const double round = bent_round(&scene->def, route, p, to, n, turner);
+        const double round = bent_round(setup, route, p, to, roller);
         if (round < f.value) f = finding_at(route, round, route->piece[p].s0);
     }
-    if (scene->def.limits.sheave < f.value) {
-        f = (Finding){.value = scene->def.limits.sheave};
+    if (setup->def->limits.sheave < f.value) {
+        f = (Finding){.value = setup->def->limits.sheave};
         snprintf(f.where, sizeof f.where, "the smallest sheave");
     }
-    f.absent = isinf(f.value) || scene->def.strand.joined >= 0; /* the rope of chains is said with the rope */
-    f.value /= rope_diameter(scene);
+    f.absent = isinf(f.value) || setup->def->strand.joined >= 0; /* the rope of chains is said with the rope */
+    f.value /= rope_diameter(setup);
     snprintf(f.why, sizeof f.why, "needs limits.rope_diameter, or a rope in chain");
     return f;
 }

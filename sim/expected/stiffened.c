@@ -18,37 +18,36 @@ typedef struct Bend {
 } Bend;
 
 /* Whether rollers stand on its inner and on its outer side: pairs above and below do not hold a bend to the side. */
-static int rollers_hold(const Calculator *c, const Bend *b)
+static int rollers_hold(const Supports *map, const Bend *b)
 {
     int inner = 0, outer = 0;
-    for (int i = 0; i < c->n_turners; ++i) {
-        if (c->turner[i].s < b->begin || c->turner[i].s > b->end) continue;
-        inner |= c->turner[i].inner > 0;
-        outer |= c->turner[i].inner < 0;
+    for (int i = supports_from(map, b->begin); i < map->n_rollers && map->roller[i].s <= b->end; ++i) {
+        inner |= map->roller[i].inner > 0;
+        outer |= map->roller[i].inner < 0;
     }
     return inner && outer;
 }
 
 /* Of pieces p to `to`. */
-static Bend bend_at(const Scene *scene, const Calculator *c, int p, int to, const CableDef *cable)
+static Bend bend_at(const Setup *setup, const Calculator *c, int p, int to, const CableDef *cable)
 {
     const Route *const route = c->route;
     const RoutePiece *const first = &route->piece[p], *const last = &route->piece[to];
     Bend b = {.begin = first->s0, .end = last->s0 + last->length, .room = INFINITY};
     for (int k = p; k <= to; ++k) {
         MeshPlace side = {0};
-        mesh_sides(&scene->def, route, &route->piece[k], cable, &side);
+        mesh_sides(&setup->supports, &route->piece[k], cable, &side);
         b.turn += route->piece[k].angle;
         b.room = isnan(side.room) || isnan(b.room) ? NAN : fmin(b.room, fmax(0, 2 * side.room));
         b.apart = fmax(fmax(b.apart, cable->diameter), side.surface ? 0 : side.pitch);
     }
     b.radius = (b.end - b.begin) / b.turn;
     const double middle = (b.begin + b.end) / 2;
-    const SurfaceDef *const surface = surface_at(&scene->def, middle);
+    const SurfaceDef *const surface = supports_surface(&setup->supports, middle);
     const Vec3 bends = route_at(route, middle).curvature;
     if (surface && surface->shape.kind == SURFACE_FLAT && fabs(bends.z) > hypot(bends.x, bends.y))
         b.room = NAN; /* a tray has no lid */
-    if (!surface && !isnan(b.room) && !rollers_hold(c, &b)) b.room = NAN;
+    if (!surface && !isnan(b.room) && !rollers_hold(&setup->supports, &b)) b.room = NAN;
     return b;
 }
 
@@ -66,16 +65,16 @@ static double bend_takes(const Bend *b, const CableDef *cable, double mu, double
 }
 
 /* The cable that one bend takes most of, and that, N. */
-static double bend_most(const Scene *scene, const Calculator *c, int way, int p, int to)
+static double bend_most(const Setup *setup, const Calculator *c, int way, int p, int to)
 {
     const RoutePiece *const last = &c->route->piece[to];
     const double middle = (c->route->piece[p].s0 + last->s0 + last->length) / 2;
     const double mu = stretch_at(c->def.n_stretches, c->def.stretch, middle)->mu;
     const double tension = pull_at(&c->plan.way[way].pull, middle).tension / c->cables;
     double most = 0;
-    for (int k = 0; k < scene_def_eye(&scene->def); ++k) {
-        const CableDef *const cable = &scene->def.cables[scene->def.pieces[k].cable];
-        const Bend b = bend_at(scene, c, p, to, cable);
+    for (int k = 0; k < scene_def_eye(setup->def); ++k) {
+        const CableDef *const cable = &setup->def->cables[setup->def->pieces[k].cable];
+        const Bend b = bend_at(setup, c, p, to, cable);
         if (b.turn > 0 && isfinite(b.radius)) most = fmax(most, bend_takes(&b, cable, mu, tension));
     }
     return most * c->cables;
@@ -83,7 +82,7 @@ static double bend_most(const Scene *scene, const Calculator *c, int way, int p,
 
 /* N, about, by which it raises the winch's force of the section that it raises most; at: m along the route, of the bend
  * with most of it. A pull that begins anew in a pit knows nothing of what was before. */
-static double way_takes(const Scene *scene, const Calculator *c, int way, double *at)
+static double way_takes(const Setup *setup, const Calculator *c, int way, double *at)
 {
     const Route *const route = c->route;
     double all = 0, worst = 0, most = 0,
@@ -96,7 +95,7 @@ static double way_takes(const Scene *scene, const Calculator *c, int way, double
         const double begins = plan_section_at(&c->def, way, (first->s0 + last->s0 + last->length) / 2).from;
         if (begins > section || begins < section) all = 0, ahead = 1;
         section = begins;
-        const double here = bend_most(scene, c, way, p, to);
+        const double here = bend_most(setup, c, way, p, to);
         double turn = 0;
         for (int k = p; k <= to; ++k) turn += route->piece[k].angle;
         const double grows = exp(stretch_at(c->def.n_stretches, c->def.stretch, first->s0)->mu * turn);
@@ -134,11 +133,11 @@ double limits_left(const Calculator *c, int way, const hawser_limit **least)
     return left;
 }
 
-hawser_condition stiffened_judge(const Scene *scene, const Calculator *c, int way)
+hawser_condition stiffened_judge(const Setup *setup, const Calculator *c, int way)
 {
     const hawser_limit *least;
     double at = 0;
-    const double left = limits_left(c, way, &least), takes = way_takes(scene, c, way, &at);
+    const double left = limits_left(c, way, &least), takes = way_takes(setup, c, way, &at);
     hawser_condition out = {.name = "stiffness", .unit = "N", .value = takes, .allowed = left / DOUBT, .holds = 1};
     if (!least || takes <= out.allowed) return out;
     out.holds = 0;

@@ -1,5 +1,6 @@
-#include "sim/equipment/reel.h"
+#include "sim/def/winding.h"
 
+#include <math.h>
 #include <stddef.h>
 
 /* One layer: number k, where it begins (m of cable below it), its radius and the length of one turn. */
