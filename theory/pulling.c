@@ -75,11 +75,9 @@ const PullStretch *stretch_at(int n, const PullStretch *stretch, double s)
     return &stretch[low];
 }
 
-/* The law that holds between two neighbouring cuts. */
-static SpanLaw law_between(const PullDef *def, double low, double high)
+/* The law that holds on stretch a around `middle`, between two neighbouring cuts. */
+static SpanLaw law_between(const PullDef *def, const PullStretch *a, double middle)
 {
-    const double middle = low + (high - low) / 2;
-    const PullStretch *a = stretch_at(def->n_stretches, def->stretch, middle);
     SpanLaw law = {.law = def->law,
                    .direction = def->to > def->from ? 1 : -1,
                    .weight = a->weight,
@@ -192,15 +190,16 @@ static void run_spans(const PullDef *def, int n, const double *cut, const StepAt
         const double low = cut[forward ? i : n - 2 - i], high = cut[forward ? i + 1 : n - 1 - i];
         PullSpan *span = &pull->span[i];
         *span = (PullSpan){.s0 = forward ? low : high, .s1 = forward ? high : low};
-        const PullStretch *const a = stretch_at(def->n_stretches, def->stretch, low + (high - low) / 2);
+        const double middle = low + (high - low) / 2;
+        const PullStretch *const a = stretch_at(def->n_stretches, def->stretch, middle);
         span->t0 = steps_pass(def, step, &next, span->s0, tension);
         if (def->forces_only && def->like && i < def->like->n && span_known(def, a, span, &def->like->span[i])) {
             *span = def->like->span[i];
             tension = span->t1;
             continue;
         }
-        span->piece = route_at(def->route, low + (high - low) / 2).piece;
-        span->law = law_between(def, low, high);
+        span->piece = route_at(def->route, middle).piece;
+        span->law = law_between(def, a, middle);
         span->share = a->share > 0 ? a->share : 1;
         span->extremes = (SpanExtremes){.max_tension = -INFINITY, .min_tension = INFINITY, .enough = def->enough};
         SpanExtremes *const extremes = def->forces_only ? NULL : &span->extremes;
