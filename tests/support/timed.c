@@ -1,6 +1,7 @@
 /* Runs a test and records its processor time.
  * Usage: timed NAME COMMAND [ARGUMENT...]
- * Appends "NAME seconds" to the file that HAWSER_TEST_TIMES names (absolute path); without it, it becomes the command. */
+ * Appends "NAME seconds" to the file that HAWSER_TEST_TIMES names (absolute path); without it, it becomes the command.
+ */
 #define _DEFAULT_SOURCE /* wait4 */
 #include <signal.h>
 #include <stdio.h>
