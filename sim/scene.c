@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/equipment/reel.h"
-
 /* Untwisted on the route at s (m). */
 static Quat first_attitude(const Scene *scene, Vec3 axis, double s)
 {
@@ -58,14 +56,6 @@ double scene_way(const Scene *scene)
     }
     for (int p = 0; p < n_patches; ++p) way = fmin(way, (scene->surfaces.patch[p].depth + cable) / 2);
     return fmin(scene->beside_way, scene->self.present ? fmin(way, cable) : way);
-}
-
-Setup scene_setup(const Scene *scene)
-{
-    Setup now = scene->setup;
-    now.largest_speed = scene->largest_speed;
-    if (scene->reel->winding.turns > 0) now.braked = scene->reel->braked;
-    return now;
 }
 
 int scene_state_size(const Scene *scene)

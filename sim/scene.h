@@ -105,9 +105,6 @@ void scene_clear(Scene *scene);
 /* The point of that line at s, m. */
 Vec3 scene_line_at(const Scene *scene, double s);
 
-/* The setup with what commands have changed since the scene was built; it borrows from the scene. */
-Setup scene_setup(const Scene *scene);
-
 /* Entries of the state: 13 a segment, then the rooms' own. */
 int scene_state_size(const Scene *scene);
 /* Writes the initial state of the whole chain, 13 total numbers (core/state.h): it lies on the route at rest, its

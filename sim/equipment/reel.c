@@ -180,6 +180,14 @@ ReelLook reel_look(const Reel *r, const Chain *chain, const Kinematics *kin, con
                       .tension = resistance + r->mass / mass * (pull - resistance)}; /* (RL11) */
 }
 
+Setup scene_setup(const Scene *scene)
+{
+    Setup now = scene->setup;
+    now.largest_speed = scene->largest_speed;
+    if (scene->reel->winding.turns > 0) now.braked = scene->reel->braked;
+    return now;
+}
+
 static double reel_next_stop(const Room *room, const Scene *scene, double t)
 {
     (void)scene;

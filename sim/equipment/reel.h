@@ -10,7 +10,7 @@
 #include "core/base/vec3.h"
 #include "core/chain.h"
 #include "sim/def/drive_law.h"
-#include "sim/def/scene_def.h"
+#include "sim/scene.h"
 
 /* The line on which the cable leaves, and what is on the drum behind the tail segment of now. */
 typedef struct Reel {
@@ -53,5 +53,8 @@ double reel_free_length(const Reel *r, const Kinematics *kin);
 double reel_resistance(const Reel *r, double l, double v, double t, double friction, double *by_l, double *by_v);
 /* What to report, from the kinematics and joint 1's load. */
 ReelLook reel_look(const Reel *r, const Chain *chain, const Kinematics *kin, const JointLoads *joints, double t);
+
+/* The scene's setup, for theory, with what commands have changed since the scene was built; it borrows from the scene. */
+Setup scene_setup(const Scene *scene);
 
 #endif

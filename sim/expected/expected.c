@@ -190,7 +190,7 @@ static hawser_status steps_fill(const Setup *setup, Expected *out, hawser_error 
 double expected_push(const Setup *setup, const Expected *e, const char *name)
 {
     for (int i = 0; i < e->n_steps; ++i)
-        if (setup->pusher[i].name == name) return -e->step[i].force;
+        if (setup->pusher[i].name == name) return 0 - e->step[i].force; /* 0, not -0, where nothing pushes */
     return NAN;
 }
 

@@ -312,7 +312,7 @@ hawser_status setup_build(const SceneDef *def, const Route *route, const double 
     hawser_status status = ends_find(out, joint_s, err);
     out->winch_at = isnan(def->winch.at) ? fmax(out->head, route->length) : def->winch.at;
     if (!status && !def->rod.present) status = supports_build(def, route, &out->supports, err);
-    if (!status && !def->rod.present) status = stretches_find(out, &out->stretches, err);
+    if (!status && !def->rod.present) status = stretches_find(&out->supports, out->cable_weight, &out->stretches, err);
     return status ? status : pushers_find(out, err);
 }
 

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "sim/expected/setup.h"
 
 /* Where the first stretch begins, m along the route: behind any lead-in. */
 static const double FAR_BEHIND = -1e9;
@@ -24,10 +23,9 @@ typedef struct Corners {
 
 /* The part of a bend, of pieces p to `to`, along which guides stand: from the first to the last and half their spacing
  * beyond. One that comes within its own half spacing of the bend's end reaches it. */
-static Guided guided_part(const Setup *setup, int p, int to)
+static Guided guided_part(const Supports *map, int p, int to)
 {
-    const Supports *const map = &setup->supports;
-    const double begin = setup->route->piece[p].s0, end = setup->route->piece[to].s0 + setup->route->piece[to].length;
+    const double begin = map->route->piece[p].s0, end = map->route->piece[to].s0 + map->route->piece[to].length;
     double first = INFINITY, last = -INFINITY;
     int n = 0;
     for (int i = supports_from(map, begin); i < map->n_rollers && map->roller[i].s <= end; ++i) {
@@ -54,11 +52,10 @@ static int compare_places(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static hawser_status corners_find(const Setup *setup, Corners *c, hawser_error *err)
+static hawser_status corners_find(const Supports *map, Corners *c, hawser_error *err)
 {
-    const Supports *const map = &setup->supports;
-    const BundleDef *const bundle = &setup->def->bundle;
-    const int pieces = setup->route->n;
+    const BundleDef *const bundle = &map->def->bundle;
+    const int pieces = map->route->n;
     c->s = malloc((size_t)(2 * map->n_along + 3 * pieces + 1) * sizeof *c->s);
     c->guided = malloc((size_t)pieces * sizeof *c->guided);
     if (!c->s || !c->guided) return error_memory(err);
@@ -68,11 +65,11 @@ static hawser_status corners_find(const Setup *setup, Corners *c, hawser_error *
         c->s[c->n++] = map->along[i]->shape.to;
     }
     const int by_piece = bundle_present(bundle) && bundle->correction == CORRECT_STRAIGHTS;
-    for (int p = 0; p < pieces && by_piece; ++p) c->s[c->n++] = setup->route->piece[p].s0;
+    for (int p = 0; p < pieces && by_piece; ++p) c->s[c->n++] = map->route->piece[p].s0;
     for (int p = 0, to; p < pieces; p = to + 1) {
-        to = route_turn_end(setup->route, p);
-        if (!route_turns_aside(&setup->route->piece[p])) continue;
-        const Guided part = guided_part(setup, p, to);
+        to = route_turn_end(map->route, p);
+        if (!route_turns_aside(&map->route->piece[p])) continue;
+        const Guided part = guided_part(map, p, to);
         if (!(part.from < part.to)) continue;
         c->guided[c->n_guided++] = part;
         c->s[c->n++] = part.from;
@@ -100,37 +97,37 @@ static int is_separate(const Corners *c, const SurfaceDef *surface, double s)
 
 /* The stretch that begins at c->s[i]. Friction is the surface's where there is one; of several cables one bears more
  * than the others. */
-static PullStretch stretch_make(const Setup *setup, const Corners *c, int i)
+static PullStretch stretch_make(const Supports *map, double weight, const Corners *c, int i)
 {
     const double middle = i + 1 < c->n ? (c->s[i] + c->s[i + 1]) / 2 : c->s[i] + 1;
-    const SurfaceDef *const surface = supports_surface(&setup->supports, middle);
-    const FrictionLaw *const law = surface ? &surface->friction : &setup->def->friction;
-    const int in_bend = setup->route->piece[route_at(setup->route, middle).piece].kind != ROUTE_STRAIGHT;
-    const double mu = surface ? surface_theory_friction(setup->def, surface, in_bend) : law->mu_d;
-    const double mu_rope = surface ? mu / bundle_friction(setup->def, surface, in_bend) : mu;
+    const SurfaceDef *const surface = supports_surface(map, middle);
+    const FrictionLaw *const law = surface ? &surface->friction : &map->def->friction;
+    const int in_bend = map->route->piece[route_at(map->route, middle).piece].kind != ROUTE_STRAIGHT;
+    const double mu = surface ? surface_theory_friction(map->def, surface, in_bend) : law->mu_d;
+    const double mu_rope = surface ? mu / bundle_friction(map->def, surface, in_bend) : mu;
     const double at_rest = law->mu_d > 0 ? law->mu_s / law->mu_d : NAN;
     return (PullStretch){.from = c->s[i],
-                         .weight = setup->cable_weight,
+                         .weight = weight,
                          .mu = mu,
                          .mu_rope = mu_rope,
                          .mu_rope_static = law->mu_d > 0 ? mu_rope * at_rest : law->mu_s,
                          .mu_static = law->mu_d > 0 ? mu * at_rest : law->mu_s,
                          .separate = is_separate(c, surface, middle),
-                         .share = bundle_share(setup->def, surface)};
+                         .share = bundle_share(map->def, surface)};
 }
 
-hawser_status stretches_find(const Setup *setup, Stretches *out, hawser_error *err)
+hawser_status stretches_find(const Supports *map, double weight, Stretches *out, hawser_error *err)
 {
     Corners c = {0};
     *out = (Stretches){0};
-    hawser_status status = corners_find(setup, &c, err);
+    hawser_status status = corners_find(map, &c, err);
     if (!status) {
         out->stretch = calloc((size_t)c.n + 1, sizeof *out->stretch);
         if (!out->stretch) status = error_memory(err);
     }
     for (int i = 0; i < c.n && !status; ++i) {
         if (i + 1 < c.n && !(c.s[i + 1] > c.s[i])) continue; /* two corners in one place */
-        out->stretch[out->n++] = stretch_make(setup, &c, i);
+        out->stretch[out->n++] = stretch_make(map, weight, &c, i);
     }
     corners_free(&c);
     return status;

@@ -3,10 +3,8 @@
 #ifndef HAWSER_SIM_EXPECTED_STRETCHES_H
 #define HAWSER_SIM_EXPECTED_STRETCHES_H
 
-#include "core/base/error.h"
+#include "sim/expected/supports.h"
 #include "theory/pulling.h"
-
-typedef struct Setup Setup;
 
 typedef struct Stretches {
     int n;
@@ -15,9 +13,9 @@ typedef struct Stretches {
 
 /* A copy with room for `more` stretches more. Errors: MEMORY. */
 hawser_status stretches_copy(const Stretches *from, int more, Stretches *out, hawser_error *err);
-/* Of all cables together. Supports are separate where guide rollers stand in a bend to the side and in trays with
+/* Of all cables together, which weigh so much, N/m. Supports are separate where guide rollers stand in a bend to the side and in trays with
  * upright sides. Errors: MEMORY. */
-hawser_status stretches_find(const Setup *setup, Stretches *out, hawser_error *err);
+hawser_status stretches_find(const Supports *map, double weight, Stretches *out, hawser_error *err);
 void stretches_free(Stretches *s);
 /* Makes a stretch begin at s, m, if none does; the array must have room for one more. */
 void stretches_cut(Stretches *stretches, double s);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "sim/equipment/reel.h"
 #include "sim/watch/sample.h"
 
 enum { BLOCK_LEAST = 4 };        /* samples, for a mean to be one */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "sim/expected/findings.h"
+#include "sim/equipment/reel.h"
 #include "sim/judge/peaks.h"
 
 static const Finding NO_MEMORY = {.value = NAN, .steady = NAN, .why = "no memory"};

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "sim/equipment/drum.h"
+#include "sim/equipment/reel.h"
 #include "sim/judge/peaks.h"
 
 /* Overload factors are taken where theory has at least this share of its largest tension: near a slack tail a few

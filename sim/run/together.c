@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "sim/equipment/reel.h"
 #include "sim/equipment/winch.h"
 #include "sim/expected/expected.h"
 

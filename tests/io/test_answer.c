@@ -15,7 +15,7 @@ static const char three[] =
     "drive: {tail: {tension: 3 kN}}\n"
     "run: {duration: 10 s}\n";
 
-static int scene_setup(void **state)
+static int answer_setup(void **state)
 {
     static hawser_case c; /* the scene borrows its definition */
     static Scene scene;
@@ -26,7 +26,7 @@ static int scene_setup(void **state)
     return 0;
 }
 
-static int scene_teardown(void **state)
+static int answer_teardown(void **state)
 {
     scene_clear(*state);
     return 0;
@@ -38,7 +38,7 @@ static const char *remedy(const Scene *scene, const char *name, const char *unit
     static char text[256];
     hawser_limit l = {.name = name, .unit = unit, .value = value, .limit = limit, .judged = 1};
     snprintf(l.where, sizeof l.where, "%s", where);
-    limit_remedy(scene, &l, units, text);
+    limit_remedy(&scene->setup, &l, units, text);
     return text;
 }
 
@@ -183,5 +183,5 @@ static void a_listed_bend(void **state)
     scene_def_clear(&c.def);
 }
 
-TEST_FILE_IN(test_answer, scene_setup, scene_teardown, cmocka_unit_test(words), cmocka_unit_test(ducts),
+TEST_FILE_IN(test_answer, answer_setup, answer_teardown, cmocka_unit_test(words), cmocka_unit_test(ducts),
              cmocka_unit_test(bends), cmocka_unit_test(a_listed_bend), cmocka_unit_test(answers))
