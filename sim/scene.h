@@ -8,8 +8,8 @@
 #include "contact/self/self_contact.h"
 #include "contact/surface/surface.h"
 #include "core/body.h"
-#include "sim/expected/setup.h"
 #include "sim/room.h"
+#include "theory/setup.h"
 
 /* Gravity along the chain: the whole weight from the route's start on; behind it what the lead-in leaves, and the
  * lead-in's hold on the cable across its line (F1). */

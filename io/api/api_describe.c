@@ -2,8 +2,8 @@
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
 #include "io/case/case_parts.h"
-#include "sim/expected/cost.h"
-#include "sim/expected/mesh.h"
+#include "sim/cost.h"
+#include "theory/mesh.h"
 
 #include <math.h>
 #include <stdio.h>

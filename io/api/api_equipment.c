@@ -2,8 +2,8 @@
  * the pulling theory with the cable at the route's end, docs/model.md, "Placing". */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
-#include "sim/expected/calculator.h"
-#include "theory/place/place.h"
+#include "theory/calculator.h"
+#include "theory/place.h"
 
 #include <math.h>
 #include <stdio.h>

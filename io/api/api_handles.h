@@ -7,8 +7,8 @@
 #include "io/results/column.h"
 #include "io/results/results.h"
 #include "io/yaml/yaml_tree.h"
-#include "sim/expected/inverse.h"
 #include "sim/run/sim.h"
+#include "theory/inverse.h"
 
 struct hawser_case {
     CaseTree *tree;

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "hawser/hawser.h"
 #include "io/api/api_handles.h"
-#include "theory/change/plan_change.h"
+#include "theory/plan_change.h"
 
 /* What may be other, in the unit of the case. */
 typedef struct CauseRow {
@@ -180,8 +180,7 @@ static hawser_status changes_write(const Changes *x, const char *title, hawser_f
     char values[160];
     snprintf(values, sizeof values, "%s%s",
              one_sided ? "one-sided, where a machine takes just what arrives: for less tension there" : "two-sided",
-             x->setup.n_pushers > 0 ? "; pushes are held as they are, also where they go by friction or tension"
-                                         : "");
+             x->setup.n_pushers > 0 ? "; pushes are held as they are, also where they go by friction or tension" : "");
     const Fact fact[] = {
         {"forward_total_N", "winch force, pulled forward", "N", cell_number(way[PLAN_FORWARD].force)},
         {"backward_total_N", "winch force, pulled backward", "N", cell_number(way[PLAN_BACKWARD].force)},

@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
 #include "io/results/results_file.h"
-#include "sim/expected/cost.h"
+#include "sim/cost.h"
 #include "sim/run/commands.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* The closed-form calculation of a case: what `hawser theory` prints. The formulas are in theory/. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
-#include "sim/expected/expected.h"
+#include "theory/expected.h"
 #include "theory/paper.h"
 
 #include <jansson.h>

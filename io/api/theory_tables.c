@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "def/cables/duct.h"
 #include "io/api/api_handles.h"
-#include "theory/cables/duct.h"
 
 const char *const theory_ways[PLAN_WAYS] = {"forward", "backward"};
 
@@ -244,9 +244,9 @@ hawser_status theory_tables_make(const Setup *setup, const Calculator *c, const 
                                  hawser_error *err)
 {
     *out = (TheoryTables){0};
-    const int fine = pieces_add(setup, c, out) && ways_add(c, out) && ducts_add(setup, c, out) && pushes_add(setup, c, out) &&
-                     theory_planner_add(setup, c, inverse, out) && theory_limits_add(c, PLAN_WAYS, out) &&
-                     notes_add(setup, c, out);
+    const int fine = pieces_add(setup, c, out) && ways_add(c, out) && ducts_add(setup, c, out) &&
+                     pushes_add(setup, c, out) && theory_planner_add(setup, c, inverse, out) &&
+                     theory_limits_add(c, PLAN_WAYS, out) && notes_add(setup, c, out);
     if (fine && out->table[out->n - 1].n == 0) free(out->rows[--out->n]); /* no closed form was refused */
     if (fine) return HAWSER_OK;
     theory_tables_free(out);

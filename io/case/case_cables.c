@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "sim/expected/mesh.h"
+#include "theory/mesh.h"
 
 static const double PI = 3.14159265358979323846;
 

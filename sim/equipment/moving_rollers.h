@@ -10,7 +10,7 @@
 #include "contact/roller/contact.h"
 #include "core/body.h"
 #include "core/state.h"
-#include "sim/def/drive_law.h"
+#include "def/drive_law.h"
 
 enum { ROLLER_UNKNOWNS = 7 }; /* of velocity, at most: 3 + 3 of a mount, 1 of a spin, in this order */
 

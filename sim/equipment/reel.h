@@ -9,7 +9,7 @@
 
 #include "core/base/vec3.h"
 #include "core/chain.h"
-#include "sim/def/drive_law.h"
+#include "def/drive_law.h"
 #include "sim/scene.h"
 
 /* The line on which the cable leaves, and what is on the drum behind the tail segment of now. */
@@ -54,7 +54,8 @@ double reel_resistance(const Reel *r, double l, double v, double t, double frict
 /* What to report, from the kinematics and joint 1's load. */
 ReelLook reel_look(const Reel *r, const Chain *chain, const Kinematics *kin, const JointLoads *joints, double t);
 
-/* The scene's setup, for theory, with what commands have changed since the scene was built; it borrows from the scene. */
+/* The scene's setup, for theory, with what commands have changed since the scene was built; it borrows from the scene.
+ */
 Setup scene_setup(const Scene *scene);
 
 #endif

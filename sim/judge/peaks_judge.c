@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "sim/expected/findings.h"
 #include "sim/equipment/reel.h"
 #include "sim/judge/peaks.h"
+#include "theory/findings.h"
 
 static const Finding NO_MEMORY = {.value = NAN, .steady = NAN, .why = "no memory"};
 static const double WAVERS = 0.02; /* share by which a cable's speed may be above that of the belts that draw it */
@@ -129,7 +129,8 @@ static void pushed_finding(const Peaks *peaks, const Scene *scene, Finding *f)
 static void trip_finding(const Stats *stats, const Scene *scene, const Expected *expected, const PeaksTheory *theory,
                          Finding *out)
 {
-    findings_trip(&scene->setup, expected->reference_total, fmax(theory->needed, mean_of(&stats->pull)), theory->beyond, out);
+    findings_trip(&scene->setup, expected->reference_total, fmax(theory->needed, mean_of(&stats->pull)), theory->beyond,
+                  out);
 }
 
 /* What a script or a set tension has made of the winch's speed, if that is more than the case says of it. A cable that

@@ -8,10 +8,10 @@
 #include "sim/equipment/moving_rollers.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
-#include "sim/expected/findings.h"
 #include "sim/judge/compression.h"
 #include "sim/watch/events.h"
 #include "sim/watch/stats.h"
+#include "theory/findings.h"
 
 /* What is allowed: figures of docs/limits.md, "Trust". */
 static const double ENERGY = 0.01, MOMENTUM = 0.01;      /* shares of what goes through, of the largest impulse */

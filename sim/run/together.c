@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "sim/equipment/reel.h"
 #include "sim/equipment/winch.h"
-#include "sim/expected/expected.h"
+#include "theory/expected.h"
 
 typedef struct Together Together;
 

@@ -4,15 +4,14 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "sim/expected/expected.h"
+#include "theory/expected.h"
 
 static void machine_set(MachineRecord *r, hawser_machine *out, hawser_figure *now, const Room *room, int item,
-                        const Setup *setup,
-                        const struct Expected *expected)
+                        const Setup *setup, const struct Expected *expected)
 {
     const MachineKind *const kind = room->kind->machines;
-    *r = (MachineRecord){
-        .room = room, .item = item, .expected = expected_push(setup, expected, kind->name(room, item))};
+    *r =
+        (MachineRecord){.room = room, .item = item, .expected = expected_push(setup, expected, kind->name(room, item))};
     for (int k = 0; k < kind->n_now; ++k) now[k] = (hawser_figure){kind->now[k], 0};
     for (int k = 0; k < kind->n_figures; ++k) r->figure[k] = (hawser_figure){kind->figure[k], NAN};
     *out = (hawser_machine){.kind = kind->key,

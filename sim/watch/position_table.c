@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "sim/expected/expected.h"
+#include "theory/expected.h"
 
 enum { GRID_MOST = 400, BINS_MOST = 200 };
 static const double GRID = 0.5, BIN = 2; /* m, at least */

@@ -3,7 +3,7 @@
 #ifndef HAWSER_SIM_WATCH_POSITION_TABLE_H
 #define HAWSER_SIM_WATCH_POSITION_TABLE_H
 
-#include "sim/expected/setup.h"
+#include "theory/setup.h"
 
 /* A stretch of the front's way: the time spent there, s, and the integrals over it. */
 typedef struct PositionBin {

@@ -7,7 +7,7 @@
 #include "sim/equipment/rod.h"
 #include "sim/equipment/roller_motion.h"
 #include "sim/equipment/winch.h"
-#include "sim/expected/stretches.h"
+#include "theory/stretches.h"
 
 /* The next `count` numbers of the memory. */
 static double *piece_of(double **memory, size_t count)

@@ -2,7 +2,7 @@
  * places within a segment. */
 #include "tests/io/case_fixture.h"
 
-#include "sim/expected/mesh.h"
+#include "theory/mesh.h"
 
 /* A run with segments as given ("auto": by the geometry). */
 typedef struct Pulled {

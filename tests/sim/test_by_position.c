@@ -2,9 +2,9 @@
  * signals, and a short run from a reel against both. */
 #include "sim/watch/position_table.h"
 
-#include "sim/expected/expected.h"
 #include "sim/run/sim.h"
 #include "tests/support/scene.h"
+#include "theory/expected.h"
 
 static void scene_for(const ReelChoice *choice, Scene *scene)
 {

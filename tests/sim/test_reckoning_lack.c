@@ -5,10 +5,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "sim/expected/inverse.h"
 #include "sim/stage/statics.h"
 #include "tests/support/kinds.h"
 #include "tests/support/rig.h"
+#include "theory/inverse.h"
 
 enum { MOST = 3000 };
 
