@@ -36,7 +36,7 @@ run_tests() {
     shift
     mkdir -p build/tests
     for preset in $presets; do
-        sh scripts/build.sh "$preset" >&2
+        sh scripts/build.sh "$preset" >&2 || return
         echo "subdirs(\"../$preset\")"
     done >build/tests/CTestTestfile.cmake
     ctest --test-dir build/tests --output-on-failure --no-tests=error -j "$(nproc)" "$@"
