@@ -118,10 +118,11 @@ class Result:
     def __init__(self, folder: str | os.PathLike[str], *, _keep: OwnFolder | None = None) -> None:
         self.folder = pathlib.Path(folder)
         self._keep = _keep
+        path = c_path(self.folder)
         if not (self.folder / "summary.json").is_file():
             raise MissingError(f"{self.folder}: no results: there is no summary.json", self.folder / "summary.json")
         error = ffi.new("hawser_error *")
-        check(lib.hawser_results_check(c_path(self.folder), error), error)
+        check(lib.hawser_results_check(path, error), error)
 
     def __copy__(self) -> Result:
         return Result(self.folder, _keep=self._keep)
