@@ -1,5 +1,5 @@
-/* A case behind the public handle: a tree of what the file says, and the definition that is read from it when it is first
- * needed. Settings change the tree, and what was read is read again. */
+/* A case behind the public handle: a tree of what the file says, and the definition that is read from it when it is
+ * first needed. Settings change the tree, and what was read is read again. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
 #include "io/case/case_read.h"
@@ -135,8 +135,8 @@ hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value
     return case_tree_set(c->tree, key, value, err);
 }
 
-/* Reading is done once for any number of checks, descriptions and simulations. Threads that begin at once read the same,
- * each for itself, and the first one's stays. */
+/* Reading is done once for any number of checks, descriptions and simulations. Threads that begin at once read the
+ * same, each for itself, and the first one's stays. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err)
 {
     if (!c) return error_argument(err, "c");

@@ -12,8 +12,8 @@
 #include "sim/expected/inverse.h"
 #include "sim/run/sim.h"
 
-/* Several threads may use one that none of them sets: the tree does not change then, and `def` changes once, from NULL to
- * what whoever was first has read. There is no lock that a forked child could inherit. */
+/* Several threads may use one that none of them sets: the tree does not change then, and `def` changes once, from NULL
+ * to what whoever was first has read. There is no lock that a forked child could inherit. */
 struct hawser_case {
     CaseTree *tree;
     char *name;              /* of its file */

@@ -11,8 +11,8 @@
 
 enum { KEY_MAX = 200, STEPS_MAX = 16 };
 
-/* A place that text came from: kept for as long as a tree whose nodes point at the name. Copies of a tree share the list
- * that was there when they were made, each with its own first element. */
+/* A place that text came from: kept for as long as a tree whose nodes point at the name. Copies of a tree share the
+ * list that was there when they were made, each with its own first element. */
 typedef struct CaseOrigin {
     char *name;
     struct CaseOrigin *next;

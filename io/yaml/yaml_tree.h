@@ -67,7 +67,8 @@ CaseTree *case_tree_free(CaseTree *tree);
 /* A copy to be set apart. Several threads may copy one tree. NULL if there is no memory. */
 CaseTree *case_tree_copy(const CaseTree *tree);
 
-/* The node with all below it as a JSON document of texts, from which the same nodes are read; malloc'ed. Errors: MEMORY. */
+/* The node with all below it as a JSON document of texts, from which the same nodes are read; malloc'ed. Errors:
+ * MEMORY. */
 hawser_status case_node_text(const CaseNode *node, char **text, hawser_error *err);
 /* The tree with its name, folder and file as such a document, and back from it: nodes have no lines then, and `name` as
  * their origin. *name: malloc'ed. Errors: MEMORY; of the way back INPUT, too. */

@@ -1,5 +1,5 @@
-/* One case that many threads use, each with settings in a copy of its own: the same figures as one after the other (built
- * with preset `tsan`, ThreadSanitizer watches). */
+/* One case that many threads use, each with settings in a copy of its own: the same figures as one after the other
+ * (built with preset `tsan`, ThreadSanitizer watches). */
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -137,7 +137,8 @@ static void copies_are_their_own(void **state)
     hawser_case_free(second);
 }
 
-/* What is not given is refused with the key; a packed case knows its file, which must not be written over, but no lines. */
+/* What is not given is refused with the key; a packed case knows its file, which must not be written over, but no
+ * lines. */
 static void read_and_packed(void **state)
 {
     (void)state;
@@ -162,10 +163,12 @@ static void read_and_packed(void **state)
     assert_int_equal(hawser_case_spares(again, path, &err), HAWSER_ERR_INPUT);
     hawser_text_free(text);
     hawser_case_free(again);
-    static const char *const wrong[] = {"{", "{\"name\": \"x\"}", "{\"case\": {}}", "{\"name\": [], \"case\": {}}", "[]"};
+    static const char *const wrong[] = {"{", "{\"name\": \"x\"}", "{\"case\": {}}", "{\"name\": [], \"case\": {}}",
+                                        "[]"};
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; ++k)
         assert_int_equal(hawser_case_unpack(wrong[k], &again, &err), HAWSER_ERR_INPUT);
     hawser_case_free(c);
 }
 
-TEST_FILE(test_case_threads, cmocka_unit_test(shared_by_threads), cmocka_unit_test(copies_are_their_own), cmocka_unit_test(read_and_packed))
+TEST_FILE(test_case_threads, cmocka_unit_test(shared_by_threads), cmocka_unit_test(copies_are_their_own),
+          cmocka_unit_test(read_and_packed))
