@@ -323,16 +323,16 @@ static hawser_status theory_new(hawser_case *c, const TheoryWish *wish, Theory *
     *out = NULL;
     const hawser_status status = case_ensure_read(c, err);
     if (status) return status;
-    if (c->def.rod.present) {
+    if (c->def->rod.present) {
         return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': the pulling theory needs a route", c->name);
     }
     const hawser_status alone = case_alone(c, "this pulling calculation", err);
     if (alone) return alone;
     *out = calloc(1, sizeof **out);
-    return *out ? case_name_error(c, build_and_solve(*out, &c->def, wish, err), err) : error_memory(err);
+    return *out ? case_name_error(c, build_and_solve(*out, c->def, wish, err), err) : error_memory(err);
 }
 
-static const char *title_of(const hawser_case *c) { return c->def.title[0] ? c->def.title : c->name; }
+static const char *title_of(const hawser_case *c) { return c->def->title[0] ? c->def->title : c->name; }
 
 /* ------------------------------------------------------------------------------------------------ several chains */
 
@@ -403,7 +403,7 @@ static hawser_status chains_print(char *table, int n, char *const own[], char **
 static hawser_status chains_write(const hawser_case *c, Theory *const t[], hawser_format format, char **text,
                                   hawser_error *err)
 {
-    const SceneDef *const def = &c->def;
+    const SceneDef *const def = c->def;
     const int n = def->n_beside + 1;
     ChainRow row[STRANDS_MAX] = {{.name = NULL}};
     char *own[STRANDS_MAX] = {NULL}, *table = NULL;
@@ -522,12 +522,12 @@ static hawser_status rollers_set(const SceneDef *def, Theory *const t[], int of,
 static hawser_status chain_theory(const hawser_case *c, Theory *t[], int k, double **rollers, hawser_error *err)
 {
     const TheoryWish wish = {0};
-    SceneDef own = *chain_def(&c->def, k); /* the scene makes its own copy */
+    SceneDef own = *chain_def(c->def, k); /* the scene makes its own copy */
     const int rope = own.strand.rope > 0;
     TheoryPlaceDef *place = NULL;
-    if (rope) drawn_set(&c->def, t, k, &own.theory);
-    hawser_status status = rollers_set(&c->def, t, k, rollers, &own.theory, err);
-    if (!status) status = shared_set(&c->def, rope, &own.theory, &place, err);
+    if (rope) drawn_set(c->def, t, k, &own.theory);
+    hawser_status status = rollers_set(c->def, t, k, rollers, &own.theory, err);
+    if (!status) status = shared_set(c->def, rope, &own.theory, &place, err);
     t[k] = status ? NULL : calloc(1, sizeof *t[k]);
     if (!status && !t[k]) status = error_memory(err);
     if (!status) status = case_name_error(c, build_and_solve(t[k], &own, &wish, err), err);
@@ -541,12 +541,12 @@ static hawser_status chains_theory(const hawser_case *c, hawser_format format, c
     double *rollers[STRANDS_MAX] = {NULL};
     hawser_status status = HAWSER_OK;
     for (int ropes = 0; ropes < 2; ++ropes) { /* they come behind what they draw */
-        for (int k = 0; !status && k <= c->def.n_beside; ++k)
-            if ((chain_def(&c->def, k)->strand.rope > 0) == ropes) status = chain_theory(c, t, k, &rollers[k], err);
+        for (int k = 0; !status && k <= c->def->n_beside; ++k)
+            if ((chain_def(c->def, k)->strand.rope > 0) == ropes) status = chain_theory(c, t, k, &rollers[k], err);
     }
     if (!status) status = chains_write(c, t, format, text, err);
-    for (int k = 0; k <= c->def.n_beside; ++k) theory_free(t[k]);
-    for (int k = 0; k <= c->def.n_beside; ++k) free(rollers[k]);
+    for (int k = 0; k <= c->def->n_beside; ++k) theory_free(t[k]);
+    for (int k = 0; k <= c->def->n_beside; ++k) free(rollers[k]);
     return status;
 }
 
@@ -558,7 +558,7 @@ hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **te
     *text = NULL;
     hawser_status status = case_ensure_read(c, err);
     if (status) return status;
-    if (c->def.n_beside > 0) return chains_theory(c, format, text, err);
+    if (c->def->n_beside > 0) return chains_theory(c, format, text, err);
     status = theory_new(c, &all, &t, err);
     if (!status) status = write_theory(t, title_of(c), format, text, err);
     theory_free(t);

@@ -32,7 +32,7 @@ static double *pulled(const hawser_case *c, double until, double *t)
     hawser_sim *sim = NULL;
     const hawser_options one = {.threads = 1};
     hawser_case *copy = NULL;
-    if (case_copy(c, &copy, &err) || hawser_sim_new(copy, &one, &sim, &err)) fail_msg("%s", err.message);
+    if (hawser_case_copy(c, &copy, &err) || hawser_sim_new(copy, &one, &sim, &err)) fail_msg("%s", err.message);
     if (copy->def.solver.relax && hawser_sim_relax(sim, NULL, &err)) fail_msg("%s", err.message);
     if (hawser_sim_advance(sim, until, 0, &err)) fail_msg("%s", err.message);
     double *const y = calloc((size_t)scene_state_size(&sim->stage.scene), sizeof *y);
