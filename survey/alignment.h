@@ -82,6 +82,7 @@ typedef struct Survey {
     SurveyIgnored *ignored;
     char system[SURVEY_NAME_MAX]; /* the system of coordinates by the file's own word; empty: not said */
     char unit[SURVEY_NAME_MAX];   /* which unit of length was taken, and why */
+    double drawn_unit;            /* m in it, if a drawing alone says so, or says nothing; else 0 */
 } Survey;
 
 /* Adds an alignment, an element, a point, a mark at the end; NULL: no memory, or more than SURVEY_MOST of them. What is

@@ -309,9 +309,11 @@ static void unit_set(SurveyInput *in, int code)
                  {22, 100.0 / 3937, "US survey inches"},
                  {23, 3600.0 / 3937, "US survey yards"},
                  {24, 5280 * 1200.0 / 3937, "US survey miles"}};
+    in->out->drawn_unit = isnan(in->options.unit);
     for (size_t i = 0; i < sizeof units / sizeof *units; ++i) {
         if (units[i].code == code) {
             input_unit(in, units[i].metres, units[i].name);
+            in->out->drawn_unit *= in->unit;
             return;
         }
     }
