@@ -69,7 +69,9 @@ static void law_go(const IfcLaw *w, double s, double h, PlanElement *at)
 hawser_status ifc_add_law(const IfcFile *file, Alignment *a, PlanElement start, const IfcLaw *w)
 {
     hawser_status status = HAWSER_OK;
-    const int n = w->length > 0 ? parts_of(w) : 0;
+    if (!isfinite(w->from + w->length + law_at(w, w->from)))
+        return input_error(file->step.in, "alignment '%.40s': a transition without start, length or radius", a->name);
+    const int n = w->length > 1e-9 ? parts_of(w) : 0;
     const double h = w->length / n;
     for (int i = 0; i < n && !status; ++i) {
         const double s = i * h, begun = w->from + w->side * s, ended = w->from + w->side * (s + h);
