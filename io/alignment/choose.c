@@ -256,6 +256,9 @@ hawser_status line_unit_check(const Survey *s, const Alignment *a, hawser_error 
                      a->name, m.length, s->unit, figures, grid ? ", which are like those of a grid of metres" : "");
 }
 
+/* Without the sign of what rounds to 0. */
+static double shown(double x) { return fabs(x) < 5e-4 ? 0 : x; }
+
 LineWay line_way(const Alignment *a, int reversed)
 {
     const AlignmentMeasure m = alignment_measure(a);
@@ -273,8 +276,8 @@ LineWay line_way(const Alignment *a, int reversed)
                  against > 0.5 - 1e-9 ? "and its first piece are" : "is");
     else
         snprintf(drawn, sizeof drawn, "as it is drawn");
-    snprintf(way.text, sizeof way.text, "from (%.3f, %.3f) to (%.3f, %.3f), %s, %s%s", from.x, from.y, to.x, to.y,
-             way.side, reversed ? "against the way " : "", reversed ? drawn + 3 : drawn);
+    snprintf(way.text, sizeof way.text, "from (%.3f, %.3f) to (%.3f, %.3f), %s, %s%s", shown(from.x),
+             shown(from.y), shown(to.x), shown(to.y), way.side, reversed ? "against the way " : "", reversed ? drawn + 3 : drawn);
     return way;
 }
 

@@ -204,11 +204,12 @@ static int is_followed(DxfStream *s, const char *name, DxfBlock *b, int depth)
     char what[SURVEY_NAME_MAX] = "";
     for (size_t i = 0; !b && i < sizeof never / sizeof *never; ++i)
         if (!strncasecmp(name, never[i], 2)) snprintf(what, sizeof what, "INSERT of %s", are[i]);
-    if (!*what && !b) snprintf(what, sizeof what, "INSERT of a block '%.60s' that is not in the drawing", name);
+    if (!*what && !b && s->blocks) snprintf(what, sizeof what, "INSERT of a block '%.60s' that is not in the drawing", name);
     if (b && *b->outside)
         snprintf(what, sizeof what, "external drawing '%.60s': bind it into this one", b->outside);
     if (depth > DEPTH_MOST) snprintf(what, sizeof what, "blocks within each other, more than %d deep", DEPTH_MOST);
-    if (*what) return survey_ignore(s->in->out, what), 0;
+    if (*what) survey_ignore(s->in->out, what);
+    if (*what || !b) return 0;
     if (b->used++) return 1;
     for (int i = 0; i < b->lines.n_ignored; ++i) {
         snprintf(what, sizeof what, "%.100s in blocks", b->lines.ignored[i].what);
