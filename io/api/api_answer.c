@@ -81,14 +81,14 @@ static const hawser_limit *limit_called(int n, const hawser_limit *limit, const 
 }
 
 /* What was found at its worst place, and what to do if that is too much, unless that was `said` just before. */
-static void limit_lines(Answer *a, const Scene *scene, const char *word, const hawser_limit *l, char said[REMEDY_MAX])
+static void limit_lines(Answer *a, const Setup *setup, const char *word, const hawser_limit *l, char said[REMEDY_MAX])
 {
     char found[HAWSER_SHOWN_MAX], margin[128], remedy[REMEDY_MAX], where[sizeof l->where + 2];
     say_margin(l, a->units, margin, sizeof margin);
     answer_line(a, word, "%s %s%s%s; %s", l->name, hawser_show(l->value, l->unit, a->units, found),
                 *l->where ? " at " : "", place_mark(l->where, where, sizeof where), margin);
     if (l->ok) return;
-    limit_remedy(scene, l, a->units, remedy);
+    limit_remedy(setup, l, a->units, remedy);
     if (*remedy && strcmp(remedy, said) != 0) answer_line(a, "remedy", "%s", remedy);
     strcpy(said, remedy);
 }
@@ -104,16 +104,16 @@ static void open_line(Answer *a, int n, const hawser_limit *limit)
     if (*names) answer_line(a, "not judged", "%s (the table of limits says why)", names);
 }
 
-void answer_limits(Answer *a, const Scene *scene, int n, const hawser_limit *limit)
+void answer_limits(Answer *a, const Setup *setup, int n, const hawser_limit *limit)
 {
     const hawser_limit *worst = NULL;
     char said[REMEDY_MAX] = "";
     for (int i = 0; i < n; ++i) {
         if (limit[i].judged && (!worst || limit[i].margin < worst->margin)) worst = &limit[i];
     }
-    if (worst) limit_lines(a, scene, "worst", worst, said);
+    if (worst) limit_lines(a, setup, "worst", worst, said);
     for (int i = 0; i < n; ++i) {
-        if (limit[i].judged && !limit[i].ok && &limit[i] != worst) limit_lines(a, scene, "broken", &limit[i], said);
+        if (limit[i].judged && !limit[i].ok && &limit[i] != worst) limit_lines(a, setup, "broken", &limit[i], said);
     }
     if (n == 0) answer_line(a, "remedy", "say what is allowed in the case's section 'limits'");
     open_line(a, n, limit);
@@ -143,7 +143,7 @@ static void way_line(Answer *a, const Calculator *c, int k)
 }
 
 /* Less friction, a shorter pull, machines: what would keep the limits of this way, by the same calculation. */
-static void inverse_lines(Answer *a, const Scene *scene, const Inverse *inverse, int way)
+static void inverse_lines(Answer *a, const Setup *setup, const Inverse *inverse, int way)
 {
     char shown[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX];
     const InverseMachines *const m = &inverse->machines[way];
@@ -168,18 +168,18 @@ static void inverse_lines(Answer *a, const Scene *scene, const Inverse *inverse,
     }
     if (inverse->asked && m->n > 0)
         answer_line(a, "remedy", "%d machine%s of %s, the first at %s, would keep all limits%s%s", m->n,
-                    m->n > 1 ? "s" : "", hawser_show(scene->def.theory.machine_push, "N", a->units, shown),
+                    m->n > 1 ? "s" : "", hawser_show(setup->def->theory.machine_push, "N", a->units, shown),
                     hawser_show(m->at[0], "m", a->units, now), *m->stays ? " but " : "", m->stays);
 }
 
-void answer_theory(Answer *a, const Scene *scene, const Calculator *c, const Inverse *inverse,
+void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
                    const char verdict[][HAWSER_VERDICT_MAX])
 {
     const int forward = calculator_holds(c, PLAN_FORWARD), backward = calculator_holds(c, PLAN_BACKWARD);
     answer_verdict(a, verdict[PLAN_FORWARD]);
     way_line(a, c, PLAN_FORWARD);
-    answer_limits(a, scene, c->n_limits, c->limit[PLAN_FORWARD]);
-    if (!forward) inverse_lines(a, scene, inverse, PLAN_FORWARD);
+    answer_limits(a, setup, c->n_limits, c->limit[PLAN_FORWARD]);
+    if (!forward) inverse_lines(a, setup, inverse, PLAN_FORWARD);
     if (!forward && backward && c->n_limits > 0) answer_line(a, "remedy", "pulled from the other end all limits hold");
     way_line(a, c, PLAN_BACKWARD);
     answer_line(a, "", "%s", verdict[PLAN_BACKWARD]);
@@ -289,7 +289,7 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
     if (!sum.rod) {
         pull_line(&a, &sum, n, limit);
         if (n > 0) reached_line(&a, s);
-        if (n > 0 || !failed) answer_limits(&a, &s->stage.scene, n, limit);
+        if (n > 0 || !failed) answer_limits(&a, &s->stage.scene.setup, n, limit);
     }
     if (!failed) trust_lines(&a, &sum);
     if (sum.passes) answer_line(&a, "passes", "%s: %s", sum.passes->why, sum.passes->says);

@@ -9,8 +9,8 @@
 #include "io/results/column.h"
 #include "io/results/results.h"
 #include "io/yaml/yaml_tree.h"
-#include "sim/expected/inverse.h"
 #include "sim/run/sim.h"
+#include "theory/inverse.h"
 
 /* Several threads may use one that none of them sets: the tree does not change then, and `def` changes once, from NULL
  * to what whoever was first has read. There is no lock that a forked child could inherit. */
@@ -99,11 +99,11 @@ typedef struct TheoryTables {
 /* The table `limits` alone, of the first `ways` directions. Returns 0 without memory. */
 int theory_limits_add(const Calculator *c, int ways, TheoryTables *t);
 /* The texts are the calculator's, the answers' and the scene's, which must stay. Errors: MEMORY. */
-hawser_status theory_tables_make(const Scene *scene, const Calculator *c, const Inverse *inverse, TheoryTables *out,
+hawser_status theory_tables_make(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *out,
                                  hawser_error *err);
 /* Adds what the planner asks: places of the head, sections, brake, machines, answers the other way round, notes.
  * Returns 0 without memory. */
-int theory_planner_add(const Scene *scene, const Calculator *c, const Inverse *inverse, TheoryTables *t);
+int theory_planner_add(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *t);
 /* Gives a table n rows of its own; NULL without memory. */
 void *theory_table_add(TheoryTables *t, const char *key, const char *heading, Columns columns, int n);
 extern const char *const theory_ways[PLAN_WAYS];
@@ -131,10 +131,10 @@ void answer_verdict(Answer *a, const char *verdict);
 /* "  word   sentence", in as many lines as that takes. */
 void answer_line(Answer *a, const char *word, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* The worst of the limits, what to do about each that is broken, and which are not judged. */
-void answer_limits(Answer *a, const Scene *scene, int n, const hawser_limit *limit);
+void answer_limits(Answer *a, const Setup *setup, int n, const hawser_limit *limit);
 
 /* All of it for the calculation, each way of pulling with its verdict. */
-void answer_theory(Answer *a, const Scene *scene, const Calculator *c, const Inverse *inverse,
+void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
                    const char verdict[][HAWSER_VERDICT_MAX]);
 
 /* The rows of route.csv, malloc'ed; none for a scene without a route. Theory that cannot be computed there is NAN.
@@ -145,6 +145,6 @@ hawser_status along_rows(hawser_sim *s, AlongRow **rows, int *n, hawser_error *e
 const char *show_bound(double value, int least, const char *unit, hawser_units units, char *text);
 /* What would make a broken limit hold, from its own figures and the scene's: "a radius of 8.5 m in 'bend' would do".
  * The tension is taken to stay as it is. `text` has 256 bytes and is empty where nothing can be told. */
-void limit_remedy(const Scene *scene, const hawser_limit *broken, hawser_units units, char *text);
+void limit_remedy(const Setup *setup, const hawser_limit *broken, hawser_units units, char *text);
 
 #endif

@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
 #include "io/results/results_file.h"
-#include "sim/expected/cost.h"
+#include "sim/cost.h"
 #include "sim/run/commands.h"
 
 #include <math.h>
@@ -163,7 +163,7 @@ static int remedies_find(const Scene *scene, int n, const hawser_limit *limit, c
     int found = 0;
     for (int i = 0; i < n; i++) {
         if (!limit[i].judged || limit[i].ok) continue;
-        limit_remedy(scene, &limit[i], HAWSER_SI, remedy[found]);
+        limit_remedy(&scene->setup, &limit[i], HAWSER_SI, remedy[found]);
         int fresh = *remedy[found] != 0;
         for (int k = 0; k < found; k++) fresh &= strcmp(remedy[k], remedy[found]) != 0;
         found += fresh;

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "sim/expected/mesh.h"
+#include "theory/mesh.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -332,13 +332,16 @@ static hawser_status segment_read(const CaseReader *r, const CaseNode *node, Cha
 hawser_status case_mesh_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
-    Mesh mesh;
-    hawser_status status = mesh_find(def, &r->route, &mesh, r->err);
+    Supports map = {.def = def, .route = &r->route};
+    Mesh mesh = {0};
+    hawser_status status = def->rod.present ? HAWSER_OK : supports_build(def, &r->route, &map, r->err);
+    if (!status) status = mesh_find(&map, &mesh, r->err);
     for (int p = 0; p < def->n_pieces && !status; p++) {
         if (def->pieces[p].segments > 0) continue;
         status = segments_count(r, node ? case_node_item(node, p) : r->root, mesh_auto(&mesh, def, p), &def->pieces[p]);
     }
     mesh_free(&mesh);
+    supports_free(&map);
     return status;
 }
 

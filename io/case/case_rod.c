@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "def/rod_def.h"
 #include "io/case/case_parts.h"
-#include "sim/def/rod_def.h"
 
 static const char *const shapes[] = {"straight", "arc", "helix", "polyline", NULL};
 

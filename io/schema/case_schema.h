@@ -8,9 +8,9 @@
 #include <stddef.h>
 
 #include "core/route.h"
+#include "def/scene_def.h"
 #include "io/yaml/units.h"
 #include "io/yaml/yaml_tree.h"
-#include "sim/def/scene_def.h"
 
 /* What a value is, and what the key's place holds. */
 typedef enum KeyKind {

@@ -7,9 +7,9 @@
 #include <time.h>
 
 #include "core/base/error.h"
+#include "def/limits.h"
 #include "io/api/api_handles.h"
 #include "study/engine/engine.h"
-#include "theory/limits.h"
 
 const char *const row_states[] = {"open", "done", "refused", "failed", "time limit", "no memory", "died"};
 const char *const row_verdicts[] = {"", "SAFE", "NOT SAFE", "NOT JUDGED", "NOT TRUSTED"};

@@ -2,7 +2,7 @@
  * places within a segment. */
 #include "tests/io/case_fixture.h"
 
-#include "sim/expected/mesh.h"
+#include "theory/mesh.h"
 
 /* A run with segments as given ("auto": by the geometry). */
 typedef struct Pulled {
@@ -74,7 +74,10 @@ static Mesh mesh_of(const char *text, const char *key, const char *value, SceneD
     Mesh mesh;
     expect_good(text, key, value, def);
     Route route = route_of(def);
-    assert_int_equal(mesh_find(def, &route, &mesh, NULL), HAWSER_OK);
+    Supports map = {.def = def, .route = &route};
+    if (!def->rod.present) assert_int_equal(supports_build(def, &route, &map, NULL), HAWSER_OK);
+    assert_int_equal(mesh_find(&map, &mesh, NULL), HAWSER_OK);
+    supports_free(&map);
     route_clear(&route);
     return mesh;
 }
