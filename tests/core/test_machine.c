@@ -120,7 +120,7 @@ static void the_clock_counts_seconds(void **state)
                   (double)(after.tv_sec - before.tv_sec) + 1e-9 * (double)(after.tv_nsec - before.tv_nsec) + 1e-6);
     for (int i = 0; i < 200000; ++i) { /* across ends of whole seconds, or not */
         const double a = clock_now(), b = clock_now();
-        check_between(b - a, -1e-12, 0.5);
+        check_at_least(b - a, 0);
     }
 }
 

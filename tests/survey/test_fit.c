@@ -445,6 +445,42 @@ static void heights_have_stations(void **state)
     }
 }
 
+/* Beyond the ends of a line the distance of a point is square to its direction, whatever that is: with the wrong sign
+ * points on the line's own extension were refused as 46.6 m beside it. */
+static void heights_beyond_the_ends(void **state)
+{
+    (void)state;
+    const double heading = 0.6, place[] = {-50, 100, 250};
+    Alignment line = plain_line(), from = {.name = "P", .stated_length = NAN}, out;
+    line.plan[0].heading = heading;
+    for (int i = 0; i < 3; ++i)
+        *alignment_add_point(&from) = v3(place[i] * cos(heading), place[i] * sin(heading), place[i] / 10);
+    const FitOptions options = fit_options();
+    FitReport r;
+    hawser_error err = {.message = ""};
+    fit_alignment(&line, &from, &options, &out, &r, &err);
+    assert_string_equal(err.message, "");
+    for (double s = 0; s <= 200; s += 50) check_close(alignment_at(&out, s).at.z, s / 10, 1e-3);
+    alignment_clear(&line);
+    alignment_clear(&from);
+    alignment_clear(&out);
+}
+
+/* Points closer together than their scatter are thinned, but the line ends at the last of them, not at the mean of the
+ * last few, 0.04 m before it. */
+static void dense_points_reach_the_end(void **state)
+{
+    (void)state;
+    Alignment points = {.stated_length = NAN, .flat = 1}, out;
+    unsigned long long seed = 88172645463325252ULL;
+    for (int i = 0; i <= 250; ++i) *alignment_add_point(&points) = v3(0.04 * i, 0.02 * normal(&seed), 0);
+    fitted(&points, &out);
+    assert_int_equal(out.n_plan, 1);
+    check_close(alignment_measure(&out).end.x, 10, 0.005);
+    alignment_clear(&points);
+    alignment_clear(&out);
+}
+
 static void what_is_wrong(void **state)
 {
     (void)state;
@@ -506,4 +542,5 @@ TEST_FILE(test_fit, cmocka_unit_test(noisy_route_comes_back), cmocka_unit_test(r
           cmocka_unit_test(grades_stay_straight), cmocka_unit_test(smooth_lines_stay), cmocka_unit_test(arcs_are_kept),
           cmocka_unit_test(heights_from_elsewhere), cmocka_unit_test(rough_lines_are_within),
           cmocka_unit_test(bends_have_error_bars), cmocka_unit_test(heights_have_stations),
-          cmocka_unit_test(what_is_wrong), cmocka_unit_test(drawn_from_either_side))
+          cmocka_unit_test(what_is_wrong), cmocka_unit_test(drawn_from_either_side),
+          cmocka_unit_test(heights_beyond_the_ends), cmocka_unit_test(dense_points_reach_the_end))
