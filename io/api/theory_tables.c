@@ -97,9 +97,9 @@ static const Column way_column[] = {
     {COLUMN("direction", TEXT, WayRow, direction), .label = "direction"},
     {COLUMN("start_N", NUMBER, WayRow, way.start), .label = "start, N", .decimals = 1},
     {COLUMN("rope_N", NUMBER, WayRow, way.rope), .label = "rope, N", .decimals = 1},
-    {COLUMN("force_N", NUMBER, WayRow, way.force), .label = "winch, N", .decimals = 1},
-    {COLUMN("restart_N", NUMBER, WayRow, way.restart_force), .label = "restart, N", .decimals = 1},
-    {COLUMN("largest_force_N", NUMBER, WayRow, peak.force), .label = "largest, N", .decimals = 1},
+    {COLUMN("force_N", NUMBER, WayRow, way.force), .label = "winch at the end, N", .decimals = 1},
+    {COLUMN("restart_N", NUMBER, WayRow, way.restart_force), .label = "restart there, N", .decimals = 1},
+    {COLUMN("largest_force_N", NUMBER, WayRow, peak.force), .label = "largest winch, N", .decimals = 1},
     {COLUMN("largest_force_head_m", NUMBER, WayRow, peak.head), .label = "with the head at, m", .decimals = 1},
     {COLUMN("trip_N", NUMBER, WayRow, trip.force), .label = "trip at, N", .decimals = 0},
     {COLUMN("trip_by", TEXT, WayRow, trip.by), .label = "by"},
@@ -244,9 +244,9 @@ hawser_status theory_tables_make(const Setup *setup, const Calculator *c, const 
                                  hawser_error *err)
 {
     *out = (TheoryTables){0};
-    const int fine = pieces_add(setup, c, out) && ways_add(c, out) && ducts_add(setup, c, out) && pushes_add(setup, c, out) &&
-                     theory_planner_add(setup, c, inverse, out) && theory_limits_add(c, PLAN_WAYS, out) &&
-                     notes_add(setup, c, out);
+    const int fine = pieces_add(setup, c, out) && ways_add(c, out) && ducts_add(setup, c, out) &&
+                     pushes_add(setup, c, out) && theory_planner_add(setup, c, inverse, out) &&
+                     theory_limits_add(c, PLAN_WAYS, out) && notes_add(setup, c, out);
     if (fine && out->table[out->n - 1].n == 0) free(out->rows[--out->n]); /* no closed form was refused */
     if (fine) return HAWSER_OK;
     theory_tables_free(out);
