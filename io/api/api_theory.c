@@ -183,7 +183,7 @@ static void fill_terms(Theory *t)
     }
 }
 
-enum { FACTS_MAX = 24 };
+enum { FACTS_MAX = 32 };
 
 /* What the whole is about, in the order in which it is asked; all of the whole route full of cable. Returns how many.
  */
@@ -203,11 +203,22 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     fact[n++] = (Fact){"start_tension_N", "tension at the start", "N", cell_number(there->start)};
     fact[n++] = (Fact){"rope_drag_N", "drag on the rope", "N", cell_number(t->setup.def->drag.force)};
     fact[n++] = (Fact){"paper_total_N", "winch force, paper's formulas", "N", cell_number(t->paper_total)};
-    fact[n++] = (Fact){"reference_total_N", "winch force, pulled forward", "N", cell_number(there->force)};
-    fact[n++] = (Fact){"backward_total_N", "winch force, pulled backward", "N", cell_number(back->force)};
-    fact[n++] =
-        (Fact){"largest_force_N", "largest on the way, forward", "N", cell_number(c->heads[PLAN_FORWARD].peak.force)};
-    fact[n++] = (Fact){"largest_force_head_m", "with the head at", "m", cell_number(c->heads[PLAN_FORWARD].peak.head)};
+    fact[n++] = (Fact){"reference_total_N", "winch force at the end, forward", "N", cell_number(there->force)};
+    fact[n++] = (Fact){"backward_total_N", "winch force at the end, backward", "N", cell_number(back->force)};
+    for (int k = 0; k < PLAN_WAYS; ++k) {
+        static const char *const keys[PLAN_WAYS][4] = {
+            {"largest_force_N", "largest_force_head_m", "largest_restart_N", "largest_restart_head_m"},
+            {"backward_largest_force_N", "backward_largest_force_head_m", "backward_largest_restart_N",
+             "backward_largest_restart_head_m"}};
+        static const char *const labels[PLAN_WAYS][2] = {
+            {"largest winch force, forward", "largest from rest, forward"},
+            {"largest winch force, backward", "largest from rest, backward"}};
+        const HeadSeries *const heads = &c->heads[k];
+        fact[n++] = (Fact){keys[k][0], labels[k][0], "N", cell_number(heads->peak.force)};
+        fact[n++] = (Fact){keys[k][1], "with the head at", "m", cell_number(heads->peak.head)};
+        fact[n++] = (Fact){keys[k][2], labels[k][1], "N", cell_number(heads->restart_peak.restart)};
+        fact[n++] = (Fact){keys[k][3], "with the head at", "m", cell_number(heads->restart_peak.head)};
+    }
     fact[n++] =
         (Fact){"max_sidewall_N_per_m", "largest sidewall pressure", "N/m", cell_number(there->pull.max_sidewall)};
     fact[n++] = (Fact){"stiffness_N", "bending stiffness, left out", "N", cell_number(c->limp[PLAN_FORWARD].value)};
@@ -222,7 +233,14 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
 /* Of a calculation of one direction: the facts without those of the other and those that compare them. */
 static int drop_backward(int n, Fact fact[FACTS_MAX])
 {
-    static const char *const keys[] = {"backward_total_N", "better_direction", "best_direction", "verdict_backward"};
+    static const char *const keys[] = {"backward_total_N",
+                                       "backward_largest_force_N",
+                                       "backward_largest_force_head_m",
+                                       "backward_largest_restart_N",
+                                       "backward_largest_restart_head_m",
+                                       "better_direction",
+                                       "best_direction",
+                                       "verdict_backward"};
     int kept = 0;
     for (int i = 0; i < n; i++) {
         int drop = 0;
