@@ -203,8 +203,8 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     fact[n++] = (Fact){"start_tension_N", "tension at the start", "N", cell_number(there->start)};
     fact[n++] = (Fact){"rope_drag_N", "drag on the rope", "N", cell_number(t->setup.def->drag.force)};
     fact[n++] = (Fact){"paper_total_N", "winch force, paper's formulas", "N", cell_number(t->paper_total)};
-    fact[n++] = (Fact){"reference_total_N", "winch force at the end, forward", "N", cell_number(there->force)};
-    fact[n++] = (Fact){"backward_total_N", "winch force at the end, backward", "N", cell_number(back->force)};
+    fact[n++] = (Fact){"reference_total_N", "winch force at end, forward", "N", cell_number(there->force)};
+    fact[n++] = (Fact){"backward_total_N", "winch force at end, backward", "N", cell_number(back->force)};
     for (int k = 0; k < PLAN_WAYS; ++k) {
         static const char *const keys[PLAN_WAYS][4] = {
             {"largest_force_N", "largest_force_head_m", "largest_restart_N", "largest_restart_head_m"},
