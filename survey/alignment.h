@@ -53,6 +53,8 @@ typedef struct Alignment {
     int drawn;               /* the points are corners with straights between; else they may be places along bends */
     int bent;                /* some of the points are places along curves of the file: no corners to be rounded */
     int whole;               /* parts of one feature of a map have the same number here; 0: it has but one */
+    int inserted;            /* the number of the insertion of a block that it comes from; 0: it is drawn itself */
+    double against;          /* m of it that are drawn from its end to its start, of joined pieces */
     double stated_length;    /* m, in plan, by the file's own word; NAN: it says nothing */
     double station;          /* the file's number for where the alignment begins */
 } Alignment;
@@ -80,6 +82,7 @@ typedef struct Survey {
     SurveyIgnored *ignored;
     char system[SURVEY_NAME_MAX]; /* the system of coordinates by the file's own word; empty: not said */
     char unit[SURVEY_NAME_MAX];   /* which unit of length was taken, and why */
+    double drawn_unit;            /* m in it, if a drawing alone says so, or says nothing; else 0 */
 } Survey;
 
 /* Adds an alignment, an element, a point, a mark at the end; NULL: no memory, or more than SURVEY_MOST of them. What is

@@ -121,11 +121,28 @@ void answer_limits(Answer *a, const Setup *setup, int n, const hawser_limit *lim
 
 /* ------------------------------------------------------------------------------------------ of the calculation */
 
-/* The winch's force of one way, at speed and from rest. */
-static void way_line(Answer *a, const Calculator *c, int k)
+/* Where the largest force of a way occurs, unless that is at the end of the one section: " (pit P, the head at 400 m)";
+ * head: m along the route. */
+static const char *largest_place(const Answer *a, const Setup *setup, const Calculator *c, int k, double head,
+                                 char text[160])
 {
-    char force[HAWSER_SHOWN_MAX], restart[HAWSER_SHOWN_MAX], margin[128] = "";
-    const PlanWay *const way = &c->plan.way[k];
+    const TheoryDef *const theory = &setup->def->theory;
+    const PlanSection s = plan_section_at(&c->def, k, head);
+    char shown[HAWSER_SHOWN_MAX], pit[96] = "";
+    *text = 0;
+    if (theory->n_pits == 0 && fabs(head - s.to) < 1e-6 * c->route->length) return text;
+    if (s.ends >= 0) snprintf(pit, sizeof pit, "%.80s, ", theory->pits[s.ends - theory->n_machines].name);
+    if (s.ends < 0 && theory->n_pits > 0) snprintf(pit, sizeof pit, "the end, ");
+    snprintf(text, 160, " (%sthe head at %s)", pit, hawser_show(head, "m", a->units, shown));
+    return text;
+}
+
+/* The largest force that a winch of one way needs, at speed and from rest: of all sections and of all places of the
+ * head. */
+static void way_line(Answer *a, const Setup *setup, const Calculator *c, int k)
+{
+    char force[HAWSER_SHOWN_MAX], restart[HAWSER_SHOWN_MAX], margin[128] = "", at[160], then[160];
+    const HeadSeries *const heads = &c->heads[k];
     const char *const word = k == PLAN_FORWARD ? "pull" : "pulled back";
     const hawser_limit *const l = limit_called(c->n_limits, c->limit[k], "pull");
     if (!c->pulled[k].holds && !isnan(c->brake[k].brake)) {
@@ -138,8 +155,11 @@ static void way_line(Answer *a, const Calculator *c, int k)
         strcpy(margin, "; ");
         say_margin(l, a->units, margin + 2, sizeof margin - 2);
     }
-    answer_line(a, word, "%s at the winch, %s from rest%s", hawser_show(way->force, "N", a->units, force),
-                hawser_show(way->restart_force, "N", a->units, restart), margin);
+    largest_place(a, setup, c, k, heads->peak.head, at);
+    largest_place(a, setup, c, k, heads->restart_peak.head, then);
+    answer_line(a, word, "%s at the winch%s, %s from rest%s%s", hawser_show(heads->peak.force, "N", a->units, force),
+                at, hawser_show(heads->restart_peak.restart, "N", a->units, restart), strcmp(at, then) ? then : "",
+                margin);
 }
 
 /* Less friction, a shorter pull, machines: what would keep the limits of this way, by the same calculation. */
@@ -177,11 +197,11 @@ void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inv
 {
     const int forward = calculator_holds(c, PLAN_FORWARD), backward = calculator_holds(c, PLAN_BACKWARD);
     answer_verdict(a, verdict[PLAN_FORWARD]);
-    way_line(a, c, PLAN_FORWARD);
+    way_line(a, setup, c, PLAN_FORWARD);
     answer_limits(a, setup, c->n_limits, c->limit[PLAN_FORWARD]);
     if (!forward) inverse_lines(a, setup, inverse, PLAN_FORWARD);
     if (!forward && backward && c->n_limits > 0) answer_line(a, "remedy", "pulled from the other end all limits hold");
-    way_line(a, c, PLAN_BACKWARD);
+    way_line(a, setup, c, PLAN_BACKWARD);
     answer_line(a, "", "%s", verdict[PLAN_BACKWARD]);
 }
 

@@ -367,7 +367,7 @@ static hawser_status gather(Description *d, hawser_error *err)
 /* Builds the simulation for its counts; its texts live as long as it does. */
 static hawser_status describe(const hawser_case *c, hawser_format format, char **text, hawser_error *err)
 {
-    Description d = {.def = &c->def};
+    Description d = {.def = c->def};
     Sim *sim = NULL;
     hawser_status status = cost_check(d.def, err);
     if (!status) status = sim_new(d.def, 0, &sim, err);

@@ -208,11 +208,11 @@ hawser_status hawser_case_equipment(hawser_case *c, hawser_format format, char *
     hawser_status status = case_ensure_read(c, err);
     if (!status) status = case_alone(c, "the crew's list", err);
     if (status) return status;
-    if (c->def.rod.present)
+    if (c->def->rod.present)
         return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': equipment stands along a route", c->name);
     Setup setup;
-    status = setup_make(&c->def, &setup, err);
-    if (!status) status = crew_make(&setup, c->def.title[0] ? c->def.title : c->name, format, text, err);
+    status = setup_make(c->def, &setup, err);
+    if (!status) status = crew_make(&setup, c->def->title[0] ? c->def->title : c->name, format, text, err);
     setup_free(&setup);
     return case_name_error(c, status, err);
 }

@@ -2,6 +2,8 @@
 #ifndef HAWSER_IO_API_API_HANDLES_H
 #define HAWSER_IO_API_API_HANDLES_H
 
+#include <stdatomic.h>
+
 #include "core/base/checkpoint.h"
 #include "hawser/hawser.h"
 #include "io/results/column.h"
@@ -10,23 +12,22 @@
 #include "sim/run/sim.h"
 #include "theory/inverse.h"
 
+/* Several threads may use one that none of them sets: the tree does not change then, and `def` changes once, from NULL
+ * to what whoever was first has read. There is no lock that a forked child could inherit. */
 struct hawser_case {
     CaseTree *tree;
-    char *name;   /* of its file */
-    int read;     /* def holds what the tree says */
-    SceneDef def; /* cleared while not read */
+    char *name;              /* of its file */
+    _Atomic(SceneDef *) def; /* what the tree says, which nobody writes to; NULL: not read yet */
 };
 
 /* A simulation is told to move from inside one of its call-backs. */
 hawser_status error_inside(hawser_error *err);
 /* One of several chains is told to move by itself. */
 hawser_status error_led(hawser_error *err);
-/* Makes c->def hold what the case says now. Errors: INPUT, MEMORY. */
+/* Makes c->def point at what the case says now. Errors: INPUT, MEMORY. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err);
 /* Of a case that was read: an error with the line of `chains` if it has several, of which `what` cannot be asked. */
 hawser_status case_alone(const hawser_case *c, const char *what, hawser_error *err);
-/* A copy of the case as it is set, to be set further; `c` must outlive it. Errors: MEMORY. */
-hawser_status case_copy(const hawser_case *c, hawser_case **out, hawser_error *err);
 /* For errors found while building from c->def, which no longer knows the file: puts the case's name before an INPUT
  * message. Returns status. */
 hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err);

@@ -67,7 +67,7 @@ typedef struct Changes {
 
 static hawser_status changes_solve(const hawser_case *c, Changes *x, hawser_error *err)
 {
-    hawser_status status = setup_make(&c->def, &x->setup, err);
+    hawser_status status = setup_make(c->def, &x->setup, err);
     if (!status) status = expected_fill(&x->setup, 0, NULL, &x->expected, err);
     if (!status) status = calculator_build(&x->setup, &x->expected, 0, &x->calculator, err);
     const Calculator *const k = &x->calculator;
@@ -208,12 +208,12 @@ hawser_status hawser_case_sensitivities(hawser_case *c, hawser_format format, ch
     hawser_status status = case_ensure_read(c, err);
     if (!status) status = case_alone(c, "sensitivities", err);
     if (status) return status;
-    if (c->def.rod.present)
+    if (c->def->rod.present)
         return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': the pulling theory needs a route", c->name);
     Changes *const x = calloc(1, sizeof *x);
     status = x ? case_name_error(c, changes_solve(c, x, err), err) : error_memory(err);
     if (!status) status = rows_fill(x, err);
-    if (!status) status = changes_write(x, c->def.title[0] ? c->def.title : c->name, format, text, err);
+    if (!status) status = changes_write(x, c->def->title[0] ? c->def->title : c->name, format, text, err);
     if (x) changes_free(x);
     free(x);
     return status;

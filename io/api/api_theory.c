@@ -183,7 +183,7 @@ static void fill_terms(Theory *t)
     }
 }
 
-enum { FACTS_MAX = 24 };
+enum { FACTS_MAX = 32 };
 
 /* What the whole is about, in the order in which it is asked; all of the whole route full of cable. Returns how many.
  */
@@ -203,11 +203,22 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     fact[n++] = (Fact){"start_tension_N", "tension at the start", "N", cell_number(there->start)};
     fact[n++] = (Fact){"rope_drag_N", "drag on the rope", "N", cell_number(t->setup.def->drag.force)};
     fact[n++] = (Fact){"paper_total_N", "winch force, paper's formulas", "N", cell_number(t->paper_total)};
-    fact[n++] = (Fact){"reference_total_N", "winch force, pulled forward", "N", cell_number(there->force)};
-    fact[n++] = (Fact){"backward_total_N", "winch force, pulled backward", "N", cell_number(back->force)};
-    fact[n++] =
-        (Fact){"largest_force_N", "largest on the way, forward", "N", cell_number(c->heads[PLAN_FORWARD].peak.force)};
-    fact[n++] = (Fact){"largest_force_head_m", "with the head at", "m", cell_number(c->heads[PLAN_FORWARD].peak.head)};
+    fact[n++] = (Fact){"reference_total_N", "winch force at end, forward", "N", cell_number(there->force)};
+    fact[n++] = (Fact){"backward_total_N", "winch force at end, backward", "N", cell_number(back->force)};
+    for (int k = 0; k < PLAN_WAYS; ++k) {
+        static const char *const keys[PLAN_WAYS][4] = {
+            {"largest_force_N", "largest_force_head_m", "largest_restart_N", "largest_restart_head_m"},
+            {"backward_largest_force_N", "backward_largest_force_head_m", "backward_largest_restart_N",
+             "backward_largest_restart_head_m"}};
+        static const char *const labels[PLAN_WAYS][2] = {
+            {"largest winch force, forward", "largest from rest, forward"},
+            {"largest winch force, backward", "largest from rest, backward"}};
+        const HeadSeries *const heads = &c->heads[k];
+        fact[n++] = (Fact){keys[k][0], labels[k][0], "N", cell_number(heads->peak.force)};
+        fact[n++] = (Fact){keys[k][1], "with the head at", "m", cell_number(heads->peak.head)};
+        fact[n++] = (Fact){keys[k][2], labels[k][1], "N", cell_number(heads->restart_peak.restart)};
+        fact[n++] = (Fact){keys[k][3], "with the head at", "m", cell_number(heads->restart_peak.head)};
+    }
     fact[n++] =
         (Fact){"max_sidewall_N_per_m", "largest sidewall pressure", "N/m", cell_number(there->pull.max_sidewall)};
     fact[n++] = (Fact){"stiffness_N", "bending stiffness, left out", "N", cell_number(c->limp[PLAN_FORWARD].value)};
@@ -222,7 +233,14 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
 /* Of a calculation of one direction: the facts without those of the other and those that compare them. */
 static int drop_backward(int n, Fact fact[FACTS_MAX])
 {
-    static const char *const keys[] = {"backward_total_N", "better_direction", "best_direction", "verdict_backward"};
+    static const char *const keys[] = {"backward_total_N",
+                                       "backward_largest_force_N",
+                                       "backward_largest_force_head_m",
+                                       "backward_largest_restart_N",
+                                       "backward_largest_restart_head_m",
+                                       "better_direction",
+                                       "best_direction",
+                                       "verdict_backward"};
     int kept = 0;
     for (int i = 0; i < n; i++) {
         int drop = 0;
@@ -329,16 +347,16 @@ static hawser_status theory_new(hawser_case *c, const TheoryWish *wish, Theory *
     *out = NULL;
     const hawser_status status = case_ensure_read(c, err);
     if (status) return status;
-    if (c->def.rod.present) {
+    if (c->def->rod.present) {
         return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': the pulling theory needs a route", c->name);
     }
     const hawser_status alone = case_alone(c, "this pulling calculation", err);
     if (alone) return alone;
     *out = calloc(1, sizeof **out);
-    return *out ? case_name_error(c, build_and_solve(*out, &c->def, NULL, wish, err), err) : error_memory(err);
+    return *out ? case_name_error(c, build_and_solve(*out, c->def, NULL, wish, err), err) : error_memory(err);
 }
 
-static const char *title_of(const hawser_case *c) { return c->def.title[0] ? c->def.title : c->name; }
+static const char *title_of(const hawser_case *c) { return c->def->title[0] ? c->def->title : c->name; }
 
 /* ------------------------------------------------------------------------------------------------ several chains */
 
@@ -409,7 +427,7 @@ static hawser_status chains_print(char *table, int n, char *const own[], char **
 static hawser_status chains_write(const hawser_case *c, Theory *const t[], hawser_format format, char **text,
                                   hawser_error *err)
 {
-    const SceneDef *const def = &c->def;
+    const SceneDef *const def = c->def;
     const int n = def->n_beside + 1;
     ChainRow row[STRANDS_MAX] = {{.name = NULL}};
     char *own[STRANDS_MAX] = {NULL}, *table = NULL;
@@ -528,14 +546,14 @@ static hawser_status rollers_set(const SceneDef *def, Theory *const t[], int of,
 static hawser_status chain_theory(const hawser_case *c, Theory *t[], int k, hawser_error *err)
 {
     const TheoryWish wish = {0};
-    const int rope = chain_def(&c->def, k)->strand.rope > 0;
+    const int rope = chain_def(c->def, k)->strand.rope > 0;
     Company company = {.rollers_elsewhere = 0};
     Theory *const own = calloc(1, sizeof *own);
     if (!own) return error_memory(err);
-    own->def = *chain_def(&c->def, k);
-    if (rope) drawn_set(&c->def, t, k, &company);
-    hawser_status status = rollers_set(&c->def, t, k, &own->rollers, &company, err);
-    if (!status) status = shared_set(&c->def, rope, &own->def.theory, &own->places, err);
+    own->def = *chain_def(c->def, k);
+    if (rope) drawn_set(c->def, t, k, &company);
+    hawser_status status = rollers_set(c->def, t, k, &own->rollers, &company, err);
+    if (!status) status = shared_set(c->def, rope, &own->def.theory, &own->places, err);
     t[k] = own;
     return status ? status : case_name_error(c, build_and_solve(own, &own->def, &company, &wish, err), err);
 }
@@ -545,11 +563,11 @@ static hawser_status chains_theory(const hawser_case *c, hawser_format format, c
     Theory *t[STRANDS_MAX] = {NULL};
     hawser_status status = HAWSER_OK;
     for (int ropes = 0; ropes < 2; ++ropes) { /* they come behind what they draw */
-        for (int k = 0; !status && k <= c->def.n_beside; ++k)
-            if ((chain_def(&c->def, k)->strand.rope > 0) == ropes) status = chain_theory(c, t, k, err);
+        for (int k = 0; !status && k <= c->def->n_beside; ++k)
+            if ((chain_def(c->def, k)->strand.rope > 0) == ropes) status = chain_theory(c, t, k, err);
     }
     if (!status) status = chains_write(c, t, format, text, err);
-    for (int k = 0; k <= c->def.n_beside; ++k) theory_free(t[k]);
+    for (int k = 0; k <= c->def->n_beside; ++k) theory_free(t[k]);
     return status;
 }
 
@@ -561,7 +579,7 @@ hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **te
     *text = NULL;
     hawser_status status = case_ensure_read(c, err);
     if (status) return status;
-    if (c->def.n_beside > 0) return chains_theory(c, format, text, err);
+    if (c->def->n_beside > 0) return chains_theory(c, format, text, err);
     status = theory_new(c, &all, &t, err);
     if (!status) status = write_theory(t, title_of(c), format, text, err);
     theory_free(t);

@@ -97,7 +97,7 @@ static const Column way_column[] = {
     {COLUMN("direction", TEXT, WayRow, direction), .label = "direction"},
     {COLUMN("start_N", NUMBER, WayRow, way.start), .label = "start, N", .decimals = 1},
     {COLUMN("rope_N", NUMBER, WayRow, way.rope), .label = "rope, N", .decimals = 1},
-    {COLUMN("force_N", NUMBER, WayRow, way.force), .label = "winch, N", .decimals = 1},
+    {COLUMN("force_N", NUMBER, WayRow, way.force), .label = "at end, N", .decimals = 1},
     {COLUMN("restart_N", NUMBER, WayRow, way.restart_force), .label = "restart, N", .decimals = 1},
     {COLUMN("largest_force_N", NUMBER, WayRow, peak.force), .label = "largest, N", .decimals = 1},
     {COLUMN("largest_force_head_m", NUMBER, WayRow, peak.head), .label = "with the head at, m", .decimals = 1},
