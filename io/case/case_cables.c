@@ -332,6 +332,9 @@ static hawser_status segment_read(const CaseReader *r, const CaseNode *node, Cha
 hawser_status case_mesh_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
+    int open = 0;
+    for (int p = 0; p < def->n_pieces; p++) open |= !(def->pieces[p].segments > 0);
+    if (!open) return HAWSER_OK; /* no piece waits for a length */
     Supports map = {.def = def, .route = &r->route};
     Mesh mesh = {0};
     hawser_status status = def->rod.present ? HAWSER_OK : supports_build(def, &r->route, &map, r->err);
