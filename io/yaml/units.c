@@ -384,9 +384,10 @@ int units_read(const Units *units, const char *text, Dimension dimension, double
         return 1;
     }
     if ((dimension == DIM_ANGLE || dimension == DIM_SLOPE) && !*unit && fabs(number) > 0) {
-        return snprintf(why, UNITS_WHY_MAX, "has no unit: is that degrees? write '%g deg'%s or '%g rad'", number,
-                        dimension == DIM_SLOPE ? ", per cent, '%'," : "", number),
-               0;
+        const char *const percent = dimension == DIM_SLOPE ? ", or per cent, %" : "";
+        snprintf(why, UNITS_WHY_MAX, "has no unit: is that degrees? write '%g deg' or '%g rad'%s", number, number,
+                 percent);
+        return 0;
     }
     const double factor = *unit ? unit_read(units, unit, dimension, why) : 1;
     if (factor == 0) return 0;
