@@ -3,11 +3,17 @@
 # (symbols end in HAWSER_ISA) and chosen at run time by core/base/isa.h.
 set(HAWSER_ISA_FLAGS_generic "")
 set(HAWSER_ISA_LIST generic)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT HAWSER_ONE_ISA)
     list(APPEND HAWSER_ISA_LIST avx2 avx512)
     set(HAWSER_ISA_FLAGS_avx2 -mavx2 -mfma)
     set(HAWSER_ISA_FLAGS_avx512 -mavx512f -mavx512dq -mavx512vl -mavx2 -mfma -mprefer-vector-width=512)
     add_compile_definitions(HAWSER_X86)
+endif()
+
+# Many programs share a folder's sanitized library, which is large, at run time.
+set(HAWSER_FOLDER_KIND STATIC)
+if(HAWSER_SANITIZED)
+    set(HAWSER_FOLDER_KIND SHARED)
 endif()
 
 # The targets whose objects make up libhawser (cmake/Install.cmake) are collected in the property HAWSER_OBJECTS.
@@ -26,7 +32,7 @@ function(hawser_folder name)
             set_property(GLOBAL APPEND PROPERTY HAWSER_OBJECTS ${name}_${isa})
         endforeach()
     endif()
-    add_library(${name} STATIC ${sources} ${objects})
+    add_library(${name} ${HAWSER_FOLDER_KIND} ${sources} ${objects})
     target_link_libraries(${name} PUBLIC hawser_flags ${ARGN} m)
     set_property(GLOBAL APPEND PROPERTY HAWSER_OBJECTS ${name})
 endfunction()

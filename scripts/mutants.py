@@ -231,8 +231,7 @@ def write_tree(chosen, texts):
 
 def targets(labels):
     """What has to be built for the tests of these labels; everything for those that all of them are."""
-    names = [path.stem for label in labels for path in sorted((TREE / "tests" / label).glob("test_*.c"))]
-    return ["--target", *names] if set(labels) != set(LABELS) and names else []
+    return ["--target", *(f"tests_{label}" for label in labels)] if set(labels) != set(LABELS) else []
 
 
 def build_without(chosen, texts, labels):
@@ -305,7 +304,7 @@ def tests_of_build(build, wanted):
     for test in listed["tests"]:
         properties = {p["name"]: p["value"] for p in test["properties"]}
         labels = properties.get("LABELS", [])
-        if "command" in test and any(l in wanted for l in labels) and "long" not in labels:
+        if "command" in test and any(l in wanted for l in labels) and "full" not in labels:
             tests.append({"name": test["name"], "command": test["command"], "folder": labels[0],
                           "cwd": properties.get("WORKING_DIRECTORY", str(build))})
     return tests

@@ -1,38 +1,72 @@
 #!/bin/sh
-# Builds and runs the tests: everything in release, the folders' own tests again under the sanitizers (debug).
-# Usage: sh scripts/test.sh [--ci] [--long] [CTEST OPTIONS]
-#   --ci     also those labelled `ci`: a build by clang with Make, Debian's packages; installs what these need
-#   --long   also those labelled `long` (minutes each), and `ci` where what they need is there
+# Builds and runs tests. CONTRIBUTING.md says what each tier is for.
+# Usage: sh scripts/test.sh [quick|full [PART]] [CTEST OPTIONS]
+#   quick       what takes a moment, of the release build alone; `-L theory` takes one folder's
+#   (nothing)   the default tier: quick, the longer tests of the release build, and AddressSanitizer over readers and engine
+#   full        everything; PART 1 to 4 takes a quarter (about an hour each): 1 the default tier and the release build's rest, 2 both
+#               sanitizers with all instruction sets, 3 what builds and packages, failing calls, random inputs, 4 ThreadSanitizer,
+#               MemorySanitizer, mutants. Writes the processor times of the slowest tests to build/tests/suite.md
 #   Further options go to ctest, e.g. -R linsolve
 set -eu
 
 cd "$(dirname "$0")/.."
-left='^(long|ci)$'
-while :; do
-    case "${1-}" in
-    --ci)
-        sh scripts/setup.sh --lint
-        sh scripts/setup.sh --deb
-        left='^long$'
-        ;;
-    --long) left= ;;
-    *) break ;;
-    esac
+tier=default
+part=all
+case "${1-}" in
+quick | default | full)
+    tier=$1
     shift
-done
-
-sh scripts/setup.sh --web
-sh scripts/setup.sh --python
-sh scripts/build.sh release
-sh scripts/build.sh debug
-
-# One ctest over both build folders, so that its summary, the last thing printed, counts every test.
-mkdir -p build/tests
-printf 'subdirs("../release" "../debug")\n' >build/tests/CTestTestfile.cmake
-[ -z "$left" ] || set -- -LE "$left" "$@"
+    case "${1-}" in
+    [1-4])
+        part=$1
+        shift
+        ;;
+    esac
+    ;;
+esac
 
 # A leak or an overflow must end the test that has it; leak reports name the place.
 ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1
 UBSAN_OPTIONS=print_stacktrace=1
 export ASAN_OPTIONS UBSAN_OPTIONS
-exec ctest --test-dir build/tests --output-on-failure --no-tests=error -j "$(nproc)" "$@"
+
+# run_tests "PRESET..." CTEST OPTIONS: one ctest over several build folders, so that its summary, the last thing printed, counts every test.
+run_tests() {
+    presets=$1
+    shift
+    mkdir -p build/tests
+    for preset in $presets; do
+        sh scripts/build.sh "$preset" >&2
+        echo "subdirs(\"../$preset\")"
+    done >build/tests/CTestTestfile.cmake
+    ctest --test-dir build/tests --output-on-failure --no-tests=error -j "$(nproc)" "$@"
+}
+
+sh scripts/setup.sh --python
+[ $tier = quick ] || sh scripts/setup.sh --web
+if [ $tier = quick ]; then
+    run_tests release -L '^quick$' "$@"
+elif [ $tier = default ]; then
+    run_tests "release asan" -LE '^full$' "$@"
+else
+    for needs in --lint --deb --clusters --mutants; do sh scripts/setup.sh $needs; done
+    builds='^(install|packaging|inject|memcheck|fuzz)/'
+    HAWSER_TEST_TIMES=$(pwd)/build/tests/times
+    export HAWSER_TEST_TIMES
+    status=0
+    for one in 1 2 3 4; do
+        [ $part = all ] || [ $part = $one ] || continue
+        case $one in
+        1) run_tests "release asan" -E "$builds" "$@" ;;
+        2) run_tests debug "$@" ;;
+        3) run_tests release -R "$builds" "$@" ;;
+        4)
+            for preset in tsan msan; do
+                cmake --preset $preset >/dev/null && cmake --build --preset $preset >build/$preset.log && ctest --preset $preset "$@"
+            done && python3 scripts/mutants.py make --count 200 && python3 scripts/mutants.py run && python3 scripts/mutants.py report
+            ;;
+        esac || status=$?
+    done
+    python3 scripts/suite.py "$HAWSER_TEST_TIMES" >build/tests/suite.md
+    exit $status
+fi

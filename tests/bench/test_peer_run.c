@@ -139,17 +139,7 @@ static void test_settings(void **state)
     assert_int_equal(run.used, 3);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_travel_is_the_integral_of_speed),
-        cmocka_unit_test(test_chain_is_in_balance),
-        cmocka_unit_test(test_chain_tends_to_the_catenary),
-        cmocka_unit_test(test_turned_chain),
-        cmocka_unit_test(test_mean_over_the_window),
-        cmocka_unit_test(test_path),
-        cmocka_unit_test(test_path_error),
-        cmocka_unit_test(test_settings),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_peer_run, cmocka_unit_test(test_travel_is_the_integral_of_speed),
+          cmocka_unit_test(test_chain_is_in_balance), cmocka_unit_test(test_chain_tends_to_the_catenary),
+          cmocka_unit_test(test_turned_chain), cmocka_unit_test(test_mean_over_the_window), cmocka_unit_test(test_path),
+          cmocka_unit_test(test_path_error), cmocka_unit_test(test_settings))

@@ -121,13 +121,6 @@ static void test_other_lengths(void **state)
     scene_def_clear(&def);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_chain),
-        cmocka_unit_test(test_route_and_rollers),
-        cmocka_unit_test(test_laws_and_drive),
-        cmocka_unit_test(test_other_lengths),
-    };
-    return cmocka_run_group_tests(tests, setup, teardown);
-}
+TEST_FILE_IN(test_straight_scene, setup, teardown, cmocka_unit_test(test_chain),
+             cmocka_unit_test(test_route_and_rollers), cmocka_unit_test(test_laws_and_drive),
+             cmocka_unit_test(test_other_lengths))

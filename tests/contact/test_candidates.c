@@ -207,16 +207,7 @@ static void test_least(void **state)
     scene_free(&s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_brute_force),
-        cmocka_unit_test(test_order),
-        cmocka_unit_test(test_reach_changes_nothing),
-        cmocka_unit_test(test_moved_too_far),
-        cmocka_unit_test(test_moved_across_the_origin),
-        cmocka_unit_test(test_nothing_but_candidates),
-        cmocka_unit_test(test_least),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_candidates, cmocka_unit_test(test_brute_force), cmocka_unit_test(test_order),
+          cmocka_unit_test(test_reach_changes_nothing), cmocka_unit_test(test_moved_too_far),
+          cmocka_unit_test(test_moved_across_the_origin), cmocka_unit_test(test_nothing_but_candidates),
+          cmocka_unit_test(test_least))

@@ -247,14 +247,7 @@ static void test_presumed(void **state)
     presumes = 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_presumed),         cmocka_unit_test(test_smooth_lateral),
-        cmocka_unit_test(test_smooth_rim),       cmocka_unit_test(test_smooth_end),
-        cmocka_unit_test(test_cylinder_lateral), cmocka_unit_test(test_cylinder_rim),
-        cmocka_unit_test(test_cylinder_end),     cmocka_unit_test(test_smooth_grooves),
-        cmocka_unit_test(test_cylinder_grooves),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_contact_blocks, cmocka_unit_test(test_presumed), cmocka_unit_test(test_smooth_lateral),
+          cmocka_unit_test(test_smooth_rim), cmocka_unit_test(test_smooth_end), cmocka_unit_test(test_cylinder_lateral),
+          cmocka_unit_test(test_cylinder_rim), cmocka_unit_test(test_cylinder_end),
+          cmocka_unit_test(test_smooth_grooves), cmocka_unit_test(test_cylinder_grooves))

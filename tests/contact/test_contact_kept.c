@@ -407,12 +407,7 @@ static void test_surfaces_impossible(void **state)
     surfaces_free(&s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rollers),        cmocka_unit_test(test_rollers_impossible),
-        cmocka_unit_test(test_nearest_sticks), cmocka_unit_test(test_sticks),
-        cmocka_unit_test(test_self),           cmocka_unit_test(test_self_impossible),
-        cmocka_unit_test(test_surfaces),       cmocka_unit_test(test_surfaces_impossible)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_contact_kept, cmocka_unit_test(test_rollers), cmocka_unit_test(test_rollers_impossible),
+          cmocka_unit_test(test_nearest_sticks), cmocka_unit_test(test_sticks), cmocka_unit_test(test_self),
+          cmocka_unit_test(test_self_impossible), cmocka_unit_test(test_surfaces),
+          cmocka_unit_test(test_surfaces_impossible))

@@ -137,12 +137,5 @@ static void test_no_speeds(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_instruction_sets_agree),
-        cmocka_unit_test(test_lanes_are_independent),
-        cmocka_unit_test(test_no_speeds),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_contact_kernels, cmocka_unit_test(test_instruction_sets_agree),
+          cmocka_unit_test(test_lanes_are_independent), cmocka_unit_test(test_no_speeds))

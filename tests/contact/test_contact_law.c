@@ -200,14 +200,8 @@ static void test_presumed_forces(void **state)
     check_equal(presume_force(&line, &impact, 0, -1e-3, 2), 20);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_presumed_forces_settle),    cmocka_unit_test(test_presumed_forces),
-        cmocka_unit_test(test_impact_is_the_reference),   cmocka_unit_test(test_impact_never_pulls),
-        cmocka_unit_test(test_impact_derivatives),        cmocka_unit_test(test_impact_without_depth),
-        cmocka_unit_test(test_friction_is_the_reference), cmocka_unit_test(test_friction_scaled),
-        cmocka_unit_test(test_friction_derivative),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_contact_law, cmocka_unit_test(test_presumed_forces_settle), cmocka_unit_test(test_presumed_forces),
+          cmocka_unit_test(test_impact_is_the_reference), cmocka_unit_test(test_impact_never_pulls),
+          cmocka_unit_test(test_impact_derivatives), cmocka_unit_test(test_impact_without_depth),
+          cmocka_unit_test(test_friction_is_the_reference), cmocka_unit_test(test_friction_scaled),
+          cmocka_unit_test(test_friction_derivative))

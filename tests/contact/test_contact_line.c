@@ -365,22 +365,9 @@ static void test_foot_at_nodes(void **state)
     scene_free(&s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_foot_at_nodes),
-        cmocka_unit_test(test_straight),
-        cmocka_unit_test(test_slope),
-        cmocka_unit_test(test_bent),
-        cmocka_unit_test(test_sheared),
-        cmocka_unit_test(test_ends),
-        cmocka_unit_test(test_rim),
-        cmocka_unit_test(test_eye_climbs),
-        cmocka_unit_test(test_linear_radius_doubles),
-        cmocka_unit_test(test_node_above_roller),
-        cmocka_unit_test(test_hits_hold_the_nearest),
-        cmocka_unit_test(test_arc_is_bezier),
-        cmocka_unit_test(test_capsules_double_at_joints),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_contact_line, cmocka_unit_test(test_foot_at_nodes), cmocka_unit_test(test_straight),
+          cmocka_unit_test(test_slope), cmocka_unit_test(test_bent), cmocka_unit_test(test_sheared),
+          cmocka_unit_test(test_ends), cmocka_unit_test(test_rim), cmocka_unit_test(test_eye_climbs),
+          cmocka_unit_test(test_linear_radius_doubles), cmocka_unit_test(test_node_above_roller),
+          cmocka_unit_test(test_hits_hold_the_nearest), cmocka_unit_test(test_arc_is_bezier),
+          cmocka_unit_test(test_capsules_double_at_joints))

@@ -287,13 +287,5 @@ static void test_at_rest(void **state)
     scene_free(&m.s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_derivatives),
-        cmocka_unit_test(test_balance_and_shift),
-        cmocka_unit_test(test_rigid_motion_and_spin),
-        cmocka_unit_test(test_at_rest),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_contact_moving, cmocka_unit_test(test_derivatives), cmocka_unit_test(test_balance_and_shift),
+          cmocka_unit_test(test_rigid_motion_and_spin), cmocka_unit_test(test_at_rest))

@@ -269,16 +269,6 @@ static void test_presumed_weight(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_presumed_weight),
-        cmocka_unit_test(test_balance),
-        cmocka_unit_test(test_force_follows_laws),
-        cmocka_unit_test(test_objective),
-        cmocka_unit_test(test_presumed_now),
-        cmocka_unit_test(test_no_friction),
-        cmocka_unit_test(tally_closes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_contact_work, cmocka_unit_test(test_presumed_weight), cmocka_unit_test(test_balance),
+          cmocka_unit_test(test_force_follows_laws), cmocka_unit_test(test_objective),
+          cmocka_unit_test(test_presumed_now), cmocka_unit_test(test_no_friction), cmocka_unit_test(tally_closes))

@@ -243,12 +243,5 @@ static void test_surfaces(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rollers),  cmocka_unit_test(test_every_segment_moves),
-        cmocka_unit_test(test_undamped), cmocka_unit_test(test_self),
-        cmocka_unit_test(test_surfaces),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_ghosts, cmocka_unit_test(test_rollers), cmocka_unit_test(test_every_segment_moves),
+          cmocka_unit_test(test_undamped), cmocka_unit_test(test_self), cmocka_unit_test(test_surfaces))

@@ -169,12 +169,6 @@ static void test_seat(void **state)
     check_close(shape_seat(&flat, 0.04), 0.14, 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known_distances_v), cmocka_unit_test(test_known_distances_u),
-        cmocka_unit_test(test_derivatives),       cmocka_unit_test(test_no_jumps),
-        cmocka_unit_test(test_normals_over_lips), cmocka_unit_test(test_seat),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_groove, cmocka_unit_test(test_known_distances_v), cmocka_unit_test(test_known_distances_u),
+          cmocka_unit_test(test_derivatives), cmocka_unit_test(test_no_jumps), cmocka_unit_test(test_normals_over_lips),
+          cmocka_unit_test(test_seat))

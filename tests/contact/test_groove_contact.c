@@ -253,16 +253,7 @@ static void test_thinning_in_deep_u(void **state)
     scene_free(&u);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_both_flanks),
-        cmocka_unit_test(test_wedge_friction),
-        cmocka_unit_test(test_balance_and_objectivity),
-        cmocka_unit_test(test_pushed_over_edges),
-        cmocka_unit_test(test_askew_in_u),
-        cmocka_unit_test(test_drawn_through_deep_u),
-        cmocka_unit_test(test_thinning_in_deep_u),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_groove_contact, cmocka_unit_test(test_both_flanks), cmocka_unit_test(test_wedge_friction),
+          cmocka_unit_test(test_balance_and_objectivity), cmocka_unit_test(test_pushed_over_edges),
+          cmocka_unit_test(test_askew_in_u), cmocka_unit_test(test_drawn_through_deep_u),
+          cmocka_unit_test(test_thinning_in_deep_u))

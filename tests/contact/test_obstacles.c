@@ -313,14 +313,8 @@ static void test_head_against_a_face(void **state)
     scene_free(&s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known_distances),         cmocka_unit_test(test_flare_continues_the_bore),
-        cmocka_unit_test(test_box_derivatives),         cmocka_unit_test(test_bell_derivatives),
-        cmocka_unit_test(test_normals_have_no_jump),    cmocka_unit_test(test_pushes_over_the_box),
-        cmocka_unit_test(test_pushes_through_the_bell), cmocka_unit_test(test_blocks),
-        cmocka_unit_test(test_head_against_a_face),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_obstacles, cmocka_unit_test(test_known_distances), cmocka_unit_test(test_flare_continues_the_bore),
+          cmocka_unit_test(test_box_derivatives), cmocka_unit_test(test_bell_derivatives),
+          cmocka_unit_test(test_normals_have_no_jump), cmocka_unit_test(test_pushes_over_the_box),
+          cmocka_unit_test(test_pushes_through_the_bell), cmocka_unit_test(test_blocks),
+          cmocka_unit_test(test_head_against_a_face))

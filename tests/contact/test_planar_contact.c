@@ -476,15 +476,7 @@ static void test_no_columns(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lifted),        cmocka_unit_test(test_no_columns),
-        cmocka_unit_test(test_space),         cmocka_unit_test(test_reaction),
-        cmocka_unit_test(test_moved),         cmocka_unit_test(test_blocks),
-        cmocka_unit_test(test_no_blocks),     cmocka_unit_test(test_narrow),
-        cmocka_unit_test(test_ghosts),        cmocka_unit_test(test_node_above_roller),
-        cmocka_unit_test(test_ends_anywhere),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_planar_contact, cmocka_unit_test(test_lifted), cmocka_unit_test(test_no_columns),
+          cmocka_unit_test(test_space), cmocka_unit_test(test_reaction), cmocka_unit_test(test_moved),
+          cmocka_unit_test(test_blocks), cmocka_unit_test(test_no_blocks), cmocka_unit_test(test_narrow),
+          cmocka_unit_test(test_ghosts), cmocka_unit_test(test_node_above_roller), cmocka_unit_test(test_ends_anywhere))

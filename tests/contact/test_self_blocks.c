@@ -104,12 +104,4 @@ static void test_end(void **state)
     self_free(&s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_turns),
-        cmocka_unit_test(test_crossing),
-        cmocka_unit_test(test_end),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_self_blocks, cmocka_unit_test(test_turns), cmocka_unit_test(test_crossing), cmocka_unit_test(test_end))

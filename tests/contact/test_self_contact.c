@@ -317,14 +317,7 @@ static void test_any_segments(void **state)
     check_above(first, 1e5);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_momentum),       cmocka_unit_test(test_objective),
-        cmocka_unit_test(test_crossing_force), cmocka_unit_test(test_parallel),
-        cmocka_unit_test(test_sliding),        cmocka_unit_test(test_energy),
-        cmocka_unit_test(test_dissipation),    cmocka_unit_test(test_candidates),
-        cmocka_unit_test(test_any_segments),   cmocka_unit_test(test_bend_is_no_contact),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_self_contact, cmocka_unit_test(test_momentum), cmocka_unit_test(test_objective),
+          cmocka_unit_test(test_crossing_force), cmocka_unit_test(test_parallel), cmocka_unit_test(test_sliding),
+          cmocka_unit_test(test_energy), cmocka_unit_test(test_dissipation), cmocka_unit_test(test_candidates),
+          cmocka_unit_test(test_any_segments), cmocka_unit_test(test_bend_is_no_contact))

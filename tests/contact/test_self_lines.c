@@ -616,23 +616,9 @@ static void test_gone(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_parting),
-                                       cmocka_unit_test(test_gone),
-                                       cmocka_unit_test(test_crossing),
-                                       cmocka_unit_test(test_within),
-                                       cmocka_unit_test(test_blocks),
-                                       cmocka_unit_test(test_pattern),
-                                       cmocka_unit_test(test_beyond_ends),
-                                       cmocka_unit_test(test_turned),
-                                       cmocka_unit_test(test_thick_segments),
-                                       cmocka_unit_test(test_fine_segments),
-                                       cmocka_unit_test(test_fine_blocks),
-                                       cmocka_unit_test(test_held),
-                                       cmocka_unit_test(test_eyes),
-                                       cmocka_unit_test(test_beside),
-                                       cmocka_unit_test(test_through_the_middle),
-                                       cmocka_unit_test(test_apart_is_not_looked_at)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_self_lines, cmocka_unit_test(test_parting), cmocka_unit_test(test_gone), cmocka_unit_test(test_crossing),
+          cmocka_unit_test(test_within), cmocka_unit_test(test_blocks), cmocka_unit_test(test_pattern),
+          cmocka_unit_test(test_beyond_ends), cmocka_unit_test(test_turned), cmocka_unit_test(test_thick_segments),
+          cmocka_unit_test(test_fine_segments), cmocka_unit_test(test_fine_blocks), cmocka_unit_test(test_held),
+          cmocka_unit_test(test_eyes), cmocka_unit_test(test_beside), cmocka_unit_test(test_through_the_middle),
+          cmocka_unit_test(test_apart_is_not_looked_at))

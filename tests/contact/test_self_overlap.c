@@ -179,11 +179,5 @@ static void odd_segments(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(strands_that_cross), cmocka_unit_test(arcs),          cmocka_unit_test(coils),
-        cmocka_unit_test(every_pair_counts),  cmocka_unit_test(several_lines), cmocka_unit_test(odd_segments),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_self_overlap, cmocka_unit_test(strands_that_cross), cmocka_unit_test(arcs), cmocka_unit_test(coils),
+          cmocka_unit_test(every_pair_counts), cmocka_unit_test(several_lines), cmocka_unit_test(odd_segments))

@@ -388,13 +388,7 @@ static void test_parallel_bed(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_law),          cmocka_unit_test(test_skip),
-        cmocka_unit_test(test_parallel_bed), cmocka_unit_test(test_pieces),
-        cmocka_unit_test(test_reach),        cmocka_unit_test(test_halves),
-        cmocka_unit_test(test_clear),        cmocka_unit_test(test_clear_changes_nothing),
-        cmocka_unit_test(test_details),      cmocka_unit_test(test_balance)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_self_parts, cmocka_unit_test(test_law), cmocka_unit_test(test_skip), cmocka_unit_test(test_parallel_bed),
+          cmocka_unit_test(test_pieces), cmocka_unit_test(test_reach), cmocka_unit_test(test_halves),
+          cmocka_unit_test(test_clear), cmocka_unit_test(test_clear_changes_nothing), cmocka_unit_test(test_details),
+          cmocka_unit_test(test_balance))

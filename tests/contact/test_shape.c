@@ -83,13 +83,5 @@ static void test_axis_is_finite(void **state)
     check_finite(v3_norm(probe.normal));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known_distances),
-        cmocka_unit_test(test_derivatives),
-        cmocka_unit_test(test_smooth_across_regions),
-        cmocka_unit_test(test_axis_is_finite),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_shape, cmocka_unit_test(test_known_distances), cmocka_unit_test(test_derivatives),
+          cmocka_unit_test(test_smooth_across_regions), cmocka_unit_test(test_axis_is_finite))

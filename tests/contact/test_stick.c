@@ -365,19 +365,8 @@ static void test_frictionless_is_zero_friction(void **state)
     check_above(touching, 8);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_grips_like_a_spring),
-        cmocka_unit_test(test_slides_like_adams),
-        cmocka_unit_test(test_lean_goes_along),
-        cmocka_unit_test(test_renumbered),
-        cmocka_unit_test(test_freed),
-        cmocka_unit_test(test_no_jump_at_a_step),
-        cmocka_unit_test(test_work_is_only_taken),
-        cmocka_unit_test(test_derivatives),
-        cmocka_unit_test(test_without_memory_it_is_adams),
-        cmocka_unit_test(test_frictionless_is_zero_friction),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_stick, cmocka_unit_test(test_grips_like_a_spring), cmocka_unit_test(test_slides_like_adams),
+          cmocka_unit_test(test_lean_goes_along), cmocka_unit_test(test_renumbered), cmocka_unit_test(test_freed),
+          cmocka_unit_test(test_no_jump_at_a_step), cmocka_unit_test(test_work_is_only_taken),
+          cmocka_unit_test(test_derivatives), cmocka_unit_test(test_without_memory_it_is_adams),
+          cmocka_unit_test(test_frictionless_is_zero_friction))

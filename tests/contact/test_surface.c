@@ -506,16 +506,9 @@ static void test_limits(void **state)
     surfaces_free(&s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_normal),          cmocka_unit_test(test_continuous),
-        cmocka_unit_test(test_fades_meet),      cmocka_unit_test(test_action_and_reaction),
-        cmocka_unit_test(test_objectivity),     cmocka_unit_test(test_halves),
-        cmocka_unit_test(test_stiffness),       cmocka_unit_test(test_potential),
-        cmocka_unit_test(test_balance),         cmocka_unit_test(test_floor_end),
-        cmocka_unit_test(test_limits),          cmocka_unit_test(test_half_space),
-        cmocka_unit_test(test_ends_are_points), cmocka_unit_test(test_tip_stiffness),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_surface, cmocka_unit_test(test_normal), cmocka_unit_test(test_continuous),
+          cmocka_unit_test(test_fades_meet), cmocka_unit_test(test_action_and_reaction),
+          cmocka_unit_test(test_objectivity), cmocka_unit_test(test_halves), cmocka_unit_test(test_stiffness),
+          cmocka_unit_test(test_potential), cmocka_unit_test(test_balance), cmocka_unit_test(test_floor_end),
+          cmocka_unit_test(test_limits), cmocka_unit_test(test_half_space), cmocka_unit_test(test_ends_are_points),
+          cmocka_unit_test(test_tip_stiffness))

@@ -217,13 +217,6 @@ static void test_no_speeds(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_duct),  cmocka_unit_test(test_presumed),
-        cmocka_unit_test(test_floor), cmocka_unit_test(test_floor_with_walls),
-        cmocka_unit_test(test_v),     cmocka_unit_test(test_u),
-        cmocka_unit_test(test_plane), cmocka_unit_test(test_no_speeds),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_surface_blocks, cmocka_unit_test(test_duct), cmocka_unit_test(test_presumed),
+          cmocka_unit_test(test_floor), cmocka_unit_test(test_floor_with_walls), cmocka_unit_test(test_v),
+          cmocka_unit_test(test_u), cmocka_unit_test(test_plane), cmocka_unit_test(test_no_speeds))

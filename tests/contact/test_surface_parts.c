@@ -659,24 +659,11 @@ static void test_way_beyond_curves(void **state)
     route_clear(&route);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_presumed_across_parts),
-                                       cmocka_unit_test(test_as_many_as_counted),
-                                       cmocka_unit_test(test_u_at_any_depth),
-                                       cmocka_unit_test(test_way_beyond_curves),
-                                       cmocka_unit_test(test_curves),
-                                       cmocka_unit_test(test_tight_bends),
-                                       cmocka_unit_test(test_ends_of_sections),
-                                       cmocka_unit_test(test_upright_curves),
-                                       cmocka_unit_test(test_v_at_any_depth),
-                                       cmocka_unit_test(test_candidates_along_any_way),
-                                       cmocka_unit_test(test_pressed),
-                                       cmocka_unit_test(test_planes),
-                                       cmocka_unit_test(test_candidates),
-                                       cmocka_unit_test(test_details),
-                                       cmocka_unit_test(test_level_at_both_ends),
-                                       cmocka_unit_test(test_most_pressed_in_bends),
-                                       cmocka_unit_test(test_parts_between_the_fades)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_surface_parts, cmocka_unit_test(test_presumed_across_parts), cmocka_unit_test(test_as_many_as_counted),
+          cmocka_unit_test(test_u_at_any_depth), cmocka_unit_test(test_way_beyond_curves),
+          cmocka_unit_test(test_curves), cmocka_unit_test(test_tight_bends), cmocka_unit_test(test_ends_of_sections),
+          cmocka_unit_test(test_upright_curves), cmocka_unit_test(test_v_at_any_depth),
+          cmocka_unit_test(test_candidates_along_any_way), cmocka_unit_test(test_pressed),
+          cmocka_unit_test(test_planes), cmocka_unit_test(test_candidates), cmocka_unit_test(test_details),
+          cmocka_unit_test(test_level_at_both_ends), cmocka_unit_test(test_most_pressed_in_bends),
+          cmocka_unit_test(test_parts_between_the_fades))

@@ -249,12 +249,6 @@ static void test_lean_is_laid_flat(void **state)
     surfaces_free(&s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_which_stick), cmocka_unit_test(test_derivatives),
-        cmocka_unit_test(test_steps),       cmocka_unit_test(test_holds),
-        cmocka_unit_test(test_renumbered),  cmocka_unit_test(test_lean_is_laid_flat),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_surface_stick, cmocka_unit_test(test_which_stick), cmocka_unit_test(test_derivatives),
+          cmocka_unit_test(test_steps), cmocka_unit_test(test_holds), cmocka_unit_test(test_renumbered),
+          cmocka_unit_test(test_lean_is_laid_flat))

@@ -117,11 +117,6 @@ static void test_room(void **state)
     assert_true(memory_room(1000)); /* and where there is none: test_core_lack.c */
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_vectors),  cmocka_unit_test(test_log),
-                                       cmocka_unit_test(test_carry),    cmocka_unit_test(test_worst),
-                                       cmocka_unit_test(test_messages), cmocka_unit_test(test_printable),
-                                       cmocka_unit_test(test_room)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_base, cmocka_unit_test(test_vectors), cmocka_unit_test(test_log), cmocka_unit_test(test_carry),
+          cmocka_unit_test(test_worst), cmocka_unit_test(test_messages), cmocka_unit_test(test_printable),
+          cmocka_unit_test(test_room))

@@ -57,11 +57,4 @@ static void copy_and_zero(void **state)
     block_chain_free(&c);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(allocation),
-        cmocka_unit_test(copy_and_zero),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_block_chain, cmocka_unit_test(allocation), cmocka_unit_test(copy_and_zero))

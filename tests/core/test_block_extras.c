@@ -97,12 +97,5 @@ static void test_product(void **state)
     block_extras_free(&x);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pattern),
-        cmocka_unit_test(test_values_stay),
-        cmocka_unit_test(test_product),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_block_extras, cmocka_unit_test(test_pattern), cmocka_unit_test(test_values_stay),
+          cmocka_unit_test(test_product))

@@ -295,10 +295,5 @@ static void test_method_loss(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kinematics), cmocka_unit_test(test_parts),
-                                       cmocka_unit_test(test_rates),      cmocka_unit_test(test_gyroscopic),
-                                       cmocka_unit_test(test_blocks),     cmocka_unit_test(test_method_loss)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_body, cmocka_unit_test(test_kinematics), cmocka_unit_test(test_parts), cmocka_unit_test(test_rates),
+          cmocka_unit_test(test_gyroscopic), cmocka_unit_test(test_blocks), cmocka_unit_test(test_method_loss))

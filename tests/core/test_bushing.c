@@ -433,20 +433,7 @@ static void sliders_that_hold(void **state)
     rig_free(&r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_derivatives_symmetric),
-        cmocka_unit_test(test_derivatives_adams),
-        cmocka_unit_test(test_derivatives_sliding),
-        cmocka_unit_test(test_momentum),
-        cmocka_unit_test(test_potential),
-        cmocka_unit_test(test_objectivity),
-        cmocka_unit_test(test_by_hand),
-        cmocka_unit_test(test_lacks),
-        cmocka_unit_test(test_idle_sliders),
-        cmocka_unit_test(power_closes),
-        cmocka_unit_test(sliders_that_hold),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_bushing, cmocka_unit_test(test_derivatives_symmetric), cmocka_unit_test(test_derivatives_adams),
+          cmocka_unit_test(test_derivatives_sliding), cmocka_unit_test(test_momentum), cmocka_unit_test(test_potential),
+          cmocka_unit_test(test_objectivity), cmocka_unit_test(test_by_hand), cmocka_unit_test(test_lacks),
+          cmocka_unit_test(test_idle_sliders), cmocka_unit_test(power_closes), cmocka_unit_test(sliders_that_hold))

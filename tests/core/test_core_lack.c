@@ -1,5 +1,7 @@
 /* Every allocation of core fails once: it is said as a lack of memory, nothing is left behind or changed by it, and
  * with memory the same comes out as ever. */
+#include <stdlib.h>
+
 #include "tests/support/lack.h"
 
 #include <string.h>
@@ -279,10 +281,5 @@ static void test_team(void **state)
     assert_int_equal(team_size(NULL), 1);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_routes), cmocka_unit_test(test_chains),
-                                       cmocka_unit_test(test_extras), cmocka_unit_test(test_checkpoint),
-                                       cmocka_unit_test(test_large),  cmocka_unit_test(test_team)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_core_lack, cmocka_unit_test(test_routes), cmocka_unit_test(test_chains), cmocka_unit_test(test_extras),
+          cmocka_unit_test(test_checkpoint), cmocka_unit_test(test_large), cmocka_unit_test(test_team))

@@ -136,8 +136,4 @@ static void one_slider_alone(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(signs_of_quaternions), cmocka_unit_test(one_slider_alone)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_joint_signs, cmocka_unit_test(signs_of_quaternions), cmocka_unit_test(one_slider_alone))

@@ -382,13 +382,7 @@ static void test_counts(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip), cmocka_unit_test(test_lists),       cmocka_unit_test(test_cut_off),
-        cmocka_unit_test(test_changed),    cmocka_unit_test(test_first_fault), cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_counts),     cmocka_unit_test(test_hash),        cmocka_unit_test(test_extras),
-        cmocka_unit_test(test_no_extras),  cmocka_unit_test(test_profiles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_keeping, cmocka_unit_test(test_round_trip), cmocka_unit_test(test_lists), cmocka_unit_test(test_cut_off),
+          cmocka_unit_test(test_changed), cmocka_unit_test(test_first_fault), cmocka_unit_test(test_numbers),
+          cmocka_unit_test(test_counts), cmocka_unit_test(test_hash), cmocka_unit_test(test_extras),
+          cmocka_unit_test(test_no_extras), cmocka_unit_test(test_profiles))

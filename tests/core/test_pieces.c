@@ -389,12 +389,7 @@ static void sums_of_bytes(void **state)
     for (size_t n = 1; n < sizeof zeros; n++) assert_true(checkpoint_hash(zeros, n) != checkpoint_hash(zeros, n - 1));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(both_ways),    cmocka_unit_test(damaged),      cmocka_unit_test(lengths),
-        cmocka_unit_test(numbers),      cmocka_unit_test(profiles),     cmocka_unit_test(patterns),
-        cmocka_unit_test(block_values), cmocka_unit_test(first_values), cmocka_unit_test(errors),
-        cmocka_unit_test(arrays),       cmocka_unit_test(sums_of_bytes)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_pieces, cmocka_unit_test(both_ways), cmocka_unit_test(damaged), cmocka_unit_test(lengths),
+          cmocka_unit_test(numbers), cmocka_unit_test(profiles), cmocka_unit_test(patterns),
+          cmocka_unit_test(block_values), cmocka_unit_test(first_values), cmocka_unit_test(errors),
+          cmocka_unit_test(arrays), cmocka_unit_test(sums_of_bytes))

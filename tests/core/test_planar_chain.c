@@ -343,14 +343,6 @@ static void test_rates_and_damping(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_direction),
-                                       cmocka_unit_test(test_space),
-                                       cmocka_unit_test(test_action_and_reaction),
-                                       cmocka_unit_test(test_differences),
-                                       cmocka_unit_test(test_padding),
-                                       cmocka_unit_test(test_first_values),
-                                       cmocka_unit_test(test_rates_and_damping)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_planar_chain, cmocka_unit_test(test_direction), cmocka_unit_test(test_space),
+          cmocka_unit_test(test_action_and_reaction), cmocka_unit_test(test_differences),
+          cmocka_unit_test(test_padding), cmocka_unit_test(test_first_values), cmocka_unit_test(test_rates_and_damping))

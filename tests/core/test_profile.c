@@ -156,14 +156,7 @@ static void tables_that_begin_elsewhere(void **state)
     check_equal(profile_corner_before(&late, 2, 4), 4);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(step_values),
-                                       cmocka_unit_test(rates_match_differences),
-                                       cmocka_unit_test(integrals_are_exact),
-                                       cmocka_unit_test(rate_at_a_corner_is_the_right_one),
-                                       cmocka_unit_test(corners_come_in_order),
-                                       cmocka_unit_test(table_is_constant_beyond_its_ends),
-                                       cmocka_unit_test(tables_that_begin_elsewhere)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_profile, cmocka_unit_test(step_values), cmocka_unit_test(rates_match_differences),
+          cmocka_unit_test(integrals_are_exact), cmocka_unit_test(rate_at_a_corner_is_the_right_one),
+          cmocka_unit_test(corners_come_in_order), cmocka_unit_test(table_is_constant_beyond_its_ends),
+          cmocka_unit_test(tables_that_begin_elsewhere))

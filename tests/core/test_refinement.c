@@ -86,12 +86,5 @@ static void ends(void **state)
     check_nan(refinement_of(NAN, 1, NAN, 2, 1).error);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(order_as_assumed), cmocka_unit_test(other_orders),
-        cmocka_unit_test(no_order),         cmocka_unit_test(ends),
-        cmocka_unit_test(from_coarser),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_refinement, cmocka_unit_test(order_as_assumed), cmocka_unit_test(other_orders),
+          cmocka_unit_test(no_order), cmocka_unit_test(ends), cmocka_unit_test(from_coarser))

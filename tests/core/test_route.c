@@ -183,18 +183,8 @@ static void left_inside_a_bend_through_the_vertical(void **state)
     route_clear(&r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(starts_as_told),
-        cmocka_unit_test(is_continuous_with_its_tangent),
-        cmocka_unit_test(derivatives_match_differences),
-        cmocka_unit_test(goes_on_straight_beyond_its_ends),
-        cmocka_unit_test(planes_mean_what_they_say),
-        cmocka_unit_test(bends_on_slopes),
-        cmocka_unit_test(s_bend_restores_the_tangent),
-        cmocka_unit_test(left_survives_the_vertical),
-        cmocka_unit_test(left_inside_a_bend_through_the_vertical),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_route, cmocka_unit_test(starts_as_told), cmocka_unit_test(is_continuous_with_its_tangent),
+          cmocka_unit_test(derivatives_match_differences), cmocka_unit_test(goes_on_straight_beyond_its_ends),
+          cmocka_unit_test(planes_mean_what_they_say), cmocka_unit_test(bends_on_slopes),
+          cmocka_unit_test(s_bend_restores_the_tangent), cmocka_unit_test(left_survives_the_vertical),
+          cmocka_unit_test(left_inside_a_bend_through_the_vertical))

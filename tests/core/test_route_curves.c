@@ -405,19 +405,10 @@ static void plan_begins_further_on(void **state)
     free(profile.element);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(positions_are_the_tangents_integral),
-                                       cmocka_unit_test(derivatives_match_differences),
-                                       cmocka_unit_test(helix_keeps_its_grade),
-                                       cmocka_unit_test(clothoid_is_fresnels),
-                                       cmocka_unit_test(parabola_is_one),
-                                       cmocka_unit_test(parabola_of_no_rise),
-                                       cmocka_unit_test(slopes_are_rounded),
-                                       cmocka_unit_test(corners_are_rounded),
-                                       cmocka_unit_test(spline_goes_through),
-                                       cmocka_unit_test(plan_and_profile),
-                                       cmocka_unit_test(names_and_doubles),
-                                       cmocka_unit_test(plan_begins_further_on)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_route_curves, cmocka_unit_test(positions_are_the_tangents_integral),
+          cmocka_unit_test(derivatives_match_differences), cmocka_unit_test(helix_keeps_its_grade),
+          cmocka_unit_test(clothoid_is_fresnels), cmocka_unit_test(parabola_is_one),
+          cmocka_unit_test(parabola_of_no_rise), cmocka_unit_test(slopes_are_rounded),
+          cmocka_unit_test(corners_are_rounded), cmocka_unit_test(spline_goes_through),
+          cmocka_unit_test(plan_and_profile), cmocka_unit_test(names_and_doubles),
+          cmocka_unit_test(plan_begins_further_on))

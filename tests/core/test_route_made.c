@@ -369,19 +369,9 @@ static void long_curves(void **state)
     route_clear(&r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(points_in_a_row),
-                                       cmocka_unit_test(legs_that_are_too_short),
-                                       cmocka_unit_test(corners_that_turn_back),
-                                       cmocka_unit_test(lines_that_begin_upright),
-                                       cmocka_unit_test(roundings_of_steep_profiles),
-                                       cmocka_unit_test(what_turns_aside),
-                                       cmocka_unit_test(turns_in_parts),
-                                       cmocka_unit_test(words_of_pieces),
-                                       cmocka_unit_test(legs_that_become_upright),
-                                       cmocka_unit_test(splines_begin),
-                                       cmocka_unit_test(measures_of_curves),
-                                       cmocka_unit_test(long_curves)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_route_made, cmocka_unit_test(points_in_a_row), cmocka_unit_test(legs_that_are_too_short),
+          cmocka_unit_test(corners_that_turn_back), cmocka_unit_test(lines_that_begin_upright),
+          cmocka_unit_test(roundings_of_steep_profiles), cmocka_unit_test(what_turns_aside),
+          cmocka_unit_test(turns_in_parts), cmocka_unit_test(words_of_pieces),
+          cmocka_unit_test(legs_that_become_upright), cmocka_unit_test(splines_begin),
+          cmocka_unit_test(measures_of_curves), cmocka_unit_test(long_curves))

@@ -230,10 +230,6 @@ static void test_words(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_slopes),          cmocka_unit_test(test_corners),
-                                       cmocka_unit_test(test_corners_refused), cmocka_unit_test(test_profiles),
-                                       cmocka_unit_test(test_plan_refused),    cmocka_unit_test(test_words)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_route_make, cmocka_unit_test(test_slopes), cmocka_unit_test(test_corners),
+          cmocka_unit_test(test_corners_refused), cmocka_unit_test(test_profiles), cmocka_unit_test(test_plan_refused),
+          cmocka_unit_test(test_words))

@@ -228,15 +228,6 @@ static void test_update(void **state)
     rig_free(&r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_first_loading),
-        cmocka_unit_test(test_masing),
-        cmocka_unit_test(test_hysteretic_bending_loop_area),
-        cmocka_unit_test(test_circular_bending),
-        cmocka_unit_test(test_isotropy_and_dissipation),
-        cmocka_unit_test(test_update),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_sliders, cmocka_unit_test(test_first_loading), cmocka_unit_test(test_masing),
+          cmocka_unit_test(test_hysteretic_bending_loop_area), cmocka_unit_test(test_circular_bending),
+          cmocka_unit_test(test_isotropy_and_dissipation), cmocka_unit_test(test_update))

@@ -89,13 +89,5 @@ static void many_teams(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_threads),
-        cmocka_unit_test(sleeping_helper),
-        cmocka_unit_test(one_thread),
-        cmocka_unit_test(many_teams),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_team, cmocka_unit_test(two_threads), cmocka_unit_test(sleeping_helper), cmocka_unit_test(one_thread),
+          cmocka_unit_test(many_teams))

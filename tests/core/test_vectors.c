@@ -291,14 +291,6 @@ static void halves(void **state)
     for (int k = 0; k < 6; ++k) assert_int_equal(halves_middle(n[k][0]), n[k][1]);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(vectors),
-                                       cmocka_unit_test(quaternions),
-                                       cmocka_unit_test(lanes),
-                                       cmocka_unit_test(vectors_of_lanes),
-                                       cmocka_unit_test(vectors_in_the_plane),
-                                       cmocka_unit_test(largest_and_smallest),
-                                       cmocka_unit_test(halves)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_vectors, cmocka_unit_test(vectors), cmocka_unit_test(quaternions), cmocka_unit_test(lanes),
+          cmocka_unit_test(vectors_of_lanes), cmocka_unit_test(vectors_in_the_plane),
+          cmocka_unit_test(largest_and_smallest), cmocka_unit_test(halves))

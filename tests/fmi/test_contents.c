@@ -215,16 +215,6 @@ static void test_writing(void **state)
     hawser_case_free(c);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_parameters),
-        cmocka_unit_test(test_bad_parameter),
-        cmocka_unit_test(test_references_to_files),
-        cmocka_unit_test(test_judgement),
-        cmocka_unit_test(test_all_values),
-        cmocka_unit_test(test_end),
-        cmocka_unit_test(test_writing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_contents, cmocka_unit_test(test_parameters), cmocka_unit_test(test_bad_parameter),
+          cmocka_unit_test(test_references_to_files), cmocka_unit_test(test_judgement),
+          cmocka_unit_test(test_all_values), cmocka_unit_test(test_end), cmocka_unit_test(test_writing))

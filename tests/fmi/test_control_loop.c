@@ -162,11 +162,5 @@ static void test_inputs(void **state)
     fmu_close(&fmu);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_controller), cmocka_unit_test(test_start),  cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_brakes),     cmocka_unit_test(test_inputs),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_control_loop, cmocka_unit_test(test_controller), cmocka_unit_test(test_start),
+          cmocka_unit_test(test_threads), cmocka_unit_test(test_brakes), cmocka_unit_test(test_inputs))

@@ -204,11 +204,5 @@ static void test_references(void **state)
     instance_drop(i);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_instantiation), cmocka_unit_test(test_order),      cmocka_unit_test(test_values),
-        cmocka_unit_test(test_steps),         cmocka_unit_test(test_references),
-    };
-    return cmocka_run_group_tests(tests, both_open, both_close);
-}
+TEST_FILE_IN(test_life, both_open, both_close, cmocka_unit_test(test_instantiation), cmocka_unit_test(test_order),
+             cmocka_unit_test(test_values), cmocka_unit_test(test_steps), cmocka_unit_test(test_references))

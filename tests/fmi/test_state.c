@@ -141,8 +141,4 @@ static void test_bytes(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_there_and_back), cmocka_unit_test(test_bytes)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_state, cmocka_unit_test(test_there_and_back), cmocka_unit_test(test_bytes))

@@ -6,8 +6,17 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Tries one input; returns 0. What is wrong ends the program: a sanitizer's finding, or FUZZ_MUST. */
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+/* Heads the function of a target, tests/fuzz/fuzz_NAME.c: it tries one input and returns 0. What is wrong ends the
+ * program: a sanitizer's finding, or FUZZ_MUST. A fuzzer links one target and calls it by the name that it knows; the
+ * replay program links all of them (replay.c). */
+#ifdef HAWSER_FUZZER
+#define FUZZ_TARGET(name) int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+FUZZ_TARGET();
+#else
+#define FUZZ_TARGET(name)                                                                                              \
+    int fuzz_##name(const uint8_t *data, size_t size);                                                                 \
+    int fuzz_##name(const uint8_t *data, size_t size)
+#endif
 
 /* What must hold for any input, in every build. */
 #define FUZZ_MUST(condition) ((condition) ? (void)0 : fuzz_failed(#condition, __FILE__, __LINE__))

@@ -203,7 +203,7 @@ static void call_looks(hawser_sim *sim, int what, hawser_error *err)
     }
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+FUZZ_TARGET(api)
 {
     Pair pair[HANDLES] = {{0}};
     int arguments[CALLS_MAX]; /* those that call-backs are given live as long as the handles */

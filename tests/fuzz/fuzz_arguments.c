@@ -228,7 +228,7 @@ static void error_is_good(int status, const char *text, size_t size)
     FUZZ_MUST(status ? said > 0 : said == 0);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+FUZZ_TARGET(arguments)
 {
     char room[WORDS_MAX + 5][WORD_MAX], *argv[WORDS_MAX + 6] = {NULL};
     FILE *const out = stdout, *const err = stderr;

@@ -123,7 +123,7 @@ static void go_on(hawser_sim *s)
     hawser_text_free(json);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+FUZZ_TARGET(checkpoint)
 {
     Draws d = {data, size};
     const Base *const b = base_of((int)(draws_take(&d, 1) % CHECKPOINT_SCENES));

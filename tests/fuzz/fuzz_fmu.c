@@ -353,7 +353,7 @@ static void call(World *w)
     }
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+FUZZ_TARGET(fmu)
 {
     World w = {.d = {data, size}};
     if (!*base) base_make();

@@ -251,7 +251,7 @@ static hawser_status read_back(void)
     return checked;
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+FUZZ_TARGET(folder)
 {
     Draws d = {data, size};
     if (!files) base_make();

@@ -48,7 +48,7 @@ static void say(hawser_case *c, hawser_format format)
     hawser_text_free(text);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+FUZZ_TARGET(library)
 {
     char text[2048], part[1024];
     hawser_error err = {HAWSER_OK, ""};

@@ -31,7 +31,7 @@ static void tables(const uint8_t *data, size_t size)
     sheet_clear(&sheet);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+FUZZ_TARGET(results)
 {
     char *const words = fuzz_text(data, size);
     Text json = {0}, html = {0};

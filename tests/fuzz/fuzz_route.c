@@ -77,7 +77,7 @@ static const char *reader_of(const char *text, size_t size)
     return "csv";
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+FUZZ_TARGET(route)
 {
     const SurveyOptions options = {.unit = NAN};
     const char *const only = getenv("HAWSER_FUZZ_READER");

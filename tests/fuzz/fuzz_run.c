@@ -17,7 +17,7 @@ static int few_looks(void *user, const hawser_sample *sample, double wall_s, dou
     return ++*(int *)user > 100;
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+FUZZ_TARGET(run)
 {
     hawser_case *c = small_case_parse(data, size);
     if (!c) return 0;

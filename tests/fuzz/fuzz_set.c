@@ -12,7 +12,7 @@ static const char good[] = "cables: {c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 
                            "drive: {winch: {speed: 0.5 m/s, to: 1 s}, tail: {tension: 1 kN, ramp: none}}\n"
                            "run: {duration: 2 s}\n";
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+FUZZ_TARGET(set)
 {
     hawser_error err = {0};
     hawser_case *c = NULL;

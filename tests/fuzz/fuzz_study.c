@@ -197,7 +197,7 @@ static void bytes_as_rows(const uint8_t *data, size_t size)
     close(below);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+FUZZ_TARGET(study)
 {
     if (size == 0) return 0;
     char *const text = fuzz_text(data + 1, size - 1);

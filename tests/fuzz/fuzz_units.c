@@ -6,7 +6,7 @@
 #include "io/yaml/units.h"
 #include "tests/fuzz/fuzz.h"
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+FUZZ_TARGET(units)
 {
     static Units *units;
     if (!units) units = units_new();

@@ -24,7 +24,7 @@ static long walk(const CaseNode *node)
     return n;
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+FUZZ_TARGET(yaml)
 {
     char *const text = fuzz_text(data, size);
     CaseTree *tree = NULL;

@@ -44,8 +44,4 @@ static void test_pull_along_the_tunnel(void **state)
     hawser_sim_free(sim);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_pull_along_the_tunnel)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(long_tunnel, cmocka_unit_test(test_pull_along_the_tunnel))

@@ -183,11 +183,5 @@ static void a_listed_bend(void **state)
     scene_def_clear(&c.def);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(words),         cmocka_unit_test(ducts),   cmocka_unit_test(bends),
-        cmocka_unit_test(a_listed_bend), cmocka_unit_test(answers),
-    };
-    return cmocka_run_group_tests(tests, scene_setup, scene_teardown);
-}
+TEST_FILE_IN(test_answer, scene_setup, scene_teardown, cmocka_unit_test(words), cmocka_unit_test(ducts),
+             cmocka_unit_test(bends), cmocka_unit_test(a_listed_bend), cmocka_unit_test(answers))

@@ -389,23 +389,8 @@ static void test_unwritable(void **state)
 
 #define CASE(name) cmocka_unit_test_setup_teardown(name, fixture_new, fixture_free)
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_wrong_cases),
-        cmocka_unit_test(test_settings),
-        cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_side_by_side),
-        CASE(test_two_threads),
-        cmocka_unit_test(test_sample),
-        cmocka_unit_test(test_run),
-        cmocka_unit_test(test_phases),
-        CASE(test_run_into_folder),
-        CASE(test_stop),
-        cmocka_unit_test(test_by_hand),
-        CASE(test_failed_run),
-        CASE(test_unwritable),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_api, cmocka_unit_test(test_wrong_cases), cmocka_unit_test(test_settings), cmocka_unit_test(test_threads),
+          cmocka_unit_test(test_texts), cmocka_unit_test(test_side_by_side), CASE(test_two_threads),
+          cmocka_unit_test(test_sample), cmocka_unit_test(test_run), cmocka_unit_test(test_phases),
+          CASE(test_run_into_folder), CASE(test_stop), cmocka_unit_test(test_by_hand), CASE(test_failed_run),
+          CASE(test_unwritable))

@@ -2,14 +2,11 @@
 #include "io/results/column.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
 #include <jansson.h>
+
+#include "tests/support/check.h"
 
 typedef struct Row {
     const char *name;
@@ -76,12 +73,5 @@ static void test_json(void **state)
     json_decref(o);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_table, fill),
-        cmocka_unit_test_setup(test_csv, fill),
-        cmocka_unit_test_setup(test_json, fill),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_api_document, cmocka_unit_test_setup(test_table, fill), cmocka_unit_test_setup(test_csv, fill),
+          cmocka_unit_test_setup(test_json, fill))

@@ -198,16 +198,10 @@ static void a_damaged_file_of_states_is_refused(void **state)
     if (hawser_results_check(scratch_path("a"), &err)) fail_msg("%s", err.message);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(a_file_of_another_run_is_refused, scratch_make, scratch_remove),
-        cmocka_unit_test_setup_teardown(a_file_too_many_or_cut_off_is_refused, scratch_make, scratch_remove),
-        cmocka_unit_test_setup_teardown(states_of_another_series_are_refused, scratch_make, scratch_remove),
-        cmocka_unit_test_setup_teardown(sensitivities_go_with_their_run, scratch_make, scratch_remove),
-        cmocka_unit_test_setup_teardown(a_damaged_file_of_states_is_refused, scratch_make, scratch_remove),
-        cmocka_unit_test_setup_teardown(a_certificate_or_sensitivities_of_another_run_are_refused, scratch_make,
-                                        scratch_remove),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_belong, cmocka_unit_test_setup_teardown(a_file_of_another_run_is_refused, scratch_make, scratch_remove),
+          cmocka_unit_test_setup_teardown(a_file_too_many_or_cut_off_is_refused, scratch_make, scratch_remove),
+          cmocka_unit_test_setup_teardown(states_of_another_series_are_refused, scratch_make, scratch_remove),
+          cmocka_unit_test_setup_teardown(sensitivities_go_with_their_run, scratch_make, scratch_remove),
+          cmocka_unit_test_setup_teardown(a_damaged_file_of_states_is_refused, scratch_make, scratch_remove),
+          cmocka_unit_test_setup_teardown(a_certificate_or_sensitivities_of_another_run_are_refused, scratch_make,
+                                          scratch_remove))

@@ -345,11 +345,4 @@ static void settings_are_named(void **state)
                "--set gravity: key 'gravity.2': value 'nan' is not a number");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_key_wrong_in_every_way),
-        cmocka_unit_test(settings_are_named),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_bad_input, cmocka_unit_test(every_key_wrong_in_every_way), cmocka_unit_test(settings_are_named))

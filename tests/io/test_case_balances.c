@@ -116,8 +116,4 @@ static void comers_and_goers(void **state)
     hawser_case_free(c);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_case_closes), cmocka_unit_test(comers_and_goers)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_balances, cmocka_unit_test(every_case_closes), cmocka_unit_test(comers_and_goers))

@@ -80,12 +80,5 @@ static void ratios_take_the_place_of_the_time(void **state)
     scene_def_clear(&def);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(table_is_read),
-        cmocka_unit_test(wrong_tables_are_refused),
-        cmocka_unit_test(ratios_take_the_place_of_the_time),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_bending, cmocka_unit_test(table_is_read), cmocka_unit_test(wrong_tables_are_refused),
+          cmocka_unit_test(ratios_take_the_place_of_the_time))

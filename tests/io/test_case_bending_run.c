@@ -50,11 +50,4 @@ static void test_convergence(void **state)
     check_share(fine.pull_mean_N, coarse.pull_mean_N, 0.005);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_loss_in_bends),
-        cmocka_unit_test(test_convergence),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_bending_run, cmocka_unit_test(test_loss_in_bends), cmocka_unit_test(test_convergence))

@@ -309,13 +309,7 @@ static void factor_on_straights(void **state)
     check_above(0.95 * 13418, force[2]);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(three_as_one),        cmocka_unit_test(unlike_as_one), cmocka_unit_test(twisted_as_one),
-        cmocka_unit_test(tables_as_one),       cmocka_unit_test(older_keys),    cmocka_unit_test(refused),
-        cmocka_unit_test(runs_as_theory_says), cmocka_unit_test(limits_of_all), cmocka_unit_test(terms_are_said),
-        cmocka_unit_test(factor_on_straights),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_bundle, cmocka_unit_test(three_as_one), cmocka_unit_test(unlike_as_one),
+          cmocka_unit_test(twisted_as_one), cmocka_unit_test(tables_as_one), cmocka_unit_test(older_keys),
+          cmocka_unit_test(refused), cmocka_unit_test(runs_as_theory_says), cmocka_unit_test(limits_of_all),
+          cmocka_unit_test(terms_are_said), cmocka_unit_test(factor_on_straights))

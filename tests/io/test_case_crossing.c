@@ -93,13 +93,5 @@ static void test_solver_refused(void **state)
     check_has(err.message, "solver.linear_solver 'block'");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rests_on_itself),
-        cmocka_unit_test(test_falls_through_without),
-        cmocka_unit_test(test_begins_inside),
-        cmocka_unit_test(test_solver_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_crossing, cmocka_unit_test(test_rests_on_itself), cmocka_unit_test(test_falls_through_without),
+          cmocka_unit_test(test_begins_inside), cmocka_unit_test(test_solver_refused))

@@ -1,5 +1,5 @@
 /* docs/case-format.md says the same as the tables that the reader works from: every section, every key with
- * value, default and range, every unit, and nothing else. Started with the word `print`, it prints the tables
+ * value, default and range, every unit, and nothing else. With HAWSER_PRINT in the environment it prints the tables
  * as they should be. */
 #include "tests/io/case_fixture.h"
 
@@ -208,14 +208,12 @@ static void every_dimension_is_documented(void **state)
     free(doc);
 }
 
-int main(int argc, char **argv)
+static int print_if_required(void **state)
 {
-    if (argc > 1 && strcmp(argv[1], "print") == 0) return print();
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_key_is_documented),
-        cmocka_unit_test(every_section_is_known),
-        cmocka_unit_test(every_unit_is_documented),
-        cmocka_unit_test(every_dimension_is_documented),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    (void)state;
+    return getenv("HAWSER_PRINT") ? print() : 0;
 }
+
+TEST_FILE_IN(test_case_docs, print_if_required, NULL, cmocka_unit_test(every_key_is_documented),
+             cmocka_unit_test(every_section_is_known), cmocka_unit_test(every_unit_is_documented),
+             cmocka_unit_test(every_dimension_is_documented))

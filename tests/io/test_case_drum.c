@@ -84,9 +84,5 @@ static void test_refused(void **state)
     refused("chain.0.length", "60 m", "reel.width", "more cable than fits");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_pull), cmocka_unit_test(test_beside_payout),
-                                       cmocka_unit_test(test_refused)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_drum, cmocka_unit_test(test_pull), cmocka_unit_test(test_beside_payout),
+          cmocka_unit_test(test_refused))

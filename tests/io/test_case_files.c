@@ -133,12 +133,6 @@ static void the_documented_example(void **state)
     scene_def_clear(&def);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_file_is_good), cmocka_unit_test(huangjiahu_cable),
-        cmocka_unit_test(huangjiahu_route),   cmocka_unit_test(huangjiahu_rollers_and_stations),
-        cmocka_unit_test(straight_row),       cmocka_unit_test(the_documented_example),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_files, cmocka_unit_test(every_file_is_good), cmocka_unit_test(huangjiahu_cable),
+          cmocka_unit_test(huangjiahu_route), cmocka_unit_test(huangjiahu_rollers_and_stations),
+          cmocka_unit_test(straight_row), cmocka_unit_test(the_documented_example))

@@ -117,14 +117,6 @@ static void example(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(both_are_read),
-        cmocka_unit_test(wrong_ones),
-        cmocka_unit_test(a_running_pull_begins_without_a_shock),
-        cmocka_unit_test(rest_knows_no_speed),
-        cmocka_unit_test(example),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_flight, cmocka_unit_test(both_are_read), cmocka_unit_test(wrong_ones),
+          cmocka_unit_test(a_running_pull_begins_without_a_shock), cmocka_unit_test(rest_knows_no_speed),
+          cmocka_unit_test(example))

@@ -89,8 +89,4 @@ static void example(void **state)
     hawser_sim_free(s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(jams), cmocka_unit_test(wrong_jams), cmocka_unit_test(example)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_jams, cmocka_unit_test(jams), cmocka_unit_test(wrong_jams), cmocka_unit_test(example))

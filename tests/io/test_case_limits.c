@@ -445,22 +445,9 @@ static void wrong_limits(void **state)
         expect_bad(data_text("full-tension"), cases[k].section, cases[k].value, cases[k].part);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(values_of_a_run),
-        cmocka_unit_test(each_can_break),
-        cmocka_unit_test(summary_has_them),
-        cmocka_unit_test(limits_change_nothing),
-        cmocka_unit_test(theory_by_hand),
-        cmocka_unit_test(theory_of_ducts_and_sags),
-        cmocka_unit_test(shaft_needs_a_brake),
-        cmocka_unit_test(run_runs_away),
-        cmocka_unit_test(ropes_and_conveyors),
-        cmocka_unit_test(carried_by_nothing),
-        cmocka_unit_test(wrong_limits),
-        cmocka_unit_test(theory_takes_weight_downward),
-        cmocka_unit_test(a_run_with_weight_aslant_has_no_theory),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_limits, cmocka_unit_test(values_of_a_run), cmocka_unit_test(each_can_break),
+          cmocka_unit_test(summary_has_them), cmocka_unit_test(limits_change_nothing), cmocka_unit_test(theory_by_hand),
+          cmocka_unit_test(theory_of_ducts_and_sags), cmocka_unit_test(shaft_needs_a_brake),
+          cmocka_unit_test(run_runs_away), cmocka_unit_test(ropes_and_conveyors), cmocka_unit_test(carried_by_nothing),
+          cmocka_unit_test(wrong_limits), cmocka_unit_test(theory_takes_weight_downward),
+          cmocka_unit_test(a_run_with_weight_aslant_has_no_theory))

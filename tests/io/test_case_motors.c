@@ -146,12 +146,6 @@ static void slips(void **state)
     hawser_sim_free(o.sim);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_read), cmocka_unit_test(what_is_refused), cmocka_unit_test(needs_a_winch),
-        cmocka_unit_test(set_torque),   cmocka_unit_test(faster),          cmocka_unit_test(slower),
-        cmocka_unit_test(brake),        cmocka_unit_test(within_droop),    cmocka_unit_test(slips),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_motors, cmocka_unit_test(what_is_read), cmocka_unit_test(what_is_refused),
+          cmocka_unit_test(needs_a_winch), cmocka_unit_test(set_torque), cmocka_unit_test(faster),
+          cmocka_unit_test(slower), cmocka_unit_test(brake), cmocka_unit_test(within_droop), cmocka_unit_test(slips))

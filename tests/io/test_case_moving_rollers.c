@@ -138,11 +138,6 @@ static void turning_drum(void **state)
     hawser_sim_free(o.sim);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_read),    cmocka_unit_test(what_is_refused), cmocka_unit_test(bearing_friction),
-        cmocka_unit_test(mounts_give_way), cmocka_unit_test(capstan),         cmocka_unit_test(turning_drum),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_moving_rollers, cmocka_unit_test(what_is_read), cmocka_unit_test(what_is_refused),
+          cmocka_unit_test(bearing_friction), cmocka_unit_test(mounts_give_way), cmocka_unit_test(capstan),
+          cmocka_unit_test(turning_drum))

@@ -155,12 +155,6 @@ static void eye_catches_and_trips(void **state)
     hawser_sim_free(o.sim);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(words_become_shapes),   cmocka_unit_test(bad_obstacles),
-        cmocka_unit_test(flare_is_a_capstan),    cmocka_unit_test(end_stops_at_a_face),
-        cmocka_unit_test(eye_catches_and_trips),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_obstacles, cmocka_unit_test(words_become_shapes), cmocka_unit_test(bad_obstacles),
+          cmocka_unit_test(flare_is_a_capstan), cmocka_unit_test(end_stops_at_a_face),
+          cmocka_unit_test(eye_catches_and_trips))

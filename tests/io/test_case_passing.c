@@ -188,13 +188,7 @@ static void cables_lie_in_each_other(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_floor_holds),       cmocka_unit_test(rollers_hold_it_back),
-        cmocka_unit_test(guides_do_not_throw), cmocka_unit_test(the_fitting_length),
-        cmocka_unit_test(a_loose_rod_stays),   cmocka_unit_test(ladders_stand_on_their_ends),
-        cmocka_unit_test(rods_rest_on_tables), cmocka_unit_test(cables_lie_in_each_other),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_passing, cmocka_unit_test(a_floor_holds), cmocka_unit_test(rollers_hold_it_back),
+          cmocka_unit_test(guides_do_not_throw), cmocka_unit_test(the_fitting_length),
+          cmocka_unit_test(a_loose_rod_stays), cmocka_unit_test(ladders_stand_on_their_ends),
+          cmocka_unit_test(rods_rest_on_tables), cmocka_unit_test(cables_lie_in_each_other))

@@ -416,17 +416,10 @@ static void as_people_type_it(void **state)
     expect_bad(text, "limits.conductor.material", "Tin", "expected one of copper, aluminium");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(defaults_agree),           cmocka_unit_test(ramps_default_to_one_second),
-        cmocka_unit_test(cable_shorthand),          cmocka_unit_test(direct_wins_over_shorthand),
-        cmocka_unit_test(everything_has_its_place), cmocka_unit_test(drive_and_solver_have_their_places),
-        cmocka_unit_test(words_mean_what_they_say), cmocka_unit_test(planes_of_bends),
-        cmocka_unit_test(segments_are_counted),     cmocka_unit_test(tables_of_time),
-        cmocka_unit_test(stations_are_sorted),      cmocka_unit_test(parts_must_fit),
-        cmocka_unit_test(names_too_long),           cmocka_unit_test(messages_name_the_line),
-        cmocka_unit_test(as_people_type_it),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_read, cmocka_unit_test(defaults_agree), cmocka_unit_test(ramps_default_to_one_second),
+          cmocka_unit_test(cable_shorthand), cmocka_unit_test(direct_wins_over_shorthand),
+          cmocka_unit_test(everything_has_its_place), cmocka_unit_test(drive_and_solver_have_their_places),
+          cmocka_unit_test(words_mean_what_they_say), cmocka_unit_test(planes_of_bends),
+          cmocka_unit_test(segments_are_counted), cmocka_unit_test(tables_of_time),
+          cmocka_unit_test(stations_are_sorted), cmocka_unit_test(parts_must_fit), cmocka_unit_test(names_too_long),
+          cmocka_unit_test(messages_name_the_line), cmocka_unit_test(as_people_type_it))

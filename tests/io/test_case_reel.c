@@ -118,16 +118,7 @@ static void winch_must_stand_on_the_rope(void **state)
                "key 'drive.winch.at': value '8 m' is out");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(payout_is_read),
-        cmocka_unit_test(weight_is_a_tension),
-        cmocka_unit_test(winch_on_rope_in_pieces),
-        cmocka_unit_test(drum_must_hold_the_cable),
-        cmocka_unit_test(cable_must_reach),
-        cmocka_unit_test(keys_belong_to_models),
-        cmocka_unit_test(winch_must_stand_on_the_rope),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_reel, cmocka_unit_test(payout_is_read), cmocka_unit_test(weight_is_a_tension),
+          cmocka_unit_test(winch_on_rope_in_pieces), cmocka_unit_test(drum_must_hold_the_cable),
+          cmocka_unit_test(cable_must_reach), cmocka_unit_test(keys_belong_to_models),
+          cmocka_unit_test(winch_must_stand_on_the_rope))

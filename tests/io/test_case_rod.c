@@ -163,12 +163,6 @@ static void modes_run(void **state)
     hawser_sim_free(sim);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_rod_is_read), cmocka_unit_test(loads_grow_in_load_steps),
-        cmocka_unit_test(wrong_rods),    cmocka_unit_test(rods_are_no_pulls),
-        cmocka_unit_test(cases_run),     cmocka_unit_test(modes_run),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_rod, cmocka_unit_test(a_rod_is_read), cmocka_unit_test(loads_grow_in_load_steps),
+          cmocka_unit_test(wrong_rods), cmocka_unit_test(rods_are_no_pulls), cmocka_unit_test(cases_run),
+          cmocka_unit_test(modes_run))

@@ -176,16 +176,7 @@ static void rows_inside_the_cable(void **state)
     expect_bad(data_text("row-inside"), NULL, NULL, NAME ":10: key 'rollers.along': roller 'R");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_by_count_and_spacing),
-        cmocka_unit_test(several_rows_and_a_list),
-        cmocka_unit_test(along_bends),
-        cmocka_unit_test(held_down_where_asked),
-        cmocka_unit_test(rollers_inside_the_cable),
-        cmocka_unit_test(the_rope_is_thinner),
-        cmocka_unit_test(rows_inside_the_cable),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_rollers, cmocka_unit_test(rows_by_count_and_spacing), cmocka_unit_test(several_rows_and_a_list),
+          cmocka_unit_test(along_bends), cmocka_unit_test(held_down_where_asked),
+          cmocka_unit_test(rollers_inside_the_cable), cmocka_unit_test(the_rope_is_thinner),
+          cmocka_unit_test(rows_inside_the_cable))

@@ -123,11 +123,6 @@ static void turns_in_time(void **state)
     hawser_sim_free(sim);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_column_buckles),   cmocka_unit_test(a_column_stands), cmocka_unit_test(what_is_wanted),
-        cmocka_unit_test(turns_are_not_lost), cmocka_unit_test(turns_in_time),   cmocka_unit_test(turns_before_time),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_stability, cmocka_unit_test(a_column_buckles), cmocka_unit_test(a_column_stands),
+          cmocka_unit_test(what_is_wanted), cmocka_unit_test(turns_are_not_lost), cmocka_unit_test(turns_in_time),
+          cmocka_unit_test(turns_before_time))

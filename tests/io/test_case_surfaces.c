@@ -120,12 +120,6 @@ static void upright_routes_are_refused(void **state)
     expect_bad(data_text("surfaces-upright"), "surfaces.ducts.0.place", "resting", "steeper than 80 deg at 14.2 m");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ducts_are_read),        cmocka_unit_test(trays_are_read),
-        cmocka_unit_test(stretches_are_checked), cmocka_unit_test(sizes_are_checked),
-        cmocka_unit_test(planes_are_checked),    cmocka_unit_test(upright_routes_are_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_surfaces, cmocka_unit_test(ducts_are_read), cmocka_unit_test(trays_are_read),
+          cmocka_unit_test(stretches_are_checked), cmocka_unit_test(sizes_are_checked),
+          cmocka_unit_test(planes_are_checked), cmocka_unit_test(upright_routes_are_refused))

@@ -387,26 +387,10 @@ static void items_by_name(void **state)
     case_tree_free(tree);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(items_by_name),
-        cmocka_unit_test(names_that_are_numbers),
-        cmocka_unit_test(texts_that_turn),
-        cmocka_unit_test(nodes_know_their_places),
-        cmocka_unit_test(aliases_are_written_out),
-        cmocka_unit_test(not_a_case),
-        cmocka_unit_test(byte_order_mark),
-        cmocka_unit_test(alias_bomb),
-        cmocka_unit_test(deep_nesting),
-        cmocka_unit_test(many_of_a_kind),
-        cmocka_unit_test(random_junk),
-        cmocka_unit_test(files),
-        cmocka_unit_test(forbidden_file),
-        cmocka_unit_test(settings),
-        cmocka_unit_test(bad_settings),
-        cmocka_unit_test(shown_texts),
-        cmocka_unit_test(near_words),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_tree, cmocka_unit_test(items_by_name), cmocka_unit_test(names_that_are_numbers),
+          cmocka_unit_test(texts_that_turn), cmocka_unit_test(nodes_know_their_places),
+          cmocka_unit_test(aliases_are_written_out), cmocka_unit_test(not_a_case), cmocka_unit_test(byte_order_mark),
+          cmocka_unit_test(alias_bomb), cmocka_unit_test(deep_nesting), cmocka_unit_test(many_of_a_kind),
+          cmocka_unit_test(random_junk), cmocka_unit_test(files), cmocka_unit_test(forbidden_file),
+          cmocka_unit_test(settings), cmocka_unit_test(bad_settings), cmocka_unit_test(shown_texts),
+          cmocka_unit_test(near_words))

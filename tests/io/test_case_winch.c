@@ -107,13 +107,5 @@ static void wrong_conveyors(void **state)
                "'conveyors.0.belt': missing: a belt without");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(winches),
-        cmocka_unit_test(wrong_winches),
-        cmocka_unit_test(conveyors),
-        cmocka_unit_test(wrong_conveyors),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_case_winch, cmocka_unit_test(winches), cmocka_unit_test(wrong_winches), cmocka_unit_test(conveyors),
+          cmocka_unit_test(wrong_conveyors))

@@ -210,20 +210,8 @@ static void test_tunnel_starts(void **state)
     hawser_sim_free(o.sim);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_huangjiahu),
-        cmocka_unit_test(test_three_in_a_duct),
-        cmocka_unit_test(test_huangjiahu_converged),
-        cmocka_unit_test(test_huangjiahu_real_stiffness),
-        cmocka_unit_test(test_straight),
-        cmocka_unit_test(test_winches),
-        cmocka_unit_test(test_duct_bends),
-        cmocka_unit_test(test_tray),
-        cmocka_unit_test(test_conveyors),
-        cmocka_unit_test(test_reel_and_take_in),
-        cmocka_unit_test(test_tunnel_starts),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_cases, cmocka_unit_test(test_huangjiahu), cmocka_unit_test(test_three_in_a_duct),
+          cmocka_unit_test(test_huangjiahu_converged), cmocka_unit_test(test_huangjiahu_real_stiffness),
+          cmocka_unit_test(test_straight), cmocka_unit_test(test_winches), cmocka_unit_test(test_duct_bends),
+          cmocka_unit_test(test_tray), cmocka_unit_test(test_conveyors), cmocka_unit_test(test_reel_and_take_in),
+          cmocka_unit_test(test_tunnel_starts))

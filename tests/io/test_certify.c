@@ -326,22 +326,8 @@ static void a_second_pass(void **state)
     certified_free(&z);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_good_run),
-        cmocka_unit_test(bars_hold_the_truth),
-        cmocka_unit_test(too_much_is_asked),
-        cmocka_unit_test(effort_is_kept),
-        cmocka_unit_test(a_stiff_grip),
-        cmocka_unit_test(one_thread_or_two),
-        cmocka_unit_test(not_trusted),
-        cmocka_unit_test(a_rod),
-        cmocka_unit_test(a_second_pass),
-        cmocka_unit_test(half_a_turn),
-        cmocka_unit_test(texts),
-        cmocka_unit_test(refused),
-        cmocka_unit_test(levels),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_certify, cmocka_unit_test(a_good_run), cmocka_unit_test(bars_hold_the_truth),
+          cmocka_unit_test(too_much_is_asked), cmocka_unit_test(effort_is_kept), cmocka_unit_test(a_stiff_grip),
+          cmocka_unit_test(one_thread_or_two), cmocka_unit_test(not_trusted), cmocka_unit_test(a_rod),
+          cmocka_unit_test(a_second_pass), cmocka_unit_test(half_a_turn), cmocka_unit_test(texts),
+          cmocka_unit_test(refused), cmocka_unit_test(levels))

@@ -586,15 +586,9 @@ static void test_page(void **state)
     hawser_case_free(c);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_three_runs),  cmocka_unit_test(test_books),   cmocka_unit_test(test_weight_correction),
-        cmocka_unit_test(test_places),      cmocka_unit_test(test_refused), cmocka_unit_test(test_handles),
-        cmocka_unit_test(test_resumed),     cmocka_unit_test(test_page),    cmocka_unit_test(test_alone),
-        cmocka_unit_test(test_theory),      cmocka_unit_test(test_judged),  cmocka_unit_test(test_fallen),
-        cmocka_unit_test(test_rope_theory), cmocka_unit_test(test_rest),    cmocka_unit_test(test_jam),
-        cmocka_unit_test(test_rope_judged),
-    };
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
-}
+TEST_FILE_IN(test_chains, scratch_make, scratch_remove, cmocka_unit_test(test_three_runs), cmocka_unit_test(test_books),
+             cmocka_unit_test(test_weight_correction), cmocka_unit_test(test_places), cmocka_unit_test(test_refused),
+             cmocka_unit_test(test_handles), cmocka_unit_test(test_resumed), cmocka_unit_test(test_page),
+             cmocka_unit_test(test_alone), cmocka_unit_test(test_theory), cmocka_unit_test(test_judged),
+             cmocka_unit_test(test_fallen), cmocka_unit_test(test_rope_theory), cmocka_unit_test(test_rest),
+             cmocka_unit_test(test_jam), cmocka_unit_test(test_rope_judged))

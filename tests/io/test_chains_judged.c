@@ -307,19 +307,7 @@ static void run_goes_on(void **state)
     hawser_sim_free(half);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(theory_adds_up),
-        cmocka_unit_test(without_a_rope),
-        cmocka_unit_test(no_crew),
-        cmocka_unit_test(run_adds_up),
-        cmocka_unit_test(rope_and_eye),
-        cmocka_unit_test(heads_where_they_are_drawn),
-        cmocka_unit_test(one_or_two),
-        cmocka_unit_test(three_of_one),
-        cmocka_unit_test(peaks_between_rows),
-        cmocka_unit_test(run_goes_on),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_chains_judged, cmocka_unit_test(theory_adds_up), cmocka_unit_test(without_a_rope),
+          cmocka_unit_test(no_crew), cmocka_unit_test(run_adds_up), cmocka_unit_test(rope_and_eye),
+          cmocka_unit_test(heads_where_they_are_drawn), cmocka_unit_test(one_or_two), cmocka_unit_test(three_of_one),
+          cmocka_unit_test(peaks_between_rows), cmocka_unit_test(run_goes_on))

@@ -212,16 +212,6 @@ static void duct_for_all(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(machines_and_feed_are_there_once),
-        cmocka_unit_test(grips_of_each),
-        cmocka_unit_test(tandem),
-        cmocka_unit_test(held_by_what_it_draws),
-        cmocka_unit_test(bends_of_each),
-        cmocka_unit_test(thin_earth),
-        cmocka_unit_test(duct_for_all),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_chains_theory, cmocka_unit_test(machines_and_feed_are_there_once), cmocka_unit_test(grips_of_each),
+          cmocka_unit_test(tandem), cmocka_unit_test(held_by_what_it_draws), cmocka_unit_test(bends_of_each),
+          cmocka_unit_test(thin_earth), cmocka_unit_test(duct_for_all))

@@ -436,16 +436,7 @@ static void test_wrong_pieces(void **state)
     hawser_bytes_free(good.at);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_kind_of_scene),
-        cmocka_unit_test(test_from_the_start),
-        cmocka_unit_test(test_a_file),
-        cmocka_unit_test(test_what_is_not_whole),
-        cmocka_unit_test(test_what_is_of_another),
-        cmocka_unit_test(test_wrong_pieces),
-        cmocka_unit_test(test_back_over_a_command),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_checkpoint, cmocka_unit_test(test_every_kind_of_scene), cmocka_unit_test(test_from_the_start),
+          cmocka_unit_test(test_a_file), cmocka_unit_test(test_what_is_not_whole),
+          cmocka_unit_test(test_what_is_of_another), cmocka_unit_test(test_wrong_pieces),
+          cmocka_unit_test(test_back_over_a_command))

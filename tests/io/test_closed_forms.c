@@ -97,9 +97,5 @@ static void ends_touch(void **state)
     hawser_sim_free(sim);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(an_end_is_led), cmocka_unit_test(a_gap_is_taken_up),
-                                       cmocka_unit_test(ends_touch)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_closed_forms, cmocka_unit_test(an_end_is_led), cmocka_unit_test(a_gap_is_taken_up),
+          cmocka_unit_test(ends_touch))

@@ -404,13 +404,7 @@ static void test_script_errors(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_winch_speed), cmocka_unit_test(test_winch_pause),   cmocka_unit_test(test_friction),
-        cmocka_unit_test(test_jam),         cmocka_unit_test(test_force),         cmocka_unit_test(test_law),
-        cmocka_unit_test(test_tension),     cmocka_unit_test(test_conveyor),      cmocka_unit_test(test_reel),
-        cmocka_unit_test(test_script),      cmocka_unit_test(test_script_errors),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_control, cmocka_unit_test(test_winch_speed), cmocka_unit_test(test_winch_pause),
+          cmocka_unit_test(test_friction), cmocka_unit_test(test_jam), cmocka_unit_test(test_force),
+          cmocka_unit_test(test_law), cmocka_unit_test(test_tension), cmocka_unit_test(test_conveyor),
+          cmocka_unit_test(test_reel), cmocka_unit_test(test_script), cmocka_unit_test(test_script_errors))

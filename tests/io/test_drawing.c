@@ -315,18 +315,8 @@ static void crew_list(void **state)
     hawser_case_free(c);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(drawing_is_as_by_hand),
-        cmocka_unit_test(grades_and_large_coordinates),
-        cmocka_unit_test(other_equipment),
-        cmocka_unit_test(symbols_turn_axes),
-        cmocka_unit_test(wrong_drawings),
-        cmocka_unit_test(files_name_their_lines),
-        cmocka_unit_test(stations_are_the_files),
-        cmocka_unit_test(rule_holds_in_a_run),
-        cmocka_unit_test(crew_list),
-    };
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
-}
+TEST_FILE_IN(test_drawing, scratch_make, scratch_remove, cmocka_unit_test(drawing_is_as_by_hand),
+             cmocka_unit_test(grades_and_large_coordinates), cmocka_unit_test(other_equipment),
+             cmocka_unit_test(symbols_turn_axes), cmocka_unit_test(wrong_drawings),
+             cmocka_unit_test(files_name_their_lines), cmocka_unit_test(stations_are_the_files),
+             cmocka_unit_test(rule_holds_in_a_run), cmocka_unit_test(crew_list))

@@ -234,21 +234,10 @@ static void a_start_in_a_wall(void **state)
     check_at_most(run.pull_peak_error.mesh, 1.2 * (1111 - run.pull_peak_N));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(friction_not_there),
-                                       cmocka_unit_test(coarse_segments),
-                                       cmocka_unit_test(loose_steps),
-                                       cmocka_unit_test(what_a_signal_shows),
-                                       cmocka_unit_test(a_slow_winch),
-                                       cmocka_unit_test(a_drum_weighs_nothing),
-                                       cmocka_unit_test(loads_have_wider_bars),
-                                       cmocka_unit_test(pressure_is_the_meshs),
-                                       cmocka_unit_test(how_rough_a_peak_is),
-                                       cmocka_unit_test(a_peak_between_rows),
-                                       cmocka_unit_test(rows_in_step_with_joints),
-                                       cmocka_unit_test(a_step_alone_is_no_peak),
-                                       cmocka_unit_test(what_is_not_steady),
-                                       cmocka_unit_test(a_start_in_a_wall)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_error_bars, cmocka_unit_test(friction_not_there), cmocka_unit_test(coarse_segments),
+          cmocka_unit_test(loose_steps), cmocka_unit_test(what_a_signal_shows), cmocka_unit_test(a_slow_winch),
+          cmocka_unit_test(a_drum_weighs_nothing), cmocka_unit_test(loads_have_wider_bars),
+          cmocka_unit_test(pressure_is_the_meshs), cmocka_unit_test(how_rough_a_peak_is),
+          cmocka_unit_test(a_peak_between_rows), cmocka_unit_test(rows_in_step_with_joints),
+          cmocka_unit_test(a_step_alone_is_no_peak), cmocka_unit_test(what_is_not_steady),
+          cmocka_unit_test(a_start_in_a_wall))

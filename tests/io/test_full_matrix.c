@@ -73,11 +73,5 @@ static void a_checkpoint_holds_the_whole_system(void **state)
     hawser_case_free(c);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_whole_system_pulls_the_same),
-        cmocka_unit_test(a_checkpoint_holds_the_whole_system),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_full_matrix, cmocka_unit_test(the_whole_system_pulls_the_same),
+          cmocka_unit_test(a_checkpoint_holds_the_whole_system))

@@ -89,13 +89,5 @@ static void a_slow_winch(void **state)
     check_share(r.sum.pull_mean_N, 1000 + 0.2 * 20 * 9.81 * 20, 0.03);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_shared_pull),
-        cmocka_unit_test(belts_wait_for_the_cable),
-        cmocka_unit_test(a_deep_groove),
-        cmocka_unit_test(a_slow_winch),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_grips, cmocka_unit_test(a_shared_pull), cmocka_unit_test(belts_wait_for_the_cable),
+          cmocka_unit_test(a_deep_groove), cmocka_unit_test(a_slow_winch))

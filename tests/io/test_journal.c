@@ -1,4 +1,6 @@
 /* The journal of results.h5: what it says is done again, and where that cannot be it stays for the next time. */
+#include <errno.h>
+
 #include "tests/support/lack.h"
 
 #include <fcntl.h>
@@ -120,10 +122,6 @@ static void test_no_memory(void **state)
     assert_true(journal_is_there());
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_followed), cmocka_unit_test(test_cut_off),
-                                       cmocka_unit_test(test_unreadable), cmocka_unit_test(test_no_file),
-                                       cmocka_unit_test(test_no_memory)};
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
-}
+TEST_FILE_IN(test_journal, scratch_make, scratch_remove, cmocka_unit_test(test_followed),
+             cmocka_unit_test(test_cut_off), cmocka_unit_test(test_unreadable), cmocka_unit_test(test_no_file),
+             cmocka_unit_test(test_no_memory))

@@ -335,23 +335,10 @@ static void weights_of_pieces(void **state)
     hawser_sim_free(sim);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ratings_of_listed_rollers),
-        cmocka_unit_test(the_largest_back_tension),
-        cmocka_unit_test(the_least_back_tension),
-        cmocka_unit_test(the_speed_that_was),
-        cmocka_unit_test(the_clamp_that_was),
-        cmocka_unit_test(friction_at_the_speed_that_was),
-        cmocka_unit_test(friction_that_theory_does_not_take),
-        cmocka_unit_test(friction_that_is_given_in_part),
-        cmocka_unit_test(sidewall_pressure_from_rest),
-        cmocka_unit_test(bends_in_parts),
-        cmocka_unit_test(a_crest_between_rollers),
-        cmocka_unit_test(belts_ahead_hold_nothing),
-        cmocka_unit_test(joined_cables),
-        cmocka_unit_test(weights_of_pieces),
-    };
-    return cmocka_run_group_tests_name("judged", tests, NULL, NULL);
-}
+TEST_FILE(test_judged, cmocka_unit_test(ratings_of_listed_rollers), cmocka_unit_test(the_largest_back_tension),
+          cmocka_unit_test(the_least_back_tension), cmocka_unit_test(the_speed_that_was),
+          cmocka_unit_test(the_clamp_that_was), cmocka_unit_test(friction_at_the_speed_that_was),
+          cmocka_unit_test(friction_that_theory_does_not_take), cmocka_unit_test(friction_that_is_given_in_part),
+          cmocka_unit_test(sidewall_pressure_from_rest), cmocka_unit_test(bends_in_parts),
+          cmocka_unit_test(a_crest_between_rollers), cmocka_unit_test(belts_ahead_hold_nothing),
+          cmocka_unit_test(joined_cables), cmocka_unit_test(weights_of_pieces))

@@ -416,21 +416,9 @@ static void catalogue_is_listed(void **state)
     check_has(err.message, "near are 'hmpe-1");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_entry),
-        cmocka_unit_test(given_wins),
-        cmocka_unit_test(every_place),
-        cmocka_unit_test(unknown_types),
-        cmocka_unit_test(includes_are_read),
-        cmocka_unit_test(includes_are_refused),
-        cmocka_unit_test(texts_include_nothing),
-        cmocka_unit_test(environment_names_another),
-        cmocka_unit_test(stiffness_is_estimated),
-        cmocka_unit_test(assumptions_are_listed),
-        cmocka_unit_test(limits_from_cables),
-        cmocka_unit_test(catalogue_is_listed),
-    };
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
-}
+TEST_FILE_IN(test_library, scratch_make, scratch_remove, cmocka_unit_test(every_entry), cmocka_unit_test(given_wins),
+             cmocka_unit_test(every_place), cmocka_unit_test(unknown_types), cmocka_unit_test(includes_are_read),
+             cmocka_unit_test(includes_are_refused), cmocka_unit_test(texts_include_nothing),
+             cmocka_unit_test(environment_names_another), cmocka_unit_test(stiffness_is_estimated),
+             cmocka_unit_test(assumptions_are_listed), cmocka_unit_test(limits_from_cables),
+             cmocka_unit_test(catalogue_is_listed))

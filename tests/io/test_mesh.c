@@ -295,15 +295,9 @@ static void strain_within_a_segment(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(long_segments_jam),          cmocka_unit_test(errors_rise_with_length),
-        cmocka_unit_test(check_says_who_asks),        cmocka_unit_test(smooth_places_are_of_second_order),
-        cmocka_unit_test(strain_within_a_segment),    cmocka_unit_test(there_is_an_end_to_it),
-        cmocka_unit_test(a_short_bend_is_a_turn),     cmocka_unit_test(pairs_bend_stiff_cables),
-        cmocka_unit_test(askew_segments_are_pressed), cmocka_unit_test(askew_between_rollers),
-        cmocka_unit_test(neighbours_say_the_spacing), cmocka_unit_test(shares_of_a_larger_pull_are_less),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_mesh, cmocka_unit_test(long_segments_jam), cmocka_unit_test(errors_rise_with_length),
+          cmocka_unit_test(check_says_who_asks), cmocka_unit_test(smooth_places_are_of_second_order),
+          cmocka_unit_test(strain_within_a_segment), cmocka_unit_test(there_is_an_end_to_it),
+          cmocka_unit_test(a_short_bend_is_a_turn), cmocka_unit_test(pairs_bend_stiff_cables),
+          cmocka_unit_test(askew_segments_are_pressed), cmocka_unit_test(askew_between_rollers),
+          cmocka_unit_test(neighbours_say_the_spacing), cmocka_unit_test(shares_of_a_larger_pull_are_less))

@@ -211,11 +211,5 @@ static void json_errors(void **state)
     hawser_case_free(c);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers_that_are_none), cmocka_unit_test(wrong_order), cmocka_unit_test(errors_are_fields),
-        cmocka_unit_test(a_case_is_json),        cmocka_unit_test(json_errors),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_misuse, cmocka_unit_test(numbers_that_are_none), cmocka_unit_test(wrong_order),
+          cmocka_unit_test(errors_are_fields), cmocka_unit_test(a_case_is_json), cmocka_unit_test(json_errors))

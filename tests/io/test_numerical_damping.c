@@ -136,10 +136,5 @@ static void closed_form(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(nothing_damps_it), cmocka_unit_test(one_step_takes_less),
-                                       cmocka_unit_test(a_twist), cmocka_unit_test(the_remedy_helps),
-                                       cmocka_unit_test(closed_form)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_numerical_damping, cmocka_unit_test(nothing_damps_it), cmocka_unit_test(one_step_takes_less),
+          cmocka_unit_test(a_twist), cmocka_unit_test(the_remedy_helps), cmocka_unit_test(closed_form))

@@ -37,8 +37,4 @@ static void test_same(void **state)
     sim_free(by_code);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_same)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_paper_scene, cmocka_unit_test(test_same))

@@ -790,36 +790,16 @@ static void the_third_is_resumed(void **state)
     folder_remove(dir);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_replaces),
-        cmocka_unit_test(an_unsteady_window),
-        cmocka_unit_test(it_compares),
-        cmocka_unit_test(one_is_enough),
-        cmocka_unit_test(the_folder_is_the_seconds),
-        cmocka_unit_test(what_bars_do_not_see),
-        cmocka_unit_test(a_jolt_that_may_be_the_peak),
-        cmocka_unit_test(a_swing_that_steps_take),
-        cmocka_unit_test(blows_that_the_mesh_makes),
-        cmocka_unit_test(blows_after_the_start),
-        cmocka_unit_test(a_peak_of_half_an_order),
-        cmocka_unit_test(what_a_clamp_holds),
-        cmocka_unit_test(swings_fall_slowly),
-        cmocka_unit_test(stopped_in_the_second),
-        cmocka_unit_test(too_long_is_declined),
-        cmocka_unit_test(bars_by_two_passes),
-        cmocka_unit_test(a_bar_that_did_not_hold),
-        cmocka_unit_test(a_bar_that_does_not_fall),
-        cmocka_unit_test(passes_that_are_not_there_yet),
-        cmocka_unit_test(bars_by_three_passes),
-        cmocka_unit_test(a_third_settles_it),
-        cmocka_unit_test(a_third_is_compared),
-        cmocka_unit_test(without_a_third),
-        cmocka_unit_test(the_third_is_resumed),
-        cmocka_unit_test(the_second_is_resumed),
-        cmocka_unit_test(back_to_the_first),
-        cmocka_unit_test(close_to_a_limit),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_passes, cmocka_unit_test(it_replaces), cmocka_unit_test(an_unsteady_window),
+          cmocka_unit_test(it_compares), cmocka_unit_test(one_is_enough), cmocka_unit_test(the_folder_is_the_seconds),
+          cmocka_unit_test(what_bars_do_not_see), cmocka_unit_test(a_jolt_that_may_be_the_peak),
+          cmocka_unit_test(a_swing_that_steps_take), cmocka_unit_test(blows_that_the_mesh_makes),
+          cmocka_unit_test(blows_after_the_start), cmocka_unit_test(a_peak_of_half_an_order),
+          cmocka_unit_test(what_a_clamp_holds), cmocka_unit_test(swings_fall_slowly),
+          cmocka_unit_test(stopped_in_the_second), cmocka_unit_test(too_long_is_declined),
+          cmocka_unit_test(bars_by_two_passes), cmocka_unit_test(a_bar_that_did_not_hold),
+          cmocka_unit_test(a_bar_that_does_not_fall), cmocka_unit_test(passes_that_are_not_there_yet),
+          cmocka_unit_test(bars_by_three_passes), cmocka_unit_test(a_third_settles_it),
+          cmocka_unit_test(a_third_is_compared), cmocka_unit_test(without_a_third),
+          cmocka_unit_test(the_third_is_resumed), cmocka_unit_test(the_second_is_resumed),
+          cmocka_unit_test(back_to_the_first), cmocka_unit_test(close_to_a_limit))

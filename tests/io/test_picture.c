@@ -417,25 +417,11 @@ static void test_xdmf(void **state)
     free(text);
 }
 
-int main(void)
-{
-    const struct CMUnitTest reads[] = {
-        cmocka_unit_test(test_route),
-        cmocka_unit_test(test_rollers),
-        cmocka_unit_test(test_obstacle_and_conveyor),
-        cmocka_unit_test(test_surfaces),
-        cmocka_unit_test(test_triangles),
-        cmocka_unit_test(test_chords),
-        cmocka_unit_test(test_chain),
-        cmocka_unit_test(test_fields),
-        cmocka_unit_test(test_roller_forces),
-        cmocka_unit_test(test_envelopes),
-        cmocka_unit_test(test_xdmf),
-    };
-    const struct CMUnitTest runs[] = {
-        cmocka_unit_test_setup_teardown(test_plane, fixture_new, fixture_free),
-        cmocka_unit_test_setup_teardown(test_wound, fixture_new, fixture_free),
-        cmocka_unit_test_setup_teardown(test_stopped, fixture_new, fixture_free),
-    };
-    return cmocka_run_group_tests(reads, picture_new, fixture_free) + cmocka_run_group_tests(runs, NULL, NULL);
-}
+/* The first eleven read one picture; the others make runs of their own. */
+#define RUNS(name) cmocka_unit_test_setup_teardown(name, fixture_new, fixture_free)
+
+TEST_FILE_IN(test_picture, picture_new, fixture_free, cmocka_unit_test(test_route), cmocka_unit_test(test_rollers),
+             cmocka_unit_test(test_obstacle_and_conveyor), cmocka_unit_test(test_surfaces),
+             cmocka_unit_test(test_triangles), cmocka_unit_test(test_chords), cmocka_unit_test(test_chain),
+             cmocka_unit_test(test_fields), cmocka_unit_test(test_roller_forces), cmocka_unit_test(test_envelopes),
+             cmocka_unit_test(test_xdmf), RUNS(test_plane), RUNS(test_wound), RUNS(test_stopped))

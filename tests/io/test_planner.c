@@ -359,21 +359,8 @@ static void wrong_lists(void **state)
         expect_bad(data_text("planner"), cases[k].key, cases[k].value, cases[k].part);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_needed),
-        cmocka_unit_test(one_force_and_right_names),
-        cmocka_unit_test(friction_from_to),
-        cmocka_unit_test(a_straight_the_other_way_round),
-        cmocka_unit_test(put_back),
-        cmocka_unit_test(machines_put_back),
-        cmocka_unit_test(what_stays_broken),
-        cmocka_unit_test(by_sections),
-        cmocka_unit_test(down_a_shaft),
-        cmocka_unit_test(trip_setting),
-        cmocka_unit_test(notes),
-        cmocka_unit_test(wrong_lists),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_planner, cmocka_unit_test(what_is_needed), cmocka_unit_test(one_force_and_right_names),
+          cmocka_unit_test(friction_from_to), cmocka_unit_test(a_straight_the_other_way_round),
+          cmocka_unit_test(put_back), cmocka_unit_test(machines_put_back), cmocka_unit_test(what_stays_broken),
+          cmocka_unit_test(by_sections), cmocka_unit_test(down_a_shaft), cmocka_unit_test(trip_setting),
+          cmocka_unit_test(notes), cmocka_unit_test(wrong_lists))

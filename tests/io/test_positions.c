@@ -212,12 +212,6 @@ static void test_between_segments(void **state)
     hawser_sim_free(sim);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_straight), cmocka_unit_test(test_bend), cmocka_unit_test(test_between_segments),
-        cmocka_unit_test(test_run),      cmocka_unit_test(test_way),  cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_corners),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_positions, cmocka_unit_test(test_straight), cmocka_unit_test(test_bend),
+          cmocka_unit_test(test_between_segments), cmocka_unit_test(test_run), cmocka_unit_test(test_way),
+          cmocka_unit_test(test_refused), cmocka_unit_test(test_corners))

@@ -334,13 +334,7 @@ static void test_saved(void **state)
     hawser_sim_free(whole);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_same_pull), cmocka_unit_test(test_books),   cmocka_unit_test(test_peaks),
-        cmocka_unit_test(test_rows),      cmocka_unit_test(test_lost),    cmocka_unit_test(test_stop),
-        cmocka_unit_test(test_command),   cmocka_unit_test(test_refused), cmocka_unit_test(test_saved),
-        cmocka_unit_test(test_threads),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_quasi_static, cmocka_unit_test(test_same_pull), cmocka_unit_test(test_books),
+          cmocka_unit_test(test_peaks), cmocka_unit_test(test_rows), cmocka_unit_test(test_lost),
+          cmocka_unit_test(test_stop), cmocka_unit_test(test_command), cmocka_unit_test(test_refused),
+          cmocka_unit_test(test_saved), cmocka_unit_test(test_threads))

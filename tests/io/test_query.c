@@ -179,11 +179,5 @@ static void test_envelope(void **state)
     hawser_sim_free(s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rollers), cmocka_unit_test(test_surfaces), cmocka_unit_test(test_cable),
-        cmocka_unit_test(test_route),   cmocka_unit_test(test_around),   cmocka_unit_test(test_envelope),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_query, cmocka_unit_test(test_rollers), cmocka_unit_test(test_surfaces), cmocka_unit_test(test_cable),
+          cmocka_unit_test(test_route), cmocka_unit_test(test_around), cmocka_unit_test(test_envelope))

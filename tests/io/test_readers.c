@@ -250,10 +250,5 @@ static void test_read_while_written(void **state)
 
 #define CASE(name) cmocka_unit_test_setup_teardown(name, fixture_new, fixture_free)
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {CASE(test_held_back),  CASE(test_checkpoint_waits),
-                                       CASE(test_waits_once), CASE(test_readers_wait),
-                                       CASE(test_cut_off),    CASE(test_read_while_written)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_readers, CASE(test_held_back), CASE(test_checkpoint_waits), CASE(test_waits_once),
+          CASE(test_readers_wait), CASE(test_cut_off), CASE(test_read_while_written))

@@ -324,16 +324,10 @@ static void lines_break_and_thin(void **state)
     text_clear(&svg.out);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(json_keeps_words),        cmocka_unit_test(json_tames_any_bytes),
-        cmocka_unit_test(html_is_escaped_and_cut), cmocka_unit_test(whole_json_stays_the_same_value),
-        cmocka_unit_test(base64_is_the_standards), cmocka_unit_test(packing_goes_both_ways),
-        cmocka_unit_test(packing_wraps_around),    cmocka_unit_test(planes_are_as_documented),
-        cmocka_unit_test(tables_are_cut),          cmocka_unit_test(numbers_are_jsons),
-        cmocka_unit_test(tables_become_json),      cmocka_unit_test(thinning_keeps_extremes),
-        cmocka_unit_test(axes_are_round),          cmocka_unit_test(lines_break_and_thin),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_report, cmocka_unit_test(json_keeps_words), cmocka_unit_test(json_tames_any_bytes),
+          cmocka_unit_test(html_is_escaped_and_cut), cmocka_unit_test(whole_json_stays_the_same_value),
+          cmocka_unit_test(base64_is_the_standards), cmocka_unit_test(packing_goes_both_ways),
+          cmocka_unit_test(packing_wraps_around), cmocka_unit_test(planes_are_as_documented),
+          cmocka_unit_test(tables_are_cut), cmocka_unit_test(numbers_are_jsons), cmocka_unit_test(tables_become_json),
+          cmocka_unit_test(thinning_keeps_extremes), cmocka_unit_test(axes_are_round),
+          cmocka_unit_test(lines_break_and_thin))

@@ -338,20 +338,7 @@ static void figures_are_drawn(void **state)
 
 #define TEST(function) cmocka_unit_test_setup_teardown(function, scratch_make, scratch_remove)
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(figures_are_the_results),
-        TEST(inputs_are_listed),
-        TEST(hostile_titles_do_no_harm),
-        TEST(the_policy_is_strict),
-        TEST(a_run_that_was_stopped_has_a_page),
-        TEST(missing_files_are_notes),
-        TEST(results_h5_may_be_anything),
-        TEST(folders_without_results_are_errors),
-        TEST(runs_are_compared),
-        TEST(locales_change_nothing),
-        TEST(figures_are_drawn),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_report_page, TEST(figures_are_the_results), TEST(inputs_are_listed), TEST(hostile_titles_do_no_harm),
+          TEST(the_policy_is_strict), TEST(a_run_that_was_stopped_has_a_page), TEST(missing_files_are_notes),
+          TEST(results_h5_may_be_anything), TEST(folders_without_results_are_errors), TEST(runs_are_compared),
+          TEST(locales_change_nothing), TEST(figures_are_drawn))

@@ -1,16 +1,11 @@
 /* docs/results.md says the same as the tables that the writers go over: every column and set with its unit, every key
  * of summary.json, and in the tables of CSV columns nothing else. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "io/results/results_file.h"
 #include "sim/room.h"
+#include "tests/support/check.h"
 
 enum { PART_MAX = 1 << 16, NAME_ROOM = 200, ROW_ROOM = 4000 };
 
@@ -202,11 +197,5 @@ static void every_key(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_table),     cmocka_unit_test(series),    cmocka_unit_test(every_set),
-        cmocka_unit_test(every_fixed_set), cmocka_unit_test(every_key),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_results_docs, cmocka_unit_test(every_table), cmocka_unit_test(series), cmocka_unit_test(every_set),
+          cmocka_unit_test(every_fixed_set), cmocka_unit_test(every_key))

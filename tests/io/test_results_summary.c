@@ -240,13 +240,5 @@ static void test_moving_rollers(void **state)
     json_decref(o);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_moving_rollers),
-        cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_unknown_becomes_null),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_results_summary, cmocka_unit_test(test_moving_rollers), cmocka_unit_test(test_numbers),
+          cmocka_unit_test(test_texts), cmocka_unit_test(test_unknown_becomes_null))

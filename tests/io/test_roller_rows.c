@@ -235,13 +235,6 @@ static void guide_case(void **state)
     check_share(summary.reference_total_N, T2 + mu * w * out, 1e-5);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bends_and_straights),  cmocka_unit_test(guides_inside),
-        cmocka_unit_test(grooves_are_sat_in),   cmocka_unit_test(most_rollers),
-        cmocka_unit_test(friction_that_sticks), cmocka_unit_test(bad_rows),
-        cmocka_unit_test(v_groove_case),        cmocka_unit_test(guide_case),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_roller_rows, cmocka_unit_test(bends_and_straights), cmocka_unit_test(guides_inside),
+          cmocka_unit_test(grooves_are_sat_in), cmocka_unit_test(most_rollers), cmocka_unit_test(friction_that_sticks),
+          cmocka_unit_test(bad_rows), cmocka_unit_test(v_groove_case), cmocka_unit_test(guide_case))

@@ -111,13 +111,5 @@ static void mistakes(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_cable_in_pieces_is_one_cable),
-        cmocka_unit_test(a_rope_in_pieces_is_one_rope),
-        cmocka_unit_test(where_the_eye_is),
-        cmocka_unit_test(mistakes),
-    };
-    return cmocka_run_group_tests_name("rope", tests, NULL, NULL);
-}
+TEST_FILE(test_rope, cmocka_unit_test(a_cable_in_pieces_is_one_cable), cmocka_unit_test(a_rope_in_pieces_is_one_rope),
+          cmocka_unit_test(where_the_eye_is), cmocka_unit_test(mistakes))

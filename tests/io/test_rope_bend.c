@@ -177,12 +177,6 @@ static void one_above_the_other(void **state)
     check_share(bend_round("{bend: 50 deg, radius: 1 m, plane: left}", rollers, "{}"), 0.18 / 0.02, 1e-9);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_bends_the_rope),         cmocka_unit_test(what_does_not_bend_the_rope),
-        cmocka_unit_test(each_guide_by_its_own_angle), cmocka_unit_test(the_nearer_one_turns_it_more),
-        cmocka_unit_test(one_above_the_other),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_rope_bend, cmocka_unit_test(what_bends_the_rope), cmocka_unit_test(what_does_not_bend_the_rope),
+          cmocka_unit_test(each_guide_by_its_own_angle), cmocka_unit_test(the_nearer_one_turns_it_more),
+          cmocka_unit_test(one_above_the_other))

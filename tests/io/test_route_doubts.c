@@ -239,12 +239,7 @@ static void units_that_are_not_said(void **state)
     assert_null(strstr(said("plan.dxf", DXF(DXF_LINE(0, 0, 0, 50, 0, 0)), ""), "unit of length"));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(gaps_between_elements),  cmocka_unit_test(jumps_of_the_profile),
-        cmocka_unit_test(straights_beside_arcs),  cmocka_unit_test(radius_beside_curves),
-        cmocka_unit_test(lines_beside_the_route), cmocka_unit_test(units_that_are_not_said),
-        cmocka_unit_test(a_shaft_in_a_drawing),   cmocka_unit_test(heights_of_a_part)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_route_doubts, cmocka_unit_test(gaps_between_elements), cmocka_unit_test(jumps_of_the_profile),
+          cmocka_unit_test(straights_beside_arcs), cmocka_unit_test(radius_beside_curves),
+          cmocka_unit_test(lines_beside_the_route), cmocka_unit_test(units_that_are_not_said),
+          cmocka_unit_test(a_shaft_in_a_drawing), cmocka_unit_test(heights_of_a_part))

@@ -531,26 +531,11 @@ static void shared_files_are_pulled(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(formats_agree),
-        cmocka_unit_test(places_hang_together),
-        cmocka_unit_test(parts_are_cut_and_turned),
-        cmocka_unit_test(examples_are_pulled),
-        cmocka_unit_test(bends_are_listed),
-        cmocka_unit_test(cases_have_bounds),
-        cmocka_unit_test(a_table_is_enough),
-        cmocka_unit_test(a_drawing_in_a_case),
-        cmocka_unit_test(large_coordinates),
-        cmocka_unit_test(wrong_cases),
-        cmocka_unit_test(what_is_not_in_the_route),
-        cmocka_unit_test(corners_of_straights),
-        cmocka_unit_test(both_lines_are_named),
-        cmocka_unit_test(many_lines_in_little_memory),
-        cmocka_unit_test(shared_figures),
-        cmocka_unit_test(shared_tables_agree),
-        cmocka_unit_test(shared_files_are_pulled),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_route_files, cmocka_unit_test(formats_agree), cmocka_unit_test(places_hang_together),
+          cmocka_unit_test(parts_are_cut_and_turned), cmocka_unit_test(examples_are_pulled),
+          cmocka_unit_test(bends_are_listed), cmocka_unit_test(cases_have_bounds), cmocka_unit_test(a_table_is_enough),
+          cmocka_unit_test(a_drawing_in_a_case), cmocka_unit_test(large_coordinates), cmocka_unit_test(wrong_cases),
+          cmocka_unit_test(what_is_not_in_the_route), cmocka_unit_test(corners_of_straights),
+          cmocka_unit_test(both_lines_are_named), cmocka_unit_test(many_lines_in_little_memory),
+          cmocka_unit_test(shared_figures), cmocka_unit_test(shared_tables_agree),
+          cmocka_unit_test(shared_files_are_pulled))

@@ -70,13 +70,5 @@ static void coordinates_come_down(void **state)
     expect_bad(data_text("full-route-points"), "route.radius", "40 m", "too near for a radius");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(runs_round_a_helix),
-        cmocka_unit_test(runs_along_a_clothoid),
-        cmocka_unit_test(bends_keep_their_grade),
-        cmocka_unit_test(coordinates_come_down),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_route_runs, cmocka_unit_test(runs_round_a_helix), cmocka_unit_test(runs_along_a_clothoid),
+          cmocka_unit_test(bends_keep_their_grade), cmocka_unit_test(coordinates_come_down))

@@ -72,9 +72,4 @@ static void a_fit_as_a_case(void **state)
     alignment_clear(&out);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(within_a_tenth_of_a_millimetre),
-                                       cmocka_unit_test(a_fit_as_a_case)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_route_write, cmocka_unit_test(within_a_tenth_of_a_millimetre), cmocka_unit_test(a_fit_as_a_case))

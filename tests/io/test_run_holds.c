@@ -475,25 +475,11 @@ static void a_slope_behind_a_belt(void **state)
     free(text);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pushed_for_a_while),
-        cmocka_unit_test(pushed_while_friction_fails),
-        cmocka_unit_test(pushed_by_inches),
-        cmocka_unit_test(pushed_beside_an_open_belt),
-        cmocka_unit_test(at_rest_on_a_slope),
-        cmocka_unit_test(pushed_by_what_is_there),
-        cmocka_unit_test(as_far_as_the_front_came),
-        cmocka_unit_test(as_far_back_as_the_tail_is),
-        cmocka_unit_test(a_cable_that_passes_by),
-        cmocka_unit_test(rope_that_hangs_down_in_a_run),
-        cmocka_unit_test(a_bend_between_joints),
-        cmocka_unit_test(belts_from_where_they_stand),
-        cmocka_unit_test(a_belt_that_is_reached_late),
-        cmocka_unit_test(a_belt_that_holds_back),
-        cmocka_unit_test(belts_among_themselves),
-        cmocka_unit_test(a_slope_behind_a_belt),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_run_holds, cmocka_unit_test(pushed_for_a_while), cmocka_unit_test(pushed_while_friction_fails),
+          cmocka_unit_test(pushed_by_inches), cmocka_unit_test(pushed_beside_an_open_belt),
+          cmocka_unit_test(at_rest_on_a_slope), cmocka_unit_test(pushed_by_what_is_there),
+          cmocka_unit_test(as_far_as_the_front_came), cmocka_unit_test(as_far_back_as_the_tail_is),
+          cmocka_unit_test(a_cable_that_passes_by), cmocka_unit_test(rope_that_hangs_down_in_a_run),
+          cmocka_unit_test(a_bend_between_joints), cmocka_unit_test(belts_from_where_they_stand),
+          cmocka_unit_test(a_belt_that_is_reached_late), cmocka_unit_test(a_belt_that_holds_back),
+          cmocka_unit_test(belts_among_themselves), cmocka_unit_test(a_slope_behind_a_belt))

@@ -112,13 +112,5 @@ static void where_legs_cross(void **state)
     check_share(pull[1], pull[0], 1e-4);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_half_turn),
-        cmocka_unit_test(all_of_it_has_turned),
-        cmocka_unit_test(the_tail_in_the_bend),
-        cmocka_unit_test(where_legs_cross),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_run_turns_back, cmocka_unit_test(a_half_turn), cmocka_unit_test(all_of_it_has_turned),
+          cmocka_unit_test(the_tail_in_the_bend), cmocka_unit_test(where_legs_cross))

@@ -234,15 +234,6 @@ static void tables_fit_a_page(void **state)
     check_above(pieces, 2);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pairs_are_those_of_cases),
-        cmocka_unit_test(quantities),
-        cmocka_unit_test(units_by_keys),
-        cmocka_unit_test(sentences),
-        cmocka_unit_test(documents),
-        cmocka_unit_test(tables_fit_a_page),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_shown, cmocka_unit_test(pairs_are_those_of_cases), cmocka_unit_test(quantities),
+          cmocka_unit_test(units_by_keys), cmocka_unit_test(sentences), cmocka_unit_test(documents),
+          cmocka_unit_test(tables_fit_a_page))

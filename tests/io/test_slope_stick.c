@@ -178,12 +178,6 @@ static void test_breaks_away_with_mu_s(void **state)
     check_between(peak, 0.285 * weight, 0.315 * weight);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_held_for_an_hour),         cmocka_unit_test(test_held_in_a_trough),
-        cmocka_unit_test(test_slides_where_it_is_steep), cmocka_unit_test(test_pulls_like_adams),
-        cmocka_unit_test(test_starts_like_adams),        cmocka_unit_test(test_breaks_away_with_mu_s),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_slope_stick, cmocka_unit_test(test_held_for_an_hour), cmocka_unit_test(test_held_in_a_trough),
+          cmocka_unit_test(test_slides_where_it_is_steep), cmocka_unit_test(test_pulls_like_adams),
+          cmocka_unit_test(test_starts_like_adams), cmocka_unit_test(test_breaks_away_with_mu_s))

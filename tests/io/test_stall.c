@@ -112,14 +112,6 @@ static void of_several_chains(void **state)
     hawser_sim_free(s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_longest_step_that_is_allowed),
-        cmocka_unit_test(accuracy),
-        cmocka_unit_test(few_steps_are_no_window),
-        cmocka_unit_test(a_failure_says_what_held_up_before_it),
-        cmocka_unit_test(of_several_chains),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_stall, cmocka_unit_test(the_longest_step_that_is_allowed), cmocka_unit_test(accuracy),
+          cmocka_unit_test(few_steps_are_no_window), cmocka_unit_test(a_failure_says_what_held_up_before_it),
+          cmocka_unit_test(of_several_chains))

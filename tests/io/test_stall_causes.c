@@ -87,8 +87,4 @@ static void fastest(void **state)
     hawser_sim_free(s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(each_cause), cmocka_unit_test(fastest)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_stall_causes, cmocka_unit_test(each_cause), cmocka_unit_test(fastest))

@@ -106,13 +106,7 @@ static void test_modes_too_close(void **state)
     hawser_sim_free(sim);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_falls_on_rollers), cmocka_unit_test(test_joint_turned),
-        cmocka_unit_test(test_head_turned),      cmocka_unit_test(test_short_stiff_rod),
-        cmocka_unit_test(test_wrapped_smooth),   cmocka_unit_test(test_led_too_far),
-        cmocka_unit_test(test_modes_too_close),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_stress, cmocka_unit_test(test_falls_on_rollers), cmocka_unit_test(test_joint_turned),
+          cmocka_unit_test(test_head_turned), cmocka_unit_test(test_short_stiff_rod),
+          cmocka_unit_test(test_wrapped_smooth), cmocka_unit_test(test_led_too_far),
+          cmocka_unit_test(test_modes_too_close))

@@ -267,13 +267,7 @@ static void the_rope_behind_a_hill(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rollers_and_guides),      cmocka_unit_test(on_straights),
-        cmocka_unit_test(flanks_trays_and_floors), cmocka_unit_test(gates_in_one_place),
-        cmocka_unit_test(the_rope_ahead),          cmocka_unit_test(the_rope_behind_a_hill),
-        cmocka_unit_test(flanks_from_rest),        cmocka_unit_test(names_with_letters),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_theory_aside, cmocka_unit_test(rollers_and_guides), cmocka_unit_test(on_straights),
+          cmocka_unit_test(flanks_trays_and_floors), cmocka_unit_test(gates_in_one_place),
+          cmocka_unit_test(the_rope_ahead), cmocka_unit_test(the_rope_behind_a_hill),
+          cmocka_unit_test(flanks_from_rest), cmocka_unit_test(names_with_letters))

@@ -533,29 +533,13 @@ static void rollers_that_share_nothing(void **state)
     json_decref(all);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_a_winch_bears),
-        cmocka_unit_test(friction_of_rollers),
-        cmocka_unit_test(chains_are_a_bundle),
-        cmocka_unit_test(rope_from_rest),
-        cmocka_unit_test(machines_push),
-        cmocka_unit_test(listed_rollers_beside_a_row),
-        cmocka_unit_test(bearings_hold),
-        cmocka_unit_test(no_fluid_in_theory),
-        cmocka_unit_test(a_pit_ends_a_push),
-        cmocka_unit_test(the_eye_where_it_is),
-        cmocka_unit_test(rollers_beside_a_bend),
-        cmocka_unit_test(friction_that_fails),
-        cmocka_unit_test(rope_that_hangs_down),
-        cmocka_unit_test(belts_beside_a_winch_that_stops),
-        cmocka_unit_test(what_the_crew_does),
-        cmocka_unit_test(a_winch_that_is_pushed),
-        cmocka_unit_test(belts_nearly_as_fast),
-        cmocka_unit_test(friction_of_one_duct),
-        cmocka_unit_test(a_brake_that_goes_with_the_speed),
-        cmocka_unit_test(rollers_that_share_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_theory_holds, cmocka_unit_test(what_a_winch_bears), cmocka_unit_test(friction_of_rollers),
+          cmocka_unit_test(chains_are_a_bundle), cmocka_unit_test(rope_from_rest), cmocka_unit_test(machines_push),
+          cmocka_unit_test(listed_rollers_beside_a_row), cmocka_unit_test(bearings_hold),
+          cmocka_unit_test(no_fluid_in_theory), cmocka_unit_test(a_pit_ends_a_push),
+          cmocka_unit_test(the_eye_where_it_is), cmocka_unit_test(rollers_beside_a_bend),
+          cmocka_unit_test(friction_that_fails), cmocka_unit_test(rope_that_hangs_down),
+          cmocka_unit_test(belts_beside_a_winch_that_stops), cmocka_unit_test(what_the_crew_does),
+          cmocka_unit_test(a_winch_that_is_pushed), cmocka_unit_test(belts_nearly_as_fast),
+          cmocka_unit_test(friction_of_one_duct), cmocka_unit_test(a_brake_that_goes_with_the_speed),
+          cmocka_unit_test(rollers_that_share_nothing))

@@ -148,11 +148,5 @@ static void the_rope_in_a_shaft(void **state)
     json_decref(all);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(by_the_tension), cmocka_unit_test(as_a_wider_bend),     cmocka_unit_test(what_holds_it_down),
-        cmocka_unit_test(the_rope_ahead), cmocka_unit_test(the_rope_in_a_shaft),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_theory_lifted, cmocka_unit_test(by_the_tension), cmocka_unit_test(as_a_wider_bend),
+          cmocka_unit_test(what_holds_it_down), cmocka_unit_test(the_rope_ahead), cmocka_unit_test(the_rope_in_a_shaft))

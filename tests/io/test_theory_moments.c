@@ -256,14 +256,8 @@ static void carriers_beside_guides(void **state)
     check_between(load[1], 0.5 * (2e3 + 0.2 * W * 100) / 5, 0.6 * (2e3 + 0.2 * W * 110) * exp(0.2 * M_PI / 2) / 5);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_back_tension_that_comes_late), cmocka_unit_test(a_late_back_tension_behind_belts),
-        cmocka_unit_test(a_set_tension_that_is_let_down), cmocka_unit_test(a_slope_behind_a_belt),
-        cmocka_unit_test(the_last_roller_of_a_row),       cmocka_unit_test(a_winch_that_is_pushed_at_times),
-        cmocka_unit_test(a_roller_behind_a_duct),         cmocka_unit_test(a_gap_among_what_carries),
-        cmocka_unit_test(carriers_beside_guides),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_theory_moments, cmocka_unit_test(a_back_tension_that_comes_late),
+          cmocka_unit_test(a_late_back_tension_behind_belts), cmocka_unit_test(a_set_tension_that_is_let_down),
+          cmocka_unit_test(a_slope_behind_a_belt), cmocka_unit_test(the_last_roller_of_a_row),
+          cmocka_unit_test(a_winch_that_is_pushed_at_times), cmocka_unit_test(a_roller_behind_a_duct),
+          cmocka_unit_test(a_gap_among_what_carries), cmocka_unit_test(carriers_beside_guides))

@@ -229,19 +229,8 @@ static void remedies_do(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sections_end_before_their_pit),
-        cmocka_unit_test(nearly_equal_cables),
-        cmocka_unit_test(no_clearance_in_a_cradle),
-        cmocka_unit_test(limits_that_break_farther_on),
-        cmocka_unit_test(more_friction_holds),
-        cmocka_unit_test(machines_push),
-        cmocka_unit_test(longer_beyond_a_bend),
-        cmocka_unit_test(the_cables_friction),
-        cmocka_unit_test(remedies_do),
-        cmocka_unit_test(machines_beside_bends),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_theory_planned, cmocka_unit_test(sections_end_before_their_pit), cmocka_unit_test(nearly_equal_cables),
+          cmocka_unit_test(no_clearance_in_a_cradle), cmocka_unit_test(limits_that_break_farther_on),
+          cmocka_unit_test(more_friction_holds), cmocka_unit_test(machines_push),
+          cmocka_unit_test(longer_beyond_a_bend), cmocka_unit_test(the_cables_friction), cmocka_unit_test(remedies_do),
+          cmocka_unit_test(machines_beside_bends))

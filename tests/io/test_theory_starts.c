@@ -199,13 +199,8 @@ static void friction_by_the_script(void **state)
     verdict_is(behind, less, "SAFE");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_drum_at_its_smallest), cmocka_unit_test(a_cable_that_leaves_the_drum),
-        cmocka_unit_test(a_brake_by_the_script),    cmocka_unit_test(cable_behind_with_friction),
-        cmocka_unit_test(cable_behind_with_weight), cmocka_unit_test(a_run_with_weight_behind),
-        cmocka_unit_test(a_light_cable_holds_less), cmocka_unit_test(friction_by_the_script),
-    };
-    return cmocka_run_group_tests_name("theory_starts", tests, NULL, NULL);
-}
+TEST_FILE(test_theory_starts, cmocka_unit_test(the_drum_at_its_smallest),
+          cmocka_unit_test(a_cable_that_leaves_the_drum), cmocka_unit_test(a_brake_by_the_script),
+          cmocka_unit_test(cable_behind_with_friction), cmocka_unit_test(cable_behind_with_weight),
+          cmocka_unit_test(a_run_with_weight_behind), cmocka_unit_test(a_light_cable_holds_less),
+          cmocka_unit_test(friction_by_the_script))

@@ -190,15 +190,6 @@ static void where_it_would_break_a_limit(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(by_the_formula),
-        cmocka_unit_test(where_both_sides_hold),
-        cmocka_unit_test(a_loop_for_each_bend),
-        cmocka_unit_test(with_the_bends_ahead),
-        cmocka_unit_test(where_it_would_break_a_limit),
-        cmocka_unit_test(as_runs_have_it),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_theory_stiff, cmocka_unit_test(by_the_formula), cmocka_unit_test(where_both_sides_hold),
+          cmocka_unit_test(a_loop_for_each_bend), cmocka_unit_test(with_the_bends_ahead),
+          cmocka_unit_test(where_it_would_break_a_limit), cmocka_unit_test(as_runs_have_it))

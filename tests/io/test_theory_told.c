@@ -147,12 +147,6 @@ static void unlike_pieces_in_a_valley(void **state)
     check_above(force[0], 1.02 * force[2]);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tension_beyond_what_is_needed), cmocka_unit_test(a_faster_winch),
-        cmocka_unit_test(jams_friction_and_motors),      cmocka_unit_test(a_belt_that_runs_with_the_winch),
-        cmocka_unit_test(unlike_pieces_on_a_slope),      cmocka_unit_test(unlike_pieces_in_a_valley),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_theory_told, cmocka_unit_test(tension_beyond_what_is_needed), cmocka_unit_test(a_faster_winch),
+          cmocka_unit_test(jams_friction_and_motors), cmocka_unit_test(a_belt_that_runs_with_the_winch),
+          cmocka_unit_test(unlike_pieces_on_a_slope), cmocka_unit_test(unlike_pieces_in_a_valley))

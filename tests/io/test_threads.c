@@ -95,8 +95,4 @@ static void side_by_side(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(side_by_side)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_threads, cmocka_unit_test(side_by_side))

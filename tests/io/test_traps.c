@@ -68,11 +68,5 @@ static void it_crawls(void **state)
     expect_trap(&(Trap){"trap-crawls", "equilibrium, start_jolt", 704.2, 10000});
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_jolts),      cmocka_unit_test(it_snaps_taut), cmocka_unit_test(it_leaves_its_rollers),
-        cmocka_unit_test(it_snaps_back), cmocka_unit_test(it_crawls),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_traps, cmocka_unit_test(it_jolts), cmocka_unit_test(it_snaps_taut),
+          cmocka_unit_test(it_leaves_its_rollers), cmocka_unit_test(it_snaps_back), cmocka_unit_test(it_crawls))

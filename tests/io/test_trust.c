@@ -417,21 +417,13 @@ static void it_slides_to_the_edge(void **state)
     hawser_sim_free(j.sim);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_good_run),          cmocka_unit_test(nothing_holds_it),
-        cmocka_unit_test(not_to_the_end),      cmocka_unit_test(slower_than_friction),
-        cmocka_unit_test(energy_lost),         cmocka_unit_test(several_cables),
-        cmocka_unit_test(coarse_in_a_duct),    cmocka_unit_test(a_shaft_without_a_brake),
-        cmocka_unit_test(three_cables_jam),    cmocka_unit_test(still_in_the_ramp),
-        cmocka_unit_test(a_jolt_at_the_start), cmocka_unit_test(a_spike_between_rows),
-        cmocka_unit_test(an_old_matrix),       cmocka_unit_test(a_winch_that_is_pushed),
-        cmocka_unit_test(a_winch_that_stands), cmocka_unit_test(nothing_is_drawn),
-        cmocka_unit_test(joints_in_step),      cmocka_unit_test(it_begins_anywhere),
-        cmocka_unit_test(it_falls_and_hits),   cmocka_unit_test(it_cuts_corners),
-        cmocka_unit_test(a_slack_rope),        cmocka_unit_test(it_creeps_aside),
-        cmocka_unit_test(it_breaks_loose),     cmocka_unit_test(it_slides_to_the_edge),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_trust, cmocka_unit_test(a_good_run), cmocka_unit_test(nothing_holds_it),
+          cmocka_unit_test(not_to_the_end), cmocka_unit_test(slower_than_friction), cmocka_unit_test(energy_lost),
+          cmocka_unit_test(several_cables), cmocka_unit_test(coarse_in_a_duct),
+          cmocka_unit_test(a_shaft_without_a_brake), cmocka_unit_test(three_cables_jam),
+          cmocka_unit_test(still_in_the_ramp), cmocka_unit_test(a_jolt_at_the_start),
+          cmocka_unit_test(a_spike_between_rows), cmocka_unit_test(an_old_matrix),
+          cmocka_unit_test(a_winch_that_is_pushed), cmocka_unit_test(a_winch_that_stands),
+          cmocka_unit_test(nothing_is_drawn), cmocka_unit_test(joints_in_step), cmocka_unit_test(it_begins_anywhere),
+          cmocka_unit_test(it_falls_and_hits), cmocka_unit_test(it_cuts_corners), cmocka_unit_test(a_slack_rope),
+          cmocka_unit_test(it_creeps_aside), cmocka_unit_test(it_breaks_loose), cmocka_unit_test(it_slides_to_the_edge))

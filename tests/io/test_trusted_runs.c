@@ -242,16 +242,7 @@ static void an_eye_on_short_segments(void **state)
     check_share(peak[3], peak[1], 1e-6);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(positions_of_a_fastened_end),
-        cmocka_unit_test(motion_to_a_fastened_end),
-        cmocka_unit_test(what_else_fades),
-        cmocka_unit_test(drawn_by_belts),
-        cmocka_unit_test(a_belt_as_fast_as_the_winch),
-        cmocka_unit_test(a_load_that_comes_late),
-        cmocka_unit_test(an_eye_on_short_segments),
-    };
-    return cmocka_run_group_tests_name("trusted runs", tests, NULL, NULL);
-}
+TEST_FILE(test_trusted_runs, cmocka_unit_test(positions_of_a_fastened_end), cmocka_unit_test(motion_to_a_fastened_end),
+          cmocka_unit_test(what_else_fades), cmocka_unit_test(drawn_by_belts),
+          cmocka_unit_test(a_belt_as_fast_as_the_winch), cmocka_unit_test(a_load_that_comes_late),
+          cmocka_unit_test(an_eye_on_short_segments))

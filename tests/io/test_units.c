@@ -291,24 +291,11 @@ static void sets_are_independent(void **state)
     assert_null(units_free(NULL));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(units_of_each_kind),
-        cmocka_unit_test(units_of_other_practices),
-        cmocka_unit_test(wire_gauges),
-        cmocka_unit_test(thousands_and_millions),
-        cmocka_unit_test(units_that_people_type),
-        cmocka_unit_test(pounds_in_place_of_pounds_of_force),
-        cmocka_unit_test(bare_angles_are_questioned),
-        cmocka_unit_test(bare_numbers_are_si),
-        cmocka_unit_test(what_is_not_a_number),
-        cmocka_unit_test(trailing_garbage),
-        cmocka_unit_test(units_of_the_wrong_kind),
-        cmocka_unit_test(examples_are_of_their_kind),
-        cmocka_unit_test(stiffness),
-        cmocka_unit_test(locales_do_not_matter),
-        cmocka_unit_test(sets_are_independent),
-    };
-    return cmocka_run_group_tests(tests, units_setup, units_teardown);
-}
+TEST_FILE_IN(test_units, units_setup, units_teardown, cmocka_unit_test(units_of_each_kind),
+             cmocka_unit_test(units_of_other_practices), cmocka_unit_test(wire_gauges),
+             cmocka_unit_test(thousands_and_millions), cmocka_unit_test(units_that_people_type),
+             cmocka_unit_test(pounds_in_place_of_pounds_of_force), cmocka_unit_test(bare_angles_are_questioned),
+             cmocka_unit_test(bare_numbers_are_si), cmocka_unit_test(what_is_not_a_number),
+             cmocka_unit_test(trailing_garbage), cmocka_unit_test(units_of_the_wrong_kind),
+             cmocka_unit_test(examples_are_of_their_kind), cmocka_unit_test(stiffness),
+             cmocka_unit_test(locales_do_not_matter), cmocka_unit_test(sets_are_independent))

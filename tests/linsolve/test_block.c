@@ -397,13 +397,7 @@ static void streams(void **state)
     team = team_free(team);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(instruction_sets), cmocka_unit_test(threads),       cmocka_unit_test(pivoting),
-        cmocka_unit_test(growth),           cmocka_unit_test(cable_is_easy), cmocka_unit_test(fallback_singular_block),
-        cmocka_unit_test(unused_blocks),    cmocka_unit_test(rounded),       cmocka_unit_test(not_rounded),
-        cmocka_unit_test(streams),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_block, cmocka_unit_test(instruction_sets), cmocka_unit_test(threads), cmocka_unit_test(pivoting),
+          cmocka_unit_test(growth), cmocka_unit_test(cable_is_easy), cmocka_unit_test(fallback_singular_block),
+          cmocka_unit_test(unused_blocks), cmocka_unit_test(rounded), cmocka_unit_test(not_rounded),
+          cmocka_unit_test(streams))

@@ -120,12 +120,5 @@ static void hard_blocks(void **state)
     beside_free(&b);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(chains_beside),
-        cmocka_unit_test(pattern_follows),
-        cmocka_unit_test(hard_blocks),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_block_sparse, cmocka_unit_test(chains_beside), cmocka_unit_test(pattern_follows),
+          cmocka_unit_test(hard_blocks))

@@ -286,12 +286,6 @@ static void statistics(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_shapes),    cmocka_unit_test(overlapping_blocks), cmocka_unit_test(choice),
-        cmocka_unit_test(fallback_leaf), cmocka_unit_test(fallback_inner),     cmocka_unit_test(singular_border),
-        cmocka_unit_test(leaves_move),   cmocka_unit_test(statistics),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_bordered, cmocka_unit_test(all_shapes), cmocka_unit_test(overlapping_blocks), cmocka_unit_test(choice),
+          cmocka_unit_test(fallback_leaf), cmocka_unit_test(fallback_inner), cmocka_unit_test(singular_border),
+          cmocka_unit_test(leaves_move), cmocka_unit_test(statistics))

@@ -400,13 +400,7 @@ static void names(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(well_conditioned),  cmocka_unit_test(random_blocks), cmocka_unit_test(ill_conditioned),
-        cmocka_unit_test(mixed_units),       cmocka_unit_test(cable),         cmocka_unit_test(singular),
-        cmocka_unit_test(nearly_singular),   cmocka_unit_test(repeatable),    cmocka_unit_test(many_right_hand_sides),
-        cmocka_unit_test(changing_patterns), cmocka_unit_test(names),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_conformance, cmocka_unit_test(well_conditioned), cmocka_unit_test(random_blocks),
+          cmocka_unit_test(ill_conditioned), cmocka_unit_test(mixed_units), cmocka_unit_test(cable),
+          cmocka_unit_test(singular), cmocka_unit_test(nearly_singular), cmocka_unit_test(repeatable),
+          cmocka_unit_test(many_right_hand_sides), cmocka_unit_test(changing_patterns), cmocka_unit_test(names))

@@ -273,14 +273,6 @@ static void counts_of_two_threads(void **state)
     block_chain_free(&a);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(growth_in_every_place),
-                                       cmocka_unit_test(growth_in_one_place),
-                                       cmocka_unit_test(lapack),
-                                       cmocka_unit_test(klu_pivots),
-                                       cmocka_unit_test(beside),
-                                       cmocka_unit_test(rings),
-                                       cmocka_unit_test(counts_of_two_threads)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_figures, cmocka_unit_test(growth_in_every_place), cmocka_unit_test(growth_in_one_place),
+          cmocka_unit_test(lapack), cmocka_unit_test(klu_pivots), cmocka_unit_test(beside), cmocka_unit_test(rings),
+          cmocka_unit_test(counts_of_two_threads))

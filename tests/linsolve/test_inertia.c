@@ -81,11 +81,5 @@ static void free_directions_do_not_count(void **state)
     block_chain_free(&a);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(signs_are_those_of_the_eigenvalues),
-        cmocka_unit_test(free_directions_do_not_count),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_inertia, cmocka_unit_test(signs_are_those_of_the_eigenvalues),
+          cmocka_unit_test(free_directions_do_not_count))

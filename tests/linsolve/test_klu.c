@@ -234,11 +234,5 @@ static void not_finite_anywhere(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(assembly),        cmocka_unit_test(metis_order), cmocka_unit_test(least_fill),
-        cmocka_unit_test(fallback_growth), cmocka_unit_test(undecided),   cmocka_unit_test(not_finite_anywhere),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_klu, cmocka_unit_test(assembly), cmocka_unit_test(metis_order), cmocka_unit_test(least_fill),
+          cmocka_unit_test(fallback_growth), cmocka_unit_test(undecided), cmocka_unit_test(not_finite_anywhere))

@@ -1,5 +1,7 @@
 /* Every allocation of a linear solver fails once: it is said, nothing else is harmed, and the next try gives the same
  * bits as if nothing had been. */
+#include <stdlib.h>
+
 #include "tests/support/lack.h"
 
 #include "linsolve/linsolve.h"
@@ -150,9 +152,5 @@ static void eigenvalues(void **state)
     check_above(lacked, 1); /* its own, and LAPACK's */
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(chains), cmocka_unit_test(surrounded), cmocka_unit_test(beside),
-                                       cmocka_unit_test(eigenvalues)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_lack, cmocka_unit_test(chains), cmocka_unit_test(surrounded), cmocka_unit_test(beside),
+          cmocka_unit_test(eigenvalues))

@@ -62,9 +62,5 @@ static void singular_by_its_own_size(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(residuals), cmocka_unit_test(refused),
-                                       cmocka_unit_test(singular_by_its_own_size)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_small_lu, cmocka_unit_test(residuals), cmocka_unit_test(refused),
+          cmocka_unit_test(singular_by_its_own_size))

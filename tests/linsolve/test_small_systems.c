@@ -289,11 +289,7 @@ static void order_forgets(void **state)
     block_pattern_free(&kept);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(first_leaf),        cmocka_unit_test(row_without_pivot), cmocka_unit_test(row_of_zeros),
-        cmocka_unit_test(order_of_a_square), cmocka_unit_test(klu_entries),       cmocka_unit_test(hub_goes_last),
-        cmocka_unit_test(says_why),          cmocka_unit_test(as_if_it_were_new), cmocka_unit_test(order_forgets)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_small_systems, cmocka_unit_test(first_leaf), cmocka_unit_test(row_without_pivot),
+          cmocka_unit_test(row_of_zeros), cmocka_unit_test(order_of_a_square), cmocka_unit_test(klu_entries),
+          cmocka_unit_test(hub_goes_last), cmocka_unit_test(says_why), cmocka_unit_test(as_if_it_were_new),
+          cmocka_unit_test(order_forgets))

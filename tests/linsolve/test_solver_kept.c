@@ -282,10 +282,5 @@ static void impossible(void **state)
     block_chain_free(&zero);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(chains), cmocka_unit_test(leaves),
-                                       cmocka_unit_test(chains_beside), cmocka_unit_test(helped),
-                                       cmocka_unit_test(impossible)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_solver_kept, cmocka_unit_test(chains), cmocka_unit_test(leaves), cmocka_unit_test(chains_beside),
+          cmocka_unit_test(helped), cmocka_unit_test(impossible))

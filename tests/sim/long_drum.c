@@ -11,8 +11,4 @@ static void test_two_layers(void **state)
     check_between(found, least, most);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_two_layers)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(long_drum, cmocka_unit_test(test_two_layers))

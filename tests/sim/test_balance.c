@@ -180,11 +180,6 @@ static void test_rollers_method_loss(void **state)
     check_close(loss.moving, (m * v[1] * v[1] + turning * w[1] * w[1] + inertia * 36) / 2, 1e-12);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_convergence), cmocka_unit_test(test_planar), cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_level_row),   cmocka_unit_test(test_fall),   cmocka_unit_test(test_rollers_method_loss),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_balance, cmocka_unit_test(test_convergence), cmocka_unit_test(test_planar),
+          cmocka_unit_test(test_threads), cmocka_unit_test(test_level_row), cmocka_unit_test(test_fall),
+          cmocka_unit_test(test_rollers_method_loss))

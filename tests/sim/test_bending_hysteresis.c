@@ -289,14 +289,6 @@ static void test_threads(void **state)
     sim_free(sim[1]);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_hysteretic_bending_loop_area),
-        cmocka_unit_test(test_free_chain),
-        cmocka_unit_test(test_relaxed_start),
-        cmocka_unit_test(test_stiffness_of_joints),
-        cmocka_unit_test(test_threads),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_bending_hysteresis, cmocka_unit_test(test_hysteretic_bending_loop_area),
+          cmocka_unit_test(test_free_chain), cmocka_unit_test(test_relaxed_start),
+          cmocka_unit_test(test_stiffness_of_joints), cmocka_unit_test(test_threads))

@@ -96,9 +96,4 @@ static void test_lack(void **state)
     assert_int_equal(failed, 5);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sums), cmocka_unit_test(test_steps),
-                                       cmocka_unit_test(test_lack)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_borne, cmocka_unit_test(test_sums), cmocka_unit_test(test_steps), cmocka_unit_test(test_lack))

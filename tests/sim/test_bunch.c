@@ -330,11 +330,5 @@ static void test_apart(void **state)
     threefold_free(&t);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_twins), cmocka_unit_test(test_momentum), cmocka_unit_test(test_link_power),
-        cmocka_unit_test(test_heads), cmocka_unit_test(test_apart),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_bunch, cmocka_unit_test(test_twins), cmocka_unit_test(test_momentum), cmocka_unit_test(test_link_power),
+          cmocka_unit_test(test_heads), cmocka_unit_test(test_apart))

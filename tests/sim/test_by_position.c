@@ -135,12 +135,5 @@ static void test_run(void **state)
     sim_free(s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_theory), cmocka_unit_test(test_leaves_the_drum),
-        cmocka_unit_test(test_means),  cmocka_unit_test(test_none),
-        cmocka_unit_test(test_run),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_by_position, cmocka_unit_test(test_theory), cmocka_unit_test(test_leaves_the_drum),
+          cmocka_unit_test(test_means), cmocka_unit_test(test_none), cmocka_unit_test(test_run))

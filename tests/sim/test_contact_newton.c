@@ -168,13 +168,5 @@ static void test_given_up(void **state)
     assert_true(status > 0); /* a smaller step may do */
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_contact_closes),
-        cmocka_unit_test(test_damped),
-        cmocka_unit_test(test_old_matrix),
-        cmocka_unit_test(test_given_up),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_contact_newton, cmocka_unit_test(test_contact_closes), cmocka_unit_test(test_damped),
+          cmocka_unit_test(test_old_matrix), cmocka_unit_test(test_given_up))

@@ -294,12 +294,6 @@ static void test_lean(void **state)
     rig_free(&r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_share), cmocka_unit_test(test_grip_is_whole), cmocka_unit_test(test_range),
-        cmocka_unit_test(test_stale), cmocka_unit_test(test_blocks),        cmocka_unit_test(test_power),
-        cmocka_unit_test(test_lean),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_conveyor, cmocka_unit_test(test_share), cmocka_unit_test(test_grip_is_whole),
+          cmocka_unit_test(test_range), cmocka_unit_test(test_stale), cmocka_unit_test(test_blocks),
+          cmocka_unit_test(test_power), cmocka_unit_test(test_lean))

@@ -127,12 +127,5 @@ static void test_beside_time(void **state)
     scene_clear(&scene);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_own_mode),
-        cmocka_unit_test(test_at_frequency),
-        cmocka_unit_test(test_beside_time),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_damping_ratio, cmocka_unit_test(test_own_mode), cmocka_unit_test(test_at_frequency),
+          cmocka_unit_test(test_beside_time))

@@ -145,13 +145,5 @@ static void test_payout(void **state)
     check_share(found, expected, 0.01);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lay),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_newton),
-        cmocka_unit_test(test_payout),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_drum, cmocka_unit_test(test_lay), cmocka_unit_test(test_refused), cmocka_unit_test(test_newton),
+          cmocka_unit_test(test_payout))

@@ -269,16 +269,6 @@ static void test_pure(void **state)
     rig_free(r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_blocks_symmetric),
-        cmocka_unit_test(test_blocks_adams),
-        cmocka_unit_test(test_lead_in),
-        cmocka_unit_test(test_lead_in_of_a_turn),
-        cmocka_unit_test(test_pure),
-        cmocka_unit_test(test_tail_in_a_bend),
-        cmocka_unit_test(test_tail_place),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_dynamics, cmocka_unit_test(test_blocks_symmetric), cmocka_unit_test(test_blocks_adams),
+          cmocka_unit_test(test_lead_in), cmocka_unit_test(test_lead_in_of_a_turn), cmocka_unit_test(test_pure),
+          cmocka_unit_test(test_tail_in_a_bend), cmocka_unit_test(test_tail_place))

@@ -249,12 +249,6 @@ static void test_choice(void **state)
     assert_int_equal(chosen(1e-3, 2, METHOD_ESDIRK), METHOD_ESDIRK);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_order_conditions), cmocka_unit_test(test_stability), cmocka_unit_test(test_amplification),
-        cmocka_unit_test(test_orders),           cmocka_unit_test(test_stiff),     cmocka_unit_test(test_chain_order),
-        cmocka_unit_test(test_choice),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_esdirk, cmocka_unit_test(test_order_conditions), cmocka_unit_test(test_stability),
+          cmocka_unit_test(test_amplification), cmocka_unit_test(test_orders), cmocka_unit_test(test_stiff),
+          cmocka_unit_test(test_chain_order), cmocka_unit_test(test_choice))

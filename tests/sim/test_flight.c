@@ -208,12 +208,6 @@ static void gyration_slows_torsion(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(blocks_against_differences),  cmocka_unit_test(drag_is_that_of_its_law),
-        cmocka_unit_test(launches_keep_joints_closed), cmocka_unit_test(relaxation_does_not_take_it),
-        cmocka_unit_test(gyration_slows_torsion),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_flight, cmocka_unit_test(blocks_against_differences), cmocka_unit_test(drag_is_that_of_its_law),
+          cmocka_unit_test(launches_keep_joints_closed), cmocka_unit_test(relaxation_does_not_take_it),
+          cmocka_unit_test(gyration_slows_torsion))

@@ -152,12 +152,5 @@ static void a_force_takes_the_place_of_another(void **state)
     scene_end(&scene, &ws);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(forces_against_differences),
-        cmocka_unit_test(law_against_differences),
-        cmocka_unit_test(a_force_takes_the_place_of_another),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_forces, cmocka_unit_test(forces_against_differences), cmocka_unit_test(law_against_differences),
+          cmocka_unit_test(a_force_takes_the_place_of_another))

@@ -255,13 +255,7 @@ static void test_newton_share(void **state)
     check_below(iterations(1e-6), 1.15);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_drift_order_2),   cmocka_unit_test(test_drift_order_5),
-        cmocka_unit_test(test_free_flight),     cmocka_unit_test(test_unit_quaternions),
-        cmocka_unit_test(test_failure_is_told), cmocka_unit_test(test_stall_is_told),
-        cmocka_unit_test(test_max_steps),       cmocka_unit_test(test_newton_share),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_integrator, cmocka_unit_test(test_drift_order_2), cmocka_unit_test(test_drift_order_5),
+          cmocka_unit_test(test_free_flight), cmocka_unit_test(test_unit_quaternions),
+          cmocka_unit_test(test_failure_is_told), cmocka_unit_test(test_stall_is_told),
+          cmocka_unit_test(test_max_steps), cmocka_unit_test(test_newton_share))

@@ -317,14 +317,6 @@ static void test_refused(void **state)
     scene_def_clear(&def);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_row),     cmocka_unit_test(test_friction),
-        cmocka_unit_test(test_front),   cmocka_unit_test(test_waits_for_the_ramp),
-        cmocka_unit_test(test_belt),    cmocka_unit_test(test_spinning),
-        cmocka_unit_test(test_joins),   cmocka_unit_test(test_repeats),
-        cmocka_unit_test(test_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_jam, cmocka_unit_test(test_row), cmocka_unit_test(test_friction), cmocka_unit_test(test_front),
+          cmocka_unit_test(test_waits_for_the_ramp), cmocka_unit_test(test_belt), cmocka_unit_test(test_spinning),
+          cmocka_unit_test(test_joins), cmocka_unit_test(test_repeats), cmocka_unit_test(test_refused))

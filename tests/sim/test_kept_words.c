@@ -153,8 +153,4 @@ static void test_words(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_going_on), cmocka_unit_test(test_words)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_kept_words, cmocka_unit_test(test_going_on), cmocka_unit_test(test_words))

@@ -118,12 +118,5 @@ static void test_history_of_unlike_halves(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_one_cable),
-        cmocka_unit_test(test_ends),
-        cmocka_unit_test(test_history_of_unlike_halves),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_loading_curve, cmocka_unit_test(test_one_cable), cmocka_unit_test(test_ends),
+          cmocka_unit_test(test_history_of_unlike_halves))

@@ -144,9 +144,5 @@ static void test_checkpoint(void **state)
     text_pool_free(&texts);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_steps), cmocka_unit_test(test_threads),
-                                       cmocka_unit_test(test_checkpoint)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_long_chain, cmocka_unit_test(test_steps), cmocka_unit_test(test_threads),
+          cmocka_unit_test(test_checkpoint))

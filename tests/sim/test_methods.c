@@ -147,11 +147,4 @@ static void test_in_the_plane(void **state)
     expect_agreement(1);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_in_space),
-        cmocka_unit_test(test_in_the_plane),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_methods, cmocka_unit_test(test_in_space), cmocka_unit_test(test_in_the_plane))

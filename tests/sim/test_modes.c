@@ -243,17 +243,7 @@ static void columns_lose_stability(void **state)
     check_above(flutter.frequency_Hz, 10);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(beams_bend),
-        cmocka_unit_test(frequencies_are_of_second_order),
-        cmocka_unit_test(tip_masses_are_of_second_order),
-        cmocka_unit_test(a_free_rod_has_six_rigid_motions),
-        cmocka_unit_test(bars_ring_as_chains_do),
-        cmocka_unit_test(a_string_swings_as_its_segments_do),
-        cmocka_unit_test(shapes_swing_at_their_frequency),
-        cmocka_unit_test(columns_lose_stability),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_modes, cmocka_unit_test(beams_bend), cmocka_unit_test(frequencies_are_of_second_order),
+          cmocka_unit_test(tip_masses_are_of_second_order), cmocka_unit_test(a_free_rod_has_six_rigid_motions),
+          cmocka_unit_test(bars_ring_as_chains_do), cmocka_unit_test(a_string_swings_as_its_segments_do),
+          cmocka_unit_test(shapes_swing_at_their_frequency), cmocka_unit_test(columns_lose_stability))

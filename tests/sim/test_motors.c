@@ -188,10 +188,5 @@ static void test_reaction(void **state)
     rig_free(r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_law), cmocka_unit_test(test_ways),
-                                       cmocka_unit_test(test_theory), cmocka_unit_test(test_free_run),
-                                       cmocka_unit_test(test_reaction)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_motors, cmocka_unit_test(test_law), cmocka_unit_test(test_ways), cmocka_unit_test(test_theory),
+          cmocka_unit_test(test_free_run), cmocka_unit_test(test_reaction))

@@ -368,18 +368,7 @@ static void test_bearing(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bearing),
-        cmocka_unit_test(test_slows_down),
-        cmocka_unit_test(test_cable_drives_roller),
-        cmocka_unit_test(test_deflection),
-        cmocka_unit_test(test_frequencies),
-        cmocka_unit_test(test_gyroscope),
-        cmocka_unit_test(test_at_rest_as_fixed),
-        cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_objectivity),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_moving_rollers, cmocka_unit_test(test_bearing), cmocka_unit_test(test_slows_down),
+          cmocka_unit_test(test_cable_drives_roller), cmocka_unit_test(test_deflection),
+          cmocka_unit_test(test_frequencies), cmocka_unit_test(test_gyroscope), cmocka_unit_test(test_at_rest_as_fixed),
+          cmocka_unit_test(test_threads), cmocka_unit_test(test_objectivity))

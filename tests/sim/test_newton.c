@@ -213,11 +213,5 @@ static void test_rows(void **state)
     team_free(team);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_solve),      cmocka_unit_test(test_rows),          cmocka_unit_test(test_spin),
-        cmocka_unit_test(test_form_again), cmocka_unit_test(test_solvers_agree), cmocka_unit_test(test_not_finite),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_newton, cmocka_unit_test(test_solve), cmocka_unit_test(test_rows), cmocka_unit_test(test_spin),
+          cmocka_unit_test(test_form_again), cmocka_unit_test(test_solvers_agree), cmocka_unit_test(test_not_finite))

@@ -128,13 +128,5 @@ static void test_refused(void **state)
     self_rig_free(&r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_solve),
-        cmocka_unit_test(test_klu_is_dense),
-        cmocka_unit_test(test_pattern_follows),
-        cmocka_unit_test(test_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_newton_extra, cmocka_unit_test(test_solve), cmocka_unit_test(test_klu_is_dense),
+          cmocka_unit_test(test_pattern_follows), cmocka_unit_test(test_refused))

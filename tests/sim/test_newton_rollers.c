@@ -297,10 +297,5 @@ static void test_refused(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_leaves), cmocka_unit_test(test_jammed),
-                                       cmocka_unit_test(test_border), cmocka_unit_test(test_solvers_agree),
-                                       cmocka_unit_test(test_refused)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_newton_rollers, cmocka_unit_test(test_leaves), cmocka_unit_test(test_jammed),
+          cmocka_unit_test(test_border), cmocka_unit_test(test_solvers_agree), cmocka_unit_test(test_refused))

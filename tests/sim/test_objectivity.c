@@ -112,8 +112,4 @@ static void test_rates_turn_with_the_world(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_rates_turn_with_the_world)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_objectivity, cmocka_unit_test(test_rates_turn_with_the_world))

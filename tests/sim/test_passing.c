@@ -130,12 +130,5 @@ static void rods_do_not_run_through_planes(void **state)
     sim_free(from_the_first);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rollers_have_sides),
-        cmocka_unit_test(floors_have_a_free_side),
-        cmocka_unit_test(rods_do_not_run_through_planes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_passing, cmocka_unit_test(rollers_have_sides), cmocka_unit_test(floors_have_a_free_side),
+          cmocka_unit_test(rods_do_not_run_through_planes))

@@ -287,9 +287,5 @@ static void test_lack(void **state)
     every_allocation(define_sticky, cable, 1);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kinds), cmocka_unit_test(test_triangles),
-                                       cmocka_unit_test(test_others), cmocka_unit_test(test_lack)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_pictures, cmocka_unit_test(test_kinds), cmocka_unit_test(test_triangles), cmocka_unit_test(test_others),
+          cmocka_unit_test(test_lack))

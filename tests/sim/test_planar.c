@@ -465,13 +465,7 @@ static void test_near(void **state)
     rig_free(r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rates),          cmocka_unit_test(test_turned_back), cmocka_unit_test(test_blocks),
-        cmocka_unit_test(test_differences),    cmocka_unit_test(test_newton),      cmocka_unit_test(test_look),
-        cmocka_unit_test(test_tail_in_a_bend), cmocka_unit_test(test_norm),        cmocka_unit_test(test_not_finite),
-        cmocka_unit_test(test_near),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_planar, cmocka_unit_test(test_rates), cmocka_unit_test(test_turned_back), cmocka_unit_test(test_blocks),
+          cmocka_unit_test(test_differences), cmocka_unit_test(test_newton), cmocka_unit_test(test_look),
+          cmocka_unit_test(test_tail_in_a_bend), cmocka_unit_test(test_norm), cmocka_unit_test(test_not_finite),
+          cmocka_unit_test(test_near))

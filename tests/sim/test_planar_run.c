@@ -306,16 +306,6 @@ static void test_rows_come_and_go(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_agreement),
-        cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_reach),
-        cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_conservation),
-        cmocka_unit_test(test_long_chain_threads),
-        cmocka_unit_test(test_rows_come_and_go),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_planar_run, cmocka_unit_test(test_agreement), cmocka_unit_test(test_threads),
+          cmocka_unit_test(test_reach), cmocka_unit_test(test_rows), cmocka_unit_test(test_conservation),
+          cmocka_unit_test(test_long_chain_threads), cmocka_unit_test(test_rows_come_and_go))

@@ -189,11 +189,5 @@ static void test_press(void **state)
     scene_clear(&scene);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_vertical), cmocka_unit_test(test_inclined), cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_choice),   cmocka_unit_test(test_press),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_plane, cmocka_unit_test(test_vertical), cmocka_unit_test(test_inclined), cmocka_unit_test(test_refusals),
+          cmocka_unit_test(test_choice), cmocka_unit_test(test_press))

@@ -76,7 +76,7 @@ static hawser_status varied(const Scene *scene, double *sum, hawser_error *err)
 {
     static const double at[] = {3, 12};
     Calculator base, c = {.cables = 0};
-    const long left = lack_left;
+    const long left = lack_left();
     lack_after(-1);
     if (calculator_build(scene, &(Expected){.largest_start = 500}, 0, &base, err)) fail_msg("%s", err->message);
     lack_after(left);
@@ -127,7 +127,7 @@ static void test_calculators(void **state)
 /* A column that is pressed beyond its Euler load, pinned at its tail and led at its head. */
 static hawser_status pressed(StabilityChoice choice, LinKind kind, double *sum, hawser_error *err)
 {
-    const long left = lack_left;
+    const long left = lack_left();
     lack_after(-1);
     RodFixture f = {.n = 8, .length = 1, .steps = 2, .ea = 1e7, .ga = 1e7, .gj = 100, .ei_y = 100, .ei_z = 120};
     rod_hold(&f.rod.end[ROD_TAIL], 1);
@@ -173,8 +173,4 @@ static void test_critical(void **state)
     every_allocation(reported, NULL, 30);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_calculators), cmocka_unit_test(test_critical)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_reckoning_lack, cmocka_unit_test(test_calculators), cmocka_unit_test(test_critical))

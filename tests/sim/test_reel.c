@@ -177,13 +177,5 @@ static void test_momentum(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_resistance_slopes),
-        cmocka_unit_test(test_blocks),
-        cmocka_unit_test(test_laws),
-        cmocka_unit_test(test_momentum),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_reel, cmocka_unit_test(test_resistance_slopes), cmocka_unit_test(test_blocks),
+          cmocka_unit_test(test_laws), cmocka_unit_test(test_momentum))

@@ -369,14 +369,8 @@ static void test_no_handle(void **state)
     assert_null(sim_free(NULL));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_positions_of_what),   cmocka_unit_test(test_motion_auto),
-        cmocka_unit_test(test_positions_where),     cmocka_unit_test(test_derivatives_of_what),
-        cmocka_unit_test(test_derivatives_by_what), cmocka_unit_test(test_matrices_that_fail),
-        cmocka_unit_test(test_first_window),        cmocka_unit_test(test_trip_without_measure),
-        cmocka_unit_test(test_plane_by_all_means),  cmocka_unit_test(test_no_handle),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_refusals, cmocka_unit_test(test_positions_of_what), cmocka_unit_test(test_motion_auto),
+          cmocka_unit_test(test_positions_where), cmocka_unit_test(test_derivatives_of_what),
+          cmocka_unit_test(test_derivatives_by_what), cmocka_unit_test(test_matrices_that_fail),
+          cmocka_unit_test(test_first_window), cmocka_unit_test(test_trip_without_measure),
+          cmocka_unit_test(test_plane_by_all_means), cmocka_unit_test(test_no_handle))

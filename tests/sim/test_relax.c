@@ -276,19 +276,7 @@ static void test_stride(void **state)
     rig_free(r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reached),
-        cmocka_unit_test(test_total_balance),
-        cmocka_unit_test(test_light_rope),
-        cmocka_unit_test(test_start_is_still),
-        cmocka_unit_test(test_too_few_iterations),
-        cmocka_unit_test(test_free_fall),
-        cmocka_unit_test(test_scale),
-        cmocka_unit_test(test_preload),
-        cmocka_unit_test(test_stopped),
-        cmocka_unit_test(test_stride),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_relax, cmocka_unit_test(test_reached), cmocka_unit_test(test_total_balance),
+          cmocka_unit_test(test_light_rope), cmocka_unit_test(test_start_is_still),
+          cmocka_unit_test(test_too_few_iterations), cmocka_unit_test(test_free_fall), cmocka_unit_test(test_scale),
+          cmocka_unit_test(test_preload), cmocka_unit_test(test_stopped), cmocka_unit_test(test_stride))

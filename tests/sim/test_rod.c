@@ -315,18 +315,8 @@ static void a_led_rod_follows(void **state)
     sim_free(sim);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(load_blocks_against_differences),
-        cmocka_unit_test(ghosts_move_as_they_say),
-        cmocka_unit_test(shapes_are_free_of_stress),
-        cmocka_unit_test(arcs_lie_on_their_circle),
-        cmocka_unit_test(helices_climb_by_their_pitch),
-        cmocka_unit_test(masses_keep_their_place),
-        cmocka_unit_test(scenes_may_be_turned),
-        cmocka_unit_test(two_threads_give_the_same_bits),
-        cmocka_unit_test(a_led_rod_follows),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_rod, cmocka_unit_test(load_blocks_against_differences), cmocka_unit_test(ghosts_move_as_they_say),
+          cmocka_unit_test(shapes_are_free_of_stress), cmocka_unit_test(arcs_lie_on_their_circle),
+          cmocka_unit_test(helices_climb_by_their_pitch), cmocka_unit_test(masses_keep_their_place),
+          cmocka_unit_test(scenes_may_be_turned), cmocka_unit_test(two_threads_give_the_same_bits),
+          cmocka_unit_test(a_led_rod_follows))

@@ -256,20 +256,9 @@ static void a_loose_rod_is_reported(void **state)
     stage_free(&stage);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(linear_cantilever_is_exact_in_n),
-        cmocka_unit_test(sections_have_two_stiffnesses),
-        cmocka_unit_test(twisted_section),
-        cmocka_unit_test(roll_up_closes),
-        cmocka_unit_test(elastica_within_two_per_mille),
-        cmocka_unit_test(elastica_is_of_second_order),
-        cmocka_unit_test(forty_five_degree_bend),
-        cmocka_unit_test(catenary),
-        cmocka_unit_test(reactions_balance_the_loads),
-        cmocka_unit_test(a_led_end_bends_the_rod),
-        cmocka_unit_test(a_loose_rod_is_reported),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_rod_statics, cmocka_unit_test(linear_cantilever_is_exact_in_n),
+          cmocka_unit_test(sections_have_two_stiffnesses), cmocka_unit_test(twisted_section),
+          cmocka_unit_test(roll_up_closes), cmocka_unit_test(elastica_within_two_per_mille),
+          cmocka_unit_test(elastica_is_of_second_order), cmocka_unit_test(forty_five_degree_bend),
+          cmocka_unit_test(catenary), cmocka_unit_test(reactions_balance_the_loads),
+          cmocka_unit_test(a_led_end_bends_the_rod), cmocka_unit_test(a_loose_rod_is_reported))

@@ -136,11 +136,6 @@ static void test_weights(void **state)
     scene_clear(&scene);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_not_diluted), cmocka_unit_test(test_uniform),       cmocka_unit_test(test_by_definition),
-        cmocka_unit_test(test_not_finite),  cmocka_unit_test(test_worst_segment), cmocka_unit_test(test_weights),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_scales, cmocka_unit_test(test_not_diluted), cmocka_unit_test(test_uniform),
+          cmocka_unit_test(test_by_definition), cmocka_unit_test(test_not_finite), cmocka_unit_test(test_worst_segment),
+          cmocka_unit_test(test_weights))

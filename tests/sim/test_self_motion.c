@@ -165,13 +165,5 @@ static void test_threads(void **state)
     team_free(team);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_equilibrium),
-        cmocka_unit_test(test_falls_and_rests),
-        cmocka_unit_test(test_flight),
-        cmocka_unit_test(test_threads),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_self_motion, cmocka_unit_test(test_equilibrium), cmocka_unit_test(test_falls_and_rests),
+          cmocka_unit_test(test_flight), cmocka_unit_test(test_threads))

@@ -231,12 +231,6 @@ static void test_roller_table(void **state)
     sim_free(s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pull),         cmocka_unit_test(test_elsewhere),    cmocka_unit_test(test_repeated),
-        cmocka_unit_test(test_side_by_side), cmocka_unit_test(test_one_step),     cmocka_unit_test(test_sample_is_pure),
-        cmocka_unit_test(test_summary),      cmocka_unit_test(test_roller_table),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_sim, cmocka_unit_test(test_pull), cmocka_unit_test(test_elsewhere), cmocka_unit_test(test_repeated),
+          cmocka_unit_test(test_side_by_side), cmocka_unit_test(test_one_step), cmocka_unit_test(test_sample_is_pure),
+          cmocka_unit_test(test_summary), cmocka_unit_test(test_roller_table))

@@ -1,10 +1,8 @@
 /* A simulation of every kind of scene, with each allocation failing once: while it is built, while it is relaxed and
  * makes its first steps, and while it is read from a checkpoint. A lack of memory is told as that and as nothing else,
  * and what is left can be freed. */
-#define _GNU_SOURCE /* RTLD_NEXT */
 #include "tests/support/lack.h"
 
-#include <dlfcn.h>
 #include <string.h>
 #include <sundials/sundials_context.h>
 
@@ -13,17 +11,6 @@
 
 enum { MOST = 4000 };
 static const double MOMENT = 0.002; /* s that are simulated */
-
-/* It does not look whether its logger has got memory: that is not what is tried here. */
-int SUNContext_Create(void *communicator, SUNContext *context)
-{
-    int (*const create)(void *, SUNContext *) = (int (*)(void *, SUNContext *))dlsym(RTLD_NEXT, "SUNContext_Create");
-    const long left = lack_left;
-    lack_after(-1);
-    const int status = create(communicator, context);
-    lack_after(left);
-    return status;
-}
 
 /* --------------------------------------------------------------------------------------------------------- trials */
 
@@ -38,7 +25,7 @@ static hawser_status built(int scene, long k, Sim **s, hawser_error *err)
     lack_after(k);
     const hawser_status status = sim_new(&def, 1, s, err);
     if (status) assert_null(*s);
-    const long left = lack_left; /* of the copy of the definition nothing is left */
+    const long left = lack_left(); /* of the copy of the definition nothing is left */
     lack_after(-1);
     scene_def_clear(&def);
     lack_after(left);
@@ -227,9 +214,5 @@ static void test_reading(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_building), cmocka_unit_test(test_moving),
-                                       cmocka_unit_test(test_reading), cmocka_unit_test(test_windows)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_sim_lack, cmocka_unit_test(test_building), cmocka_unit_test(test_moving), cmocka_unit_test(test_reading),
+          cmocka_unit_test(test_windows))

@@ -1,5 +1,7 @@
 /* The derivatives of a run and of a steady position, with each allocation failing once: a lack of memory is told as
  * that, a matrix that cannot be solved as that, and with memory the same comes out as ever. */
+#include <stdlib.h>
+
 #include "tests/support/lack.h"
 
 #include <math.h>
@@ -143,9 +145,5 @@ static void test_no_state(void **state)
     trio_free(&x);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_run), cmocka_unit_test(test_position),
-                                       cmocka_unit_test(test_no_state)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_slopes_lack, cmocka_unit_test(test_run), cmocka_unit_test(test_position),
+          cmocka_unit_test(test_no_state))

@@ -217,17 +217,8 @@ static void blocks_of_a_slide(void **state)
     stage_free(&stage);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(euler_loads_are_of_second_order),
-        cmocka_unit_test(columns_bend_into_the_elastica),
-        cmocka_unit_test(stiff_columns_converge),
-        cmocka_unit_test(followers_flutter),
-        cmocka_unit_test(arches_snap_through),
-        cmocka_unit_test(turns_are_counted),
-        cmocka_unit_test(a_joint_takes_no_half_turn),
-        cmocka_unit_test(blocks_of_a_slide),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_stability, cmocka_unit_test(euler_loads_are_of_second_order),
+          cmocka_unit_test(columns_bend_into_the_elastica), cmocka_unit_test(stiff_columns_converge),
+          cmocka_unit_test(followers_flutter), cmocka_unit_test(arches_snap_through),
+          cmocka_unit_test(turns_are_counted), cmocka_unit_test(a_joint_takes_no_half_turn),
+          cmocka_unit_test(blocks_of_a_slide))

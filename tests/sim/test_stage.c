@@ -423,12 +423,6 @@ static void test_absent(void **state)
     sim_free(s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_events),   cmocka_unit_test(test_history), cmocka_unit_test(test_on_off),
-        cmocka_unit_test(test_repeated), cmocka_unit_test(test_memory),  cmocka_unit_test(test_end),
-        cmocka_unit_test(test_absent),   cmocka_unit_test(test_slips),   cmocka_unit_test(test_tension),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_stage, cmocka_unit_test(test_events), cmocka_unit_test(test_history), cmocka_unit_test(test_on_off),
+          cmocka_unit_test(test_repeated), cmocka_unit_test(test_memory), cmocka_unit_test(test_end),
+          cmocka_unit_test(test_absent), cmocka_unit_test(test_slips), cmocka_unit_test(test_tension))

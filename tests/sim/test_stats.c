@@ -169,11 +169,5 @@ static void test_before_the_window(void **state)
     rig_free(r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_means),   cmocka_unit_test(test_stations), cmocka_unit_test(test_settling),
-        cmocka_unit_test(test_stopped), cmocka_unit_test(test_errors),   cmocka_unit_test(test_before_the_window),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_stats, cmocka_unit_test(test_means), cmocka_unit_test(test_stations), cmocka_unit_test(test_settling),
+          cmocka_unit_test(test_stopped), cmocka_unit_test(test_errors), cmocka_unit_test(test_before_the_window))

@@ -95,13 +95,5 @@ static void jolts(void **state)
     check_close(s.later, 4, 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_pull_that_rises),
-        cmocka_unit_test(a_pull_that_is_meant_to_rise),
-        cmocka_unit_test(spikes),
-        cmocka_unit_test(jolts),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_steady, cmocka_unit_test(a_pull_that_rises), cmocka_unit_test(a_pull_that_is_meant_to_rise),
+          cmocka_unit_test(spikes), cmocka_unit_test(jolts))

@@ -98,8 +98,4 @@ static void test_twin(void **state)
     rig_free(r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_field), cmocka_unit_test(test_twin)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_steady_motion, cmocka_unit_test(test_field), cmocka_unit_test(test_twin))

@@ -103,11 +103,5 @@ static void test_turned(void **state)
     rig_free(r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_way),   cmocka_unit_test(test_way_of_surfaces), cmocka_unit_test(test_longest),
-        cmocka_unit_test(test_speed), cmocka_unit_test(test_turned),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_stride, cmocka_unit_test(test_way), cmocka_unit_test(test_way_of_surfaces),
+          cmocka_unit_test(test_longest), cmocka_unit_test(test_speed), cmocka_unit_test(test_turned))

@@ -75,13 +75,5 @@ static void what_a_rise_was(void **state)
     check_close(s.risen_at, 0.6, 1e-12);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_swing_bounds_steps),
-        cmocka_unit_test(ramps_and_ripples_bound_nothing),
-        cmocka_unit_test(a_bound_has_an_end),
-        cmocka_unit_test(what_a_rise_was),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_swings, cmocka_unit_test(a_swing_bounds_steps), cmocka_unit_test(ramps_and_ripples_bound_nothing),
+          cmocka_unit_test(a_bound_has_an_end), cmocka_unit_test(what_a_rise_was))

@@ -165,13 +165,5 @@ static void test_stock(void **state)
     vectors_free(&s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_take),
-        cmocka_unit_test(test_stock),
-        cmocka_unit_test(test_bits),
-        cmocka_unit_test(test_waits),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_vector_queue, cmocka_unit_test(test_take), cmocka_unit_test(test_stock), cmocka_unit_test(test_bits),
+          cmocka_unit_test(test_waits))

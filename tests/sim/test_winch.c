@@ -328,17 +328,6 @@ static void test_on_the_line(void **state)
     head_free(&h);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_profile),
-        cmocka_unit_test(test_trip_and_restart),
-        cmocka_unit_test(test_trip_on_the_ramp),
-        cmocka_unit_test(test_trip_for_good),
-        cmocka_unit_test(test_hold),
-        cmocka_unit_test(test_tension_law),
-        cmocka_unit_test(test_blocks),
-        cmocka_unit_test(test_on_the_line),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_winch, cmocka_unit_test(test_profile), cmocka_unit_test(test_trip_and_restart),
+          cmocka_unit_test(test_trip_on_the_ramp), cmocka_unit_test(test_trip_for_good), cmocka_unit_test(test_hold),
+          cmocka_unit_test(test_tension_law), cmocka_unit_test(test_blocks), cmocka_unit_test(test_on_the_line))

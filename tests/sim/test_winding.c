@@ -65,13 +65,5 @@ static void test_integrals(void **state)
     check_close(winding_inertia(&DRUM, 0), 40, 1e-12);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_capacity),
-        cmocka_unit_test(test_radius),
-        cmocka_unit_test(test_absurd),
-        cmocka_unit_test(test_integrals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_winding, cmocka_unit_test(test_capacity), cmocka_unit_test(test_radius), cmocka_unit_test(test_absurd),
+          cmocka_unit_test(test_integrals))

@@ -134,12 +134,4 @@ static void test_family(void **state)
     SUNContext_Free(&context);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_chain),
-        cmocka_unit_test(test_map),
-        cmocka_unit_test(test_family),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_window, cmocka_unit_test(test_chain), cmocka_unit_test(test_map), cmocka_unit_test(test_family))

@@ -391,11 +391,7 @@ static void wrong_length(void **state)
     clear(s, &rows, &found);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(intervals_cover),  cmocka_unit_test(stretches_and_dry_start),
-                                       cmocka_unit_test(not_told_apart),   cmocka_unit_test(goes_on),
-                                       cmocka_unit_test(wrong_length),     cmocka_unit_test(runs_give_them_back),
-                                       cmocka_unit_test(runs_cannot_tell), cmocka_unit_test(refused)};
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
-}
+TEST_FILE_IN(test_calibrate, scratch_make, scratch_remove, cmocka_unit_test(intervals_cover),
+             cmocka_unit_test(stretches_and_dry_start), cmocka_unit_test(not_told_apart), cmocka_unit_test(goes_on),
+             cmocka_unit_test(wrong_length), cmocka_unit_test(runs_give_them_back), cmocka_unit_test(runs_cannot_tell),
+             cmocka_unit_test(refused))

@@ -130,10 +130,5 @@ static void spreads(void **state)
     check_nan(spread_of(1, x).sd);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(normal), cmocka_unit_test(laws),   cmocka_unit_test(choices),
-                                       cmocka_unit_test(copula), cmocka_unit_test(shares), cmocka_unit_test(coverage),
-                                       cmocka_unit_test(spreads)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_distribution, cmocka_unit_test(normal), cmocka_unit_test(laws), cmocka_unit_test(choices),
+          cmocka_unit_test(copula), cmocka_unit_test(shares), cmocka_unit_test(coverage), cmocka_unit_test(spreads))

@@ -398,12 +398,8 @@ static void ranks_alike(void **state)
     hawser_study_free(s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(workers_alike),     cmocka_unit_test(killed_and_resumed),
-                                       cmocka_unit_test(damaged_files),     cmocka_unit_test(longer_and_other),
-                                       cmocka_unit_test(files_of_variants), cmocka_unit_test(rows_with_reasons),
-                                       cmocka_unit_test(too_much_memory),   cmocka_unit_test(workers_that_die),
-                                       cmocka_unit_test(stopped),           cmocka_unit_test(ranks_alike)};
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
-}
+TEST_FILE_IN(test_engine, scratch_make, scratch_remove, cmocka_unit_test(workers_alike),
+             cmocka_unit_test(killed_and_resumed), cmocka_unit_test(damaged_files), cmocka_unit_test(longer_and_other),
+             cmocka_unit_test(files_of_variants), cmocka_unit_test(rows_with_reasons),
+             cmocka_unit_test(too_much_memory), cmocka_unit_test(workers_that_die), cmocka_unit_test(stopped),
+             cmocka_unit_test(ranks_alike))

@@ -346,16 +346,8 @@ static void indices_of_a_pull(void **state)
     clear(s, &rows, &f);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(eq_10_is_exact),
-                                       cmocka_unit_test(probability_of_a_limit),
-                                       cmocka_unit_test(limits_that_are_not_judged),
-                                       cmocka_unit_test(close_to_a_limit_and_not_judged),
-                                       cmocka_unit_test(theory_and_runs),
-                                       cmocka_unit_test(pilots_find_the_band),
-                                       cmocka_unit_test(tornado_and_responses),
-                                       cmocka_unit_test(ties_in_a_grid),
-                                       cmocka_unit_test(indices_of_a_pull)};
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
-}
+TEST_FILE_IN(test_findings, scratch_make, scratch_remove, cmocka_unit_test(eq_10_is_exact),
+             cmocka_unit_test(probability_of_a_limit), cmocka_unit_test(limits_that_are_not_judged),
+             cmocka_unit_test(close_to_a_limit_and_not_judged), cmocka_unit_test(theory_and_runs),
+             cmocka_unit_test(pilots_find_the_band), cmocka_unit_test(tornado_and_responses),
+             cmocka_unit_test(ties_in_a_grid), cmocka_unit_test(indices_of_a_pull))

@@ -131,10 +131,5 @@ static void quantiles(void **state)
     check_share(student_95(100), 1.98397, 1e-5);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(straight_line), cmocka_unit_test(intervals_cover),
-                                       cmocka_unit_test(bounds_hold), cmocka_unit_test(not_told_apart),
-                                       cmocka_unit_test(quantiles)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_least_squares, cmocka_unit_test(straight_line), cmocka_unit_test(intervals_cover),
+          cmocka_unit_test(bounds_hold), cmocka_unit_test(not_told_apart), cmocka_unit_test(quantiles))

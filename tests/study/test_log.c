@@ -251,11 +251,7 @@ static void aligned_at_the_start(void **state)
     hawser_text_free(text);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(heads_and_units),   cmocka_unit_test(refused),     cmocka_unit_test(two_fields),
-        cmocka_unit_test(halves_of_the_day), cmocka_unit_test(what_counts), cmocka_unit_test(lengths_by_speed),
-        cmocka_unit_test(counter_set_back),  cmocka_unit_test(agreement),   cmocka_unit_test(aligned_at_the_start)};
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
-}
+TEST_FILE_IN(test_log, scratch_make, scratch_remove, cmocka_unit_test(heads_and_units), cmocka_unit_test(refused),
+             cmocka_unit_test(two_fields), cmocka_unit_test(halves_of_the_day), cmocka_unit_test(what_counts),
+             cmocka_unit_test(lengths_by_speed), cmocka_unit_test(counter_set_back), cmocka_unit_test(agreement),
+             cmocka_unit_test(aligned_at_the_start))

@@ -194,11 +194,6 @@ static void where_it_begins(void **state)
     log_free(&log);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(peaks_and_spikes), cmocka_unit_test(stamps_of_seconds),
-                                       cmocka_unit_test(times_astray),     cmocka_unit_test(wrong_once),
-                                       cmocka_unit_test(coarse_counter),   cmocka_unit_test(force_alone),
-                                       cmocka_unit_test(where_it_begins)};
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
-}
+TEST_FILE_IN(test_log_judge, scratch_make, scratch_remove, cmocka_unit_test(peaks_and_spikes),
+             cmocka_unit_test(stamps_of_seconds), cmocka_unit_test(times_astray), cmocka_unit_test(wrong_once),
+             cmocka_unit_test(coarse_counter), cmocka_unit_test(force_alone), cmocka_unit_test(where_it_begins))

@@ -211,9 +211,6 @@ static void midnights(void **state)
     times_are("time,pull [N]", unread, 3, gone, NULL);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(marks_between_thousands), cmocka_unit_test(separators),
-                                       cmocka_unit_test(heads), cmocka_unit_test(dates), cmocka_unit_test(midnights)};
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
-}
+TEST_FILE_IN(test_log_read, scratch_make, scratch_remove, cmocka_unit_test(marks_between_thousands),
+             cmocka_unit_test(separators), cmocka_unit_test(heads), cmocka_unit_test(dates),
+             cmocka_unit_test(midnights))

@@ -180,10 +180,6 @@ static void refused(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(planted_layout),         cmocka_unit_test(workers_alike),
-                                       cmocka_unit_test(killed_and_resumed),     cmocka_unit_test(hanging_samples),
-                                       cmocka_unit_test(constraints_of_its_own), cmocka_unit_test(refused)};
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
-}
+TEST_FILE_IN(test_optimise, scratch_make, scratch_remove, cmocka_unit_test(planted_layout),
+             cmocka_unit_test(workers_alike), cmocka_unit_test(killed_and_resumed), cmocka_unit_test(hanging_samples),
+             cmocka_unit_test(constraints_of_its_own), cmocka_unit_test(refused))

@@ -161,11 +161,6 @@ static void pure(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(known_words),  cmocka_unit_test(orders),
-                                       cmocka_unit_test(latin_layers), cmocka_unit_test(plain_sobol),
-                                       cmocka_unit_test(sobol_strata), cmocka_unit_test(convergence),
-                                       cmocka_unit_test(pure)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_points, cmocka_unit_test(known_words), cmocka_unit_test(orders), cmocka_unit_test(latin_layers),
+          cmocka_unit_test(plain_sobol), cmocka_unit_test(sobol_strata), cmocka_unit_test(convergence),
+          cmocka_unit_test(pure))

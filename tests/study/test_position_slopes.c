@@ -126,8 +126,4 @@ static void central_differences(void **state)
     check_at_most(difference(TUNNEL, 16, "drive.tail.tension", 6860.643, "N"), 5e-6);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences)};
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
-}
+TEST_FILE_IN(test_position_slopes, scratch_make, scratch_remove, cmocka_unit_test(central_differences))

@@ -167,10 +167,5 @@ static void repeats(void **state)
     free(a);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(curved_and_constrained), cmocka_unit_test(whole_numbers),
-                                       cmocka_unit_test(all_points), cmocka_unit_test(numbers_of_both_kinds),
-                                       cmocka_unit_test(repeats)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_search, cmocka_unit_test(curved_and_constrained), cmocka_unit_test(whole_numbers),
+          cmocka_unit_test(all_points), cmocka_unit_test(numbers_of_both_kinds), cmocka_unit_test(repeats))

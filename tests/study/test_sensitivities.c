@@ -219,9 +219,6 @@ static void the_file_says_of_which_run_it_is(void **state)
     hawser_case_free(c);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences), cmocka_unit_test(the_start_follows),
-                                       cmocka_unit_test(refused), cmocka_unit_test(the_file_says_of_which_run_it_is)};
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
-}
+TEST_FILE_IN(test_sensitivities, scratch_make, scratch_remove, cmocka_unit_test(central_differences),
+             cmocka_unit_test(the_start_follows), cmocka_unit_test(refused),
+             cmocka_unit_test(the_file_says_of_which_run_it_is))

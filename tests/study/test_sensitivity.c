@@ -139,9 +139,5 @@ static void morris(void **state)
     check_below(effect[2].sd, 1e-12);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(ishigami_indices), cmocka_unit_test(g_indices),
-                                       cmocka_unit_test(gaps), cmocka_unit_test(morris)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_sensitivity, cmocka_unit_test(ishigami_indices), cmocka_unit_test(g_indices), cmocka_unit_test(gaps),
+          cmocka_unit_test(morris))

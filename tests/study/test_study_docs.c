@@ -66,8 +66,4 @@ static void documented(void **state)
     free(text);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(documented)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_study_docs, cmocka_unit_test(documented))

@@ -251,11 +251,7 @@ static void bad_lists(void **state)
                "key 'parameters.speed': no column of the list has this name");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(monte_carlo),    cmocka_unit_test(settings),      cmocka_unit_test(grid),
-        cmocka_unit_test(list),           cmocka_unit_test(sensitivities), cmocka_unit_test(bad_studies),
-        cmocka_unit_test(bad_quantities), cmocka_unit_test(bad_lists),     cmocka_unit_test(mixed_units)};
-    return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
-}
+TEST_FILE_IN(test_study_file, scratch_make, scratch_remove, cmocka_unit_test(monte_carlo), cmocka_unit_test(settings),
+             cmocka_unit_test(grid), cmocka_unit_test(list), cmocka_unit_test(sensitivities),
+             cmocka_unit_test(bad_studies), cmocka_unit_test(bad_quantities), cmocka_unit_test(bad_lists),
+             cmocka_unit_test(mixed_units))

@@ -56,6 +56,17 @@
 /* `part` stands in `text`. */
 #define check_has(text, part) check_part(text, part, CHECK_PLACE("check_has(" #text ", " #part ")"))
 
+/* Ends a test file: its tests are one group, which the folder's program (tests/support/program.c) runs by the file's
+ * name. The second form has a set-up and a tear-down of the group. */
+#define TEST_FILE(name, ...) TEST_FILE_IN(name, NULL, NULL, __VA_ARGS__)
+#define TEST_FILE_IN(name, set_up, tear_down, ...)                                                                     \
+    int group_of_##name(void);                                                                                         \
+    int group_of_##name(void)                                                                                          \
+    {                                                                                                                  \
+        const struct CMUnitTest tests[] = {__VA_ARGS__};                                                               \
+        return cmocka_run_group_tests_name(#name, tests, set_up, tear_down);                                           \
+    }
+
 /* Where a check stands. */
 typedef struct CheckPlace {
     const char *text, *file;

@@ -214,9 +214,5 @@ static void the_worst_keeps_a_nan(void **state)
     check_nan(larger_of(NAN, NAN));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_miss_shows_its_numbers), cmocka_unit_test(a_nan_fails),
-                                       cmocka_unit_test(what_passes), cmocka_unit_test(the_worst_keeps_a_nan)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_check, cmocka_unit_test(a_miss_shows_its_numbers), cmocka_unit_test(a_nan_fails),
+          cmocka_unit_test(what_passes), cmocka_unit_test(the_worst_keeps_a_nan))

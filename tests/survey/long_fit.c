@@ -20,8 +20,4 @@ static void twenty_kilometres_are_within(void **state)
     alignment_clear(&out);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(twenty_kilometres_are_within)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(long_fit, cmocka_unit_test(twenty_kilometres_are_within))

@@ -164,14 +164,6 @@ static void parts_beyond_the_profile(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(clothoids_against_quadrature),
-                                       cmocka_unit_test(arcs_and_lines),
-                                       cmocka_unit_test(profiles),
-                                       cmocka_unit_test(corners),
-                                       cmocka_unit_test(reversed),
-                                       cmocka_unit_test(profile_beyond_the_line),
-                                       cmocka_unit_test(parts_beyond_the_profile)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_alignment, cmocka_unit_test(clothoids_against_quadrature), cmocka_unit_test(arcs_and_lines),
+          cmocka_unit_test(profiles), cmocka_unit_test(corners), cmocka_unit_test(reversed),
+          cmocka_unit_test(profile_beyond_the_line), cmocka_unit_test(parts_beyond_the_profile))

@@ -289,12 +289,7 @@ static void what_is_wrong(void **state)
     bad(DXF("6", "0\nSPLINE\n8\nA\n71\n3\n10\n1\n"), "a SPLINE needs 4 control points");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lines_and_arcs), cmocka_unit_test(polylines),         cmocka_unit_test(splines),
-        cmocka_unit_test(paper_space),    cmocka_unit_test(layers_and_blocks), cmocka_unit_test(marks),
-        cmocka_unit_test(binary),         cmocka_unit_test(railway_sheet),     cmocka_unit_test(as_programs_write_them),
-        cmocka_unit_test(what_is_wrong)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_dxf, cmocka_unit_test(lines_and_arcs), cmocka_unit_test(polylines), cmocka_unit_test(splines),
+          cmocka_unit_test(paper_space), cmocka_unit_test(layers_and_blocks), cmocka_unit_test(marks),
+          cmocka_unit_test(binary), cmocka_unit_test(railway_sheet), cmocka_unit_test(as_programs_write_them),
+          cmocka_unit_test(what_is_wrong))

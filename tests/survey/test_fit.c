@@ -500,16 +500,10 @@ static void drawn_from_either_side(void **state)
     alignment_clear(&out[1]);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(noisy_route_comes_back), cmocka_unit_test(radii_that_points_tell),
-        cmocka_unit_test(long_line_is_within),    cmocka_unit_test(spacing_and_noise),
-        cmocka_unit_test(corners_get_bends),      cmocka_unit_test(legs_stay_straight),
-        cmocka_unit_test(grades_stay_straight),   cmocka_unit_test(smooth_lines_stay),
-        cmocka_unit_test(arcs_are_kept),          cmocka_unit_test(heights_from_elsewhere),
-        cmocka_unit_test(rough_lines_are_within), cmocka_unit_test(bends_have_error_bars),
-        cmocka_unit_test(heights_have_stations),  cmocka_unit_test(what_is_wrong),
-        cmocka_unit_test(drawn_from_either_side)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_fit, cmocka_unit_test(noisy_route_comes_back), cmocka_unit_test(radii_that_points_tell),
+          cmocka_unit_test(long_line_is_within), cmocka_unit_test(spacing_and_noise),
+          cmocka_unit_test(corners_get_bends), cmocka_unit_test(legs_stay_straight),
+          cmocka_unit_test(grades_stay_straight), cmocka_unit_test(smooth_lines_stay), cmocka_unit_test(arcs_are_kept),
+          cmocka_unit_test(heights_from_elsewhere), cmocka_unit_test(rough_lines_are_within),
+          cmocka_unit_test(bends_have_error_bars), cmocka_unit_test(heights_have_stations),
+          cmocka_unit_test(what_is_wrong), cmocka_unit_test(drawn_from_either_side))

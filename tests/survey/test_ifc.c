@@ -368,18 +368,8 @@ static void what_is_wrong(void **state)
         "without point, direction");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(tunnel),
-                                       cmocka_unit_test(atoms),
-                                       cmocka_unit_test(by_curves),
-                                       cmocka_unit_test(units_and_placement),
-                                       cmocka_unit_test(level_at_its_placement),
-                                       cmocka_unit_test(older_schema_and_polyline),
-                                       cmocka_unit_test(curves_of_other_kinds),
-                                       cmocka_unit_test(polynomials),
-                                       cmocka_unit_test(kinds_of_segments),
-                                       cmocka_unit_test(child_alignments),
-                                       cmocka_unit_test(what_is_wrong)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_ifc, cmocka_unit_test(tunnel), cmocka_unit_test(atoms), cmocka_unit_test(by_curves),
+          cmocka_unit_test(units_and_placement), cmocka_unit_test(level_at_its_placement),
+          cmocka_unit_test(older_schema_and_polyline), cmocka_unit_test(curves_of_other_kinds),
+          cmocka_unit_test(polynomials), cmocka_unit_test(kinds_of_segments), cmocka_unit_test(child_alignments),
+          cmocka_unit_test(what_is_wrong))

@@ -287,17 +287,7 @@ static void choosing(void **state)
     survey_clear(&s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(order_and_direction),
-                                       cmocka_unit_test(forks_and_gaps),
-                                       cmocka_unit_test(heights),
-                                       cmocka_unit_test(arcs_at_a_height),
-                                       cmocka_unit_test(pieces_without_heights),
-                                       cmocka_unit_test(shafts),
-                                       cmocka_unit_test(shafts_beside),
-                                       cmocka_unit_test(own_ends),
-                                       cmocka_unit_test(many),
-                                       cmocka_unit_test(choosing)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_join, cmocka_unit_test(order_and_direction), cmocka_unit_test(forks_and_gaps), cmocka_unit_test(heights),
+          cmocka_unit_test(arcs_at_a_height), cmocka_unit_test(pieces_without_heights), cmocka_unit_test(shafts),
+          cmocka_unit_test(shafts_beside), cmocka_unit_test(own_ends), cmocka_unit_test(many),
+          cmocka_unit_test(choosing))

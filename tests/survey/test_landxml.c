@@ -269,17 +269,7 @@ static void delta_of_a_curve(void **state)
     survey_clear(&s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(tramway),
-                                       cmocka_unit_test(railway),
-                                       cmocka_unit_test(all_elements),
-                                       cmocka_unit_test(what_is_left_out),
-                                       cmocka_unit_test(what_contradicts_itself),
-                                       cmocka_unit_test(spirals_turn),
-                                       cmocka_unit_test(what_is_wrong),
-                                       cmocka_unit_test(long_names_of_points),
-                                       cmocka_unit_test(curves_need_lengths),
-                                       cmocka_unit_test(delta_of_a_curve)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_landxml, cmocka_unit_test(tramway), cmocka_unit_test(railway), cmocka_unit_test(all_elements),
+          cmocka_unit_test(what_is_left_out), cmocka_unit_test(what_contradicts_itself), cmocka_unit_test(spirals_turn),
+          cmocka_unit_test(what_is_wrong), cmocka_unit_test(long_names_of_points),
+          cmocka_unit_test(curves_need_lengths), cmocka_unit_test(delta_of_a_curve))

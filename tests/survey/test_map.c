@@ -197,13 +197,5 @@ static void what_is_wrong(void **state)
     bad("<!DOCTYPE g [<!ENTITY a \"b\">]><gpx/>", "declares an entity");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(projection),
-                                       cmocka_unit_test(gpx),
-                                       cmocka_unit_test(geojson),
-                                       cmocka_unit_test(crs_of_other_names),
-                                       cmocka_unit_test(what_stands_before),
-                                       cmocka_unit_test(what_is_wrong)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_map, cmocka_unit_test(projection), cmocka_unit_test(gpx), cmocka_unit_test(geojson),
+          cmocka_unit_test(crs_of_other_names), cmocka_unit_test(what_stands_before), cmocka_unit_test(what_is_wrong))

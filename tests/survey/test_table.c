@@ -317,15 +317,9 @@ static void radii_have_two_ends(void **state)
         "a column of end radii, and none of start: elements need both");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(railway_as_tables),    cmocka_unit_test(tables_with_other_signs),
-        cmocka_unit_test(planners_pieces),      cmocka_unit_test(rows_have_names),
-        cmocka_unit_test(points_and_corners),   cmocka_unit_test(as_spreadsheets_write_them),
-        cmocka_unit_test(what_is_wrong),        cmocka_unit_test(nothing_is_dropped),
-        cmocka_unit_test(slopes_have_signs),    cmocka_unit_test(turns_have_sides),
-        cmocka_unit_test(stations_are_the_way), cmocka_unit_test(infinite_radii),
-        cmocka_unit_test(radii_have_two_ends)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_table, cmocka_unit_test(railway_as_tables), cmocka_unit_test(tables_with_other_signs),
+          cmocka_unit_test(planners_pieces), cmocka_unit_test(rows_have_names), cmocka_unit_test(points_and_corners),
+          cmocka_unit_test(as_spreadsheets_write_them), cmocka_unit_test(what_is_wrong),
+          cmocka_unit_test(nothing_is_dropped), cmocka_unit_test(slopes_have_signs), cmocka_unit_test(turns_have_sides),
+          cmocka_unit_test(stations_are_the_way), cmocka_unit_test(infinite_radii),
+          cmocka_unit_test(radii_have_two_ends))

@@ -20,8 +20,4 @@ static void test_unreadable(void **state)
     check_has(err.message, strerror(EIO));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_unreadable)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_unreadable, cmocka_unit_test(test_unreadable))

@@ -137,13 +137,6 @@ static void endings(void **state)
     alignment_clear(&a);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(within_a_tenth_of_a_millimetre),
-                                       cmocka_unit_test(by_the_projection),
-                                       cmocka_unit_test(planners_pieces),
-                                       cmocka_unit_test(points),
-                                       cmocka_unit_test(as_a_case),
-                                       cmocka_unit_test(endings)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_write, cmocka_unit_test(within_a_tenth_of_a_millimetre), cmocka_unit_test(by_the_projection),
+          cmocka_unit_test(planners_pieces), cmocka_unit_test(points), cmocka_unit_test(as_a_case),
+          cmocka_unit_test(endings))

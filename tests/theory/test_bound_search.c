@@ -84,9 +84,5 @@ static void the_top(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(the_search), cmocka_unit_test(no_further_than_told),
-                                       cmocka_unit_test(the_top)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_bound_search, cmocka_unit_test(the_search), cmocka_unit_test(no_further_than_told),
+          cmocka_unit_test(the_top))

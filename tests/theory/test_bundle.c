@@ -156,11 +156,5 @@ static void refused(void **state)
     assert_string_equal(weight_correction_name(CORRECT_STRAIGHTS), "straights");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(equal_cables), cmocka_unit_test(three_and_earth), cmocka_unit_test(unlike_cables),
-        cmocka_unit_test(twisted),      cmocka_unit_test(refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_bundle, cmocka_unit_test(equal_cables), cmocka_unit_test(three_and_earth),
+          cmocka_unit_test(unlike_cables), cmocka_unit_test(twisted), cmocka_unit_test(refused))

@@ -251,18 +251,7 @@ static void pieces_of_a_route(void **state)
     route_clear(&route);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reference_numbers),
-        cmocka_unit_test(general_form_and_law_agree),
-        cmocka_unit_test(bends_between_any_slopes),
-        cmocka_unit_test(straights_and_slopes),
-        cmocka_unit_test(rollers),
-        cmocka_unit_test(refusals_have_reasons),
-        cmocka_unit_test(the_bottom_of_a_sag),
-        cmocka_unit_test(where_a_sag_lifts_off),
-        cmocka_unit_test(pieces_of_a_route),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_closed_form, cmocka_unit_test(reference_numbers), cmocka_unit_test(general_form_and_law_agree),
+          cmocka_unit_test(bends_between_any_slopes), cmocka_unit_test(straights_and_slopes), cmocka_unit_test(rollers),
+          cmocka_unit_test(refusals_have_reasons), cmocka_unit_test(the_bottom_of_a_sag),
+          cmocka_unit_test(where_a_sag_lifts_off), cmocka_unit_test(pieces_of_a_route))

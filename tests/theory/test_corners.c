@@ -367,14 +367,9 @@ static void most_is_borne_somewhere(void **state)
     route_clear(&route);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pressure_at_a_vertex), cmocka_unit_test(bare_ropes_in_bends),
-        cmocka_unit_test(rows_of_a_series),     cmocka_unit_test(plateaus_of_the_force),
-        cmocka_unit_test(wear_that_stays),      cmocka_unit_test(supports_off_the_route),
-        cmocka_unit_test(lifts_within_a_bend),  cmocka_unit_test(nothing_broken_besides),
-        cmocka_unit_test(given_back_twice),     cmocka_unit_test(most_is_borne_somewhere),
-        cmocka_unit_test(ducts_that_are_alike), cmocka_unit_test(carriers_of_no_weight)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_corners, cmocka_unit_test(pressure_at_a_vertex), cmocka_unit_test(bare_ropes_in_bends),
+          cmocka_unit_test(rows_of_a_series), cmocka_unit_test(plateaus_of_the_force),
+          cmocka_unit_test(wear_that_stays), cmocka_unit_test(supports_off_the_route),
+          cmocka_unit_test(lifts_within_a_bend), cmocka_unit_test(nothing_broken_besides),
+          cmocka_unit_test(given_back_twice), cmocka_unit_test(most_is_borne_somewhere),
+          cmocka_unit_test(ducts_that_are_alike), cmocka_unit_test(carriers_of_no_weight))

@@ -217,18 +217,7 @@ static void refusals(void **state)
     check_close(load(5 / 1.2, 4, DUCT_DIAMOND).weight_factor, 1 + 2 * 1.2 * 1.2 / (3.8 * 3.8), 1e-12);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(factors),
-        cmocka_unit_test(cradle_balances),
-        cmocka_unit_test(layouts_follow_the_ratio),
-        cmocka_unit_test(clearances),
-        cmocka_unit_test(rooms),
-        cmocka_unit_test(jamming),
-        cmocka_unit_test(refusals),
-        cmocka_unit_test(clearances_by_places),
-        cmocka_unit_test(edges),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_duct, cmocka_unit_test(factors), cmocka_unit_test(cradle_balances),
+          cmocka_unit_test(layouts_follow_the_ratio), cmocka_unit_test(clearances), cmocka_unit_test(rooms),
+          cmocka_unit_test(jamming), cmocka_unit_test(refusals), cmocka_unit_test(clearances_by_places),
+          cmocka_unit_test(edges))

@@ -142,11 +142,5 @@ static void anywhere(void **state)
     assert_int_equal(lay_places(&none, 2, place), 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(flat),           cmocka_unit_test(cradled),  cmocka_unit_test(round_a_middle),
-        cmocka_unit_test(random_numbers), cmocka_unit_test(anywhere),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_lay, cmocka_unit_test(flat), cmocka_unit_test(cradled), cmocka_unit_test(round_a_middle),
+          cmocka_unit_test(random_numbers), cmocka_unit_test(anywhere))

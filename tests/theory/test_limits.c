@@ -562,15 +562,8 @@ static void sources_in_words(void **state)
     assert_string_equal(source, "limits.attachment_rating");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(allowable_pull),  cmocka_unit_test(ducts),
-                                       cmocka_unit_test(overrides),       cmocka_unit_test(held_and_broken),
-                                       cmocka_unit_test(verdicts),        cmocka_unit_test(not_judged),
-                                       cmocka_unit_test(american_pulls),  cmocka_unit_test(attachments),
-                                       cmocka_unit_test(other_codes),     cmocka_unit_test(cable_types),
-                                       cmocka_unit_test(trips),           cmocka_unit_test(run_away),
-                                       cmocka_unit_test(undecided),       cmocka_unit_test(trust_comes_first),
-                                       cmocka_unit_test(sources_in_words)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_limits, cmocka_unit_test(allowable_pull), cmocka_unit_test(ducts), cmocka_unit_test(overrides),
+          cmocka_unit_test(held_and_broken), cmocka_unit_test(verdicts), cmocka_unit_test(not_judged),
+          cmocka_unit_test(american_pulls), cmocka_unit_test(attachments), cmocka_unit_test(other_codes),
+          cmocka_unit_test(cable_types), cmocka_unit_test(trips), cmocka_unit_test(run_away),
+          cmocka_unit_test(undecided), cmocka_unit_test(trust_comes_first), cmocka_unit_test(sources_in_words))

@@ -126,12 +126,6 @@ static void route_without_capstan_agrees(void **state)
     route_clear(&route);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_term),         cmocka_unit_test(eq_4_from_its_height),
-        cmocka_unit_test(eq_5_as_printed),    cmocka_unit_test(arcs_are_integrals),
-        cmocka_unit_test(tension_on_the_way), cmocka_unit_test(route_without_capstan_agrees),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_paper, cmocka_unit_test(every_term), cmocka_unit_test(eq_4_from_its_height),
+          cmocka_unit_test(eq_5_as_printed), cmocka_unit_test(arcs_are_integrals), cmocka_unit_test(tension_on_the_way),
+          cmocka_unit_test(route_without_capstan_agrees))

@@ -371,15 +371,7 @@ static void shares_of_the_load(void **state)
     route_clear(&route);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(points_find_their_place),
-                                       cmocka_unit_test(crossings_have_two_places),
-                                       cmocka_unit_test(second_places),
-                                       cmocka_unit_test(rule_places),
-                                       cmocka_unit_test(spacing_of_a_light_line),
-                                       cmocka_unit_test(loads_are_shared),
-                                       cmocka_unit_test(rule_keeps_to_its_stretch),
-                                       cmocka_unit_test(shares_of_the_load)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_place, cmocka_unit_test(points_find_their_place), cmocka_unit_test(crossings_have_two_places),
+          cmocka_unit_test(second_places), cmocka_unit_test(rule_places), cmocka_unit_test(spacing_of_a_light_line),
+          cmocka_unit_test(loads_are_shared), cmocka_unit_test(rule_keeps_to_its_stretch),
+          cmocka_unit_test(shares_of_the_load))

@@ -439,22 +439,9 @@ static void spans_in_two(void **state)
     route_clear(&route);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(both_directions),
-        cmocka_unit_test(closed_forms_by_piece),
-        cmocka_unit_test(conveyors),
-        cmocka_unit_test(ways_of_their_own),
-        cmocka_unit_test(duct_corrections),
-        cmocka_unit_test(loads_of_short_bends),
-        cmocka_unit_test(loads_of_cut_routes),
-        cmocka_unit_test(held_back_least),
-        cmocka_unit_test(unlike_pieces_over_a_crest),
-        cmocka_unit_test(unlike_pieces_in_a_lifted_sag),
-        cmocka_unit_test(unlike_weights_one_by_one),
-        cmocka_unit_test(spans_in_two),
-        cmocka_unit_test(refusals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_plan, cmocka_unit_test(both_directions), cmocka_unit_test(closed_forms_by_piece),
+          cmocka_unit_test(conveyors), cmocka_unit_test(ways_of_their_own), cmocka_unit_test(duct_corrections),
+          cmocka_unit_test(loads_of_short_bends), cmocka_unit_test(loads_of_cut_routes),
+          cmocka_unit_test(held_back_least), cmocka_unit_test(unlike_pieces_over_a_crest),
+          cmocka_unit_test(unlike_pieces_in_a_lifted_sag), cmocka_unit_test(unlike_weights_one_by_one),
+          cmocka_unit_test(spans_in_two), cmocka_unit_test(refusals))

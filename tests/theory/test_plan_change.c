@@ -467,17 +467,7 @@ static void machine_without_work(void **state)
     route_clear(&route);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences),
-                                       cmocka_unit_test(both_ways_round),
-                                       cmocka_unit_test(capstan),
-                                       cmocka_unit_test(at_a_corner),
-                                       cmocka_unit_test(slopes_of_supports),
-                                       cmocka_unit_test(gains_across_corners),
-                                       cmocka_unit_test(steps_forget),
-                                       cmocka_unit_test(machine_at_the_end),
-                                       cmocka_unit_test(machine_without_work),
-                                       cmocka_unit_test(gains_by_closed_forms)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_plan_change, cmocka_unit_test(central_differences), cmocka_unit_test(both_ways_round),
+          cmocka_unit_test(capstan), cmocka_unit_test(at_a_corner), cmocka_unit_test(slopes_of_supports),
+          cmocka_unit_test(gains_across_corners), cmocka_unit_test(steps_forget), cmocka_unit_test(machine_at_the_end),
+          cmocka_unit_test(machine_without_work), cmocka_unit_test(gains_by_closed_forms))

@@ -567,22 +567,9 @@ static void sections_in_order(void **state)
     route_clear(&route);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(rope_ahead),
-                                       cmocka_unit_test(the_last_place_is_the_pull),
-                                       cmocka_unit_test(the_peak_lies_on_the_crest),
-                                       cmocka_unit_test(sections_are_cut_routes),
-                                       cmocka_unit_test(machines_take_off),
-                                       cmocka_unit_test(friction_by_length),
-                                       cmocka_unit_test(pushed_at_the_feed),
-                                       cmocka_unit_test(brake_on_a_slope),
-                                       cmocka_unit_test(mirrored),
-                                       cmocka_unit_test(peaks_between_rows),
-                                       cmocka_unit_test(a_row_just_ahead),
-                                       cmocka_unit_test(brakes_on_top),
-                                       cmocka_unit_test(what_the_head_has_reached),
-                                       cmocka_unit_test(refusals),
-                                       cmocka_unit_test(sections_in_order)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_plan_head, cmocka_unit_test(rope_ahead), cmocka_unit_test(the_last_place_is_the_pull),
+          cmocka_unit_test(the_peak_lies_on_the_crest), cmocka_unit_test(sections_are_cut_routes),
+          cmocka_unit_test(machines_take_off), cmocka_unit_test(friction_by_length),
+          cmocka_unit_test(pushed_at_the_feed), cmocka_unit_test(brake_on_a_slope), cmocka_unit_test(mirrored),
+          cmocka_unit_test(peaks_between_rows), cmocka_unit_test(a_row_just_ahead), cmocka_unit_test(brakes_on_top),
+          cmocka_unit_test(what_the_head_has_reached), cmocka_unit_test(refusals), cmocka_unit_test(sections_in_order))

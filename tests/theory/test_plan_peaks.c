@@ -214,10 +214,6 @@ static void enough_is_enough(void **state)
     route_clear(&route);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(as_the_rows_have_them), cmocka_unit_test(rows_of_many_corners),
-                                       cmocka_unit_test(enough_is_enough), cmocka_unit_test(the_tightest_rope),
-                                       cmocka_unit_test(the_rope_of_one_head)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_plan_peaks, cmocka_unit_test(as_the_rows_have_them), cmocka_unit_test(rows_of_many_corners),
+          cmocka_unit_test(enough_is_enough), cmocka_unit_test(the_tightest_rope),
+          cmocka_unit_test(the_rope_of_one_head))

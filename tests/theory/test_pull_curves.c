@@ -96,8 +96,4 @@ static void agrees_with_a_reference_integration(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(agrees_with_a_reference_integration)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_pull_curves, cmocka_unit_test(agrees_with_a_reference_integration))

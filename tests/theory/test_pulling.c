@@ -437,20 +437,8 @@ static void bad_input_is_refused(void **state)
     route_clear(&route);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(independent_integration_agrees),
-        cmocka_unit_test(separate_supports),
-        cmocka_unit_test(separate_closed_forms),
-        cmocka_unit_test(mirrored_routes_agree),
-        cmocka_unit_test(points_on_the_way),
-        cmocka_unit_test(stretches_and_steps),
-        cmocka_unit_test(equal_tensions),
-        cmocka_unit_test(extremes),
-        cmocka_unit_test(nearly_planar_sags),
-        cmocka_unit_test(limiting_cases),
-        cmocka_unit_test(bad_input_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_pulling, cmocka_unit_test(independent_integration_agrees), cmocka_unit_test(separate_supports),
+          cmocka_unit_test(separate_closed_forms), cmocka_unit_test(mirrored_routes_agree),
+          cmocka_unit_test(points_on_the_way), cmocka_unit_test(stretches_and_steps), cmocka_unit_test(equal_tensions),
+          cmocka_unit_test(extremes), cmocka_unit_test(nearly_planar_sags), cmocka_unit_test(limiting_cases),
+          cmocka_unit_test(bad_input_is_refused))

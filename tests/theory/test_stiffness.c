@@ -60,12 +60,4 @@ static void public_cables(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers),
-        cmocka_unit_test(limits),
-        cmocka_unit_test(public_cables),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_stiffness, cmocka_unit_test(numbers), cmocka_unit_test(limits), cmocka_unit_test(public_cables))

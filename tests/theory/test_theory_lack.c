@@ -1,5 +1,7 @@
 /* Every allocation of the theory fails once: that is said as a lack of memory, nothing stays allocated, and the next
  * try gives the same number as if nothing had been. */
+#include <stdlib.h>
+
 #include "tests/support/lack.h"
 
 #include <string.h>
@@ -165,8 +167,4 @@ static void every_allocation(void **state)
     scene_free(&s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_allocation)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_theory_lack, cmocka_unit_test(every_allocation))

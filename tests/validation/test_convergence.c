@@ -24,8 +24,4 @@ static void test_refinement(void **state)
     check_share(exact, pull, 5e-5);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_refinement)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_convergence, cmocka_unit_test(test_refinement))

@@ -194,11 +194,5 @@ static void test_trip(void **state)
     sim_free(s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_slipping_ahead), cmocka_unit_test(test_slow_belt), cmocka_unit_test(test_synchronised),
-        cmocka_unit_test(test_several),        cmocka_unit_test(test_trip),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_conveyor_pull, cmocka_unit_test(test_slipping_ahead), cmocka_unit_test(test_slow_belt),
+          cmocka_unit_test(test_synchronised), cmocka_unit_test(test_several), cmocka_unit_test(test_trip))

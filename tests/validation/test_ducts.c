@@ -256,12 +256,6 @@ static void test_slide(void **state)
     sim_free(s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_level_bend), cmocka_unit_test(test_upward_bend), cmocka_unit_test(test_downward_bend),
-        cmocka_unit_test(test_s_bend),     cmocka_unit_test(test_segments),    cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_fall),       cmocka_unit_test(test_slide),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_ducts, cmocka_unit_test(test_level_bend), cmocka_unit_test(test_upward_bend),
+          cmocka_unit_test(test_downward_bend), cmocka_unit_test(test_s_bend), cmocka_unit_test(test_segments),
+          cmocka_unit_test(test_threads), cmocka_unit_test(test_fall), cmocka_unit_test(test_slide))

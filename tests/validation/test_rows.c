@@ -115,11 +115,5 @@ static void test_ramp_peak(void **state)
     sim_free(s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_level_row), cmocka_unit_test(test_ripple),    cmocka_unit_test(test_slope_at_rest),
-        cmocka_unit_test(test_slope_up),  cmocka_unit_test(test_ramp_peak),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_rows, cmocka_unit_test(test_level_row), cmocka_unit_test(test_ripple),
+          cmocka_unit_test(test_slope_at_rest), cmocka_unit_test(test_slope_up), cmocka_unit_test(test_ramp_peak))

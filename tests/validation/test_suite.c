@@ -102,9 +102,5 @@ static void test_convergence(void **state)
     validation_clear(&log);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_verdicts), cmocka_unit_test(test_cases),
-                                       cmocka_unit_test(test_choice), cmocka_unit_test(test_convergence)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_suite, cmocka_unit_test(test_verdicts), cmocka_unit_test(test_cases), cmocka_unit_test(test_choice),
+          cmocka_unit_test(test_convergence))

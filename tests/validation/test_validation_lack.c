@@ -11,17 +11,6 @@
 
 enum { MOST = 2000 };
 
-/* It does not look whether its logger has got memory: that is not what is tried here. */
-int SUNContext_Create(void *communicator, SUNContext *context)
-{
-    int (*const create)(void *, SUNContext *) = (int (*)(void *, SUNContext *))dlsym(RTLD_NEXT, "SUNContext_Create");
-    const long left = lack_left;
-    lack_after(-1);
-    const int status = create(communicator, context);
-    lack_after(left);
-    return status;
-}
-
 static void test_every_allocation(void **state)
 {
     long told = 0, without = 0;
@@ -49,8 +38,4 @@ static void test_every_allocation(void **state)
     check_at_most(without, told / 10);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_allocation)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_validation_lack, cmocka_unit_test(test_every_allocation))

@@ -232,13 +232,6 @@ static void test_trip_factor(void **state)
     scene_def_clear(&def);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_acceleration), cmocka_unit_test(test_speed_limit),
-        cmocka_unit_test(test_too_little),   cmocka_unit_test(test_trip),
-        cmocka_unit_test(test_trip_threads), cmocka_unit_test(test_trip_ends_the_run),
-        cmocka_unit_test(test_trip_factor),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST_FILE(test_winch_pull, cmocka_unit_test(test_acceleration), cmocka_unit_test(test_speed_limit),
+          cmocka_unit_test(test_too_little), cmocka_unit_test(test_trip), cmocka_unit_test(test_trip_threads),
+          cmocka_unit_test(test_trip_ends_the_run), cmocka_unit_test(test_trip_factor))
