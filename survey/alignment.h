@@ -131,6 +131,21 @@ hawser_status alignment_cut(Alignment *a, double from, double to, hawser_error *
 /* Lets every element begin where the one before ended, with its heading, from the first one's start. */
 void alignment_chain(Alignment *a);
 
+/* A corner in plan: points of straights, each rounded by an arc tangent to both. */
+typedef struct PlanCorner {
+    Vec3 at;       /* m; z counts if the line has heights */
+    double radius; /* m; NAN: none is known */
+    long line;     /* of the file; 0: none */
+} PlanCorner;
+/* Makes the elements in plan, and with `heights` a profile of grades from corner to corner (AL9); *wrong: the corner
+ * that is at fault, from 0. Errors: INPUT (a corner without a radius or room for it, with what there is room for;
+ * points that coincide), MEMORY. */
+hawser_status plan_from_corners(Alignment *a, int n, const PlanCorner *corner, int heights, int *wrong,
+                                hawser_error *err);
+/* The largest radius that rounds every corner of a line of points, at most 10 m, as people write one: 10, 5, 2, 1, 0.5
+ * ...; *most: the largest for which there is room. 0 corners turn by more than `least`, rad: 0. */
+double corners_radius(int n, const Vec3 *point, double least, int *corners, double *most);
+
 /* Corners of a profile: a straight grade from each to the next, rounded off by a curve of that kind. */
 typedef struct ProfileCorner {
     double station, z; /* m in plan from the alignment's start */
