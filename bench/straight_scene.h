@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "sim/def/scene_def.h"
+#include "def/scene_def.h"
 
 enum { STRAIGHT_SEGMENTS = 370 }; /* of the case */
 

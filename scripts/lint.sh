@@ -13,7 +13,7 @@ esac
 cd "$(dirname "$0")/.."
 sh scripts/setup.sh --lint
 each_source() { # each_source COMMAND...: the command with every C file of the tree
-    find include core contact linsolve sim theory survey validate io study cli fmi mpi tests bench -name '*.[ch]' -print0 | xargs -0 "$@"
+    find include core contact linsolve def sim theory survey validate io study cli fmi mpi tests bench -name '*.[ch]' -print0 | xargs -0 "$@"
 }
 if [ "${1-}" = --fix ]; then
     each_source clang-format -i
@@ -28,7 +28,7 @@ mkdir -p build/clang/tidy
 python3 -c 'import json, sys; json.dump(list({each["file"]: each for each in reversed(json.load(sys.stdin))}.values()), sys.stdout)' \
     <build/clang/compile_commands.json >build/clang/tidy/compile_commands.json
 echo "Running clang-tidy (.clang-tidy)"
-find core contact linsolve sim theory survey validate io study cli fmi mpi -name '*.c' -print0 |
+find core contact linsolve def sim theory survey validate io study cli fmi mpi -name '*.c' -print0 |
     xargs -0 -P "$(nproc)" -n 1 clang-tidy -p build/clang/tidy --quiet --extra-arg=-UNDEBUG --warnings-as-errors='*' \
         2>build/clang/tidy.log
 echo "lint: nothing to complain about"

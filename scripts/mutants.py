@@ -34,8 +34,8 @@ WORK = ROOT / "build" / "mutants"
 TREE, MISTAKES, RESULTS = (WORK / name for name in ("tree", "mistakes.json", "results.jsonl"))
 BUILD, SANITIZED = WORK / "build", WORK / "sanitized"
 SANITIZERS = " -g -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined"  # CMakePresets.json, debug
-FOLDERS = ["core", "contact", "linsolve", "theory"]
-LABELS = ["core", "contact", "linsolve", "theory", "sim", "study", "io"]
+FOLDERS = ["core", "contact", "linsolve", "theory", "sim", "io", "survey", "study", "fmi"]
+LABELS = [*FOLDERS, "support", "validation"]
 OTHER = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+", "*": "/", "/": "*",
          "&&": "||", "||": "&&", "+=": "-=", "-=": "+="}
 DEEPEST = 2  # mistakes within one another: each doubles the text it stands in

@@ -36,10 +36,21 @@ run_tests() {
     shift
     mkdir -p build/tests
     for preset in $presets; do
-        sh scripts/build.sh "$preset" >&2
+        sh scripts/build.sh "$preset" >&2 || return
         echo "subdirs(\"../$preset\")"
     done >build/tests/CTestTestfile.cmake
     ctest --test-dir build/tests --output-on-failure --no-tests=error -j "$(nproc)" "$@"
+}
+
+# ThreadSanitizer, MemorySanitizer, mutants.
+run_others() {
+    for preset in tsan msan; do
+        cmake --preset $preset >/dev/null && cmake --build --preset $preset >build/$preset.log && ctest --preset $preset "$@" || return
+    done
+    for step in "make --count 200" "run --minutes 45" report; do
+        # shellcheck disable=SC2086 # words of options
+        /usr/bin/python3 scripts/mutants.py $step || return
+    done
 }
 
 sh scripts/setup.sh --python
@@ -60,11 +71,7 @@ else
         1) run_tests "release asan" -E "$builds" "$@" ;;
         2) run_tests debug "$@" ;;
         3) run_tests release -R "$builds" "$@" ;;
-        4)
-            for preset in tsan msan; do
-                cmake --preset $preset >/dev/null && cmake --build --preset $preset >build/$preset.log && ctest --preset $preset "$@"
-            done && python3 scripts/mutants.py make --count 200 && python3 scripts/mutants.py run && python3 scripts/mutants.py report
-            ;;
+        4) run_others "$@" ;;
         esac || status=$?
     done
     python3 scripts/suite.py "$HAWSER_TEST_TIMES" >build/tests/suite.md

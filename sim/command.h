@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "core/profile.h"
+#include "def/command_def.h"
 #include "hawser/hawser.h"
-#include "sim/def/command_def.h"
 
 /* From the value that a profile has at t to another over the ramp (K1). */
 static inline Profile command_ramp(const Profile *now, double t, double to, double ramp)

@@ -30,16 +30,6 @@ typedef struct Room {
     void *self;  /* what was built from the definition; owned */
 } Room;
 
-/* A force along the pull at a place of the route, as theory reckons with it. */
-typedef struct Pusher {
-    const char *name;
-    double at;   /* m along the route */
-    double from; /* m: where it begins to grip */
-    const Room *room;
-    int item;  /* which of the room's */
-    int holds; /* it keeps the cable on the route as well */
-} Pusher;
-
 typedef struct Moment Moment;
 
 /* What a run keeps of each machine of a kind. */
@@ -185,12 +175,6 @@ struct RoomKind {
      * returns how many contacts carry force. */
     int (*look)(const Room *room, const Moment *m);
     const MachineKind *machines; /* NULL: no figures of its own */
-
-    /* ---- for theory: its pushers by the route's order, and how many (out may be NULL); what one of them pushes with
-     * where the tension before it is `arriving`, N, and the cable's front at `front`, m along the route, in steady
-     * motion when the winch last draws at its full speed. */
-    int (*pushers)(const Room *room, const Scene *scene, Pusher *out);
-    double (*push)(const Room *room, const Scene *scene, int item, double arriving, double front);
 
     /* ---- in the plane. NULL: the planar equations know nothing of the kind, and a scene that has it is solved in
      * space because `in_space`. Otherwise why this one cannot be there, or NULL if it can (sim/planar/plane.h asks

@@ -11,24 +11,7 @@ static Quat first_attitude(const Scene *scene, Vec3 axis, double s)
     return quat_from_axes(axis, left, v3_cross(axis, left));
 }
 
-/* (SC1) */
-void scene_place(const Scene *scene, double s, double place[2])
-{
-    const StrandDef *const strand = &scene->def.strand;
-    const double turn = strand->lay > 0 ? 2 * M_PI * s / strand->lay : 0, c = cos(turn), d = sin(turn);
-    place[0] = c * strand->place[0] + d * strand->place[1];
-    place[1] = c * strand->place[1] - d * strand->place[0];
-}
-
-Vec3 scene_line_at(const Scene *scene, double s)
-{
-    const RoutePoint at = route_at(&scene->route, s);
-    if (!scene->def.strand.present) return at.position;
-    double place[2];
-    scene_place(scene, s, place);
-    const Vec3 left = v3_unit(v3_reject(route_left(&scene->route, s), at.tangent));
-    return v3_axpy(v3_axpy(at.position, place[0], left), place[1], v3_cross(at.tangent, left));
-}
+Vec3 scene_line_at(const Scene *scene, double s) { return setup_line_at(&scene->def, &scene->route, s); }
 
 /* Where joint j is when the chain has moved on by `travel`. */
 static Vec3 joint_place(const Scene *scene, int j, double travel)
@@ -117,28 +100,6 @@ Room *room_of(Scene *scene, const RoomKind *kind)
         if (scene->room[r].kind == kind) return &scene->room[r];
     }
     return NULL;
-}
-
-int scene_pushers(const Scene *scene, Pusher **out)
-{
-    int n = 0, found = 0;
-    for (int r = 0; r < scene->n_rooms; ++r) {
-        const Room *const room = &scene->room[r];
-        if (room->present && room->kind->pushers) n += room->kind->pushers(room, scene, NULL);
-    }
-    Pusher *const all = *out = calloc((size_t)n + 1, sizeof *all);
-    if (!all) return -1;
-    for (int r = 0; r < scene->n_rooms; ++r) {
-        const Room *const room = &scene->room[r];
-        if (room->present && room->kind->pushers) found += room->kind->pushers(room, scene, all + found);
-    }
-    for (int i = 1; i < n; ++i) { /* those of several rooms, sorted in */
-        const Pusher moved = all[i];
-        int k = i;
-        for (; k > 0 && all[k - 1].at > moved.at; --k) all[k] = all[k - 1];
-        all[k] = moved;
-    }
-    return n;
 }
 
 double scene_next_stop(const Scene *scene, double t, double stop)

@@ -8,8 +8,8 @@
 #include "contact/self/self_contact.h"
 #include "contact/surface/surface.h"
 #include "core/body.h"
-#include "sim/def/scene_def.h"
 #include "sim/room.h"
+#include "theory/setup.h"
 
 /* Gravity along the chain: the whole weight from the route's start on; behind it what the lead-in leaves, and the
  * lead-in's hold on the cable across its line (F1). */
@@ -70,7 +70,6 @@ struct Scene {
     int *piece;           /* [total] the chain piece of each segment */
     double *joint_s;      /* [total+1] route coordinate of each joint at t = 0, if all the chain lay there, m */
     int eye;              /* joint of the pulling eye: first joint of the rope, total if there is none */
-    double cable_weight;  /* N/m, of the heaviest piece before the eye: of all cables together */
     double largest_speed; /* m/s, of the winch; 0.1 if it never moves or has no limit */
     double beside_way;    /* m, that a step may move it by for the sake of chains beside it; INFINITY: any */
     double grip_speed;    /* m/s, over which the sharpest grip of a conveyor comes in; INFINITY: none grips */
@@ -96,14 +95,13 @@ struct Scene {
     SelfModel self;    /* cable on cable */
     ChainsLook chains; /* of the first of several chains: what they do to each other, as of the last look */
     SceneDef def;      /* a deep copy of what this was built from */
+    Setup setup;       /* the same as theory computes it: supports, ends, what pushes */
 };
 
 /* Builds the scene. Errors: INPUT with the key to change, MEMORY. */
 hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err);
 void scene_clear(Scene *scene);
 
-/* How far the chain's line is from the route at s (m), to the left and up: that of a chain among several. */
-void scene_place(const Scene *scene, double s, double place[2]);
 /* The point of that line at s, m. */
 Vec3 scene_line_at(const Scene *scene, double s);
 
@@ -119,9 +117,6 @@ void scene_lay(const Scene *scene, double travel, int first, int n, double *y);
 void scene_initial_state(const Scene *scene, double *y);
 /* Sets the simulated chain, at rest in the state y in space, moving as the case says that it does at t = 0. */
 void scene_launch(const Scene *scene, double *y);
-
-/* What pushes the cable along, by the route's order: *out is malloc'ed. How many; -1 without memory. */
-int scene_pushers(const Scene *scene, Pusher **out);
 
 /* The first time after t (s) at which a room is not smooth, a corner of a table say, or `stop` if that comes first. */
 double scene_next_stop(const Scene *scene, double t, double stop);

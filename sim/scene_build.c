@@ -6,46 +6,7 @@
 #include "sim/joints.h"
 #include "sim/scene.h"
 
-/* Segments of the whole chain. */
-static int segments_of(const SceneDef *def)
-{
-    int n = 0;
-    for (int p = 0; p < def->n_pieces; ++p) n += def->pieces[p].segments;
-    return n;
-}
-
 static const CableDef *cable_of(const SceneDef *def, int piece) { return &def->cables[def->pieces[piece].cable]; }
-
-/* The length of a rod's last segment at either end, where the others have h: h^2/2L if a point mass lies beyond its
- * centre, so that this has a centre to sit on (RD4). */
-static double end_length(const SceneDef *def, int end, double h)
-{
-    double length = 0, own = h;
-    for (int p = 0; p < def->n_pieces; ++p) length += def->pieces[p].length;
-    for (int m = 0; m < def->rod.n_masses; ++m) {
-        const double at = def->rod.masses[m].at, away = end == ROD_TAIL ? at : length - at;
-        if (away < h / 2) own = fmin(h, h * h / (2 * length));
-    }
-    return own;
-}
-
-/* Lengths of the segments of piece p, all alike but for those at the ends of a rod: out [segments]. */
-static void piece_cut(const SceneDef *def, int p, double *out)
-{
-    const ChainPieceDef *const piece = &def->pieces[p];
-    const int n = piece->segments;
-    const double h = piece->length / n;
-    double tail = h, head = h;
-    if (def->rod.present && n > 2) {
-        if (p == 0) tail = end_length(def, ROD_TAIL, h);
-        if (p == def->n_pieces - 1) head = end_length(def, ROD_HEAD, h);
-    }
-    for (int k = 0; k < n; ++k) out[k] = tail < h || head < h ? (piece->length - tail - head) / (n - 2) : h;
-    if (tail < h || head < h) {
-        out[0] = tail;
-        out[n - 1] = head;
-    }
-}
 
 /* m, of the rollers along the route: the largest radius at which a cable as thick as the chain's thickest has its line;
  * 0: there are none. Whether the cable comes to a listed one nobody knows. */
@@ -81,11 +42,11 @@ static void segments_fill(Scene *scene)
 {
     Chain *const c = &scene->chain;
     int i = 0;
+    scene_def_cut(&scene->def, c->half);
     for (int p = 0; p < scene->def.n_pieces; ++p) {
         const ChainPieceDef *const piece = &scene->def.pieces[p];
         const CableDef *const cable = cable_of(&scene->def, p);
         const double r = cable->diameter / 2, gyration = cable->gyration > 0 ? cable->gyration : r / 2;
-        piece_cut(&scene->def, p, c->half + i);
         for (int k = 0; k < piece->segments; ++k, ++i) {
             const double h = c->half[i], m = cable->mass * h;
             scene->piece[i] = p;
@@ -97,31 +58,6 @@ static void segments_fill(Scene *scene)
         }
     }
     radii_taper(scene);
-}
-
-/* The route coordinate at distance `chord` from the point of the chain's line at s, ahead or behind (sign), by Newton's
- * method with the route's own tangent: beside it the line is hardly longer. */
-static double chord_step(const Scene *scene, double s, double chord, int sign)
-{
-    const Vec3 from = scene_line_at(scene, s);
-    double next = s + sign * chord;
-    for (int it = 0; it < 20; ++it) {
-        const Vec3 link = v3_sub(scene_line_at(scene, next), from), tangent = route_at(&scene->route, next).tangent;
-        const double length = v3_norm(link), error = length - chord;
-        next -= error * length / v3_dot(link, tangent);
-        if (fabs(error) < 1e-15 * (1 + fabs(next))) break;
-    }
-    return next;
-}
-
-/* Route coordinates of the joints, from the eye outward; of a rope to which heads are joined, from its tail. */
-static void joints_place(Scene *scene)
-{
-    const Chain *const c = &scene->chain;
-    const int from = scene->def.strand.rope ? 0 : scene->eye;
-    scene->joint_s[from] = scene->def.head_at + scene->def.strand.eye;
-    for (int j = from; j > 0; --j) scene->joint_s[j - 1] = chord_step(scene, scene->joint_s[j], 2 * c->half[j - 1], -1);
-    for (int j = from; j < c->n; ++j) scene->joint_s[j + 1] = chord_step(scene, scene->joint_s[j], 2 * c->half[j], +1);
 }
 
 static void weight_fill(Scene *scene)
@@ -178,13 +114,16 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     segments_fill(scene);
     scene->eye = 0;
     for (int p = 0; p < scene_def_eye(def); ++p) scene->eye += def->pieces[p].segments;
-    for (int p = 0; p < scene_def_eye(def); ++p)
-        scene->cable_weight = fmax(scene->cable_weight, cable_of(def, p)->mass * v3_norm(def->gravity));
     scene->largest_speed = 0.1;
     scene->grip_speed = scene->beside_way = INFINITY;
-    joints_place(scene);
+    double *const length = malloc(((size_t)scene->chain.n + 1) * sizeof *length);
+    if (!length) return error_memory(err);
+    scene_def_cut(def, length);
+    setup_joints(def, &scene->route, scene->chain.n, length, scene->joint_s);
+    free(length);
     weight_fill(scene);
     hawser_status status = rooms_build(scene, err);
+    if (!status) status = setup_build(def, &scene->route, scene->joint_s, &scene->setup, err);
     if (!status) status = springs_build(scene, err);
     for (int r = 0; !status && r < scene->n_rooms; ++r) {
         Room *const room = &scene->room[r];
@@ -212,7 +151,7 @@ hawser_status scene_build(const SceneDef *def, Scene *scene, hawser_error *err)
     memset(scene, 0, sizeof *scene);
     hawser_status status = scene_def_copy(def, &scene->def, err);
     if (status) return status;
-    const int n = scene->total = segments_of(def);
+    const int n = scene->total = scene_def_segments(def);
     scene->piece = calloc((size_t)n + 1, sizeof *scene->piece);
     scene->joint_s = calloc((size_t)n + 1, sizeof *scene->joint_s);
     if (!chain_alloc(&scene->chain, n) || !scene->piece || !scene->joint_s) {
@@ -238,6 +177,7 @@ void scene_clear(Scene *scene)
     chain_free(&scene->chain);
     free(scene->piece);
     free(scene->joint_s);
+    setup_free(&scene->setup);
     route_clear(&scene->route);
     scene_def_clear(&scene->def);
     memset(scene, 0, sizeof *scene);

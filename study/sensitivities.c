@@ -74,10 +74,10 @@ static hawser_status case_with(const hawser_case *c, const char *key, double val
 {
     char text[128];
     snprintf(text, sizeof text, "%.17g %s", value, unit);
-    hawser_status status = case_copy(c, out, err);
+    hawser_status status = hawser_case_copy(c, out, err);
     if (!status) status = hawser_case_set(*out, key, text, err);
     if (!status) status = case_ensure_read(*out, err);
-    if (!status) *def = (*out)->def;
+    if (!status) *def = *(*out)->def;
     return status;
 }
 
@@ -188,7 +188,7 @@ static hawser_status slopes_write(const hawser_case *c, const hawser_sim *sim, c
     const Table table[] = {{"sensitivities", title, COLUMNS(SlopeRow, slope_column), n, row}};
     run_identity(sim, run);
     const Fact facts[] = {fact, {"run", "", "", cell_text(run)}};
-    const Document doc = {.title = c->def.title[0] ? c->def.title : c->name,
+    const Document doc = {.title = c->def->title[0] ? c->def->title : c->name,
                           .n_facts = format == HAWSER_JSON ? 2 : 1,
                           .n_tables = 1,
                           .fact = facts,
@@ -216,7 +216,7 @@ hawser_status hawser_case_run_sensitivities(hawser_case *c, size_t n, const char
     if (!status) status = case_alone(c, "sensitivities", err);
     if (!status) status = varied_make(c, &v, err);
     if (!status) {
-        status = tangent_new(&c->def, (int)n, v.less_def, v.more_def, v.half, c->def.output.steady_from, &g, err);
+        status = tangent_new(c->def, (int)n, v.less_def, v.more_def, v.half, c->def->output.steady_from, &g, err);
         status = case_name_error(c, status, err);
     }
     if (!status) status = hawser_sim_new(c, &one, &sim, err);
@@ -326,9 +326,9 @@ static hawser_status position_find(hawser_case *c, int (*stop)(void *), void *us
 {
     const hawser_options one = {.threads = 1};
     hawser_status status = hawser_sim_new(c, &one, sim, err);
-    if (!status && c->def.solver.relax) status = sim_relax(*sim, NULL, err);
-    while (!status && (*sim)->stage.t < c->def.duration) {
-        status = sim_advance(*sim, c->def.duration, 1, err);
+    if (!status && c->def->solver.relax) status = sim_relax(*sim, NULL, err);
+    while (!status && (*sim)->stage.t < c->def->duration) {
+        status = sim_advance(*sim, c->def->duration, 1, err);
         if (!status && stop && stop(user)) status = error_set(err, HAWSER_STOPPED, "stopped at %g s", (*sim)->stage.t);
     }
     if (status) return status;
@@ -336,7 +336,7 @@ static hawser_status position_find(hawser_case *c, int (*stop)(void *), void *us
     double *const full = aligned_array_new(scene_state_size(&st->scene));
     if (!full) return error_memory(err);
     st->motion->ops->unpack(st->motion, st->y, full);
-    status = case_name_error(c, position_new(&c->def, st->t, full, at, err), err);
+    status = case_name_error(c, position_new(c->def, st->t, full, at, err), err);
     free(full);
     return status;
 }

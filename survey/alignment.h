@@ -53,6 +53,8 @@ typedef struct Alignment {
     int drawn;               /* the points are corners with straights between; else they may be places along bends */
     int bent;                /* some of the points are places along curves of the file: no corners to be rounded */
     int whole;               /* parts of one feature of a map have the same number here; 0: it has but one */
+    int inserted;            /* the number of the insertion of a block that it comes from; 0: it is drawn itself */
+    double against;          /* m of it that are drawn from its end to its start, of joined pieces */
     double stated_length;    /* m, in plan, by the file's own word; NAN: it says nothing */
     double station;          /* the file's number for where the alignment begins */
 } Alignment;
@@ -80,6 +82,7 @@ typedef struct Survey {
     SurveyIgnored *ignored;
     char system[SURVEY_NAME_MAX]; /* the system of coordinates by the file's own word; empty: not said */
     char unit[SURVEY_NAME_MAX];   /* which unit of length was taken, and why */
+    double drawn_unit;            /* m in it, if a drawing alone says so, or says nothing; else 0 */
 } Survey;
 
 /* Adds an alignment, an element, a point, a mark at the end; NULL: no memory, or more than SURVEY_MOST of them. What is
@@ -127,6 +130,21 @@ void alignment_reverse(Alignment *a);
 hawser_status alignment_cut(Alignment *a, double from, double to, hawser_error *err);
 /* Lets every element begin where the one before ended, with its heading, from the first one's start. */
 void alignment_chain(Alignment *a);
+
+/* A corner in plan: points of straights, each rounded by an arc tangent to both. */
+typedef struct PlanCorner {
+    Vec3 at;       /* m; z counts if the line has heights */
+    double radius; /* m; NAN: none is known */
+    long line;     /* of the file; 0: none */
+} PlanCorner;
+/* Makes the elements in plan, and with `heights` a profile of grades from corner to corner (AL9); *wrong: the corner
+ * that is at fault, from 0. Errors: INPUT (a corner without a radius or room for it, with what there is room for;
+ * points that coincide), MEMORY. */
+hawser_status plan_from_corners(Alignment *a, int n, const PlanCorner *corner, int heights, int *wrong,
+                                hawser_error *err);
+/* The largest radius that rounds every corner of a line of points, at most 10 m, as people write one: 10, 5, 2, 1, 0.5
+ * ...; *most: the largest for which there is room. 0 corners turn by more than `least`, rad: 0. */
+double corners_radius(int n, const Vec3 *point, double least, int *corners, double *most);
 
 /* Corners of a profile: a straight grade from each to the next, rounded off by a curve of that kind. */
 typedef struct ProfileCorner {

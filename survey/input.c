@@ -1,4 +1,4 @@
-#define _GNU_SOURCE /* strtod_l, newlocale */
+#define _GNU_SOURCE /* strtod_l, newlocale, fmemopen */
 #include "survey/input.h"
 
 #include <errno.h>
@@ -41,8 +41,44 @@ void input_close(SurveyInput *in)
 {
     if (in->file) fclose(in->file);
     if (in->numbers) freelocale(in->numbers);
+    free(in->held);
     in->file = NULL;
+    in->held = NULL;
     in->numbers = (locale_t)0;
+}
+
+hawser_status input_hold(SurveyInput *in, char *text, size_t size)
+{
+    FILE *const file = fmemopen(text, size, "rb");
+    if (!file) {
+        free(text);
+        return error_memory(in->err);
+    }
+    fclose(in->file);
+    free(in->held);
+    in->file = file;
+    in->held = text;
+    return HAWSER_OK;
+}
+
+hawser_status input_all(SurveyInput *in, size_t most, char **text, size_t *size)
+{
+    size_t room = 1 << 16;
+    *size = 0;
+    *text = malloc(room);
+    while (*text) {
+        *size += fread(*text + *size, 1, room - *size - 1, in->file);
+        if (*size + 1 < room) return (*text)[*size] = 0, HAWSER_OK;
+        if (room > most) {
+            free(*text);
+            *text = NULL;
+            return input_error(in, "larger than %zu MB, the most of such a file", most >> 20);
+        }
+        char *const grown = realloc(*text, room *= 2);
+        if (!grown) free(*text);
+        *text = grown;
+    }
+    return error_memory(in->err);
 }
 
 /* Unlike rewind, which forgets that something could not be read. */

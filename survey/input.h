@@ -11,15 +11,18 @@
 
 /* How a file is to be read, by whoever asks for it. */
 typedef struct SurveyOptions {
-    double unit; /* metres in the file's unit of length; NAN: as the file says */
-    int marks;   /* equipment is wanted: a table's rows are marks, not a route */
+    double unit;        /* metres in the file's unit of length; NAN: as the file says */
+    int marks;          /* equipment is wanted: a table's rows are marks, not a route */
+    const char *sheet;  /* of a spreadsheet, by its name or number from 1; NULL: the first */
+    const char *ignore; /* names of a table's columns that are not used, each on a line of its own; NULL: none */
 } SurveyOptions;
 
 typedef struct SurveyInput {
     const char *path;
     FILE *file;
-    int lost;  /* errno of a place in the file that could not be gone to */
-    long line; /* the one being read, from 1; 0: lines say nothing */
+    char *held; /* what file reads, where it is a text that was unpacked or decoded; NULL: the file itself */
+    int lost;   /* errno of a place in the file that could not be gone to */
+    long line;  /* the one being read, from 1; 0: lines say nothing */
     SurveyOptions options;
     double unit; /* metres in the file's unit */
     Survey *out;
@@ -32,6 +35,10 @@ hawser_status input_open(SurveyInput *in, const char *path, const SurveyOptions 
                          hawser_error *err);
 void input_close(SurveyInput *in);
 
+/* Reads `size` > 0 bytes in place of the file from here on, which the input takes over and frees. Errors: MEMORY. */
+hawser_status input_hold(SurveyInput *in, char *text, size_t size);
+/* All that the file holds, at most `most` bytes, malloc'ed, with a 0 behind it. Errors: INPUT (more), MEMORY. */
+hawser_status input_all(SurveyInput *in, size_t most, char **text, size_t *size);
 /* Goes on at that byte. */
 void input_seek(SurveyInput *in, long byte);
 /* 0, or errno of what the system did not give: to who reads it looks like the file's end. */
@@ -71,9 +78,10 @@ hawser_status ifc_read(SurveyInput *in);
 /* DXF drawings, text or binary, R12 to 2018, streaming: LINE, ARC, LWPOLYLINE, POLYLINE and SPLINE, each an alignment
  * of its own, on its layer; INSERT and POINT as marks. */
 hawser_status dxf_read(SurveyInput *in);
-/* GPX tracks, routes and waypoints; GeoJSON lines and points: longitude, latitude and height, projected about the first
- * place of the file. */
+/* GPX tracks, routes and waypoints; lines and points of KML and GeoJSON, also one value a line: longitude, latitude and
+ * height, projected about the first place of the file. */
 hawser_status gpx_read(SurveyInput *in);
+
 hawser_status geojson_read(SurveyInput *in);
 /* CSV and TSV with names over the columns: survey/table/table.h. */
 hawser_status table_read(SurveyInput *in);

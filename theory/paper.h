@@ -3,19 +3,7 @@
 #ifndef HAWSER_THEORY_PAPER_H
 #define HAWSER_THEORY_PAPER_H
 
-enum { PAPER_NAME_MAX = 64 };
-
-/* One term of the paper's eq. 3-10. */
-typedef enum PaperTermKind { PAPER_REEL, PAPER_SLOPE, PAPER_ARC, PAPER_ROPE } PaperTermKind;
-
-typedef struct PaperTermDef {
-    PaperTermKind kind;
-    char name[PAPER_NAME_MAX];
-    double length;    /* m: of cable for reel and rope, of path for slopes */
-    double slope;     /* rad, up positive: slopes; arcs: slope at the arc's start */
-    double slope_end; /* rad: arcs */
-    double radius;    /* m: arcs */
-} PaperTermDef;
+#include "def/output_def.h"
 
 /* The term's force, N: eq. 3 and 9 for reel and rope, eq. 4 and 6-8 for slopes, eq. 5 for arcs. */
 double paper_term_force(const PaperTermDef *term, double W, double mu, double g);

@@ -3,18 +3,11 @@
 #ifndef HAWSER_THEORY_PLAN_DEF_H
 #define HAWSER_THEORY_PLAN_DEF_H
 
-#include "theory/cables/duct.h"
+#include "def/cables/duct.h"
+#include "def/output_def.h"
 #include "theory/pulling.h"
 
 enum { PLAN_FORWARD, PLAN_BACKWARD, PLAN_WAYS };
-
-/* What makes friction change with the length pulled: the way that a place of the cable has come (its lubricant is used
- * up), or the length of cable that has passed a place of the route (the duct's is). */
-typedef enum WearKind { WEAR_CABLE, WEAR_PLACE } WearKind;
-typedef struct PlanWear {
-    double from;   /* m of that length, from which on ... */
-    double factor; /* ... friction is so many times the stretch's */
-} PlanWear;
 
 /* What is pulled. Plain data; the paper's allowances are 15 m of cable on the reel and 5 m for the rope. */
 typedef struct PlanDef {
@@ -44,6 +37,7 @@ typedef struct PlanDef {
     int n_pushes;
     const PullStep *push;      /* conveyors and the like, by what they add; force > 0: along the pull; < 0: brake */
     const PullStep *push_back; /* the same when pulled back, by the same order; NULL: as push */
+    const PushLaw *pushes;     /* what push, by the tension that arrives, in place of their forces; NULL: these */
     int n_steps;
     const PullStep *step; /* machines (STEP_TAKE) and pits (STEP_ANEW), the same either way */
     int n_wear;           /* by rising `from`; 0: friction stays */

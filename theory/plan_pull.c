@@ -202,7 +202,9 @@ static int steps_collect(const PlanDef *def, const PlanPullDef *what, double hea
     const PullStep *const push = what->way == PLAN_BACKWARD && def->push_back ? def->push_back : def->push;
     int n = 0;
     for (int i = 0; i < def->n_pushes; i++) {
-        if (sign * (head - push[i].at) >= 0) step[n++] = (PullStep){.at = push[i].at, .force = -push[i].force};
+        if (sign * (head - push[i].at) < 0) continue;
+        const PullStep law = {.at = push[i].at, .kind = STEP_PUSH, .item = i};
+        step[n++] = def->pushes ? law : (PullStep){.at = push[i].at, .force = -push[i].force};
     }
     for (int i = 0; i < def->n_steps; i++) {
         const PullStep *const s = &def->step[i];
@@ -255,7 +257,8 @@ hawser_status plan_pull(const PlanDef *def, const DuctLoad *load, const PlanPull
                               .n_stretches = course.n,
                               .stretch = course.stretch,
                               .n_steps = steps_collect(def, what, head, step),
-                              .step = step};
+                              .step = step,
+                              .pushes = def->pushes};
         status = pull_solve(&pull, out, err);
     }
     free(course.stretch);

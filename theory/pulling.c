@@ -63,16 +63,21 @@ static int collect_cuts(const PullDef *def, double *cut)
 
 const PullStretch *stretch_at(int n, const PullStretch *stretch, double s)
 {
-    int i = 0;
-    while (i + 1 < n && stretch[i + 1].from <= s) i++;
-    return &stretch[i];
+    int low = 0, high = n; /* the last one that begins at or before s is from low on, before high */
+    while (high - low > 1) {
+        const int middle = low + (high - low) / 2;
+        if (stretch[middle].from <= s) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return &stretch[low];
 }
 
-/* The law that holds between two neighbouring cuts. */
-static SpanLaw law_between(const PullDef *def, double low, double high)
+/* The law that holds on stretch a around `middle`, between two neighbouring cuts. */
+static SpanLaw law_between(const PullDef *def, const PullStretch *a, double middle)
 {
-    const double middle = low + (high - low) / 2;
-    const PullStretch *a = stretch_at(def->n_stretches, def->stretch, middle);
     SpanLaw law = {.law = def->law,
                    .direction = def->to > def->from ? 1 : -1,
                    .weight = a->weight,
@@ -85,19 +90,46 @@ static SpanLaw law_between(const PullDef *def, double low, double high)
     return law;
 }
 
-/* The tension behind the steps at s: forces first, then what machines take of it (PN2); where the pull begins anew
- * nothing of all that counts (PN3). */
-static double steps_pass(const PullDef *def, double s, double tension)
+/* The steps of a pull in its order; those of one place in the order in which they are listed. */
+typedef struct StepAt {
+    double at; /* m along the pull: times its direction */
+    int i;     /* of def->step */
+} StepAt;
+
+static int compare_steps(const void *a, const void *b)
 {
-    double anew = NAN;
+    const StepAt *const x = a, *const y = b;
+    return x->at != y->at ? (x->at > y->at) - (x->at < y->at) : x->i - y->i;
+}
+
+static void steps_sort(const PullDef *def, StepAt *step)
+{
+    const int sign = def->to > def->from ? 1 : -1;
+    int sorted = 1;
     for (int i = 0; i < def->n_steps; i++) {
-        if (def->step[i].at == s && def->step[i].kind == STEP_ADD) tension += def->step[i].force;
+        step[i] = (StepAt){sign * def->step[i].at, i};
+        sorted &= i == 0 || step[i].at >= step[i - 1].at;
     }
-    for (int i = 0; i < def->n_steps; i++) {
-        const PullStep *step = &def->step[i];
-        if (step->at != s) continue;
-        if (step->kind == STEP_TAKE) tension -= fmin(fmax(tension, 0), step->force);
-        if (step->kind == STEP_ANEW) anew = step->force;
+    if (!sorted) qsort(step, (size_t)def->n_steps, sizeof *step, compare_steps);
+}
+
+/* The tension behind the steps at s, from step[*next] on, which moves on behind them: forces first, then what machines
+ * take of it (PN2); where the pull begins anew nothing of all that counts (PN3). */
+static double steps_pass(const PullDef *def, const StepAt *step, int *next, double s, double tension)
+{
+    const double at = def->to > def->from ? s : -s, arriving = tension;
+    double anew = NAN;
+    while (*next < def->n_steps && step[*next].at < at) ++*next;
+    const int first = *next;
+    for (; *next < def->n_steps && step[*next].at <= at; ++*next) {
+        const PullStep *const one = &def->step[step[*next].i];
+        if (one->kind == STEP_ADD) tension += one->force;
+        if (one->kind == STEP_PUSH) tension -= def->pushes->push(def->pushes->of, one->item, arriving);
+    }
+    for (int i = first; i < *next; i++) {
+        const PullStep *const one = &def->step[step[i].i];
+        if (one->kind == STEP_TAKE) tension -= fmin(fmax(tension, 0), one->force);
+        if (one->kind == STEP_ANEW) anew = one->force;
     }
     return isnan(anew) ? tension : anew;
 }
@@ -148,24 +180,26 @@ static int span_known(const PullDef *def, const PullStretch *a, const PullSpan *
 }
 
 /* Integrates from cut to cut, in the pull's order, adding the steps between. */
-static void run_spans(const PullDef *def, int n, const double *cut, Pull *pull)
+static void run_spans(const PullDef *def, int n, const double *cut, const StepAt *step, Pull *pull)
 {
     const int forward = def->to > def->from;
+    int next = 0;
     double tension = def->start_tension;
     take_tension(pull, route_at(def->route, cut[forward ? 0 : n - 1]).piece, def->from, tension);
     for (int i = 0; i < n - 1; i++) {
         const double low = cut[forward ? i : n - 2 - i], high = cut[forward ? i + 1 : n - 1 - i];
         PullSpan *span = &pull->span[i];
         *span = (PullSpan){.s0 = forward ? low : high, .s1 = forward ? high : low};
-        const PullStretch *const a = stretch_at(def->n_stretches, def->stretch, low + (high - low) / 2);
-        span->t0 = steps_pass(def, span->s0, tension);
+        const double middle = low + (high - low) / 2;
+        const PullStretch *const a = stretch_at(def->n_stretches, def->stretch, middle);
+        span->t0 = steps_pass(def, step, &next, span->s0, tension);
         if (def->forces_only && def->like && i < def->like->n && span_known(def, a, span, &def->like->span[i])) {
             *span = def->like->span[i];
             tension = span->t1;
             continue;
         }
-        span->piece = route_at(def->route, low + (high - low) / 2).piece;
-        span->law = law_between(def, low, high);
+        span->piece = route_at(def->route, middle).piece;
+        span->law = law_between(def, a, middle);
         span->share = a->share > 0 ? a->share : 1;
         span->extremes = (SpanExtremes){.max_tension = -INFINITY, .min_tension = INFINITY, .enough = def->enough};
         SpanExtremes *const extremes = def->forces_only ? NULL : &span->extremes;
@@ -178,7 +212,7 @@ static void run_spans(const PullDef *def, int n, const double *cut, Pull *pull)
         span->least_at = span->extremes.min_at;
         if (extremes) take_span(pull, span);
     }
-    pull->end_tension = steps_pass(def, def->to, tension);
+    pull->end_tension = steps_pass(def, step, &next, def->to, tension);
     take_tension(pull, pull->span[n - 2].piece, def->to, pull->end_tension);
 }
 
@@ -188,13 +222,19 @@ hawser_status pull_solve(const PullDef *def, Pull *out, hawser_error *err)
     hawser_status status = check_def(def, err);
     if (status) return status;
     double *cut = malloc((size_t)(def->route->n + def->n_stretches + def->n_steps + 3) * sizeof *cut);
-    if (!cut) return error_memory(err);
+    StepAt *step = malloc((size_t)(def->n_steps + 1) * sizeof *step);
+    if (!cut || !step) {
+        free(cut);
+        free(step);
+        return error_memory(err);
+    }
     const int n = collect_cuts(def, cut);
     assert(n >= 2);
     out->n = n - 1;
     out->span = malloc((size_t)out->n * sizeof *out->span);
     if (out->span) {
-        run_spans(def, n, cut, out);
+        steps_sort(def, step);
+        run_spans(def, n, cut, step, out);
         if (!isfinite(out->end_tension)) {
             status = error_set(err, HAWSER_ERR_INPUT, "the tension grows past all bounds: too much friction and turn");
         }
@@ -202,6 +242,7 @@ hawser_status pull_solve(const PullDef *def, Pull *out, hawser_error *err)
         status = error_memory(err);
     }
     free(cut);
+    free(step);
     if (status) pull_clear(out);
     return status;
 }

@@ -28,13 +28,22 @@ typedef struct PullStretch {
 const PullStretch *stretch_at(int n, const PullStretch *stretch, double s);
 
 /* What happens to the tension at one point: it rises by the force (a conveyor that pushes so much: negative); a machine
- * takes off what arrives, up to the force (PN2); or the pull begins anew there, with the force as its tension (PN3). */
-typedef enum StepKind { STEP_ADD, STEP_TAKE, STEP_ANEW } StepKind;
+ * takes off what arrives, up to the force (PN2); the pull begins anew there, with the force as its tension (PN3); or it
+ * falls by what the pull's law of pushes returns for the tension that arrives. */
+typedef enum StepKind { STEP_ADD, STEP_TAKE, STEP_ANEW, STEP_PUSH } StepKind;
 typedef struct PullStep {
     double at;    /* m along the route */
     double force; /* N */
     StepKind kind;
+    int item; /* STEP_PUSH: the law's number of it */
 } PullStep;
+
+/* What pushes `item` of a pull, N, where the tension before all steps of its place is `arriving` (N). The law may keep
+ * it: it is computed once for each step that the pull passes. */
+typedef struct PushLaw {
+    double (*push)(void *of, int item, double arriving);
+    void *of;
+} PushLaw;
 
 struct Pull;
 typedef struct PullDef {
@@ -51,6 +60,7 @@ typedef struct PullDef {
     const struct Pull *like; /* spans that begin a pull solved before in the same way are taken over; NULL: none */
     int n_steps;             /* in any order; those outside the pull are ignored, those at its ends count */
     const PullStep *step;
+    const PushLaw *pushes; /* of the steps of kind STEP_PUSH; NULL: there are none */
 } PullDef;
 
 /* One span: no corner inside. Listed in the order of the pull. */

@@ -173,7 +173,7 @@ static hawser_status archive_write(const hawser_case *c, const Resources *r, con
     if (!status) status = model_load(folder, &model, NULL, err);
     identifier_make(c->name, identifier);
     if (!status)
-        description_write(&model, version, *c->def.title ? c->def.title : identifier, identifier, &description);
+        description_write(&model, version, *c->def->title ? c->def->title : identifier, identifier, &description);
     if (!status && description.failed) status = error_memory(err);
     if (!status) status = parts_pack(path, version, identifier, library, r, folder, &description, err);
     text_clear(&description);
@@ -192,7 +192,7 @@ hawser_status hawser_fmu_write(hawser_case *c, hawser_fmi version, const char *p
     if (version != HAWSER_FMI_2 && version != HAWSER_FMI_3)
         return error_set(err, HAWSER_ERR_INPUT, "version %d of FMI: 2 or 3 can be written", (int)version);
     hawser_status status = case_ensure_read(c, err); /* mistakes are found where the user made them */
-    if (!status) status = file_marks_spare(&c->def.files, path, err);
+    if (!status) status = file_marks_spare(&c->def->files, path, err);
     if (!status) status = resources_make(c->tree, &r, err);
     snprintf(folder, sizeof folder, "%.2000s/hawser-XXXXXX", temporary && *temporary ? temporary : "/tmp");
     if (!status && !mkdtemp(folder))

@@ -73,7 +73,7 @@ static hawser_status conveyor_add(Variables *v, const SceneDef *def, const Conve
 
 hawser_status variables_add_inputs(Variables *v, const hawser_case *c, hawser_error *err)
 {
-    const SceneDef *const def = &c->def;
+    const SceneDef *const def = c->def;
     hawser_status status = HAWSER_OK;
     if (def->analysis.kind != ANALYSIS_DYNAMICS) return HAWSER_OK; /* nothing can be told there */
     if (def->winch.present) status = winch_add(v, &def->winch, err);

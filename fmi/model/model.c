@@ -44,7 +44,7 @@ hawser_status model_make(char *text, const char *folder, Model *out, hawser_sim 
     if (!status) status = variables_make(c, s, &out->variables, err);
     if (!status) {
         variables_token(&out->variables, text, out->token);
-        out->interval = c->def.output.interval;
+        out->interval = c->def->output.interval;
         out->duration = hawser_sim_end_time(s);
     }
     if (sim) *sim = s;

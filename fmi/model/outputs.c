@@ -174,14 +174,14 @@ hawser_status variables_add_outputs(Variables *v, const hawser_case *c, hawser_s
     for (int i = 0; i < SAMPLE_ROWS; ++i) {
         const Variable row = {
             .type = VARIABLE_REAL, .unit = sample_rows[i].unit, .from = FROM_SAMPLE, .at = sample_rows[i].at};
-        if (is_there(&c->def, look, sample_rows[i].needs))
+        if (is_there(c->def, look, sample_rows[i].needs))
             add(&a, &row, sample_rows[i].description, sample_rows[i].name);
     }
     add(&a, &contacts, "places where the cable touches something", "cable.contacts");
-    things_add(&a, &c->def, s);
+    things_add(&a, c->def, s);
     machines_add(&a, look);
     probes_add(&a, look);
-    judgement_add(&a, s, c->def.winch.present);
+    judgement_add(&a, s, c->def->winch.present);
     add(&a, &events, "how many events there were, commands included", "events");
     add(&a, &last, "the last event in words", "events.last");
     return a.status;

@@ -83,7 +83,7 @@ static hawser_status map_walk(const Walk *w, const CaseNode *map, const CaseSect
 hawser_status variables_add_parameters(Variables *v, hawser_case *c, hawser_error *err)
 {
     hawser_error unread; /* what cannot be read as a number is no parameter */
-    const CaseReader r = {.units = units_new(), .def = &c->def, .root = c->tree->root, .err = &unread};
+    const CaseReader r = {.units = units_new(), .def = c->def, .root = c->tree->root, .err = &unread};
     const Walk w = {v, &r, err};
     if (!r.units) return error_memory(err);
     const Variable ramp = {.type = VARIABLE_REAL,

@@ -2,10 +2,11 @@
  * safe. This header, with those that it includes, is the whole public interface.
  *
  * Life of a run: load or define a case -> check -> build a simulation -> relax -> advance and sample -> summary ->
- * free. Handles are opaque and independent of each other; there is no global state. Every call that can fail returns a
- * hawser_status and, when `err` is given, writes one line of text that says what is wrong and where. SI units
- * throughout: m, kg, s, N, rad. Strings and arrays that a call hands out stay the library's and live as long as the
- * handle they came from, unless a comment says otherwise. */
+ * free. Handles are opaque and independent of each other; there is no global state. One thread uses a simulation at a
+ * time; a case may be used by many while none sets or frees it. Every call that can fail returns a hawser_status and,
+ * when `err` is given, writes one line of text that says what is wrong and where. SI units throughout: m, kg, s, N,
+ * rad. Strings and arrays that a call hands out stay the library's and live as long as the handle they came from,
+ * unless a comment says otherwise. */
 #ifndef HAWSER_HAWSER_H
 #define HAWSER_HAWSER_H
 
@@ -31,6 +32,16 @@ hawser_status hawser_case_parse_json(const char *text, const char *name, hawser_
 /* Sets one value by its dotted key, as --set does: "drive.winch.speed", "3 m/min"; list items by number, from 0, or by
  * name: "chain.0.segment", "route.pieces.C-D.straight". A key that is allowed but absent is added. */
 hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value, hawser_error *err);
+/* The value that the case gives under a dotted key, as JSON of maps, lists and texts ("\"3 m/min\""); "": all of it.
+ * *text goes back with hawser_text_free. Errors: INPUT (the case does not give the key), MEMORY. */
+hawser_status hawser_case_get(const hawser_case *c, const char *key, char **text, hawser_error *err);
+/* A copy, to be set apart: of a case that several threads use, who wants to set something sets a copy. Errors: MEMORY.
+ */
+hawser_status hawser_case_copy(const hawser_case *c, hawser_case **out, hawser_error *err);
+/* The case with its settings, folder and file as a text for another process, and the case again from it; its messages
+ * name the key, but no line. *text as above. Errors: MEMORY; of unpack INPUT, too. */
+hawser_status hawser_case_pack(const hawser_case *c, char **text, hawser_error *err);
+hawser_status hawser_case_unpack(const char *text, hawser_case **out, hawser_error *err);
 /* Interprets and checks everything that can be checked without running. */
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err);
 void hawser_case_free(hawser_case *c);

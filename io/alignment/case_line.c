@@ -46,6 +46,19 @@ static hawser_status unread_say(const CaseReader *r, const CaseNode *section, in
     return status;
 }
 
+/* What was found in a drawing and decides the pull: which way the line runs, and bends that its chords stand for. */
+static hawser_status found_say(const CaseReader *r, const CaseNode *section, const Alignment *line,
+                               const LineOptions *options, const UsedLine *used)
+{
+    if (!*line->layer) return HAWSER_OK;
+    const LineWay way = line_way(line, options->reverse);
+    char text[LINE_WORDS_MAX + 60];
+    snprintf(text, sizeof text, "%s; 'reverse' turns it", way.text);
+    hawser_status status = case_found_add(r, section, way.side, 0, text);
+    if (!status && *used->bends) status = case_found_add(r, section, "bends", 1, used->bends);
+    return status;
+}
+
 /* Reads, chooses and uses the line of `node`'s file. */
 static hawser_status line_find(const CaseReader *r, const CaseNode *node, const LineOptions *options, UsedLine *used,
                                hawser_error *err)
@@ -56,7 +69,9 @@ static hawser_status line_find(const CaseReader *r, const CaseNode *node, const 
     if (status) return status;
     status = line_choose(&options->line, &s, &line, err);
     if (!status) line_notes_say(&s, line);
+    if (!status) status = line_unit_check(&s, line, err);
     if (!status) status = line_use(line, options, used, err);
+    if (!status) status = found_say(r, node, line, options, used);
     if (!status) status = unread_say(r, node, s.n_ignored, s.ignored);
     survey_clear(&s);
     const int pieces = used->line.n_plan + used->line.n_points;

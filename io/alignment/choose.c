@@ -156,6 +156,21 @@ static void names_say(const Survey *s, size_t room, char *text)
     }
 }
 
+/* Of a file whose lines are all left out: they are shorter than what meets. 0: they are not. */
+static int short_say(const LinePick *pick, const Survey *pieces, size_t room, char *text)
+{
+    double longest = 0;
+    for (int i = 0; i < pieces->n; ++i)
+        if (is_picked(pick, &pieces->alignment[i]))
+            longest = fmax(longest, alignment_measure(&pieces->alignment[i]).plan_length);
+    if (!(longest > 0 && longest <= 2 * pick->join)) return 0;
+    snprintf(text, room,
+             "; the longest is %.4g m, with lengths in %.60s, and ends within %.4g m of each other are one place: give "
+             "another unit ('units', --units), or a smaller 'join' (--join)",
+             longest, pieces->unit, pick->join);
+    return 1;
+}
+
 /* Of a file without a line: what is in it instead, which may be where the line is. */
 static void ignored_say(const Survey *s, size_t room, char *text)
 {
@@ -178,7 +193,8 @@ hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err)
     status = pieces_join(pick, &pieces, out, err);
     if (!status && out->n == 0) {
         names_say(&pieces, sizeof names, names);
-        if (pieces.n == 0) ignored_say(&pieces, sizeof ignored, ignored);
+        if (!short_say(pick, &pieces, sizeof ignored, ignored) && pieces.n == 0)
+            ignored_say(&pieces, sizeof ignored, ignored);
         status =
             error_set(err, HAWSER_ERR_INPUT, "%.200s: no line%s%.60s%s%.60s%s; there %s%s%s", pick->path,
                       pick->name ? " of the name '" : "", pick->name ? pick->name : "",
@@ -193,6 +209,7 @@ hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err)
     pieces.ignored = NULL;
     memcpy(out->system, pieces.system, sizeof out->system);
     memcpy(out->unit, pieces.unit, sizeof out->unit);
+    out->drawn_unit = pieces.drawn_unit;
     survey_clear(&pieces);
     if (status) survey_clear(out);
     return status;
@@ -220,6 +237,48 @@ hawser_status line_choose(const LinePick *pick, const Survey *s, const Alignment
     return error_set(err, HAWSER_ERR_INPUT,
                      "%.200s: %d lines could be meant, such as %s: choose one by 'name' or 'layer'%s%s%s", pick->path,
                      rivals + 1, names, open ? ", or join them (" : "", open ? open : "", open ? ")" : "");
+}
+
+hawser_status line_unit_check(const Survey *s, const Alignment *a, hawser_error *err)
+{
+    const double least = 1, most = 1e5; /* m, of a cable's route */
+    /* Figures of a grid of metres: they lie far from the origin, and what they enclose is no longer than 10 km. */
+    const double grid_from = 1e5, grid_to = 1e7, grid_length = 1e4, small = 0.0254;
+    const double unit = s->drawn_unit;
+    if (!(unit > 0)) return HAWSER_OK;
+    const AlignmentMeasure m = alignment_measure(a);
+    const double far = fmax(fabs(m.start.x), fabs(m.start.y)) / unit, figures = m.length / unit;
+    const int grid = unit <= small && far >= grid_from && far <= grid_to && figures < grid_length;
+    if (m.length >= least && m.length <= most && !grid) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "'%.60s' is %.6g m long in the drawing's unit (%.60s), %.6g in its own figures%s: is that the unit? "
+                     "Give 'units' (--units), mm, m, ft or what it is",
+                     a->name, m.length, s->unit, figures, grid ? ", which are like those of a grid of metres" : "");
+}
+
+/* Without the sign of what rounds to 0. */
+static double shown(double x) { return fabs(x) < 5e-4 ? 0 : x; }
+
+LineWay line_way(const Alignment *a, int reversed)
+{
+    const AlignmentMeasure m = alignment_measure(a);
+    const Vec3 from = reversed ? m.end : m.start, to = reversed ? m.start : m.end;
+    const double dx = to.x - from.x, dy = to.y - from.y, against = a->against / fmax(m.plan_length, 1e-300);
+    const int ring = hypot(dx, dy) < 1e-3 * m.plan_length, across = fabs(dx) >= fabs(dy);
+    LineWay way = {.side = ring            ? "back to its start"
+                           : across && dx > 0 ? "left to right"
+                           : across           ? "right to left"
+                           : dy > 0           ? "bottom to top"
+                                              : "top to bottom"};
+    char drawn[80];
+    if (a->against > 0)
+        snprintf(drawn, sizeof drawn, "as %.0f %% of its length %s drawn", 100 * (1 - against),
+                 against > 0.5 - 1e-9 ? "and its first piece are" : "is");
+    else
+        snprintf(drawn, sizeof drawn, "as it is drawn");
+    snprintf(way.text, sizeof way.text, "from (%.3f, %.3f) to (%.3f, %.3f), %s, %s%s", shown(from.x),
+             shown(from.y), shown(to.x), shown(to.y), way.side, reversed ? "against the way " : "", reversed ? drawn + 3 : drawn);
+    return way;
 }
 
 void line_notes_say(Survey *s, const Alignment *chosen)

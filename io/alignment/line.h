@@ -36,6 +36,16 @@ hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err);
 hawser_status line_choose(const LinePick *pick, const Survey *s, const Alignment **out, hawser_error *err);
 /* Counts the lines beside the chosen one, and a unit that is not said, among what is not read. */
 void line_notes_say(Survey *s, const Alignment *chosen);
+/* Whether the size of a drawing's line allows the unit that the drawing states. Errors: INPUT with the question. */
+hawser_status line_unit_check(const Survey *s, const Alignment *a, hawser_error *err);
+
+/* Which way a line runs, in words: "left to right", and where from and to, and how much of it is drawn so. */
+enum { LINE_WORDS_MAX = 240 };
+typedef struct LineWay {
+    const char *side;          /* "left to right"; lives for ever */
+    char text[LINE_WORDS_MAX]; /* "from (0.000, 0.000) to (9.000, 0.000), left to right, as all of it is drawn" */
+} LineWay;
+LineWay line_way(const Alignment *a, int reversed);
 
 /* What a case's route may have: some 70 km of short bends, whose parts are shown in 2 s. */
 enum { LINE_PIECES_MOST = 50000 };
@@ -48,6 +58,7 @@ typedef struct UsedLine {
     double rms;       /* m, of the fit */
     double file_length, file_plan; /* m, of the file's own line, in space and in plan */
     Vec3 file_start, file_end;     /* m, its ends */
+    char bends[160];               /* which chords were taken for arcs, in words; empty: none */
     int n_unread;
     SurveyIgnored *unread; /* [n_unread] what was left out of the profile's file; allocated */
 } UsedLine;

@@ -1,5 +1,6 @@
 /* A line of a file as it will be built: with its heights, fitted, cut, turned around, chained. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "core/base/error.h"
@@ -72,6 +73,10 @@ static hawser_status fit(const Alignment *from, const Alignment *profile, const 
         const double off = larger_of(report.largest, report.largest_height);
         if (off <= options->tolerance || off > FAR_OFF * options->tolerance) break;
     }
+    if (report.chords)
+        snprintf(used->bends, sizeof used->bends,
+                 "%d straights are taken for the chords of %d bend%s, up to %.3g m beside them", report.chords,
+                 report.chord_bends, report.chord_bends > 1 ? "s" : "", report.chord_off);
     used->fitted = report.fitted;
     used->deviation = larger_of(report.largest, report.largest_height);
     used->rms = larger_of(report.rms, report.rms_height);

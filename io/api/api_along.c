@@ -21,10 +21,10 @@ typedef struct Along {
 /* Theory that fails leaves its columns empty: the run has its own way to say what is wrong. Errors: MEMORY. */
 static hawser_status along_solve(const hawser_sim *s, Along *a, hawser_error *err)
 {
-    const Scene *const scene = &s->stage.scene;
+    const Setup *const setup = &s->stage.scene.setup;
     const PlanPullDef whole = {.way = PLAN_FORWARD, .whole = 1};
     hawser_error quiet = {HAWSER_OK, ""};
-    hawser_status status = calculator_build(scene, &s->expected, 0, &a->calculator, &quiet);
+    hawser_status status = calculator_build(setup, &s->expected, 0, &a->calculator, &quiet);
     a->solved = !status;
     if (!status) {
         PlanDef plan = a->calculator.def;
@@ -33,7 +33,7 @@ static hawser_status along_solve(const hawser_sim *s, Along *a, hawser_error *er
         a->with_paper = !status;
     }
     if (status != HAWSER_ERR_MEMORY) {
-        status = expected_pull(scene, &s->expected, PULL_REFERENCE, &a->run, &quiet);
+        status = expected_pull(setup, &s->expected, PULL_REFERENCE, &a->run, &quiet);
         a->with_run = !status;
     }
     return status == HAWSER_ERR_MEMORY ? error_memory(err) : HAWSER_OK;
@@ -50,7 +50,7 @@ static void along_clear(Along *a)
 static double paper_at(const Scene *scene, const Along *a, double s)
 {
     const SceneDef *const def = &scene->def;
-    const double g = v3_norm(def->gravity), mass = g > 0 ? scene->cable_weight / g : 0;
+    const double g = v3_norm(def->gravity), mass = g > 0 ? scene->setup.cable_weight / g : 0;
     if (def->n_paper > 0) return paper_tension(def->n_paper, def->paper, mass, def->friction.mu_d, g, s);
     return a->with_paper ? pull_at(&a->paper, s).tension : NAN;
 }

@@ -81,14 +81,14 @@ static const hawser_limit *limit_called(int n, const hawser_limit *limit, const 
 }
 
 /* What was found at its worst place, and what to do if that is too much, unless that was `said` just before. */
-static void limit_lines(Answer *a, const Scene *scene, const char *word, const hawser_limit *l, char said[REMEDY_MAX])
+static void limit_lines(Answer *a, const Setup *setup, const char *word, const hawser_limit *l, char said[REMEDY_MAX])
 {
     char found[HAWSER_SHOWN_MAX], margin[128], remedy[REMEDY_MAX], where[sizeof l->where + 2];
     say_margin(l, a->units, margin, sizeof margin);
     answer_line(a, word, "%s %s%s%s; %s", l->name, hawser_show(l->value, l->unit, a->units, found),
                 *l->where ? " at " : "", place_mark(l->where, where, sizeof where), margin);
     if (l->ok) return;
-    limit_remedy(scene, l, a->units, remedy);
+    limit_remedy(setup, l, a->units, remedy);
     if (*remedy && strcmp(remedy, said) != 0) answer_line(a, "remedy", "%s", remedy);
     strcpy(said, remedy);
 }
@@ -104,16 +104,16 @@ static void open_line(Answer *a, int n, const hawser_limit *limit)
     if (*names) answer_line(a, "not judged", "%s (the table of limits says why)", names);
 }
 
-void answer_limits(Answer *a, const Scene *scene, int n, const hawser_limit *limit)
+void answer_limits(Answer *a, const Setup *setup, int n, const hawser_limit *limit)
 {
     const hawser_limit *worst = NULL;
     char said[REMEDY_MAX] = "";
     for (int i = 0; i < n; ++i) {
         if (limit[i].judged && (!worst || limit[i].margin < worst->margin)) worst = &limit[i];
     }
-    if (worst) limit_lines(a, scene, "worst", worst, said);
+    if (worst) limit_lines(a, setup, "worst", worst, said);
     for (int i = 0; i < n; ++i) {
-        if (limit[i].judged && !limit[i].ok && &limit[i] != worst) limit_lines(a, scene, "broken", &limit[i], said);
+        if (limit[i].judged && !limit[i].ok && &limit[i] != worst) limit_lines(a, setup, "broken", &limit[i], said);
     }
     if (n == 0) answer_line(a, "remedy", "say what is allowed in the case's section 'limits'");
     open_line(a, n, limit);
@@ -121,11 +121,28 @@ void answer_limits(Answer *a, const Scene *scene, int n, const hawser_limit *lim
 
 /* ------------------------------------------------------------------------------------------ of the calculation */
 
-/* The winch's force of one way, at speed and from rest. */
-static void way_line(Answer *a, const Calculator *c, int k)
+/* Where the largest force of a way occurs, unless that is at the end of the one section: " (pit P, the head at 400 m)";
+ * head: m along the route. */
+static const char *largest_place(const Answer *a, const Setup *setup, const Calculator *c, int k, double head,
+                                 char text[160])
 {
-    char force[HAWSER_SHOWN_MAX], restart[HAWSER_SHOWN_MAX], margin[128] = "";
-    const PlanWay *const way = &c->plan.way[k];
+    const TheoryDef *const theory = &setup->def->theory;
+    const PlanSection s = plan_section_at(&c->def, k, head);
+    char shown[HAWSER_SHOWN_MAX], pit[96] = "";
+    *text = 0;
+    if (theory->n_pits == 0 && fabs(head - s.to) < 1e-6 * c->route->length) return text;
+    if (s.ends >= 0) snprintf(pit, sizeof pit, "%.80s, ", theory->pits[s.ends - theory->n_machines].name);
+    if (s.ends < 0 && theory->n_pits > 0) snprintf(pit, sizeof pit, "the end, ");
+    snprintf(text, 160, " (%sthe head at %s)", pit, hawser_show(head, "m", a->units, shown));
+    return text;
+}
+
+/* The largest force that a winch of one way needs, at speed and from rest: of all sections and of all places of the
+ * head. */
+static void way_line(Answer *a, const Setup *setup, const Calculator *c, int k)
+{
+    char force[HAWSER_SHOWN_MAX], restart[HAWSER_SHOWN_MAX], margin[128] = "", at[160], then[160];
+    const HeadSeries *const heads = &c->heads[k];
     const char *const word = k == PLAN_FORWARD ? "pull" : "pulled back";
     const hawser_limit *const l = limit_called(c->n_limits, c->limit[k], "pull");
     if (!c->pulled[k].holds && !isnan(c->brake[k].brake)) {
@@ -138,12 +155,15 @@ static void way_line(Answer *a, const Calculator *c, int k)
         strcpy(margin, "; ");
         say_margin(l, a->units, margin + 2, sizeof margin - 2);
     }
-    answer_line(a, word, "%s at the winch, %s from rest%s", hawser_show(way->force, "N", a->units, force),
-                hawser_show(way->restart_force, "N", a->units, restart), margin);
+    largest_place(a, setup, c, k, heads->peak.head, at);
+    largest_place(a, setup, c, k, heads->restart_peak.head, then);
+    answer_line(a, word, "%s at the winch%s, %s from rest%s%s", hawser_show(heads->peak.force, "N", a->units, force),
+                at, hawser_show(heads->restart_peak.restart, "N", a->units, restart), strcmp(at, then) ? then : "",
+                margin);
 }
 
 /* Less friction, a shorter pull, machines: what would keep the limits of this way, by the same calculation. */
-static void inverse_lines(Answer *a, const Scene *scene, const Inverse *inverse, int way)
+static void inverse_lines(Answer *a, const Setup *setup, const Inverse *inverse, int way)
 {
     char shown[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX];
     const InverseMachines *const m = &inverse->machines[way];
@@ -168,20 +188,20 @@ static void inverse_lines(Answer *a, const Scene *scene, const Inverse *inverse,
     }
     if (inverse->asked && m->n > 0)
         answer_line(a, "remedy", "%d machine%s of %s, the first at %s, would keep all limits%s%s", m->n,
-                    m->n > 1 ? "s" : "", hawser_show(scene->def.theory.machine_push, "N", a->units, shown),
+                    m->n > 1 ? "s" : "", hawser_show(setup->def->theory.machine_push, "N", a->units, shown),
                     hawser_show(m->at[0], "m", a->units, now), *m->stays ? " but " : "", m->stays);
 }
 
-void answer_theory(Answer *a, const Scene *scene, const Calculator *c, const Inverse *inverse,
+void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
                    const char verdict[][HAWSER_VERDICT_MAX])
 {
     const int forward = calculator_holds(c, PLAN_FORWARD), backward = calculator_holds(c, PLAN_BACKWARD);
     answer_verdict(a, verdict[PLAN_FORWARD]);
-    way_line(a, c, PLAN_FORWARD);
-    answer_limits(a, scene, c->n_limits, c->limit[PLAN_FORWARD]);
-    if (!forward) inverse_lines(a, scene, inverse, PLAN_FORWARD);
+    way_line(a, setup, c, PLAN_FORWARD);
+    answer_limits(a, setup, c->n_limits, c->limit[PLAN_FORWARD]);
+    if (!forward) inverse_lines(a, setup, inverse, PLAN_FORWARD);
     if (!forward && backward && c->n_limits > 0) answer_line(a, "remedy", "pulled from the other end all limits hold");
-    way_line(a, c, PLAN_BACKWARD);
+    way_line(a, setup, c, PLAN_BACKWARD);
     answer_line(a, "", "%s", verdict[PLAN_BACKWARD]);
 }
 
@@ -289,7 +309,7 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
     if (!sum.rod) {
         pull_line(&a, &sum, n, limit);
         if (n > 0) reached_line(&a, s);
-        if (n > 0 || !failed) answer_limits(&a, &s->stage.scene, n, limit);
+        if (n > 0 || !failed) answer_limits(&a, &s->stage.scene.setup, n, limit);
     }
     if (!failed) trust_lines(&a, &sum);
     if (sum.passes) answer_line(&a, "passes", "%s: %s", sum.passes->why, sum.passes->says);

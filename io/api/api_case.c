@@ -1,5 +1,5 @@
-/* A case behind the public handle: a tree of what the file says, and the definition read from it once somebody asks.
- * Settings change the tree, and what was read is read again. */
+/* A case behind the public handle: a tree of what the file says, and the definition that is read from it when it is
+ * first needed. Settings change the tree, and what was read is read again. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
 #include "io/case/case_read.h"
@@ -70,19 +70,50 @@ hawser_status hawser_case_parse_json(const char *text, const char *name, hawser_
     return status;
 }
 
-hawser_status case_copy(const hawser_case *c, hawser_case **out, hawser_error *err)
+hawser_status hawser_case_copy(const hawser_case *c, hawser_case **out, hawser_error *err)
 {
+    if (!c || !out) return error_argument(err, c ? "out" : "c");
     CaseTree *const tree = case_tree_copy(c->tree);
     *out = NULL;
     return tree ? wrap_tree(tree, c->name, out, err) : error_memory(err);
 }
 
-/* Forgets what was read from the tree. */
-static void drop_read(hawser_case *c)
+hawser_status hawser_case_get(const hawser_case *c, const char *key, char **text, hawser_error *err)
 {
-    if (c->read) scene_def_clear(&c->def);
-    c->read = 0;
+    const CaseNode *node;
+    if (!c || !key || !text) return error_argument(err, !c ? "c" : !key ? "key" : "text");
+    *text = NULL;
+    const hawser_status status = case_tree_find(c->tree, key, &node, err);
+    return status ? status : case_node_text(node, text, err);
 }
+
+hawser_status hawser_case_pack(const hawser_case *c, char **text, hawser_error *err)
+{
+    if (!c || !text) return error_argument(err, c ? "text" : "c");
+    return case_tree_pack(c->tree, c->name, text, err);
+}
+
+hawser_status hawser_case_unpack(const char *text, hawser_case **out, hawser_error *err)
+{
+    CaseTree *tree;
+    char *name;
+    if (!text || !out) return error_argument(err, text ? "out" : "text");
+    *out = NULL;
+    hawser_status status = case_tree_unpack(text, &tree, &name, err);
+    if (!status) status = wrap_tree(tree, name, out, err);
+    free(name);
+    return status;
+}
+
+static SceneDef *def_free(SceneDef *def)
+{
+    if (def) scene_def_clear(def);
+    free(def);
+    return NULL;
+}
+
+/* Forgets what was read from the tree. */
+static void drop_read(hawser_case *c) { c->def = def_free(c->def); }
 
 /* Other files may be found now. */
 hawser_status hawser_case_folder(hawser_case *c, const char *folder, hawser_error *err)
@@ -104,19 +135,26 @@ hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value
     return case_tree_set(c->tree, key, value, err);
 }
 
-/* Reading is done once for any number of checks, descriptions and simulations. */
+/* Reading is done once for any number of checks, descriptions and simulations. Threads that begin at once read the
+ * same, each for itself, and the first one's stays. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err)
 {
     if (!c) return error_argument(err, "c");
-    if (c->read) return HAWSER_OK;
-    const hawser_status status = case_read(c->tree, &c->def, err);
-    c->read = !status;
-    return status;
+    if (c->def) return HAWSER_OK;
+    SceneDef *const def = malloc(sizeof *def), *none = NULL;
+    if (!def) return error_memory(err);
+    const hawser_status status = case_read(c->tree, def, err);
+    if (status) {
+        free(def); /* cleared */
+        return status;
+    }
+    if (!atomic_compare_exchange_strong(&c->def, &none, def)) def_free(def);
+    return HAWSER_OK;
 }
 
 hawser_status case_alone(const hawser_case *c, const char *what, hawser_error *err)
 {
-    if (c->def.n_beside == 0) return HAWSER_OK;
+    if (c->def->n_beside == 0) return HAWSER_OK;
     return case_key_error(err, case_node_key(c->tree->root, "chains"), NULL,
                           "%s cannot be had of several chains: give one 'chain', with the section 'bundle' for cables "
                           "that are pulled together",
@@ -138,7 +176,7 @@ hawser_status hawser_case_spares(hawser_case *c, const char *path, hawser_error 
 {
     if (!c || !path) return error_argument(err, c ? "path" : "c");
     const hawser_status status = case_ensure_read(c, err);
-    return status ? status : file_marks_spare(&c->def.files, path, err);
+    return status ? status : file_marks_spare(&c->def->files, path, err);
 }
 
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err) { return case_ensure_read(c, err); }

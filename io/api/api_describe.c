@@ -2,8 +2,8 @@
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
 #include "io/case/case_parts.h"
-#include "sim/expected/cost.h"
-#include "sim/expected/mesh.h"
+#include "sim/cost.h"
+#include "theory/mesh.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -353,7 +353,10 @@ static hawser_status gather(Description *d, hawser_error *err)
     fill_chains(d);
     fill_grades(d);
     d->n_odd = plausible_find(def, &d->route, d->odd);
-    const hawser_status found = mesh_find(def, &d->route, &d->mesh, err);
+    Supports map = {.def = def, .route = &d->route};
+    hawser_status found = def->rod.present ? HAWSER_OK : supports_build(def, &d->route, &map, err);
+    if (!found) found = mesh_find(&map, &d->mesh, err);
+    supports_free(&map);
     if (found) return found;
     d->demand = calloc((size_t)d->mesh.n + 1, sizeof *d->demand);
     if (!d->demand) return error_memory(err);
@@ -364,7 +367,7 @@ static hawser_status gather(Description *d, hawser_error *err)
 /* Builds the simulation for its counts; its texts live as long as it does. */
 static hawser_status describe(const hawser_case *c, hawser_format format, char **text, hawser_error *err)
 {
-    Description d = {.def = &c->def};
+    Description d = {.def = c->def};
     Sim *sim = NULL;
     hawser_status status = cost_check(d.def, err);
     if (!status) status = sim_new(d.def, 0, &sim, err);

@@ -2,8 +2,8 @@
  * the pulling theory with the cable at the route's end, docs/model.md, "Placing". */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
-#include "sim/expected/calculator.h"
-#include "theory/place/place.h"
+#include "theory/calculator.h"
+#include "theory/place.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -41,7 +41,7 @@ static const Column crew_column[] = {
 
 /* The list while it is made. */
 typedef struct Crew {
-    const Scene *scene;
+    const Setup *setup;
     const Calculator *calculator;
     int n;
     CrewRow *row;     /* [n] */
@@ -61,11 +61,11 @@ static double heading_of(double x, double y)
 /* The row of something that stands on the line itself. */
 static CrewRow *line_row(Crew *c, const char *kind, const char *name, double s)
 {
-    const RoutePoint at = route_at(&c->scene->route, s);
+    const RoutePoint at = route_at(c->setup->route, s);
     CrewRow *const row = &c->row[c->n++];
     *row = (CrewRow){.kind = kind, .station = s, .tilt = NAN, .load = NAN, .rating = NAN, .margin = NAN};
     snprintf(row->name, sizeof row->name, "%.63s", name);
-    row->at = v3_add(at.position, c->scene->def.route_origin);
+    row->at = v3_add(at.position, c->setup->def->route_origin);
     row->heading = heading_of(at.tangent.x, at.tangent.y);
     return row;
 }
@@ -87,8 +87,8 @@ static void roller_row(Crew *c, const RollerDef *roller, const Support *support)
 {
     static const char *const kinds[] = {"roller", "hold-down", "guide", "guide"};
     CrewRow *const row = line_row(c, kinds[support->side], roller->name, support->s);
-    const RoutePoint at = route_at(&c->scene->route, support->s);
-    row->at = v3_add(roller->centre, c->scene->def.route_origin);
+    const RoutePoint at = route_at(c->setup->route, support->s);
+    row->at = v3_add(roller->centre, c->setup->def->route_origin);
     row->tilt = asin(fmin(1, fabs(roller->axis.z))) / DEGREE;
     if (support->side == PLACE_BELOW || support->side == PLACE_ABOVE) {
         const double sign = roller->axis.y * at.tangent.x - roller->axis.x * at.tangent.y < 0 ? -1 : 1;
@@ -103,14 +103,14 @@ static void roller_row(Crew *c, const RollerDef *roller, const Support *support)
 /* Where each roller stands; those by coordinates at the nearest place. Returns how many there are. */
 static int rollers_find(const Crew *c, const RouteGrid *grid)
 {
-    const SceneDef *const def = &c->scene->def;
+    const SceneDef *const def = c->setup->def;
     const Stretches *const stretches = &c->calculator->stretches;
     int n = 0;
     for (int i = 0; i < def->n_rollers; ++i) {
         const RollerDef *const roller = &def->rollers[i];
         if (roller->profile >= SHAPE_BOX) continue;
         const double s = isnan(roller->s) ? route_nearest(grid, roller->centre, 1).s : roller->s;
-        const PlaceSide side = side_of(&c->scene->route, roller, s);
+        const PlaceSide side = side_of(c->setup->route, roller, s);
         const int shared = stretch_at(stretches->n, stretches->stretch, s)->separate;
         c->support[n++] = (Support){.s = s, .side = side, .item = i, .whole = side == PLACE_BELOW && !shared};
     }
@@ -119,11 +119,11 @@ static int rollers_find(const Crew *c, const RouteGrid *grid)
 
 static hawser_status rollers_list(Crew *c, hawser_error *err)
 {
-    const SceneDef *const def = &c->scene->def;
-    const PlaceLine line = {.route = &c->scene->route,
+    const SceneDef *const def = c->setup->def;
+    const PlaceLine line = {.route = c->setup->route,
                             .pull = &c->calculator->plan.way[PLAN_FORWARD].pull,
-                            .weight = c->scene->cable_weight,
-                            .to = c->scene->route.length};
+                            .weight = c->setup->cable_weight,
+                            .to = c->setup->route->length};
     RouteGrid grid = {0};
     const hawser_status status = route_grid_build(line.route, BEYOND, &grid, err);
     const int n = status ? 0 : rollers_find(c, &grid);
@@ -136,9 +136,9 @@ static hawser_status rollers_list(Crew *c, hawser_error *err)
 /* What is no roller: at the middle of machines, at the ends winch and reel. */
 static void others_list(Crew *c)
 {
-    const SceneDef *const def = &c->scene->def;
+    const SceneDef *const def = c->setup->def;
     const PlanWay *const way = &c->calculator->plan.way[PLAN_FORWARD];
-    const double end = isnan(def->winch.at) ? c->scene->route.length : def->winch.at;
+    const double end = isnan(def->winch.at) ? c->setup->route->length : def->winch.at;
     if (def->reel.model != REEL_NONE) line_row(c, "reel", "reel", -def->reel.distance)->load = way->start;
     if (def->drum.present) line_row(c, "reel", "drum", -def->drum.distance)->load = way->start;
     for (int i = 0; i < def->n_conveyors; ++i) {
@@ -177,20 +177,20 @@ static hawser_status crew_write(const Crew *c, const char *title, hawser_format 
     return document_write(&doc, format, text, err);
 }
 
-/* Everything from a scene that was built. */
-static hawser_status crew_make(const Scene *scene, const char *title, hawser_format format, char **text,
+/* Everything from a setup that was built. */
+static hawser_status crew_make(const Setup *setup, const char *title, hawser_format format, char **text,
                                hawser_error *err)
 {
-    const SceneDef *const def = &scene->def;
+    const SceneDef *const def = setup->def;
     const size_t most = (size_t)(def->n_rollers + def->n_conveyors + def->theory.n_machines + def->theory.n_pits) + 3;
     Expected expected = {0};
     Calculator calculator = {0};
-    Crew c = {.scene = scene, .calculator = &calculator};
+    Crew c = {.setup = setup, .calculator = &calculator};
     c.row = calloc(most, sizeof *c.row);
     c.support = calloc((size_t)def->n_rollers + 1, sizeof *c.support);
     hawser_status status = c.row && c.support ? HAWSER_OK : error_memory(err);
-    if (!status) status = expected_fill(scene, 0, NULL, &expected, err);
-    if (!status) status = calculator_build(scene, &expected, 0, &calculator, err);
+    if (!status) status = expected_fill(setup, 0, NULL, &expected, err);
+    if (!status) status = calculator_build(setup, &expected, 0, &calculator, err);
     if (!status) status = rollers_list(&c, err);
     if (!status) others_list(&c);
     if (!status) status = crew_write(&c, title, format, text, err);
@@ -208,13 +208,11 @@ hawser_status hawser_case_equipment(hawser_case *c, hawser_format format, char *
     hawser_status status = case_ensure_read(c, err);
     if (!status) status = case_alone(c, "the crew's list", err);
     if (status) return status;
-    if (c->def.rod.present)
+    if (c->def->rod.present)
         return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': equipment stands along a route", c->name);
-    Scene scene;
-    status = scene_build(&c->def, &scene, err);
-    if (!status) {
-        status = crew_make(&scene, c->def.title[0] ? c->def.title : c->name, format, text, err);
-        scene_clear(&scene);
-    }
+    Setup setup;
+    status = setup_make(c->def, &setup, err);
+    if (!status) status = crew_make(&setup, c->def->title[0] ? c->def->title : c->name, format, text, err);
+    setup_free(&setup);
     return case_name_error(c, status, err);
 }

@@ -2,19 +2,22 @@
 #ifndef HAWSER_IO_API_API_HANDLES_H
 #define HAWSER_IO_API_API_HANDLES_H
 
+#include <stdatomic.h>
+
 #include "core/base/checkpoint.h"
 #include "hawser/hawser.h"
 #include "io/results/column.h"
 #include "io/results/results.h"
 #include "io/yaml/yaml_tree.h"
-#include "sim/expected/inverse.h"
 #include "sim/run/sim.h"
+#include "theory/inverse.h"
 
+/* Several threads may use one that none of them sets: the tree does not change then, and `def` changes once, from NULL
+ * to what whoever was first has read. There is no lock that a forked child could inherit. */
 struct hawser_case {
     CaseTree *tree;
-    char *name;   /* of its file */
-    int read;     /* def holds what the tree says */
-    SceneDef def; /* cleared while not read */
+    char *name;              /* of its file */
+    _Atomic(SceneDef *) def; /* what the tree says, which nobody writes to; NULL: not read yet */
 };
 
 /* A simulation is told to move from inside one of its call-backs. */
@@ -23,12 +26,10 @@ hawser_status error_inside(hawser_error *err);
 int is_inside(const hawser_sim *s);
 /* One of several chains is told to move by itself. */
 hawser_status error_led(hawser_error *err);
-/* Makes c->def hold what the case says now. Errors: INPUT, MEMORY. */
+/* Makes c->def point at what the case says now. Errors: INPUT, MEMORY. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err);
 /* Of a case that was read: an error with the line of `chains` if it has several, of which `what` cannot be asked. */
 hawser_status case_alone(const hawser_case *c, const char *what, hawser_error *err);
-/* A copy of the case as it is set, to be set further; `c` must outlive it. Errors: MEMORY. */
-hawser_status case_copy(const hawser_case *c, hawser_case **out, hawser_error *err);
 /* For errors found while building from c->def, which no longer knows the file: puts the case's name before an INPUT
  * message. Returns status. */
 hawser_status case_name_error(const hawser_case *c, hawser_status status, hawser_error *err);
@@ -100,11 +101,11 @@ typedef struct TheoryTables {
 /* The table `limits` alone, of the first `ways` directions. Returns 0 without memory. */
 int theory_limits_add(const Calculator *c, int ways, TheoryTables *t);
 /* The texts are the calculator's, the answers' and the scene's, which must stay. Errors: MEMORY. */
-hawser_status theory_tables_make(const Scene *scene, const Calculator *c, const Inverse *inverse, TheoryTables *out,
+hawser_status theory_tables_make(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *out,
                                  hawser_error *err);
 /* Adds what the planner asks: places of the head, sections, brake, machines, answers the other way round, notes.
  * Returns 0 without memory. */
-int theory_planner_add(const Scene *scene, const Calculator *c, const Inverse *inverse, TheoryTables *t);
+int theory_planner_add(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *t);
 /* Gives a table n rows of its own; NULL without memory. */
 void *theory_table_add(TheoryTables *t, const char *key, const char *heading, Columns columns, int n);
 extern const char *const theory_ways[PLAN_WAYS];
@@ -132,10 +133,10 @@ void answer_verdict(Answer *a, const char *verdict);
 /* "  word   sentence", in as many lines as that takes. */
 void answer_line(Answer *a, const char *word, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* The worst of the limits, what to do about each that is broken, and which are not judged. */
-void answer_limits(Answer *a, const Scene *scene, int n, const hawser_limit *limit);
+void answer_limits(Answer *a, const Setup *setup, int n, const hawser_limit *limit);
 
 /* All of it for the calculation, each way of pulling with its verdict. */
-void answer_theory(Answer *a, const Scene *scene, const Calculator *c, const Inverse *inverse,
+void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
                    const char verdict[][HAWSER_VERDICT_MAX]);
 
 /* The rows of route.csv, malloc'ed; none for a scene without a route. Theory that cannot be computed there is NAN.
@@ -146,6 +147,6 @@ hawser_status along_rows(hawser_sim *s, AlongRow **rows, int *n, hawser_error *e
 const char *show_bound(double value, int least, const char *unit, hawser_units units, char *text);
 /* What would make a broken limit hold, from its own figures and the scene's: "a radius of 8.5 m in 'bend' would do".
  * The tension is taken to stay as it is. `text` has 256 bytes and is empty where nothing can be told. */
-void limit_remedy(const Scene *scene, const hawser_limit *broken, hawser_units units, char *text);
+void limit_remedy(const Setup *setup, const hawser_limit *broken, hawser_units units, char *text);
 
 #endif

@@ -48,23 +48,23 @@ static double largest_friction(const FrictionLaw *law) { return fmax(law->mu_s, 
 
 /* N/m: how much a bend's tension grows at most with its radius, also from rest. A longer bend has more weight on it, of
  * which friction takes mu at its beginning and by exp(mu angle) more at its end; where it climbs, all of it. */
-static double tension_by_radius(const Scene *scene, const RoutePiece *bend)
+static double tension_by_radius(const Setup *setup, const RoutePiece *bend)
 {
-    const SceneDef *const def = &scene->def;
+    const SceneDef *const def = setup->def;
     double mu = largest_friction(&def->friction);
     for (int i = 0; i < def->n_surfaces; ++i) mu = fmax(mu, largest_friction(&def->surfaces[i].friction));
     const double rise =
-        fabs(route_slope(&scene->route, bend->s0)) + fabs(route_slope(&scene->route, bend->s0 + bend->length));
-    return scene->cable_weight * bend->angle * (mu * exp(mu * bend->angle) + (rise > 1e-6 ? 1 : 0));
+        fabs(route_slope(setup->route, bend->s0)) + fabs(route_slope(setup->route, bend->s0 + bend->length));
+    return setup->cable_weight * bend->angle * (mu * exp(mu * bend->angle) + (rise > 1e-6 ? 1 : 0));
 }
 
 /* T/R goes down as R goes up: (T + k (R' - R)) / R' is the limit. */
-static void sidewall_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
+static void sidewall_remedy(const Setup *setup, const hawser_limit *l, hawser_units units, char *text)
 {
     char radius[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX], place[56] = "there", key[40] = "";
-    const int p = bend_at(&scene->route, l->where);
-    const RoutePiece *const bend = p >= 0 ? &scene->route.piece[p] : NULL;
-    const double share = 100 * (1 - l->limit / l->value), k = bend ? tension_by_radius(scene, bend) : INFINITY;
+    const int p = bend_at(setup->route, l->where);
+    const RoutePiece *const bend = p >= 0 ? &setup->route->piece[p] : NULL;
+    const double share = 100 * (1 - l->limit / l->value), k = bend ? tension_by_radius(setup, bend) : INFINITY;
     if (!(l->limit > k)) {
         snprintf(text, REMEDY_MAX, "%.3g %% less tension there, or what presses less", share);
         return;
@@ -87,10 +87,10 @@ static void pull_remedy(const hawser_limit *l, hawser_units units, char *text)
         hawser_show(l->value - l->limit, "N", units, over));
 }
 
-static void rope_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
+static void rope_remedy(const Setup *setup, const hawser_limit *l, hawser_units units, char *text)
 {
     char strength[HAWSER_SHOWN_MAX];
-    const double factor = scene->def.limits.rope_strength / l->limit; /* of safety */
+    const double factor = setup->def->limits.rope_strength / l->limit; /* of safety */
     snprintf(text, REMEDY_MAX, "a rope that breaks at %s (limits.rope_strength), or less pull",
              show_bound(l->value * factor, 1, "N", units, strength));
 }
@@ -118,15 +118,15 @@ static double diameter_for(const SceneDef *def, const SurfaceDef *duct, double c
 
 /* Jamming goes by D/d and is forbidden between two of its values; clearance goes by D, by
  * more than D where cables lie in a triangle; fill by (d/D)^2. */
-static void duct_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
+static void duct_remedy(const Setup *setup, const hawser_limit *l, hawser_units units, char *text)
 {
     char least[HAWSER_SHOWN_MAX], most[HAWSER_SHOWN_MAX] = "", now[HAWSER_SHOWN_MAX];
-    const LimitsDef *const limits = &scene->def.limits;
-    const SurfaceDef *const duct = duct_called(&scene->def, l->where);
+    const LimitsDef *const limits = &setup->def->limits;
+    const SurfaceDef *const duct = duct_called(setup->def, l->where);
     if (!duct) return;
     const double D = 2 * (duct->bore > 0 ? duct->bore : duct->shape.radius);
     double wider = D * sqrt(l->value / l->limit);
-    if (!strcmp(l->name, "clearance")) wider = diameter_for(&scene->def, duct, l->limit, D);
+    if (!strcmp(l->name, "clearance")) wider = diameter_for(setup->def, duct, l->limit, D);
     if (!strcmp(l->name, "jam_ratio")) {
         wider = D * limits->jam_to / l->value;
         show_bound(D * limits->jam_from / l->value, 0, "m", units, most);
@@ -172,16 +172,16 @@ static void simple_remedy(const hawser_limit *l, hawser_units units, char *text)
 }
 
 /* `drive.tail` is of each cable (BU10); what pushes the cable from behind may push less. */
-static void run_away_remedy(const Scene *scene, const hawser_limit *l, hawser_units units, char *text)
+static void run_away_remedy(const Setup *setup, const hawser_limit *l, hawser_units units, char *text)
 {
     char value[HAWSER_SHOWN_MAX];
-    const int tails = bundle_tails(&scene->def.bundle);
+    const int tails = bundle_tails(&setup->def->bundle);
     show_bound(l->value / tails, 1, "N", units, value);
     snprintf(text, REMEDY_MAX, "a brake of %s more where the pull begins (drive.tail.tension%s)%s", value,
-             tails > 1 ? ", of each cable" : "", scene->def.theory.feed > 0 ? ", or less feed (theory.feed)" : "");
+             tails > 1 ? ", of each cable" : "", setup->def->theory.feed > 0 ? ", or less feed (theory.feed)" : "");
 }
 
-void limit_remedy(const Scene *scene, const hawser_limit *broken, hawser_units units, char *text)
+void limit_remedy(const Setup *setup, const hawser_limit *broken, hawser_units units, char *text)
 {
     static const char *const pulls[] = {"pull", "restart", "attachment", "winch"};
     hawser_limit sure = *broken;
@@ -193,15 +193,15 @@ void limit_remedy(const Scene *scene, const hawser_limit *broken, hawser_units u
     if (pull) {
         pull_remedy(l, units, text);
     } else if (!strcmp(l->name, "sidewall")) {
-        sidewall_remedy(scene, l, units, text);
+        sidewall_remedy(setup, l, units, text);
     } else if (!strcmp(l->name, "rope")) {
-        rope_remedy(scene, l, units, text);
+        rope_remedy(setup, l, units, text);
     } else if (!strcmp(l->name, "jam_ratio") || !strcmp(l->name, "clearance") || !strcmp(l->name, "fill")) {
-        duct_remedy(scene, l, units, text);
+        duct_remedy(setup, l, units, text);
     } else if (!strncmp(l->name, "roller_", 7)) {
         roller_remedy(l, text);
     } else if (!strcmp(l->name, "run_away")) {
-        run_away_remedy(scene, l, units, text);
+        run_away_remedy(setup, l, units, text);
     } else if (!strcmp(l->name, "alpha")) {
         snprintf(text, REMEDY_MAX, "a softer start: a longer drive.winch.to, ramp step5");
     } else {

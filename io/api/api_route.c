@@ -23,6 +23,7 @@ static const double DEGREES = 180 / 3.14159265358979323846;
 typedef struct RouteUse {
     UsedLine line;        /* empty if there is a problem */
     hawser_error problem; /* why it can be none; figures.problem is its text */
+    LineWay way;          /* which way it runs */
     int built;            /* route is filled */
     Route route;
 } RouteUse;
@@ -95,7 +96,10 @@ static hawser_status row_use(const hawser_routes *r, int i, hawser_error *err)
     if (!use) return error_memory(err);
     const UsedLine *const line = &use->line;
     hawser_route_figures *const f = &row->figures;
-    const hawser_status used = line_use(&r->survey.alignment[i], &r->options, &use->line, &use->problem);
+    const Alignment *const own = &r->survey.alignment[i];
+    use->way = line_way(own, r->options.reverse);
+    hawser_status used = line_unit_check(&r->survey, own, &use->problem);
+    if (!used) used = line_use(own, &r->options, &use->line, &use->problem);
     if (used == HAWSER_ERR_MEMORY) { /* no fault of the line's: it may be tried again */
         free(use);
         row->use = NULL;
@@ -277,6 +281,9 @@ static json_t *json_line(const hawser_routes *r, int i)
               json_object_set_new(o, "deviation_max_m", json_number(f->deviation_max_m)) ||
               json_object_set_new(o, "deviation_rms_m", json_number(f->rms_m)) ||
               json_object_set_new(o, "bends", json_bends(&r->row[i]));
+    const RouteUse *const use = r->row[i].use;
+    if (use) bad = bad || json_object_set_new(o, "direction", json_or_null(use->way.text));
+    if (use && *use->line.bends) bad = bad || json_object_set_new(o, "recognised", json_or_null(use->line.bends));
     if (f->problem) bad = bad || json_object_set_new(o, "problem", json_or_null(f->problem));
     if (r->survey.n <= IGNORED_WITH_EACH) bad = bad || json_object_set_new(o, "ignored", json_ignored(&r->survey));
     return json_whole(o, bad);
@@ -380,6 +387,38 @@ static BendRow *bend_rows(const hawser_routes *r, int *n)
     return NULL;
 }
 
+/* Which way a line runs, or what was recognised in it. */
+typedef struct FoundRow {
+    const char *name;
+    char text[LINE_WORDS_MAX + 40];
+} FoundRow;
+
+static const Column found_column[] = {
+    {COLUMN("name", TEXT, FoundRow, name), .label = "name"},
+    {COLUMN("what", CHARS, FoundRow, text), .label = "which way, and what was recognised"},
+};
+
+/* Of lines that are used. *n of them. NULL: no memory. */
+static FoundRow *found_rows(const hawser_routes *r, int *n)
+{
+    int used = 0;
+    for (int i = 0; i < r->survey.n; ++i) used += r->row[i].use != NULL;
+    FoundRow *const rows = calloc(2 * (size_t)used + 1, sizeof *rows);
+    *n = 0;
+    for (int i = 0; rows && i < r->survey.n; ++i) {
+        const RouteUse *const use = r->row[i].use;
+        const char *const name = r->row[i].figures.name;
+        if (!use) continue;
+        FoundRow *const row = &rows[(*n)++];
+        row->name = name;
+        snprintf(row->text, sizeof row->text, "%s; --reverse turns it", use->way.text);
+        if (!*use->line.bends) continue;
+        rows[*n].name = name;
+        snprintf(rows[(*n)++].text, sizeof row->text, "%s", use->line.bends);
+    }
+    return rows;
+}
+
 static const Column problem_column[] = {
     {COLUMN("name", TEXT, RouteRow, figures.name), .label = "name"},
     {COLUMN("problem", TEXT, RouteRow, figures.problem), .label = "why"},
@@ -395,10 +434,12 @@ hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format forma
     const Survey *const s = &r->survey;
     *text = NULL;
     if (format == HAWSER_JSON) return json_write(r, text, err);
-    int n_bad = 0, n = 1, n_bends = 0;
+    int n_bad = 0, n = 1, n_bends = 0, n_found = 0;
     RouteRow *const bad = calloc((size_t)s->n + 1, sizeof *bad);
     BendRow *const bends = bend_rows(r, &n_bends);
-    if (!bad || !bends) {
+    FoundRow *const found = found_rows(r, &n_found);
+    if (!bad || !bends || !found) {
+        free(found);
         free(bad);
         free(bends);
         return error_memory(err);
@@ -406,7 +447,8 @@ hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format forma
     for (int i = 0; i < s->n; ++i) {
         if (r->row[i].figures.problem) bad[n_bad++] = r->row[i];
     }
-    Table tables[4] = {{"alignments", "Lines", COLUMNS(RouteRow, line_column), s->n, r->row}};
+    Table tables[5] = {{"alignments", "Lines", COLUMNS(RouteRow, line_column), s->n, r->row}};
+    if (n_found) tables[n++] = (Table){"found", "Direction", COLUMNS(FoundRow, found_column), n_found, found};
     if (n_bends)
         tables[n++] =
             (Table){"bends", "Fitted bends, +- one standard deviation", COLUMNS(BendRow, bend_column), n_bends, bends};
@@ -428,6 +470,7 @@ hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format forma
     const hawser_status status = document_write(&doc, format, text, err);
     free(bad);
     free(bends);
+    free(found);
     return status;
 }
 

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "hawser/hawser.h"
 #include "io/api/api_handles.h"
-#include "theory/change/plan_change.h"
+#include "theory/plan_change.h"
 
 /* What may be other, in the unit of the case. */
 typedef struct CauseRow {
@@ -56,8 +56,7 @@ static const Column place_column[] = {
 };
 
 typedef struct Changes {
-    Scene scene;
-    int built;
+    Setup setup;
     Expected expected;
     Calculator calculator;
     PlanChange way[PLAN_WAYS];
@@ -68,10 +67,9 @@ typedef struct Changes {
 
 static hawser_status changes_solve(const hawser_case *c, Changes *x, hawser_error *err)
 {
-    hawser_status status = scene_build(&c->def, &x->scene, err);
-    x->built = !status;
-    if (!status) status = expected_fill(&x->scene, 0, NULL, &x->expected, err);
-    if (!status) status = calculator_build(&x->scene, &x->expected, 0, &x->calculator, err);
+    hawser_status status = setup_make(c->def, &x->setup, err);
+    if (!status) status = expected_fill(&x->setup, 0, NULL, &x->expected, err);
+    if (!status) status = calculator_build(&x->setup, &x->expected, 0, &x->calculator, err);
     const Calculator *const k = &x->calculator;
     for (int w = 0; w < PLAN_WAYS && !status; w++) status = plan_change(&k->def, &k->plan, w, &x->way[w], err);
     return status;
@@ -82,7 +80,7 @@ static void changes_free(Changes *x)
     for (int w = 0; w < PLAN_WAYS; w++) plan_change_free(&x->way[w]);
     calculator_free(&x->calculator);
     expected_free(&x->expected);
-    if (x->built) scene_clear(&x->scene);
+    setup_free(&x->setup);
     free(x->row);
     free(x->place);
 }
@@ -102,13 +100,13 @@ static int cause_name(const Changes *x, int k, CauseRow *row)
         row->now = differ ? NAN : c->mu_largest;
     } else if (k == CHANGE_WEIGHT) {
         snprintf(row->name, sizeof row->name, "weight along the route");
-        row->now = x->scene.cable_weight;
+        row->now = x->setup.cable_weight;
     } else if (push < 0) {
         snprintf(row->name, sizeof row->name, "friction from %.4g m", fmax(0, c->def.stretch[stretch].from));
         row->now = c->def.stretch[stretch].mu;
         return differ;
     } else {
-        snprintf(row->name, sizeof row->name, "push of %.80s", c->pusher[push].name);
+        snprintf(row->name, sizeof row->name, "push of %.80s", x->setup.pusher[push].name);
         row->now = c->push[PLAN_FORWARD][push].force;
     }
     return 1;
@@ -155,8 +153,8 @@ static void place_fill(const Changes *x, const char *name, double s, double *ten
 /* The case's stations, then the ends of the route's pieces. */
 static hawser_status rows_fill(Changes *x, hawser_error *err)
 {
-    const SceneDef *const def = &x->scene.def;
-    const Route *const route = &x->scene.route;
+    const SceneDef *const def = x->setup.def;
+    const Route *const route = x->setup.route;
     const size_t n = (size_t)x->way[PLAN_FORWARD].n;
     double *const scratch = malloc(2 * n * sizeof *scratch);
     x->row = calloc(n, sizeof *x->row);
@@ -182,8 +180,7 @@ static hawser_status changes_write(const Changes *x, const char *title, hawser_f
     char values[160];
     snprintf(values, sizeof values, "%s%s",
              one_sided ? "one-sided, where a machine takes just what arrives: for less tension there" : "two-sided",
-             x->calculator.n_pushers > 0 ? "; pushes are held as they are, also where they go by friction or tension"
-                                         : "");
+             x->setup.n_pushers > 0 ? "; pushes are held as they are, also where they go by friction or tension" : "");
     const Fact fact[] = {
         {"forward_total_N", "winch force, pulled forward", "N", cell_number(way[PLAN_FORWARD].force)},
         {"backward_total_N", "winch force, pulled backward", "N", cell_number(way[PLAN_BACKWARD].force)},
@@ -211,12 +208,12 @@ hawser_status hawser_case_sensitivities(hawser_case *c, hawser_format format, ch
     hawser_status status = case_ensure_read(c, err);
     if (!status) status = case_alone(c, "sensitivities", err);
     if (status) return status;
-    if (c->def.rod.present)
+    if (c->def->rod.present)
         return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': the pulling theory needs a route", c->name);
     Changes *const x = calloc(1, sizeof *x);
     status = x ? case_name_error(c, changes_solve(c, x, err), err) : error_memory(err);
     if (!status) status = rows_fill(x, err);
-    if (!status) status = changes_write(x, c->def.title[0] ? c->def.title : c->name, format, text, err);
+    if (!status) status = changes_write(x, c->def->title[0] ? c->def->title : c->name, format, text, err);
     if (x) changes_free(x);
     free(x);
     return status;

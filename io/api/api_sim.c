@@ -4,7 +4,7 @@
 #include "core/base/team.h"
 #include "io/api/api_handles.h"
 #include "io/results/results_file.h"
-#include "sim/expected/cost.h"
+#include "sim/cost.h"
 #include "sim/run/commands.h"
 
 #include <math.h>
@@ -28,7 +28,7 @@ static int plan_keep(hawser_sim *s, const SceneDef *def)
 static int name_give(hawser_sim *s, const hawser_case *c)
 {
     const StrandDef *const strand = &s->stage.scene.def.strand;
-    const char *const title = c->def.title[0] ? c->def.title : c->name;
+    const char *const title = c->def->title[0] ? c->def->title : c->name;
     const size_t room = strlen(title) + sizeof strand->name + 3;
     s->case_name = strdup(c->name);
     s->title = malloc(room);
@@ -50,13 +50,13 @@ hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options
     }
     hawser_status status = case_ensure_read(c, err);
     if (status) return status;
-    if (c->def.duration_open) {
+    if (c->def->duration_open) {
         return error_set(err, HAWSER_ERR_INPUT,
                          "%.200s: key 'run.duration': missing: without a winch that sets a speed nothing says how long",
                          c->name);
     }
-    status = cost_check(&c->def, err);
-    if (!status) status = sim_new(&c->def, threads, out, err);
+    status = cost_check(c->def, err);
+    if (!status) status = sim_new(c->def, threads, out, err);
     if (status) return case_name_error(c, status, err);
     hawser_sim *const s = *out; /* the case may be gone soon */
     if (s->team) team_pin(s->team, mine.pin);
@@ -64,7 +64,7 @@ hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options
     for (int k = 0; k < sim_chains(s); ++k) named &= name_give(sim_chain(s, k), c);
     s->case_folder = c->tree->folder ? realpath(c->tree->folder, NULL) : NULL;
     if (!s->case_folder && c->tree->folder) s->case_folder = strdup(c->tree->folder);
-    status = named && plan_keep(s, &c->def) ? case_tree_text(c->tree, &s->case_text, err) : error_memory(err);
+    status = named && plan_keep(s, c->def) ? case_node_text(c->tree->root, &s->case_text, err) : error_memory(err);
     if (status) *out = sim_free(s);
     return status;
 }
@@ -170,7 +170,7 @@ static int remedies_find(const Scene *scene, int n, const hawser_limit *limit, c
     int found = 0;
     for (int i = 0; i < n; i++) {
         if (!limit[i].judged || limit[i].ok) continue;
-        limit_remedy(scene, &limit[i], HAWSER_SI, remedy[found]);
+        limit_remedy(&scene->setup, &limit[i], HAWSER_SI, remedy[found]);
         int fresh = *remedy[found] != 0;
         for (int k = 0; k < found; k++) fresh &= strcmp(remedy[k], remedy[found]) != 0;
         found += fresh;

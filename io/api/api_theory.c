@@ -1,7 +1,7 @@
 /* The closed-form calculation of a case: what `hawser theory` prints. The formulas are in theory/. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
-#include "sim/expected/expected.h"
+#include "theory/expected.h"
 #include "theory/paper.h"
 
 #include <jansson.h>
@@ -52,8 +52,10 @@ static const Column run_column[] = {
 };
 
 typedef struct Theory {
-    Scene scene;
-    int built; /* the scene is */
+    SceneDef def;           /* of one among several chains: its own, which borrows from the case's, */
+    TheoryPlaceDef *places; /* its machines and pits, owned, */
+    double *rollers;        /* and what others press rollers with, owned */
+    Setup setup;
     Expected expected;
     double paper_total; /* N, of the whole route */
     Pull paper;         /* without capstan effect */
@@ -77,8 +79,8 @@ static int compare_places(const void *a, const void *b)
 /* The stations and the piece ends in order; an end where a station lies is left out. */
 static void collect_places(Theory *t)
 {
-    const SceneDef *def = &t->scene.def;
-    const Route *route = &t->scene.route;
+    const SceneDef *def = t->setup.def;
+    const Route *route = t->setup.route;
     for (int i = 0; i < def->n_stations; i++, t->n++) {
         snprintf(t->place[t->n].name, sizeof t->place->name, "%s", def->stations[i].name);
         t->place[t->n].s = def->stations[i].s;
@@ -98,9 +100,9 @@ static void collect_places(Theory *t)
 /* Sized for all stations and all piece ends. */
 static hawser_status make_arrays(Theory *t, hawser_error *err)
 {
-    const size_t places = (size_t)(t->scene.def.n_stations + t->scene.route.n + 1);
+    const size_t places = (size_t)(t->setup.def->n_stations + t->setup.route->n + 1);
     t->place = calloc(places, sizeof *t->place);
-    t->term = calloc((size_t)t->scene.def.n_paper + 1, sizeof *t->term);
+    t->term = calloc((size_t)t->setup.def->n_paper + 1, sizeof *t->term);
     return t->place && t->term ? HAWSER_OK : error_memory(err);
 }
 
@@ -108,7 +110,7 @@ static hawser_status make_arrays(Theory *t, hawser_error *err)
  * along the route. */
 static hawser_status solve_paper(Theory *t, hawser_error *err)
 {
-    const SceneDef *def = &t->scene.def;
+    const SceneDef *def = t->setup.def;
     const PlanPullDef whole = {.way = PLAN_FORWARD, .whole = 1};
     PlanDef plan = t->calculator.def;
     plan.law = PULL_NO_CAPSTAN;
@@ -117,7 +119,7 @@ static hawser_status solve_paper(Theory *t, hawser_error *err)
     t->paper_total = t->paper.end_tension + t->calculator.plan.way[PLAN_FORWARD].rope;
     const double g = v3_norm(def->gravity);
     if (def->n_paper > 0) {
-        t->paper_total = paper_total(def->n_paper, def->paper, t->scene.cable_weight / g, def->friction.mu_d, g);
+        t->paper_total = paper_total(def->n_paper, def->paper, t->setup.cable_weight / g, def->friction.mu_d, g);
     }
     return HAWSER_OK;
 }
@@ -128,26 +130,26 @@ static hawser_status solve(Theory *t, const TheoryWish *wish, hawser_error *err)
     hawser_status status = make_arrays(t, err);
     if (status) return status;
     collect_places(t);
-    status = expected_fill(&t->scene, 0, NULL, &t->expected, err);
+    status = expected_fill(&t->setup, 0, NULL, &t->expected, err);
     if (!status) {
-        status = calculator_build(&t->scene, &t->expected, wish->forward_only, &t->calculator, err);
+        status = calculator_build(&t->setup, &t->expected, wish->forward_only, &t->calculator, err);
     }
     if (!status) status = solve_paper(t, err);
-    if (!status && !wish->no_inverse) status = inverse_find(&t->scene, &t->calculator, &t->inverse, err);
+    if (!status && !wish->no_inverse) status = inverse_find(&t->setup, &t->calculator, &t->inverse, err);
     if (status) return status;
     if (wish->forward_only) return theory_limits_add(&t->calculator, 1, &t->tables) ? HAWSER_OK : error_memory(err);
-    return theory_tables_make(&t->scene, &t->calculator, &t->inverse, &t->tables, err);
+    return theory_tables_make(&t->setup, &t->calculator, &t->inverse, &t->tables, err);
 }
 
 /* The whole route full of cable, pulled forward. */
 static void fill_places(Theory *t)
 {
-    const SceneDef *def = &t->scene.def;
-    const double g = v3_norm(def->gravity), W = g > 0 ? t->scene.cable_weight / g : 0;
+    const SceneDef *def = t->setup.def;
+    const double g = v3_norm(def->gravity), W = g > 0 ? t->setup.cable_weight / g : 0;
     for (int i = 0; i < t->n; i++) {
         Place *const row = &t->place[i];
         const PullPoint at = pull_at(&t->calculator.plan.way[PLAN_FORWARD].pull, row->s);
-        row->slope = route_slope(&t->scene.route, row->s) * 180 / M_PI;
+        row->slope = route_slope(t->setup.route, row->s) * 180 / M_PI;
         row->reference = at.tension;
         row->normal = at.normal;
         row->sidewall = at.sidewall;
@@ -174,14 +176,14 @@ static void few_places(Theory *t)
 /* The terms of eq. 10 one by one, as the case names them. */
 static void fill_terms(Theory *t)
 {
-    const SceneDef *def = &t->scene.def;
-    const double g = v3_norm(def->gravity), W = g > 0 ? t->scene.cable_weight / g : 0;
+    const SceneDef *def = t->setup.def;
+    const double g = v3_norm(def->gravity), W = g > 0 ? t->setup.cable_weight / g : 0;
     for (int i = 0; i < def->n_paper; i++) {
         t->term[i] = (Term){def->paper[i].name, paper_term_force(&def->paper[i], W, def->friction.mu_d, g)};
     }
 }
 
-enum { FACTS_MAX = 24 };
+enum { FACTS_MAX = 32 };
 
 /* What the whole is about, in the order in which it is asked; all of the whole route full of cable. Returns how many.
  */
@@ -191,21 +193,32 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     const PlanWay *there = &c->plan.way[PLAN_FORWARD], *back = &c->plan.way[PLAN_BACKWARD];
     const char *const best = theory_ways[c->best];
     int n = 0;
-    fact[n++] = (Fact){"weight_N_per_m", "weight of the cable", "N/m", cell_number(t->scene.cable_weight)};
+    fact[n++] = (Fact){"weight_N_per_m", "weight of the cable", "N/m", cell_number(t->setup.cable_weight)};
     fact[n++] = (Fact){"friction", "friction coefficient", "", cell_number(c->mu_largest)};
     if (c->mu_largest > c->mu_least) {
         fact[n - 1].label = "friction coefficient, largest";
         fact[n++] = (Fact){"friction_least", "least", "", cell_number(c->mu_least)};
     }
-    fact[n++] = (Fact){"length_m", "length of the route", "m", cell_number(t->scene.route.length)};
+    fact[n++] = (Fact){"length_m", "length of the route", "m", cell_number(t->setup.route->length)};
     fact[n++] = (Fact){"start_tension_N", "tension at the start", "N", cell_number(there->start)};
-    fact[n++] = (Fact){"rope_drag_N", "drag on the rope", "N", cell_number(t->scene.def.drag.force)};
+    fact[n++] = (Fact){"rope_drag_N", "drag on the rope", "N", cell_number(t->setup.def->drag.force)};
     fact[n++] = (Fact){"paper_total_N", "winch force, paper's formulas", "N", cell_number(t->paper_total)};
-    fact[n++] = (Fact){"reference_total_N", "winch force, pulled forward", "N", cell_number(there->force)};
-    fact[n++] = (Fact){"backward_total_N", "winch force, pulled backward", "N", cell_number(back->force)};
-    fact[n++] =
-        (Fact){"largest_force_N", "largest on the way, forward", "N", cell_number(c->heads[PLAN_FORWARD].peak.force)};
-    fact[n++] = (Fact){"largest_force_head_m", "with the head at", "m", cell_number(c->heads[PLAN_FORWARD].peak.head)};
+    fact[n++] = (Fact){"reference_total_N", "winch force at end, forward", "N", cell_number(there->force)};
+    fact[n++] = (Fact){"backward_total_N", "winch force at end, backward", "N", cell_number(back->force)};
+    for (int k = 0; k < PLAN_WAYS; ++k) {
+        static const char *const keys[PLAN_WAYS][4] = {
+            {"largest_force_N", "largest_force_head_m", "largest_restart_N", "largest_restart_head_m"},
+            {"backward_largest_force_N", "backward_largest_force_head_m", "backward_largest_restart_N",
+             "backward_largest_restart_head_m"}};
+        static const char *const labels[PLAN_WAYS][2] = {
+            {"largest winch force, forward", "largest from rest, forward"},
+            {"largest winch force, backward", "largest from rest, backward"}};
+        const HeadSeries *const heads = &c->heads[k];
+        fact[n++] = (Fact){keys[k][0], labels[k][0], "N", cell_number(heads->peak.force)};
+        fact[n++] = (Fact){keys[k][1], "with the head at", "m", cell_number(heads->peak.head)};
+        fact[n++] = (Fact){keys[k][2], labels[k][1], "N", cell_number(heads->restart_peak.restart)};
+        fact[n++] = (Fact){keys[k][3], "with the head at", "m", cell_number(heads->restart_peak.head)};
+    }
     fact[n++] =
         (Fact){"max_sidewall_N_per_m", "largest sidewall pressure", "N/m", cell_number(there->pull.max_sidewall)};
     fact[n++] = (Fact){"stiffness_N", "bending stiffness, left out", "N", cell_number(c->limp[PLAN_FORWARD].value)};
@@ -220,7 +233,14 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
 /* Of a calculation of one direction: the facts without those of the other and those that compare them. */
 static int drop_backward(int n, Fact fact[FACTS_MAX])
 {
-    static const char *const keys[] = {"backward_total_N", "better_direction", "best_direction", "verdict_backward"};
+    static const char *const keys[] = {"backward_total_N",
+                                       "backward_largest_force_N",
+                                       "backward_largest_force_head_m",
+                                       "backward_largest_restart_N",
+                                       "backward_largest_restart_head_m",
+                                       "better_direction",
+                                       "best_direction",
+                                       "verdict_backward"};
     int kept = 0;
     for (int i = 0; i < n; i++) {
         int drop = 0;
@@ -242,7 +262,7 @@ typedef struct Page {
  * filled if it is shown. */
 static void page_make(Theory *t, const char *title, int forward_only, Page *page)
 {
-    const SceneDef *def = &t->scene.def;
+    const SceneDef *def = t->setup.def;
     const Expected *e = &t->expected;
     Table *const table = page->table;
     int n = 0;
@@ -275,7 +295,7 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
     if (format == HAWSER_TABLE || format == HAWSER_TABLE_US) few_places(t);
     page_make(t, title, 0, &page);
     Answer answer = {t->answer, sizeof t->answer, 0, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI};
-    answer_theory(&answer, &t->scene, &t->calculator, &t->inverse, t->verdict);
+    answer_theory(&answer, &t->setup, &t->calculator, &t->inverse, t->verdict);
     page.doc.csv = &page.table[THEORY_PIECES];
     page.doc.answer = t->answer;
     return document_write(&page.doc, format, text, err);
@@ -293,12 +313,14 @@ static hawser_status list_theory(Theory *t, const char *title, const TheoryWish 
     return *out ? HAWSER_OK : error_memory(err);
 }
 
-/* Everything from a definition that was read; the theory's memory is the caller's to free. */
-static hawser_status build_and_solve(Theory *t, const SceneDef *def, const TheoryWish *wish, hawser_error *err)
+/* Everything from a definition that was read and stays, in that company of other chains (NULL: none); the theory's
+ * memory is the caller's to free. */
+static hawser_status build_and_solve(Theory *t, const SceneDef *def, const Company *company, const TheoryWish *wish,
+                                     hawser_error *err)
 {
-    hawser_status status = scene_build(def, &t->scene, err);
+    const hawser_status status = setup_make(def, &t->setup, err);
     if (status) return status;
-    t->built = 1;
+    if (company) t->setup.company = *company;
     return solve(t, wish, err);
 }
 
@@ -310,7 +332,9 @@ static void theory_free(Theory *t)
     theory_tables_free(&t->tables);
     calculator_free(&t->calculator);
     expected_free(&t->expected);
-    if (t->built) scene_clear(&t->scene);
+    setup_free(&t->setup);
+    free(t->places);
+    free(t->rollers);
     free(t->place);
     free(t->term);
     free(t);
@@ -323,16 +347,16 @@ static hawser_status theory_new(hawser_case *c, const TheoryWish *wish, Theory *
     *out = NULL;
     const hawser_status status = case_ensure_read(c, err);
     if (status) return status;
-    if (c->def.rod.present) {
+    if (c->def->rod.present) {
         return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': the pulling theory needs a route", c->name);
     }
     const hawser_status alone = case_alone(c, "this pulling calculation", err);
     if (alone) return alone;
     *out = calloc(1, sizeof **out);
-    return *out ? case_name_error(c, build_and_solve(*out, &c->def, wish, err), err) : error_memory(err);
+    return *out ? case_name_error(c, build_and_solve(*out, c->def, NULL, wish, err), err) : error_memory(err);
 }
 
-static const char *title_of(const hawser_case *c) { return c->def.title[0] ? c->def.title : c->name; }
+static const char *title_of(const hawser_case *c) { return c->def->title[0] ? c->def->title : c->name; }
 
 /* ------------------------------------------------------------------------------------------------ several chains */
 
@@ -403,7 +427,7 @@ static hawser_status chains_print(char *table, int n, char *const own[], char **
 static hawser_status chains_write(const hawser_case *c, Theory *const t[], hawser_format format, char **text,
                                   hawser_error *err)
 {
-    const SceneDef *const def = &c->def;
+    const SceneDef *const def = c->def;
     const int n = def->n_beside + 1;
     ChainRow row[STRANDS_MAX] = {{.name = NULL}};
     char *own[STRANDS_MAX] = {NULL}, *table = NULL;
@@ -455,7 +479,7 @@ static double heads_least(const HeadSeries *heads)
 
 /* A rope bears what it draws beside its own (SC15): the sum, of friction on rope and cables apart, is no less than that
  * on all together. */
-static void drawn_set(const SceneDef *def, Theory *const t[], int rope, TheoryDef *out)
+static void drawn_set(const SceneDef *def, Theory *const t[], int rope, Company *out)
 {
     for (int k = 0; k <= def->n_beside; ++k) {
         if (chain_def(def, k)->strand.joined != rope || !t[k]) continue;
@@ -463,7 +487,7 @@ static void drawn_set(const SceneDef *def, Theory *const t[], int rope, TheoryDe
         for (int way = 0; way < PLAN_WAYS; ++way) {
             out->drawn[way] += c->plan.way[way].force;
             out->drawn_least[way] += heads_least(&c->heads[way]);
-            out->drawn_more[way] += calculator_peak(&t[k]->scene, c, way) - c->plan.way[way].force;
+            out->drawn_more[way] += calculator_peak(&t[k]->setup, c, way) - c->plan.way[way].force;
         }
     }
 }
@@ -483,7 +507,7 @@ static hawser_status rollers_add(const SceneDef *def, const Theory *t, int other
     if (!load) return error_memory(err);
     for (int way = 0; way < PLAN_WAYS; ++way) {
         double *const sum = rollers_of(def, all, way, others);
-        calculator_rollers(&t->scene, &t->calculator, way, load);
+        calculator_rollers(&t->setup, &t->calculator, way, load);
         for (int r = 0; r < def->n_rollers; ++r) sum[r] += load[r];
     }
     free(load);
@@ -499,7 +523,7 @@ static int last_chain(const SceneDef *def)
     return chain_def(def, last)->strand.rope ? last : def->n_beside;
 }
 
-static hawser_status rollers_set(const SceneDef *def, Theory *const t[], int of, double **memory, TheoryDef *out,
+static hawser_status rollers_set(const SceneDef *def, Theory *const t[], int of, double **memory, Company *out,
                                  hawser_error *err)
 {
     const int last = of == last_chain(def);
@@ -518,35 +542,32 @@ static hawser_status rollers_set(const SceneDef *def, Theory *const t[], int of,
     return status;
 }
 
-/* One of them, when what it draws is solved; *rollers is its memory. */
-static hawser_status chain_theory(const hawser_case *c, Theory *t[], int k, double **rollers, hawser_error *err)
+/* One of them, when what it draws is solved. */
+static hawser_status chain_theory(const hawser_case *c, Theory *t[], int k, hawser_error *err)
 {
     const TheoryWish wish = {0};
-    SceneDef own = *chain_def(&c->def, k); /* the scene makes its own copy */
-    const int rope = own.strand.rope > 0;
-    TheoryPlaceDef *place = NULL;
-    if (rope) drawn_set(&c->def, t, k, &own.theory);
-    hawser_status status = rollers_set(&c->def, t, k, rollers, &own.theory, err);
-    if (!status) status = shared_set(&c->def, rope, &own.theory, &place, err);
-    t[k] = status ? NULL : calloc(1, sizeof *t[k]);
-    if (!status && !t[k]) status = error_memory(err);
-    if (!status) status = case_name_error(c, build_and_solve(t[k], &own, &wish, err), err);
-    free(place);
-    return status;
+    const int rope = chain_def(c->def, k)->strand.rope > 0;
+    Company company = {.rollers_elsewhere = 0};
+    Theory *const own = calloc(1, sizeof *own);
+    if (!own) return error_memory(err);
+    own->def = *chain_def(c->def, k);
+    if (rope) drawn_set(c->def, t, k, &company);
+    hawser_status status = rollers_set(c->def, t, k, &own->rollers, &company, err);
+    if (!status) status = shared_set(c->def, rope, &own->def.theory, &own->places, err);
+    t[k] = own;
+    return status ? status : case_name_error(c, build_and_solve(own, &own->def, &company, &wish, err), err);
 }
 
 static hawser_status chains_theory(const hawser_case *c, hawser_format format, char **text, hawser_error *err)
 {
     Theory *t[STRANDS_MAX] = {NULL};
-    double *rollers[STRANDS_MAX] = {NULL};
     hawser_status status = HAWSER_OK;
     for (int ropes = 0; ropes < 2; ++ropes) { /* they come behind what they draw */
-        for (int k = 0; !status && k <= c->def.n_beside; ++k)
-            if ((chain_def(&c->def, k)->strand.rope > 0) == ropes) status = chain_theory(c, t, k, &rollers[k], err);
+        for (int k = 0; !status && k <= c->def->n_beside; ++k)
+            if ((chain_def(c->def, k)->strand.rope > 0) == ropes) status = chain_theory(c, t, k, err);
     }
     if (!status) status = chains_write(c, t, format, text, err);
-    for (int k = 0; k <= c->def.n_beside; ++k) theory_free(t[k]);
-    for (int k = 0; k <= c->def.n_beside; ++k) free(rollers[k]);
+    for (int k = 0; k <= c->def->n_beside; ++k) theory_free(t[k]);
     return status;
 }
 
@@ -558,7 +579,7 @@ hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **te
     *text = NULL;
     hawser_status status = case_ensure_read(c, err);
     if (status) return status;
-    if (c->def.n_beside > 0) return chains_theory(c, format, text, err);
+    if (c->def->n_beside > 0) return chains_theory(c, format, text, err);
     status = theory_new(c, &all, &t, err);
     if (!status) status = write_theory(t, title_of(c), format, text, err);
     theory_free(t);

@@ -66,9 +66,9 @@ static double largest_between(const Pull *pull, double a, double b)
 }
 
 /* Only where the pull goes by sections. The head's places hold every pit. */
-static int sections_add(const Scene *scene, const Calculator *c, TheoryTables *t)
+static int sections_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 {
-    const TheoryDef *const theory = &scene->def.theory;
+    const TheoryDef *const theory = &setup->def->theory;
     int n = 0;
     if (theory->n_pits == 0) return 1;
     SectionRow *const row = theory_table_add(t, "sections", "Sections, each pulled on its own", section_columns,
@@ -183,16 +183,16 @@ static void answer_say(const InverseAnswer *a, AnswerRow *row)
     result_say(a, row->result);
 }
 
-static void machines_say(const Scene *scene, int n_pushers, const InverseMachines *m, AnswerRow *row)
+static void machines_say(const Setup *setup, int n_pushers, const InverseMachines *m, AnswerRow *row)
 {
     *row = (AnswerRow){.direction = theory_ways[m->way],
                        .unit = "1",
-                       .now = scene->def.theory.n_machines + n_pushers,
+                       .now = setup->def->theory.n_machines + n_pushers,
                        .value = m->n >= 0 ? (double)m->n : NAN,
                        .binds = m->binds,
                        .place = m->where};
     snprintf(row->question, sizeof row->question, "least number of more machines of %.4g kN",
-             scene->def.theory.machine_push / 1e3);
+             setup->def->theory.machine_push / 1e3);
     snprintf(row->result, sizeof row->result, "%s",
              m->n < 0    ? "none: they would not help"
              : m->n == 0 ? "all holds without"
@@ -226,7 +226,7 @@ static int machines_add(const Inverse *inverse, TheoryTables *t)
     return row != NULL;
 }
 
-static int answers_add(const Scene *scene, const Calculator *c, const Inverse *inverse, TheoryTables *t)
+static int answers_add(const Setup *setup, const Inverse *inverse, TheoryTables *t)
 {
     int n = 0;
     if (inverse->n == 0) return 1;
@@ -234,7 +234,7 @@ static int answers_add(const Scene *scene, const Calculator *c, const Inverse *i
         theory_table_add(t, "answers", "What would still keep all limits", answer_columns, inverse->n + PLAN_WAYS);
     for (int i = 0; row && i < inverse->n; ++i) answer_say(&inverse->answer[i], &row[n++]);
     for (int k = 0; row && inverse->asked && k < PLAN_WAYS; ++k)
-        machines_say(scene, c->n_pushers, &inverse->machines[k], &row[n++]);
+        machines_say(setup, setup->n_pushers, &inverse->machines[k], &row[n++]);
     if (row) t->table[t->n - 1].n = n;
     return row && (!inverse->asked || machines_add(inverse, t));
 }
@@ -267,9 +267,9 @@ static int unread_say(const SceneDef *def, char *text, size_t room)
 }
 
 /* What the calculation leaves to the planner. */
-static int notes_add(const Scene *scene, const Calculator *c, TheoryTables *t)
+static int notes_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 {
-    const TheoryDef *const theory = &scene->def.theory;
+    const TheoryDef *const theory = &setup->def->theory;
     NoteRow *const row = theory_table_add(t, "notes", "Notes", note_columns, 4);
     int n = 0;
     if (!row) return 0;
@@ -301,14 +301,14 @@ static int notes_add(const Scene *scene, const Calculator *c, TheoryTables *t)
                  theory->wear_by == WEAR_CABLE ? "that a place of the cable has been pulled"
                                                : "of cable that has passed a place");
     }
-    n += unread_say(&scene->def, row[n].text, sizeof row->text);
+    n += unread_say(setup->def, row[n].text, sizeof row->text);
     t->table[t->n - 1].n = n;
     if (n == 0) free(t->rows[--t->n]);
     return 1;
 }
 
-int theory_planner_add(const Scene *scene, const Calculator *c, const Inverse *inverse, TheoryTables *t)
+int theory_planner_add(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *t)
 {
-    return heads_add(c, t) && sections_add(scene, c, t) && brakes_add(c, t) && answers_add(scene, c, inverse, t) &&
-           notes_add(scene, c, t);
+    return heads_add(c, t) && sections_add(setup, c, t) && brakes_add(c, t) && answers_add(setup, inverse, t) &&
+           notes_add(setup, c, t);
 }

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "def/cables/duct.h"
 #include "io/api/api_handles.h"
-#include "theory/cables/duct.h"
 
 const char *const theory_ways[PLAN_WAYS] = {"forward", "backward"};
 
@@ -63,13 +63,13 @@ static double margin_of(const Calculator *c, int way, const PlanPiece *piece)
     return least;
 }
 
-static int pieces_add(const Scene *scene, const Calculator *c, TheoryTables *t)
+static int pieces_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 {
     static const char *const rules[] = {"resultant", "separate", "both"};
     PieceRow *row = theory_table_add(t, "pieces", "The route piece by piece, full of cable, pulled forward and back",
                                      piece_columns, c->plan.n);
     for (int p = 0; row && p < c->plan.n; ++p, ++row) {
-        const RoutePiece *const piece = &scene->route.piece[p];
+        const RoutePiece *const piece = &setup->route->piece[p];
         const int supported = c->spacing[p] > 0 || c->guides[p] > 0;
         *row = (PieceRow){.name = piece->name,
                           .supports = rules[c->rule[p]],
@@ -97,7 +97,7 @@ static const Column way_column[] = {
     {COLUMN("direction", TEXT, WayRow, direction), .label = "direction"},
     {COLUMN("start_N", NUMBER, WayRow, way.start), .label = "start, N", .decimals = 1},
     {COLUMN("rope_N", NUMBER, WayRow, way.rope), .label = "rope, N", .decimals = 1},
-    {COLUMN("force_N", NUMBER, WayRow, way.force), .label = "winch, N", .decimals = 1},
+    {COLUMN("force_N", NUMBER, WayRow, way.force), .label = "at end, N", .decimals = 1},
     {COLUMN("restart_N", NUMBER, WayRow, way.restart_force), .label = "restart, N", .decimals = 1},
     {COLUMN("largest_force_N", NUMBER, WayRow, peak.force), .label = "largest, N", .decimals = 1},
     {COLUMN("largest_force_head_m", NUMBER, WayRow, peak.head), .label = "with the head at, m", .decimals = 1},
@@ -135,7 +135,7 @@ static const Column note_column[] = {
 static const Columns note_columns = COLUMNS(NoteRow, note_column);
 
 /* Where a closed form does not hold, and why: the integrated law stands there alone. */
-static int notes_add(const Scene *scene, const Calculator *c, TheoryTables *t)
+static int notes_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 {
     const int n = PLAN_WAYS * c->plan.n;
     NoteRow *const row =
@@ -145,7 +145,7 @@ static int notes_add(const Scene *scene, const Calculator *c, TheoryTables *t)
     for (int i = 0; row && i < n; ++i) {
         const PlanPiece *const piece = &c->plan.way[i % PLAN_WAYS].piece[i / PLAN_WAYS];
         if (!*piece->reason) continue;
-        row[table->n++] = (NoteRow){scene->route.piece[i / PLAN_WAYS].name, theory_ways[i % PLAN_WAYS], piece->reason};
+        row[table->n++] = (NoteRow){setup->route->piece[i / PLAN_WAYS].name, theory_ways[i % PLAN_WAYS], piece->reason};
     }
     return row != NULL;
 }
@@ -169,14 +169,14 @@ static const Column duct_column[] = {
 };
 static const Columns duct_columns = COLUMNS(DuctRow, duct_column);
 
-static int ducts_add(const Scene *scene, const Calculator *c, TheoryTables *t)
+static int ducts_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 {
     if (c->n_ducts == 0) return 1;
     DuctRow *const row = theory_table_add(t, "ducts", "Ducts", duct_columns, c->n_ducts);
     for (int i = 0; row && i < c->n_ducts; ++i) {
         const DuctLoad *const load = &c->duct[i].load;
         row[i] = (DuctRow){c->duct[i].surface->name, duct_layout_name(load->layout), jam_risk_name(load->jam_risk),
-                           bundle_cables_in(&scene->def, c->duct[i].surface), *load};
+                           bundle_cables_in(setup->def, c->duct[i].surface), *load};
     }
     return row != NULL;
 }
@@ -194,13 +194,13 @@ static const Column push_column[] = {
 };
 static const Columns push_columns = COLUMNS(PushRow, push_column);
 
-static int pushes_add(const Calculator *c, TheoryTables *t)
+static int pushes_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 {
-    const int n = c->n_pushers;
+    const int n = setup->n_pushers;
     if (n == 0) return 1;
     PushRow *const row = theory_table_add(t, "pushes", "Pushes", push_columns, n);
     for (int i = 0; row && i < n; ++i) {
-        row[i] = (PushRow){c->pusher[i].name,
+        row[i] = (PushRow){setup->pusher[i].name,
                            c->push[PLAN_FORWARD][i].at,
                            {c->push[PLAN_FORWARD][i].force, c->push[PLAN_BACKWARD][i].force}};
     }
@@ -240,13 +240,13 @@ int theory_limits_add(const Calculator *c, int ways, TheoryTables *t)
     return row != NULL;
 }
 
-hawser_status theory_tables_make(const Scene *scene, const Calculator *c, const Inverse *inverse, TheoryTables *out,
+hawser_status theory_tables_make(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *out,
                                  hawser_error *err)
 {
     *out = (TheoryTables){0};
-    const int fine = pieces_add(scene, c, out) && ways_add(c, out) && ducts_add(scene, c, out) && pushes_add(c, out) &&
-                     theory_planner_add(scene, c, inverse, out) && theory_limits_add(c, PLAN_WAYS, out) &&
-                     notes_add(scene, c, out);
+    const int fine = pieces_add(setup, c, out) && ways_add(c, out) && ducts_add(setup, c, out) &&
+                     pushes_add(setup, c, out) && theory_planner_add(setup, c, inverse, out) &&
+                     theory_limits_add(c, PLAN_WAYS, out) && notes_add(setup, c, out);
     if (fine && out->table[out->n - 1].n == 0) free(out->rows[--out->n]); /* no closed form was refused */
     if (fine) return HAWSER_OK;
     theory_tables_free(out);

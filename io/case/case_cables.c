@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "sim/expected/mesh.h"
+#include "theory/mesh.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -60,7 +60,7 @@ static const CaseKey cable_keys[] = {
     {"d", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, 100), AT(CableRecord, cable.diameter)},
     {"E", KEY_NUMBER, DIM_PRESSURE, .otherwise = "none", ABOVE(0, STIFF), AT(CableRecord, E)},
     {"G", KEY_NUMBER, DIM_PRESSURE, .otherwise = "none", ABOVE(0, STIFF), AT(CableRecord, G)},
-    {"A", KEY_NUMBER, DIM_AREA, .otherwise = "none", ABOVE(0, 1e4), AT(CableRecord, A)},
+    {"A", KEY_NUMBER, DIM_AREA, .otherwise = "none", ABOVE(0, 10), AT(CableRecord, A)},
     {"density", KEY_NUMBER, DIM_DENSITY, .otherwise = "none", ABOVE(0, 1e6), AT(CableRecord, density)},
     {"EA", KEY_NUMBER, DIM_FORCE, .otherwise = "E A, or estimated", ABOVE(0, STIFF), AT(CableRecord, cable.ea)},
     {"GA", KEY_NUMBER, DIM_FORCE, .otherwise = "G A, or estimated", ABOVE(0, STIFF), AT(CableRecord, cable.ga)},
@@ -332,13 +332,19 @@ static hawser_status segment_read(const CaseReader *r, const CaseNode *node, Cha
 hawser_status case_mesh_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
-    Mesh mesh;
-    hawser_status status = mesh_find(def, &r->route, &mesh, r->err);
+    int open = 0;
+    for (int p = 0; p < def->n_pieces; p++) open |= !(def->pieces[p].segments > 0);
+    if (!open) return HAWSER_OK; /* no piece waits for a length */
+    Supports map = {.def = def, .route = &r->route};
+    Mesh mesh = {0};
+    hawser_status status = def->rod.present ? HAWSER_OK : supports_build(def, &r->route, &map, r->err);
+    if (!status) status = mesh_find(&map, &mesh, r->err);
     for (int p = 0; p < def->n_pieces && !status; p++) {
         if (def->pieces[p].segments > 0) continue;
         status = segments_count(r, node ? case_node_item(node, p) : r->root, mesh_auto(&mesh, def, p), &def->pieces[p]);
     }
     mesh_free(&mesh);
+    supports_free(&map);
     return status;
 }
 

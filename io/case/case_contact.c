@@ -5,7 +5,7 @@
 
 static const char *const geometries[] = {"smooth", "cylinder", NULL};
 
-/* ADAMS' IMPACT; the defaults' reasons are in sim/def/scene_def.c. */
+/* ADAMS' IMPACT; the defaults' reasons are in def/scene_def.c. */
 static const CaseKey contact_keys[] = {
     {"geometry", KEY_CHOICE, .fallback = "smooth", .choices = geometries, AT(SceneDef, geometry)},
     {"k", KEY_ANY, DIM_STIFFNESS, .otherwise = "3.4e8 N/m^1.5", .form = "a force per length to the power e",

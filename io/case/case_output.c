@@ -5,7 +5,8 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
-#include "sim/expected/cost.h"
+#include "sim/cost.h"
+#include "theory/paper.h"
 
 /* Both keys are needed. */
 static const CaseKey station_keys[] = {

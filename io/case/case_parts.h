@@ -23,6 +23,10 @@ extern const CaseSection case_top, case_cable, case_bending, case_chain_piece, c
     case_command, case_obstacle, case_solver, case_output, case_probe, case_paper, case_theory, case_theory_friction,
     case_theory_wear, case_theory_machine, case_limits, case_medium, case_launch;
 
+/* A copy of the tree with the keys' own names where it has others that people type (diameter of a duct); NULL: it has
+ * none. Errors: INPUT (both names), MEMORY. */
+hawser_status case_synonyms(const CaseTree *tree, CaseTree **plain, hawser_error *err);
+
 hawser_status case_cables_read(CaseReader *r, const CaseNode *node);
 /* A cable's table of bending and the rigidity that is its first slope; node: the cable's map. */
 hawser_status case_bending_read(const CaseReader *r, const CaseNode *node, CableDef *cable);

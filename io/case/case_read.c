@@ -199,6 +199,14 @@ static hawser_status case_read_one(const CaseTree *tree, SceneDef *def, hawser_e
 
 hawser_status case_read(const CaseTree *tree, SceneDef *def, hawser_error *err)
 {
-    if (case_node_key(tree->root, "chains")) return chains_read(tree, case_read_one, def, err);
-    return case_read_one(tree, def, err);
+    CaseTree *plain = NULL; /* with its keys' own names; NULL: the tree has no others */
+    hawser_status status = case_synonyms(tree, &plain, err);
+    const CaseTree *const read = plain ? plain : tree;
+    if (status) return status;
+    if (case_node_key(read->root, "chains"))
+        status = chains_read(read, case_read_one, def, err);
+    else
+        status = case_read_one(read, def, err);
+    case_tree_free(plain);
+    return status;
 }

@@ -3,8 +3,8 @@
 #ifndef HAWSER_IO_CASE_CASE_READ_H
 #define HAWSER_IO_CASE_CASE_READ_H
 
+#include "def/scene_def.h"
 #include "io/yaml/yaml_tree.h"
-#include "sim/def/scene_def.h"
 
 /* Fills *def (its old content is not looked at) with what the tree says and the defaults of the rest, SI
  * units; the caller clears it with scene_def_clear. Everything that can be checked without building the scene

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "def/rod_def.h"
 #include "io/case/case_parts.h"
-#include "sim/def/rod_def.h"
 
 static const char *const shapes[] = {"straight", "arc", "helix", "polyline", NULL};
 
@@ -15,7 +15,7 @@ static const CaseKey rod_keys[] = {
     {"start", KEY_POINT, DIM_LENGTH, .fallback = "[0, 0, 0]", FROM(-LONG, LONG), AT(SceneDef, route_start)},
     {"heading", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-360), DEGREES(360)),
      AT(SceneDef, route_heading)},
-    {"slope", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-90), DEGREES(90)), AT(SceneDef, route_slope)},
+    {"slope", KEY_NUMBER, DIM_SLOPE, .fallback = "0 deg", FROM(DEGREES(-90), DEGREES(90)), AT(SceneDef, route_slope)},
     {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `arc` and `helix` need it", ABOVE(0, LONG),
      AT(SceneDef, rod.radius)},
     {"plane", KEY_ANY, DIM_ANGLE, .otherwise = "`left`", .form = "`up`, `down`, `left`, `right` or an angle",

@@ -34,7 +34,7 @@ static const CaseKey route_keys[] = {
     {"origin", KEY_ANY, DIM_LENGTH, .fallback = "auto", .form = "`auto` or [x, y, z], each a length", FROM(-FAR, FAR)},
     {"heading", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-360), DEGREES(360)),
      AT(RouteRecord, heading)},
-    {"slope", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-90), DEGREES(90)), AT(RouteRecord, slope)},
+    {"slope", KEY_NUMBER, DIM_SLOPE, .fallback = "0 deg", FROM(DEGREES(-90), DEGREES(90)), AT(RouteRecord, slope)},
     {"head_at", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG), AT(RouteRecord, head_at)},
     {"transition_radius", KEY_NUMBER, DIM_LENGTH,
      .otherwise = "`limits.bend_radius`, else 20 times the largest diameter", ABOVE(0, LONG),
@@ -72,12 +72,12 @@ typedef struct PieceRecord {
 /* Which keys belong to which kind piece_keys_check says. */
 static const CaseKey route_piece_keys[] = {
     {"straight", KEY_NUMBER, DIM_LENGTH, .otherwise = "another kind", ABOVE(0, LONG), AT(PieceRecord, straight)},
-    {"slope", KEY_NUMBER, DIM_ANGLE, .otherwise = "the slope there", FROM(DEGREES(-90), DEGREES(90)),
+    {"slope", KEY_NUMBER, DIM_SLOPE, .otherwise = "the slope there", FROM(DEGREES(-90), DEGREES(90)),
      AT(PieceRecord, slope)},
     {"bend", KEY_NUMBER, DIM_ANGLE, .otherwise = "another kind", ABOVE(0, DEGREES(360)), AT(PieceRecord, def.angle)},
     {"clothoid", KEY_NUMBER, DIM_LENGTH, .otherwise = "another kind", ABOVE(0, LONG), AT(PieceRecord, clothoid)},
     {"parabola", KEY_NUMBER, DIM_LENGTH, .otherwise = "another kind", ABOVE(0, LONG), AT(PieceRecord, parabola)},
-    {"end_slope", KEY_NUMBER, DIM_ANGLE, .otherwise = "none: parabolas need it", FROM(DEGREES(-80), DEGREES(80)),
+    {"end_slope", KEY_NUMBER, DIM_SLOPE, .otherwise = "none: parabolas need it", FROM(DEGREES(-80), DEGREES(80)),
      AT(PieceRecord, end_slope)},
     {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: bends need it", ABOVE(0, LONG), AT(PieceRecord, def.radius)},
     {"start_radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "straight there", ABOVE(0, LONG),

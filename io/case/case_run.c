@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "io/case/case_parts.h"
-#include "sim/expected/cost.h"
+#include "sim/cost.h"
 
 static const char *const analyses[] = {"dynamics", "static", "modes", "positions", NULL};
 static const char *const stabilities[] = {"follow", "report", "ignore", NULL};

@@ -418,7 +418,7 @@ hawser_status hawser_certify(hawser_case *c, hawser_sim *run, const hawser_certi
     if (!status) status = case_alone(c, "a certificate", err);
     if (!status) status = options_fill(options, &z->options, err);
     if (!status) {
-        z->def = finer ? finer->plan : &c->def;
+        z->def = finer ? finer->plan : c->def;
         z->slower = finer ? finer->passes->pass[finer->pass].friction : 1;
         z->out = certificate;
         certificate->tolerance = z->options.tolerance;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "theory/cables/bundle.h"
+#include "def/cables/bundle.h"
 
 /* In the order of the enumerations that they stand for. */
 static const char *const holds[] = {"eye", "basket", NULL};

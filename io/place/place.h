@@ -4,7 +4,7 @@
 #define HAWSER_IO_PLACE_PLACE_H
 
 #include "io/schema/case_schema.h"
-#include "theory/place/place.h"
+#include "theory/place.h"
 
 extern const CaseSection case_drawing, case_drawn_layer, case_drawn_mark, case_place_rule;
 /* Lists whose items a layer's marks become; io/case reads them. */

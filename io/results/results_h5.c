@@ -4,8 +4,8 @@
  * HDF5's handles are closed on every path; calls on a handle that is not valid fail without harm. */
 #include "io/results/results_h5.h"
 #include "core/base/error.h"
+#include "def/scene_def.h"
 #include "io/results/results_file.h"
-#include "sim/def/scene_def.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -146,16 +146,28 @@ static hawser_status types_add(Gathering *g, const CaseNode *node)
     return status;
 }
 
+static hawser_status file_add(const CaseReader *r, const CaseNode *node, const char *value, const char *origin,
+                              const char *source)
+{
+    char path[CASE_PATH_MAX];
+    Gathering g = {.r = r, .room = r->def->n_assumptions};
+    hawser_assumption *const a = assumption_add(&g, case_path(node, "file", path), value, origin);
+    if (!a) return error_memory(r->err);
+    snprintf(a->source, sizeof a->source, "%s", source);
+    return HAWSER_OK;
+}
+
 hawser_status case_unread_add(const CaseReader *r, const CaseNode *node, const char *what, long times)
 {
-    char path[CASE_PATH_MAX], count[HAWSER_ASSUMPTION_VALUE_MAX];
-    Gathering g = {.r = r, .room = r->def->n_assumptions};
+    char count[HAWSER_ASSUMPTION_VALUE_MAX];
     snprintf(count, sizeof count, "%ld times", times);
-    hawser_assumption *const a =
-        assumption_add(&g, case_path(node, "file", path), times == 1 ? "once" : count, NOT_READ);
-    if (!a) return error_memory(r->err);
-    snprintf(a->source, sizeof a->source, "%s", what);
-    return HAWSER_OK;
+    return file_add(r, node, times == 1 ? "once" : count, NOT_READ, what);
+}
+
+hawser_status case_found_add(const CaseReader *r, const CaseNode *node, const char *value, int estimated,
+                             const char *source)
+{
+    return file_add(r, node, value, estimated ? ESTIMATED : GIVEN, source);
 }
 
 hawser_status case_assumptions_read(CaseReader *r, const CaseNode *node)

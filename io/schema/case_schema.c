@@ -1,6 +1,7 @@
 #include "io/schema/case_schema.h"
 
 #include <assert.h>
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -51,7 +52,7 @@ static const char *number_text(double value, char *text)
 const char *case_range_text(const CaseKey *key, char *text)
 {
     char min[NUMBER_MAX], max[NUMBER_MAX];
-    const int angle = key->dimension == DIM_ANGLE, plain = key->dimension == DIM_NONE;
+    const int angle = key->dimension == DIM_ANGLE || key->dimension == DIM_SLOPE, plain = key->dimension == DIM_NONE;
     const double scale = angle ? 180 / 3.14159265358979323846 : 1;
     const char *unit = angle ? "deg" : plain ? "" : dimension_unit(key->dimension), *gap = plain ? "" : " ";
     number_text(key->min * scale, min);
@@ -99,6 +100,9 @@ hawser_status case_range_check(const CaseReader *r, const CaseNode *node, const 
     char range[CASE_RANGE_MAX];
     const int low = key->above ? value <= key->min : value < key->min;
     if (!low && value <= key->max) return HAWSER_OK;
+    if (key->dimension == DIM_AREA && node->kind == NODE_TEXT && !node->text[strspn(node->text, "+0123456789.eE")])
+        return case_value_error(r->err, node, " is out of range: must be %s; it has no unit: write '%g mm2'",
+                                case_range_text(key, range), value);
     return case_value_error(r->err, node, " is out of range: must be %s", case_range_text(key, range));
 }
 
@@ -175,11 +179,32 @@ static hawser_status flag_field(const CaseReader *r, const CaseNode *node, int *
     return HAWSER_OK;
 }
 
-/* The choices are in the order of the enumeration, so that the place is the value. */
+/* Letters and digits alone, in lower case: "TB 889" is tb889. `out` has WANTED_MAX bytes. */
+static const char *word_plain(const char *text, char *out)
+{
+    static const char *const same[][2] = {{"aluminum", "aluminium"}, {"al", "aluminium"}, {"alu", "aluminium"},
+                                          {"cu", "copper"},          {"pb", "lead"},      {"cigretb889", "tb889"}};
+    size_t n = 0;
+    for (; *text && n + 1 < WANTED_MAX; text++) {
+        if (isalnum((unsigned char)*text)) out[n++] = (char)tolower((unsigned char)*text);
+    }
+    out[n] = 0;
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
+        if (strcmp(out, same[i][0]) == 0) return same[i][1];
+    }
+    return out;
+}
+
+/* The choices are in the order of the enumeration, so that the place is the value. Capitals, blanks and usual other
+ * names of a choice do not matter. */
 static hawser_status choice_field(const CaseReader *r, const CaseNode *node, const CaseKey *key, int *value)
 {
-    char all[WANTED_MAX] = "";
+    char all[WANTED_MAX] = "", given[WANTED_MAX], allowed[WANTED_MAX];
+    const char *const plain = node->kind == NODE_TEXT ? word_plain(node->text, given) : "";
     *value = case_word_place(node, key->choices);
+    for (int k = 0; *value < 0 && *plain && key->choices[k]; k++) {
+        if (strcmp(plain, word_plain(key->choices[k], allowed)) == 0) *value = k;
+    }
     if (*value >= 0) return HAWSER_OK;
     for (int k = 0; key->choices[k]; k++) {
         const size_t used = strlen(all);
@@ -261,6 +286,14 @@ static hawser_status field_default(const CaseReader *r, const CaseKey *key, char
     return HAWSER_OK;
 }
 
+/* {mu: 0,3}: to YAML a key 'mu' of the value 0, and a key '3' without one. */
+static int is_comma(const CaseNode *child, const CaseNode *before)
+{
+    if (!before || before->kind != NODE_TEXT || child->kind != NODE_TEXT || *child->text) return 0;
+    const size_t end = strlen(before->text);
+    return isdigit((unsigned char)*child->key) && end > 0 && isdigit((unsigned char)before->text[end - 1]);
+}
+
 /* Points at the first key of the map that the section does not know. */
 static hawser_status keys_check(const CaseReader *r, const CaseNode *map, const CaseSection *section)
 {
@@ -272,8 +305,14 @@ static hawser_status keys_check(const CaseReader *r, const CaseNode *map, const 
         name[k] = section->key[k].name;
         snprintf(all + used, sizeof all - used, "%s%s", k ? ", " : "", name[k]);
     }
-    for (const CaseNode *child = map->first; child; child = child->next) {
+    const CaseNode *before = NULL;
+    for (const CaseNode *child = map->first; child; before = child, child = child->next) {
         if (case_key_of(section, child->key)) continue;
+        if (is_comma(child, before)) {
+            return case_key_error(r->err, before, NULL,
+                                  "value '%.20s,%.20s' has a comma: decimals follow a point, '%.20s.%.20s'",
+                                  before->text, child->key, before->text, child->key);
+        }
         const char *nearest = case_nearest(child->key, name, section->n);
         if (nearest) return case_key_error(r->err, child, NULL, "unknown key: did you mean '%s'?", nearest);
         return case_key_error(r->err, child, NULL, "unknown key: allowed are %s", all);

@@ -8,9 +8,9 @@
 #include <stddef.h>
 
 #include "core/route.h"
+#include "def/scene_def.h"
 #include "io/yaml/units.h"
 #include "io/yaml/yaml_tree.h"
-#include "sim/def/scene_def.h"
 
 /* What a value is, and what the key's place holds. */
 typedef enum KeyKind {
@@ -121,6 +121,9 @@ const CaseKey *case_key_of(const CaseSection *section, const char *name);
 
 /* Adds to r->def->assumptions what of a file that node names is not in the route. Errors: MEMORY. */
 hawser_status case_unread_add(const CaseReader *r, const CaseNode *node, const char *what, long times);
+/* The same of what was found in the file, or estimated from it, and decides something. */
+hawser_status case_found_add(const CaseReader *r, const CaseNode *node, const char *value, int estimated,
+                             const char *source);
 /* Fills r->def->assumptions with what the catalogue and estimates have put in, once all else has been read. node: the
  * section of cables. Errors: MEMORY. */
 hawser_status case_assumptions_read(CaseReader *r, const CaseNode *node);

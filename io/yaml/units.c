@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 typedef struct DimensionRow {
     const char *name, *unit, *example;
@@ -21,6 +22,7 @@ static const DimensionRow dimensions[DIM_COUNT] = {
     [DIM_SPEED] = {"a speed", "m/s", "6 m/min"},
     [DIM_ACCELERATION] = {"an acceleration", "m/s2", "9.81 m/s2"},
     [DIM_ANGLE] = {"an angle", "rad", "15 deg"},
+    [DIM_SLOPE] = {"a slope", "rad", "-5 %"},
     [DIM_ANGULAR_SPEED] = {"an angular speed", "rad/s", "5 rpm"},
     [DIM_FORCE] = {"a force", "N", "6.9 kN"},
     [DIM_PRESSURE] = {"a modulus or pressure", "Pa", "115 GPa"},
@@ -48,32 +50,46 @@ typedef struct UnitRow {
     const char *name;
     double scale;
     const char *of;
+    int american; /* k is the only prefix: M is a thousand in MCM and Mft, and a million elsewhere */
 } UnitRow;
 
 static const UnitRow derived_units[] = {
-    {"in", UNIT_FOOT / 12, "m"},
-    {"ft", UNIT_FOOT, "m"},
+    {"in", UNIT_FOOT / 12, "m", 1},
+    {"ft", UNIT_FOOT, "m", 1},
+    {"Mft", 1e3, "ft", 1},
     {"g", 1e-3, "kg"},
     {"t", 1e3, "kg"},
-    {"lb", UNIT_POUND, "kg"},
+    {"lb", UNIT_POUND, "kg", 1},
     {"min", 60, "s"},
     {"h", 3600, "s"},
     {"deg", 3.14159265358979323846 / 180, "rad"},
+    {"\xc2\xb0", 1, "deg"},
     {"rev", 2 * 3.14159265358979323846, "rad"},
     {"rpm", 1, "rev/min"},
     {"Hz", 1, "s-1"},
     {"N", 1, "kg m s-2"},
     {"kgf", UNIT_GRAVITY, "N"},
-    {"lbf", UNIT_POUND *UNIT_GRAVITY, "N"},
-    {"kip", 1e3, "lbf"},
+    {"lbf", UNIT_POUND *UNIT_GRAVITY, "N", 1},
+    {"kip", 1e3, "lbf", 1},
     {"Pa", 1, "N m-2"},
     {"bar", 1e5, "Pa"},
     {"psi", 6894.757293168361, "Pa"},
     {"ksi", 1e3, "psi"},
-    {"cmil", 3.14159265358979323846 / 4 * 25.4e-6 * 25.4e-6, "m2"},
-    {"MCM", 1e3, "cmil"},
+    {"cmil", 3.14159265358979323846 / 4 * 25.4e-6 * 25.4e-6, "m2", 1},
+    {"MCM", 1e3, "cmil", 1},
     {"J", 1, "N m"},
     {"W", 1, "J s-1"},
+    {"meter", 1, "m"}, /* the same in words */
+    {"metre", 1, "m"},
+    {"meters", 1, "m"},
+    {"metres", 1, "m"},
+    {"inch", 1, "in", 1},
+    {"inches", 1, "in", 1},
+    {"foot", 1, "ft", 1},
+    {"feet", 1, "ft", 1},
+    {"lbs", 1, "lb", 1},
+    {"degree", 1, "deg"},
+    {"degrees", 1, "deg"},
 };
 enum { N_BASE = sizeof base_units / sizeof *base_units, N_DERIVED = sizeof derived_units / sizeof *derived_units };
 
@@ -95,10 +111,11 @@ enum { POWER_MAX = 99 };
 
 static int unit_parse(const char *text, Unit *out);
 
-/* The unit with exactly that name, or 0. Each derived one is made of those before it in the table, so that this ends.
- */
-static int unit_named(const char *name, size_t length, Unit *out)
+/* The unit with exactly that name, or 0; *american, if it is one. Each derived one is made of those before it in the
+ * table, so that this ends. */
+static int unit_named(const char *name, size_t length, Unit *out, int *american)
 {
+    *american = 0;
     for (int i = 0; i < N_BASE; i++) {
         if (strlen(base_units[i]) != length || strncmp(base_units[i], name, length) != 0) continue;
         *out = (Unit){.scale = 1};
@@ -109,6 +126,7 @@ static int unit_named(const char *name, size_t length, Unit *out)
         if (strlen(derived_units[i].name) != length || strncmp(derived_units[i].name, name, length) != 0) continue;
         const int ok = unit_parse(derived_units[i].of, out);
         out->scale *= derived_units[i].scale;
+        *american = derived_units[i].american;
         return ok;
     }
     return 0;
@@ -117,11 +135,12 @@ static int unit_named(const char *name, size_t length, Unit *out)
 /* The same with a prefix where the whole is no name: "min" is a minute. */
 static int unit_find(const char *name, size_t length, Unit *out)
 {
-    if (unit_named(name, length, out)) return 1;
+    int american;
+    if (unit_named(name, length, out, &american)) return 1;
     for (int i = 0; prefix_names[i]; i++) {
         const size_t n = strlen(prefix_names[i]);
         if (n >= length || strncmp(name, prefix_names[i], n) != 0) continue;
-        if (!unit_named(name + n, length - n, out)) continue;
+        if (!unit_named(name + n, length - n, out, &american) || (american && *name != 'k')) continue;
         out->scale *= prefix_values[i];
         return 1;
     }
@@ -168,9 +187,10 @@ static int unit_parse(const char *text, Unit *out)
     for (int sign = 1;;) {
         Unit unit;
         int power;
-        size_t length = 0; /* of the name, which may begin with a micro sign */
-        if (!strncmp(text, "\xc2\xb5", 2)) length = 2;
-        while (isalpha((unsigned char)text[length])) length++;
+        size_t length = 0; /* of the name: a degree sign, or letters, which may begin with a micro sign */
+        const int degree = !strncmp(text, "\xc2\xb0", 2);
+        if (degree || !strncmp(text, "\xc2\xb5", 2)) length = 2;
+        while (!degree && isalpha((unsigned char)text[length])) length++;
         if (!length || !unit_find(text, length, &unit)) return 0;
         text = power_read(text + length, &power);
         if (!text) return 0;
@@ -284,7 +304,16 @@ static void unit_explain(const Units *units, const char *text, Dimension dimensi
 static double unit_read(const Units *units, const char *text, Dimension dimension, char *why)
 {
     Unit unit;
-    if (!unit_parse(text, &unit)) return snprintf(why, UNITS_WHY_MAX, "has an unknown unit '%.40s'", text), 0;
+    if (!unit_parse(text, &unit)) {
+        const char *const thousand = strstr(text, "/1000");
+        const int million = *text == 'M' || strstr(text, "/M");
+        snprintf(why, UNITS_WHY_MAX, "has an unknown unit '%.40s'%s", text,
+                 thousand  ? ": write k for a thousand, as in lb/kft"
+                 : million ? ": M is a thousand in MCM and Mft, and a million elsewhere: write k for a thousand, as in "
+                             "kcmil or lb/kft"
+                           : "");
+        return 0;
+    }
     double factor = unit_factor(&unit, &units->si[dimension]);
     if (factor == 0 && dimension == DIM_LINE_MASS) {
         factor = unit_factor(&unit, &units->si[DIM_LINE_FORCE]) / UNIT_GRAVITY;
@@ -299,19 +328,46 @@ double awg_area(int number)
     return 3.14159265358979323846 / 4 * across * across;
 }
 
-/* "4/0 AWG" or "12 AWG", and nothing else: 1 and the number, 0 for 1/0, -1 for 2/0 and so on. */
+/* "4/0 AWG", "0000 AWG", "12 AWG", "AWG 12", "#12 AWG", and nothing else: 1 and the number, 0 for 1/0, -1 for 2/0 and
+ * so on. */
 static int awg_read(const char *text, int *number)
 {
     char *end;
     text += strspn(text, " ");
+    const int before = !strncasecmp(text, "AWG", 3);
+    text += before ? 3 + strspn(text + 3, " ") : 0;
+    text += *text == '#';
     if (!isdigit((unsigned char)*text)) return 0;
-    const long n = strtol(text, &end, 10);
-    const int aught = !strncmp(end, "/0", 2);
+    const long zeros = (long)strspn(text, "0"), n = strtol(text, &end, 10);
+    const int aught = !strncmp(end, "/0", 2), row = n == 0 && zeros > 1; /* 000 is 3/0 */
     end += aught ? 2 : 0;
     end += strspn(end, " ");
-    if (strncmp(end, "AWG", 3) != 0 || end[3 + strspn(end + 3, " ")]) return 0;
-    *number = (int)(aught ? 1 - n : n);
-    return aught ? n >= 1 && n <= 4 : n <= 40;
+    if (!before && strncasecmp(end, "AWG", 3) != 0) return 0;
+    end += before ? 0 : 3;
+    if (end[strspn(end, " ")]) return 0;
+    *number = (int)(aught ? 1 - n : row ? 1 - zeros : n);
+    return aught ? n >= 1 && n <= 4 : row ? zeros <= 4 : n <= 40;
+}
+
+/* "-5 %", "30 per mille" as a sign, "1:20": dz/ds in plan, of which a slope is the angle. 0: none of these. */
+static int ratio_read(const Units *units, const char *unit, double *value)
+{
+    char *end = NULL;
+    if (!strcmp(unit, "%")) return *value /= 100, 1;
+    if (!strcmp(unit, "\xe2\x80\xb0")) return *value /= 1000, 1;
+    if (*unit != ':' || !isdigit((unsigned char)unit[1])) return 0;
+    const double run = strtod_l(unit + 1, &end, units->numbers);
+    *value /= run;
+    return !*end && run > 0;
+}
+
+int units_half(const Units *units, const char *text, char *out, size_t size)
+{
+    const char *unit;
+    char why[UNITS_WHY_MAX];
+    double value;
+    if (!number_read(units, text, &value, &unit, why)) return 0;
+    return snprintf(out, size, "%.17g %s", value / 2, unit) < (int)size;
 }
 
 /* A unit of scale 0 does not exist, so a factor of 0 can mean an error. */
@@ -323,9 +379,15 @@ int units_read(const Units *units, const char *text, Dimension dimension, double
     int gauge;
     if (dimension == DIM_AREA && awg_read(text, &gauge)) return *value = awg_area(gauge), 1;
     if (!number_read(units, text, &number, &unit, why)) return 0;
-    if (dimension == DIM_ANGLE && !*unit && fabs(number) > 0) {
-        return snprintf(why, UNITS_WHY_MAX, "has no unit: is that degrees? write '%g deg' or '%g rad'", number, number),
-               0;
+    if ((dimension == DIM_SLOPE || dimension == DIM_NONE) && ratio_read(units, unit, &number)) {
+        *value = dimension == DIM_SLOPE ? atan(number) : number;
+        return 1;
+    }
+    if ((dimension == DIM_ANGLE || dimension == DIM_SLOPE) && !*unit && fabs(number) > 0) {
+        const char *const percent = dimension == DIM_SLOPE ? ", or per cent, %" : "";
+        snprintf(why, UNITS_WHY_MAX, "has no unit: is that degrees? write '%g deg' or '%g rad'%s", number, number,
+                 percent);
+        return 0;
     }
     const double factor = *unit ? unit_read(units, unit, dimension, why) : 1;
     if (factor == 0) return 0;

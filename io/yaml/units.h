@@ -10,6 +10,8 @@
 #define UNIT_POUND   0.45359237
 #define UNIT_GRAVITY 9.80665
 
+#include <stddef.h>
+
 typedef enum Dimension {
     DIM_NONE, /* a pure number */
     DIM_LENGTH,
@@ -18,6 +20,7 @@ typedef enum Dimension {
     DIM_SPEED,
     DIM_ACCELERATION,
     DIM_ANGLE,
+    DIM_SLOPE, /* an angle, which may be given by dz/ds: in per cent, per mille, or as 1:20 */
     DIM_ANGULAR_SPEED,
     DIM_FORCE,
     DIM_PRESSURE,
@@ -52,6 +55,9 @@ Units *units_free(Units *units);
 int units_read(const Units *units, const char *text, Dimension dimension, double *value, char *why);
 /* Reads a stiffness per power of a length, "3.4e8 N/m^1.5" or a bare number of N/m^e; the power must be e. */
 int units_read_stiffness(const Units *units, const char *text, double e, double *value, char *why);
+
+/* Half of a number, with its unit: "50 mm" of "100 mm". 0: the text is no number, or `out` is too small. */
+int units_half(const Units *units, const char *text, char *out, size_t size);
 
 /* Area of a round wire of an American gauge, m2: its number, 0 for 1/0, -1 for 2/0, -3 for 4/0 (ASTM B258). */
 double awg_area(int number);

@@ -1,5 +1,5 @@
-/* A tree as a YAML document again, in flow style with quoted texts: the same values under the same keys, without the
- * places where they were written. */
+/* A tree as a document again, JSON with nothing but texts, which is YAML, too: the same values under the same keys,
+ * without the places where they were written. */
 #include "io/yaml/yaml_tree.h"
 
 #include "core/base/error.h"
@@ -14,7 +14,7 @@ static void text_put(FILE *out, const char *text)
         if (*c == '"' || *c == '\\') {
             fprintf(out, "\\%c", *c);
         } else if (*c < ' ') {
-            fprintf(out, "\\x%02x", *c);
+            fprintf(out, "\\u%04x", *c);
         } else {
             fputc(*c, out);
         }
@@ -39,13 +39,13 @@ static void node_put(FILE *out, const CaseNode *node)
     fputs(node->kind == NODE_MAP ? "}" : "]", out);
 }
 
-hawser_status case_tree_text(const CaseTree *tree, char **text, hawser_error *err)
+hawser_status case_node_text(const CaseNode *node, char **text, hawser_error *err)
 {
     size_t size;
     *text = NULL;
     FILE *const out = open_memstream(text, &size);
     if (!out) return error_memory(err);
-    node_put(out, tree->root);
+    node_put(out, node);
     fputc('\n', out);
     if (!fclose(out) && *text) return HAWSER_OK;
     free(*text);

@@ -2,6 +2,7 @@
 
 #include <ctype.h>
 #include <limits.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,10 +11,12 @@
 
 enum { KEY_MAX = 200, STEPS_MAX = 16 };
 
-/* A place that text came from: kept for as long as the tree, since nodes point at the name. */
+/* A place that text came from: kept for as long as a tree whose nodes point at the name. Copies of a tree share the
+ * list that was there when they were made, each with its own first element. */
 typedef struct CaseOrigin {
     char *name;
     struct CaseOrigin *next;
+    atomic_int users; /* trees and elements that point here */
 } CaseOrigin;
 
 /* Remembers a name in the tree and returns the tree's copy; NULL if there is no memory. */
@@ -29,7 +32,8 @@ static const char *tree_origin(CaseTree *tree, const char *name)
         free(origin);
         return NULL;
     }
-    origin->next = tree->origins;
+    origin->next = tree->origins; /* the tree's reference passes on */
+    atomic_init(&origin->users, 1);
     tree->origins = origin;
     return origin->name;
 }
@@ -38,7 +42,7 @@ CaseTree *case_tree_free(CaseTree *tree)
 {
     if (!tree) return NULL;
     node_free(tree->root);
-    for (CaseOrigin *origin = tree->origins; origin;) {
+    for (CaseOrigin *origin = tree->origins; origin && atomic_fetch_sub(&origin->users, 1) == 1;) {
         CaseOrigin *next = origin->next;
         free(origin->name);
         free(origin);
@@ -108,13 +112,15 @@ CaseTree *case_tree_copy(const CaseTree *tree)
     copy->root = node_clone(tree->root, NULL);
     copy->folder = tree->folder ? strdup(tree->folder) : NULL;
     copy->path = tree->path ? strdup(tree->path) : NULL;
+    copy->origins = tree->origins;
+    if (copy->origins) atomic_fetch_add(&copy->origins->users, 1);
     return copy->root && (copy->folder || !tree->folder) && (copy->path || !tree->path) ? copy : case_tree_free(copy);
 }
 
-/* One setting being made: where it comes from, and its key cut at the dots. */
+/* A key on its way into a tree: where it comes from, and its parts. */
 typedef struct Setting {
-    CaseTree *tree;
-    const char *origin; /* "--set KEY" */
+    const CaseTree *tree;
+    const char *origin; /* "--set KEY"; where a value is only read, the key */
     char key[KEY_MAX];  /* with NULs for dots */
     const char *step[STEPS_MAX];
     int n;
@@ -244,13 +250,30 @@ static hawser_status value_place(const Setting *s, CaseNode *value)
     return HAWSER_OK;
 }
 
+static hawser_status key_long(const char *before, const char *key, hawser_error *err)
+{
+    char shown[CASE_SHOWN_MAX];
+    return error_set(err, HAWSER_ERR_INPUT, "%s%s: the key is too long", before, case_shown(key, shown));
+}
+
+hawser_status case_tree_find(const CaseTree *tree, const char *key, const CaseNode **node, hawser_error *err)
+{
+    Setting s = {.tree = tree, .origin = key, .err = err};
+    CaseNode *found = tree->root;
+    int depth = 0;
+    if (strlen(key) >= KEY_MAX) return key_long("", key, err);
+    hawser_status status = *key ? key_cut(&s, key) : HAWSER_OK;
+    if (!status) status = path_follow(&s, &found, &depth);
+    if (!status && depth < s.n) status = error_set(err, HAWSER_ERR_INPUT, "%s: the case does not give this key", key);
+    *node = status ? NULL : found;
+    return status;
+}
+
 /* The value is read before the tree is touched, so that a mistake leaves the tree as it was. */
 hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, hawser_error *err)
 {
-    char shown[CASE_SHOWN_MAX], origin[KEY_MAX + 16];
-    if (strlen(key) >= KEY_MAX) {
-        return error_set(err, HAWSER_ERR_INPUT, "--set %s: the key is too long", case_shown(key, shown));
-    }
+    char origin[KEY_MAX + 16];
+    if (strlen(key) >= KEY_MAX) return key_long("--set ", key, err);
     snprintf(origin, sizeof origin, "--set %s", key);
     Setting s = {.tree = tree, .origin = tree_origin(tree, origin), .err = err};
     if (!s.origin) return error_memory(err);
@@ -260,4 +283,96 @@ hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, 
     if (!status) status = yaml_read(*value ? value : "''", strlen(*value ? value : "''"), s.origin, 0, &node, err);
     if (!status) status = value_place(&s, node);
     return status;
+}
+
+/* Adds a text to a map, unless it is NULL; *fine turns 0 without memory. */
+static void text_add(CaseNode *map, const char *key, const char *text, int *fine)
+{
+    CaseNode *const node = text ? node_new(NODE_TEXT, "", 0) : NULL;
+    if (!text) return;
+    if (node) {
+        node->key = strdup(key);
+        node->text = strdup(text);
+        node_append(map, node);
+    }
+    *fine &= node && node->key && node->text;
+}
+
+/* Absolute where that is there: the text may be read elsewhere. */
+static void path_add(CaseNode *map, const char *key, const char *path, int *fine)
+{
+    char *const whole = path ? realpath(path, NULL) : NULL;
+    text_add(map, key, whole ? whole : path, fine);
+    free(whole);
+}
+
+hawser_status case_tree_pack(const CaseTree *tree, const char *name, char **text, hawser_error *err)
+{
+    CaseNode *const map = node_new(NODE_MAP, "", 0), *const root = node_clone(tree->root, NULL);
+    int fine = map && root;
+    if (fine) {
+        text_add(map, "name", name, &fine);
+        path_add(map, "folder", tree->folder, &fine);
+        path_add(map, "path", tree->path, &fine);
+        root->key = strdup("case");
+        node_append(map, root);
+        fine &= root->key != NULL;
+    } else {
+        node_free(root);
+    }
+    *text = NULL;
+    const hawser_status status = fine ? case_node_text(map, text, err) : error_memory(err);
+    node_free(map);
+    return status;
+}
+
+/* Has all nodes come from one place without lines. */
+static void nodes_place(CaseNode *node, const char *origin)
+{
+    node->origin = origin;
+    node->line = 0;
+    for (CaseNode *child = node->first; child; child = child->next) nodes_place(child, origin);
+}
+
+/* A copy of a text of the map, NULL where there is none; *fine turns 0 without memory. */
+static char *text_take(const CaseNode *map, const char *key, int *fine)
+{
+    const CaseNode *const node = case_node_key(map, key);
+    char *const text = node && node->text ? strdup(node->text) : NULL;
+    *fine &= text || !node || !node->text;
+    return text;
+}
+
+hawser_status case_tree_unpack(const char *text, CaseTree **out, char **name, hawser_error *err)
+{
+    static const char packed[] = "packed case";
+    CaseNode *map = NULL;
+    *out = NULL;
+    *name = NULL;
+    hawser_status status = yaml_read(text, strlen(text), packed, 0, &map, err);
+    if (status) return status;
+    const CaseNode *const root = case_node_key(map, "case"), *const called = case_node_key(map, "name");
+    if (!root || root->kind != NODE_MAP || !called || !called->text) {
+        node_free(map);
+        return case_text_error(err, packed, 0, "no case, or one without a name", NULL);
+    }
+    int fine = 1;
+    CaseTree *const tree = calloc(1, sizeof *tree);
+    const char *const origin = tree ? tree_origin(tree, called->text) : NULL;
+    if (origin) {
+        tree->root = node_clone(root, NULL);
+        tree->folder = text_take(map, "folder", &fine);
+        tree->path = text_take(map, "path", &fine);
+        *name = text_take(map, "name", &fine);
+    }
+    node_free(map);
+    if (!origin || !tree->root || !fine) {
+        case_tree_free(tree);
+        free(*name);
+        *name = NULL;
+        return error_memory(err);
+    }
+    nodes_place(tree->root, origin);
+    *out = tree;
+    return HAWSER_OK;
 }

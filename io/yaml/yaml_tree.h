@@ -61,12 +61,19 @@ hawser_status case_tree_parse(const char *text, const char *name, CaseTree **out
  * on the way are made where they are missing; list items must exist and go by number or by their `name`. Errors: INPUT
  * that names the setting; MEMORY. The tree is unchanged then. */
 hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, hawser_error *err);
+/* The value under a dotted key, as case_tree_set follows it; "": the whole tree. Errors: INPUT (there is none). */
+hawser_status case_tree_find(const CaseTree *tree, const char *key, const CaseNode **node, hawser_error *err);
 CaseTree *case_tree_free(CaseTree *tree);
-/* A copy to be set apart; names of places stay those of `tree`, which must outlive it. NULL if there is no memory. */
+/* A copy to be set apart. Several threads may copy one tree. NULL if there is no memory. */
 CaseTree *case_tree_copy(const CaseTree *tree);
 
-/* The tree as a document from which the same tree is read, malloc'ed. Errors: MEMORY. */
-hawser_status case_tree_text(const CaseTree *tree, char **text, hawser_error *err);
+/* The node with all below it as a JSON document of texts, from which the same nodes are read; malloc'ed. Errors:
+ * MEMORY. */
+hawser_status case_node_text(const CaseNode *node, char **text, hawser_error *err);
+/* The tree with its name, folder and file as such a document, and back from it: nodes have no lines then, and `name` as
+ * their origin. *name: malloc'ed. Errors: MEMORY; of the way back INPUT, too. */
+hawser_status case_tree_pack(const CaseTree *tree, const char *name, char **text, hawser_error *err);
+hawser_status case_tree_unpack(const char *text, CaseTree **out, char **name, hawser_error *err);
 
 /* Reads one YAML document of `size` bytes, with a NUL behind them. `origin` is said to be where it comes from and must
  * outlive the nodes; lines 0: it is a setting's value, and line numbers mean nothing. Errors: INPUT with the place (not

@@ -1,6 +1,7 @@
 """Who owns a simulation's memory, and who may use it when."""
 from __future__ import annotations
 
+import os
 import threading
 from typing import Any
 
@@ -21,6 +22,8 @@ class Handle:
         self.error = ffi.new("hawser_error *")
         self.moved = 0  # counts what makes older samples invalid
         self.kept: dict[Any, Any] = {}  # call-backs that C knows
+        self._gone: list[Any] = []  # those that it may still be in
+        self._depth = 0
         self.raised: BaseException | None = None  # by a call-back; waits until C has returned
         self.in_law = False
         self.under_way = False
@@ -32,21 +35,31 @@ class Handle:
         if self.in_law:
             self._lock.release()
             raise RuntimeError("a law of force is shown its segment and nothing else: the step is not done yet")
+        self._depth += 1
         return self.c
 
     def __exit__(self, *_: object) -> None:
+        self._depth -= 1
+        if self._depth == 0:
+            self._gone.clear()
         self._lock.release()
+
+    def keep(self, name: Any, called: Any) -> None:
+        """Keeps a call-back that C knows under a name, in place of the one before: that may be under way, and stays until C has returned."""
+        if self._depth:
+            self._gone.append(self.kept.get(name))
+        self.kept[name] = called
 
     @property
     def motion(self) -> Motion:
         return Motion(self)
 
-    def check(self, status: int) -> None:
-        """Raises what a call-back raised, or what the call returned if it is not OK."""
+    def check(self, status: int, path: str | os.PathLike[str] | None = None) -> None:
+        """Raises what a call-back raised, or what the call returned if it is not OK. path: as errors.check."""
         if self.raised is not None:
             raised, self.raised = self.raised, None
             raise raised
-        check(status, self.error)
+        check(status, self.error, path)
 
 
 class Motion:

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import math
 import os
+import threading
 from typing import Any, Callable
 
 import numpy as np
@@ -10,7 +11,7 @@ import pandas as pd
 
 from hawser._native import ffi, lib
 from hawser._tables import frame, plain
-from hawser.errors import check
+from hawser.errors import c_path, c_text, check
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -35,33 +36,39 @@ class Route:
     problem:     why it cannot be a route; None: it can
     """
 
-    def __init__(self, handle: Any, number: int) -> None:
-        self._c, self._number, self._error = handle, number, ffi.new("hawser_error *")
+    def __init__(self, handle: Any, number: int, lock: threading.Lock) -> None:
+        self._c, self._number, self._lock = handle, number, lock  # of all lines of the file: C makes routes of them when they are first used
         found = ffi.new("hawser_route_figures *")
-        check(lib.hawser_routes_figures(handle, number, found, self._error), self._error)
+        self._call(lib.hawser_routes_figures, found)
         self.figures: dict[str, Any] = plain(found[0])
         self.name: str = self.figures.pop("name")
         self.layer: str = self.figures.pop("layer")
         self.problem: str | None = self.figures.pop("problem") or None
 
+    def _call(self, function: Any, *arguments: Any) -> None:
+        error = ffi.new("hawser_error *")
+        with self._lock:
+            status = function(self._c, self._number, *arguments, error)
+        check(status, error)
+
     @property
     def length(self) -> float:
         """Of the route that would be built, in space, m."""
         found = ffi.new("double *")
-        check(lib.hawser_routes_length(self._c, self._number, found, self._error), self._error)
+        self._call(lib.hawser_routes_length, found)
         return float(found[0])
 
     def at(self, s: float | Array) -> dict[str, Array]:
         """The place s (m, one or many) along the route: "position" (m), "tangent" (unit) and "curvature" (1/m, toward the
         centre), each x y z in the last axis. Beyond its ends it goes on straight."""
-        return places(lambda one, place: check(lib.hawser_routes_at(self._c, self._number, one, place, self._error), self._error), s)
+        return places(lambda one, place: self._call(lib.hawser_routes_at, one, place), s)
 
     @property
     def bends(self) -> pd.DataFrame:
         """Its arcs in plan as they would be built: station_m, length_m, turn (rad, to the left positive), radius_m, radius_sd_m (of a
         fit, one standard deviation; NaN: the file's own)."""
         n, made = ffi.new("int *"), ffi.new("hawser_route_bend **")
-        check(lib.hawser_routes_bends(self._c, self._number, n, made, self._error), self._error)
+        self._call(lib.hawser_routes_bends, n, made)
         try:
             return frame("hawser_route_bend", made[0], n[0])
         finally:
@@ -69,7 +76,7 @@ class Route:
 
     def write(self, path: str | os.PathLike[str]) -> None:
         """As it would be built: a table (.csv), a drawing (.dxf), a map (.geojson) or a case's section `route` (.yaml)."""
-        check(lib.hawser_routes_write(self._c, self._number, os.fsencode(path), self._error), self._error)
+        self._call(lib.hawser_routes_write, c_path(path))
 
     def __repr__(self) -> str:
         return f"<hawser route {self.name!r}: {self.problem or format(self.figures['length_m'], '.6g') + ' m'}>"
@@ -92,13 +99,14 @@ def routes(path: str | os.PathLike[str], *, name: str | None = None, layer: str 
     """
     error, made = ffi.new("hawser_error *"), ffi.new("hawser_routes **")
     options = ffi.new("hawser_route_options *", lib.hawser_route_defaults())
-    texts = {"name": name, "layer": layer, "units": units, "profile": None if profile is None else os.fspath(profile)}
-    kept = {key: ffi.new("char[]", os.fsencode(text)) for key, text in texts.items() if text is not None}
+    texts = {"name": name, "layer": layer, "units": units, "profile": None if profile is None else os.fsdecode(profile)}
+    kept = {key: ffi.new("char[]", c_text(text, key)) for key, text in texts.items() if text is not None}
     for key, text in kept.items():
         setattr(options, key, text)
     options.reverse, options.from_m, options.to_m, options.radius_m = reverse, from_m, to_m, radius_m
     options.tolerance_m = options.tolerance_m if tolerance_m is None else tolerance_m
     options.join_m = options.join_m if join_m is None else join_m
-    check(lib.hawser_routes_read(os.fsencode(path), options, made, error), error)
+    check(lib.hawser_routes_read(c_path(path), options, made, error), error, path)
     handle = ffi.gc(made[0], lib.hawser_routes_free)
-    return [Route(handle, k) for k in range(lib.hawser_routes_count(handle))]
+    lock = threading.Lock()
+    return [Route(handle, k, lock) for k in range(lib.hawser_routes_count(handle))]

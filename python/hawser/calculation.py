@@ -22,7 +22,8 @@ class Theory:
 
     @property
     def facts(self) -> dict[str, Any]:
-        """Single figures: "reference_total_N" (winch force, pulled forward, N), "backward_total_N", "length_m" and more."""
+        """Single figures: "largest_force_N" (the largest force that any winch needs, pulled forward, N), "reference_total_N" (at the end,
+        with the whole cable in), "backward_total_N", "length_m" and more."""
         return {key: value for key, value in self.data.items() if not isinstance(value, (list, dict))}
 
     @property

@@ -2,8 +2,11 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import pathlib
+import re
+import threading
 from typing import TYPE_CHECKING, Any, Mapping, Union
 
 import numpy as np
@@ -11,7 +14,7 @@ import pandas as pd
 
 from hawser._native import ffi, lib
 from hawser._tables import frame_of
-from hawser.errors import DICT, check, taken
+from hawser.errors import DICT, SETTING, CaseError, c_path, c_text, check, taken, text_of
 
 if TYPE_CHECKING:
     from hawser.simulation import Simulation
@@ -21,20 +24,70 @@ Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 Settings = Mapping[str, Any]
 
 
-def simple(value: Any) -> Any:
-    """What json does not know by itself."""
-    if isinstance(value, np.ndarray):
-        return value.tolist()
-    if isinstance(value, np.generic):
-        return value.item()
+NUMBER = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][-+]?[0-9]+)?")
+WORDS = {"true": True, "false": False}
+
+
+def case_error(key: str, text: str) -> CaseError:
+    found = CaseError(f"key '{key}': {text}")
+    found.key = key
+    return found
+
+
+def simple(value: Any, key: str) -> Any:
+    """A value as json knows it: all below it, too. key: its dotted key."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        value = value.tolist()
     if isinstance(value, os.PathLike):
-        return os.fspath(value)
-    raise TypeError(f"a case cannot hold {type(value).__name__}: texts, numbers, yes or no, lists and dicts")
+        value = os.fspath(value)
+    if isinstance(value, Mapping):
+        return {name_of(name, key): simple(item, f"{key}.{name}" if key else str(name)) for name, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [simple(item, f"{key}.{k}" if key else str(k)) for k, item in enumerate(value)]
+    if isinstance(value, str):
+        if "\0" in value:
+            raise case_error(key, "a NUL character in a text")
+        return value
+    if isinstance(value, float) and not math.isfinite(value):
+        raise case_error(key, f"value {value}: expected a finite number")
+    if value is None or isinstance(value, (bool, int, float)):
+        return value
+    raise TypeError(f"key '{key}': a case cannot hold {type(value).__name__}: texts, numbers, yes or no, lists and dicts")
 
 
-def yaml_of(value: Any) -> str:
+def name_of(name: object, key: str) -> str:
+    if not isinstance(name, (str, int)):
+        raise TypeError(f"key '{key}': a case cannot hold a key that is {type(name).__name__}: texts")
+    return c_text(str(name), f"a key of '{key}'", key).decode()
+
+
+def yaml_of(value: Any, key: str = "") -> str:
     """A value as YAML: a text as it is (it may be YAML itself), everything else as JSON, which is YAML."""
-    return value if isinstance(value, str) else json.dumps(value, default=simple, ensure_ascii=False, allow_nan=False)
+    plain = simple(value, key)
+    return plain if isinstance(plain, str) else json.dumps(plain, ensure_ascii=False, allow_nan=False)
+
+
+def value_of(found: Any) -> Any:
+    """A value of a case, whose numbers and flags are texts in C, as Python has it."""
+    if isinstance(found, dict):
+        return {name: value_of(item) for name, item in found.items()}
+    if isinstance(found, list):
+        return [value_of(item) for item in found]
+    return json.loads(found) if NUMBER.fullmatch(found) else WORDS.get(found, found)
+
+
+def owned(made: Any) -> Any:
+    """A case of C's that is freed with the last object that uses it."""
+    return ffi.gc(made[0], lib.hawser_case_free)
+
+
+def settle(c: Any, settings: Settings) -> Any:
+    """Sets values of a case of C's that nobody else knows."""
+    error = ffi.new("hawser_error *")
+    for key, value in settings.items():
+        name = c_text(key, f"{SETTING}{key!r}")
+        check(lib.hawser_case_set(c, name, yaml_of(value, key).encode(), error), error)
+    return c
 
 
 class Case:
@@ -45,7 +98,12 @@ class Case:
     set:    changes by dotted key, as `hawser run --set` takes them: {"drive.winch.speed": "3 m/min", "friction.mu": 0.25}
     folder: of texts and dicts: where files are looked for that the case names
 
-    Raises CaseError. The file's values are interpreted by check() and by everything that needs them.
+    Raises CaseError; MissingError, which is a FileNotFoundError, where there is no file. The file's values are interpreted by check() and
+    by everything that needs them.
+
+    Any number of threads may use one case, also while one of them sets it: each call works on the case as it was when the call began.
+    Cases can be copied, which costs nothing, and pickled: into another process goes the case as it is, with the contents of its own file,
+    but not of those that it includes.
     """
 
     def __init__(self, source: Source, *, set: Settings | None = None,
@@ -53,43 +111,108 @@ class Case:
         made, error = ffi.new("hawser_case **"), ffi.new("hawser_error *")
         if isinstance(source, Mapping):
             self.name = DICT
-            status = lib.hawser_case_parse_json(yaml_of(source).encode(), DICT.encode(), made, error)
+            check(lib.hawser_case_parse_json(yaml_of(source).encode(), DICT.encode(), made, error), error)
         elif isinstance(source, str) and "\n" in source:
             self.name = "<text>"
-            status = lib.hawser_case_parse(source.encode(), b"<text>", made, error)
+            line = source[:source.find("\0") + 1].count("\n") + 1
+            check(lib.hawser_case_parse(c_text(source, f"<text>:{line}"), b"<text>", made, error), error)
         else:
             self.name = os.fspath(source)
-            status = lib.hawser_case_load(os.fsencode(self.name), made, error)
-        check(status, error)
-        self._c = ffi.gc(made[0], lib.hawser_case_free)
-        self._error = error
+            check(lib.hawser_case_load(c_path(self.name), made, error), error, self.name)
+        c = owned(made)
         if folder is not None:
-            check(lib.hawser_case_folder(self._c, os.fsencode(folder), error), error)
-        self.set(set or {})
+            check(lib.hawser_case_folder(c, c_path(folder), error), error)
+        self._become(settle(c, set or {}))
+
+    def _become(self, c: Any) -> None:
+        self._c = c  # is never set: set() puts another one here, and who uses this one goes on with it
+        self._setting = threading.Lock()
+
+    @classmethod
+    def _of(cls, name: str, c: Any) -> Case:
+        case = cls.__new__(cls)
+        case.name = name
+        case._become(c)
+        return case
 
     @classmethod
     def of_run(cls, folder: str | os.PathLike[str]) -> Case:
         """The case of the run whose checkpoint is in a folder of results, with all its settings."""
         made, error = ffi.new("hawser_case **"), ffi.new("hawser_error *")
-        check(lib.hawser_case_resume(os.fsencode(folder), made, error), error)
-        case = cls.__new__(cls)
-        case.name, case._error, case._c = os.fspath(folder), error, ffi.gc(made[0], lib.hawser_case_free)
-        return case
+        check(lib.hawser_case_resume(c_path(folder), made, error), error, pathlib.Path(folder, "checkpoint.hawser"))
+        return cls._of(os.fspath(folder), owned(made))
 
     def set(self, settings: Settings) -> Case:
-        """Changes values by dotted key; later ones win. Returns the case. What runs already does not see it."""
-        for key, value in settings.items():
-            check(lib.hawser_case_set(self._c, key.encode(), yaml_of(value).encode(), self._error), self._error)
+        """Changes values by dotted key, all of them or, where one is wrong, none; later ones win. Returns the case. What runs already does
+        not see it. RuntimeError: another thread is setting it."""
+        if not self._setting.acquire(False):
+            raise RuntimeError("this case is being set by another thread: let each thread set a copy()")
+        try:
+            if settings:
+                self._c = settle(self._copied(), settings)
+        finally:
+            self._setting.release()
         return self
+
+    def _copied(self) -> Any:
+        made, error = ffi.new("hawser_case **"), ffi.new("hawser_error *")
+        check(lib.hawser_case_copy(self._c, made, error), error)
+        return owned(made)
+
+    def copy(self) -> Case:
+        """A copy, to be set apart."""
+        return self._of(self.name, self._c)
+
+    def __copy__(self) -> Case:
+        return self.copy()
+
+    def __deepcopy__(self, _: object) -> Case:
+        return self.copy()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        text, error = ffi.new("char **"), ffi.new("hawser_error *")
+        check(lib.hawser_case_pack(self._c, text, error), error)
+        try:
+            return unpacked, (type(self), self.name, ffi.string(text[0]))
+        finally:
+            lib.hawser_text_free(text[0])
+
+    def __getitem__(self, key: str) -> Any:
+        """The value that the case gives under a dotted key, as set() takes it: case["friction.mu"], case["chain.0.length"]. Numbers without
+        a unit are numbers, others texts; KeyError: the case does not give the key."""
+        text, error = ffi.new("char **"), ffi.new("hawser_error *")
+        status = lib.hawser_case_get(self._c, c_text(key, "a key"), text, error)
+        if status == lib.HAWSER_ERR_INPUT:
+            raise KeyError(text_of(error.message))
+        check(status, error)
+        return value_of(json.loads(taken(text)))
+
+    def get(self, key: str, default: Any = None) -> Any:
+        """The same; `default` where the case does not give the key."""
+        try:
+            return self[key]
+        except KeyError:
+            return default
+
+    def __contains__(self, key: str) -> bool:
+        return self.get(key, self) is not self
+
+    __iter__ = None  # `in` takes dotted keys; as_dict() has all of them
+
+    def as_dict(self) -> dict[str, Any]:
+        """All that the case gives, as a dict from which the same case is made."""
+        found: dict[str, Any] = self[""]
+        return found
 
     def check(self) -> Case:
         """Interprets and checks everything that can be checked without running. Returns the case; raises CaseError."""
-        check(lib.hawser_case_check(self._c, self._error), self._error)
+        error = ffi.new("hawser_error *")
+        check(lib.hawser_case_check(self._c, error), error)
         return self
 
     def _text(self, call: Any, format: int) -> str:
-        text = ffi.new("char **")
-        check(call(self._c, format, text, self._error), self._error)
+        text, error = ffi.new("char **"), ffi.new("hawser_error *")
+        check(call(self._c, format, text, error), error)
         return taken(text)
 
     def describe(self) -> dict[str, Any]:
@@ -117,17 +240,17 @@ class Case:
         if not keys:
             return Theory(json.loads(self._text(lib.hawser_case_sensitivities, lib.HAWSER_JSON)),
                           self._text(lib.hawser_case_sensitivities, lib.HAWSER_TABLE))
-        names = [] if keys == ("all",) else [ffi.new("char[]", key.encode()) for key in keys]
+        names = [] if keys == ("all",) else [ffi.new("char[]", c_text(key, "a key")) for key in keys]
         compute = lib.hawser_case_run_sensitivities if names else lib.hawser_case_position_sensitivities
-        text, data = ffi.new("char **"), ffi.new("char **")
-        check(compute(self._c, len(names), ffi.new("char *[]", names), lib.HAWSER_TABLE, ffi.NULL, ffi.NULL, text, data, self._error),
-              self._error)
+        text, data, error = ffi.new("char **"), ffi.new("char **"), ffi.new("hawser_error *")
+        check(compute(self._c, len(names), ffi.new("char *[]", names), lib.HAWSER_TABLE, ffi.NULL, ffi.NULL, text, data, error), error)
         return Theory(json.loads(taken(data)), taken(text))
 
     def fmu(self, path: str | os.PathLike[str], *, version: int = 3) -> pathlib.Path:
         """Writes the case as a mock-up unit (docs/fmi.md) for programs that simulate it together with other models. version: of FMI,
         3 or 2. Returns the path."""
-        check(lib.hawser_fmu_write(self._c, version, os.fsencode(path), self._error), self._error)
+        error = ffi.new("hawser_error *")
+        check(lib.hawser_fmu_write(self._c, version, c_path(path), error), error)
         return pathlib.Path(path)
 
     def simulation(self, *, threads: int = 0) -> Simulation:
@@ -144,8 +267,15 @@ class Case:
 
 
 def case_of(source: Source | Case, set: Settings | None) -> Case:
-    """A case with settings. One that is given is changed by them, as by Case.set."""
-    return source.set(set or {}) if isinstance(source, Case) else Case(source, set=set)
+    """A case with settings. One that is given stays as it is: a copy has them, which nobody else sets."""
+    return source.copy().set(set or {}) if isinstance(source, Case) else Case(source, set=set)
+
+
+def unpacked(kind: type[Case], name: str, text: bytes) -> Case:
+    """A pickled case."""
+    made, error = ffi.new("hawser_case **"), ffi.new("hawser_error *")
+    check(lib.hawser_case_unpack(text, made, error), error)
+    return kind._of(name, owned(made))
 
 
 def theory(case: Source | Case, *, set: Settings | None = None) -> Theory:

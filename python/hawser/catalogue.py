@@ -7,7 +7,7 @@ import pandas as pd
 
 from hawser._native import ffi, lib
 from hawser._tables import frame_of
-from hawser.errors import check, taken
+from hawser.errors import c_text, check, taken
 
 
 def library(kind: str | None = None, pattern: str | None = None) -> pd.DataFrame:
@@ -17,6 +17,6 @@ def library(kind: str | None = None, pattern: str | None = None) -> pd.DataFrame
     pattern: of it those whose names hold this text; None: all
     """
     error, text = ffi.new("hawser_error *"), ffi.new("char **")
-    wanted = [ffi.NULL if word is None else word.encode() for word in (kind, pattern)]
+    wanted = [ffi.NULL if word is None else c_text(word, "the catalogue") for word in (kind, pattern)]
     check(lib.hawser_library(*wanted, lib.HAWSER_JSON, text, error), error)
     return frame_of(json.loads(taken(text))["entries"])

@@ -1,6 +1,8 @@
 """What can go wrong, as exceptions."""
 from __future__ import annotations
 
+import errno
+import os
 from typing import Any
 
 from hawser._native import ffi, lib
@@ -11,6 +13,9 @@ SETTING, DICT = "--set ", "<dict>"
 
 class Error(Exception):
     """Of everything that hawser refuses or fails at; the text says what is wrong and where."""
+
+    def __str__(self) -> str:
+        return str(self.args[0]) if self.args else ""
 
 
 class CaseError(Error, ValueError):
@@ -24,6 +29,17 @@ class CaseError(Error, ValueError):
     file: str | None = None
     key: str | None = None
     line: int | None = None
+
+
+class MissingError(CaseError, FileNotFoundError):
+    """A file or folder that is to be read is not there; `filename` has its path."""
+
+    def __init__(self, message: str, path: str | os.PathLike[str]) -> None:
+        super().__init__(message)
+        self.errno, self.filename, self.file = errno.ENOENT, os.fspath(path), os.fspath(path)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return MissingError, (str(self), self.filename)
 
 
 class RunError(Error, RuntimeError):
@@ -71,10 +87,28 @@ def error_from(status: int, message: str, **known: Any) -> BaseException:
     return found
 
 
-def check(status: int, error: Any) -> None:
-    """Raises what a call has returned, if it is not OK."""
+def check(status: int, error: Any, path: str | os.PathLike[str] | None = None) -> None:
+    """Raises what a call has returned, if it is not OK. path: what it was to read; that it is not there is an error of its own."""
     if status:
-        raise error_from(status, **told(error))
+        raised = error_from(status, **told(error))
+        raise MissingError(str(raised), path) if path is not None and not os.path.exists(path) else raised
+
+
+def c_text(text: str, what: str, key: str | None = None) -> bytes:
+    """A text for C, which would take a NUL for its end: that is refused. what: of messages."""
+    if "\0" in text:
+        raised = CaseError(f"{what}: a NUL character in a text")
+        raised.key = key
+        raise raised
+    return text.encode()
+
+
+def c_path(path: str | os.PathLike[str]) -> bytes:
+    """A path for C, likewise."""
+    found = os.fsencode(path)
+    if b"\0" in found:
+        raise CaseError(f"{os.fsdecode(path)!r}: a NUL character in a path")
+    return found
 
 
 def text_of(chars: Any) -> str:

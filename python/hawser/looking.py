@@ -46,17 +46,20 @@ class Looking:
     @property
     def time(self) -> float:
         """Where it is, s."""
-        return float(lib.hawser_sim_time(self._open.c))
+        with self._open as c:
+            return float(lib.hawser_sim_time(c))
 
     @property
     def end_time(self) -> float:
         """The case's duration, s; earlier once a winch that tripped has ended the run."""
-        return float(lib.hawser_sim_end_time(self._open.c))
+        with self._open as c:
+            return float(lib.hawser_sim_end_time(c))
 
     @property
     def title(self) -> str:
         """The case's title, or its file's name."""
-        return text_of(lib.hawser_sim_title(self._open.c))
+        with self._open as c:
+            return text_of(lib.hawser_sim_title(c))
 
     def sample(self) -> Sample:
         """How everything is now."""

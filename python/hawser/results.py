@@ -11,6 +11,7 @@ import pathlib
 import shutil
 import tempfile
 import time
+import weakref
 import webbrowser
 from collections.abc import Iterator
 from typing import Any
@@ -20,7 +21,7 @@ import pandas as pd
 
 from hawser._native import ffi, lib
 from hawser._tables import frame_of, shown
-from hawser.errors import OutputError, check, taken
+from hawser.errors import MissingError, OutputError, c_path, check, taken
 
 PLOTS = ("tension", "series", "rollers", "plan")
 # What the axes of a set of results.h5 are, by its name; all begin with the time of the state.
@@ -92,20 +93,44 @@ def read_csv(path: pathlib.Path) -> pd.DataFrame:
     return table.astype(dict.fromkeys(whole, float))
 
 
+def remove(folder: str, process: int) -> None:
+    """A forked process leaves it to the one that made it."""
+    if os.getpid() == process:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+class OwnFolder:
+    """A folder that goes with the last object that has it."""
+
+    def __init__(self) -> None:
+        self.path = pathlib.Path(tempfile.mkdtemp(prefix="hawser-"))
+        weakref.finalize(self, remove, str(self.path), os.getpid())
+
+
 class Result:
     """What a run has found. Tables are pandas DataFrames with the unit in every column's name, as docs/results.md lists them;
     each is read when it is asked for first.
 
-    folder: where the files are, all of one run (else CaseError); a run without `out` has a folder of its own, which goes with the Result (see save)
+    folder: where the files are, all of one run (else CaseError); a run without `out` has a folder of its own, which goes with the Result
+            (see save). Pickled, such a Result takes its files along, into a folder of its own there; others take their path
     """
 
-    def __init__(self, folder: str | os.PathLike[str], *, _keep: tempfile.TemporaryDirectory[str] | None = None) -> None:
+    def __init__(self, folder: str | os.PathLike[str], *, _keep: OwnFolder | None = None) -> None:
         self.folder = pathlib.Path(folder)
         self._keep = _keep
+        path = c_path(self.folder)
         if not (self.folder / "summary.json").is_file():
-            raise OutputError(f"{self.folder}: no results: there is no summary.json")
+            raise MissingError(f"{self.folder}: no results: there is no summary.json", self.folder / "summary.json")
         error = ffi.new("hawser_error *")
-        check(lib.hawser_results_check(os.fsencode(self.folder), error), error)
+        check(lib.hawser_results_check(path, error), error)
+
+    def __copy__(self) -> Result:
+        return Result(self.folder, _keep=self._keep)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._keep is None:
+            return Result, (self.folder.absolute(),)
+        return with_files, ({str(file.relative_to(self.folder)): file.read_bytes() for file in self.folder.rglob("*") if file.is_file()},)
 
     @functools.cached_property
     def summary(self) -> dict[str, Any]:
@@ -248,7 +273,7 @@ class Result:
             raise ValueError(f"no figure {name!r}: there are {', '.join(PLOTS)}")
         error, wanted = ffi.new("hawser_error *"), ffi.new("char[]", name.encode())
         with tempfile.TemporaryDirectory() as scratch:
-            check(lib.hawser_plot_write(os.fsencode(self.folder), scratch.encode(), 1, ffi.new("const char *[]", [wanted]),
+            check(lib.hawser_plot_write(c_path(self.folder), scratch.encode(), 1, ffi.new("const char *[]", [wanted]),
                                         lib.HAWSER_SI, ffi.NULL, error), error)
             return Figure((pathlib.Path(scratch) / f"{name}.svg").read_text(encoding="utf-8"))
 
@@ -270,10 +295,10 @@ class Result:
         if align not in ("length", "start"):
             raise ValueError(f"align={align!r}: 'length' or 'start' is expected")
         error, text = ffi.new("hawser_error *"), ffi.new("char **")
-        drawn = ffi.NULL if page is None else ffi.new("char[]", os.fsencode(page))
+        drawn = ffi.NULL if page is None else ffi.new("char[]", c_path(page))
         options = ffi.new("hawser_compare_options *", {"by_start": align == "start", "shift": shift, "band": band, "raw": raw, "page": drawn,
                                                        "format": lib.HAWSER_JSON})
-        check(lib.hawser_compare(os.fsencode(self.folder), os.fsencode(log), options, text, error), error)
+        check(lib.hawser_compare(c_path(self.folder), c_path(log), options, text, error), error, log)
         found: dict[str, Any] = json.loads(taken(text))
         return found
 
@@ -304,6 +329,16 @@ class Result:
                 f"<table>{rows}</table>{table}")
 
 
+def with_files(files: dict[str, bytes]) -> Result:
+    """A pickled result that had a folder of its own."""
+    own = OwnFolder()
+    for name, content in files.items():
+        file = own.path / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(content)
+    return Result(own.path, _keep=own)
+
+
 def as_text(name: Any) -> str:
     return name.decode("utf-8", "replace") if isinstance(name, bytes) else str(name)
 
@@ -311,8 +346,8 @@ def as_text(name: Any) -> str:
 def write_report(folders: list[pathlib.Path], page: pathlib.Path) -> None:
     """One HTML page about the results in one to six folders."""
     error = ffi.new("hawser_error *")
-    paths = [ffi.new("char[]", os.fsencode(folder)) for folder in folders]
-    check(lib.hawser_report_write(ffi.new("const char *[]", paths), len(paths), os.fsencode(page), error), error)
+    paths = [ffi.new("char[]", c_path(folder)) for folder in folders]
+    check(lib.hawser_report_write(ffi.new("const char *[]", paths), len(paths), c_path(page), error), error)
 
 
 def compare(results: list[Result], path: str | os.PathLike[str]) -> pathlib.Path:

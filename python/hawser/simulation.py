@@ -4,18 +4,19 @@ from __future__ import annotations
 import math
 import os
 import pathlib
-import tempfile
 import weakref
 from typing import Any, Callable, Iterator, NamedTuple, Sequence
+
+import numpy as np
 
 from hawser._callbacks import LEVELS, Called, Event, Segment, Teller, Wish, enum_names
 from hawser._handle import Handle
 from hawser._native import ffi, lib
 from hawser._tables import plain
 from hawser.case import Case, Settings, Source, case_of
-from hawser.errors import RunError, Stopped, check
+from hawser.errors import CaseError, RunError, Stopped, c_path, c_text, check
 from hawser.looking import Looking
-from hawser.results import Result
+from hawser.results import OwnFolder, Result
 from hawser.sample import Sample
 
 # What a simulation can be told: {"winch_speed": 1, ...}, as the header lists it.
@@ -39,7 +40,7 @@ class Simulation(Looking):
 
     threads: 1 or 2; 0: the case's choice. Results do not depend on it.
 
-    Use it in one thread at a time; several simulations run side by side in several threads, as Python's lock is let go while C
+    Use it in one thread at a time, a second one is refused (RuntimeError); several simulations run side by side in several threads, as Python's lock is let go while C
     computes. Ctrl-C ends a run or an advance cleanly. Raises CaseError; RunError where the integration fails.
     """
 
@@ -112,11 +113,11 @@ class Simulation(Looking):
         progress: True shows a line on standard error; a function is called a few times a second with a Progress, and stops the
                   run by returning True: the Result's outcome is "stopped" then
         """
-        keep = tempfile.TemporaryDirectory(prefix="hawser-") if out is None else None
-        folder = pathlib.Path(keep.name if keep else os.fspath(out))  # type: ignore[arg-type]
+        keep = OwnFolder() if out is None else None
+        folder = keep.path if keep else pathlib.Path(os.fspath(out))  # type: ignore[arg-type]
         stopped: BaseException | None = None
         try:
-            self._run(os.fsencode(folder), progress)
+            self._run(c_path(folder), progress)
         except (RunError, Stopped) as why:  # what was computed until then is written
             stopped = why
         return outcome(Result(folder, _keep=keep), stopped)
@@ -125,7 +126,7 @@ class Simulation(Looking):
         """Goes on with a run that was stopped or killed, from the checkpoint in its folder of results, as run() would have gone on.
         The simulation is one of Case.of_run(folder); hawser.resume does both."""
         def go_on(c: Any, *call: Any) -> int:
-            status: int = lib.hawser_sim_resume(c, os.fsencode(folder), *call)
+            status: int = lib.hawser_sim_resume(c, c_path(folder), *call)
             return status
 
         try:
@@ -160,7 +161,7 @@ class Simulation(Looking):
         """Writes the whole state to a file, from which load() goes on bit for bit as if nothing had been (docs/restart.md)."""
         handle = self._open
         with handle as c:
-            handle.check(lib.hawser_sim_save(c, os.fsencode(path), handle.error))
+            handle.check(lib.hawser_sim_save(c, c_path(path), handle.error))
 
     def state(self) -> bytes:
         """The same as bytes."""
@@ -179,7 +180,7 @@ class Simulation(Looking):
             if isinstance(state, bytes):
                 handle.check(lib.hawser_sim_load_memory(c, state, len(state), handle.error))
             else:
-                handle.check(lib.hawser_sim_load(c, os.fsencode(state), handle.error))
+                handle.check(lib.hawser_sim_load(c, c_path(state), handle.error), state)
 
     def record(self) -> None:
         """Takes the state of now into the statistics: means of the steady window, peaks. run() does so by itself; who advances
@@ -208,7 +209,7 @@ class Simulation(Looking):
         """
         if command not in COMMANDS:
             raise ValueError(f"no command {command!r}: there are {', '.join(COMMANDS)}")
-        handle, name = self._open, ffi.NULL if on is None else on.encode()
+        handle, name = self._open, ffi.NULL if on is None else c_text(on, "on")
         with handle as c:
             handle.check(lib.hawser_sim_control(c, COMMANDS[command], name, value, ramp, handle.error))
 
@@ -222,8 +223,8 @@ class Simulation(Looking):
         """
         handle, load = self._open, ffi.NULL
         if force is not None:
-            load = ffi.new("hawser_force *", {"force_N": list(force), "moment_N_m": list(moment), "arm_m": list(arm),
-                                              "follows": follows})
+            load = ffi.new("hawser_force *", {"force_N": vector(force, "force"), "moment_N_m": vector(moment, "moment"),
+                                              "arm_m": vector(arm, "arm"), "follows": follows})
         with handle as c:
             handle.check(lib.hawser_sim_force(c, segment, load, ramp, handle.error))
 
@@ -240,7 +241,7 @@ class Simulation(Looking):
         with handle as c:
             handle.check(lib.hawser_sim_set_law(c, start, stop, lib.hawser_python_law if called else ffi.NULL, derivatives,
                                                 called.user if called else ffi.NULL, handle.error))
-        handle.kept["law", start, stop] = called
+            handle.keep(("law", start, stop), called)
 
     def _call_back(self, name: str, register: Any, call: Callable[..., Any] | None, *between: Any) -> None:
         """C's function `register` gets a call-back of that name, or none any longer."""
@@ -249,7 +250,7 @@ class Simulation(Looking):
         with handle as c:
             register(c, *between, getattr(lib, f"hawser_python_{name}") if called else ffi.NULL,
                      called.user if called else ffi.NULL)
-        handle.kept[name] = called
+            handle.keep(name, called)
 
     def _told(self, function: Callable[..., Any] | None) -> Callable[[Any], Any] | None:
         """The function with this simulation as its first argument, which it does not keep alive."""
@@ -277,7 +278,21 @@ class Simulation(Looking):
     def __repr__(self) -> str:
         if self._handle is None:
             return "<hawser simulation, closed>"
-        return f"<hawser simulation of {self.title!r} at t = {self.time:.6g} s of {self.end_time:.6g} s>"
+        try:
+            return f"<hawser simulation of {self.title!r} at t = {self.time:.6g} s of {self.end_time:.6g} s>"
+        except RuntimeError:
+            return "<hawser simulation, at work>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        raise TypeError("a simulation can neither be copied nor pickled: take its case and its state(), and load() that into another one")
+
+
+def vector(values: Sequence[float], name: str) -> list[float]:
+    """Three numbers, x y z."""
+    found = np.asarray(values)
+    if found.shape != (3,) or found.dtype.kind not in "iuf":
+        raise CaseError(f"{name}: three numbers x, y, z are expected, not {values!r}")
+    return [float(value) for value in found]
 
 
 def outcome(result: Result, stopped: BaseException | None) -> Result:

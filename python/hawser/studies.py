@@ -1,7 +1,7 @@
 """Studies: many variants of a case (docs/studies.md).
 
-The library computes them on processes that it forks, which a program with threads cannot do: a Python process of its own does it,
-`python -m hawser.studies FILE FOLDER JOBS FRESH`, and tells by lines of JSON how far it is.
+The library computes them on processes that it forks, which a program with threads cannot do: a Python process of its own does it, with
+FILE FOLDER JOBS FRESH as arguments, and prints lines of JSON with how far it is.
 """
 from __future__ import annotations
 
@@ -16,11 +16,15 @@ from typing import Any, Callable
 import pandas as pd
 
 from hawser._native import ffi, lib
-from hawser.errors import OutputError, check, error_from, taken, told
+from hawser.errors import MissingError, OutputError, c_path, check, error_from, taken, told
 from hawser.results import read_csv
 
 # Of a study's process: numpy's linear algebra would start threads.
 ALONE = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+
+
+# What it runs, also before Python 3.11, which has -P for it: nothing is imported from the current folder, where anything may lie.
+START = "import sys; sys.path[:] = filter(None, sys.path); from hawser.studies import main; sys.exit(main(*sys.argv[1:]))"
 
 
 class Study:
@@ -32,7 +36,7 @@ class Study:
     def __init__(self, folder: str | os.PathLike[str], answer: str = "") -> None:
         self.folder, self.answer = pathlib.Path(folder), answer
         if not (self.folder / "samples.csv").is_file():
-            raise OutputError(f"{self.folder}: no study: there is no samples.csv")
+            raise MissingError(f"{self.folder}: no study: there is no samples.csv", self.folder / "samples.csv")
 
     @property
     def samples(self) -> pd.DataFrame:
@@ -48,7 +52,7 @@ class Study:
     def report(self, path: str | os.PathLike[str]) -> pathlib.Path:
         """Makes the page with its figures anew, as far as samples have come; also while others compute. Returns the path."""
         error = ffi.new("hawser_error *")
-        check(lib.hawser_study_report(os.fsencode(self.folder), os.fsencode(path), error), error)
+        check(lib.hawser_study_report(c_path(self.folder), c_path(path), error), error)
         return pathlib.Path(path)
 
     def __str__(self) -> str:
@@ -65,7 +69,7 @@ def study(path: str | os.PathLike[str], out: str | os.PathLike[str], *, jobs: in
     progress: is called a few times a second with samples, done, failed, not_safe, jobs, wall_s, left_s, and stops the study
               (hawser.Stopped) by returning True
     """
-    command = [sys.executable, "-m", "hawser.studies", os.fspath(path), os.fspath(out), str(jobs), str(int(fresh))]
+    command = [sys.executable, "-c", START, os.fspath(path), os.fspath(out), str(jobs), str(int(fresh))]
     paths = [str(pathlib.Path(__file__).resolve().parents[1]), os.environ.get("PYTHONPATH", "")]
     environment = {**os.environ, **ALONE, "PYTHONPATH": os.pathsep.join(filter(None, paths))}
     child = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment)
@@ -85,7 +89,8 @@ def study(path: str | os.PathLike[str], out: str | os.PathLike[str], *, jobs: in
     if "status" not in last:
         raise OutputError(f"the process of the study ended with status {child.returncode}")
     if last["status"]:
-        raise error_from(last["status"], **last["told"])
+        raised = error_from(last["status"], **last["told"])
+        raise raised if os.path.exists(path) else MissingError(str(raised), path)
     return Study(out, last["answer"])
 
 
@@ -117,7 +122,3 @@ def main(path: str, out: str, jobs: str, fresh: str) -> int:
         end["told"] = told(error)
     print(json.dumps(end), flush=True)
     return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))

@@ -38,7 +38,7 @@ static void head_join(Bunch *b, int k, int rope)
     const int last = cable->n - 1;
     const double half = cable->half[last];
     double place[2];
-    scene_place(scene, scene->joint_s[cable->n], place);
+    setup_place(&scene->def.strand, scene->joint_s[cable->n], place);
     for (int end = 0; end < (strand->held == HELD_BASKET ? 2 : 1); ++end) {
         Link *const link = &b->link[b->n_links++];
         *link = (Link){.line = {k, rope}, .segment = {last, 0}, .head = 1};

@@ -20,13 +20,12 @@ static const double GIVE = 0.02;
 static Conveyor conveyor_of(const ConveyorDef *def, const Route *route, double g)
 {
     const Vec3 in = route_at(route, def->from).position, out = route_at(route, def->to).position;
-    const double most = 2 * def->mu * def->clamp;
     Conveyor c = {.def = def,
                   .origin = in,
                   .direction = v3_unit(v3_sub(out, in)),
                   .length = v3_norm(v3_sub(out, in)),
                   .edge = def->edge,
-                  .grip = def->limit > 0 ? fmin(most, def->limit) : most,
+                  .grip = conveyor_grip(def, def->clamp),
                   .law = {.mu_s = 1, .mu_d = def->ratio, .v_s = def->v_s, .v_d = def->v_d},
                   .sync = def->sync,
                   .factor = def->factor,
@@ -55,8 +54,7 @@ static double belt_speed(const Conveyor *c, const Winch *w, const Seizure *seize
 static double grip_now(const Conveyor *c, double t)
 {
     if (!c->told) return c->grip;
-    const double most = 2 * c->def->mu * profile_value(&c->clamp, t);
-    return c->def->limit > 0 ? fmin(most, c->def->limit) : most;
+    return conveyor_grip(c->def, profile_value(&c->clamp, t));
 }
 
 Belt conveyor_runs(const Conveyor *c, const Winch *w, const Seizure *seized, double since, double t)
@@ -550,34 +548,6 @@ static const MachineKind CONVEYORS = {.key = "conveyors",
                                                  "belt_m_per_s", "slip_m_per_s", "slipping", "gripping"},
                                       .figures = conveyors_figures};
 
-/* -------------------------------------------------------------------------------------------------------- theory */
-
-static int conveyors_pushers(const Room *room, const Scene *scene, Pusher *out)
-{
-    (void)scene;
-    const Conveyors *const all = room->self;
-    for (int i = 0; out && i < all->n; ++i) {
-        const ConveyorDef *const def = all->item[i].def;
-        out[i] = (Pusher){def->name, (def->from + def->to) / 2, def->from, room, i, def->hold};
-    }
-    return all->n;
-}
-
-/* A belt holds by place: what its speed differs by adds up until it slips, and pushes or brakes with all it has; one
- * that keeps the winch's speed takes over what arrives, up to its grip (WI20). */
-static double conveyors_push(const Room *room, const Scene *scene, int item, double arriving, double front)
-{
-    const Conveyor *const c = &((const Conveyors *)room->self)->item[item];
-    const Winch *const w = scene->winch;
-    const double at = winch_last_full(w, scene->def.duration), half = (c->def->from + c->def->to) / 2;
-    const double speed = w->mode == WINCH_SPEED ? winch_speed(w, at) : scene->largest_speed;
-    const double slip = w->present ? speed - conveyor_belt(c, w, at) : 0;
-    if (!c->def->grips_rope && front < half) return 0;
-    if (slip < -1e-9 * speed) return c->grip * c->law.mu_d;
-    if (slip > 1e-9 * speed) return -c->grip * (slip > c->law.v_d ? c->law.mu_d : c->law.mu_s);
-    return fmin(fmax(arriving, 0), c->grip);
-}
-
 const RoomKind CONVEYOR_ROOM = {.name = "conveyors",
                                 .build = conveyors_build,
                                 .seize = conveyors_seize,
@@ -595,6 +565,4 @@ const RoomKind CONVEYOR_ROOM = {.name = "conveyors",
                                 .controls = conveyors_controls,
                                 .work = conveyors_work,
                                 .machines = &CONVEYORS,
-                                .pushers = conveyors_pushers,
-                                .push = conveyors_push,
                                 .in_space = "conveyors hold the cable"};

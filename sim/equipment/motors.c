@@ -1,6 +1,6 @@
 /* Motors of rollers that spin: set torque or set speed. docs/model.md, "Rollers that spin and rollers on mounts",
  * "Motor". The torque acts where the bearing's does (sim/equipment/roller_motion.h); what it is set to at a time, who
- * pays for it, what a run says of it and what theory reckons with is here. */
+ * pays for it and what a run says of it is here. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -77,23 +77,10 @@ static void motors_clear(Room *room)
 
 /* ------------------------------------------------------------------------------------------------------ in a step */
 
-/* (SP16) at time t, for turning that goes with the pull. */
-static MotorNow motor_along(const Motor *motor, const Winch *w, double t)
-{
-    const MotorDef *const d = &motor->roller->spin.motor;
-    const double radius = motor->roller->radius, droop = d->droop / radius;
-    if (d->kind == MOTOR_TORQUE) {
-        const double torque = profile_value(&d->set, t), most = d->speed_limit / radius;
-        return (MotorNow){most - droop, most, torque, d->speed_limit > 0 ? 0 : torque};
-    }
-    const double speed = (d->factor > 0 ? d->factor * winch_speed(w, t) : profile_value(&d->set, t)) / radius;
-    return (MotorNow){speed - droop, speed + droop, d->limit, -d->limit};
-}
-
-/* The same about the roller's axis. */
+/* (SP16) about the roller's axis. */
 static MotorNow motor_now(const Motor *motor, const Winch *w, double t)
 {
-    const MotorNow along = motor_along(motor, w, t);
+    const MotorNow along = motor_along(motor->roller, winch_speed(w, t), t);
     if (motor->way > 0) return along;
     return (MotorNow){-along.to, -along.from, -along.above, -along.below};
 }
@@ -138,7 +125,7 @@ static const char *motors_name(const Room *room, int i) { return ((const Motors 
 static void motors_keep(const Room *room, const Moment *m, int i, double value[MACHINE_KEPT_MAX])
 {
     const Motor *const motor = &((const Motors *)room->self)->motor[i];
-    const MotorNow along = motor_along(motor, m->scene->winch, m->t);
+    const MotorNow along = motor_along(motor->roller, winch_speed(m->scene->winch, m->t), m->t);
     const double om = motor->way * equipment_turning(m->ws->equipment, motor->item);
     double slope;
     value[0] = motor_torque(&along, om, &slope);
@@ -172,104 +159,6 @@ static const MachineKind MOTORS = {.key = "motors",
                                               "surface_m_per_s", "power_W", "at_limit"},
                                    .figures = motors_figures};
 
-/* -------------------------------------------------------------------------------------------------------- theory */
-
-/* What has a place on the route: by_place puts the others last. */
-static int motors_pushers(const Room *room, const Scene *scene, Pusher *out)
-{
-    (void)scene;
-    const Motors *const all = room->self;
-    int n = 0;
-    for (; n < all->n && !isnan(all->motor[n].roller->s); ++n) {
-        const RollerDef *const d = all->motor[n].roller;
-        if (out) out[n] = (Pusher){.name = d->name, .at = d->s, .from = d->s, .room = room, .item = n};
-    }
-    return n;
-}
-
-/* Length of cable that a roller bears, m: half of the way to its neighbours that stand on the same side of the route;
- * the first and the last bear as if the row went on, and one alone bears the route. */
-static double borne_length(const Scene *scene, const RollerDef *roller, Vec3 side)
-{
-    double before = INFINITY, behind = INFINITY;
-    for (int r = 0; r < scene->def.n_rollers; ++r) {
-        const RollerDef *const other = &scene->def.rollers[r];
-        if (isnan(other->s) || !(v3_dot(toward_cable(scene, other), side) > 0.7)) continue;
-        if (other->s < roller->s) before = fmin(before, roller->s - other->s);
-        if (other->s > roller->s) behind = fmin(behind, other->s - roller->s);
-    }
-    if (isinf(before) && isinf(behind)) return scene->route.length;
-    return isinf(before) ? behind : isinf(behind) ? before : (before + behind) / 2;
-}
-
-/* (SP17): what the supports of a metre of cable bear, along the line from this roller to it, times that length, N. */
-static double load_in_theory(const Scene *scene, const RollerDef *roller, double tension)
-{
-    const RoutePoint at = route_at(&scene->route, roller->s);
-    const Vec3 side = toward_cable(scene, roller), pull = v3_scale(tension, at.curvature);
-    const Vec3 weight = v3_scale(scene->cable_weight, v3_reject(v3_unit(scene->def.gravity), at.tangent));
-    const double borne = -v3_dot(v3_add(weight, pull), side);
-    return fmax(borne, 0) * borne_length(scene, roller, side);
-}
-
-/* A driven roller in steady motion. */
-typedef struct Driven {
-    const SpinDef *spin;
-    const FrictionLaw *law;
-    MotorNow motor; /* for turning with the pull */
-    double load;    /* N */
-    double lever;   /* m, from the axis to where the surfaces touch: the load presses the contact in */
-} Driven;
-
-/* What is left to turn it, over the lever, where its surface runs at `speed` (m/s) with the pull and the friction on
- * the cable is mu, with sign (SP18), N. */
-static double surplus(const Driven *d, double speed, double mu)
-{
-    const SpinDef *const s = d->spin;
-    const Bearing bearing = {s->friction, s->journal, s->torque, s->speed};
-    const double om = speed / d->lever, load = d->load * hypot(1, mu);
-    double slope, by_load;
-    const double held = bearing_torque(&bearing, load, om, &slope, &by_load);
-    return (motor_torque(&d->motor, om, &slope) + held) / d->lever - mu * d->load;
-}
-
-/* The friction coefficient that roller and cable agree on (SP18): where the surplus vanishes, in the creep below v_s;
- * all of it where the motor wins or the cable drags the roller along. */
-static double friction_in_theory(const Driven *d, double speed)
-{
-    double low = -d->law->v_s, high = d->law->v_s, unused, mu = 0;
-    if (surplus(d, speed + high, d->law->mu_s) > 0) return d->law->mu_d;
-    if (surplus(d, speed + low, -d->law->mu_s) < 0) return -d->law->mu_d;
-    for (int k = 0; k < 60; ++k) {
-        const double slip = (low + high) / 2;
-        mu = friction_over_speed(d->law, fabs(slip), &unused) * slip;
-        if (surplus(d, speed + slip, mu) > 0) {
-            low = slip;
-        } else {
-            high = slip;
-        }
-    }
-    return mu;
-}
-
-/* Beside the fixed roller with the case's friction that the theory has there (SP19). */
-static double motors_push(const Room *room, const Scene *scene, int item, double arriving, double front)
-{
-    const Motor *const motor = &((const Motors *)room->self)->motor[item];
-    const RollerDef *const roller = motor->roller;
-    const Winch *const w = scene->winch;
-    const ImpactLaw *const impact = &scene->def.impact;
-    if (front < roller->s) return 0; /* a rope weighs next to nothing */
-    const double at = winch_last_full(w, scene->def.duration), load = load_in_theory(scene, roller, fmax(arriving, 0));
-    const double speed = w->present && w->mode == WINCH_SPEED ? winch_speed(w, at) : scene->largest_speed;
-    const Driven driven = {.spin = &roller->spin,
-                           .law = &roller->friction,
-                           .motor = motor_along(motor, w, at),
-                           .load = load,
-                           .lever = roller->radius - pow(load / impact->k, 1 / impact->e)};
-    return load * (friction_in_theory(&driven, speed) + scene->def.friction.mu_d);
-}
-
 const RoomKind MOTORS_ROOM = {.name = "motors",
                               .build = motors_build,
                               .clear = motors_clear,
@@ -277,6 +166,4 @@ const RoomKind MOTORS_ROOM = {.name = "motors",
                               .next_stop = motors_next_stop,
                               .work = motors_work,
                               .machines = &MOTORS,
-                              .pushers = motors_pushers,
-                              .push = motors_push,
                               .in_space = "rollers have motors"};

@@ -191,19 +191,6 @@ int equipment_worst(const Equipment *q, const double *x, const double *w, double
     return worst;
 }
 
-double bearing_torque(const Bearing *bearing, double load, double om, double *d_om, double *d_load)
-{
-    const double x = om / bearing->speed, most = bearing->torque + bearing->friction * bearing->journal * load;
-    double f = x > 0 ? 1 : -1, slope = 0;
-    if (fabs(x) < 1) {
-        f = (3 * x - x * x * x) / 2;
-        slope = 1.5 * (1 - x * x) / bearing->speed;
-    }
-    *d_om = -most * slope;
-    *d_load = -bearing->friction * bearing->journal * f;
-    return -most * f;
-}
-
 /* (BA11) of a spin, whose angle is no part of the state: the way is the mean speed times the step. past: [2] speed and
  * its rate. */
 static MethodLoss spin_loss(double inertia, double speed, double rate, double scale, double past[2])

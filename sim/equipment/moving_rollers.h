@@ -10,17 +10,9 @@
 #include "contact/roller/contact.h"
 #include "core/body.h"
 #include "core/state.h"
-#include "sim/def/scene_def.h"
+#include "def/drive_law.h"
 
 enum { ROLLER_UNKNOWNS = 7 }; /* of velocity, at most: 3 + 3 of a mount, 1 of a spin, in this order */
-
-/* What a roller's bearing holds back with. docs/model.md, "Bearing and spin". */
-typedef struct Bearing {
-    double friction; /* coefficient at the journal */
-    double journal;  /* m, its radius */
-    double torque;   /* N m, whatever the load: seals, grease, own weight */
-    double speed;    /* rad/s, > 0: below it the torque falls to zero with the speed */
-} Bearing;
 
 typedef struct MovingRoller {
     int roller;      /* which of the scene's */
@@ -72,9 +64,5 @@ void equipment_halt(const Equipment *q, double *e);
 
 /* The moving roller with the largest sum of squares of x w, which goes to *largest; -1 if there is none. */
 int equipment_worst(const Equipment *q, const double *x, const double *w, double *largest);
-
-/* Torque on the roller, N m, at angular speed om (rad/s) against its mount and under `load` (N) (SP7). d_om and d_load
- * get its derivatives, N m s and m. */
-double bearing_torque(const Bearing *bearing, double load, double om, double *d_om, double *d_load);
 
 #endif

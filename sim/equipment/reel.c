@@ -7,23 +7,6 @@
 #include "sim/dynamics.h"
 #include "sim/equipment/rooms.h"
 
-static void winding_init(Winding *w, const ReelDef *def, const CableDef *cable)
-{
-    *w = (Winding){.barrel = def->barrel / 2,
-                   .pitch = cable->diameter,
-                   .turns = winding_turns(def->width, cable->diameter),
-                   .line_mass = cable->mass,
-                   .inertia = def->inertia};
-}
-
-/* Cable and rope of the whole chain up to the eye: what a reel may hold. */
-static double cable_length(const SceneDef *def)
-{
-    double length = 0;
-    for (int p = 0; p < scene_def_eye(def); ++p) length += def->pieces[p].length;
-    return length;
-}
-
 static void reel_init(Reel *r, const SceneDef *def, Vec3 origin, Vec3 direction, Quat attitude)
 {
     const ReelDef *const d = &def->reel;
@@ -32,21 +15,12 @@ static void reel_init(Reel *r, const SceneDef *def, Vec3 origin, Vec3 direction,
                 .direction = direction,
                 .attitude = attitude,
                 .total = cable_length(def),
-                .brake = d->brake,
-                .torque = d->torque,
-                .bearing = d->bearing,
-                .over = d->over,
-                .speed = d->speed,
+                .winding = reel_winding(def),
+                .brake = reel_brake_of(def),
                 .tension = def->tail.tension,
-                .rest = {.mu_s = 1, .mu_d = 1, .v_s = d->v_s, .v_d = 2 * d->v_s},
                 .fixed = d->end_fixed,
                 .braked = profile_level(1)};
-    winding_init(&r->winding, d, &def->cables[def->pieces[0].cable]);
     if (!def->lead_in.carries_weight) r->downhill = v3_scale(v3_dot(def->gravity, direction), direction);
-    /* a proportional brake gives its torque at the cable speed that goes with it, on the full drum */
-    if (d->brake == BRAKE_PROPORTIONAL) {
-        r->viscous = d->torque * winding_radius(&r->winding, r->total, NULL) / d->at_speed;
-    }
 }
 
 void reel_hold(Reel *r, const Chain *whole, int first, const CableDef *cable)
@@ -78,37 +52,6 @@ static double grip(const Reel *r, double l, double *slope)
     return step_cubic(l, r->half, 1, 3 * r->half, 0, slope);
 }
 
-/* 1 at speed, 0 at rest, odd (F3). */
-static double moving(const Reel *r, double v, double *slope)
-{
-    double curve;
-    const double over_speed = friction_over_speed(&r->rest, fabs(v), &curve);
-    *slope = over_speed + curve * v * v;
-    return over_speed * v;
-}
-
-/* Torque of brake and bearing on a drum with the cable at radius `radius` (RL8), and its derivatives. */
-static double brake_torque(const Reel *r, double radius, double v, double t, double *by_radius, double *by_v)
-{
-    double slope;
-    const double f = moving(r, v, &slope), share = profile_value(&r->braked, t);
-    double torque = r->bearing * f;
-    *by_radius = 0;
-    *by_v = r->bearing * slope;
-    if (r->brake == BRAKE_CONSTANT) {
-        torque += share * r->torque * f;
-        *by_v += share * r->torque * slope;
-    } else if (r->brake == BRAKE_PROPORTIONAL) {
-        torque += share * r->viscous * v / radius;
-        *by_v += share * r->viscous / radius;
-        *by_radius = -share * r->viscous * v / (radius * radius);
-    } else if (r->brake == BRAKE_SPEED) {
-        torque += share * r->torque * step_cubic(v - profile_value(&r->speed, t), 0, 0, r->over, 1, &slope);
-        *by_v += share * r->torque * slope;
-    }
-    return torque;
-}
-
 /* The fastened end of an empty drum holds, once the last segment has passed: a spring that sets in over 1 mm (RL15). */
 static double catch_force(const Reel *r, double l, double v, double *by_l, double *by_v)
 {
@@ -126,7 +69,8 @@ double reel_resistance(const Reel *r, double l, double v, double t, double frict
 {
     double bend, fade, by_radius, torque_by_v, catch_by_l, catch_by_v;
     const double radius = winding_radius(&r->winding, r->wound - (l - r->half), &bend);
-    const double torque = brake_torque(r, radius, v, t, &by_radius, &torque_by_v);
+    const double share = profile_value(&r->braked, t);
+    const double torque = reel_brake_torque(&r->brake, share, radius, v, t, &by_radius, &torque_by_v);
     const double g = grip(r, l, &fade), drag = profile_value(&r->tension, t) + friction * torque / radius;
     const double caught = catch_force(r, l, v, &catch_by_l, &catch_by_v);
     /* the radius shrinks as the cable leaves: d(radius)/dl = -bend */
@@ -236,13 +180,21 @@ ReelLook reel_look(const Reel *r, const Chain *chain, const Kinematics *kin, con
                       .tension = resistance + r->mass / mass * (pull - resistance)}; /* (RL11) */
 }
 
+Setup scene_setup(const Scene *scene)
+{
+    Setup now = scene->setup;
+    now.largest_speed = scene->largest_speed;
+    if (scene->reel->winding.turns > 0) now.braked = scene->reel->braked;
+    return now;
+}
+
 static double reel_next_stop(const Room *room, const Scene *scene, double t)
 {
     (void)scene;
     const Reel *const r = room->self;
     if (!r->present) return INFINITY;
     const double next = profile_corner_before(&r->braked, t, profile_corner_before(&r->tension, t, INFINITY));
-    return profile_corner_before(&r->speed, t, next);
+    return profile_corner_before(&r->brake.speed, t, next);
 }
 
 /* (K5). A proportional brake gives the torque at the speed that the case names. */
@@ -251,11 +203,11 @@ static int reel_command(Room *room, const Scene *scene, const Command *c, double
     (void)scene;
     Reel *const r = room->self;
     if (c->kind != HAWSER_REEL_BRAKE) return 0;
-    if (!(r->torque > 0)) {
+    if (!(r->brake.torque > 0)) {
         error_set(err, HAWSER_ERR_INPUT, "the reel of this case has no brake that could be set");
         return -1;
     }
-    r->braked = command_ramp(&r->braked, t, c->value / r->torque, c->ramp);
+    r->braked = command_ramp(&r->braked, t, c->value / r->brake.torque, c->ramp);
     return 1;
 }
 

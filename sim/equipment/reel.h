@@ -9,39 +9,8 @@
 
 #include "core/base/vec3.h"
 #include "core/chain.h"
-#include "sim/def/scene_def.h"
-
-/* How cable lies on a drum, and how it leaves it: layers of equal turns between
- * two flanges. Everything is a function of the length wound, counted from the drum's barrel, and continuous in it.
- * docs/model.md, "Reel and take-in" (RL1)-(RL5). */
-
-typedef struct Winding {
-    double barrel;    /* m, radius of the bare drum */
-    double pitch;     /* m, from turn to turn and from layer to layer: the cable's diameter */
-    double turns;     /* in a layer, a whole number >= 1 */
-    double line_mass; /* kg/m of the cable */
-    double inertia;   /* kg m2 of the empty drum about its axis */
-} Winding;
-
-/* Where a point of wound cable is, seen along the drum's axis. */
-typedef struct WindingPoint {
-    double radius; /* m */
-    double angle;  /* rad, about the axis from the cable's inner end on */
-    double across; /* m, along the axis from the drum's middle */
-} WindingPoint;
-
-/* Turns of a cable of this diameter between flanges `width` apart: 0 if it does not fit. */
-double winding_turns(double width, double diameter);
-/* Length of cable that fits below flanges of this radius, whole layers only, m (RL4). */
-double winding_capacity(const Winding *w, double flange);
-
-/* Radius of the cable's axis where it leaves a drum with `length` m wound on it (RL3); *slope (may be NULL) gets
- * d/d(length). */
-double winding_radius(const Winding *w, double length, double *slope);
-/* Moment of inertia of the drum with `length` m wound on it, kg m2 (RL5). */
-double winding_inertia(const Winding *w, double length);
-/* The point of the cable at `length` m from its inner end. */
-WindingPoint winding_point(const Winding *w, double length);
+#include "def/drive_law.h"
+#include "sim/scene.h"
 
 /* The line on which the cable leaves, and what is on the drum behind the tail segment of now. */
 typedef struct Reel {
@@ -52,16 +21,10 @@ typedef struct Reel {
     Quat attitude;        /* of an untwisted segment on that line */
     Vec3 downhill;        /* m/s2, gravity along the line as far as the lead-in leaves it to the cable */
     double total;         /* m, the whole cable */
-    BrakeLaw brake;
-    double torque;    /* N m: constant, or the most that a speed-matched brake gives */
-    double viscous;   /* N m s/rad, proportional brake */
-    double bearing;   /* N m */
-    double over;      /* m/s above the set speed at which a speed-matched brake is fully on */
-    Profile speed;    /* m/s, set speed */
-    Profile tension;  /* N, back tension */
-    FrictionLaw rest; /* how brake and bearing fade at rest, mu = 1 */
-    int fixed;        /* the cable's end stays fastened to the drum */
-    Profile braked;   /* share of the case's torque that the brake gives, 1 without a command (K5) */
+    ReelBrake brake;
+    Profile tension; /* N, back tension */
+    int fixed;       /* the cable's end stays fastened to the drum */
+    Profile braked;  /* share of the case's torque that the brake gives, 1 without a command (K5) */
     /* of the tail segment that is leaving it now: reel_hold */
     double wound;       /* m, behind the segment when its rear end leaves the drum */
     double half;        /* m, of the segment */
@@ -90,5 +53,9 @@ double reel_free_length(const Reel *r, const Kinematics *kin);
 double reel_resistance(const Reel *r, double l, double v, double t, double friction, double *by_l, double *by_v);
 /* What to report, from the kinematics and joint 1's load. */
 ReelLook reel_look(const Reel *r, const Chain *chain, const Kinematics *kin, const JointLoads *joints, double t);
+
+/* The scene's setup, for theory, with what commands have changed since the scene was built; it borrows from the scene.
+ */
+Setup scene_setup(const Scene *scene);
 
 #endif

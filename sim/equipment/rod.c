@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/bushing.h"
 #include "core/state.h"
-#include "sim/def/rod_def.h"
+#include "def/rod_def.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/rooms.h"
 #include "sim/joints.h"

@@ -5,8 +5,8 @@
 
 #include "core/base/vec3.h"
 #include "core/chain.h"
+#include "def/rod_def.h"
 #include "hawser/hawser.h"
-#include "sim/def/rod_def.h"
 
 /* The ground body at an end at t = 0: where the end's cross-section is. */
 typedef struct RodEnd {

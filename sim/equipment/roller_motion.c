@@ -145,13 +145,6 @@ double equipment_shift(const EquipmentWork *w, const MovingRoller *item)
     return v3_norm(v3_sub(w->roller[item->roller].shape.centre, stands));
 }
 
-double motor_torque(const MotorNow *motor, double om, double *d_om)
-{
-    *d_om = 0;
-    if (!(motor->below > motor->above)) return motor->below;
-    return step_cubic(om, motor->from, motor->below, motor->to, motor->above, d_om);
-}
-
 double equipment_turning(const EquipmentWork *w, int k)
 {
     const MovingRoller *const item = &w->q->item[k];

@@ -15,13 +15,6 @@ typedef struct RollerSum {
     double (*from[2])[36];     /* [room]: rows of the roller, columns of the segment */
 } RollerSum;
 
-/* What the motor of a roller turns it with now, by its speed against the mount: `below` up to `from`, `above` from `to`
- * on, STEP between (SP16). */
-typedef struct MotorNow {
-    double from, to;     /* rad/s */
-    double below, above; /* N m; both zero: no motor */
-} MotorNow;
-
 typedef struct EquipmentWork {
     const Equipment *q;    /* borrowed */
     int held;              /* mounts stand still: the relaxation's first stage (SP15) */
@@ -49,8 +42,6 @@ int equipment_room(EquipmentWork *w, int k, int room);
 
 /* Poses and motions from e (SP1). */
 void equipment_pose(EquipmentWork *w, const double *e);
-/* Torque on the roller, N m, at angular speed om (rad/s) against its mount (SP16); *d_om gets its derivative, N m s. */
-double motor_torque(const MotorNow *motor, double om, double *d_om);
 /* How fast moving roller k turns against its mount, rad/s. */
 double equipment_turning(const EquipmentWork *w, int k);
 /* Rates of e (SP8), (SP10) from poses and loads; friction scales the torques of bearings and motors. */

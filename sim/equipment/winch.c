@@ -25,35 +25,6 @@ double winch_largest_speed(const Winch *w, double until)
     return profile_largest_until(&w->speed, until);
 }
 
-double winch_last_full(const Winch *w, double until)
-{
-    if (!w->present || w->mode != WINCH_SPEED) return until;
-    const double most = profile_largest_until(&w->speed, until) * (1 - 1e-9);
-    double last = 0;
-    for (double t = 0, next = 0; t < until; t = next) { /* between two corners it rises or falls all along */
-        next = profile_corner_before(&w->speed, t, until);
-        if (fabs(profile_value(&w->speed, next)) >= most) last = next;
-    }
-    return last;
-}
-
-static const double KEPT = 1; /* m: a speed that it goes through in less is a start's */
-
-/* From or to rest the speed is that one such length from there, as of a straight ramp. */
-double winch_slowest_kept(const Winch *w, double until)
-{
-    double least = INFINITY;
-    if (!w->present || w->mode != WINCH_SPEED) return least;
-    for (double t = 0, next = 0; t < until; t = next) {
-        next = profile_corner_before(&w->speed, t, until);
-        const double from = fabs(profile_value(&w->speed, t)), to = fabs(profile_value(&w->speed, next));
-        const double slower = fmin(from, to), way = (from + to) / 2 * (next - t);
-        if (slower > 0 && (way > KEPT || fabs(from - to) <= 1e-9 * from)) least = fmin(least, slower);
-        if (!(slower > 0) && way > KEPT) least = fmin(least, sqrt(KEPT / way) * fmax(from, to));
-    }
-    return least;
-}
-
 static const double FADE = 0.2; /* s, over which a taken segment's own motion dies out */
 
 void winch_take_in(Winch *w, double t, Vec3 drift, Vec3 spin)

@@ -87,12 +87,6 @@ double winch_travel(const Winch *w, double t);
 WinchMotion winch_motion(const Winch *w, const Chain *chain, const Kinematics *kin, double t);
 /* The largest speed of the profile up to that time (s), or the limit; 0 if there is none, m/s. */
 double winch_largest_speed(const Winch *w, double until);
-/* The last time up to `until` at which it draws with that speed, s: there theory compares belts and motors with it.
- * `until` without a winch of set speed. */
-double winch_last_full(const Winch *w, double until);
-/* The least speed above 0 that it keeps from one corner to the next up to `until`, or has for more than a metre, m/s;
- * INFINITY: there is none. */
-double winch_slowest_kept(const Winch *w, double until);
 
 /* Set tension: what it pulls with at time t when the head's end moves at `speed` along the pull (WI2); *slope (may be
  * NULL) gets d/d(speed). */

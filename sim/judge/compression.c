@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "sim/equipment/reel.h"
 #include "sim/watch/sample.h"
 
 enum { BLOCK_LEAST = 4 };        /* samples, for a mean to be one */
@@ -17,11 +18,11 @@ static const double MOVES =
 hawser_status compression_new(Compression *c, const Scene *scene, hawser_error *err)
 {
     *c = (Compression){.joints = scene->total + 1, .last = -1};
-    c->n_pushers = scene_pushers(scene, &c->pusher);
+    c->n_pushers = scene->setup.n_pushers;
     c->sum = calloc((size_t)c->joints, sizeof *c->sum);
     c->time = calloc((size_t)c->joints, sizeof *c->time);
-    c->force = calloc((size_t)(c->n_pushers > 0 ? c->n_pushers : 0) + 1, sizeof *c->force);
-    return c->n_pushers < 0 || !c->sum || !c->time || !c->force ? error_memory(err) : HAWSER_OK;
+    c->force = calloc((size_t)c->n_pushers + 1, sizeof *c->force);
+    return c->sum && c->time && c->force ? HAWSER_OK : error_memory(err);
 }
 
 void compression_free(Compression *c)
@@ -29,25 +30,24 @@ void compression_free(Compression *c)
     free(c->sum);
     free(c->time);
     free(c->force);
-    free(c->pusher);
     *c = (Compression){0};
 }
 
 /* The machine of a pusher; NULL: it has none. */
 static const hawser_machine *machine_of(const Pusher *by, const hawser_sample *sample)
 {
-    const MachineKind *const kind = by->room->kind->machines;
-    for (int i = 0; kind && i < sample->machines; ++i) {
+    const char *const kind = by->kind == PUSH_BELT ? "conveyors" : "motors";
+    for (int i = 0; i < sample->machines; ++i) {
         const hawser_machine *const machine = &sample->machine[i];
-        if (!strcmp(machine->kind, kind->key) && !strcmp(machine->name, by->name)) return machine;
+        if (!strcmp(machine->kind, kind) && !strcmp(machine->name, by->name)) return machine;
     }
     return NULL;
 }
 
-static void pushes_take(Compression *c, const hawser_sample *sample, double dt)
+static void pushes_take(Compression *c, const Scene *scene, const hawser_sample *sample, double dt)
 {
     for (int k = 0; k < c->n_pushers; ++k) {
-        const hawser_machine *const machine = machine_of(&c->pusher[k], sample);
+        const hawser_machine *const machine = machine_of(&scene->setup.pusher[k], sample);
         const double force = machine ? hawser_machine_figure(machine, "force_N") : NAN;
         c->force[k] += isnan(force) ? NAN : fmax(0, force) * dt;
     }
@@ -57,7 +57,8 @@ static void pushes_take(Compression *c, const hawser_sample *sample, double dt)
  * arrives there. */
 static double pushed_with(const Compression *c, const Scene *scene, int k, double middle, double whole)
 {
-    const Pusher *const by = &c->pusher[k];
+    const Setup setup = scene_setup(scene);
+    const Pusher *const by = &setup.pusher[k];
     const double front = scene->joint_s[scene->eye] + middle;
     int near = 0;
     if (!isnan(c->force[k])) return c->force[k] / whole;
@@ -65,7 +66,7 @@ static double pushed_with(const Compression *c, const Scene *scene, int k, doubl
         if (c->time[j] > 0 && fabs(scene->joint_s[j] + middle - by->at) < fabs(scene->joint_s[near] + middle - by->at))
             near = j;
     const double arriving = c->time[near] > 0 ? c->sum[near] / c->time[near] : 0;
-    return fmax(0, by->room->kind->push(by->room, scene, by->item, arriving, front));
+    return fmax(0, setup_push(&setup, k, arriving, front));
 }
 
 /* The joints that were there all through the block. P: of the strongest machine behind a joint. */
@@ -82,7 +83,7 @@ static void block_end(Compression *c, const Scene *scene, const hawser_sample *s
         c->pulled = fmax(c->pulled, tension);
         if (!(pushed > c->most.value)) continue;
         for (int k = 0; k < c->n_pushers; ++k)
-            if (c->pusher[k].from <= s) pushed = fmin(pushed, -tension - c->force[k]);
+            if (scene->setup.pusher[k].from <= s) pushed = fmin(pushed, -tension - c->force[k]);
         if (!(pushed > c->most.value)) continue;
         c->most = (Peak){pushed, s};
         c->when = (c->began + sample->t) / 2;
@@ -108,7 +109,7 @@ void compression_record(Compression *c, const Scene *scene, const hawser_sample 
     if (c->last < 0 || (stands && c->rows == 0)) block_begin(c, sample);
     c->last = sample->t;
     if (!(dt > 0) || stands) return;
-    pushes_take(c, sample, dt);
+    pushes_take(c, scene, sample, dt);
     const double *const tension = sample->tension;
     for (int j = scene->first; j <= scene->first + scene->chain.n; ++j) {
         c->sum[j] += tension[j] * dt;

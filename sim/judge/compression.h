@@ -26,7 +26,6 @@ typedef struct Compression {
     int joints, n_pushers;
     double *sum, *time; /* [joints] N s, s: of the block */
     double *force;      /* [n_pushers] N s: with which each that says so has pushed in it */
-    Pusher *pusher;     /* [n_pushers] by the route's order */
 } Compression;
 
 /* Errors: MEMORY. */

@@ -3,10 +3,10 @@
 #ifndef HAWSER_SIM_JUDGE_PEAKS_H
 #define HAWSER_SIM_JUDGE_PEAKS_H
 
-#include "sim/expected/expected.h"
 #include "sim/judge/compression.h"
 #include "sim/watch/borne.h"
 #include "sim/watch/stats.h"
+#include "theory/expected.h"
 
 /* m along the route, where the cable's front was at a time, s. */
 typedef struct PeakMoment {

@@ -3,8 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "sim/expected/findings.h"
+#include "sim/equipment/reel.h"
 #include "sim/judge/peaks.h"
+#include "theory/findings.h"
 
 static const Finding NO_MEMORY = {.value = NAN, .steady = NAN, .why = "no memory"};
 static const double WAVERS = 0.02; /* share by which a cable's speed may be above that of the belts that draw it */
@@ -128,7 +129,8 @@ static void pushed_finding(const Peaks *peaks, const Scene *scene, Finding *f)
 static void trip_finding(const Stats *stats, const Scene *scene, const Expected *expected, const PeaksTheory *theory,
                          Finding *out)
 {
-    findings_trip(scene, expected->reference_total, fmax(theory->needed, mean_of(&stats->pull)), theory->beyond, out);
+    findings_trip(&scene->setup, expected->reference_total, fmax(theory->needed, mean_of(&stats->pull)), theory->beyond,
+                  out);
 }
 
 /* What a script or a set tension has made of the winch's speed, if that is more than the case says of it. A cable that
@@ -144,10 +146,11 @@ static void by_theory(const Peaks *peaks, const Stats *stats, const Scene *scene
                       Finding f[LIMIT_KINDS])
 {
     static const LimitKind needs[] = {LIMIT_ALPHA, LIMIT_RUN_AWAY, LIMIT_TRIP};
+    const Setup setup = scene_setup(scene);
     PeaksTheory theory;
     hawser_status status = peaks_theory(peaks, stats, scene, expected, &theory, NULL);
     if (!status) {
-        status = findings_of_run(scene, theory.at, f, NULL);
+        status = findings_of_run(&setup, theory.at, f, NULL);
         if (status) peaks_theory_free(&theory);
     }
     if (status) {
@@ -188,16 +191,11 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
             snprintf(f[k].why, sizeof f[k].why, "nothing has run yet");
         }
     }
-    findings_of_scene(scene, f);
+    findings_of_scene(&scene->setup, f);
     if (strand_is_rope(&def->strand)) f[LIMIT_BEND].absent = f[LIMIT_SIDEWALL].absent = 1;
     if (def->strand.present && !peaks->borne) f[LIMIT_ROLLER_STEADY].absent = f[LIMIT_ROLLER_PEAK].absent = 1;
-    int n;
-    Turner *turner;
-    f[LIMIT_ROPE_BEND] =
-        turners_find(scene, &scene->route, &n, &turner, NULL)
-            ? NO_MEMORY
-            : rope_bend(scene, &scene->route, scene->joint_s[strand_is_rope(&def->strand) ? 0 : scene->eye], n, turner);
-    free(turner);
+    const double rope = scene->joint_s[strand_is_rope(&def->strand) ? 0 : scene->eye];
+    f[LIMIT_ROPE_BEND] = rope_bend(&scene->setup, &scene->route, rope, scene->setup.supports.roller);
     speed_finding(peaks, scene, &f[LIMIT_SPEED]);
     duct_findings(def, f);
     return limits_judge(&def->limits, bundle_diameter(def), bundle_pulled(def), f, out);

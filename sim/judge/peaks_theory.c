@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "sim/equipment/drum.h"
+#include "sim/equipment/reel.h"
 #include "sim/judge/peaks.h"
 
 /* Overload factors are taken where theory has at least this share of its largest tension: near a slack tail a few
@@ -18,8 +19,9 @@ static hawser_status reached_find(const Peaks *peaks, const Stats *stats, const 
     const int counted = scene->weight.lead_in && !scene->def.strand.present && !scene->drum->present;
     Pull pull;
     if (!counted || !(front > of->to + 1e-9)) return HAWSER_OK;
-    hawser_status status = expected_at(scene, front, expected_back(scene, stats->last_t), &out->own, err);
-    if (!status) status = expected_pull(scene, &out->own, PULL_REFERENCE, &pull, err);
+    const Setup setup = scene_setup(scene);
+    hawser_status status = expected_at(&setup, front, expected_back(&setup, stats->last_t), &out->own, err);
+    if (!status) status = expected_pull(&setup, &out->own, PULL_REFERENCE, &pull, err);
     if (status) return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
     out->own.reference_total = pull.end_tension + scene->def.drag.force;
     out->at = &out->own;
@@ -33,7 +35,7 @@ hawser_status peaks_theory(const Peaks *peaks, const Stats *stats, const Scene *
     double relief = 0;
     *out = (PeaksTheory){.at = of};
     hawser_status status = peaks->present ? reached_find(peaks, stats, scene, of, out, err) : HAWSER_OK;
-    if (!status && peaks->present) status = expected_relief(scene, peaks->reached, &relief, err);
+    if (!status && peaks->present) status = expected_relief(&scene->setup, peaks->reached, &relief, err);
     out->needed = fmax(of->reference_total, out->at->reference_total);
     out->beyond = scene->def.drag.force - relief;
     if (status) peaks_theory_free(out);
@@ -46,7 +48,7 @@ void peaks_theory_free(PeaksTheory *theory) { expected_free(&theory->own); }
 
 /* Theory with the front where it was at a moment. The last one is kept: neighbours have their peaks together. */
 typedef struct Moments {
-    const Scene *scene;
+    Setup setup;
     PeakMoment at; /* of what follows; t is NAN: of none yet */
     Expected expected;
     Pull pull;
@@ -66,12 +68,12 @@ static int same_moment(PeakMoment a, PeakMoment b) { return a.front == b.front &
  * too little of it. */
 static double moment_tension(Moments *m, PeakMoment at, double s)
 {
-    const Scene *const scene = m->scene;
+    const Setup *const setup = &m->setup;
     if (isnan(m->at.t) || !same_moment(m->at, at)) {
         moment_clear(m);
-        const double front = fmin(at.front, expected_end(scene));
-        m->status = expected_at(scene, front, expected_back(scene, at.t), &m->expected, NULL);
-        if (!m->status) m->status = expected_pull(scene, &m->expected, PULL_REFERENCE, &m->pull, NULL);
+        const double front = fmin(at.front, expected_end(setup));
+        m->status = expected_at(setup, front, expected_back(setup, at.t), &m->expected, NULL);
+        if (!m->status) m->status = expected_pull(setup, &m->expected, PULL_REFERENCE, &m->pull, NULL);
         if (!m->status) m->at = at;
     }
     if (m->status || !(s >= m->expected.from - 1e-9 && s <= m->expected.to + 1e-9)) return NAN;
@@ -91,17 +93,18 @@ typedef struct Range {
 static hawser_status range_solve(const Peaks *peaks, const Scene *scene, const Expected *e, Range *out)
 {
     *out = (Range){{INFINITY, -INFINITY}, {{0}, {0}}, malloc(((size_t)peaks->n_rollers + 1) * sizeof(double))};
+    const Setup setup = scene_setup(scene);
     hawser_status status = out->of ? HAWSER_OK : HAWSER_ERR_MEMORY;
     for (int r = 0; r < peaks->n_rollers && !status; ++r) {
         if (isnan(peaks->roller[r])) continue;
-        out->of[r] = expected_start(scene, peaks->when[r].front, peaks->when[r].t);
+        out->of[r] = expected_start(&setup, peaks->when[r].front, expected_back(&setup, peaks->when[r].t));
         out->start[0] = fmin(out->start[0], out->of[r]);
         out->start[1] = fmax(out->start[1], out->of[r]);
     }
     for (int k = 0; k < 2 && !status && isfinite(out->start[0]); ++k) {
         Expected with = *e; /* borrowed */
         with.start_tension = out->start[k];
-        status = expected_pull(scene, &with, PULL_REFERENCE, &out->pull[k], NULL);
+        status = expected_pull(&setup, &with, PULL_REFERENCE, &out->pull[k], NULL);
     }
     return status;
 }
@@ -131,7 +134,7 @@ static int begins_at_once(const Scene *scene, const Peaks *peaks)
 int peaks_overload(const Peaks *peaks, const Scene *scene, const PeaksTheory *theory, Overload **out)
 {
     Range range = {0};
-    Moments moments = {.scene = scene, .at = {.t = NAN}};
+    Moments moments = {.setup = scene_setup(scene), .at = {.t = NAN}};
     int n = 0;
     *out = malloc(((size_t)peaks->n_rollers + 1) * sizeof **out);
     /* a rod has no theory to ask, that of a rope goes without what it draws */

@@ -8,16 +8,15 @@
 #include "sim/equipment/moving_rollers.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
-#include "sim/expected/findings.h"
 #include "sim/judge/compression.h"
 #include "sim/watch/events.h"
 #include "sim/watch/stats.h"
+#include "theory/findings.h"
 
 /* What is allowed: figures of docs/limits.md, "Trust". */
 static const double ENERGY = 0.01, MOMENTUM = 0.01;      /* shares of what goes through, of the largest impulse */
 static const double DAMPED = 0.01;                       /* of what moves, by the steps in time alone */
 static const double MEAN_ERROR = 0.02, PEAK_ERROR = 0.1; /* error bars of the pull, of itself */
-static const double OFF_ROUTE = 2;                       /* m: more than any sag between supports */
 static const double SLOWEST = 1;                         /* speed of full friction over that of the pull */
 static const double STANDS = 0.999; /* of the largest speed, that the mean in the window may be short of */
 static const double DRIFT = 0.05;   /* of the mean pull, from the window's first half to its second */
@@ -441,7 +440,7 @@ static void add_places(List *list, const TrustFacts *f)
     const Scene *const scene = f->scene;
     const Misfit *const start = &f->passing->start;
     if (!scene->rod->present) {
-        add(list, "on_route", "m", f->stray.farthest, OFF_ROUTE,
+        add(list, "on_route", "m", f->stray.farthest, SUPPORT_OFF_ROUTE,
             "the cable was %.3g m off its route near %.4g m: it has fallen, or nothing guides it there",
             f->stray.farthest, f->stray.at);
     }

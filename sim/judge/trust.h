@@ -5,8 +5,8 @@
 
 #include "hawser/hawser.h"
 #include "sim/dynamics.h"
-#include "sim/expected/mesh.h"
 #include "sim/watch/passing.h"
+#include "theory/mesh.h"
 
 /* How far the cable has been from its route. */
 typedef struct Stray {

@@ -31,7 +31,7 @@ const hawser_sample *sim_look(Sim *s, SampleParts parts)
     if (s->by_position.n_grid > 0) {
         s->look.sample.head_at = along_eye(&s->stage.scene, &s->stage.ws.kin, look->winch_travel);
         s->look.sample.reference =
-            by_position_reference(&s->by_position, look->head_at, expected_back(&s->stage.scene, s->stage.t));
+            by_position_reference(&s->by_position, look->head_at, expected_back(&s->stage.scene.setup, s->stage.t));
     }
     if (together_of(s)) s->look.sample.reference = together_expected(together_of(s), s);
     machines_look(&s->machines, &s->stage.scene, &s->stage.ws, s->stage.t);

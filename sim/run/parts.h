@@ -3,7 +3,6 @@
 #ifndef HAWSER_SIM_RUN_PARTS_H
 #define HAWSER_SIM_RUN_PARTS_H
 
-#include "sim/expected/mesh.h"
 #include "sim/judge/peaks.h"
 #include "sim/judge/trust.h"
 #include "sim/picture/closeup.h"
@@ -19,6 +18,7 @@
 #include "sim/watch/position_table.h"
 #include "sim/watch/probes.h"
 #include "sim/watch/sample.h"
+#include "theory/mesh.h"
 
 /* Whom a simulation calls; NULL: nobody. */
 typedef struct Calls {

@@ -44,16 +44,16 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     s->condition = calloc(HAWSER_CONDITIONS_MAX, sizeof *s->condition);
     if (!s->condition || !sample_alloc(&s->look, scene)) return error_memory(err);
     status = positions_new(&s->positions, &s->stage, err);
-    if (!status) status = mesh_find(&scene->def, &scene->route, &s->mesh, err);
+    if (!status) status = mesh_find(&scene->setup.supports, &s->mesh, err);
     if (!status) status = passing_new(&s->passing, scene, err);
     if (!status) status = probes_new(&s->probes, scene, err);
     if (!status) status = stats_new(&s->stats, scene, err);
     if (!status) status = peaks_new(&s->peaks, scene, err);
     if (!status) status = bundle_terms_make(&scene->def, &s->bundle, err);
     if (!status && !scene->rod->present) {
-        status = expected_fill(scene, s->stats.n_stations, s->stats.station_out, &s->expected, err);
+        status = expected_fill(&scene->setup, s->stats.n_stations, s->stats.station_out, &s->expected, err);
     }
-    if (!status && !scene->rod->present) status = by_position_new(&s->by_position, scene, err);
+    if (!status && !scene->rod->present) status = by_position_new(&s->by_position, &scene->setup, err);
     if (!status) status = machines_new(&s->machines, scene, &s->expected, err);
     if (!status) status = quasi_run_new(s, err);
     if (!status && !scene->def.strand.present) status = sim_trip_set(s, err);

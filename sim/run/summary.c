@@ -135,7 +135,7 @@ static void figures_fill(const Sim *s, hawser_summary *out)
                          .worst_place = s->positions.worst < 0 ? NULL : &s->positions.out[s->positions.worst],
                          .method = scene->def.solver.method == METHOD_ESDIRK ? "esdirk" : "bdf"};
     const double mean = by_position_mean(&s->by_position);
-    if ((expected_follows(scene) || scene->def.strand.rope || scene->def.strand.joined >= 0) && !isnan(mean))
+    if ((expected_follows(&scene->setup) || scene->def.strand.rope || scene->def.strand.joined >= 0) && !isnan(mean))
         out->reference_total_N = mean;
     integration_fill(s, out);
     out->phases.other = s->build_s;

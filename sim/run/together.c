@@ -5,8 +5,9 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "sim/equipment/reel.h"
 #include "sim/equipment/winch.h"
-#include "sim/expected/expected.h"
+#include "theory/expected.h"
 
 typedef struct Together Together;
 
@@ -60,10 +61,11 @@ static hawser_status bunch_make(Together *all, hawser_error *err)
 static double theory_at(Together *all, int k, PullLaw law, double travel, double t)
 {
     const Scene *const scene = &all->sim[k]->stage.scene;
-    double back = expected_back(scene, t);
+    const Setup setup = scene_setup(scene);
+    double back = expected_back(&setup, t);
     for (int j = 0; j < all->n; ++j)
         if (all->sim[j]->stage.scene.def.strand.joined == k) back += theory_at(all, j, law, travel, t);
-    return by_position_theory(scene, law, scene->joint_s[scene->eye] + travel, back, &all->no_memory);
+    return by_position_theory(&setup, law, scene->joint_s[scene->eye] + travel, back, &all->no_memory);
 }
 
 /* The pulls of ropes and of what they draw in mid steady window. */
@@ -74,9 +76,9 @@ static void totals_set(Together *all)
         const StrandDef *const strand = &s->stage.scene.def.strand;
         const SceneDef *const def = &s->stage.scene.def;
         if (!strand->rope && strand->joined < 0) continue;
-        const Scene *const rope = &all->sim[strand->rope ? k : strand->joined]->stage.scene;
+        const Setup *const rope = &all->sim[strand->rope ? k : strand->joined]->stage.scene.setup;
         const double from = def->output.steady_from, to = def->duration;
-        const double travel = (expected_travel(rope, from) + expected_travel(rope, to)) / 2;
+        const double travel = (setup_travel(rope, from) + setup_travel(rope, to)) / 2;
         s->expected.reference_total = theory_at(all, k, PULL_REFERENCE, travel, (from + to) / 2);
         s->expected.paper_total = theory_at(all, k, PULL_NO_CAPSTAN, travel, (from + to) / 2);
     }

@@ -4,10 +4,10 @@
 #define HAWSER_SIM_WATCH_ERROR_BARS_H
 
 #include "hawser/hawser.h"
-#include "sim/expected/mesh.h"
 #include "sim/scene.h"
 #include "sim/time_mean.h"
 #include "sim/watch/balance.h"
+#include "theory/mesh.h"
 
 /* What all figures of a run share: parts of a force, and of its wavering, 1. */
 typedef struct ErrorShares {

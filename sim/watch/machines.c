@@ -4,13 +4,14 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "sim/expected/expected.h"
+#include "theory/expected.h"
 
 static void machine_set(MachineRecord *r, hawser_machine *out, hawser_figure *now, const Room *room, int item,
-                        const struct Expected *expected)
+                        const Setup *setup, const struct Expected *expected)
 {
     const MachineKind *const kind = room->kind->machines;
-    *r = (MachineRecord){.room = room, .item = item, .expected = expected_push(expected, room, item)};
+    *r =
+        (MachineRecord){.room = room, .item = item, .expected = expected_push(setup, expected, kind->name(room, item))};
     for (int k = 0; k < kind->n_now; ++k) now[k] = (hawser_figure){kind->now[k], 0};
     for (int k = 0; k < kind->n_figures; ++k) r->figure[k] = (hawser_figure){kind->figure[k], NAN};
     *out = (hawser_machine){.kind = kind->key,
@@ -49,7 +50,7 @@ hawser_status machines_new(Machines *m, const Scene *scene, const struct Expecte
     hawser_figure *now = m->now;
     for (int r = 0, at = 0; r < scene->n_rooms; ++r) {
         for (int i = 0; i < count_of(&scene->room[r]); ++i, ++at) {
-            machine_set(&m->record[at], &m->out[at], now, &scene->room[r], i, expected);
+            machine_set(&m->record[at], &m->out[at], now, &scene->room[r], i, &scene->setup, expected);
             now += m->out[at].n_now;
             figures_set(&m->record[at]);
         }

@@ -15,7 +15,7 @@ typedef struct MachineRecord {
     hawser_figure figure[MACHINE_FIGURES_MAX];
 } MachineRecord;
 
-struct Expected; /* sim/expected/expected.h */
+struct Expected; /* theory/expected.h */
 
 typedef struct Machines {
     int n;

@@ -5,23 +5,23 @@
 #include <string.h>
 
 #include "core/base/error.h"
-#include "sim/expected/expected.h"
+#include "theory/expected.h"
 
 enum { GRID_MOST = 400, BINS_MOST = 200 };
 static const double GRID = 0.5, BIN = 2; /* m, at least */
 static const double SHIFT = 100;         /* N, of the back tension for its gain */
 
-double by_position_theory(const Scene *scene, PullLaw law, double s, double back, int *no_memory)
+double by_position_theory(const Setup *setup, PullLaw law, double s, double back, int *no_memory)
 {
     Expected e;
     Pull pull;
     hawser_error quiet = {0};
     double force = NAN;
-    const hawser_status status = expected_at(scene, s, back, &e, &quiet);
+    const hawser_status status = expected_at(setup, s, back, &e, &quiet);
     if (!status && !(e.rope_to > e.from)) { /* a rope that has left the route */
-        force = e.start_tension + scene->def.drag.force;
-    } else if (!status && !expected_pull(scene, &e, law, &pull, &quiet)) {
-        force = pull.end_tension + scene->def.drag.force;
+        force = e.start_tension + setup->def->drag.force;
+    } else if (!status && !expected_pull(setup, &e, law, &pull, &quiet)) {
+        force = pull.end_tension + setup->def->drag.force;
         pull_clear(&pull);
     }
     *no_memory = *no_memory || quiet.status == HAWSER_ERR_MEMORY;
@@ -36,11 +36,11 @@ static int parts_of(const ByPosition *b, double length, int most)
     return parts < most ? (int)fmax(parts, 1) : most;
 }
 
-hawser_status by_position_new(ByPosition *b, const Scene *scene, hawser_error *err)
+hawser_status by_position_new(ByPosition *b, const Setup *setup, hawser_error *err)
 {
     memset(b, 0, sizeof *b);
     b->last_t = -1;
-    if (!expected_range(scene, &b->from, &b->to)) return HAWSER_OK;
+    if (!expected_range(setup, &b->from, &b->to)) return HAWSER_OK;
     b->n_grid = parts_of(b, GRID, GRID_MOST) + 1;
     b->n_bins = parts_of(b, BIN, BINS_MOST);
     b->theory = calloc((size_t)b->n_grid, sizeof(double));
@@ -51,15 +51,15 @@ hawser_status by_position_new(ByPosition *b, const Scene *scene, hawser_error *e
         by_position_free(b);
         return error_memory(err);
     }
-    b->back = expected_back(scene, scene->def.duration);
-    b->leaves = starts_leaves(scene);
+    b->back = expected_back(setup, setup->def->duration);
+    b->leaves = starts_leaves(setup);
     b->left = -1;
     int no_memory = 0;
     for (int i = 0; i < b->n_grid; ++i) {
         const double s = b->from + (b->to - b->from) * i / (b->n_grid - 1);
-        if (b->left < 0 && starts_left(scene, s)) b->left = i;
-        b->theory[i] = by_position_theory(scene, PULL_REFERENCE, s, b->back, &no_memory);
-        b->gain[i] = (by_position_theory(scene, PULL_REFERENCE, s, b->back + SHIFT, &no_memory) - b->theory[i]) / SHIFT;
+        if (b->left < 0 && starts_left(setup, s)) b->left = i;
+        b->theory[i] = by_position_theory(setup, PULL_REFERENCE, s, b->back, &no_memory);
+        b->gain[i] = (by_position_theory(setup, PULL_REFERENCE, s, b->back + SHIFT, &no_memory) - b->theory[i]) / SHIFT;
     }
     if (!no_memory) return HAWSER_OK;
     by_position_free(b);

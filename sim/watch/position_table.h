@@ -3,8 +3,7 @@
 #ifndef HAWSER_SIM_WATCH_POSITION_TABLE_H
 #define HAWSER_SIM_WATCH_POSITION_TABLE_H
 
-#include "sim/scene.h"
-#include "theory/pulling.h"
+#include "theory/setup.h"
 
 /* A stretch of the front's way: the time spent there, s, and the integrals over it. */
 typedef struct PositionBin {
@@ -27,7 +26,7 @@ typedef struct ByPosition {
 } ByPosition;
 
 /* Solves the reference theory over the grid. Errors: MEMORY; places where theory has no answer get NAN. */
-hawser_status by_position_new(ByPosition *b, const Scene *scene, hawser_error *err);
+hawser_status by_position_new(ByPosition *b, const Setup *setup, hawser_error *err);
 void by_position_free(ByPosition *b);
 /* The reference for the front at s and a back tension (N), N; NAN outside. */
 double by_position_reference(const ByPosition *b, double s, double back);
@@ -43,6 +42,6 @@ int by_position_table(const ByPosition *b);
 
 /* The pull with the front at s, m, by a law of theory, for a back tension (N); NAN if theory has none, or no memory,
  * which *no_memory keeps. */
-double by_position_theory(const Scene *scene, PullLaw law, double s, double back, int *no_memory);
+double by_position_theory(const Setup *setup, PullLaw law, double s, double back, int *no_memory);
 
 #endif

@@ -7,7 +7,7 @@
 #include "sim/equipment/rod.h"
 #include "sim/equipment/roller_motion.h"
 #include "sim/equipment/winch.h"
-#include "sim/expected/stretches.h"
+#include "theory/stretches.h"
 
 /* The next `count` numbers of the memory. */
 static double *piece_of(double **memory, size_t count)
@@ -116,7 +116,7 @@ double sample_joint_place(const Scene *scene, const hawser_sample *sample, int j
 double sidewall_at(const Scene *scene, double s, double tension)
 {
     const double turn = route_turn(&scene->route, s);
-    return turn > 0 ? tension * turn * bundle_share(&scene->def, surface_at(&scene->def, s)) : 0;
+    return turn > 0 ? tension * turn * bundle_share(&scene->def, supports_surface(&scene->setup.supports, s)) : 0;
 }
 
 /* What there is along the chain besides tension, of the segments that are simulated; the others have none of it. A rod

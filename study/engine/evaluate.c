@@ -7,9 +7,9 @@
 #include <time.h>
 
 #include "core/base/error.h"
+#include "def/limits.h"
 #include "io/api/api_handles.h"
 #include "study/engine/engine.h"
-#include "theory/limits.h"
 
 const char *const row_states[] = {"open", "done", "refused", "failed", "time limit", "no memory", "died"};
 const char *const row_verdicts[] = {"", "SAFE", "NOT SAFE", "NOT JUDGED", "NOT TRUSTED"};
@@ -265,7 +265,7 @@ static hawser_status by_run(const Study *s, hawser_case *c, Row *row, double *va
     char why[REASON_MAX];
     hawser_status status = case_ensure_read(c, err);
     /* a second pass that one sample needs and another does not would be a leap of the force that is fitted */
-    if (!status && s->measured.n > 0 && c->def.solver.passes == PASSES_AUTO)
+    if (!status && s->measured.n > 0 && c->def->solver.passes == PASSES_AUTO)
         status = hawser_case_set(c, "solver.passes", "1", err);
     if (!status) status = hawser_sim_new(c, &one, &sim, err);
     if (!status && s->measured.n > 0) curve_begin(&curve, sim);

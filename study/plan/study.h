@@ -3,12 +3,12 @@
 #ifndef HAWSER_STUDY_PLAN_STUDY_H
 #define HAWSER_STUDY_PLAN_STUDY_H
 
+#include "def/limits.h"
 #include "io/schema/case_schema.h"
 #include "study/log/log.h"
 #include "study/maths/distribution.h"
 #include "study/maths/points.h"
 #include "study/maths/search.h"
-#include "theory/limits.h"
 
 typedef enum StudyKind {
     STUDY_GRID,

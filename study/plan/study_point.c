@@ -96,7 +96,7 @@ int parameter_is_number(const Parameter *p)
 hawser_status study_case(const Study *s, const double *x, hawser_case **out, hawser_error *err)
 {
     char text[SETTING_MAX];
-    hawser_status status = case_copy(s->base, out, err);
+    hawser_status status = hawser_case_copy(s->base, out, err);
     if (!status) (*out)->tree->unlisted = 1; /* a fifth of a theory sample's time */
     for (int j = 0; j < s->n_parameters && !status; j++) {
         const Parameter *const p = &s->parameter[j];

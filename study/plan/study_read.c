@@ -211,7 +211,7 @@ static hawser_status middle_check(const CaseReader *r, Study *s)
     hawser_status status = study_case(s, x, &c, &found);
     if (!status) c->tree->unlisted = 0;
     if (!status) status = hawser_case_check(c, &found);
-    if (!status) status = file_marks_join(&s->files, &c->def.files, &found);
+    if (!status) status = file_marks_join(&s->files, &c->def->files, &found);
     hawser_case_free(c);
     if (status != HAWSER_ERR_INPUT) return status ? error_set(r->err, status, "%s", found.message) : HAWSER_OK;
     const CaseNode *blame = r->root;

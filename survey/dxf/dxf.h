@@ -2,6 +2,8 @@
 #ifndef HAWSER_SURVEY_DXF_DXF_H
 #define HAWSER_SURVEY_DXF_DXF_H
 
+#include <iconv.h>
+
 #include "survey/input.h"
 
 /* A group code with its value; text is empty where it is a number and the number NAN where it is a text that is none.
@@ -19,6 +21,11 @@ typedef struct DxfStream {
     int held;                /* the tag below has been given back */
     DxfTag tag;
     InputLine line, code_line;
+    long strays;        /* lines that are no group code, so far */
+    long left_out;      /* entities that could not be read, so far */
+    hawser_error first; /* what the first thing is that could not be read; status OK: nothing */
+    iconv_t page;       /* from the drawing's code page; (iconv_t)-1: Latin-1 */
+    struct DxfBlocks *blocks;
 } DxfStream;
 
 /* Looks at the file's beginning and goes on behind its sign. */
@@ -28,8 +35,10 @@ void dxf_end(DxfStream *s);
 int dxf_next(DxfStream *s, DxfTag *tag);
 /* The next call gives the same tag again. */
 void dxf_hold(DxfStream *s);
+/* Keeps what cannot be read as s->first, unless something else is there. */
+void dxf_fault(DxfStream *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* The numbers of an entity: what is read of it is codes below 240, and its layer. */
+/* The numbers of an entity that is read: groups below 240. */
 typedef struct DxfNumber {
     int code;
     double value;
@@ -41,6 +50,7 @@ typedef struct DxfEntity {
     int n, room;
     DxfNumber *number;
     long line;
+    int bad; /* group of a number that is none; -1: a line within is no group code; 0: whole */
 } DxfEntity;
 
 /* The first number of a code, or what else. */
@@ -68,8 +78,39 @@ hawser_status dxf_add_line(const SurveyInput *in, const DxfEntity *e);
 hawser_status dxf_add_arc(const SurveyInput *in, const DxfEntity *e);
 hawser_status dxf_add_lwpolyline(const SurveyInput *in, const DxfEntity *e);
 hawser_status dxf_add_spline(const SurveyInput *in, const DxfEntity *e);
+hawser_status dxf_add_ellipse(const SurveyInput *in, const DxfEntity *e); /* but for whole ones, which are noted */
 /* n corners; space: a 3-D polyline, without bulges. */
 hawser_status dxf_add_corners(const SurveyInput *in, const DxfEntity *e, int n, const DxfCorner *corner, int closed,
                               int space);
+
+/* ---- blocks: their lines in the system of the block, from the origin of its base; survey/dxf/blocks.c */
+
+/* From a block's system to the one around it: p = at + x p.x + y p.y + z p.z. m, but the axes have no dimension. */
+typedef struct DxfPlace {
+    Vec3 x, y, z, at;
+} DxfPlace;
+
+/* An insertion of a block, once or in rows and columns. */
+typedef struct DxfInsert {
+    char block[SURVEY_NAME_MAX], layer[SURVEY_NAME_MAX];
+    DxfPlace place; /* at: of the insertion's point, from which the block's base is still to be taken */
+    int columns, rows;
+    Vec3 column, row; /* m from one to the next */
+} DxfInsert;
+/* The insertion that an INSERT describes. Errors: INPUT (a scale of 0), with the reason in in->err. */
+hawser_status dxf_insert_of(const SurveyInput *in, const DxfEntity *e, DxfInsert *out);
+
+/* Begins a block, whose lines are added to the Survey that is returned until the next one; NULL: no memory. */
+Survey *dxf_block_begin(DxfStream *s, const DxfEntity *e);
+/* Adds an insertion to the block that was begun last. Errors: MEMORY. */
+hawser_status dxf_block_insert(DxfStream *s, const DxfInsert *insert);
+/* After the last block, before the first is followed. */
+void dxf_blocks_end(DxfStream *s);
+/* Adds the lines of the inserted block, and of those within it, to in->out. What is not followed is noted there.
+ * Errors: MEMORY. */
+hawser_status dxf_follow(DxfStream *s, const DxfInsert *insert);
+/* Notes that there are lines in blocks, none of which is inserted. */
+void dxf_blocks_note(DxfStream *s);
+void dxf_blocks_free(struct DxfBlocks *b);
 
 #endif

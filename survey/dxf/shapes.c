@@ -84,12 +84,12 @@ static int point_add(Alignment *a, Vec3 at)
 
 /* ------------------------------------------------------------------------------------------------------ tilted arcs */
 
-/* The points of an arc with a bulge in a tilted plane, but for its first one: chords 1 mm off at most. */
+/* The points of an arc with a bulge in a tilted plane, but for its first one: chords 0.2 mm off at most. */
 static int chords_add(Alignment *to, const DxfSystem *s, Vec3 a, Vec3 b, double bulge)
 {
     const double chord = hypot(b.x - a.x, b.y - a.y), turn = 4 * atan(bulge);
     const double radius = fabs(turn) > 1e-9 ? chord / (2 * fabs(sin(turn / 2))) : INFINITY;
-    const double step = 2 * acos(fmax(0, 1 - 1e-3 / fmax(radius * s->unit, 1e-3)));
+    const double step = 2 * acos(fmax(0, 1 - 2e-4 / fmax(radius * s->unit, 2e-4)));
     const int n = isfinite(radius) ? (int)fmin(10000, 1 + fabs(turn) / fmax(step, 1e-3)) : 1;
     const Vec3 along = v3_scale(1 / fmax(chord, 1e-300), v3_sub(b, a)), left = v3(-along.y, along.x, 0);
     int fine = 1;
@@ -179,6 +179,37 @@ hawser_status dxf_add_lwpolyline(const SurveyInput *in, const DxfEntity *e)
         if (n && v->code == 42) corner[n - 1].bulge = v->value;
     }
     const hawser_status status = dxf_add_corners(in, e, n, corner, dxf_flags(e) & 1, 0);
+    free(corner);
+    return status;
+}
+
+/* Part of an ellipse, in the world's coordinates: a major axis, the ratio of the minor one to it, and two parameters.
+ */
+hawser_status dxf_add_ellipse(const SurveyInput *in, const DxfEntity *e)
+{
+    enum { CHORDS_MOST = 10000 };
+    const double off = 2e-4, ratio = dxf_number(e, 40, NAN), from = dxf_number(e, 41, 0), to = dxf_number(e, 42, 2 * PI);
+    const Vec3 centre = v3(dxf_number(e, 10, NAN), dxf_number(e, 20, NAN), dxf_number(e, 30, 0));
+    const Vec3 major = v3(dxf_number(e, 11, NAN), dxf_number(e, 21, NAN), dxf_number(e, 31, 0));
+    const Vec3 minor = v3_scale(ratio, v3_cross(dxf_system(in, e).axis, major));
+    const double turn = to - from - 2 * PI * floor((to - from) / (2 * PI));
+    if (!(v3_norm(major) > 0) || !(ratio > 0) || !isfinite(from + to + centre.x + centre.y))
+        return input_error(in, "an ELLIPSE without centre, axes and parameters (groups 10, 20, 11, 21, 40, 41, 42)");
+    if (turn < 1e-9 || turn > 2 * PI - 1e-9) {
+        survey_ignore(in->out, "ELLIPSE: whole ones");
+        return HAWSER_OK;
+    }
+    const double largest = in->unit * v3_norm(major) * fmax(1, ratio);
+    const int n = (int)fmin(CHORDS_MOST, 8 + turn / sqrt(8 * off / largest));
+    DxfCorner *const corner = calloc((size_t)n + 1, sizeof *corner);
+    if (!corner) return error_memory(in->err);
+    for (int i = 0; i <= n; ++i) {
+        const double u = from + turn * i / n;
+        corner[i].at = v3_axpy(v3_axpy(centre, cos(u), major), sin(u), minor);
+    }
+    const int before = in->out->n;
+    const hawser_status status = dxf_add_corners(in, e, n + 1, corner, 0, 1);
+    if (!status && in->out->n > before) in->out->alignment[before].bent = 1;
     free(corner);
     return status;
 }

@@ -1,5 +1,6 @@
 /* The stream of tags. */
 #include <math.h>
+#include <stdarg.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,36 +13,78 @@ static const char sign[] = "AutoCAD Binary DXF\r\n\x1a";
 void dxf_begin(DxfStream *s, SurveyInput *in)
 {
     char head[sizeof sign + 2] = "";
-    *s = (DxfStream){.in = in};
+    *s = (DxfStream){.in = in, .page = (iconv_t)-1};
     const size_t n = fread(head, 1, sizeof head, in->file); /* with the sign's own 0, and two bytes behind it */
+    const int marked = n > 3 && !memcmp(head, "\xEF\xBB\xBF", 3);
     s->binary = n == sizeof head && !memcmp(head, sign, sizeof sign);
     s->short_codes = s->binary && head[sizeof sign + 1] != 0; /* 0 and a text at once: codes of one byte */
-    input_seek(in, s->binary ? (long)sizeof sign : 0);
+    input_seek(in, s->binary ? (long)sizeof sign : marked ? 3 : 0);
 }
 
 void dxf_end(DxfStream *s)
 {
     free(s->line.text);
     free(s->code_line.text);
+    if (s->page != (iconv_t)-1) iconv_close(s->page);
 }
 
 /* ------------------------------------------------------------------------------------------------------------- text */
+
+void dxf_fault(DxfStream *s, const char *format, ...)
+{
+    char text[HAWSER_MESSAGE_MAX];
+    hawser_error *const own = s->in->err;
+    va_list args;
+    if (s->first.status) return;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    s->in->err = &s->first;
+    input_error(s->in, "%s", text);
+    s->in->err = own;
+}
+
+/* A group code of DXF, -5 to 1071. */
+static int code_of(const SurveyInput *in, const char *text, double *code)
+{
+    return input_number_whole(in, text, code) && *code >= -5 && *code <= 1071 && *code == floor(*code);
+}
+
+/* A line that is no group code: a text above it has a line break. If that text's last line is a number it passed for a
+ * group code, and the line that was read as its value is the code of this one. 0: the line is left out. */
+static int next_of_broken(DxfStream *s, DxfTag *tag)
+{
+    double code;
+    ++s->strays;
+    dxf_fault(s, "'%.20s' is no group code: expected a whole number", s->code_line.text);
+    if (!s->line.text || !code_of(s->in, s->line.text, &code)) return 0;
+    const InputLine kept = s->line;
+    s->line = s->code_line;
+    s->code_line = kept;
+    *tag = (DxfTag){.code = (int)code};
+    return 1;
+}
 
 static int next_of_text(DxfStream *s, DxfTag *tag)
 {
     SurveyInput *const in = s->in;
     double code;
-    int more = input_line(in, &s->code_line);
-    while (more > 0 && s->code_line.text[strspn(s->code_line.text, " \t")] == 0) more = input_line(in, &s->code_line);
-    if (more <= 0) return more;
-    if (!input_number_whole(in, s->code_line.text, &code) || fabs(code) > 1e5 || code != floor(code)) {
-        input_error(in, "'%.20s' is no group code: expected a whole number", s->code_line.text);
-        return -1;
+    int found = 0;
+    while (!found) {
+        int more = input_line(in, &s->code_line);
+        if (more <= 0) return more;
+        if (s->code_line.text[strspn(s->code_line.text, " \t")] == 0) continue;
+        found = code_of(in, s->code_line.text, &code);
+        if (!found) {
+            found = next_of_broken(s, tag);
+            continue;
+        }
+        *tag = (DxfTag){.code = (int)code};
+        more = input_line(in, &s->line);
+        if (more == 0) input_error(in, "the file ends behind a group code");
+        if (more <= 0) return -1;
     }
-    more = input_line(in, &s->line);
-    if (more == 0) input_error(in, "the file ends behind a group code");
-    if (more <= 0) return -1;
-    *tag = (DxfTag){.code = (int)code, .text = s->line.text + strspn(s->line.text, " \t")};
+    tag->text = s->line.text + strspn(s->line.text, " \t");
     if (!input_number_whole(in, tag->text, &tag->number)) tag->number = NAN;
     return 1;
 }

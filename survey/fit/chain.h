@@ -23,6 +23,7 @@ typedef struct Node {
     double weight; /* how many points it stands for */
     int corner;    /* the line has a corner there: no piece goes over it */
     int drawn;     /* the way to the next one is known to be straight */
+    int chord;     /* it is drawn straight, but for an arc */
 } Node;
 
 /* Where a node is beside the chain. */

@@ -56,6 +56,97 @@ static double scatter_of(const Line *l)
 
 /* ---------------------------------------------------------------------------------------------------------- nodes */
 
+/* -------------------------------------------------------------------------------------------------- chords of arcs */
+
+static double turn_at(const Line *l, int i)
+{
+    if (i < 1 || i + 1 >= l->n) return 0;
+    const Node *const p = &l->node[i];
+    return remainder(atan2(p[1].y - p->y, p[1].x - p->x) - atan2(p->y - p[-1].y, p->x - p[-1].x), 2 * PI);
+}
+
+/* From node i to the next one. */
+static double leg_of(const Line *l, int i)
+{
+    return hypot(l->node[i + 1].x - l->node[i].x, l->node[i + 1].y - l->node[i].y);
+}
+
+/* What turns more at one point is a corner, not a chord's end. */
+static const double CORNER_TURN = 0.5;
+
+/* Whether the nodes between `from` and `to` turn to one side, each at least by a tenth of the largest turn, and none
+ * like a corner. */
+static int turns_alike(const Line *l, int from, int to)
+{
+    double least = INFINITY, most = 0;
+    const double side = copysign(1, turn_at(l, from + 1));
+    for (int i = from + 1; i < to; ++i) {
+        least = fmin(least, side * turn_at(l, i));
+        most = fmax(most, side * turn_at(l, i));
+    }
+    return least > 0.1 * most && most > 1e-6 && most <= CORNER_TURN;
+}
+
+static double legs_ratio(const Line *l, int from, int to)
+{
+    double least = INFINITY, most = 0;
+    for (int i = from; i < to; ++i) {
+        least = fmin(least, leg_of(l, i));
+        most = fmax(most, leg_of(l, i));
+    }
+    return most / least;
+}
+
+/* Whether the other two of five points lie on the circle through the first, the middle and the last one, within `off`.
+ */
+static int on_circle(const Node *p, double off)
+{
+    const double ax = p[2].x - p->x, ay = p[2].y - p->y, bx = p[4].x - p->x, by = p[4].y - p->y;
+    const double d = 2 * (ax * by - ay * bx), a = ax * ax + ay * ay, b = bx * bx + by * by;
+    const double cx = (by * a - ay * b) / d, cy = (ax * b - bx * a) / d, radius = hypot(cx, cy);
+    for (int i = 1; i < 4; i += 2)
+        if (!(fabs(hypot(p[i].x - p->x - cx, p[i].y - p->y - cy) - radius) <= off)) return 0;
+    return 1;
+}
+
+/* Whether the nodes from `from` to `to` are the ends of chords of one arc that touches the legs on either side: equal
+ * legs, equal turns between them, and half of these at both ends. */
+static int is_rounded_corner(const Line *l, int from, int to)
+{
+    const double t = turn_at(l, from + 1), a = turn_at(l, from) / t, b = turn_at(l, to) / t;
+    int alike = from > 0 && to + 1 < l->n && turns_alike(l, from, to) && legs_ratio(l, from, to) < 1.02;
+    for (int i = from + 1; i < to; ++i) alike &= fabs(turn_at(l, i) / t - 1) < 0.05;
+    return alike && fabs(a - 0.5) < 0.05 && fabs(b - 0.5) < 0.05;
+}
+
+/* Legs of a drawn line that are chords of an arc or a clothoid are not straights of it: five points in a row that turn
+ * alike on a circle or, where they turn little, on a cubic; fewer where they round a corner off. What was found is
+ * reported, with how far such a leg is beside its arc: half of it times the tangent of a quarter of its turn. */
+static void chords_find(Line *l, double off, FitReport *report)
+{
+    enum { WINDOW = 5 };
+    const double smooth = 1, few = 3; /* rad, within which a cubic is a clothoid; of legs beside each other */
+    for (int i = 0; i < l->n; ++i) l->node[i].chord = 0;
+    for (int from = 0; from < l->n; ++from) {
+        int to = from + WINDOW - 1;
+        int arc = to < l->n && turns_alike(l, from, to) && legs_ratio(l, from, to) < few;
+        double turn = 0;
+        for (int i = from + 1; arc && i < to; ++i) turn += fabs(turn_at(l, i));
+        arc = arc && (on_circle(&l->node[from], off) || (turn < smooth && beside(&l->node[from]) < off));
+        for (int chords = 2; !arc && chords < WINDOW - 1; ++chords)
+            arc = is_rounded_corner(l, from, to = from + chords);
+        for (int i = from; arc && i < to; ++i) l->node[i].chord |= l->node[i].drawn;
+    }
+    for (int i = 0; i + 1 < l->n; ++i) {
+        if (!l->node[i].chord) continue;
+        const double turn = fmax(fabs(turn_at(l, i)), fabs(turn_at(l, i + 1)));
+        report->chord_off = fmax(report->chord_off, 0.5 * leg_of(l, i) * tan(turn / 4));
+        report->chords++;
+        report->chord_bends += i == 0 || !l->node[i - 1].chord;
+        l->node[i].drawn = 0;
+    }
+}
+
 /* Points that are closer than `least` become one; at most NODES_MOST. 0: no memory. */
 static int nodes_thin(const Line *l, double least, Line *out)
 {
@@ -88,19 +179,6 @@ static int nodes_thin(const Line *l, double least, Line *out)
     return 1;
 }
 
-static double turn_at(const Line *l, int i)
-{
-    if (i < 1 || i + 1 >= l->n) return 0;
-    const Node *const p = &l->node[i];
-    return remainder(atan2(p[1].y - p->y, p[1].x - p->x) - atan2(p->y - p[-1].y, p->x - p[-1].x), 2 * PI);
-}
-
-/* From node i to the next one. */
-static double leg_of(const Line *l, int i)
-{
-    return hypot(l->node[i + 1].x - l->node[i].x, l->node[i + 1].y - l->node[i].y);
-}
-
 /* A corner of a drawn line, not a point on a bend: it turns much, or farther than a bend through its neighbours may lie
  * beside the legs. Where legs are not known to be straight it does so alone: neighbours that turn to the same side make
  * it a bend. */
@@ -111,7 +189,7 @@ static int is_corner(const Line *l, int i, double scatter, double deviation)
     const double h = fmin(leg_of(l, i - 1), leg_of(l, i)), side = copysign(1, turn_at(l, i));
     const double turn = fabs(turn_at(l, i)) - (drawn ? 0 : 12 * scatter / h);
     const double beside = fmax(side * turn_at(l, i - 1), side * turn_at(l, i + 1));
-    return turn > 0.5 || ((drawn || turn > 4 * beside) && turn * h / 8 > deviation);
+    return turn > CORNER_TURN || ((drawn || turn > 4 * beside) && turn * h / 8 > deviation);
 }
 
 /* Whether a bend through the ends of the leg behind node i could leave it by more than `unseen`, m. */
@@ -135,7 +213,7 @@ static int corners_fill(const Line *l, double scatter, double deviation, double 
         for (int k = 1; k < CORNER_PARTS; ++k) {
             const double part = (double)k / CORNER_PARTS;
             const Node *const a = &l->node[i], *const b = a + 1;
-            out->node[out->n++] = (Node){a->x + part * (b->x - a->x), a->y + part * (b->y - a->y), 1, 0, 1};
+            out->node[out->n++] = (Node){.x = a->x + part * (b->x - a->x), .y = a->y + part * (b->y - a->y), .weight = 1, .drawn = 1};
         }
     }
     return 1;
@@ -284,7 +362,7 @@ int node_add(Line *l, double x, double y, int drawn)
     Node *const node = survey_one_more(&l->node, &l->n, sizeof *node);
     if (!node) return 0;
     if (l->n > 1) node[-1].drawn = drawn;
-    *node = (Node){x, y, 1, 0, 0};
+    *node = (Node){.x = x, .y = y, .weight = 1};
     return 1;
 }
 
@@ -338,6 +416,7 @@ static hawser_status plan_fit(const Alignment *a, const FitOptions *o, Alignment
     Fitted f = {0};
     hawser_status status = plan_line(a, origin, &l) && pieces_kept(a, origin, &f) ? HAWSER_OK : error_memory(err);
     if (!status && l.n < 2) status = error_set(err, HAWSER_ERR_INPUT, "'%.60s' has fewer than two points", a->name);
+    if (!status && !f.piece) chords_find(&l, o->deviation, report);
     if (!status) status = line_fit(&l, o, o->clothoids, &f, err);
     for (int i = 0; i < f.n && !status; ++i) {
         PlanElement *const e = alignment_add_plan(out);

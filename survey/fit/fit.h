@@ -20,6 +20,8 @@ typedef struct FitReport {
     double largest, rms;               /* m, in plan, square to the line */
     double largest_height, rms_height; /* m; 0: there are no heights */
     double scatter;                    /* m, by which the points scatter about any smooth line, a standard deviation */
+    int chords, chord_bends;           /* legs of a drawn line that were taken for an arc's chords, and such arcs */
+    double chord_off;                  /* m, how far they are beside their arcs */
     int n_tight, n_tight_profile;      /* pieces in plan, arcs of the profile below the least radius */
     double least_radius, least_at;     /* m: the least of the plan, and its station in plan; infinite: straight */
     double least_profile, least_profile_at; /* the same of the profile */

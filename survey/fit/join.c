@@ -92,6 +92,7 @@ typedef struct Net {
     int *other;              /* [2 n] the next end at the same knot, -1: no more */
     int *ends;               /* [2 n] of a knot: how many */
     char *used;              /* [n] */
+    char *apart;             /* [2 n] ends of blocks' lines that are not joined with what meets at their knot */
     int *order;              /* [n] */
     Shaft *shaft;            /* [2 n] of a knot */
 } Net;
@@ -115,10 +116,11 @@ static int net_alloc(const Survey *s, Net *net)
                  malloc(2 * n * sizeof *net->other),
                  calloc(2 * n, sizeof *net->ends),
                  calloc(n, 1),
+                 calloc(2 * n, 1),
                  malloc(n * sizeof *net->order),
                  malloc(2 * n * sizeof *net->shaft)};
     return net->piece && net->length && net->end && net->knot && net->first && net->other && net->ends && net->used &&
-           net->order && net->shaft;
+           net->apart && net->order && net->shaft;
 }
 
 static void net_free(Net *net)
@@ -131,6 +133,7 @@ static void net_free(Net *net)
     free(net->other);
     free(net->ends);
     free(net->used);
+    free(net->apart);
     free(net->order);
     free(net->shaft);
 }
@@ -208,10 +211,16 @@ static int goes_up(const Net *net, int i, double tolerance)
     return net->length[i] <= 2 * tolerance && fabs(net->end[2 * i].z - net->end[2 * i + 1].z) > tolerance;
 }
 
+/* Where two lines meet that are drawn themselves, those of a block, a symbol, end beside them. */
 static void piece_hang(Net *net, int i)
 {
     for (int e = 2 * i; e <= 2 * i + 1; ++e) {
         const int knot = net->knot[e];
+        if (net->piece[i]->inserted && net->ends[knot] == 2) {
+            const int one = net->first[knot] / 2, two = net->other[net->first[knot]] / 2;
+            net->apart[e] = !net->piece[one]->inserted && !net->piece[two]->inserted;
+            if (net->apart[e]) continue;
+        }
         net->other[e] = net->first[knot];
         net->first[knot] = e;
         net->ends[knot]++;
@@ -240,7 +249,9 @@ static void shaft_hang(Net *net, int i, Joined *joined)
 /* Hangs the ends to their knots; pieces drawn twice, and those that are shorter than the tolerance, are left out. */
 static void ends_hang(const JoinOptions *o, Net *net, Joined *joined)
 {
-    for (int i = 0; i < net->n; ++i) {
+    for (int k = 0; k < 2 * net->n; ++k) { /* what is drawn itself first, then what blocks bring */
+        const int i = k % net->n;
+        if ((net->piece[i]->inserted > 0) != (k >= net->n)) continue;
         const int a = net->knot[2 * i], b = net->knot[2 * i + 1], up = goes_up(net, i, o->tolerance);
         int twice = a == b && net->length[i] <= 2 * o->tolerance, looked = 0;
         net->used[i] = 1;
@@ -292,6 +303,9 @@ static int doubts_find(const JoinOptions *o, const Net *net, Joined *joined)
 
 /* ---------------------------------------------------------------------------------------------------------- lines */
 
+/* Whether exactly one other piece goes on where an end lies. */
+static int goes_on(const Net *net, int end) { return net->ends[net->knot[end]] == 2 && !net->apart[end]; }
+
 /* A walk from an end of a piece over knots of two, as far as they go: its pieces in order, those that are turned around
  * as -1 - i. */
 static int walk(Net *net, int from)
@@ -302,11 +316,33 @@ static int walk(Net *net, int from)
         net->used[i] = 1;
         net->order[n++] = e % 2 ? -1 - i : i;
         e = -1;
-        for (int k = net->first[knot]; net->ends[knot] == 2 && k >= 0; k = net->other[k]) {
+        for (int k = net->first[knot]; goes_on(net, far) && k >= 0; k = net->other[k]) {
             if (k != far && !net->used[k / 2]) e = k;
         }
     }
     return n;
+}
+
+/* Lets the n pieces of net->order run as most of their length is drawn; if that is half of it, as the piece that is
+ * first in the file. Returns the m that are drawn against it. */
+static double order_turn(Net *net, int n)
+{
+    double along = 0, against = 0;
+    int first = 0;
+    for (int k = 0; k < n; ++k) {
+        const int i = net->order[k] < 0 ? -1 - net->order[k] : net->order[k];
+        const int best = net->order[first] < 0 ? -1 - net->order[first] : net->order[first];
+        *(net->order[k] < 0 ? &against : &along) += net->length[i];
+        if (i < best) first = k;
+    }
+    const double rounding = 1e-9 * (along + against);
+    const int turned = fabs(along - against) > rounding ? against > along : net->order[first] < 0;
+    for (int i = 0, j = n - 1; turned && i <= j; ++i, --j) {
+        const int kept = net->order[i];
+        net->order[i] = -1 - net->order[j];
+        net->order[j] = -1 - kept;
+    }
+    return turned ? along : against;
 }
 
 static int point_add(Alignment *a, Vec3 p)
@@ -518,8 +554,11 @@ hawser_status join_lines(const Survey *from, const JoinOptions *options, Survey 
     if (fine && net.n > 0) fine = doubts_find(options, &net, joined);
     for (int pass = 0; pass < 2 && fine; ++pass) { /* from ends and forks first; what is left goes round */
         for (int e = 0; e < 2 * net.n && fine; ++e) {
-            if (net.used[e / 2] || (pass == 0 && net.ends[net.knot[e]] == 2)) continue;
-            fine = line_make(&net, walk(&net, e), options->tolerance, joined, to);
+            if (net.used[e / 2] || (pass == 0 && goes_on(&net, e))) continue;
+            const int pieces = walk(&net, e), at = to->n;
+            const double against = order_turn(&net, pieces);
+            fine = line_make(&net, pieces, options->tolerance, joined, to);
+            if (fine && pieces > 1) to->alignment[at].against = against;
         }
     }
     if (fine) fine = lines_sort(to, before);

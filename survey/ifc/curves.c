@@ -14,7 +14,10 @@ typedef struct Segment {
     double from, length;   /* on the parent, along it */
     double radius, spiral; /* of a circle; constant of a clothoid; 0: neither */
     double square;         /* coefficient of x^2 of a polynomial */
+    double linear;         /* of a polynomial, x of its parameter; NAN: lengths are given along it */
     int degree, bent;      /* of a polynomial; its x or z is none of degree 1 */
+    int is_law;            /* the parent is another spiral */
+    IfcLaw law;
 } Segment;
 
 /* The points of an indexed curve, m. */
@@ -55,9 +58,9 @@ static hawser_status lengths_read(const IfcFile *file, const StepEntity *e, cons
 
 /* y over x of an IfcPolynomialCurve(Position, X, Y, Z), whose coordinates are polynomials of a parameter: the
  * coefficient of x^2, and the highest power of any coordinate. */
-static void polynomial_read(const StepEntity *parent, Segment *out)
+static void polynomial_read(const StepEntity *parent, int parameter, Segment *out)
 {
-    double linear = 1; /* x of the parameter */
+    double linear = 1;
     for (int of = 1; of < 4; ++of) {
         const StepValue *v = step_item(parent, step_attribute(parent, of), 0);
         for (int i = 0; v; v = step_behind(parent, v), ++i) {
@@ -68,6 +71,37 @@ static void polynomial_read(const StepEntity *parent, Segment *out)
             if (of != 2 && i > 1) out->bent = 1;
         }
     }
+    out->linear = parameter ? linear : NAN;
+}
+
+/* The curvature of a spiral of IFC 4.3 in the file's lengths: its terms A_i, the last attribute the constant one, stand
+ * for u^i/(A_i |A_i|^i); a cosine's or sine's, the first attribute, for 1/A. 0: it is none. */
+static int law_read(const StepEntity *parent, double unit, Segment *s)
+{
+    static const struct {
+        const char *name;
+        int terms, wave; /* how many attributes; whether the first of them is of a cosine, 1, or a sine, 2 */
+    } spirals[] = {{"IFCCOSINESPIRAL", 2, 1},
+                   {"IFCSINESPIRAL", 3, 2},
+                   {"IFCSECONDORDERPOLYNOMIALSPIRAL", 3, 0},
+                   {"IFCTHIRDORDERPOLYNOMIALSPIRAL", 4, 0},
+                   {"IFCSEVENTHORDERPOLYNOMIALSPIRAL", 8, 0}};
+    const double length = unit * fabs(s->length);
+    s->law = (IfcLaw){.from = unit * s->from, .side = s->length < 0 ? -1 : 1, .length = length, .period = length};
+    for (size_t k = 0; k < sizeof spirals / sizeof *spirals; ++k) {
+        if (strcmp(parent->name, spirals[k].name)) continue;
+        for (int i = 0; i < spirals[k].terms; ++i) {
+            const double a = unit * step_number(parent, 1 + i);
+            const int order = spirals[k].terms - 1 - i, wave = i == 0 ? spirals[k].wave : 0;
+            if (!isfinite(a) || a == 0) continue;
+            if (wave)
+                *(wave == 1 ? &s->law.cosine : &s->law.sine) = 1 / a;
+            else
+                s->law.term[order] = 1 / (a * pow(fabs(a), order));
+        }
+        return 1;
+    }
+    return 0;
 }
 
 /* Of a segment's polynomial what a straight in plan, or a parabola of the profile, is not. */
@@ -96,7 +130,9 @@ static hawser_status segment_read(const IfcFile *file, long id, Segment *out)
         if (!strcmp(parent.name, "IFCCLOTHOID"))
             out->spiral = step_number(&parent, 1);
         else if (!strcmp(parent.name, "IFCPOLYNOMIALCURVE"))
-            polynomial_read(&parent, out);
+            polynomial_read(&parent, step_is(step_attribute(&e, 3), "IFCPARAMETERVALUE"), out);
+        else if (law_read(&parent, file->step.in->unit, out))
+            out->is_law = 1;
         else if (strcmp(parent.name, "IFCLINE") && !(out->radius > 0))
             status = input_error(file->step.in, "#%ld: a segment on an %s, which is not read", id, parent.name);
     }
@@ -111,6 +147,11 @@ static hawser_status plan_add(const IfcFile *file, const Segment *s, Alignment *
     const double unit = file->step.in->unit, side = s->length < 0 ? -1 : 1;
     const double rate = s->spiral != 0 ? copysign(1, s->spiral) / (s->spiral * s->spiral) : 0; /* curvature a metre */
     const double k = s->radius > 0 ? 1 / s->radius : 0;
+    if (s->is_law)
+        return ifc_add_law(
+            file, a,
+            (PlanElement){.x = unit * s->start.x, .y = unit * s->start.y, .heading = atan2(s->along.y, s->along.x)},
+            &s->law);
     return ifc_add_plan(file, a,
                         (PlanElement){.x = unit * s->start.x,
                                       .y = unit * s->start.y,
@@ -120,14 +161,32 @@ static hawser_status plan_add(const IfcFile *file, const Segment *s, Alignment *
                                       .k1 = side * (k + rate * (s->from + s->length)) / unit});
 }
 
+/* The length in plan of `length` along a parabola from grade g on, whose z has the coefficient `square` of x^2: Newton's
+ * steps on (AL7). */
+static double parabola_plan(double length, double g, double square)
+{
+    double plan = length / sqrt(1 + g * g);
+    for (int i = 0; i < 50; ++i) {
+        const ProfileElement e = {.kind = PROFILE_PARABOLA, .length = plan, .grade = g, .bend = 2 * square};
+        const Alignment a = {.n_profile = 1, .profile = (ProfileElement *)(size_t)&e};
+        const double end = g + 2 * square * plan, more = length - alignment_measure(&a).length;
+        plan += more / sqrt(1 + end * end);
+        if (fabs(more) < 1e-12 * length) break;
+    }
+    return plan;
+}
+
 /* Its length in plan follows from the next one's start; the last one's from its curve. */
 static hawser_status profile_add(const IfcFile *file, const Segment *s, double next, Alignment *a)
 {
     const double unit = file->step.in->unit, grade = s->along.y / s->along.x, slope = atan(grade);
     const double side = s->length < 0 ? -1 : 1, turned = s->radius > 0 ? slope + s->length / s->radius : slope;
-    const double own = s->radius > 0 ? s->radius * side * (sin(turned) - sin(slope)) : s->length * cos(slope);
+    const double own = s->radius > 0                        ? s->radius * side * (sin(turned) - sin(slope))
+                       : s->degree > 0 && !isnan(s->linear) ? s->length * s->linear
+                       : s->square != 0                     ? parabola_plan(s->length, grade, s->square)
+                                                            : s->length * cos(slope);
     const double length = isnan(next) ? own : next - s->start.x;
-    if (s->spiral != 0) return input_error(file->step.in, "a vertical segment on an IFCCLOTHOID, which is not read");
+    if (s->spiral != 0 || s->is_law) return input_error(file->step.in, "a vertical segment on a spiral, which is not read");
     return ifc_add_profile(file, a,
                            (ProfileElement){.kind = s->radius > 0 ? PROFILE_ARC : PROFILE_PARABOLA,
                                             .station = unit * s->start.x,

@@ -281,11 +281,12 @@ static hawser_status is_parent(const IfcFile *file, long id, int *yes)
 }
 
 /* Stations of the profile count from where the file says; the alignment begins at its first element in plan. */
-static hawser_status alignment_read(const IfcFile *file, long id)
+static hawser_status alignment_read(IfcFile *file, long id)
 {
     StepEntity e = {0};
     int n = 0;
-    hawser_status status = step_entity(&file->step, id, &e);
+    hawser_status status = part_find(file, id, "IFCALIGNMENTCANT", &file->cant);
+    if (!status) status = step_entity(&file->step, id, &e);
     if (status) return step_entity_free(&e), status;
     char name[SURVEY_NAME_MAX] = "";
     step_text(step_attribute(&e, 2), name, sizeof name);

@@ -13,6 +13,7 @@ typedef struct IfcNest {
 typedef struct IfcFile {
     StepFile step;
     double angle; /* rad in the file's unit of angle */
+    long cant;    /* the IfcAlignmentCant of the alignment that is read; 0: none */
     int n_nests;
     IfcNest *nest; /* [n_nests], by whole and order */
 } IfcFile;
@@ -35,6 +36,22 @@ hawser_status ifc_axis(const IfcFile *file, long id, Alignment *a);
 /* From the curves that it is drawn with: an IfcProductDefinitionShape. Nothing is added if there are none that are
  * known. */
 hawser_status ifc_shape(const IfcFile *file, long id, Alignment *a);
+
+/* Curvature of a transition as a function of the length u on its parent, m: a polynomial, a cosine and a sine (AL9).
+ * The segment begins at u = from and runs to from + side length. */
+enum { IFC_LAW_TERMS = 8 };
+typedef struct IfcLaw {
+    double term[IFC_LAW_TERMS]; /* of u^i, 1/m^(i+1) */
+    double cosine, sine;        /* 1/m, of pi u/period and of 2 pi u/period */
+    double period;              /* m */
+    double from, side, length;  /* m; 1 or -1; m, >= 0 */
+} IfcLaw;
+/* The segment from the place and heading of `start` on, as clothoids 0.01 mm off at most. */
+hawser_status ifc_add_law(const IfcFile *file, Alignment *a, PlanElement start, const IfcLaw *w);
+/* A transition by its type, from e's place with curvature k0 to k1 over its length. sway, m: of a Viennese bend the
+ * height of the centre of gravity times the change of the cant's angle. 0: no such type; then nothing is added. */
+int ifc_add_transition(const IfcFile *file, Alignment *a, const StepValue *type, double sway, PlanElement e,
+                       hawser_status *status);
 
 /* An element with its length checked: shorter than 1e-9 m is left out. */
 hawser_status ifc_add_plan(const IfcFile *file, Alignment *a, PlanElement e);

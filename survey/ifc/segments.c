@@ -10,27 +10,54 @@
 
 static double curvature(double radius) { return radius == 0 || isnan(radius) ? 0 : 1 / radius; }
 
-/* A transition of another kind is taken as the clothoid between its ends' curvatures. */
-static void transition_note(const IfcFile *file, const StepValue *type)
+/* A transition of another kind, a cubic parabola y = x^3/6RL, is taken as the clothoid between its ends' curvatures:
+ * near L^4 |k1 - k0|^3/150 beside it at the end. */
+static void transition_note(const IfcFile *file, const StepValue *type, const PlanElement *e)
 {
     char what[SURVEY_NAME_MAX];
     if (step_is(type, "LINE") || step_is(type, "CIRCULARARC") || step_is(type, "CLOTHOID") ||
         step_is(type, "CLOTHOIDCURVE") || type->kind == STEP_NONE || !type->text) {
         return;
     }
-    snprintf(what, sizeof what, "transition of type %.*s: taken as a clothoid", type->length, type->text);
+    snprintf(what, sizeof what, "transition of type %.*s: taken as a clothoid, some %.2g m beside it at its end",
+             type->length, type->text, pow(e->length, 4) * pow(fabs(e->k1 - e->k0), 3) / 150);
     survey_ignore(file->step.in->out, what);
+}
+
+/* Of a Viennese bend that begins `station` m from the start: the height of the centre of gravity (attribute 7) times the
+ * change of the cant's angle, IfcAlignmentCantSegment(.., .., StartDistAlong, .., StartCantLeft, EndCantLeft,
+ * StartCantRight, EndCantRight) over IfcAlignmentCant's RailHeadDistance. */
+static hawser_status sway_of(const IfcFile *file, const StepEntity *e, double station, double *sway)
+{
+    const double unit = file->step.in->unit, height = unit * step_number(e, 7);
+    StepEntity s = {0};
+    int n = 0;
+    const IfcNest *const part = file->cant && height > 0 ? ifc_parts(file, file->cant, &n) : NULL;
+    hawser_status status = part ? step_entity(&file->step, file->cant, &s) : HAWSER_OK;
+    const double gauge = part ? step_number(&s, 7) : NAN;
+    *sway = 0;
+    for (int i = 0; i < n && !status; ++i) {
+        status = step_entity(&file->step, part[i].part, &s);
+        if (!status && !strcmp(s.name, "IFCALIGNMENTSEGMENT"))
+            status = step_entity(&file->step, step_reference(&s, 7), &s);
+        if (status || !(fabs(unit * step_number(&s, 2) - station) < 1e-3)) continue;
+        const double left = step_number(&s, 5) - step_number(&s, 4), right = step_number(&s, 7) - step_number(&s, 6);
+        if (gauge > 0 && isfinite(left + right)) *sway = height * (left - right) / gauge;
+    }
+    step_entity_free(&s);
+    return status;
 }
 
 hawser_status ifc_horizontal_segment(const IfcFile *file, const StepEntity *e, Alignment *a)
 {
     const double unit = file->step.in->unit;
+    double sway = 0;
     Vec3 start;
     const StepValue *const type = step_attribute(e, 8);
     const int line = step_is(type, "LINE");
-    const hawser_status status = ifc_triple(file, step_reference(e, 2), &start, NULL);
+    hawser_status status = ifc_triple(file, step_reference(e, 2), &start, NULL);
+    if (!status && step_is(type, "VIENNESEBEND")) status = sway_of(file, e, alignment_measure(a).plan_length, &sway);
     if (status) return status;
-    if (step_number(e, 6) > 0) transition_note(file, type);
     const double k0 = line ? 0 : curvature(unit * step_number(e, 4)),
                  k1 = line ? 0 : curvature(unit * step_number(e, 5));
     if (step_is(type, "CIRCULARARC") && step_number(e, 6) > 0 && fabs(k0 - k1) > 1e-6 * fmax(fabs(k0), fabs(k1)))
@@ -38,13 +65,15 @@ hawser_status ifc_horizontal_segment(const IfcFile *file, const StepEntity *e, A
                            "alignment '%.40s', #%ld: a CIRCULARARC with radii of %g and %g: expected the same at both "
                            "ends",
                            a->name, e->id, step_number(e, 4), step_number(e, 5));
-    return ifc_add_plan(file, a,
-                        (PlanElement){.x = unit * start.x,
-                                      .y = unit * start.y,
-                                      .heading = file->angle * step_number(e, 3),
-                                      .length = unit * step_number(e, 6),
-                                      .k0 = k0,
-                                      .k1 = k1});
+    const PlanElement whole = {.x = unit * start.x,
+                               .y = unit * start.y,
+                               .heading = file->angle * step_number(e, 3),
+                               .length = unit * step_number(e, 6),
+                               .k0 = k0,
+                               .k1 = k1};
+    if (ifc_add_transition(file, a, type, sway, whole, &status)) return status;
+    if (whole.length > 0) transition_note(file, type, &whole);
+    return ifc_add_plan(file, a, whole);
 }
 
 /* Gradients at both ends and the length say what bends; a stated radius is only their rounding. */
@@ -54,8 +83,14 @@ hawser_status ifc_vertical_segment(const IfcFile *file, const StepEntity *e, Ali
     const double end = step_number(e, 6), to = isnan(end) ? from : end;
     const StepValue *const type = step_attribute(e, 8);
     const int arc = step_is(type, "CIRCULARARC"), straight = step_is(type, "CONSTANTGRADIENT");
+    const double off = length * fabs(to - from) / 6; /* a clothoid begins or ends straight: its gradients do not say */
     if (length > 0 && !arc && !straight && !step_is(type, "PARABOLICARC")) {
-        survey_ignore(file->step.in->out, "vertical transitions: taken as parabolas");
+        if (!(off < 0.01))
+            return input_error(file->step.in,
+                               "alignment '%.40s', #%ld: a vertical transition of %g m, whose gradients say its height "
+                               "to %.2g m only: expected CONSTANTGRADIENT, CIRCULARARC or PARABOLICARC",
+                               a->name, e->id, length, off);
+        survey_ignore(file->step.in->out, "vertical transitions: taken as parabolas, less than 10 mm off");
     }
     const double rise = arc ? to / sqrt(1 + to * to) - from / sqrt(1 + from * from) : to - from;
     return ifc_add_profile(file, a,
@@ -86,16 +121,17 @@ static hawser_status old_horizontal(const IfcFile *file, long id, Alignment *a)
     } else if (!status && !strcmp(e.name, "IFCTRANSITIONCURVESEGMENT2D")) {
         k0 = (is_true(step_attribute(&e, 5)) ? 1 : -1) * curvature(unit * step_number(&e, 3));
         k1 = (is_true(step_attribute(&e, 6)) ? 1 : -1) * curvature(unit * step_number(&e, 4));
-        transition_note(file, step_attribute(&e, 7));
     }
-    if (!status) {
-        status = ifc_add_plan(file, a,
-                              (PlanElement){.x = unit * start.x,
-                                            .y = unit * start.y,
-                                            .heading = file->angle * step_number(&e, 1),
-                                            .length = unit * step_number(&e, 2),
-                                            .k0 = k0,
-                                            .k1 = k1});
+    const int transition = !status && !strcmp(e.name, "IFCTRANSITIONCURVESEGMENT2D");
+    const PlanElement whole = {.x = unit * start.x,
+                               .y = unit * start.y,
+                               .heading = status ? NAN : file->angle * step_number(&e, 1),
+                               .length = status ? NAN : unit * step_number(&e, 2),
+                               .k0 = k0,
+                               .k1 = k1};
+    if (!status && !(transition && ifc_add_transition(file, a, step_attribute(&e, 7), 0, whole, &status))) {
+        if (transition) transition_note(file, step_attribute(&e, 7), &whole);
+        status = ifc_add_plan(file, a, whole);
     }
     step_entity_free(&e);
     return status;

@@ -6,6 +6,7 @@
 #include <strings.h>
 
 #include "core/base/error.h"
+#include "survey/encoding.h"
 #include "survey/input.h"
 #include "survey/landxml/angles.h"
 #include "survey/landxml/points.h"
@@ -583,6 +584,7 @@ hawser_status landxml_read(SurveyInput *in)
     r->parser = XML_ParserCreate(NULL);
     if (r->parser) {
         XML_SetUserData(r->parser, r);
+        XML_SetUnknownEncodingHandler(r->parser, encoding_find, NULL);
         XML_SetElementHandler(r->parser, begin, end);
         XML_SetCharacterDataHandler(r->parser, text);
         XML_SetEntityDeclHandler(r->parser, entity);

@@ -1,10 +1,9 @@
 /* GeoJSON: LineString and MultiLineString as lines, Point and MultiPoint as marks, in features, collections or alone.
  */
-#include <errno.h>
 #include <jansson.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "core/base/error.h"
 #include "survey/map/map.h"
@@ -184,34 +183,52 @@ static hawser_status system_find(MapPlaces *p, const json_t *root)
     return HAWSER_OK;
 }
 
-hawser_status geojson_read(SurveyInput *in)
+/* The next character that is no blank, at which the file then is; EOF: none. A record separator is a blank. */
+static int next_letter(FILE *file)
 {
-    MapPlaces places = {.in = in};
+    int c = getc(file);
+    while (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == 0x1E) c = getc(file);
+    if (c != EOF) ungetc(c, file);
+    return c;
+}
+
+/* One value of the file: all of it, or a line of a file with a feature a line. */
+static hawser_status value_read(MapPlaces *places, int which)
+{
+    SurveyInput *const in = places->in;
     json_error_t where;
-    struct stat state;
-    if (fstat(fileno(in->file), &state)) return input_error(in, "cannot be read: %s", strerror(errno));
-    if (state.st_size > SIZE_MOST) {
-        return input_error(in, "larger than %ld MB, the most of a GeoJSON file", SIZE_MOST >> 20);
-    }
-    /* without memory jansson finds fault with some word of the text, so that it is asked for before */
-    if (!memory_room(ROOM + ROOM_TIMES * (size_t)state.st_size)) return error_memory(in->err);
-    char mark[3] = ""; /* of the order of bytes, which jansson takes for a fault */
-    const long begin = fread(mark, 1, 3, in->file) == 3 && !memcmp(mark, "\xEF\xBB\xBF", 3) ? 3 : 0;
-    input_seek(in, begin);
+    const long begin = ftell(in->file);
     json_t *root = json_loadf(in->file, JSON_DISABLE_EOF_CHECK, &where);
-    if (!root) { /* so what it finds is looked for twice */
+    if (!root) { /* without memory jansson finds fault with some word of the text: what it finds is looked for twice */
         input_seek(in, begin);
         root = json_loadf(in->file, JSON_DISABLE_EOF_CHECK, &where);
     }
     if (!root) {
-        in->line = where.line > 0 ? where.line : 0;
+        in->line = where.line > 0 && which == 0 ? where.line : 0;
         if (json_error_code(&where) == json_error_out_of_memory) return error_memory(in->err);
+        if (which > 0) return input_error(in, "value %d behind the first: no JSON: %s", which, where.text);
         return input_error(in, "no JSON: %s", where.text);
     }
     const Label none = {"", "", 0};
-    hawser_status status = system_find(&places, root);
-    if (!status) status = geometry_read(&places, root, &none, 0);
-    if (!status && in->out->n == 0 && in->out->n_marks == 0) status = input_error(in, "no line and no point in it");
+    hawser_status status = which == 0 ? system_find(places, root) : HAWSER_OK;
+    if (!status) status = geometry_read(places, root, &none, 0);
     json_decref(root);
+    return status;
+}
+
+hawser_status geojson_read(SurveyInput *in)
+{
+    MapPlaces places = {.in = in};
+    fseek(in->file, 0, SEEK_END);
+    const long size = ftell(in->file);
+    if (size > SIZE_MOST) return input_error(in, "larger than %ld MB, the most of a GeoJSON file", SIZE_MOST >> 20);
+    if (!memory_room(ROOM + ROOM_TIMES * (size_t)(size > 0 ? size : 0))) return error_memory(in->err);
+    char mark[3] = ""; /* of the order of bytes, which jansson takes for a fault */
+    input_seek(in, 0);
+    input_seek(in, fread(mark, 1, 3, in->file) == 3 && !memcmp(mark, "\xEF\xBB\xBF", 3) ? 3 : 0);
+    hawser_status status = HAWSER_OK;
+    for (int which = 0; !status && (next_letter(in->file) != EOF || which == 0); ++which)
+        status = value_read(&places, which);
+    if (!status && in->out->n == 0 && in->out->n_marks == 0) status = input_error(in, "no line and no point in it");
     return status;
 }

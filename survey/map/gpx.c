@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "survey/encoding.h"
 #include "survey/map/map.h"
 
 enum { TEXT_MOST = SURVEY_NAME_MAX, CHUNK = 1 << 16, DEPTH_MOST = 64 };
@@ -214,6 +215,7 @@ hawser_status gpx_read(SurveyInput *in)
     Reader r = {.places = {.in = in}, .line = -1, .parser = XML_ParserCreate(NULL)};
     if (!r.parser) return error_memory(in->err);
     XML_SetUserData(r.parser, &r);
+    XML_SetUnknownEncodingHandler(r.parser, encoding_find, NULL);
     XML_SetElementHandler(r.parser, begin, end);
     XML_SetCharacterDataHandler(r.parser, text);
     XML_SetEntityDeclHandler(r.parser, entity);

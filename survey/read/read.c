@@ -3,7 +3,10 @@
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "core/base/error.h"
 
 enum { HEAD_SIZE = 1 << 14 }; /* comments may stand before what tells */
 
@@ -74,6 +77,35 @@ static void head_of(SurveyInput *in, char head[HEAD_SIZE], int *wide)
     from += strspn(from, " \t\r\n");
     snprintf(head, HEAD_SIZE, "%s", from);
     input_seek(in, 0);
+}
+
+/* Text of two bytes a character as UTF-8, which is read in its place. */
+static hawser_status wide_decode(SurveyInput *in)
+{
+    const size_t most = (size_t)200 << 20;
+    char *wide = NULL, *text = NULL;
+    size_t size = 0, n = 0;
+    hawser_status status = input_all(in, most, &wide, &size);
+    if (!status && !(text = malloc(3 * size / 2 + 4))) status = error_memory(in->err);
+    const int big = !status && *wide == '\xFE';
+    unsigned first = 0; /* of a pair */
+    for (size_t i = 2; !status && i + 1 < size; i += 2) {
+        const unsigned char *const c = (const unsigned char *)wide + i;
+        const unsigned u = big ? (unsigned)c[0] << 8 | c[1] : (unsigned)c[1] << 8 | c[0];
+        if (u >= 0xD800 && u < 0xDC00) {
+            first = u;
+            continue;
+        }
+        n += input_utf8(text + n, first && u >= 0xDC00 && u < 0xE000 ? 0x10000 + ((first - 0xD800) << 10) + (u - 0xDC00)
+                                  : u >= 0xD800 && u < 0xE000        ? '?'
+                                                                     : u);
+        first = 0;
+    }
+    free(wide);
+    if (!status && n == 0) status = input_error(in, "the file is empty");
+    if (!status) return input_hold(in, text, n);
+    free(text);
+    return status;
 }
 
 /* Alignments without a name are called as the file, without folder and ending. */
@@ -173,7 +205,7 @@ hawser_status survey_read(const char *path, const SurveyOptions *options, Survey
     int wide = 0;
     hawser_status status = input_open(&in, path, options, out, err ? err : &why);
     if (!status) head_of(&in, head, &wide);
-    if (!status && wide && !is_xml(head)) status = input_error(&in, "UTF-16 text: save it as UTF-8");
+    if (!status && wide && !is_xml(head)) status = wide_decode(&in);
     if (!status && !*head) status = input_error(&in, "the file is empty");
     for (size_t i = 0; !status && i < sizeof readers / sizeof *readers; ++i) {
         if (!readers[i].is(head)) continue;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
+#include "survey/map/map.h"
 #include "survey/table/table.h"
 
 #define TURN (2 * 3.14159265358979323846)
@@ -95,6 +96,8 @@ static Convention convention_find(SurveyInput *in, const Table *t)
     for (int i = 0; i < 16; ++i) {
         const Convention c = {unit[i / 4], i % 2, i % 4 < 2 ? 1 : -1};
         if (c.unit > 0 && !t->has[COLUMN_HEADING]) continue;
+        if (c.unit > 0 && t->angles && c.unit != 1) continue;
+        if (c.unit > 0 && t->north && !c.bearing) continue;
         const double miss = misfit(t, c);
         const double counts = c.unit == 0 && t->has[COLUMN_HEADING] ? 10 * miss + 1e-2 * t->n : miss;
         if (counts < least * (1 - 1e-9)) {
@@ -370,7 +373,7 @@ static hawser_status piece_station(const SurveyInput *in, double station, Laying
 }
 
 /* A straight has a length; a bend an angle, a radius and a side, in plan at the slope there is, or up or down. */
-static hawser_status piece_lay(SurveyInput *in, const TableRow *row, Alignment *a, Laying *at)
+static hawser_status piece_lay(SurveyInput *in, const TableRow *row, int in_plan, Alignment *a, Laying *at)
 {
     const double *const v = row->value;
     const double angle = v[COLUMN_ANGLE], radius = v[COLUMN_RADIUS];
@@ -378,7 +381,13 @@ static hawser_status piece_lay(SurveyInput *in, const TableRow *row, Alignment *
     if (!isnan(v[COLUMN_SLOPE])) at->slope = atan(v[COLUMN_SLOPE]);
     if (bend && !(radius > 0)) return input_error(in, "a bend needs a radius above 0");
     if (!bend && radius > 0) return input_error(in, "a piece with a radius is a bend, and needs its angle and turn");
-    if (bend && fabs(v[COLUMN_LENGTH] - radius * fabs(angle)) > 1e-3 + 1e-3 * radius * fabs(angle))
+    const double arc = radius * fabs(angle), off = fabs(v[COLUMN_LENGTH] - arc);
+    if (bend && off > 0.05 + 0.01 * arc)
+        return input_error(in,
+                           "a bend of %.4g m by its radius and angle, and its length is %.4g m: a straight before it "
+                           "has a row of its own",
+                           arc, v[COLUMN_LENGTH]);
+    if (bend && off > 1e-3 + 1e-3 * arc)
         survey_ignore(in->out, "lengths of bends that are not their radius times their angle");
     if (bend && angle < 0 && (row->turn == TURN_LEFT || row->turn == TURN_UP))
         return input_error(in, "a negative angle is to the right or down, and its turn says left or up");
@@ -386,7 +395,8 @@ static hawser_status piece_lay(SurveyInput *in, const TableRow *row, Alignment *
         return input_error(in, "a bend needs a turn: left, right, up or down");
     if (!bend && !(v[COLUMN_LENGTH] > 0))
         return input_error(in, "a straight needs a length above 0, a bend an angle and a radius");
-    double plan = bend ? radius * fabs(angle) : v[COLUMN_LENGTH] * cos(at->slope), k = 0, rise = 0;
+    const double level = in_plan ? 1 : cos(at->slope);
+    double plan = bend ? radius * fabs(angle) : v[COLUMN_LENGTH] * level, k = 0, rise = 0;
     if (bend && upright) {
         const double to = at->slope + (row->turn == TURN_UP ? 1 : -1) * fabs(angle);
         if (fabs(to) > 1.5) return input_error(in, "the route would be steeper than 86 deg: a table has no shafts");
@@ -395,28 +405,181 @@ static hawser_status piece_lay(SurveyInput *in, const TableRow *row, Alignment *
     } else if (bend) {
         k = (row->turn == TURN_RIGHT || angle < 0 ? -1 : 1) / radius;
     }
-    at->space += bend && !upright ? plan / cos(at->slope) : bend ? radius * fabs(angle) : v[COLUMN_LENGTH];
+    at->space += bend && upright ? radius * fabs(angle) : plan / cos(at->slope);
     return lay_plan(a, plan, k, row->name) && lay_profile(a, at, plan, rise) ? HAWSER_OK : error_memory(in->err);
+}
+
+/* A last row whose length is that of all above it is a sum that does not say so, unless it has a name of its own. */
+static hawser_status sum_check(const SurveyInput *in, const Table *t, const Laying *at)
+{
+    const TableRow *const last = &t->row[t->n - 1];
+    double lengths = 0;
+    int straights = 0;
+    for (int i = 0; i + 1 < t->n; ++i) {
+        if (!(t->row[i].value[COLUMN_LENGTH] > 0)) continue;
+        lengths += t->row[i].value[COLUMN_LENGTH];
+        ++straights;
+    }
+    const double length = last->value[COLUMN_LENGTH], above = at->space - length, slack = 0.051;
+    if (t->n < 3 || last->name || fabs(last->value[COLUMN_ANGLE]) > 0 || t->has[COLUMN_STATION] ||
+        (fabs(length - above) > slack && (straights < 2 || fabs(length - lengths) > slack)))
+        return HAWSER_OK;
+    return input_error(in,
+                       "the last row is as long as all above it together, %.10g m: a sum is no piece: leave it out, or "
+                       "write 'total' in it; a piece gets a name",
+                       length);
+}
+
+/* What the row of totals says, in plan or in space, with or without the bends. */
+static hawser_status total_check(SurveyInput *in, const Table *t, const Laying *at)
+{
+    double lengths = 0;
+    for (int i = 0; i < t->n; ++i)
+        lengths += isnan(t->row[i].value[COLUMN_LENGTH]) ? 0 : t->row[i].value[COLUMN_LENGTH];
+    const double slack = 0.5 + 0.01 * at->space;
+    if (isnan(t->total) || fabs(t->total - at->space) <= slack || fabs(t->total - at->plan) <= slack ||
+        fabs(t->total - lengths) <= slack)
+        return HAWSER_OK;
+    in->line = t->total_line;
+    return input_error(in, "the total is %.10g m, and the pieces above are %.10g m long: is one missing?", t->total,
+                       at->space);
 }
 
 static hawser_status pieces_make(SurveyInput *in, const Table *t, Alignment *a)
 {
     Laying at = {.station = t->n > 0 ? t->row[0].value[COLUMN_STATION] : NAN};
     hawser_status status = HAWSER_OK;
+    if (t->has[COLUMN_STATION] && !t->has[COLUMN_LENGTH])
+        return input_error(in, "bends at stations, and no lengths of the straights between them: expected a column "
+                               "'length'");
     for (int i = 0; i < t->n && !status; ++i) {
         in->line = t->row[i].line;
         status = piece_station(in, t->row[i].value[COLUMN_STATION], &at);
-        if (!status) status = piece_lay(in, &t->row[i], a, &at);
+        if (!status) status = piece_lay(in, &t->row[i], t->plan, a, &at);
     }
+    if (!status) status = sum_check(in, t, &at);
+    if (!status) status = total_check(in, t, &at);
     if (!status) slope_say(in, t, at.then[0]);
     alignment_chain(a);
     return status;
 }
 
+/* ----------------------------------------------------------------------------------------------------- corners */
+
+/* A line of corners as elements if all have what they need, or as points whose corners get a radius elsewhere. */
+static hawser_status corners_lay(SurveyInput *in, int n, const PlanCorner *corner, int heights, int radii, Alignment *a)
+{
+    hawser_error why = {.message = ""};
+    int wrong = 0;
+    for (int i = 0; i < n && !radii; ++i) {
+        Vec3 *const p = alignment_add_point(a);
+        if (!p) return error_memory(in->err);
+        *p = corner[i].at;
+    }
+    a->flat = !radii && !heights;
+    a->drawn = !radii;
+    if (!radii) return HAWSER_OK;
+    const hawser_status status = plan_from_corners(a, n, corner, heights, &wrong, &why);
+    in->line = corner[wrong].line;
+    if (status == HAWSER_ERR_MEMORY) return error_memory(in->err);
+    return status ? input_error(in, "%s", why.message) : HAWSER_OK;
+}
+
+/* x, y and the radius of each corner. */
+static hawser_status corner_list_make(SurveyInput *in, const Table *t, Alignment *a)
+{
+    PlanCorner *const corner = calloc((size_t)t->n, sizeof *corner);
+    hawser_status status = corner ? HAWSER_OK : error_memory(in->err);
+    const int heights = !isnan(t->row[0].value[COLUMN_Z]);
+    for (int i = 0; i < t->n && !status; ++i) {
+        const double *const v = t->row[i].value, z = v[COLUMN_Z];
+        in->line = t->row[i].line;
+        if (isnan(v[COLUMN_X]) || isnan(v[COLUMN_Y])) status = input_error(in, "a corner needs x and y");
+        if (!status && isnan(z) == heights)
+            status = input_error(in, "a height in some rows and none in others: give all, or leave the column out");
+        if (!status) status = station_check(in, t, i);
+        corner[i] = (PlanCorner){v3(v[COLUMN_X], v[COLUMN_Y], isnan(z) ? 0 : z), fabs(v[COLUMN_RADIUS]), in->line};
+    }
+    if (!status && t->n < 2) status = input_error(in, "a line needs two corners at least");
+    if (!status) status = corners_lay(in, t->n, corner, heights, 1, a);
+    free(corner);
+    return status;
+}
+
+/* Which row a traverse's radius belongs to: 0 the corner at its leg's end, -1 the one at its start; NAN where it cannot
+ * be told. All alike: either. */
+static hawser_status radii_side(SurveyInput *in, const Table *t, int *side)
+{
+    const double *const first = t->row[0].value, *const last = t->row[t->n - 1].value;
+    int differ = 0;
+    for (int i = 1; i < t->n; ++i) differ |= !(t->row[i].value[COLUMN_RADIUS] == first[COLUMN_RADIUS]);
+    *side = !(last[COLUMN_RADIUS] > 0) ? 0 : !(first[COLUMN_RADIUS] > 0) ? -1 : 0;
+    if (differ && first[COLUMN_RADIUS] > 0 && last[COLUMN_RADIUS] > 0)
+        return input_error(in,
+                           "radii of corners between legs: leave out that of the last leg where they are of its end, "
+                           "of the first where they are of its start");
+    return HAWSER_OK;
+}
+
+/* Legs with a length and a bearing, from 0, 0 on. */
+static hawser_status traverse_make(SurveyInput *in, const Table *t, Alignment *a)
+{
+    PlanCorner *const corner = calloc((size_t)t->n + 1, sizeof *corner);
+    hawser_status status = corner ? HAWSER_OK : error_memory(in->err);
+    const int heights = t->has[COLUMN_SLOPE];
+    int radii = 0, side = 0;
+    double slope = 0;
+    for (int i = 0; i < t->n; ++i) radii |= t->row[i].value[COLUMN_RADIUS] > 0;
+    in->line = t->row[0].line;
+    if (!t->north)
+        status = input_error(in, "legs by their direction: a column 'bearing' counts clockwise from north; which way "
+                                 "'direction' does is not known");
+    if (!status && radii) status = radii_side(in, t, &side);
+    for (int i = 0; i < t->n && !status; ++i) {
+        const double *const v = t->row[i].value, way = v[COLUMN_LENGTH];
+        const double bearing = v[COLUMN_HEADING] * (t->angles ? 1 : TURN / 360);
+        in->line = t->row[i].line;
+        if (!(way > 0) || isnan(bearing)) status = input_error(in, "a leg needs a distance above 0 and a bearing");
+        if (!status && fabs(bearing) > TURN * (1 + 1e-9))
+            status = input_error(in, "a bearing of %.10g deg: expected degrees, or their unit behind the head",
+                                 bearing * 360 / TURN);
+        if (!isnan(v[COLUMN_SLOPE])) slope = v[COLUMN_SLOPE];
+        const double plan = t->plan ? way : way / hypot(1, slope);
+        corner[i + 1].at = v3(corner[i].at.x + plan * sin(bearing), corner[i].at.y + plan * cos(bearing),
+                              corner[i].at.z + plan * slope);
+        corner[i + 1].radius = side == 0 ? v[COLUMN_RADIUS] : i + 1 < t->n ? t->row[i + 1].value[COLUMN_RADIUS] : NAN;
+        corner[i + 1].line = in->line;
+    }
+    if (!status && isfinite(t->total)) {
+        double sum = 0;
+        for (int i = 0; i < t->n; ++i) sum += t->row[i].value[COLUMN_LENGTH];
+        in->line = t->total_line;
+        if (fabs(sum - t->total) > 0.5 + 0.01 * sum)
+            status = input_error(in, "the total is %.10g m, and the legs above are %.10g m long", t->total, sum);
+    }
+    if (!status) status = corners_lay(in, t->n + 1, corner, heights, radii, a);
+    free(corner);
+    return status;
+}
+
 /* -------------------------------------------------------------------------------------------------------- kinds */
 
-/* Says which columns of numbers a table of this kind has no use for; used: those that it has, up to the first -1. */
-static void unused_say(SurveyInput *in, const Table *t, const char *kind, const int *used)
+/* Which columns a kind of table has a use for, a bit each. */
+#define USES(c) (1u << COLUMN_##c)
+static const unsigned of_points = USES(X) | USES(Y) | USES(Z) | USES(STATION);
+static const unsigned of_corners = USES(X) | USES(Y) | USES(Z) | USES(STATION) | USES(RADIUS);
+static const unsigned of_legs = USES(LENGTH) | USES(HEADING) | USES(SLOPE) | USES(RADIUS);
+static const unsigned of_pieces = USES(LENGTH) | USES(ANGLE) | USES(RADIUS) | USES(SLOPE) | USES(STATION);
+static const unsigned of_elements = USES(X) | USES(Y) | USES(Z) | USES(LENGTH) | USES(RADIUS) | USES(SLOPE) |
+                                    USES(RADIUS_START) | USES(RADIUS_END) | USES(HEADING) | USES(STATION) |
+                                    USES(GRADE) | USES(GRADE_END) | USES(VERTICAL_RADIUS);
+static const unsigned of_rises =
+    USES(Z) | USES(LENGTH) | USES(RADIUS) | USES(SLOPE) | USES(STATION) | USES(GRADE) | USES(GRADE_END);
+static const unsigned of_summits = USES(Z) | USES(RADIUS) | USES(STATION) | USES(CURVE_LENGTH);
+
+/* A column of numbers of which a table of this kind has no use is no part of this route: refused, but for empty ones
+ * and those of noughts. */
+static hawser_status unused_check(SurveyInput *in, const Table *t, const char *kind, unsigned used)
 {
     static const char *const names[] = {"x",
                                         "y",
@@ -432,55 +595,162 @@ static void unused_say(SurveyInput *in, const Table *t, const char *kind, const 
                                         "gradient",
                                         "end gradient",
                                         "curve length",
-                                        "vertical radius"};
+                                        "vertical radius",
+                                        "longitude",
+                                        "latitude"};
     for (int c = 0; c < COLUMN_TYPE; ++c) {
-        int known = 0;
         char what[SURVEY_NAME_MAX];
-        for (int i = 0; used[i] >= 0; ++i) known |= used[i] == c;
+        if (!t->has[c] || (used >> c & 1)) continue;
+        for (int i = 0; i < t->n; ++i) {
+            if (!(fabs(t->row[i].value[c]) > 0)) continue;
+            in->line = t->row[i].line;
+            return input_error(in,
+                               "a column '%s' in a table of %s, which has no use for it: take the column out, or name "
+                               "it in 'ignore'",
+                               names[c], kind);
+        }
         snprintf(what, sizeof what, "column '%s' of a table of %s", names[c], kind);
-        if (t->has[c] && !known) survey_ignore(in->out, what);
+        survey_ignore(in->out, what);
     }
+    return HAWSER_OK;
+}
+
+/* Whether a column has a number other than 0 in any row. */
+static int has_any(const Table *t, TableColumn c)
+{
+    for (int i = 0; t->has[c] && i < t->n; ++i) {
+        if (fabs(t->row[i].value[c]) > 0) return 1;
+    }
+    return 0;
+}
+
+/* Longitude and latitude, by the heads, become metres east and north of the first row. */
+static hawser_status places_project(SurveyInput *in, Table *t)
+{
+    MapPlaces places = {.in = in};
+    const int heads = t->has[COLUMN_LONGITUDE] && t->has[COLUMN_LATITUDE];
+    if (t->has[COLUMN_LONGITUDE] != t->has[COLUMN_LATITUDE])
+        return input_error(in, "a column of %s without one of %s", heads ? "latitude" : "longitude or latitude",
+                           "the other");
+    if (!heads && !t->degrees) return HAWSER_OK;
+    if (heads && (t->has[COLUMN_X] || t->has[COLUMN_Y]))
+        return input_error(in, "columns of longitude and latitude, and of x and y: name one pair in 'ignore'");
+    const TableColumn east = heads ? COLUMN_LONGITUDE : COLUMN_X, north = heads ? COLUMN_LATITUDE : COLUMN_Y;
+    hawser_status status = HAWSER_OK;
+    for (int i = 0; i < t->n && !status; ++i) {
+        double *const v = t->row[i].value;
+        Vec3 at;
+        in->line = t->row[i].line;
+        if (isnan(v[east]) || isnan(v[north])) return input_error(in, "a point needs longitude and latitude");
+        status = map_place(&places, v[east], v[north], NAN, &at);
+        v[COLUMN_X] = at.x;
+        v[COLUMN_Y] = at.y;
+    }
+    t->has[COLUMN_LONGITUDE] = t->has[COLUMN_LATITUDE] = 0;
+    t->has[COLUMN_X] = t->has[COLUMN_Y] = 1;
+    return status;
+}
+
+/* x and y that can hardly be metres: a line of less than two of them, with numbers of a map's size. */
+static hawser_status degrees_check(SurveyInput *in, const Table *t)
+{
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    if (!isnan(in->options.unit) || t->metres || *in->out->system) return HAWSER_OK;
+    for (int i = 0; i < t->n; ++i) {
+        for (int k = 0; k < 2; ++k) {
+            low[k] = fmin(low[k], t->row[i].value[k ? COLUMN_Y : COLUMN_X]);
+            high[k] = fmax(high[k], t->row[i].value[k ? COLUMN_Y : COLUMN_X]);
+        }
+    }
+    const double most = fmax(fmax(fabs(low[0]), fabs(high[0])), fmax(fabs(low[1]), fabs(high[1])));
+    const double extent = fmax(high[0] - low[0], high[1] - low[1]);
+    if (t->n < 2 || most > 180 || extent > 2 || most < 3 * extent) return HAWSER_OK;
+    in->line = 0;
+    return input_error(in,
+                       "x and y lie within %.3g of each other: degrees? Heads 'longitude' and 'latitude' say so (WGS "
+                       "84); metres are said by their unit, 'x (m)'",
+                       extent);
+}
+
+/* Distances from the start with a height each are a profile over stations. */
+static hawser_status distances_as_stations(SurveyInput *in, Table *t)
+{
+    for (int i = 0; i < t->n; ++i) {
+        double *const v = t->row[i].value;
+        in->line = t->row[i].line;
+        if (i > 0 && !(v[COLUMN_LENGTH] > t->row[i - 1].value[COLUMN_STATION]))
+            return input_error(in, "lengths and heights: pieces rise by a 'slope', and a profile has rising stations");
+        v[COLUMN_STATION] = v[COLUMN_LENGTH];
+        v[COLUMN_LENGTH] = NAN;
+    }
+    t->has[COLUMN_LENGTH] = 0;
+    t->has[COLUMN_STATION] = 1;
+    survey_ignore(in->out, "distances with heights are taken for stations of a profile");
+    return HAWSER_OK;
+}
+
+/* Columns that mean the same in this kind of table. */
+static hawser_status columns_settle(SurveyInput *in, Table *t)
+{
+    int *const has = t->has;
+    hawser_status status = places_project(in, t);
+    const int plan = has[COLUMN_X] && has[COLUMN_Y];
+    if (!status && has[COLUMN_FALL])
+        return input_error(in, "a column of Gef\xC3\xA4lle or fall: positive down or up? Head it slope or Steigung, "
+                               "which rise, or name it in 'ignore'");
+    if (!status && !plan && has[COLUMN_LENGTH] && has[COLUMN_Z] && !has[COLUMN_ANGLE] && !has[COLUMN_HEADING] &&
+        !has[COLUMN_STATION] && !has[COLUMN_TURN])
+        status = distances_as_stations(in, t);
+    const int profile = has[COLUMN_STATION] && has[COLUMN_Z];
+    if (!plan && !profile && has[COLUMN_GRADE] && !has[COLUMN_SLOPE] && !has[COLUMN_GRADE_END]) { /* of pieces */
+        for (int i = 0; i < t->n; ++i) t->row[i].value[COLUMN_SLOPE] = t->row[i].value[COLUMN_GRADE];
+        has[COLUMN_SLOPE] = 1;
+        has[COLUMN_GRADE] = 0;
+    }
+    return status;
 }
 
 hawser_status table_alignment(SurveyInput *in, Table *t)
 {
-    static const int points[] = {COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_STATION, -1};
-    static const int pieces[] = {COLUMN_LENGTH, COLUMN_ANGLE, COLUMN_RADIUS, COLUMN_SLOPE, COLUMN_STATION, -1};
-    static const int elements[] = {COLUMN_X,
-                                   COLUMN_Y,
-                                   COLUMN_Z,
-                                   COLUMN_LENGTH,
-                                   COLUMN_RADIUS,
-                                   COLUMN_SLOPE,
-                                   COLUMN_RADIUS_START,
-                                   COLUMN_RADIUS_END,
-                                   COLUMN_HEADING,
-                                   COLUMN_STATION,
-                                   COLUMN_GRADE,
-                                   COLUMN_GRADE_END,
-                                   COLUMN_VERTICAL_RADIUS,
-                                   -1};
-    static const int rises[] = {COLUMN_Z,       COLUMN_LENGTH, COLUMN_RADIUS,    COLUMN_SLOPE,
-                                COLUMN_STATION, COLUMN_GRADE,  COLUMN_GRADE_END, -1};
-    static const int corners[] = {COLUMN_Z, COLUMN_RADIUS, COLUMN_STATION, COLUMN_CURVE_LENGTH, -1};
-    const int *const has = t->has, plan = has[COLUMN_X] && has[COLUMN_Y];
-    Alignment *const a = survey_add(in->out, "");
-    if (!a) return error_memory(in->err);
+    typedef hawser_status (*Make)(SurveyInput * in, const Table *t, Alignment *a);
+    const int *const has = t->has;
+    hawser_status status = columns_settle(in, t);
+    Alignment *const a = status ? NULL : survey_add(in->out, "");
+    if (!a) return status ? status : error_memory(in->err);
     a->names = t->names;
     t->names = (PieceNames){.text = NULL};
+    const int plan = has[COLUMN_X] && has[COLUMN_Y];
     const double station = has[COLUMN_STATION] ? t->row[0].value[COLUMN_STATION] : NAN;
     a->station = isnan(station) ? 0 : station;
-    if (plan && has[COLUMN_LENGTH]) return unused_say(in, t, "elements", elements), plan_make(in, t, a);
-    if (plan) return unused_say(in, t, "points", points), points_make(in, t, a);
-    if (has[COLUMN_STATION] && has[COLUMN_Z] && (has[COLUMN_GRADE] || has[COLUMN_SLOPE]))
-        return unused_say(in, t, "a profile's elements", rises), profile_make(in, t, a);
-    if (has[COLUMN_STATION] && has[COLUMN_Z])
-        return unused_say(in, t, "a profile's corners", corners), corners_make(in, t, a);
-    if (has[COLUMN_LENGTH] || has[COLUMN_ANGLE]) return unused_say(in, t, "pieces", pieces), pieces_make(in, t, a);
     in->line = 0;
-    return input_error(in,
-                       "the columns are none of these: length, angle, radius, turn, slope; x, y, z; x, y, direction, "
-                       "length, radius; station, height and gradient or curve length");
+    if (plan) status = degrees_check(in, t);
+    if (status) return status;
+    Make make = NULL;
+    const char *kind = "";
+    unsigned used = 0;
+    if (plan && has[COLUMN_LENGTH])
+        make = plan_make, kind = "elements", used = of_elements;
+    else if (plan && has_any(t, COLUMN_RADIUS))
+        make = corner_list_make, kind = "corners", used = of_corners;
+    else if (plan)
+        make = points_make, kind = "points", used = of_points;
+    else if (has[COLUMN_STATION] && has[COLUMN_Z] && (has[COLUMN_GRADE] || has[COLUMN_SLOPE]))
+        make = profile_make, kind = "a profile's elements", used = of_rises;
+    else if (has[COLUMN_STATION] && has[COLUMN_Z])
+        make = corners_make, kind = "a profile's corners", used = of_summits;
+    else if (has[COLUMN_LENGTH] && has[COLUMN_HEADING] && !has[COLUMN_ANGLE])
+        make = traverse_make, kind = "legs with bearings", used = of_legs;
+    else if ((has[COLUMN_LENGTH] || has[COLUMN_ANGLE]) && !(has[COLUMN_CANT] && !has[COLUMN_ANGLE]))
+        make = pieces_make, kind = "pieces", used = of_pieces;
+    if (!make)
+        return input_error(
+            in,
+            "the columns are none of these: length, angle, radius, turn, slope; x, y, z; x, y, radius; "
+            "x, y, direction, length, radius; distance, bearing, radius; station, height and gradient or "
+            "curve length%s",
+            has[COLUMN_CANT] ? ": cant says nothing of a line" : "");
+    status = unused_check(in, t, kind, used);
+    return status ? status : make(in, t, a);
 }
 
 hawser_status table_read(SurveyInput *in)

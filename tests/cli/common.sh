@@ -51,6 +51,16 @@ missing() {
     for path in "$@"; do [ ! -e "$work/$path" ] || fail "$what: $path was made"; done
 }
 
+# wait_until CONDITION: until this shell command succeeds. There is a limit only so that nothing waits for ever.
+wait_until() {
+    tries=0
+    until eval "$1" 2>/dev/null; do
+        sleep 0.05
+        tries=$((tries + 1))
+        [ $tries -lt 30000 ] || { fail "$what: never: $1"; break; }
+    done
+}
+
 finish() {
     [ "$failures" = 0 ] || exit 1
     echo "fine"

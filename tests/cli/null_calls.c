@@ -47,6 +47,15 @@ static void cases(void)
     REFUSED("c", hawser_case_set, NULL, "a", "b");
     REFUSED("key", hawser_case_set, c, NULL, "b");
     REFUSED("value", hawser_case_set, c, "a", NULL);
+    REFUSED("c", hawser_case_copy, NULL, &out);
+    REFUSED("out", hawser_case_copy, c, NULL);
+    REFUSED("c", hawser_case_get, NULL, "title", &text);
+    REFUSED("key", hawser_case_get, c, NULL, &text);
+    REFUSED("text", hawser_case_get, c, "title", NULL);
+    REFUSED("c", hawser_case_pack, NULL, &text);
+    REFUSED("text", hawser_case_pack, c, NULL);
+    REFUSED("text", hawser_case_unpack, NULL, &out);
+    REFUSED("out", hawser_case_unpack, "{}", NULL);
     REFUSED("c", hawser_case_folder, NULL, ".");
     REFUSED("folder", hawser_case_folder, c, NULL);
     REFUSED("c", hawser_case_spares, NULL, "x");

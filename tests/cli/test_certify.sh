@@ -48,10 +48,7 @@ says out "--certify" "--tolerance SHARE" "--effort N" "7 not certified"
 # Ctrl-C while the case is computed again: the results of the run are there, a certificate is not
 (cd "$work" && exec "$hawser" run certify.yaml -o cut --tolerance 0.0001% >cut.out 2>cut.err) &
 pid=$!
-for _ in $(seq 600); do
-    grep -q "certifying" "$work/cut.err" 2>/dev/null && break
-    sleep 0.05
-done
+wait_until 'grep -q certifying "$work/cut.err"'
 kill -INT "$pid"
 wait "$pid"
 status=$?

@@ -28,18 +28,14 @@ what="hawser run, freed memory overwritten"
 what="hawser run, then SIGHUP"
 (cd "$work" && exec "$hawser" run pull.yaml -o hup $long 2>err) &
 pid=$!
-sleep 1
+wait_until '[ "$(wc -l <"$work/hup/series.csv")" -ge 3 ]'
 kill -HUP $pid
 wait $pid
 [ $? = 130 ] || fail "$what: not 130"
 what="hawser run with a large dense matrix, then SIGTERM"
 (cd "$work" && exec "$hawser" run "$source/cases/tunnel-879.yaml" -o dense --quiet --linear-solver dense 2>err) &
 pid=$!
-tries=0
-while [ ! -s "$work/dense/summary.json" ] && [ $tries -lt 600 ]; do
-    sleep 0.1
-    tries=$((tries + 1))
-done
+wait_until '[ -s "$work/dense/summary.json" ]'
 sleep 1
 kill -TERM $pid
 wait $pid
@@ -55,7 +51,7 @@ grep -q '"outcome": "finished"' "$work/head/summary.json" || fail "$what: result
 what="hawser run, its folder removed"
 (cd "$work" && exec "$hawser" run pull.yaml -o gone --set output.interval=1ms --quiet --set run.duration=300s 2>err) &
 pid=$!
-sleep 0.5
+wait_until '[ "$(wc -l <"$work/gone/series.csv")" -ge 3 ]'
 rm -rf "$work/gone"
 wait $pid
 status=$?

@@ -36,10 +36,7 @@ exists twice/series.csv twice/summary.json
 # and two at once are refused, until the first has ended, however it did
 (cd "$work" && exec "$hawser" run pull.yaml -o shared --quiet --set run.duration='100000 s' --set output.states=0) &
 first=$!
-for tenth in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
-    [ -s "$work/shared/series.csv" ] && break
-    sleep 0.1
-done
+wait_until '[ -s "$work/shared/series.csv" ]'
 run_hawser 4 run pull.yaml -o shared
 says err "'shared'" "in use by another run"
 kill -KILL "$first"
@@ -57,10 +54,7 @@ stopped_run() {
     (cd "$work" && exec "$hawser" run pull.yaml -o moved "$@" --set run.duration="$duration" --set run.checkpoint='1 ms' \
         >out 2>first) &
     first=$!
-    for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
-        [ -s "$work/moved/series.csv" ] && [ -s "$work/moved/checkpoint.hawser" ] && break
-        sleep 0.1
-    done
+    wait_until '[ -s "$work/moved/series.csv" ] && [ -s "$work/moved/checkpoint.hawser" ] || ! kill -0 $first'
     kill -STOP $first 2>"$work/wait" && grep -q '"outcome": "running"' "$work/moved/summary.json" && return
     kill -CONT $first 2>"$work/wait"
     wait $first

@@ -2,16 +2,6 @@
 hawser=$1 source=$2
 . "$source/tests/cli/common.sh"
 
-# Waits until a file is there.
-wait_for() {
-    tries=0
-    while [ ! -e "$1" ] && [ $tries -lt 600 ]; do
-        sleep 0.05
-        tries=$((tries + 1))
-    done
-    [ -e "$1" ] || fail "$what: no $1"
-}
-
 settings="--set run.duration=1000s --set run.checkpoint=1ms"
 # shellcheck disable=SC2086 # words of options
 (cd "$work" && "$hawser" run pull.yaml -q -o whole $settings) || fail "the run that nobody interrupts"
@@ -22,7 +12,7 @@ for signal in KILL INT; do
     # shellcheck disable=SC2086
     (cd "$work" && exec env --default-signal=INT "$hawser" run pull.yaml -q -o $signal $settings >out 2>err) &
     pid=$!
-    wait_for "$work/$signal/checkpoint.hawser"
+    wait_until '[ -e "$work/$signal/checkpoint.hawser" ]'
     kill -$signal $pid 2>/dev/null || fail "$what: the run was over already"
     wait $pid
     cp -r "$work/$signal" "$work/kept-$signal"

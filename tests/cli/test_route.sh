@@ -52,11 +52,11 @@ says out '"pieces": 2, "fitted": false' '"deviation_max_m": 0.8284'
 run_hawser 0 route tunnel.xml --radius 2m
 says out "has bends of its own: a 'radius' rounds the corners"
 
-# a drawing whose lines are in blocks alone says so
+# a drawing whose lines are in blocks that are not inserted says so
 printf '%s\n' 0 SECTION 2 BLOCKS 0 BLOCK 2 tunnel 0 LINE 8 C 10 0 20 0 11 10 21 0 0 ENDBLK 0 ENDSEC 0 SECTION 2 ENTITIES 0 CIRCLE 8 C \
     0 ENDSEC 0 EOF >"$work/blocks.dxf"
 run_hawser 2 route blocks.dxf
-says err "there is none; not read: lines inside of blocks, CIRCLE"
+says err "there is none; not read: CIRCLE, lines inside of blocks that are not inserted"
 
 # millimetres, whatever the file says; a unit that is none
 run_hawser 0 route tunnel.dxf --layer WALLS --units mm --json

@@ -9,11 +9,7 @@ for signal in INT TERM; do
         >out 2>err) &
     pid=$!
     # wait until it computes
-    tries=0
-    while [ "$(wc -l 2>/dev/null <"$work/$signal/series.csv" || echo 0)" -lt 3 ] && [ $tries -lt 600 ]; do
-        sleep 0.1
-        tries=$((tries + 1))
-    done
+    wait_until '[ "$(wc -l <"$work/$signal/series.csv")" -ge 3 ]'
     kill -$signal $pid
     wait $pid
     status=$?
@@ -34,11 +30,7 @@ for after in 0 0.03 0.1 0.17 0.31; do
     (cd "$work" && exec "$hawser" run pull.yaml -q -o writes --set run.duration='10000 s' --set output.interval='1 ms' \
         --set output.states='1 ms' >out 2>err) &
     pid=$!
-    tries=0
-    while [ "$(wc -l 2>/dev/null <"$work/writes/series.csv" || echo 0)" -lt 3 ] && [ $tries -lt 600 ]; do
-        sleep 0.1
-        tries=$((tries + 1))
-    done
+    wait_until '[ "$(wc -l <"$work/writes/series.csv")" -ge 3 ]'
     sleep $after
     kill -TERM $pid
     wait $pid
@@ -54,11 +46,7 @@ done
 what="hawser run, then SIGTERM while the cable comes to rest"
 (cd "$work" && exec "$hawser" run "$source/tests/data/passing-slow.yaml" -o slow >out 2>err) &
 pid=$!
-tries=0
-while [ ! -s "$work/slow/summary.json" ] && [ $tries -lt 600 ]; do
-    sleep 0.1
-    tries=$((tries + 1))
-done
+wait_until '[ -s "$work/slow/summary.json" ]'
 kill -TERM $pid
 wait $pid
 status=$?
@@ -84,11 +72,7 @@ what="hawser run with steps of a millionth of a second"
 (cd "$work" && exec env --default-signal=INT "$hawser" run pull.yaml -o held --set run.duration='100000 s' \
     --set solver.max_step='1 us' >out 2>err) &
 pid=$!
-tries=0
-while ! grep -q "held up" "$work/err" && [ $tries -lt 1200 ]; do
-    sleep 0.1
-    tries=$((tries + 1))
-done
+wait_until 'grep -q "held up" "$work/err"'
 kill -INT $pid
 wait $pid
 says err "held up: steps of 1e-06 s" "no step may be longer than 1e-06 s (solver.max_step" "at segment" "it takes another"

@@ -51,11 +51,7 @@ sed "s|\.\./|$source/cases/|; s/samples: 1024/samples: 20000/" "$source/cases/st
 what="hawser study, then SIGTERM"
 (cd "$work" && exec "$hawser" study long.yaml -o long >out 2>err) &
 pid=$!
-tries=0
-while [ "$(cat "$work"/long/workers/*.rows 2>/dev/null | wc -c)" -lt 5000 ] && [ $tries -lt 300 ]; do
-    sleep 0.1
-    tries=$((tries + 1))
-done
+wait_until '[ "$(cat "$work"/long/workers/*.rows | wc -c)" -ge 5000 ]'
 kill -TERM $pid
 wait $pid
 [ $? = 130 ] || fail "$what: not 130"

@@ -180,16 +180,8 @@ cp "$work/twice/series.csv" "$work/first.csv"
 what="hawser run over good results, killed"
 (cd "$work" && exec "$hawser" run pull.yaml -o twice --set run.duration=100000s --quiet) &
 pid=$!
-tries=0
-while ! grep -q running "$work/twice/summary.json" 2>/dev/null && [ $tries -lt 300 ]; do
-    sleep 0.1
-    tries=$((tries + 1))
-done
-tries=0
-while [ "$(wc -l <"$work/twice/series.csv")" -lt 100 ] && [ $tries -lt 300 ]; do
-    sleep 0.1
-    tries=$((tries + 1))
-done
+wait_until 'grep -q running "$work/twice/summary.json"'
+wait_until '[ "$(wc -l <"$work/twice/series.csv")" -ge 100 ]'
 shows_unended "under way"
 kill -KILL $pid
 wait $pid 2>/dev/null

@@ -215,6 +215,33 @@ static void test_writing(void **state)
     hawser_case_free(c);
 }
 
+static const char *unit_in(const Fmu *fmu, const char *name)
+{
+    for (int k = 0; k < fmu->n; ++k)
+        if (strcmp(fmu->variable[k].name, name) == 0) return fmu->variable[k].unit;
+    fail_msg("no variable '%s'", name);
+    return NULL;
+}
+
+/* Each variable has the unit that the case and the results have, and a pure number has none: a comparison that was
+ * reversed gave all of them "m", also numbers, and no test failed. */
+static void test_units(void **state)
+{
+    (void)state;
+    static const char *const expected[][2] = {
+        {"time", "s"},       {"cable.max_tension", "N"}, {"rollers.along.spacing", "m"}, {"drive.winch.speed", "m/s"},
+        {"friction.mu", ""}, {"cables.power.EA", "N"},   {"cables.power.mass", "kg/m"},  {"cables.power.EI", "N.m2"},
+    };
+    for (int version = 2; version <= 3; ++version) {
+        Fmu fmu;
+        fmu_of(&fmu, data_text("cli-pull"), version);
+        for (size_t k = 0; k < sizeof expected / sizeof *expected; ++k)
+            assert_string_equal(unit_in(&fmu, expected[k][0]), expected[k][1]);
+        fmu_close(&fmu);
+    }
+}
+
 TEST_FILE(test_contents, cmocka_unit_test(test_parameters), cmocka_unit_test(test_bad_parameter),
           cmocka_unit_test(test_references_to_files), cmocka_unit_test(test_judgement),
-          cmocka_unit_test(test_all_values), cmocka_unit_test(test_end), cmocka_unit_test(test_writing))
+          cmocka_unit_test(test_all_values), cmocka_unit_test(test_end), cmocka_unit_test(test_writing),
+          cmocka_unit_test(test_units))

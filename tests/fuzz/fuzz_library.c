@@ -64,7 +64,7 @@ FUZZ_TARGET(library)
     if (!status) status = hawser_case_folder(c, "/proc/self/fd", &err);
     if (!status) status = hawser_case_check(c, &err);
     if (status) FUZZ_MUST(fuzz_error_is_good((int)status, err.message));
-    if (!status && case_segments(&c->def) <= SEGMENTS && c->def.n_rollers <= ROLLERS)
+    if (!status && case_segments(c->def) <= SEGMENTS && c->def->n_rollers <= ROLLERS)
         say(c, data[0] & 128 ? HAWSER_JSON : HAWSER_TABLE);
     hawser_case_free(c);
     close(fd);

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "io/api/api_handles.h"
-#include "sim/expected/cost.h"
+#include "sim/cost.h"
 #include "tests/fuzz/fuzz.h"
 
 enum { SEGMENTS = 60, PIECES = 60, ROLLERS = 300, SURFACES = 40, MACHINES = 20, STATIONS = 2000 };
@@ -24,7 +24,7 @@ hawser_case *small_case_parse(const uint8_t *data, size_t size)
     FUZZ_MUST((status == HAWSER_OK) == (c != NULL));
     if (!status) status = hawser_case_check(c, &err);
     if (status) FUZZ_MUST(fuzz_error_is_good((int)status, err.message));
-    if (!status && is_small(&c->def)) return c;
+    if (!status && is_small(c->def)) return c;
     hawser_case_free(c);
     return NULL;
 }

@@ -13,7 +13,7 @@ LIBRARIES = [
     (r"(cvode|nvector|sunlinsol|sunmatrix|sundials|kinsol|arkode|ida|sunnonlinsol)/", r"sim/step/"),
     (r"(suitesparse/)?(klu|amd|colamd|btf|metis)\.h$", r"linsolve/"),
     (r"(lapacke|cblas|lapack)\.h$", r"linsolve/"),
-    (r"expat\.h$", r"survey/landxml/|survey/map/"),
+    (r"expat\.h$", r"survey/"),
     (r"jansson\.h$", r"io/|survey/map/|study/engine/"),
     (r"yaml\.h$", r"io/"),
     (r"hdf5\w*\.h$", r"io/|study/results/"),

@@ -15,18 +15,18 @@ static const char three[] =
     "drive: {tail: {tension: 3 kN}}\n"
     "run: {duration: 10 s}\n";
 
-static int scene_setup(void **state)
+static int answer_setup(void **state)
 {
-    static hawser_case c; /* the scene borrows its definition */
+    static SceneDef def; /* the scene borrows its definition */
     static Scene scene;
     hawser_error err;
-    assert_int_equal(read_with(three, NULL, NULL, &c.def, &err), HAWSER_OK);
-    assert_int_equal(scene_build(&c.def, &scene, &err), HAWSER_OK);
+    assert_int_equal(read_with(three, NULL, NULL, &def, &err), HAWSER_OK);
+    assert_int_equal(scene_build(&def, &scene, &err), HAWSER_OK);
     *state = &scene;
     return 0;
 }
 
-static int scene_teardown(void **state)
+static int answer_teardown(void **state)
 {
     scene_clear(*state);
     return 0;
@@ -38,7 +38,7 @@ static const char *remedy(const Scene *scene, const char *name, const char *unit
     static char text[256];
     hawser_limit l = {.name = name, .unit = unit, .value = value, .limit = limit, .judged = 1};
     snprintf(l.where, sizeof l.where, "%s", where);
-    limit_remedy(scene, &l, units, text);
+    limit_remedy(&scene->setup, &l, units, text);
     return text;
 }
 
@@ -170,18 +170,18 @@ static void a_listed_bend(void **state)
         "route: {transition_radius: 20 m, pieces: [{straight: 50 m}, {straight: 40 m, slope: 10 deg},"
         " {straight: 30 m, slope: 0 deg}, {name: tight, bend: 90 deg, radius: 3 m, plane: left}, {straight: 30 m}]}\n"
         "friction: {mu: 0.2}\nsurfaces: {ducts: [{radius: 80 mm}]}\nlimits: {pull: 60 kN, sidewall: 3 kN/m}\n";
-    hawser_case c;
+    SceneDef def;
     hawser_error err;
     Scene scene;
-    assert_int_equal(read_with(sloped, NULL, NULL, &c.def, &err), HAWSER_OK);
-    assert_int_equal(scene_build(&c.def, &scene, &err), HAWSER_OK);
+    assert_int_equal(read_with(sloped, NULL, NULL, &def, &err), HAWSER_OK);
+    assert_int_equal(scene_build(&def, &scene, &err), HAWSER_OK);
     check_has(remedy(&scene, "sidewall", "N/m", 3500, 3000, "124.4 m (tight)", HAWSER_SI),
               "in 'tight' would do (route.pieces.3.radius, now 3 m)");
     const char *const said = remedy(&scene, "sidewall", "N/m", 3500, 3000, "50.0 m (change of slope)", HAWSER_SI);
     check_has(said, "in 'change of slope' would do (now 20 m)");
     scene_clear(&scene);
-    scene_def_clear(&c.def);
+    scene_def_clear(&def);
 }
 
-TEST_FILE_IN(test_answer, scene_setup, scene_teardown, cmocka_unit_test(words), cmocka_unit_test(ducts),
+TEST_FILE_IN(test_answer, answer_setup, answer_teardown, cmocka_unit_test(words), cmocka_unit_test(ducts),
              cmocka_unit_test(bends), cmocka_unit_test(a_listed_bend), cmocka_unit_test(answers))

@@ -113,7 +113,7 @@ static void out_of_range(const Site *site, Coverage *coverage)
 {
     char value[VALUE_MAX];
     const CaseKey *key = site->key;
-    const int angle = key->kind == KEY_NUMBER && key->dimension == DIM_ANGLE;
+    const int angle = key->kind == KEY_NUMBER && (key->dimension == DIM_ANGLE || key->dimension == DIM_SLOPE);
     const char *whole = key->kind == KEY_INTEGER ? "%.0f" : angle ? "%.17g rad" : "%.17g";
     const double size = fabs(key->max) + 1;
     snprintf(value, sizeof value, whole, key->min - size);

@@ -392,10 +392,34 @@ static void messages_name_the_line(void **state)
                ":7: key 'chain.0.segment': value '500 mn' has an unknown unit 'mn': expected a length, such as 500 mm");
 }
 
+/* Other names of keys and words are the same case; a decimal comma, an area without its unit and two names for one
+ * thing are said to be that. */
+static void as_people_type_it(void **state)
+{
+    (void)state;
+    SceneDef def;
+    const char *const text =
+        "cables: {c: {d: 1.5 in, mass: 3.2 lbs/ft}}\n"
+        "route: {pieces: [{length: 500 feet, slope: -5 %}, {angle: 90\xc2\xb0, radius: 4 ft, turn: left}]}\n"
+        "surfaces: {ducts: [{name: d, inner diameter: 4 in}]}\nfriction: {mu: 0.35}\n"
+        "limits: {code: TB 889, conductor: {material: Cu, area: 000 AWG}}\n";
+    expect_good(text, NULL, NULL, &def);
+    check_close(def.surfaces[0].shape.radius, 2 * 0.0254, 1e-15); /* 4 in when it was taken for a radius */
+    check_close(def.route[0].slope, -atan(0.05), 1e-15);
+    check_close(def.route[1].angle, 90 * DEG, 1e-15);
+    check_close(def.limits.area, awg_area(-2), 1e-18);
+    scene_def_clear(&def);
+    expect_bad(text, "surfaces.ducts.0.radius", "2 in",
+               "key 'surfaces.ducts.0.inner diameter': 'radius' says the same: give one of the two");
+    expect_bad(text, "friction", "{mu: 0,3}", "value '0,3' has a comma: decimals follow a point, '0.3'");
+    expect_bad(text, "limits.conductor.area", "630", "it has no unit: write '630 mm2'");
+    expect_bad(text, "limits.conductor.material", "Tin", "expected one of copper, aluminium");
+}
+
 TEST_FILE(test_case_read, cmocka_unit_test(defaults_agree), cmocka_unit_test(ramps_default_to_one_second),
           cmocka_unit_test(cable_shorthand), cmocka_unit_test(direct_wins_over_shorthand),
           cmocka_unit_test(everything_has_its_place), cmocka_unit_test(drive_and_solver_have_their_places),
           cmocka_unit_test(words_mean_what_they_say), cmocka_unit_test(planes_of_bends),
           cmocka_unit_test(segments_are_counted), cmocka_unit_test(tables_of_time),
           cmocka_unit_test(stations_are_sorted), cmocka_unit_test(parts_must_fit), cmocka_unit_test(names_too_long),
-          cmocka_unit_test(messages_name_the_line))
+          cmocka_unit_test(messages_name_the_line), cmocka_unit_test(as_people_type_it))

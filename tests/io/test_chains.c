@@ -7,10 +7,10 @@
 
 #include "tests/io/case_fixture.h"
 
+#include "def/cables/duct.h"
 #include "hawser/hawser.h"
 #include "hawser/sweep.h"
 #include "tests/support/scratch.h"
-#include "theory/cables/duct.h"
 
 #define FOLDER HAWSER_SOURCE_DIR "/tests/data/"
 

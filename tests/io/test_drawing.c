@@ -4,6 +4,7 @@
 
 #include "tests/io/case_fixture.h"
 #include "tests/support/scratch.h"
+#include "theory/pulling.h"
 
 static const double PLACE = 1e-3, TURN = 0.1 * M_PI / 180;
 

@@ -2,7 +2,7 @@
  * places within a segment. */
 #include "tests/io/case_fixture.h"
 
-#include "sim/expected/mesh.h"
+#include "theory/mesh.h"
 
 /* A run with segments as given ("auto": by the geometry). */
 typedef struct Pulled {
@@ -74,7 +74,10 @@ static Mesh mesh_of(const char *text, const char *key, const char *value, SceneD
     Mesh mesh;
     expect_good(text, key, value, def);
     Route route = route_of(def);
-    assert_int_equal(mesh_find(def, &route, &mesh, NULL), HAWSER_OK);
+    Supports map = {.def = def, .route = &route};
+    if (!def->rod.present) assert_int_equal(supports_build(def, &route, &map, NULL), HAWSER_OK);
+    assert_int_equal(mesh_find(&map, &mesh, NULL), HAWSER_OK);
+    supports_free(&map);
     route_clear(&route);
     return mesh;
 }
@@ -177,6 +180,21 @@ static void askew_segments_are_pressed(void **state)
     p.play = 0;
     p.impact.k = 1e30;
     check_share(mesh_error(&p, h) - none, 2 * mu * 3 * 0.75 * (h + 2 * 0.25 / h) / reach, 1e-9);
+}
+
+/* What presses on a segment between the rollers of a pair is the radius of a roller and that of the cable, and the play
+ * what those of the bend leave: 80 mm and 25 mm here, whose difference was taken for their sum. */
+static void pairs_reach_by_both_radii(void **state)
+{
+    (void)state;
+    SceneDef def;
+    Mesh mesh = mesh_of(data_text("trust-askew"), NULL, NULL, &def);
+    assert_int_equal(mesh.n, 1);
+    check_close(mesh.place[0].reach, 0.08 + 0.025, 1e-12);
+    check_close(mesh.place[0].play, 0, 1e-4);
+    assert_int_equal(mesh.place[0].pairs, 4);
+    mesh_free(&mesh);
+    scene_def_clear(&def);
 }
 
 /* 554 N for 537 N was trusted; no such thing is foretold of a smooth line, and there is none. */
@@ -300,4 +318,5 @@ TEST_FILE(test_mesh, cmocka_unit_test(long_segments_jam), cmocka_unit_test(error
           cmocka_unit_test(strain_within_a_segment), cmocka_unit_test(there_is_an_end_to_it),
           cmocka_unit_test(a_short_bend_is_a_turn), cmocka_unit_test(pairs_bend_stiff_cables),
           cmocka_unit_test(askew_segments_are_pressed), cmocka_unit_test(askew_between_rollers),
-          cmocka_unit_test(neighbours_say_the_spacing), cmocka_unit_test(shares_of_a_larger_pull_are_less))
+          cmocka_unit_test(neighbours_say_the_spacing), cmocka_unit_test(shares_of_a_larger_pull_are_less),
+          cmocka_unit_test(pairs_reach_by_both_radii))

@@ -359,8 +359,36 @@ static void wrong_lists(void **state)
         expect_bad(data_text("planner"), cases[k].key, cases[k].value, cases[k].part);
 }
 
+/* The headline is the largest force that any winch of the job needs. With a pit at 400 m of 500 m it was the last
+ * section's: 2.943 kN for mu w 400 m = 11.772 kN. */
+static void headline_is_the_largest_winch(void **state)
+{
+    (void)state;
+    static const char text[] = "cables: {power: {d: 90 mm, mass: 10 kg/m}}\n"
+                               "route: {pieces: [{straight: 500 m}]}\n"
+                               "friction: {mu: 0.3}\n"
+                               "theory: {pits: [{name: P, at: 400 m}]}\n"
+                               "limits: {pull: 10 kN}\n";
+    const double largest = 0.3 * 10 * G * 400, last = 0.3 * 10 * G * 100;
+    json_t *const o = theory(text, NULL);
+    check_share(number(o, "largest_force_N"), largest, 1e-9);
+    check_share(number(o, "largest_restart_N"), largest, 1e-9);
+    check_share(number(o, "backward_largest_force_N"), largest, 1e-9);
+    check_close(number(o, "largest_force_head_m"), 400, 1e-6);
+    check_share(number(o, "reference_total_N"), last, 1e-9); /* as documented: at the end */
+    json_decref(o);
+    hawser_case *c = NULL;
+    char *out = NULL;
+    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &out, NULL), HAWSER_OK);
+    check_has(out, "pull           11.77 kN at the winch (P, the head at 400 m), 11.77 kN from rest");
+    check_has(out, "pulled back    11.77 kN at the winch (the end, the head at 0 m), 11.77 kN from rest");
+    hawser_text_free(out);
+    hawser_case_free(c);
+}
+
 TEST_FILE(test_planner, cmocka_unit_test(what_is_needed), cmocka_unit_test(one_force_and_right_names),
           cmocka_unit_test(friction_from_to), cmocka_unit_test(a_straight_the_other_way_round),
           cmocka_unit_test(put_back), cmocka_unit_test(machines_put_back), cmocka_unit_test(what_stays_broken),
           cmocka_unit_test(by_sections), cmocka_unit_test(down_a_shaft), cmocka_unit_test(trip_setting),
-          cmocka_unit_test(notes), cmocka_unit_test(wrong_lists))
+          cmocka_unit_test(notes), cmocka_unit_test(wrong_lists), cmocka_unit_test(headline_is_the_largest_winch))

@@ -239,7 +239,32 @@ static void units_that_are_not_said(void **state)
     assert_null(strstr(said("plan.dxf", DXF(DXF_LINE(0, 0, 0, 50, 0, 0)), ""), "unit of length"));
 }
 
+#define MM_DRAWING(entities)                                                                                           \
+    "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" entities "0\nENDSEC\n0\nEOF\n"
+
+/* A drawing that says mm with the figures of metres: its route was 0.132 m long. Which way a line runs stands in the
+ * case's assumptions. */
+static void units_by_size(void **state)
+{
+    (void)state;
+    static const char *const doubtful[] = {
+        MM_DRAWING(DXF_LINE(0, 0, 0, 132, 0, 0)),
+        MM_DRAWING(DXF_LINE(453120, 6712310, 0, 455320, 6712310, 0)),
+        DXF(DXF_LINE(0, 0, 0, 132000, 0, 0))};
+    for (int i = 0; i < 3; ++i) {
+        check_has(said("plan.dxf", doubtful[i], ""), "is that the unit? Give 'units'");
+        check_has(said("plan.dxf", doubtful[i], i == 2 ? ", units: mm" : ", units: m"), "route_length_m");
+    }
+    const char *const sound = said("plan.dxf", MM_DRAWING(DXF_LINE(132000, 0, 0, 0, 0, 0)), "");
+    check_has(sound, "route_length_m\": 132");
+    check_has(sound, "from (132.000, 0.000) to (0.000, 0.000), right to left, as it is drawn; 'reverse' turns it");
+    check_has(said("plan.dxf", MM_DRAWING(DXF_LINE(0, 0, 0, 4, 0, 0)), ""), "smaller 'join' (--join)");
+    check_has(said("plan.dxf", DXF(DXF_LINE(0, 0, 0, 60, 0, 0) DXF_LINE(100, 0, 0, 60, 0, 0)), ", reverse: true"),
+              "right to left, against the way 60 % of its length is drawn");
+}
+
 TEST_FILE(test_route_doubts, cmocka_unit_test(gaps_between_elements), cmocka_unit_test(jumps_of_the_profile),
           cmocka_unit_test(straights_beside_arcs), cmocka_unit_test(radius_beside_curves),
           cmocka_unit_test(lines_beside_the_route), cmocka_unit_test(units_that_are_not_said),
-          cmocka_unit_test(a_shaft_in_a_drawing), cmocka_unit_test(heights_of_a_part))
+          cmocka_unit_test(a_shaft_in_a_drawing), cmocka_unit_test(heights_of_a_part),
+          cmocka_unit_test(units_by_size))

@@ -131,6 +131,15 @@ static void with_the_bends_ahead(void **state)
                                                               "theory.pits", "[{at: 13.2 m, back: 0 N}]", NULL});
     check_share(number_of(pit, "stiffness_N"), one, 0.05);
     json_decref(pit);
+    /* also where the second bend is as short as the first one: by the half of its length alone it was before the pit,
+     * and both together took 2.4 times of that */
+    static const char alike[] =
+        "[{straight: 8 m}, {bend: 90 deg, radius: 3 m, plane: left}, {straight: 1 m}, {bend: 90 "
+        "deg, radius: 3 m, plane: left}, {straight: 9 m}]";
+    json_t *const second = theory_of(DUCT, (const char *const[]){"drive.tail.tension", "0 N", "route.pieces", alike,
+                                                                 "theory.pits", "[{at: 13.2 m, back: 0 N}]", NULL});
+    check_between(number_of(second, "stiffness_N"), one, 1.1 * one); /* it has less tension */
+    json_decref(second);
 }
 
 static double pull_of(const char *radius, const char *pieces, const char *ei)

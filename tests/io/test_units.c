@@ -103,12 +103,56 @@ static void wire_gauges(void **state)
         if (!units_read(*state, row[k].text, DIM_AREA, &area, why)) fail_msg("'%s' %s", row[k].text, why);
         check_share(area * 1e6, row[k].mm2, 5e-4);
     }
+    /* a row of noughts is the number of them: 000 was read as 0, 53.49 mm2 */
+    static const char *const aughts[] = {"000 AWG", "AWG 3/0", "awg 3/0", "3/0 awg", "AWG 000"};
+    for (size_t k = 0; k < sizeof aughts / sizeof *aughts; k++) good(state, aughts[k], DIM_AREA, awg_area(-2));
+    good(state, "#2 AWG", DIM_AREA, awg_area(2));
+    good(state, "00AWG", DIM_AREA, awg_area(-1));
+    bad(state, "00000 AWG", DIM_AREA, "unknown unit");
     bad(state, "5/0 AWG", DIM_AREA, "unknown unit");
     bad(state, "4/0", DIM_AREA, "unknown unit");
     bad(state, "41 AWG", DIM_AREA, "unknown unit");
     bad(state, "1.5 AWG", DIM_AREA, "unknown unit");
     bad(state, "12 AWG mm2", DIM_AREA, "unknown unit");
     bad(state, "4/0 AWG", DIM_LENGTH, "unknown unit");
+}
+
+/* M is a thousand in MCM and Mft, so that it is no prefix of American units: lb/Mft was a pound in a million feet,
+ * Mcmil a million circular mils. */
+static void thousands_and_millions(void **state)
+{
+    good(state, "3200 lb/Mft", DIM_LINE_MASS, 3.2 * 0.45359237 / 0.3048);
+    good(state, "3200 lbs/Mft", DIM_LINE_MASS, 3.2 * 0.45359237 / 0.3048);
+    good(state, "3200 lb/kft", DIM_LINE_MASS, 3.2 * 0.45359237 / 0.3048);
+    good(state, "2 Mft", DIM_LENGTH, 609.6);
+    bad(state, "750 Mcmil", DIM_AREA, "write k for a thousand, as in kcmil");
+    bad(state, "3 Mlbf", DIM_FORCE, "M is a thousand in MCM");
+    bad(state, "3 mlb/ft", DIM_LINE_MASS, "unknown unit");
+    bad(state, "3200 lb/1000ft", DIM_LINE_MASS, "as in lb/kft");
+    bad(state, "1 MMCM", DIM_AREA, "unknown unit");
+    good(state, "10 Mpsi", DIM_PRESSURE, 10e6 * 6894.757293168361);
+}
+
+/* As people type them: signs, plurals, per cent. */
+static void units_that_people_type(void **state)
+{
+    const double deg = 3.14159265358979323846 / 180;
+    good(state, "45\xc2\xb0", DIM_ANGLE, 45 * deg);
+    good(state, "45 \xc2\xb0", DIM_ANGLE, 45 * deg);
+    good(state, "45 degrees", DIM_ANGLE, 45 * deg);
+    good(state, "-5 %", DIM_SLOPE, -atan(0.05));
+    good(state, "-5%", DIM_SLOPE, -atan(0.05));
+    good(state, "30 \xe2\x80\xb0", DIM_SLOPE, atan(0.03));
+    good(state, "1:20", DIM_SLOPE, atan(0.05));
+    good(state, "-1:20", DIM_SLOPE, -atan(0.05));
+    good(state, "3 deg", DIM_SLOPE, 3 * deg);
+    good(state, "20 %", DIM_NONE, 0.2);
+    good(state, "3 feet", DIM_LENGTH, 0.9144);
+    good(state, "12 inches", DIM_LENGTH, 0.3048);
+    good(state, "3 lbs/ft", DIM_LINE_MASS, 3 * 0.45359237 / 0.3048);
+    bad(state, "90 %", DIM_ANGLE, "unknown unit");
+    bad(state, "5", DIM_SLOPE, "per cent");
+    bad(state, "1:0", DIM_SLOPE, "unknown unit");
 }
 
 /* A pound is a mass: where a force is meant the message asks for it by name, and says which quantity it is. */
@@ -249,6 +293,7 @@ static void sets_are_independent(void **state)
 
 TEST_FILE_IN(test_units, units_setup, units_teardown, cmocka_unit_test(units_of_each_kind),
              cmocka_unit_test(units_of_other_practices), cmocka_unit_test(wire_gauges),
+             cmocka_unit_test(thousands_and_millions), cmocka_unit_test(units_that_people_type),
              cmocka_unit_test(pounds_in_place_of_pounds_of_force), cmocka_unit_test(bare_angles_are_questioned),
              cmocka_unit_test(bare_numbers_are_si), cmocka_unit_test(what_is_not_a_number),
              cmocka_unit_test(trailing_garbage), cmocka_unit_test(units_of_the_wrong_kind),

@@ -14,4 +14,5 @@ if missing:
 
 import pytest  # noqa: E402
 
-sys.exit(pytest.main(["-q", "-p", "no:cacheprovider", sys.argv[1]]))
+if __name__ == "__main__":  # not in a process that a test starts
+    sys.exit(pytest.main(["-q", "-p", "no:cacheprovider", sys.argv[1]]))

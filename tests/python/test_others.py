@@ -147,7 +147,7 @@ def test_studies_that_are_wrong(file, tmp_path):
         file.write_text(file.read_text().replace("fidelity: theory", "fidelity: hearsay"))
         hawser.study(file, tmp_path / "out")
     assert (found.value.file, found.value.key) == (str(file), "fidelity") and found.value.line > 0
-    with pytest.raises(hawser.OutputError, match="no study"):
+    with pytest.raises(FileNotFoundError, match="no study"):
         hawser.Study(tmp_path)
 
 

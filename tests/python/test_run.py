@@ -124,7 +124,7 @@ def test_a_folder_of_its_own_goes_with_the_result(pull, tmp_path):
 
 
 def test_no_results(tmp_path):
-    with pytest.raises(hawser.OutputError, match="summary.json"):
+    with pytest.raises(FileNotFoundError, match="summary.json"):
         hawser.Result(tmp_path)
     (tmp_path / "file").write_text("")
     with pytest.raises(hawser.OutputError):

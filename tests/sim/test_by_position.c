@@ -2,9 +2,9 @@
  * signals, and a short run from a reel against both. */
 #include "sim/watch/position_table.h"
 
-#include "sim/expected/expected.h"
 #include "sim/run/sim.h"
 #include "tests/support/scene.h"
+#include "theory/expected.h"
 
 static void scene_for(const ReelChoice *choice, Scene *scene)
 {
@@ -23,7 +23,7 @@ static void test_theory(void **state)
     ByPosition b;
     hawser_error err = {0};
     scene_for(&(ReelChoice){.payout = 1, .take_in = 1, .torque = 300, .bearing = 50, .tension = 800}, &scene);
-    assert_int_equal(by_position_new(&b, &scene, &err), HAWSER_OK);
+    assert_int_equal(by_position_new(&b, &scene.setup, &err), HAWSER_OK);
     /* STEP to 0.2 m/s within 3 s, then until 10 s */
     check_close(b.from, 6, 1e-12);
     check_close(b.to - 6, 1.7, 1e-12);
@@ -50,7 +50,7 @@ static void test_leaves_the_drum(void **state)
     hawser_error err = {0};
     scene_for(&(ReelChoice){.payout = 1, .take_in = 1, .cable = 11, .torque = 300, .bearing = 50, .tension = 800},
               &scene);
-    assert_int_equal(by_position_new(&b, &scene, &err), HAWSER_OK);
+    assert_int_equal(by_position_new(&b, &scene.setup, &err), HAWSER_OK);
     check_close(b.leaves, 7, 1e-12);
     for (double s = 6.9; s < 7.15; s += 0.02) {
         const double held = s < 7 ? 800 + 350 / 0.64 : 0;
@@ -68,7 +68,7 @@ static void test_means(void **state)
     ByPosition b;
     hawser_error err = {0};
     scene_for(&(ReelChoice){.payout = 1, .take_in = 1, .rope = 20, .speed = 1, .cable = 30}, &scene);
-    assert_int_equal(by_position_new(&b, &scene, &err), HAWSER_OK);
+    assert_int_equal(by_position_new(&b, &scene.setup, &err), HAWSER_OK);
     assert_int_equal(b.n_bins, 5); /* 8.5 m of travel in parts of at least 2 m, but the last one may be less */
     for (int k = 0; k <= 850; ++k) {
         const double s = 6 + k * 0.01;
@@ -97,7 +97,7 @@ static void test_none(void **state)
     fixture_pull(&def, &(FixtureChoice){0});
     def.winch.present = 0;
     fixture_build(&def, &scene);
-    assert_int_equal(by_position_new(&b, &scene, &err), HAWSER_OK);
+    assert_int_equal(by_position_new(&b, &scene.setup, &err), HAWSER_OK);
     assert_int_equal(b.n_grid, 0);
     assert_int_equal(by_position_table(&b), 0);
     check_nan(by_position_reference(&b, 3, 0));

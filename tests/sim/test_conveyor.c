@@ -1,6 +1,9 @@
 /* A conveyor by itself: how its grip is spread, which segments it finds, forces and their derivatives. */
+#include <stdio.h>
+
 #include "core/state.h"
 #include "sim/equipment/conveyor.h"
+#include "sim/judge/compression.h"
 #include "tests/support/scene.h"
 
 enum { N = 16 };
@@ -294,6 +297,68 @@ static void test_lean(void **state)
     rig_free(&r);
 }
 
+/* Takes in `rows` samples 0.3 s apart in which the joint at s = 6 m is pushed with 1 kN, the belts behind it push with
+ * 300 N and 900 N, and the winch draws with `speed`. Returns N that push beyond what the belts do. */
+static double pushed_at(const Scene *scene, double speed, int rows)
+{
+    Compression c;
+    assert_int_equal(compression_new(&c, scene, NULL), HAWSER_OK);
+    double *const tension = calloc((size_t)scene->total + 1, sizeof *tension);
+    assert_non_null(tension);
+    int pushed = 0;
+    for (int j = 0; j <= scene->total; ++j)
+        if (fabs(scene->joint_s[j] - 6) < fabs(scene->joint_s[pushed] - 6)) pushed = j;
+    tension[pushed] = -1000;
+    const hawser_figure force[] = {{"force_N", 300}, {"force_N", 900}};
+    const hawser_machine machine[] = {{"conveyors", "rear", 1, 0, &force[0], NULL},
+                                      {"conveyors", "front", 1, 0, &force[1], NULL}};
+    for (int i = 0; i < rows; ++i) {
+        const hawser_sample sample = {.t = 0.3 * i,
+                                      .winch_speed = speed,
+                                      .winch_travel = 0.3 * i * speed,
+                                      .tension = tension,
+                                      .machines = 2,
+                                      .machine = machine};
+        compression_record(&c, scene, &sample);
+    }
+    const double most = c.most.value;
+    free(tension);
+    compression_free(&c);
+    return most;
+}
+
+/* Compression is what is beyond the push of the strongest belt behind, each by its own name, while the winch draws: at
+ * more than a tenth of the pull's speed. The first belt's push in place of the second's made 700 N of 100 N; a tenth
+ * over the pull's speed, 0.5 m/s here, took the winch for one that stands. */
+static void test_compression(void **state)
+{
+    (void)state;
+    SceneDef def;
+    Scene scene;
+    fixture_pull(&def, &(FixtureChoice){0});
+    def.n_conveyors = 2;
+    def.conveyors = fixture_array(2, sizeof *def.conveyors);
+    for (int k = 0; k < 2; ++k)
+        def.conveyors[k] = (ConveyorDef){.from = 0.5 + 3 * k,
+                                         .to = 2 + 3 * k,
+                                         .edge = 0.2,
+                                         .sync = 1,
+                                         .factor = 1,
+                                         .clamp = 2e3,
+                                         .mu = 0.4,
+                                         .v_s = 5e-3,
+                                         .v_d = 1e-2,
+                                         .ratio = 0.8};
+    snprintf(def.conveyors[0].name, NAME_MAX_LENGTH, "rear");
+    snprintf(def.conveyors[1].name, NAME_MAX_LENGTH, "front");
+    def.friction.v_d = 1;
+    fixture_build(&def, &scene);
+    scene.largest_speed = 0.2;
+    check_share(pushed_at(&scene, 0.05, 20), 100, 1e-12);
+    check_equal(pushed_at(&scene, 0.015, 20), 0);
+    scene_clear(&scene);
+}
+
 TEST_FILE(test_conveyor, cmocka_unit_test(test_share), cmocka_unit_test(test_grip_is_whole),
           cmocka_unit_test(test_range), cmocka_unit_test(test_stale), cmocka_unit_test(test_blocks),
-          cmocka_unit_test(test_power), cmocka_unit_test(test_lean))
+          cmocka_unit_test(test_power), cmocka_unit_test(test_lean), cmocka_unit_test(test_compression))

@@ -82,8 +82,7 @@ static void test_ways(void **state)
         const Vec3 rim = v3_cross(roller[k].axis, v3_scale(-1, side[k / 2 % 4]));
         check_close(k < 8 ? torque * rim.x : torque, 9, 1e-12);
     }
-    Pusher out[9];
-    assert_int_equal(MOTORS_ROOM.pushers(room_of(&r->scene, &MOTORS_ROOM), &r->scene, out), 8);
+    assert_int_equal(r->scene.setup.n_pushers, 8);
     rig_free(r);
 }
 
@@ -115,12 +114,10 @@ static void test_theory(void **state)
     const double weight = def.cables[0].mass * 9.81;
     Scene scene;
     fixture_build(&def, &scene);
-    const Room *const room = room_of(&scene, &MOTORS_ROOM);
-    Pusher out[12];
-    assert_int_equal(MOTORS_ROOM.pushers(room, &scene, out), 12);
+    assert_int_equal(scene.setup.n_pushers, 12);
     int carriers = 0, guides = 0, idle = 0;
     for (int k = 0; k < 12; ++k) {
-        const double load = MOTORS_ROOM.push(room, &scene, k, tension, INFINITY) / (mu + mu_case);
+        const double load = setup_push(&scene.setup, k, tension, INFINITY) / (mu + mu_case);
         const int carries = fabs(load / (1.5 * weight) - 1) < 1e-12;
         const int guided = fabs(load / (1.5 * tension / turn) - 1) < 1e-12;
         carriers += carries;

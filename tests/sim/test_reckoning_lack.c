@@ -5,10 +5,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "sim/expected/inverse.h"
 #include "sim/stage/statics.h"
 #include "tests/support/kinds.h"
 #include "tests/support/rig.h"
+#include "theory/inverse.h"
 
 enum { MOST = 3000 };
 
@@ -62,13 +62,16 @@ static void define_limited(SceneDef *def)
 
 static hawser_status calculated(const Scene *scene, double *sum, hawser_error *err)
 {
-    Calculator c;
-    const hawser_status status = calculator_build(scene, &(Expected){.largest_start = 500}, 0, &c, err);
+    Setup setup;
+    Calculator c = {.cables = 0};
+    hawser_status status = setup_make(&scene->def, &setup, err);
+    if (!status) status = calculator_build(&setup, &(Expected){.largest_start = 500}, 0, &c, err);
     if (!status) {
         check_above(c.n_limits, 0);
         for (int way = 0; way < PLAN_WAYS; ++way) *sum += c.limit[way][0].value;
     }
     calculator_free(&c);
+    setup_free(&setup);
     return status;
 }
 
@@ -78,11 +81,11 @@ static hawser_status varied(const Scene *scene, double *sum, hawser_error *err)
     Calculator base, c = {.cables = 0};
     const long left = lack_left();
     lack_after(-1);
-    if (calculator_build(scene, &(Expected){.largest_start = 500}, 0, &base, err)) fail_msg("%s", err->message);
+    if (calculator_build(&scene->setup, &(Expected){.largest_start = 500}, 0, &base, err)) fail_msg("%s", err->message);
     lack_after(left);
     const Variation by = {
         .friction = 1.5, .radius = 2, .bend = -1, .beyond = 3, .n_machines = 2, .machine = at, .push = 200};
-    const hawser_status status = calculator_vary(scene, &base, &by, &c, err);
+    const hawser_status status = calculator_vary(&scene->setup, &base, &by, &c, err);
     if (!status) *sum = c.limit[0][0].value;
     calculator_free(&c);
     calculator_free(&base);
@@ -96,11 +99,11 @@ static void inverted(const Scene *scene)
     Calculator base;
     Inverse out;
     hawser_error err = {0};
-    if (calculator_build(scene, &(Expected){.largest_start = 500}, 0, &base, &err)) fail_msg("%s", err.message);
+    if (calculator_build(&scene->setup, &(Expected){.largest_start = 500}, 0, &base, &err)) fail_msg("%s", err.message);
     for (int k = 0; k < 20000; k += k < 60 ? 1 : k / 4) {
         err = (hawser_error){0};
         lack_after(k);
-        const hawser_status status = inverse_find(scene, &base, &out, &err);
+        const hawser_status status = inverse_find(&scene->setup, &base, &out, &err);
         assert_true(lack_end());
         assert_int_equal(status, HAWSER_ERR_MEMORY);
         check_has(err.message, "out of memory");

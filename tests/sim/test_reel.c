@@ -151,7 +151,7 @@ static void test_momentum(void **state)
         assert_int_equal(stage_new(&st, &def, NULL, &err), HAWSER_OK);
         st.scene.winch->phase.held = 0;
         const Reel *const r = st.scene.reel;
-        const double R = winding_radius(&r->winding, r->wound, NULL), c = r->viscous / (R * R);
+        const double R = winding_radius(&r->winding, r->wound, NULL), c = r->brake.viscous / (R * R);
         const double mass = r->winding.inertia / (R * R) + 12 * 20 + 1.5 * 10;
         while (st.t < t_end && !err.status) stage_step(&st, t_end, &err);
         if (err.status) fail_msg("%s", err.message);

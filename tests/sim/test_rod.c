@@ -1,5 +1,5 @@
 /* Rods: their shapes, ground bodies, loads and masses, each against what it stands for. */
-#include "sim/def/rod_def.h"
+#include "def/rod_def.h"
 #include "sim/equipment/rod.h"
 #include "sim/run/sim.h"
 #include "tests/sim/room_fixture.h"

@@ -2,7 +2,7 @@
  * theory with runs near a limit, and indices of a pull whose variance is known. */
 #include "tests/study/study_fixture.h"
 
-#include "theory/limits.h"
+#include "def/limits.h"
 
 /* Of the findings of the study at folder/study.yaml, computed into folder/DIR. */
 static Findings findings_in(const char *dir, Study **s, Rows *rows)

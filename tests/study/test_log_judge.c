@@ -169,6 +169,21 @@ static void force_alone(void **state)
     log_free(&log);
 }
 
+/* By length alone: readings between which the counter stands are a rest. Where neighbours that differ were taken for
+ * motion all readings were in motion. */
+static void length_alone(void **state)
+{
+    (void)state;
+    begin("length [m],pull [kN]");
+    for (int i = 0; i < 150; i++)
+        ROW("%.1f,%d\n", 0.1 * (i < 50 ? i : i < 100 ? 50 : i - 50), i < 50 || i >= 100 ? 5 : 2);
+    PullLog log = log_judged(text, NAN, 0);
+    assert_int_equal(log.use[20], LOG_MOVING);
+    for (int i = 56; i < 94; i++) assert_int_equal(log.use[i], LOG_AT_REST);
+    assert_int_equal(log.use[130], LOG_MOVING);
+    log_free(&log);
+}
+
 /* Where the pull begins: the last reading that has not moved, by fine and coarse counters, speeds and forces. */
 static void where_it_begins(void **state)
 {
@@ -196,4 +211,5 @@ static void where_it_begins(void **state)
 
 TEST_FILE_IN(test_log_judge, scratch_make, scratch_remove, cmocka_unit_test(peaks_and_spikes),
              cmocka_unit_test(stamps_of_seconds), cmocka_unit_test(times_astray), cmocka_unit_test(wrong_once),
-             cmocka_unit_test(coarse_counter), cmocka_unit_test(force_alone), cmocka_unit_test(where_it_begins))
+             cmocka_unit_test(coarse_counter), cmocka_unit_test(force_alone), cmocka_unit_test(where_it_begins),
+             cmocka_unit_test(length_alone))

@@ -37,6 +37,11 @@ static void marks_between_thousands(void **state)
         {"time [s];pull [kN]\n1;1,234\n2;2345\n", NULL, 2, {1234, 2345000}},
         /* by the other columns */
         {"time [s]\tpull [N]\tlength [m]\n1\t52\t0.1\n2\t1,092\t0.2\n", "'1,092' is taken as a mark", 2, {52, 1092}},
+        /* by their marks between thousands alone: counted wrongly, the file was refused */
+        {"time [s]\tpull [N]\tlength [mm]\n1\t52\t1,234,000\n2\t1,092\t1,234,567\n",
+         "'1,092' is taken as a mark",
+         2,
+         {52, 1092}},
         {"Zeit;Zugkraft [N];Weg\n1,0;52;0,1\n2,0;1.092;0,2\n",
          "the point in '1.092' is taken as a mark",
          2,

@@ -32,8 +32,8 @@ static double *pulled(const hawser_case *c, double until, double *t)
     hawser_sim *sim = NULL;
     const hawser_options one = {.threads = 1};
     hawser_case *copy = NULL;
-    if (case_copy(c, &copy, &err) || hawser_sim_new(copy, &one, &sim, &err)) fail_msg("%s", err.message);
-    if (copy->def.solver.relax && hawser_sim_relax(sim, NULL, &err)) fail_msg("%s", err.message);
+    if (hawser_case_copy(c, &copy, &err) || hawser_sim_new(copy, &one, &sim, &err)) fail_msg("%s", err.message);
+    if (copy->def->solver.relax && hawser_sim_relax(sim, NULL, &err)) fail_msg("%s", err.message);
     if (hawser_sim_advance(sim, until, 0, &err)) fail_msg("%s", err.message);
     double *const y = calloc((size_t)scene_state_size(&sim->stage.scene), sizeof *y);
     sim->stage.motion->ops->unpack(sim->stage.motion, sim->stage.y, y);
@@ -90,16 +90,16 @@ static double difference(const char *file, double until, const char *key, double
                        *const far[2] = {case_of(file, key, value - by, unit), case_of(file, key, value + by, unit)};
     double *const y = pulled(base, until, &t);
     Position *p;
-    if (position_new(&base->def, t, y, &p, &err)) fail_msg("%s", err.message);
+    if (position_new(base->def, t, y, &p, &err)) fail_msg("%s", err.message);
     const TangentFigures *const f = position_figures(p);
     double *const slope = calloc(3 * (size_t)f->n, sizeof *slope), *const look[2] = {slope + f->n, slope + 2 * f->n};
-    if (position_by(p, &less->def, &more->def, half, slope, &err)) fail_msg("%s", err.message);
+    if (position_by(p, less->def, more->def, half, slope, &err)) fail_msg("%s", err.message);
     Stage st = {0};
-    if (stage_new(&st, &base->def, NULL, &err) || stage_to_space(&st, "a test", &err)) fail_msg("%s", err.message);
+    if (stage_new(&st, base->def, NULL, &err) || stage_to_space(&st, "a test", &err)) fail_msg("%s", err.message);
     double *const kept = aligned_array_new(st.motion->size);
     if (st.motion->ops->renew(st.motion, t, y, &err)) fail_msg("%s", err.message);
     assert_int_equal(st.motion->ops->rates(st.motion, t, y, kept), 0);
-    for (int k = 0; k < 2; k++) settle(&far[k]->def, t, y, kept, f, look[k]);
+    for (int k = 0; k < 2; k++) settle(far[k]->def, t, y, kept, f, look[k]);
     for (int i = 0; i < f->n; i++) {
         const double expected = (look[1][i] - look[0][i]) / (2 * by);
         worst = larger_of(worst, fabs(slope[i] - expected));

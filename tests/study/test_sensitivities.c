@@ -135,7 +135,7 @@ static double start_difference(const char *file, const char *key, double value, 
         sim[k] = relaxed(file, key, value + side[k] * by, unit, &c[k]);
         sim[2 + k] = relaxed(file, key, value + side[k] * half, unit, &c[2 + k]);
     }
-    if (tangent_new(&c[4]->def, 1, &c[2]->def, &c[3]->def, &half, 0, &g, &err) ||
+    if (tangent_new(c[4]->def, 1, c[2]->def, c[3]->def, &half, 0, &g, &err) ||
         tangent_step(g, 0, sim[4]->stage.y, &err))
         fail_msg("%s", err.message);
     const double *const slope = tangent_slope(g, 0);

@@ -109,6 +109,154 @@ static void splines(void **state)
     survey_clear(&s);
 }
 
+#define BLOCK(name, text) "0\nBLOCK\n8\n0\n2\n" name "\n70\n0\n10\n1\n20\n0\n30\n0\n" text "0\nENDBLK\n"
+#define UNIT_LINE         "0\nLINE\n8\n0\n10\n1\n20\n0\n11\n2\n21\n0\n"
+#define BLOCKS(text)      "0\nSECTION\n2\nBLOCKS\n" text "0\nENDSEC\n"
+
+/* A block's base is at (1, 0): its line runs from there by 1 along x. Lines of blocks were dropped, those of anonymous
+ * ones without a note. */
+static void insertions(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *insert;
+        Vec3 start, end;
+    } cases[] = {{"2\n*U1\n10\n5\n20\n6\n", {5, 6, 0}, {6, 6, 0}},
+                 {"2\n*u1\n10\n5\n20\n6\n50\n90\n", {5, 6, 0}, {5, 7, 0}},
+                 {"2\n*U1\n10\n5\n20\n6\n41\n3\n42\n3\n50\n180\n", {5, 6, 0}, {2, 6, 0}},
+                 {"2\n*U1\n10\n5\n20\n6\n41\n-2\n42\n1\n", {5, 6, 0}, {3, 6, 0}},
+                 {"2\n*U1\n10\n5\n20\n6\n30\n1\n230\n-1\n", {-5, 6, -1}, {-6, 6, -1}},
+                 {"2\nOUTER\n10\n10\n20\n0\n50\n90\n", {10, 3, 0}, {8, 3, 0}}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        char text[2000];
+        snprintf(text, sizeof text,
+                 HEADER("6") BLOCKS(BLOCK("*U1", UNIT_LINE)
+                                        BLOCK("OUTER", "0\nINSERT\n8\n0\n2\n*U1\n10\n4\n20\n0\n41\n2\n50\n90\n"))
+                     ENTITIES("0\nINSERT\n8\nROUTE\n%s"),
+                 cases[i].insert);
+        Survey s = drawing(text);
+        check_vec(alignment_measure(only(&s)).start, cases[i].start, 1e-12);
+        check_vec(alignment_measure(only(&s)).end, cases[i].end, 1e-12);
+        assert_string_equal(s.alignment[0].layer, "ROUTE"); /* layer 0 is the insertion's */
+        assert_int_equal(s.n_marks, 1);
+        survey_clear(&s);
+    }
+}
+
+/* A mirrored arc turns to the other side; scaled unevenly it is part of an ellipse; rows and columns; a layer of its
+ * own; an insertion that cannot be followed, an external drawing, a block within itself. */
+static void insertions_of_other_kinds(void **state)
+{
+    (void)state;
+    static const char arc[] = "0\nARC\n8\nOWN\n10\n1\n20\n0\n40\n2\n50\n0\n51\n90\n";
+    char text[2000];
+    const char *const file = HEADER("6") BLOCKS(BLOCK("A", "%s")) ENTITIES("0\nINSERT\n8\nROUTE\n2\nA\n%s");
+    snprintf(text, sizeof text, file, arc, "10\n0\n20\n0\n41\n-3\n42\n3\n");
+    Survey s = drawing(text);
+    check_close(only(&s)->plan[0].k0, -1 / 6.0, 1e-14);
+    check_close(alignment_measure(only(&s)).length, 3 * acos(-1), 1e-12);
+    check_vec(alignment_measure(only(&s)).start, v3(-6, 0, 0), 1e-12);
+    check_vec(alignment_measure(only(&s)).end, v3(0, 6, 0), 1e-12);
+    assert_string_equal(s.alignment[0].layer, "OWN");
+    survey_clear(&s);
+    snprintf(text, sizeof text, file, arc, "10\n0\n20\n0\n41\n2\n42\n1\n");
+    s = drawing(text);
+    assert_int_equal(s.alignment[0].bent, 1);
+    for (int i = 0; i < only(&s)->n_points; ++i)
+        check_close(hypot(s.alignment[0].point[i].x / 4, s.alignment[0].point[i].y / 2), 1, 1e-12);
+    survey_clear(&s);
+    snprintf(text, sizeof text, file, UNIT_LINE, "10\n0\n20\n0\n50\n90\n70\n2\n71\n3\n44\n5\n45\n7\n");
+    s = drawing(text);
+    assert_int_equal(s.n, 6);
+    check_vec(alignment_measure(&s.alignment[5]).start, v3(-14, 5, 0), 1e-12);
+    survey_clear(&s);
+    snprintf(text, sizeof text, file, UNIT_LINE "0\nINSERT\n8\n0\n2\nA\n10\n9\n20\n0\n", "10\n0\n20\n0\n");
+    s = drawing(text);
+    assert_int_equal(s.n, 32);
+    check_has(s.ignored[0].what, "more than 32 deep");
+    survey_clear(&s);
+    s = drawing("0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n8\n0\n2\nX\n70\n4\n1\nsite.dwg\n0\nENDBLK\n0\nENDSEC\n" DXF(
+        "6", "0\nINSERT\n8\nA\n2\nX\n10\n0\n20\n0\n0\nINSERT\n8\nA\n2\nGONE\n10\n0\n20\n0\n"));
+    check_has(s.ignored[0].what, "external drawing 'site.dwg': bind it");
+    check_has(s.ignored[1].what, "block 'GONE' that is not in the drawing");
+    survey_clear(&s);
+}
+
+#define LINE_9 "0\nLINE\n8\nC\n10\n0\n20\n0\n11\n9\n21\n0\n"
+
+/* What is beside the line and cannot be read does not refuse the drawing, but is noted with its place: each of these
+ * did. */
+static void bad_entities(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *note;
+    } cases[] = {
+        {"0\nARC\n8\nC\n10\n0\n20\n0\n40\n0\n50\n0\n51\n90\n", "layer 'C', line 16: an ARC without centre, radius above 0"},
+        {"0\nARC\n8\nD\n10\n0\n20\n0\n40\n-2\n50\n0\n51\n90\n", "layer 'D', line 16: an ARC without"},
+        {"0\nLINE\n8\nD\n10\n0\n20\n0\n11\n12,5\n21\n0\n", "group 11 of a LINE is no number"},
+        {"0\nSPLINE\n8\nD\n71\n3\n10\n0\n20\n0\n", "a SPLINE needs 4 control points"},
+        {"0\nPOLYLINE\n8\nD\n66\n1\n0\nVERTEX\n8\nD\n10\nx\n20\n0\n0\nVERTEX\n8\nD\n10\n1\n20\n0\n0\nSEQEND\n",
+         "group 10 of a POLYLINE is no number"},
+        {"0\nINSERT\n8\nD\n2\nB\n10\n0\n20\n0\n41\n0\n", "an INSERT with a scale of 0"},
+        {"0\nLINE\n8\nD\n10\n20\n0.5\n11\n1\n21\n0\n", "a line of a LINE is no group code"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        char text[2000];
+        snprintf(text, sizeof text, DXF("6", "%s" LINE_9), cases[i].text);
+        Survey s = drawing(text);
+        check_close(alignment_measure(only(&s)).length, 9, 1e-12);
+        assert_int_equal(s.n_ignored, 1);
+        check_has(s.ignored[0].what, cases[i].note);
+        survey_clear(&s);
+    }
+}
+
+/* Objects within texts (group 101), of which every number was read as the text's and none may be; texts with line
+ * breaks, whose other lines may look like anything; a byte-order mark. */
+static void texts(void **state)
+{
+    (void)state;
+    static const char embedded[] = "101\nEmbedded Object\n70\n1\n10\n1.0\n20\n0.0\n11\n5.0\n21\n5.0\n46\n0.0\n";
+    static const char *const head[] = {"0\nMTEXT\n8\nT\n10\n5\n20\n5\n1\nJoint bay 3\n",
+                                       "0\nATTDEF\n8\nT\n10\n5\n20\n5\n1\nbay\n2\nID\n",
+                                       "0\nINSERT\n8\nT\n2\nB\n66\n1\n10\n5\n20\n5\n0\nATTRIB\n8\nT\n10\n7\n20\n7\n1\nbay\n2\nID\n"};
+    static const char *const broken[] = {"with\nbreak\n",    "Pit\n3\n",    "a\n\nb\n",        "Pit\n0+050\n12\n",
+                                         "1998\n12\n1998\n", "1\n2\n3\n4\n", "LINE\n0\nLINE x\n"};
+    char text[2000];
+    for (size_t i = 0; i < sizeof head / sizeof *head; ++i) {
+        snprintf(text, sizeof text, DXF("6", "%s%s" LINE_9), head[i], embedded);
+        Survey s = drawing(text);
+        check_close(alignment_measure(only(&s)).length, 9, 1e-12);
+        if (s.n_marks) check_vec(s.mark[0].at, v3(5, 5, 0), 0);
+        if (s.n_marks) assert_string_equal(s.mark[0].name, "B: bay");
+        survey_clear(&s);
+    }
+    for (size_t i = 0; i < sizeof broken / sizeof *broken; ++i) {
+        snprintf(text, sizeof text, "\xEF\xBB\xBF" DXF("6", "0\nTEXT\n8\nT\n10\n0\n20\n0\n40\n2\n1\n%s" LINE_9), broken[i]);
+        Survey s = drawing(text);
+        check_close(alignment_measure(named(&s, "C")).length, 9, 1e-12);
+        survey_clear(&s);
+    }
+}
+
+/* Half of a circle, and a quarter of an ellipse, by Ramanujan's formula for all of it; names by the code page. */
+static void ellipses_and_pages(void **state)
+{
+    (void)state;
+    const double pi = acos(-1);
+    Survey s = drawing(DXF("6", "0\nELLIPSE\n8\nE\n10\n0\n20\n0\n30\n0\n11\n3\n21\n0\n31\n0\n40\n1\n41\n0\n42\n3.141592653589793\n"));
+    check_close(alignment_measure(only(&s)).length, 3 * pi, 1e-3);
+    survey_clear(&s);
+    s = drawing(DXF("6", "0\nELLIPSE\n8\nE\n10\n0\n20\n0\n11\n0\n21\n3\n40\n0.5\n41\n0\n42\n1.5707963267948966\n"));
+    check_close(alignment_measure(only(&s)).length, pi * (13.5 - sqrt((9 + 1.5) * (3 + 4.5))) / 4, 1e-3);
+    check_vec(alignment_measure(only(&s)).end, v3(-1.5, 0, 0), 1e-12);
+    survey_clear(&s);
+    s = drawing("0\nSECTION\n2\nHEADER\n9\n$DWGCODEPAGE\n3\nANSI_1251\n0\nENDSEC\n" ENTITIES(
+        "0\nLINE\n8\n\xD2\xF0\n10\n0\n20\n0\n11\n9\n21\n0\n"));
+    assert_string_equal(only(&s)->layer, "\xD0\xA2\xD1\x80"); /* Tr in Cyrillic; Latin-1 before */
+    survey_clear(&s);
+}
+
 /* Layers of old drawings are bytes of a code page; what blocks hold is not read, and said so. */
 static void layers_and_blocks(void **state)
 {
@@ -116,10 +264,10 @@ static void layers_and_blocks(void **state)
     Survey s = drawing(DXF("6", "0\nLINE\n8\nTRASSE_\xDC\n10\n0\n20\n0\n11\n9\n21\n0\n"));
     assert_string_equal(only(&s)->layer, "TRASSE_\xC3\x9C");
     survey_clear(&s);
-    s = drawing("0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\n*D1\n0\nLINE\n8\n0\n0\nENDBLK\n0\nBLOCK\n2\nAXIS\n0\nLINE\n8\n0\n"
-                "0\nENDBLK\n0\nENDSEC\n" DXF("6", "0\nLINE\n8\nC\n10\n0\n20\n0\n11\n9\n21\n0\n"));
-    assert_int_equal(s.n_ignored, 1);
-    assert_string_equal(s.ignored[0].what, "lines inside of blocks");
+    s = drawing("0\nSECTION\n2\nBLOCKS\n" BLOCK("*D1", UNIT_LINE) BLOCK("AXIS", UNIT_LINE) "0\nENDSEC\n" DXF(
+        "6", "0\nPOINT\n8\nC\n10\n0\n20\n0\n"));
+    assert_int_equal(s.n_ignored, 1); /* a dimension's block is no line of the drawing */
+    assert_string_equal(s.ignored[0].what, "lines inside of blocks that are not inserted");
     assert_int_equal(s.ignored[0].times, 1);
     survey_clear(&s);
 }
@@ -292,4 +440,6 @@ static void what_is_wrong(void **state)
 TEST_FILE(test_dxf, cmocka_unit_test(lines_and_arcs), cmocka_unit_test(polylines), cmocka_unit_test(splines),
           cmocka_unit_test(paper_space), cmocka_unit_test(layers_and_blocks), cmocka_unit_test(marks),
           cmocka_unit_test(binary), cmocka_unit_test(railway_sheet), cmocka_unit_test(as_programs_write_them),
-          cmocka_unit_test(what_is_wrong))
+          cmocka_unit_test(what_is_wrong),
+          cmocka_unit_test(insertions), cmocka_unit_test(insertions_of_other_kinds), cmocka_unit_test(bad_entities),
+          cmocka_unit_test(texts), cmocka_unit_test(ellipses_and_pages))

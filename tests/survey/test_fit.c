@@ -445,6 +445,42 @@ static void heights_have_stations(void **state)
     }
 }
 
+/* Beyond the ends of a line the distance of a point is square to its direction, whatever that is: with the wrong sign
+ * points on the line's own extension were refused as 46.6 m beside it. */
+static void heights_beyond_the_ends(void **state)
+{
+    (void)state;
+    const double heading = 0.6, place[] = {-50, 100, 250};
+    Alignment line = plain_line(), from = {.name = "P", .stated_length = NAN}, out;
+    line.plan[0].heading = heading;
+    for (int i = 0; i < 3; ++i)
+        *alignment_add_point(&from) = v3(place[i] * cos(heading), place[i] * sin(heading), place[i] / 10);
+    const FitOptions options = fit_options();
+    FitReport r;
+    hawser_error err = {.message = ""};
+    fit_alignment(&line, &from, &options, &out, &r, &err);
+    assert_string_equal(err.message, "");
+    for (double s = 0; s <= 200; s += 50) check_close(alignment_at(&out, s).at.z, s / 10, 1e-3);
+    alignment_clear(&line);
+    alignment_clear(&from);
+    alignment_clear(&out);
+}
+
+/* Points closer together than their scatter are thinned, but the line ends at the last of them, not at the mean of the
+ * last few, 0.04 m before it. */
+static void dense_points_reach_the_end(void **state)
+{
+    (void)state;
+    Alignment points = {.stated_length = NAN, .flat = 1}, out;
+    unsigned long long seed = 88172645463325252ULL;
+    for (int i = 0; i <= 250; ++i) *alignment_add_point(&points) = v3(0.04 * i, 0.02 * normal(&seed), 0);
+    fitted(&points, &out);
+    assert_int_equal(out.n_plan, 1);
+    check_close(alignment_measure(&out).end.x, 10, 0.005);
+    alignment_clear(&points);
+    alignment_clear(&out);
+}
+
 static void what_is_wrong(void **state)
 {
     (void)state;
@@ -500,10 +536,63 @@ static void drawn_from_either_side(void **state)
     alignment_clear(&out[1]);
 }
 
+/* Two bends of radius R between straights, drawn with n chords: a row of corners of 0.3 m before, which no cable takes.
+ * Corners between long legs stay corners, and a chamfer with a leg of its own too. */
+static void chords_of_bends(void **state)
+{
+    (void)state;
+    static const struct {
+        double radius, turn;
+        int n;
+    } bends[] = {{15, 90, 5}, {20, 60, 3}, {30, 30, 2}, {8, 90, 12}, {60, 40, 40}};
+    const double degree = acos(-1) / 180;
+    FitOptions options = fit_options();
+    FitReport report;
+    hawser_error err = {.message = ""};
+    Alignment out;
+    for (size_t k = 0; k < sizeof bends / sizeof *bends; ++k) {
+        Alignment line = {.name = "chords", .flat = 1, .drawn = 1};
+        const double radius = bends[k].radius, step = bends[k].turn * degree / bends[k].n;
+        double x = 0, y = 0, h = 0;
+        *alignment_add_point(&line) = v3(0, 0, 0);
+        for (int b = 0; b < 3; ++b) {
+            x += 40 * cos(h);
+            y += 40 * sin(h);
+            *alignment_add_point(&line) = v3(x, y, 0);
+            for (int i = 0; i < bends[k].n && b < 2; ++i) {
+                const double side = b ? -1 : 1, chord = 2 * radius * sin(step / 2);
+                x += chord * cos(h + side * step / 2);
+                y += chord * sin(h + side * step / 2);
+                h += side * step;
+                *alignment_add_point(&line) = v3(x, y, 0);
+            }
+        }
+        if (fit_alignment(&line, NULL, &options, &out, &report, &err)) fail_msg("%s", err.message);
+        assert_int_equal(out.n_plan, 5);
+        check_close(1 / fabs(out.plan[1].k0), radius, 0.01 * radius);
+        check_close(1 / fabs(out.plan[3].k0), radius, 0.01 * radius);
+        assert_int_equal(report.chords, 2 * bends[k].n);
+        assert_int_equal(report.chord_bends, 2);
+        check_close(report.chord_off, radius * (1 - cos(step / 2)), 1e-3 * radius);
+        alignment_clear(&line);
+        alignment_clear(&out);
+    }
+    static const double corner[][2] = {{0, 0}, {50, 0}, {80, 10}, {140, 60}, {150, 110}, {150, 150}};
+    Alignment line = {.name = "corners", .flat = 1, .drawn = 1};
+    for (int i = 0; i < 6; ++i) *alignment_add_point(&line) = v3(corner[i][0], corner[i][1], 0);
+    if (fit_alignment(&line, NULL, &options, &out, &report, &err)) fail_msg("%s", err.message);
+    assert_int_equal(report.chords, 0);
+    check_below(report.least_radius, 3);
+    alignment_clear(&line);
+    alignment_clear(&out);
+}
+
 TEST_FILE(test_fit, cmocka_unit_test(noisy_route_comes_back), cmocka_unit_test(radii_that_points_tell),
           cmocka_unit_test(long_line_is_within), cmocka_unit_test(spacing_and_noise),
           cmocka_unit_test(corners_get_bends), cmocka_unit_test(legs_stay_straight),
           cmocka_unit_test(grades_stay_straight), cmocka_unit_test(smooth_lines_stay), cmocka_unit_test(arcs_are_kept),
           cmocka_unit_test(heights_from_elsewhere), cmocka_unit_test(rough_lines_are_within),
           cmocka_unit_test(bends_have_error_bars), cmocka_unit_test(heights_have_stations),
-          cmocka_unit_test(what_is_wrong), cmocka_unit_test(drawn_from_either_side))
+          cmocka_unit_test(what_is_wrong), cmocka_unit_test(drawn_from_either_side),
+          cmocka_unit_test(heights_beyond_the_ends), cmocka_unit_test(dense_points_reach_the_end),
+          cmocka_unit_test(chords_of_bends))

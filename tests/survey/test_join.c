@@ -33,6 +33,67 @@ static Survey joined(const Survey *from, const char *layer, Joined *j)
     return to;
 }
 
+/* Pieces run as most of their length is drawn, in whatever order they stand in the file; of two lines, both drawn to the
+ * right, the second first, the line ran to the left. Half of the length: as the first piece. */
+static void as_most_is_drawn(void **state)
+{
+    (void)state;
+    static const struct {
+        double from[3], to[3];
+        int n, right;
+    } cases[] = {{{100, 0}, {200, 100}, 2, 1},
+                 {{100, 200}, {0, 100}, 2, -1},
+                 {{200, 0, 180}, {180, 110, 110}, 3, 1}, /* 110 m to the right, 20 and 70 to the left */
+                 {{0, 100, 200}, {90, 90, 100}, 3, -1}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        Survey s = {0};
+        Joined j;
+        double along = 0;
+        for (int k = 0; k < cases[i].n; ++k) {
+            straight(&s, "C", v3(cases[i].from[k], 0, 0), v3(cases[i].to[k], 0, 0));
+            along += cases[i].to[k] - cases[i].from[k];
+        }
+        Survey to = joined(&s, "C", &j);
+        assert_int_equal(to.n, 1);
+        const AlignmentMeasure m = alignment_measure(&to.alignment[0]);
+        assert_int_equal(m.end.x > m.start.x ? 1 : -1, cases[i].right);
+        check_close(m.length - 2 * to.alignment[0].against, fabs(along), 1e-9);
+        survey_clear(&to);
+        survey_clear(&s);
+    }
+    for (int turned = 0; turned < 2; ++turned) { /* half and half */
+        Survey s = {0};
+        Joined j;
+        straight(&s, "C", v3(turned ? 50 : 0, 0, 0), v3(turned ? 0 : 50, 0, 0));
+        straight(&s, "C", v3(turned ? 50 : 100, 0, 0), v3(turned ? 100 : 50, 0, 0));
+        Survey to = joined(&s, "C", &j);
+        check_close(alignment_measure(&to.alignment[0]).end.x, turned ? 0 : 100, 1e-12);
+        check_close(to.alignment[0].against, 50, 1e-12);
+        survey_clear(&to);
+        survey_clear(&s);
+    }
+}
+
+/* A symbol of a block on the line's layer does not cut the line where two of its pieces meet, but a block's line goes
+ * on behind one. */
+static void lines_of_blocks(void **state)
+{
+    (void)state;
+    Survey s = {0};
+    Joined j;
+    straight(&s, "C", v3(50, 0, 0), v3(50, 2, 0))->inserted = 1;
+    straight(&s, "C", v3(0, 0, 0), v3(50, 0, 0));
+    straight(&s, "C", v3(50, 0, 0), v3(100, 0, 0));
+    straight(&s, "C", v3(100, 0, 0), v3(130, 0, 0))->inserted = 2;
+    Survey to = joined(&s, "C", &j);
+    assert_int_equal(j.n_forks, 0);
+    assert_int_equal(to.n, 2);
+    check_close(alignment_measure(&to.alignment[0]).length, 130, 1e-12);
+    check_close(alignment_measure(&to.alignment[1]).length, 2, 1e-12);
+    survey_clear(&to);
+    survey_clear(&s);
+}
+
 /* Three pieces, the middle one an arc drawn from its far end, ends 4 mm apart. */
 static void order_and_direction(void **state)
 {
@@ -290,4 +351,5 @@ static void choosing(void **state)
 TEST_FILE(test_join, cmocka_unit_test(order_and_direction), cmocka_unit_test(forks_and_gaps), cmocka_unit_test(heights),
           cmocka_unit_test(arcs_at_a_height), cmocka_unit_test(pieces_without_heights), cmocka_unit_test(shafts),
           cmocka_unit_test(shafts_beside), cmocka_unit_test(own_ends), cmocka_unit_test(many),
-          cmocka_unit_test(choosing))
+          cmocka_unit_test(choosing),
+          cmocka_unit_test(as_most_is_drawn), cmocka_unit_test(lines_of_blocks))

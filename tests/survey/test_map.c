@@ -197,5 +197,41 @@ static void what_is_wrong(void **state)
     bad("<!DOCTYPE g [<!ENTITY a \"b\">]><gpx/>", "declares an entity");
 }
 
+/* Names in encodings that expat lacks, by iconv: "no XML: unknown encoding" before. One of several bytes a character
+ * still is. */
+static void encodings(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name, *bytes, *utf8;
+    } cases[] = {{"windows-1252", "Stra\xDF"
+                                  "e \x80",
+                  "Stra\xC3\x9F"
+                  "e \xE2\x82\xAC"},
+                 {"windows-1251", "\xD2\xF0", "\xD0\xA2\xD1\x80"},
+                 {"ISO-8859-15", "\xA4", "\xE2\x82\xAC"},
+                 {"ISO-8859-2", "\xB3", "\xC5\x82"}};
+    char text[800];
+    Survey s;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        snprintf(text, sizeof text,
+                 "<?xml version=\"1.0\" encoding=\"%s\"?>\n<gpx version=\"1.1\"><trk><name>%s</name><trkseg>"
+                 "<trkpt lat=\"50\" lon=\"7\"/><trkpt lat=\"50\" lon=\"7.001\"/></trkseg></trk></gpx>",
+                 cases[i].name, cases[i].bytes);
+        assert_string_equal(read_text(text, &s), "");
+        assert_string_equal(s.alignment[0].name, cases[i].utf8);
+        survey_clear(&s);
+        snprintf(text, sizeof text,
+                 "<?xml version=\"1.0\" encoding=\"%s\"?>\n<LandXML><Alignments><Alignment name=\"%s\"><CoordGeom><Line>"
+                 "<Start>0 0</Start><End>0 9</End></Line></CoordGeom></Alignment></Alignments></LandXML>",
+                 cases[i].name, cases[i].bytes);
+        assert_string_equal(read_text(text, &s), "");
+        assert_string_equal(s.alignment[0].name, cases[i].utf8);
+        survey_clear(&s);
+    }
+    bad("<?xml version=\"1.0\" encoding=\"GBK\"?>\n<gpx version=\"1.1\"/>", "unknown encoding");
+    bad("<?xml version=\"1.0\" encoding=\"none\"?>\n<gpx version=\"1.1\"/>", "unknown encoding");
+}
+
 TEST_FILE(test_map, cmocka_unit_test(projection), cmocka_unit_test(gpx), cmocka_unit_test(geojson),
-          cmocka_unit_test(crs_of_other_names), cmocka_unit_test(what_stands_before), cmocka_unit_test(what_is_wrong))
+          cmocka_unit_test(crs_of_other_names), cmocka_unit_test(what_stands_before), cmocka_unit_test(what_is_wrong), cmocka_unit_test(encodings))

@@ -1,5 +1,5 @@
 /* Sets of cables: what they are as a whole, and what twisting does to rigidities, against the energy of a helix. */
-#include "theory/cables/bundle.h"
+#include "def/cables/bundle.h"
 
 #include <string.h>
 

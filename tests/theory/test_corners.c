@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "def/limits.h"
 #include "tests/support/check.h"
-#include "theory/change/plan_change.h"
-#include "theory/limits.h"
-#include "theory/place/place.h"
+#include "theory/place.h"
+#include "theory/plan_change.h"
 #include "theory/plan_head.h"
 
 static const DuctLoad SINGLE = {.weight_factor = 1, .sidewall_factor = 1};

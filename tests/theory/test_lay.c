@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "def/cables/duct.h"
 #include "tests/support/check.h"
-#include "theory/cables/duct.h"
 
 enum { MOST = 6 };
 

@@ -1,5 +1,5 @@
 /* Allowable forces by hand, each limit held and broken, what cannot be judged, and the verdict. */
-#include "theory/limits.h"
+#include "def/limits.h"
 
 #include <string.h>
 

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "tests/support/check.h"
-#include "theory/place/place.h"
+#include "theory/place.h"
 
 static const double W = 200; /* N/m */
 

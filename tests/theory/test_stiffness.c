@@ -2,9 +2,9 @@
  */
 #include <math.h>
 
+#include "def/cables/stiffness.h"
+#include "def/limits.h"
 #include "tests/support/check.h"
-#include "theory/cables/stiffness.h"
-#include "theory/limits.h"
 
 /* From an evaluation of (CS1) to (CS7) by another program, to its digits. */
 static void numbers(void **state)

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "tests/support/check.h"
-#include "theory/change/plan_change.h"
-#include "theory/place/place.h"
+#include "theory/place.h"
+#include "theory/plan_change.h"
 #include "theory/plan_head.h"
 
 enum { MOST = 3000 };

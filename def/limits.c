@@ -1,0 +1,129 @@
+#include "def/limits.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+void limits_defaults(LimitsDef *def)
+{
+    *def = (LimitsDef){.cores = 1,
+                       .K = 1,
+                       .stress = NAN,
+                       .pull = NAN,
+                       .grips = 1,
+                       .attachment_rating = NAN,
+                       .sidewall = NAN,
+                       .bend_factor = NAN,
+                       .bend_radius = NAN,
+                       .roller_factor = 1.6,
+                       .rope_strength = NAN,
+                       .rope_factor = 5,
+                       .rope_diameter = NAN,
+                       .rope_bend = NAN,
+                       .sheave = NAN,
+                       .winch_capacity = NAN,
+                       .push = NAN,
+                       .squeeze = NAN,
+                       .speed = NAN,
+                       .alpha = 1.5,
+                       .jam_from = 2.6,
+                       .jam_to = 3.2,
+                       .clearance = 6.35e-3,
+                       .fill = NAN,
+                       .weight_correction = NAN};
+}
+
+/* Names and units by kind. */
+static const struct {
+    const char *name, *unit;
+} kinds[LIMIT_KINDS] = {{"pull", "N"},        {"restart", "N"},   {"attachment", "N"},    {"sidewall", "N/m"},
+                        {"bend_radius", "m"}, {"rope_bend", "1"}, {"roller_steady", "N"}, {"roller_peak", "N"},
+                        {"rope", "N"},        {"winch", "N"},     {"push", "N"},          {"squeeze", "N/m"},
+                        {"run_away", "N"},    {"alpha", "1"},     {"trip", "N"},          {"speed", "m/s"},
+                        {"jam_ratio", "1"},   {"clearance", "m"}, {"fill", "1"},          {"weight_correction", "1"}};
+
+const char *limits_name(LimitKind kind) { return kinds[kind].name; }
+
+/* Of nothing everything is missing, and so of next to nothing: a thousand times as much as there is, at most. */
+static double margin_at_least(double value, double limit)
+{
+    static const double MOST = 1000;
+    return value * (1 + MOST) > limit ? 1 - limit / value : limit > 0 ? -MOST : 1;
+}
+
+/* (LI4). A value that is not known is not judged, and neither is one whose limit is not. */
+static void judge(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f,
+                  hawser_limit *out)
+{
+    *out = (hawser_limit){
+        .name = kinds[kind].name, .unit = kinds[kind].unit, .value = f->value, .margin = NAN, .error = f->error};
+    memcpy(out->where, f->where, sizeof out->where);
+    out->limit = limits_allowed(def, kind, diameter, cables, f, out->source);
+    if (isnan(out->limit)) return;
+    if (isnan(f->value)) {
+        snprintf(out->source, sizeof out->source, "%s", f->why);
+        return;
+    }
+    out->judged = 1;
+    out->margin = limits_at_least(def, kind, f) ? margin_at_least(out->value, out->limit) : 1 - out->value / out->limit;
+    if (kind == LIMIT_RUN_AWAY) out->margin = f->value > 0 ? -f->value / fmax(f->value, f->rating) : 1; /* (LI12) */
+    out->ok = out->margin >= 0;
+}
+
+/* How far a ratio is from the band, 1; below 0 within it. */
+static double jam_distance(const LimitsDef *def, double ratio)
+{
+    return fmax(def->jam_from - ratio, ratio - def->jam_to);
+}
+
+/* A duct that is worse takes the place of the one before. */
+static void duct_worse(int worse, double value, int cables, const char *name, Finding *f)
+{
+    if (!f->absent && !worse) return;
+    *f = (Finding){.value = value, .cables = cables};
+    snprintf(f->where, sizeof f->where, "%.75s", name);
+}
+
+void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctLoad *load, Finding finding[LIMIT_KINDS])
+{
+    Finding *const jam = &finding[LIMIT_JAM], *const room = &finding[LIMIT_CLEARANCE],
+                   *const fill = &finding[LIMIT_FILL], *const weight = &finding[LIMIT_WEIGHT];
+    if (!name) {
+        jam->absent = room->absent = fill->absent = weight->absent = 1;
+        return;
+    }
+    if (load->jam_risk != JAM_NONE) {
+        duct_worse(jam_distance(def, load->jam_ratio) < jam_distance(def, jam->value), load->jam_ratio, cables, name,
+                   jam);
+    }
+    duct_worse(load->clearance < room->value, load->clearance, cables, name, room);
+    duct_worse(load->fill > fill->value, load->fill, cables, name, fill);
+    if (cables > 1) duct_worse(load->weight_factor > weight->value, load->weight_factor, cables, name, weight);
+}
+
+const hawser_limit *limits_undecided(int n, const hawser_limit *limit)
+{
+    const hawser_limit *worst = NULL;
+    double most = 1;
+    for (int i = 0; i < n; i++) {
+        const hawser_limit *const l = &limit[i];
+        if (l->judged && !l->ok) return NULL;
+        const double reach = l->judged && l->limit > 0 ? (l->value + l->error) / l->limit : 0;
+        if (!(l->error > 0 && reach > most)) continue;
+        worst = l;
+        most = reach;
+    }
+    return worst;
+}
+
+int limits_judge(const LimitsDef *def, double diameter, int cables, const Finding finding[LIMIT_KINDS],
+                 hawser_limit *out)
+{
+    int n = 0;
+    if (!def->present) return 0;
+    for (int k = 0; k < LIMIT_KINDS; k++) {
+        if (finding[k].absent) continue;
+        judge(def, (LimitKind)k, diameter, cables, &finding[k], &out[n++]);
+    }
+    return n;
+}

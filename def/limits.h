@@ -1,0 +1,168 @@
+/* What a cable, its rope and its rollers may bear, and whether a pull keeps to it. docs/model.md, "Limits". */
+#ifndef HAWSER_DEF_LIMITS_H
+#define HAWSER_DEF_LIMITS_H
+
+#include "def/cables/duct.h"
+#include "hawser/hawser.h"
+
+/* Whose rules count for what is pulled at: the paper's table 4; CIGRE TB 889; American practice (ICEA, AEIC and IEEE
+ * 1185 are two names of one set); cables to IEC and VDE as European makers quote them; TES-P-104.05. */
+typedef enum LimitCode { CODE_PAPER, CODE_TB889, CODE_AEIC, CODE_IEEE1185, CODE_IEC, CODE_TES } LimitCode;
+/* Whose sidewall pressure and bend radius count. AUTO: what belongs to the code. */
+typedef enum LimitPractice {
+    PRACTICE_AUTO,
+    PRACTICE_CHINESE,
+    PRACTICE_FUJIKURA,
+    PRACTICE_AEIC,
+    PRACTICE_ROLLERS
+} LimitPractice;
+/* What American practice tells cables apart by; UNKNOWN takes the strictest. */
+typedef enum CableType { TYPE_UNKNOWN, TYPE_CONTROL, TYPE_POWER, TYPE_SHIELDED, TYPE_ARMOURED } CableType;
+typedef enum Attachment { ATTACH_EYE, ATTACH_NET } Attachment;
+typedef enum ConductorMetal { METAL_COPPER, METAL_ALUMINIUM } ConductorMetal;
+typedef enum SheathKind { SHEATH_PE, SHEATH_XLPE, SHEATH_LEAD, SHEATH_COPPER, SHEATH_ALUMINIUM } SheathKind;
+typedef enum RopeKind { ROPE_STEEL, ROPE_FIBRE } RopeKind;
+
+/* The section `limits` of a case. NAN: not given, the code or practice says it. */
+typedef struct LimitsDef {
+    int present;
+    int code, practice, attachment;    /* a LimitCode, LimitPractice, Attachment */
+    int cable_type;                    /* a CableType */
+    int metal, cores;                  /* a ConductorMetal; conductors in one cable */
+    double area;                       /* m2, of one conductor; 0: not known */
+    int sheath;                        /* a SheathKind */
+    double sheath_area;                /* m2, of its cross-section; 0: not known */
+    double K;                          /* correction factor of eq. 11: 1 power cables, 0.6 control cables */
+    int grips;                         /* eyes or nets that share the pull */
+    double attachment_rating;          /* N, of each */
+    double stress, pull;               /* Pa; N */
+    double sidewall;                   /* N/m */
+    double bend_factor, bend_radius;   /* of the cable's diameter; m */
+    double roller_factor;              /* rating over load at steady speed */
+    double rope_strength, rope_factor; /* N, breaking; strength over pull */
+    int rope_kind;                     /* a RopeKind */
+    double rope_diameter;              /* m */
+    double rope_bend;                  /* what it is bent round over its diameter */
+    double sheave;                     /* m, diameter of the smallest sheave or drum that it runs round */
+    double winch_capacity;             /* N */
+    double push, squeeze;              /* N, of one machine; N/m, of belts on the cable */
+    double speed;                      /* m/s */
+    double alpha;                      /* largest overload factor of eq. 12 */
+    double jam_from, jam_to;           /* 1.05 D/d of three cables in a duct: not between these */
+    double clearance, fill;   /* m, over the uppermost cable in a duct, at least; share of it that is filled, at most */
+    double weight_correction; /* w_c of (T20) */
+} LimitsDef;
+
+/* The order in which limits are listed. */
+typedef enum LimitKind {
+    LIMIT_PULL,       /* N, largest tension of the cable: what conductor or sheath bear */
+    LIMIT_RESTART,    /* N, the same from rest */
+    LIMIT_ATTACHMENT, /* N, at the eye or net: what that bears */
+    LIMIT_SIDEWALL,   /* N/m */
+    LIMIT_BEND,       /* m, smallest radius of the cable */
+    LIMIT_ROPE_BEND,  /* 1, smallest diameter that the rope is bent round over its own */
+    LIMIT_ROLLER_STEADY,
+    LIMIT_ROLLER_PEAK,
+    LIMIT_ROPE,     /* N */
+    LIMIT_WINCH,    /* N */
+    LIMIT_PUSH,     /* N, largest push of a machine */
+    LIMIT_SQUEEZE,  /* N/m, of belts on the cable */
+    LIMIT_RUN_AWAY, /* N, brake that is missing where the pull begins */
+    LIMIT_ALPHA,
+    LIMIT_TRIP,  /* N, at which the winch stops */
+    LIMIT_SPEED, /* m/s */
+    LIMIT_JAM,
+    LIMIT_CLEARANCE,
+    LIMIT_FILL,
+    LIMIT_WEIGHT, /* 1, weight correction of several cables in a duct */
+    LIMIT_KINDS
+} LimitKind;
+
+/* What a calculation or a simulation found. */
+typedef struct Finding {
+    int absent;     /* it says nothing about this limit, which is then not listed */
+    double value;   /* in the limit's unit; NAN: not known */
+    double error;   /* of value: the error bar of a run's figure; 0: it has none */
+    double rating;  /* N, of the roller found; of the run-away the largest tension, which its margin is measured by */
+    int cables;     /* in the duct found */
+    double steady;  /* N, of a trip: the largest force that the winch needs by itself; NAN: the cable runs away */
+    double beyond;  /* N, of a trip: by what the winch pulls more than the cable's front, reckoned */
+    char where[80]; /* its place */
+    char why[160];  /* why it is not known; of the run-away what is missing */
+} Finding;
+
+/* ------------------------------------------------------------------- values of codes and practices: limits_values.c */
+
+/* What a rule says; a and b of limits_rule in brackets, -1 where a rule holds for all. */
+typedef enum Rule {
+    RULE_CONDUCTOR,  /* Pa, of a conductor under an eye (ConductorMetal, 1 if there are several cores) */
+    RULE_SHEATH,     /* Pa, of a sheath under a net (SheathKind) */
+    RULE_UNDER_NET,  /* Pa, of the conductors where a net may not pull more than they bear (ConductorMetal) */
+    RULE_ATTACHMENT, /* N, of one eye or net, whatever the cable bears (Attachment, SheathKind) */
+    RULE_TOGETHER,   /* 1, share of n cables' sum that a rope may pull at (conductors, cables; 4 and more are 4) */
+    RULE_SIDEWALL,   /* N/m (CableType), by practice */
+    RULE_BEND,       /* 1, radius over the cable's diameter (CableType), by practice */
+    RULE_ROPE_BEND,  /* 1 (RopeKind), by nobody */
+    RULE_SPEED       /* m/s, by nobody */
+} Rule;
+
+/* A value with its source. */
+typedef struct Allowed {
+    double value; /* NAN: nobody says so */
+    const char *source;
+} Allowed;
+
+/* The first rule that fits; set: a LimitCode, of sidewall and bend a LimitPractice, otherwise -1. */
+Allowed limits_rule(Rule rule, int set, int a, int b);
+const char *limits_code_name(int code);
+/* "pull" of LIMIT_PULL and so on. */
+const char *limits_name(LimitKind kind);
+/* Whether nothing is known of a pull without that limit: it is not called safe where this one is not judged. */
+int limits_essential(const char *name);
+/* The practice that counts. */
+int limits_practice(const LimitsDef *def);
+
+/* ------------------------------------------------------------------------------- what is allowed: limits_allowed.c */
+
+/* Allowable pulling force at the head of `cables` equal cables, N, by eq. 11 (LI3) and what the code adds to it (LI9);
+ * NAN with the reason and the key that is missing in `source` if it cannot be told. source: 160 bytes. */
+double limits_pull(const LimitsDef *def, int cables, char *source);
+/* Allowable force of the eyes or nets, N (LI10); sidewall pressure, N/m; smallest radius of a cable of diameter d, m;
+ * likewise. */
+double limits_attachment(const LimitsDef *def, char *source);
+double limits_sidewall(const LimitsDef *def, char *source);
+double limits_radius(const LimitsDef *def, double d, char *source);
+/* At which force a winch should stop, and why not at more. */
+typedef struct TripSetting {
+    double force; /* N; NAN: not known */
+    const char *by;
+} TripSetting;
+/* What the winch should be set to trip at: alpha times the force that theory gives it, or what cable, eye, rope and
+ * winch bear if that is less (LI11). beyond: as in a Finding. */
+TripSetting limits_trip(const LimitsDef *def, int cables, double force, double beyond);
+/* The bound of any kind for what was found, in its unit, (LI3)-(LI12); likewise. And whether it is the least that is
+ * allowed, not the most. */
+double limits_allowed(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f,
+                      char *source);
+int limits_at_least(const LimitsDef *def, LimitKind kind, const Finding *f);
+
+/* ------------------------------------------------------------------------------------------------ to judge: limits.c
+ */
+
+/* The paper's values where nothing else is said. */
+void limits_defaults(LimitsDef *def);
+/* How a number of cables lies in ducts, against the worst of them: their findings of LIMIT_JAM, LIMIT_CLEARANCE,
+ * LIMIT_FILL and LIMIT_WEIGHT into finding[LIMIT_KINDS]; begin with no duct (name NULL). (LI8) */
+void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctLoad *load,
+                 Finding finding[LIMIT_KINDS]);
+/* How the source of `trip` begins where more is needed than is allowed. */
+#define LIMITS_NO_TRIP "no trip does"
+
+/* Sets the findings against the limits, (LI4): out[HAWSER_LIMITS_MAX]. Returns how many; 0 if def is not present. */
+int limits_judge(const LimitsDef *def, double diameter, int cables, const Finding finding[LIMIT_KINDS],
+                 hawser_limit *out);
+/* Where all limits hold, the one that the error bar of its figure reaches farthest beyond; NULL: there is none, or a
+ * limit is broken anyway. */
+const hawser_limit *limits_undecided(int n, const hawser_limit *limit);
+
+#endif

@@ -1,0 +1,277 @@
+/* What is allowed: the case's own values, and the rules of codes and practices where it has none. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "def/limits.h"
+
+enum { SOURCE_SIZE = sizeof((hawser_limit *)0)->source };
+
+/* A key of the case in place of the rule; the rule's source or the key's. */
+static Allowed given_or(double given, const char *key, Allowed rule)
+{
+    return isnan(given) ? rule : (Allowed){given, key};
+}
+
+/* A bound that only the case can give. */
+static double given(double value, const char *key, char *source)
+{
+    snprintf(source, SOURCE_SIZE, isnan(value) ? "needs limits.%s" : "limits.%s", key);
+    return value;
+}
+
+/* What is pulled at: its stress, Pa, its cross-section, m2, and the key that gives it. */
+typedef struct Grasp {
+    Allowed stress;
+    double area;
+    const char *key;
+} Grasp;
+
+/* An eye pulls at the conductors. So does a net of a code that knows no stress of this sheath but says what conductors
+ * bear under one. */
+static Grasp grasp_of(const LimitsDef *def)
+{
+    const double area = def->area * def->cores;
+    if (def->attachment == ATTACH_EYE)
+        return (Grasp){limits_rule(RULE_CONDUCTOR, def->code, def->metal, def->cores > 1), area, "conductor"};
+    const Allowed sheath = limits_rule(RULE_SHEATH, def->code, def->sheath, 0);
+    const Allowed under = limits_rule(RULE_UNDER_NET, def->code, def->metal, 0);
+    const int by_sheath = !isnan(sheath.value) || isnan(under.value);
+    return (Grasp){by_sheath ? sheath : under, by_sheath ? def->sheath_area : area, by_sheath ? "sheath" : "conductor"};
+}
+
+/* Share of their sum that a rope may pull at n cables. */
+static Allowed together(const LimitsDef *def, int cables)
+{
+    const int conductors = cables * def->cores;
+    const Allowed share =
+        limits_rule(RULE_TOGETHER, def->code, conductors > 4 ? 4 : conductors, cables > 4 ? 4 : cables);
+    return isnan(share.value) ? (Allowed){1, ""} : share;
+}
+
+double limits_pull(const LimitsDef *def, int cables, char *source)
+{
+    Grasp at = grasp_of(def);
+    const Allowed share = together(def, cables);
+    at.stress = given_or(def->stress, "limits.stress", at.stress);
+    if (!isnan(def->pull)) { /* of one cable, with what the code says of its own conductors */
+        const double of_several = share.value / together(def, 1).value;
+        snprintf(source, SOURCE_SIZE, "limits.pull%s%s", of_several < 1 ? "; " : "",
+                 of_several < 1 ? share.source : "");
+        return of_several * cables * def->pull; /* (LI9) */
+    }
+    if (isnan(at.stress.value)) {
+        snprintf(source, SOURCE_SIZE, "code %s has no stress for this %s: needs limits.stress or limits.pull",
+                 limits_code_name(def->code), at.key);
+        return NAN;
+    }
+    if (!(at.area > 0)) {
+        snprintf(source, SOURCE_SIZE, "needs limits.%s.area or limits.pull", at.key);
+        return NAN;
+    }
+    const double area = cables * at.area;
+    snprintf(source, SOURCE_SIZE, "eq. 11, K = %g, S = %g mm2; %s%s%s", def->K, area * 1e6, at.stress.source,
+             *share.source ? "; " : "", share.source);
+    return share.value * def->K * at.stress.value * area; /* (LI3), (LI9) */
+}
+
+double limits_attachment(const LimitsDef *def, char *source)
+{
+    const Allowed usual = limits_rule(RULE_ATTACHMENT, def->code, def->attachment, def->sheath);
+    const int own = !isnan(def->attachment_rating) && !(usual.value < def->attachment_rating);
+    const double each = own ? def->attachment_rating : usual.value;
+    snprintf(source, SOURCE_SIZE, "%s", own ? "limits.attachment_rating" : usual.source);
+    if (isnan(each)) snprintf(source, SOURCE_SIZE, "%s", "needs limits.attachment_rating");
+    if (def->grips > 1 && !isnan(each)) {
+        const size_t used = strlen(source);
+        snprintf(source + used, SOURCE_SIZE - used, ", %d of them", def->grips);
+    }
+    return def->grips * each; /* (LI10) */
+}
+
+double limits_sidewall(const LimitsDef *def, char *source)
+{
+    const Allowed a = given_or(def->sidewall, "limits.sidewall",
+                               limits_rule(RULE_SIDEWALL, limits_practice(def), def->cable_type, 0));
+    snprintf(source, SOURCE_SIZE, "%s", a.source);
+    return a.value;
+}
+
+double limits_radius(const LimitsDef *def, double d, char *source)
+{
+    snprintf(source, SOURCE_SIZE, "%s", "limits.bend_radius");
+    if (!isnan(def->bend_radius)) return def->bend_radius;
+    const Allowed k = given_or(def->bend_factor, "limits.bend_factor",
+                               limits_rule(RULE_BEND, limits_practice(def), def->cable_type, 0));
+    snprintf(source, SOURCE_SIZE, "%g D, D = %g mm (%s)", k.value, 1e3 * d, k.source);
+    return k.value * d;
+}
+
+/* What the rope may be pulled with, N. */
+static double rope_allowed(const LimitsDef *def, char *source)
+{
+    if (isnan(given(def->rope_strength, "rope_strength", source))) return NAN;
+    snprintf(source, SOURCE_SIZE, "strength %g kN over a safety factor of %g", def->rope_strength / 1e3,
+             def->rope_factor);
+    return def->rope_strength / def->rope_factor;
+}
+
+/* The smallest of those that are known: cable, eye, rope and winch, N at the winch (LI11); NAN if none is. */
+static TripSetting winch_most(const LimitsDef *def, int cables, double beyond)
+{
+    char source[SOURCE_SIZE];
+    const TripSetting each[] = {{limits_pull(def, cables, source) + beyond, "what the cable may be pulled with"},
+                                {limits_attachment(def, source) + beyond, "what the eye or net bears"},
+                                {rope_allowed(def, source), "what the rope may be pulled with"},
+                                {def->winch_capacity, "what the winch can pull"}};
+    TripSetting least = {NAN, "nothing is known that gives first"};
+    for (size_t i = 0; i < sizeof each / sizeof *each; i++) {
+        if (!isnan(each[i].force) && !(each[i].force >= least.force)) least = each[i];
+    }
+    return least;
+}
+
+TripSetting limits_trip(const LimitsDef *def, int cables, double force, double beyond)
+{
+    const TripSetting usual = {force > 0 ? def->alpha * force : NAN, "alpha times the largest force"},
+                      most = winch_most(def, cables, beyond);
+    return isnan(usual.force) || most.force < usual.force ? most : usual;
+}
+
+/* Above all that the winch needs and below all that something bears: the nearer end of that band. */
+static double trip_allowed(const LimitsDef *def, int cables, const Finding *f, char *source)
+{
+    const double most = winch_most(def, cables, f->beyond).force,
+                 usual = limits_trip(def, cables, f->steady, f->beyond).force;
+    if (isnan(f->steady)) {
+        snprintf(source, SOURCE_SIZE, "%s",
+                 "the winch's force is not known before the cable is held back: see run_away");
+        return NAN;
+    }
+    if (isnan(f->value)) {
+        snprintf(source, SOURCE_SIZE, "needs drive.winch.trip: set it to %.4g kN", usual / 1e3);
+        return NAN;
+    }
+    if (isnan(most)) {
+        snprintf(source, SOURCE_SIZE, "needs limits.conductor or limits.pull; %.4g kN are needed anyway",
+                 f->steady / 1e3);
+        return f->value < f->steady ? f->steady : NAN;
+    }
+    if (most < f->steady)
+        snprintf(source, SOURCE_SIZE, LIMITS_NO_TRIP ": %.4g kN are needed, %.4g kN allowed", f->steady / 1e3,
+                 most / 1e3);
+    else
+        snprintf(source, SOURCE_SIZE, "from %.4g kN, needed, to %.4g kN, allowed; advised %.4g kN", f->steady / 1e3,
+                 most / 1e3, usual / 1e3);
+    return f->value < f->steady ? f->steady : most;
+}
+
+/* What the roller that was found may bear, N: its rating, at steady speed less a reserve. */
+static double roller_allowed(const LimitsDef *def, const Finding *f, int steady, char *source)
+{
+    snprintf(source, SOURCE_SIZE, "%s", "no roller has a rating: needs rollers.along.N.rating");
+    if (!(f->rating > 0)) return NAN;
+    if (!steady) snprintf(source, SOURCE_SIZE, "rated %g kN", f->rating / 1e3);
+    if (steady)
+        snprintf(source, SOURCE_SIZE, "rated %g kN, %g times the steady load", f->rating / 1e3, def->roller_factor);
+    return steady ? f->rating / def->roller_factor : f->rating;
+}
+
+/* Share of a duct that n cables may fill: the usual table of conduits. */
+static double fill_allowed(const LimitsDef *def, int cables, char *source)
+{
+    const double usual = cables == 1 ? 0.53 : cables == 2 ? 0.31 : 0.4;
+    snprintf(source, SOURCE_SIZE, "%s", "limits.fill");
+    if (!isnan(def->fill)) return def->fill;
+    snprintf(source, SOURCE_SIZE, "%g %% with %d cable%s (conduits: 53, 31, from three on 40 %%)", 100 * usual, cables,
+             cables == 1 ? "" : "s");
+    return usual;
+}
+
+/* Nearer to the upper end of the band in which cables jam: then a wider duct is asked for, else a narrower one. */
+static int jams_above(const LimitsDef *def, double ratio) { return 2 * ratio > def->jam_from + def->jam_to; }
+
+/* A rule of one number that the case may replace. */
+static double by_rule(double own, const char *key, Allowed rule, char *source)
+{
+    const Allowed a = given_or(own, key, rule);
+    snprintf(source, SOURCE_SIZE, "%s", a.source);
+    return a.value;
+}
+
+/* What is allowed of ducts. */
+static double duct_allowed(const LimitsDef *def, LimitKind kind, const Finding *f, char *source)
+{
+    switch (kind) {
+    case LIMIT_JAM:
+        snprintf(source, SOURCE_SIZE, "three cables wedge between %g and %g", def->jam_from, def->jam_to);
+        return jams_above(def, f->value) ? def->jam_to : def->jam_from;
+    case LIMIT_CLEARANCE:
+        snprintf(source, SOURCE_SIZE, "%s", "over the uppermost cable; 1/4 in are usual");
+        return def->clearance;
+    case LIMIT_WEIGHT:
+        if (isnan(given(def->weight_correction, "weight_correction", source)))
+            snprintf(source, SOURCE_SIZE, "%s", "no code has a bound: needs limits.weight_correction");
+        return def->weight_correction;
+    default:
+        return fill_allowed(def, f->cables, source);
+    }
+}
+
+/* What machines, rope and winch allow. */
+static double machine_allowed(const LimitsDef *def, LimitKind kind, int cables, const Finding *f, char *source)
+{
+    switch (kind) {
+    case LIMIT_ROLLER_STEADY:
+    case LIMIT_ROLLER_PEAK:
+        return roller_allowed(def, f, kind == LIMIT_ROLLER_STEADY, source);
+    case LIMIT_ROPE:
+        return rope_allowed(def, source);
+    case LIMIT_ROPE_BEND:
+        return by_rule(def->rope_bend, "limits.rope_bend", limits_rule(RULE_ROPE_BEND, -1, def->rope_kind, 0), source);
+    case LIMIT_WINCH:
+        return given(def->winch_capacity, "winch_capacity", source);
+    case LIMIT_PUSH:
+        return given(def->push, "push", source);
+    case LIMIT_SQUEEZE:
+        return given(def->squeeze, "squeeze", source);
+    case LIMIT_TRIP:
+        return trip_allowed(def, cables, f, source);
+    case LIMIT_SPEED:
+        return by_rule(def->speed, "limits.speed", limits_rule(RULE_SPEED, -1, 0, 0), source);
+    default:
+        snprintf(source, SOURCE_SIZE, "%s", "eq. 12: 1.2 to 1.5 are usual");
+        return def->alpha;
+    }
+}
+
+double limits_allowed(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f, char *source)
+{
+    switch (kind) {
+    case LIMIT_PULL:
+    case LIMIT_RESTART:
+        return limits_pull(def, cables, source);
+    case LIMIT_ATTACHMENT:
+        return limits_attachment(def, source);
+    case LIMIT_SIDEWALL:
+        return limits_sidewall(def, source);
+    case LIMIT_BEND:
+        return limits_radius(def, diameter, source);
+    case LIMIT_RUN_AWAY:
+        snprintf(source, SOURCE_SIZE, "%s", f->value > 0 ? f->why : "a cable cannot be pushed");
+        return 0;
+    case LIMIT_JAM:
+    case LIMIT_CLEARANCE:
+    case LIMIT_FILL:
+    case LIMIT_WEIGHT:
+        return duct_allowed(def, kind, f, source);
+    default:
+        return machine_allowed(def, kind, cables, f, source);
+    }
+}
+
+int limits_at_least(const LimitsDef *def, LimitKind kind, const Finding *f)
+{
+    return kind == LIMIT_BEND || kind == LIMIT_ROPE_BEND || kind == LIMIT_CLEARANCE ||
+           (kind == LIMIT_JAM && jams_above(def, f->value)) || (kind == LIMIT_TRIP && f->value < f->steady);
+}

@@ -1,0 +1,86 @@
+/* What a case says of a rod: a chain with a shape of its own, ends that are held or led, loads anywhere, and no route.
+ * A part of SceneDef (def/scene_def.h). SI; places along the rod are m from its tail; directions are unit vectors.
+ */
+#ifndef HAWSER_DEF_ROD_DEF_H
+#define HAWSER_DEF_ROD_DEF_H
+
+#include "core/base/vec3.h"
+#include "core/profile.h"
+
+enum { ROD_NAME_MAX = 64 };
+
+typedef enum RodShape { ROD_STRAIGHT, ROD_ARC, ROD_HELIX, ROD_POLYLINE } RodShape;
+
+/* A value over time along or about a direction of the world; the table's arrays are owned. */
+typedef struct RodProfile {
+    Vec3 direction;
+    Profile size;
+    double *table_time, *table_value;
+} RodProfile;
+
+/* A part of what leads an end: along (m) or about (rad) the profile's direction, or at that rate (m/s, rad/s). */
+typedef struct RodMotionDef {
+    int turns, rates;
+    RodProfile by;
+} RodMotionDef;
+
+/* How an end is held by the ground: by its half-springs in these components, axial first (core/chain.h). */
+typedef struct RodEndDef {
+    int held[6];
+    int pivot; /* the three translations are held alike in every direction, so that the end may turn right round */
+    int n_motions;
+    RodMotionDef *motions; /* [n_motions], owned */
+} RodEndDef;
+
+/* A force (N) or moment (N m) on one cross-section. */
+typedef struct RodLoadDef {
+    char name[ROD_NAME_MAX];
+    double at;
+    int moment, follower; /* follower: its direction turns with the segment */
+    RodProfile by;
+} RodLoadDef;
+
+typedef struct RodMassDef {
+    double at, mass; /* m, kg */
+} RodMassDef;
+
+enum { ROD_TAIL, ROD_HEAD };
+
+typedef struct RodDef {
+    int present;
+    RodShape shape;
+    double radius, pitch, plane; /* arc: radius and plane (core/route.h); helix: pitch (m a turn) too */
+    int n_points;
+    Vec3 *points; /* [n_points], owned; polyline */
+    double roll,
+        roll_rate;   /* rad, rad/m: of the cross-section about the axis, from where it is carried without twist */
+    int stress_free; /* it rests in its shape; otherwise it is bent into it from straight */
+    RodEndDef end[2];
+    int n_loads, n_masses;
+    RodLoadDef *loads;  /* owned */
+    RodMassDef *masses; /* owned */
+} RodDef;
+
+/* ---- The line in which a rod lies at t = 0 (def/rod_shape.c): straight, arc, helix or polyline. docs/model.md,
+ * "Rods" (RD1), (RD2). */
+
+/* The line, ready to be evaluated; borrows the definition. */
+typedef struct RodLine {
+    const RodDef *def;
+    Vec3 start, forward, left, up; /* m; unit axes at the start: the heading's direction, level to its left, up */
+} RodLine;
+
+typedef struct RodPlace {
+    Vec3 position, tangent; /* m, unit */
+} RodPlace;
+
+/* heading and slope in rad as for routes; a polyline has its own. */
+RodLine rod_line(const RodDef *def, Vec3 start, double heading, double slope);
+/* The line at arc length s (m); before a polyline's first point and past its last it goes on straight. */
+RodPlace rod_line_at(const RodLine *line, double s);
+/* Length of a polyline, m. */
+double rod_points_length(int n, const Vec3 *point);
+/* The first s beyond `from` whose straight distance from the line at `from` is `chord` (m > 0). */
+double rod_line_chord(const RodLine *line, double from, double chord);
+
+#endif

@@ -1,0 +1,166 @@
+/* What a definition owns, named once: copying and clearing go over it. */
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "def/scene_def.h"
+
+/* An array of the definition's: where its pointer and its count are, and the size of an item. */
+typedef struct OwnedArray {
+    size_t pointer, count, size;
+} OwnedArray;
+
+#define OWNED(array, n)                                                                                                \
+    {                                                                                                                  \
+        offsetof(SceneDef, array), offsetof(SceneDef, n), sizeof *((SceneDef *)NULL)->array                            \
+    }
+
+static const OwnedArray owned[] = {
+    OWNED(cables, n_cables),
+    OWNED(pieces, n_pieces),
+    OWNED(route, n_route),
+    OWNED(rollers, n_rollers),
+    OWNED(surfaces, n_surfaces),
+    OWNED(conveyors, n_conveyors),
+    OWNED(jams, n_jams),
+    OWNED(script, n_script),
+    OWNED(stations, n_stations),
+    OWNED(paper, n_paper),
+    OWNED(launch.row, launch.n_rows),
+    OWNED(output.speed_segments, output.n_speed_segments),
+    OWNED(output.load_rollers, output.n_load_rollers),
+    OWNED(output.probes, output.n_probes),
+    OWNED(analysis.positions.at, analysis.positions.n),
+    OWNED(drawn, n_drawn),
+    OWNED(assumptions, n_assumptions),
+    OWNED(inputs, inputs_size),
+    OWNED(files.mark, files.n),
+    OWNED(theory.wear, theory.n_wear),
+    OWNED(theory.friction, theory.n_friction),
+    OWNED(theory.machines, theory.n_machines),
+    OWNED(theory.pits, theory.n_pits),
+    OWNED(rod.points, rod.n_points),
+    OWNED(rod.masses, rod.n_masses),
+    OWNED(rod.loads, rod.n_loads),
+    OWNED(rod.end[ROD_TAIL].motions, rod.end[ROD_TAIL].n_motions),
+    OWNED(rod.end[ROD_HEAD].motions, rod.end[ROD_HEAD].n_motions),
+};
+enum { OWNED_ARRAYS = sizeof owned / sizeof *owned };
+
+int scene_def_sticks(const SceneDef *def)
+{
+    int sticks = 0;
+    for (int r = 0; r < def->n_rollers; ++r) sticks |= def->rollers[r].friction.d_s > 0;
+    for (int k = 0; k < def->n_surfaces; ++k) sticks |= def->surfaces[k].friction.d_s > 0;
+    return sticks;
+}
+
+const char *scene_def_can_jam(const SceneDef *def, int i)
+{
+    if (i < def->n_rollers) return def->rollers[i].name;
+    return i - def->n_rollers < def->n_conveyors ? def->conveyors[i - def->n_rollers].name : NULL;
+}
+
+/* Where the pointer of an array is, whatever it points to. */
+static void *array_of(const SceneDef *def, const OwnedArray *a)
+{
+    void *array;
+    memcpy(&array, (const char *)def + a->pointer, sizeof array);
+    return array;
+}
+
+static void array_put(SceneDef *def, const OwnedArray *a, void *array)
+{
+    memcpy((char *)def + a->pointer, &array, sizeof array);
+}
+
+/* A copy of `count` items of `size`; counts of 0 give an allocation too. *ok becomes 0 if there is no memory. */
+static void *copy_of(const void *from, int count, size_t size, int *ok)
+{
+    void *to = calloc((size_t)count + 1, size);
+    if (!to) {
+        *ok = 0;
+    } else if (count > 0) {
+        memcpy(to, from, (size_t)count * size);
+    }
+    return to;
+}
+
+/* What is done to the table behind a profile. */
+typedef void TableVisit(Profile *profile, double **time, double **value, int *ok);
+
+/* A table of its own, with the profile pointed at it. */
+static void table_copy(Profile *profile, double **time, double **value, int *ok)
+{
+    const int n = profile->kind == PROFILE_TABLE ? profile->n : 0;
+    profile->time = *time = copy_of(profile->time, n, sizeof(double), ok);
+    profile->value = *value = copy_of(profile->value, n, sizeof(double), ok);
+}
+
+static void table_clear(Profile *profile, double **time, double **value, int *ok)
+{
+    (void)profile, (void)ok;
+    free(*time);
+    free(*value);
+}
+
+/* All tables there are: those of the definition itself, and of the items of its arrays. */
+static void tables_visit(SceneDef *def, TableVisit *visit, int *ok)
+{
+    visit(&def->winch.speed, &def->winch.table_time, &def->winch.table_value, ok);
+    visit(&def->winch.tension, &def->winch.tension_time, &def->winch.tension_value, ok);
+    visit(&def->tail.tension, &def->tail.table_time, &def->tail.table_value, ok);
+    for (int i = 0; def->conveyors && i < def->n_conveyors; ++i) {
+        ConveyorDef *const c = &def->conveyors[i];
+        visit(&c->speed, &c->table_time, &c->table_value, ok);
+    }
+    for (int l = 0; def->rod.loads && l < def->rod.n_loads; ++l) {
+        RodProfile *const by = &def->rod.loads[l].by;
+        visit(&by->size, &by->table_time, &by->table_value, ok);
+    }
+    for (int e = 0; e < 2; ++e) {
+        const RodEndDef *const end = &def->rod.end[e];
+        for (int m = 0; end->motions && m < end->n_motions; ++m) {
+            RodProfile *const by = &end->motions[m].by;
+            visit(&by->size, &by->table_time, &by->table_value, ok);
+        }
+    }
+}
+
+void scene_def_clear(SceneDef *def)
+{
+    for (int k = 0; k < def->n_beside; ++k) scene_def_clear(&def->beside[k]);
+    free(def->beside);
+    tables_visit(def, table_clear, NULL);
+    for (int i = 0; i < OWNED_ARRAYS; ++i) free(array_of(def, &owned[i]));
+    memset(def, 0, sizeof *def);
+}
+
+/* The other chains' definitions; what could be copied stays for the clear. */
+static void beside_copy(const SceneDef *def, SceneDef *out, int *ok)
+{
+    out->n_beside = 0;
+    out->beside = def->n_beside > 0 ? calloc((size_t)def->n_beside, sizeof *out->beside) : NULL;
+    *ok = *ok && (out->beside || def->n_beside == 0);
+    for (int k = 0; *ok && k < def->n_beside; ++k) {
+        *ok = !scene_def_copy(&def->beside[k], &out->beside[k], NULL);
+        out->n_beside += *ok;
+    }
+}
+
+hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err)
+{
+    int ok = 1;
+    *out = *def;
+    beside_copy(def, out, &ok);
+    for (int i = 0; i < OWNED_ARRAYS; ++i) {
+        int count;
+        memcpy(&count, (const char *)def + owned[i].count, sizeof count);
+        array_put(out, &owned[i], copy_of(array_of(def, &owned[i]), count, owned[i].size, &ok));
+    }
+    tables_visit(out, table_copy, &ok);
+    if (ok) return HAWSER_OK;
+    scene_def_clear(out);
+    return error_memory(err);
+}

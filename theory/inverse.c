@@ -1,0 +1,319 @@
+#include "theory/inverse.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "theory/plan_pull.h"
+
+/* How far a search goes: a thousand times as much, or as little. */
+static const double FARTHEST = 1000;
+
+/* One question on its way to an answer. */
+typedef struct Question {
+    const Setup *setup;
+    const Calculator *base;
+    InverseKind kind;
+    int way, bend;                    /* bend: the piece that INVERSE_BEND is about */
+    int untouched[HAWSER_LIMITS_MAX]; /* by limit: the question does not change its value */
+    double enough;                    /* N: a tension that certainly breaks a limit; 0: none does */
+    hawser_status status; /* what ended the search; values that cannot be computed do not hold, and do not */
+    hawser_error *err;
+} Question;
+
+static Variation variation_of(const Question *q, double x)
+{
+    Variation v = {.way = q->way, .friction = 1, .radius = 1, .bend = -1};
+    if (q->kind == INVERSE_FRICTION) v.friction = x;
+    if (q->kind == INVERSE_RADIUS || q->kind == INVERSE_BEND) v.radius = x;
+    if (q->kind == INVERSE_BEND) v.bend = q->bend;
+    if (q->kind == INVERSE_LENGTH) v.beyond = (x - 1) * q->base->route->length;
+    return v;
+}
+
+/* The varied calculator, whether it could be solved. Friction may grow past what can be computed. */
+static int varied(Question *q, const Variation *by, Calculator *c)
+{
+    hawser_error local;
+    const hawser_status status = calculator_vary(q->setup, q->base, by, c, &local);
+    if (status == HAWSER_ERR_MEMORY) {
+        q->status = status;
+        if (q->err) *q->err = local;
+    }
+    return !status;
+}
+
+/* Which broken limits the question does not touch: those that neither half nor twice of it changes. What holds may
+ * break farther on. */
+static void touched_find(Question *q)
+{
+    for (int i = 0; i < HAWSER_LIMITS_MAX; ++i) q->untouched[i] = 0;
+    for (int i = 0; i < q->base->n_limits; ++i) {
+        const hawser_limit *const l = &q->base->limit[q->way][i];
+        q->untouched[i] = l->judged && !l->ok;
+    }
+    for (int k = 0; k < 2; ++k) {
+        Calculator c;
+        const Variation by = variation_of(q, k ? 2 : 0.5);
+        const int solved = varied(q, &by, &c);
+        for (int i = 0; i < q->base->n_limits; ++i) {
+            const double now = q->base->limit[q->way][i].value;
+            if (!solved || fabs(c.limit[q->way][i].value - now) > 1e-12 * fabs(now)) q->untouched[i] = 0;
+        }
+        calculator_free(&c);
+    }
+}
+
+/* The limit that is broken most of those that the question touches; NULL: none. */
+static const hawser_limit *broken(const Question *q, const Calculator *c)
+{
+    const hawser_limit *worst = NULL;
+    for (int i = 0; i < c->n_limits; ++i) {
+        const hawser_limit *const l = &c->limit[q->way][i];
+        if (!l->judged || l->ok || q->untouched[i]) continue;
+        if (!worst || l->margin < worst->margin) worst = l;
+    }
+    return worst;
+}
+
+static int keeps(const Question *q, const Calculator *c) { return c->pulled[q->way].holds && !broken(q, c); }
+
+/* Those that are broken and that it does not touch, as far as there is room. */
+static void stays_find(const Question *q, const Calculator *c, char stays[INVERSE_STAYS_MAX])
+{
+    size_t n = 0;
+    *stays = 0;
+    for (int i = 0; i < c->n_limits; ++i) {
+        const hawser_limit *const l = &c->limit[q->way][i];
+        if (!l->judged || l->ok || !q->untouched[i] || n + strlen(l->name) + 3 > INVERSE_STAYS_MAX) continue;
+        n += (size_t)snprintf(stays + n, INVERSE_STAYS_MAX - n, "%s%s", n ? ", " : "", l->name);
+    }
+}
+
+/* Where the cable's tension is judged both at speed and from rest, more than is allowed of either need not be known:
+ * without this a friction of a thousand times is followed through all that it makes of the tension. */
+static void enough_find(Question *q)
+{
+    int judged = 0;
+    double most = 0;
+    for (int i = 0; i < q->base->n_limits; ++i) {
+        const hawser_limit *const l = &q->base->limit[q->way][i];
+        const int tension = !strcmp(l->name, limits_name(LIMIT_PULL)) || !strcmp(l->name, limits_name(LIMIT_RESTART));
+        if (!tension || !l->judged || q->untouched[i]) continue;
+        ++judged;
+        most = fmax(most, l->limit);
+    }
+    q->enough = judged == 2 ? (1 + 1e-6) * most : 0;
+}
+
+static int question_holds(void *what, double x)
+{
+    Question *const q = what;
+    Calculator c;
+    if (q->status) return 0;
+    Variation by = variation_of(q, x);
+    by.enough = q->enough;
+    const int holds = varied(q, &by, &c) && keeps(q, &c);
+    calculator_free(&c);
+    return holds;
+}
+
+/* What is broken most there, and where. */
+static void binding_find(Question *q, const Variation *by, char binds[24], char where[80])
+{
+    Calculator c;
+    *binds = *where = 0;
+    if (!varied(q, by, &c)) {
+        snprintf(binds, 24, "%s", "pull");
+    } else if (!c.pulled[q->way].holds) {
+        const Pushed worst = c.pushed[q->way];
+        snprintf(binds, 24, "%s", "pulled");
+        memcpy(where, finding_on(c.route, 0, worst.at, worst.piece).where, 80);
+    } else {
+        const hawser_limit *const worst = broken(q, &c);
+        if (worst) snprintf(binds, 24, "%.23s", worst->name);
+        if (worst) snprintf(where, 80, "%.79s", worst->where);
+    }
+    calculator_free(&c);
+}
+
+/* The bend of the largest sidewall pressure; -1 without bends. */
+static int critical_bend(const Calculator *c, int way)
+{
+    const Plan *const plan = &c->plan;
+    int worst = -1;
+    for (int p = 0; p < plan->n; ++p) {
+        if (c->route->piece[p].kind == ROUTE_STRAIGHT) continue;
+        if (worst < 0 || plan->way[way].piece[p].sidewall > plan->way[way].piece[worst].sidewall) worst = p;
+    }
+    return worst;
+}
+
+/* What the case has of it: the largest friction on the route, the smallest radius, the route's length. */
+static double now_of(const Question *q)
+{
+    const Calculator *const c = q->base;
+    double radius = INFINITY;
+    if (q->kind == INVERSE_LENGTH) return c->route->length;
+    if (q->kind == INVERSE_BEND) return c->route->piece[q->bend].radius;
+    if (q->kind == INVERSE_FRICTION) return c->mu_largest;
+    for (int p = 0; p < c->route->n; ++p) {
+        if (c->route->piece[p].kind != ROUTE_STRAIGHT) radius = fmin(radius, c->route->piece[p].radius);
+    }
+    return radius;
+}
+
+/* Whether what is wrong is that the cable runs ahead, which more friction may hold. */
+static int runs_ahead(const Question *q)
+{
+    const hawser_limit *const l = q->base->limit[q->way];
+    int broken_by_it = !q->base->pulled[q->way].holds;
+    for (int i = 0; i < q->base->n_limits; ++i)
+        broken_by_it |= l[i].judged && !l[i].ok && !strcmp(l[i].name, limits_name(LIMIT_RUN_AWAY));
+    return broken_by_it;
+}
+
+/* The bound; of friction, where less than there is does not help, that of the range in which more does, from *from on
+ * (PN9). */
+static SearchBound bound_find(Question *q, double *from)
+{
+    const int less = q->kind == INVERSE_RADIUS || q->kind == INVERSE_BEND;
+    const SearchDef search = {question_holds, q, 1, less ? 1 / FARTHEST : FARTHEST},
+                    more = {question_holds, q, 1, 1 / FARTHEST};
+    const SearchBound bound = search_bound(&search);
+    if (bound.end != SEARCH_NOWHERE || q->kind != INVERSE_FRICTION || !runs_ahead(q)) return bound;
+    const SearchBound least = search_bound(&more);
+    if (least.end != SEARCH_FOUND) return bound;
+    const SearchDef beyond = {question_holds, q, least.value, FARTHEST};
+    *from = least.value;
+    return search_bound(&beyond);
+}
+
+static InverseAnswer answer_find(Question *q)
+{
+    InverseAnswer a = {.kind = q->kind, .way = q->way, .now = now_of(q), .value = NAN, .from = NAN};
+    touched_find(q);
+    enough_find(q);
+    const SearchBound bound = bound_find(q, &a.from);
+    a.end = bound.end;
+    a.from *= a.now;
+    if (q->kind == INVERSE_BEND) snprintf(a.what, sizeof a.what, "%s", q->base->route->piece[q->bend].name);
+    if (bound.end == SEARCH_FOUND) a.value = bound.value * a.now;
+    Calculator c;
+    const Variation at = variation_of(q, bound.end == SEARCH_NOWHERE ? 1 : bound.value);
+    if (varied(q, &at, &c)) stays_find(q, &c, a.stays);
+    calculator_free(&c);
+    if (bound.end == SEARCH_EVERYWHERE || q->status) return a;
+    const Variation beyond = variation_of(q, bound.fails);
+    binding_find(q, &beyond, a.binds, a.where);
+    return a;
+}
+
+/* -------------------------------------------------------------------------------------------- machines */
+
+/* m: so far from a bend that a place written in ten digits is not in it. */
+static const double BESIDE = 1e-5;
+
+/* m: where the bends begin and end that follow each other without a straight, around a piece. */
+static void bends_around(const Route *route, int piece, double ends[2])
+{
+    int first = piece, last = piece;
+    while (first > 0 && route->piece[first - 1].kind != ROUTE_STRAIGHT) --first;
+    while (last + 1 < route->n && route->piece[last + 1].kind != ROUTE_STRAIGHT) ++last;
+    ends[0] = route->piece[first].s0;
+    ends[1] = route->piece[last].s0 + route->piece[last].length;
+}
+
+/* Where the tension first reaches `push` behind `after` along the pull; NAN: nowhere. In a bend no machine stands: it
+ * is moved to the bend's end, or with `early` to its start if that is behind `after`. */
+static double next_place(const Calculator *c, int way, double push, double after, int early)
+{
+    const Pull *const pull = &c->plan.way[way].pull;
+    const int sign = way == PLAN_BACKWARD ? -1 : 1;
+    for (int i = 0; i < pull->n; ++i) {
+        const PullSpan *const span = &pull->span[i];
+        if (sign * (span->s1 - after) <= 0 || fmax(span->t0, span->t1) < push) continue;
+        double low = sign * (after - span->s0) > 0 ? after : span->s0, high = span->s1;
+        if (c->route->piece[span->piece].kind != ROUTE_STRAIGHT) {
+            double ends[2];
+            bends_around(c->route, span->piece, ends);
+            const double begin = ends[way == PLAN_BACKWARD] - sign * BESIDE,
+                         end = ends[way == PLAN_FORWARD] + sign * BESIDE;
+            const double at = early && sign * (begin - after) > 0 ? begin : end;
+            return at > 0 && at < c->route->length ? at : NAN;
+        }
+        if (low == span->s0 && span->t0 >= push) return low;
+        for (int k = 0; k < 60; ++k) {
+            const double middle = low + (high - low) / 2;
+            if (pull_at(pull, middle).tension < push) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        return high;
+    }
+    return NAN;
+}
+
+/* What each takes off, N. */
+static void takes_find(const Calculator *c, InverseMachines *m, double push)
+{
+    for (int i = 0; i < m->n; ++i)
+        m->takes[i] = fmin(push, fmax(0, pull_at(&c->plan.way[m->way].pull, m->at[i]).tension));
+}
+
+/* (PN11): one more, as soon as its whole push can be used, until all holds. */
+static void machines_place(Question *q, double push, int early, InverseMachines *m)
+{
+    Variation by = {.way = q->way, .friction = 1, .radius = 1, .bend = -1, .machine = m->at, .push = push};
+    double after = q->way == PLAN_BACKWARD ? INFINITY : -INFINITY;
+    *m = (InverseMachines){.way = q->way, .n = -1};
+    for (int n = 0; n <= INVERSE_MACHINES_MAX; ++n) {
+        Calculator c;
+        by.n_machines = n;
+        const int solved = varied(q, &by, &c), holds = solved && keeps(q, &c);
+        if (holds) m->n = n;
+        if (holds) takes_find(&c, m, push);
+        if (holds) stays_find(q, &c, m->stays);
+        if (solved && !holds && n < INVERSE_MACHINES_MAX) after = next_place(&c, q->way, push, after, early);
+        calculator_free(&c);
+        if (!solved || holds || isnan(after) || n == INVERSE_MACHINES_MAX) break;
+        binding_find(q, &by, m->binds, m->where);
+        m->at[n] = after;
+    }
+    if (m->n < 0) binding_find(q, &by, m->binds, m->where);
+}
+
+/* The better of both ways to keep out of bends. */
+static void machines_find(Question *q, double push, InverseMachines *out)
+{
+    InverseMachines other;
+    machines_place(q, push, 0, out);
+    machines_place(q, push, 1, &other);
+    if (other.n >= 0 && (out->n < 0 || other.n < out->n)) *out = other;
+}
+
+/* ------------------------------------------------------------------------------------------------ all of it */
+
+hawser_status inverse_find(const Setup *setup, const Calculator *base, Inverse *out, hawser_error *err)
+{
+    const double push = setup->def->theory.machine_push;
+    Question q = {.setup = setup, .base = base, .err = err};
+    memset(out, 0, sizeof *out);
+    for (q.way = 0; q.way < PLAN_WAYS; ++q.way) {
+        if (!calculator_worst(base, q.way)) continue;
+        q.bend = critical_bend(base, q.way);
+        for (int k = 0; k < INVERSE_KINDS && !q.status; ++k) {
+            q.kind = (InverseKind)k;
+            if ((k == INVERSE_RADIUS || k == INVERSE_BEND) && q.bend < 0) continue;
+            out->answer[out->n++] = answer_find(&q);
+        }
+        if (isnan(push) || q.status) continue;
+        out->asked = 1;
+        q.kind = INVERSE_FRICTION; /* machines change what friction does */
+        touched_find(&q);
+        machines_find(&q, push, &out->machines[q.way]);
+    }
+    return q.status;
+}
