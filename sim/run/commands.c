@@ -59,11 +59,12 @@ int sim_in_law(Sim *s)
 hawser_status sim_blame_law(Sim *s, hawser_status status, hawser_error *err)
 {
     Sim *first;
-    for (int k = chains_of(s, &first); k-- > 0 && status == HAWSER_ERR_RUN;) {
+    for (int k = chains_of(s, &first); k-- > 0 && (!status || status == HAWSER_ERR_RUN);) {
         Outside *const all = outside_of(&sim_chain(first, k)->stage.scene);
         if (!all->bad) continue;
         all->bad = 0;
-        error_set(err, HAWSER_ERR_RUN,
+        status = HAWSER_ERR_RUN;
+        error_set(err, status,
                   "the law of force of hawser_sim_set_law gave what is no number for segment %d at t = %.6g s",
                   all->segment, all->t);
         error_moment(err, all->t, all->segment);

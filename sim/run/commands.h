@@ -20,7 +20,7 @@ void sim_log(const Sim *s, hawser_log_level level, const char *text);
 hawser_status sim_call(Sim *s, hawser_error *err);
 /* Whether a law of force of the caller's is being called, of this chain or of one that moves together with it. */
 int sim_in_law(Sim *s);
-/* Returns status; a failure to move (RUN) after the law of force has given what is no number says so. */
+/* Returns status; RUN with a message that names the law of force, if it has given what is no number. */
 hawser_status sim_blame_law(Sim *s, hawser_status status, hawser_error *err);
 
 /* All that commands have changed and how far the script is, in bytes; into and out of memory of that size. A

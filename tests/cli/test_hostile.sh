@@ -2,7 +2,7 @@
 hawser=$1 source=$2
 . "$source/tests/cli/common.sh"
 
-short="--set run.duration=200ms --quiet"
+short="--set run.duration=200ms --set run.steady_from=100ms --quiet"
 # shellcheck disable=SC2086
 run_hawser 0 run pull.yaml -o good $short
 mkdir "$work/victims"

@@ -43,7 +43,7 @@ static int meddle(void *user, const hawser_segment_now *at, double wrench[6], do
     if (m->calls++) return 0;
     const hawser_status done[] = {hawser_sim_set_law(m->s, 0, 0, NULL, 0, NULL, &err),
                                   hawser_sim_force(m->s, 0, NULL, 0, &err),
-                                  hawser_sim_control(m->s, HAWSER_WINCH_STOP, NULL, 0, 0, &err),
+                                  hawser_sim_control(m->s, HAWSER_WINCH_BRAKE, NULL, 0, 0, &err),
                                   hawser_sim_relax(m->s, NULL, &err),
                                   hawser_sim_save_memory(m->s, &bytes, &size, &err),
                                   hawser_sim_save(m->s, "/nowhere/state", &err),
