@@ -70,6 +70,8 @@ typedef struct Command {
 int arguments_parse(const Command *command, int argc, char **argv, Arguments *args);
 void arguments_clear(Arguments *args);
 
+/* One line on standard output that has words of the command line in it, as complain. */
+void tell(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Prints "hawser: message" to standard error. */
 void complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Prints that `what` ("command", "option") `given` is not known, naming the nearest of the n known ones if

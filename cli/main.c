@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -34,6 +35,26 @@ static int stack_suffices(void)
     return 0;
 }
 
+/* Programs that are called (a browser, Slurm's) are looked for where the path says, but not in the current folder, whatever
+ * that is: elements that are empty or relative are left out. 0: no memory. */
+static int path_settle(void)
+{
+    const char *at = getenv("PATH");
+    char *const kept = at ? malloc(strlen(at) + 1) : NULL, *to = kept;
+    if (!kept) return !at;
+    for (size_t n; *at; at += n + (at[n] == ':')) {
+        n = strcspn(at, ":");
+        if (*at != '/') continue;
+        if (to > kept) *to++ = ':';
+        memcpy(to, at, n);
+        to += n;
+    }
+    *to = 0;
+    const int set = !setenv("PATH", to > kept ? kept : "/usr/bin:/bin", 1);
+    free(kept);
+    return set;
+}
+
 int main(int argc, char **argv)
 {
     static char room[BUFSIZ]; /* without a buffer of its own standard output drops what it is given */
@@ -42,6 +63,10 @@ int main(int argc, char **argv)
         return EXIT_OUTPUT;
     }
     if (!stack_suffices()) return EXIT_INTERNAL;
+    if (!path_settle()) {
+        complain("out of memory");
+        return EXIT_INTERNAL;
+    }
     interrupt_end();
     signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is a write that fails: as a disk that is full */
     setvbuf(stdout, room, isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, sizeof room);

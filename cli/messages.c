@@ -43,6 +43,17 @@ void complain(const char *format, ...)
     fprintf(stderr, "hawser: %s\n", text);
 }
 
+void tell(const char *format, ...)
+{
+    char text[HAWSER_MESSAGE_MAX + 256];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    make_printable(text);
+    printf("%s\n", text);
+}
+
 /* How many letters must be added, dropped or changed to make b of a (Levenshtein's distance, row by row). */
 static int edit_distance(const char *a, const char *b)
 {

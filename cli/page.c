@@ -46,7 +46,7 @@ hawser_status page_make(const char *const *folders, size_t n, const char *path, 
     hawser_status status =
         study ? hawser_study_report(folders[0], path, err) : hawser_report_write(folders, n, path, err);
     if (status) return status;
-    if (!quiet) printf("Report: %s\n", path);
+    if (!quiet) tell("Report: %s", path);
     if (!pdf) return HAWSER_OK;
     interrupt_watch(); /* the browser does not outlive us */
     fflush(stdout);
@@ -56,7 +56,7 @@ hawser_status page_make(const char *const *folders, size_t n, const char *path, 
         return HAWSER_ERR_MEMORY;
     }
     status = pdf_print(path, printed, err);
-    if (!status && !quiet) printf("Printed: %s\n", printed);
+    if (!status && !quiet) tell("Printed: %s", printed);
     free(printed);
     return status;
 }

@@ -1,5 +1,5 @@
 /* A page printed by a browser that is installed: nothing that is on the page is drawn a second time for paper. */
-#define _GNU_SOURCE /* pipe2 */
+#define _GNU_SOURCE /* mkostemps */
 #include "cli/commands.h"
 
 #include <errno.h>
@@ -95,10 +95,52 @@ static void profile_remove(const char *dir)
     if (child > 0) waitpid(child, NULL, 0);
 }
 
+/* All of a file into another one that is open; 0 with errno. */
+static int copy(int from, int to)
+{
+    char bytes[1 << 15];
+    ssize_t n = 1;
+    int ok = 1;
+    while (ok && n != 0) {
+        n = read(from, bytes, sizeof bytes);
+        for (ssize_t done = 0, w; ok && done < n; done += w) {
+            w = write(to, bytes + done, (size_t)(n - done));
+            ok = w > 0;
+        }
+        ok = ok && n >= 0;
+    }
+    return ok;
+}
+
+/* What the browser has printed in its own folder gets its name when it is whole, in place of a link too. */
+static hawser_status printed_name(const char *printed, const char *pdf, hawser_error *err)
+{
+    char part[OPTION_MAX];
+    struct stat info;
+    const mode_t mask = umask(0);
+    umask(mask);
+    const int from = open(printed, O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+    if (from < 0 || fstat(from, &info) || info.st_size == 0) {
+        if (from >= 0) close(from);
+        return fail(err, "the browser could not print to ", pdf);
+    }
+    const int fits = snprintf(part, sizeof part, "%s.XXXXXX.part", pdf) < (int)sizeof part;
+    errno = ENAMETOOLONG;
+    const int to = fits ? mkostemps(part, (int)sizeof ".part" - 1, O_CLOEXEC) : -1;
+    const int ok = to >= 0 && copy(from, to) && !fchmod(to, 0666 & ~mask) && !fsync(to) && !rename(part, pdf);
+    const int number = errno;
+    if (to >= 0) close(to);
+    if (to >= 0 && !ok) unlink(part);
+    close(from);
+    if (ok) return HAWSER_OK;
+    err->status = HAWSER_ERR_OUTPUT;
+    snprintf(err->message, sizeof err->message, "cannot write '%.700s': %s", pdf, strerror(number));
+    return HAWSER_ERR_OUTPUT;
+}
+
 hawser_status pdf_print(const char *page, const char *pdf, hawser_error *err)
 {
-    struct stat info;
-    char profile[4096];
+    char profile[4096], printed[4096 + 16];
     const char *const tmp = getenv("TMPDIR");
     char *const url = file_url(page);
     if (!url) return fail(err, "cannot print: ", strerror(errno));
@@ -107,18 +149,19 @@ hawser_status pdf_print(const char *page, const char *pdf, hawser_error *err)
         free(url);
         return fail(err, "cannot print: no folder for the browser: ", strerror(errno));
     }
-    unlink(pdf);
+    snprintf(printed, sizeof printed, "%s/page.pdf", profile);
     const pid_t child = fork();
-    if (child == 0) browser_become(url, pdf, profile);
+    if (child == 0) browser_become(url, printed, profile);
     const int result = child > 0 ? browser_wait(child) : 126;
+    const hawser_status status =
+        result == 127 ? fail(err,
+                             "--pdf needs a Chromium on the path (chromium, chromium-browser or google-chrome); on "
+                             "Debian: apt-get install chromium",
+                             "")
+        : result == -1 ? fail(err, "the browser has not printed the page in time: ", pdf)
+        : result       ? fail(err, "the browser could not print to ", pdf)
+                       : printed_name(printed, pdf, err);
     profile_remove(profile);
     free(url);
-    if (result == 127)
-        return fail(err,
-                    "--pdf needs a Chromium on the path (chromium, chromium-browser or google-chrome); on Debian: "
-                    "apt-get install chromium",
-                    "");
-    if (result == -1) return fail(err, "the browser has not printed the page in time: ", pdf);
-    if (result || stat(pdf, &info) || info.st_size == 0) return fail(err, "the browser could not print to ", pdf);
-    return HAWSER_OK;
+    return status;
 }

@@ -28,7 +28,7 @@ static int plot(const Arguments *args)
     int drawn;
     const hawser_status status = hawser_plot_write(results, dir, (size_t)args->n_words - 1,
                                                    (const char *const *)(args->words + 1), args->units, &drawn, &err);
-    if (!status && !args->quiet) printf("Drawn: %d figure%s in %s\n", drawn, drawn == 1 ? "" : "s", dir);
+    if (!status && !args->quiet) tell("Drawn: %d figure%s in %s", drawn, drawn == 1 ? "" : "s", dir);
     return finish_stdout(exit_status(status, &err));
 }
 

@@ -280,5 +280,6 @@ void report_run(hawser_sim *s, const Arguments *args, const char *dir)
         report_work(&r.sum);
         report_phases(&r.sum);
     }
-    printf("\nResults: %s\n", dir);
+    printf("\n");
+    tell("Results: %s", dir);
 }

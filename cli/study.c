@@ -65,7 +65,8 @@ static int run_study(const Arguments *args, hawser_study *s, const char *dir, co
     hawser_error late;
     if (kept && !quiet && !hawser_study_answer(s, args->units, &text, &late)) {
         fputs(text, stdout);
-        printf("\nResults in %s/\n", dir);
+        printf("\n");
+        tell("Results in %s/", dir);
     }
     fflush(stdout);
     hawser_text_free(text);

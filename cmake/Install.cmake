@@ -24,7 +24,7 @@ endif()
 
 # Only hawser_* leaves the shared library: cmake/hawser.map.
 add_library(hawser_shared SHARED ${objects})
-set_target_properties(hawser_shared PROPERTIES
+set_target_properties(hawser_shared PROPERTIES ${HAWSER_SHIPPED_PROPERTIES}
     OUTPUT_NAME hawser EXPORT_NAME hawser LINKER_LANGUAGE C
     VERSION ${PROJECT_VERSION} SOVERSION ${hawser_soversion}
     LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/hawser.map)

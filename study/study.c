@@ -53,18 +53,20 @@ void hawser_study_free(hawser_study *s)
 }
 
 /* summary.json, whole. */
-static hawser_status summary_write(const hawser_study *s, const char *dir, hawser_error *err)
+static hawser_status summary_write(const hawser_study *s, const OutDir *dir, hawser_error *err)
 {
     char *text = NULL;
     hawser_status status = findings_text(s->study, &s->findings, HAWSER_JSON, &text, err);
-    if (!status) status = out_whole(dir, "summary.json", text, err);
+    if (!status) status = out_whole_in(dir, "summary.json", text, err);
     hawser_text_free(text);
     return status;
 }
 
 /* The tables of what is there. */
-static hawser_status tables_write(hawser_study *s, const char *dir, hawser_error *err)
+static hawser_status tables_write(hawser_study *s, const OutDir *dir, hawser_error *err)
 {
+    static const char *const names[] = {"samples.csv", "study.h5", "study.html", "summary.json"};
+    out_sweep(dir, sizeof names / sizeof *names, names);
     hawser_status status = findings_make(s->study, &s->rows, &s->findings, err);
     if (!status) status = table_csv(s->study, &s->rows, dir, err);
     if (!status) status = table_h5(s->study, &s->rows, dir, err);
@@ -153,7 +155,7 @@ hawser_status hawser_study_run_on(hawser_study *s, const char *dir, const hawser
     if (begun) status = parts_run(s, dir, o, on, e);
     if (begun && first) {
         hawser_status written = out_stays(&folder, &late);
-        if (!written) written = tables_write(s, dir, &late);
+        if (!written) written = tables_write(s, &folder, &late);
         if (written && (!status || status == HAWSER_STOPPED)) status = error_set(e, written, "%s", late.message);
     }
     out_leave(&folder);
@@ -190,6 +192,7 @@ hawser_status hawser_study_report(const char *dir, const char *page, hawser_erro
     hawser_error local;
     hawser_error *const e = err ? err : &local;
     hawser_study *s = NULL;
+    OutDir to = {.at = -1};
     if (!dir || !page) return error_argument(err, dir ? "page" : "dir");
     const char *const name = path_split(page, folder);
     hawser_status status = store_study(dir, path, e);
@@ -199,7 +202,9 @@ hawser_status hawser_study_report(const char *dir, const char *page, hawser_erro
     if (!status) status = store_read(s->study, dir, &s->rows, e);
     if (!status && s->study->pilot) pilots_bands(s->study, &s->rows, s->study->close);
     if (!status) status = findings_make(s->study, &s->rows, &s->findings, e);
-    if (!status) status = study_page_write(s->study, &s->rows, &s->findings, folder, name, e);
+    if (!status) status = out_enter(&to, folder, e);
+    if (!status) status = study_page_write(s->study, &s->rows, &s->findings, &to, name, e);
+    out_leave(&to);
     hawser_study_free(s);
     return status;
 }

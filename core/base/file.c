@@ -1,9 +1,14 @@
 #include "core/base/file.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <inttypes.h>
+#include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -57,9 +62,110 @@ int whole_pwrite(int fd, const void *from, size_t size, off_t at)
     return 1;
 }
 
+const char *file_reason(int number)
+{
+    return number == ELOOP     ? "it is a symbolic link, and in a folder of results none is followed"
+           : number == EMLINK  ? "the file has a second name (a hard link), which a change would change, too"
+           : number == ENOTBLK ? "not a file"
+                               : strerror(number);
+}
+
 hawser_status file_unread(const char *path, const char *why, hawser_error *err)
 {
     return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': %s", path, why);
+}
+
+/* What is open as fd, if it is a regular file; else it is closed. */
+static int regular(int fd, int writes)
+{
+    struct stat info;
+    if (fd < 0) return -1;
+    errno = 0;
+    const int number = fstat(fd, &info)                ? errno
+                       : !S_ISREG(info.st_mode)        ? ENOTBLK
+                       : writes && info.st_nlink > 1   ? EMLINK
+                                                       : 0;
+    if (!number) return fd;
+    close(fd);
+    errno = number;
+    return -1;
+}
+
+/* A FIFO without a reader is ENXIO to who writes, a folder EISDIR: they are no files all the same. */
+int file_open_in(int at, const char *name, int flags)
+{
+    assert(at >= 0 && !strchr(name, '/'));
+    const int fd = openat(at, name, flags | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (fd < 0 && (errno == ENXIO || errno == EISDIR)) errno = ENOTBLK;
+    return regular(fd, (flags & O_ACCMODE) != O_RDONLY);
+}
+
+int file_open_named(const char *path)
+{
+    const int fd = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (fd < 0 && errno == ENXIO) errno = ENOTBLK;
+    return regular(fd, 0);
+}
+
+static const char PART[] = ".part";
+enum { DIGITS = 16 };
+
+int file_new_in(int at, const char *name, char part[FILE_PART_MAX])
+{
+    enum { TRIES = 100 };
+    assert(at >= 0 && !strchr(name, '/'));
+    *part = 0;
+    for (int k = 0; k < TRIES; k++) {
+        uint64_t any;
+        if (getrandom(&any, sizeof any, 0) != (ssize_t)sizeof any) return -1;
+        if (snprintf(part, FILE_PART_MAX, "%s.%016" PRIx64 "%s", name, any, PART) >= FILE_PART_MAX) {
+            *part = 0;
+            errno = ENAMETOOLONG;
+            return -1;
+        }
+        const int fd = openat(at, part, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (fd >= 0) return fd;
+        if (errno != EEXIST) break;
+    }
+    *part = 0;
+    return -1;
+}
+
+int file_name_in(int at, const char *part, int to, const char *name)
+{
+    assert(at >= 0 && to >= 0 && !strchr(part, '/') && !strchr(name, '/'));
+    return !renameat(at, part, to, name);
+}
+
+int file_is_part(const char *entry, const char *name)
+{
+    const size_t n = strlen(name);
+    return !strncmp(entry, name, n) && entry[n] == '.' && strspn(entry + n + 1, "0123456789abcdef") == DIGITS &&
+           !strcmp(entry + n + 1 + DIGITS, PART);
+}
+
+int file_remove_in(int at, const char *name)
+{
+    assert(at >= 0 && !strchr(name, '/'));
+    return !unlinkat(at, name, 0) || errno == ENOENT;
+}
+
+int folder_open_in(int at, const char *name)
+{
+    assert(at >= 0 && !strchr(name, '/'));
+    return openat(at, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+}
+
+int folder_make_in(int at, const char *name)
+{
+    assert(at >= 0 && !strchr(name, '/'));
+    return !mkdirat(at, name, 0777) || errno == EEXIST;
+}
+
+void folder_remove_in(int at, const char *name)
+{
+    assert(at >= 0 && !strchr(name, '/'));
+    unlinkat(at, name, AT_REMOVEDIR);
 }
 
 /* What is open as fd; one that has become shorter meanwhile is as long as it is. */
@@ -68,7 +174,6 @@ static hawser_status descriptor_whole(int fd, const char *path, size_t most, cha
 {
     struct stat info;
     if (fstat(fd, &info)) return file_unread(path, strerror(errno), err);
-    if (!S_ISREG(info.st_mode)) return file_unread(path, "not a file", err);
     if ((size_t)info.st_size > most) return file_unread(path, "it is too large", err);
     char *const all = malloc((size_t)info.st_size + 1);
     if (!all) return error_memory(err);
@@ -84,17 +189,13 @@ static hawser_status descriptor_whole(int fd, const char *path, size_t most, cha
     return HAWSER_OK;
 }
 
-hawser_status file_whole(const char *path, size_t most, char **bytes, size_t *size, hawser_error *err)
-{
-    return file_whole_at(AT_FDCWD, path, most, bytes, size, err);
-}
-
-hawser_status file_whole_at(int at, const char *path, size_t most, char **bytes, size_t *size, hawser_error *err)
+hawser_status file_whole_in(int at, const char *name, const char *path, size_t most, char **bytes, size_t *size,
+                            hawser_error *err)
 {
     *bytes = NULL;
     *size = 0;
-    const int fd = openat(at, path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-    if (fd < 0) return errno == ENOENT ? HAWSER_OK : file_unread(path, strerror(errno), err);
+    const int fd = file_open_in(at, name, O_RDONLY);
+    if (fd < 0) return errno == ENOENT ? HAWSER_OK : file_unread(path, file_reason(errno), err);
     const hawser_status status = descriptor_whole(fd, path, most, bytes, size, err);
     close(fd);
     return status;

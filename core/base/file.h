@@ -10,13 +10,42 @@
 
 #include "hawser/hawser.h"
 
-/* ---- By name. */
+/* ---- Within a folder that is open as `at`. Whoever made the folder may have put anything into it, so that these are
+ * the only calls by which files of results are opened, renamed and deleted (tests/house/check_doors.py). `name` is one
+ * level. No symbolic link is followed; what is no regular file is not opened, and a FIFO or a device holds nobody up;
+ * a file with a second name (a hard link) is not opened for writing, which would change the other one, too. */
 
-/* All of a regular file with a NUL behind it, malloc'ed: *bytes [size + 1]. One that is not there is NULL with
- * HAWSER_OK; one of more than `most` bytes is refused. A FIFO or a device holds nobody up. Errors: INPUT, MEMORY. */
-hawser_status file_whole(const char *path, size_t most, char **bytes, size_t *size, hawser_error *err);
-/* The same of a name within an open folder. */
-hawser_status file_whole_at(int at, const char *path, size_t most, char **bytes, size_t *size, hawser_error *err);
+enum { FILE_PART_MAX = 320 };
+
+/* A descriptor; flags: O_RDONLY, O_WRONLY, O_RDWR, with O_APPEND. -1 with errno: ELOOP (a link), ENOTBLK (no regular
+ * file), EMLINK (a second name) and the system's. */
+int file_open_in(int at, const char *name, int flags);
+/* A new, empty file under a name that nobody can know before, "NAME.xxxxxxxxxxxxxxxx.part"; open for reading and
+ * writing. It gets its name by file_name_in. -1 with errno. */
+int file_new_in(int at, const char *name, char part[FILE_PART_MAX]);
+/* Replaces what is called `name`, a link itself and not what it leads to. 0 with errno. */
+int file_name_in(int at, const char *part, int to, const char *name);
+/* Whether `entry` is a name that file_new_in has made for `name`. */
+int file_is_part(const char *entry, const char *name);
+/* Deletes a name; one that is not there is fine. 0 with errno. */
+int file_remove_in(int at, const char *name);
+/* A folder within the folder, which is no link; -1 with errno. */
+int folder_open_in(int at, const char *name);
+/* Makes one, if it is not there; 0 with errno. Deletes one that is empty. */
+int folder_make_in(int at, const char *name);
+void folder_remove_in(int at, const char *name);
+
+/* All of a file with a NUL behind it, malloc'ed: *bytes [size + 1]. One that is not there is NULL with HAWSER_OK; one
+ * of more than `most` bytes is refused. path: for messages. Errors: INPUT, MEMORY. */
+hawser_status file_whole_in(int at, const char *name, const char *path, size_t most, char **bytes, size_t *size,
+                            hawser_error *err);
+
+/* ---- By a path that the user has named, which may be a link. */
+
+/* A regular file to be read; -1 with errno (ENOTBLK: no regular file). */
+int file_open_named(const char *path);
+/* What an errno of these functions means. */
+const char *file_reason(int number);
 /* "cannot read 'path': why", INPUT. */
 hawser_status file_unread(const char *path, const char *why, hawser_error *err);
 

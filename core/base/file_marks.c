@@ -49,15 +49,10 @@ void file_marks_free(FileMarks *files)
 
 hawser_status file_marks_spare(const FileMarks *files, const char *path, hawser_error *err)
 {
-    static const char *const ends[] = {"", ".part"}; /* whole files are written beside their names first */
-    char name[4096 + sizeof ".part"];
-    for (size_t k = 0; k < sizeof ends / sizeof *ends && files->n > 0; k++) {
-        struct stat is;
-        const int n = snprintf(name, sizeof name, "%s%s", path, ends[k]);
-        const FileMark *const mark = n < (int)sizeof name && !stat(name, &is) ? mark_find(files, &is) : NULL;
-        if (!mark) continue;
-        return error_set(err, HAWSER_ERR_INPUT, "cannot write '%.400s': that is the file '%s', which is read", name,
+    struct stat is;
+    const FileMark *const mark = files->n > 0 && !stat(path, &is) ? mark_find(files, &is) : NULL;
+    if (mark)
+        return error_set(err, HAWSER_ERR_INPUT, "cannot write '%.400s': that is the file '%s', which is read", path,
                          mark->name);
-    }
     return HAWSER_OK;
 }

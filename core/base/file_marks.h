@@ -26,7 +26,7 @@ hawser_status file_marks_add(FileMarks *files, const char *path, hawser_error *e
 hawser_status file_marks_join(FileMarks *files, const FileMarks *more, hawser_error *err);
 void file_marks_free(FileMarks *files);
 
-/* Whether a file may be written: neither `path` nor "path.part" leads to one of them. Errors: INPUT that names both. */
+/* Whether a file may be written: `path` leads to none of them. Errors: INPUT that names both. */
 hawser_status file_marks_spare(const FileMarks *files, const char *path, hawser_error *err);
 
 #endif

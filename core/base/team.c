@@ -6,6 +6,7 @@
 #include <sched.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 /* How often a waiting thread looks before it sleeps: some 150 microseconds, longer than the gaps in a step. */
 enum { SPINS = 6000, CACHE_LINE = 64 };
@@ -23,6 +24,7 @@ typedef struct Signal {
 
 struct Team {
     int size;
+    pid_t process; /* in which the helper is */
     pthread_t helper;
     int missed, rest;  /* the caller's: jobs in a row that the helper missed; jobs still to do alone */
     cpu_set_t cores;   /* where the process may run */
@@ -130,7 +132,7 @@ Team *team_new(int threads)
     assert(threads == 1 || threads == 2);
     Team *const t = aligned_alloc(CACHE_LINE, sizeof *t);
     if (!t) return NULL;
-    *t = (Team){.size = 1};
+    *t = (Team){.size = 1, .process = getpid()};
     if (threads == 2 && sched_getaffinity(0, sizeof t->cores, &t->cores) == 0 && CPU_COUNT(&t->cores) > 1) t->size = 2;
     signal_init(&t->given);
     signal_init(&t->done);
@@ -144,9 +146,19 @@ Team *team_new(int threads)
 
 void team_pin(Team *t, int pin) { atomic_store(&t->pin, pin != 0); }
 
+void team_settle(Team *t)
+{
+    if (t && t->process != getpid()) t->size = 1;
+}
+
+/* In a forked process what the lost thread waited for can neither be woken nor destroyed: glibc would wait for it. */
 Team *team_free(Team *t)
 {
     if (!t) return NULL;
+    if (t->process != getpid()) {
+        free(t);
+        return NULL;
+    }
     if (t->size == 2) {
         atomic_store(&t->ending, 1);
         signal_raise(&t->given, atomic_load(&t->given.count) + 1);

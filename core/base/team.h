@@ -15,6 +15,9 @@ typedef void (*TeamJob)(void *arg, int rank);
  * to be had. */
 Team *team_new(int threads);
 Team *team_free(Team *t);
+/* To be called before a team works again: in a process that was forked since team_new, where the second thread is not,
+ * it becomes a team of one. */
+void team_settle(Team *t);
 /* Whether the second thread keeps off the core that the caller runs on, for good once it has moved; without it leaves
  * that to the system. */
 void team_pin(Team *t, int pin);

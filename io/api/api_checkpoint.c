@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/isa.h"
+#include "core/base/team.h"
 #include "io/api/api_handles.h"
 #include "io/results/results_file.h"
 
@@ -205,33 +206,34 @@ hawser_status checkpoint_read(hawser_sim *s, const char *path, const void *bytes
 
 /* ------------------------------------------------------------------------------------------------------- files */
 
-/* All of a file, malloc'ed. */
-static hawser_status file_read(const OutSpot *spot, void **bytes, size_t *size, hawser_error *err)
+/* All of a file that is open, malloc'ed; fd < 0: errno says why it is not. */
+static hawser_status file_read(int fd, const char *path, void **bytes, size_t *size, hawser_error *err)
 {
-    const char *const path = spot->path;
     struct stat info;
-    errno = 0;
-    const int fd = openat(spot->at, spot_name(spot), O_RDONLY | O_CLOEXEC);
-    int ok = fd >= 0 && !fstat(fd, &info) && S_ISREG(info.st_mode);
+    int number = fd < 0 ? errno : 0;
+    const int ok = fd >= 0 && !fstat(fd, &info);
     *bytes = ok ? checkpoint_memory((size_t)info.st_size) : NULL;
+    *size = 0;
+    errno = 0;
     const ssize_t n = *bytes ? whole_read(fd, *bytes, (size_t)info.st_size) : -1;
-    const int number = errno;
+    if (!number) number = errno;
     if (fd >= 0) close(fd);
     if (ok && !*bytes) return error_memory(err);
-    ok = ok && n == info.st_size;
-    *size = ok ? (size_t)n : 0;
-    if (ok) return HAWSER_OK;
+    if (ok && n == info.st_size) {
+        *size = (size_t)n;
+        return HAWSER_OK;
+    }
     free(*bytes);
     *bytes = NULL;
     return error_set(err, HAWSER_ERR_INPUT, "cannot read the checkpoint '%.700s': %s", path,
-                     number ? strerror(number) : "it is not a file");
+                     number ? file_reason(number) : "it has become shorter meanwhile");
 }
 
 /* The checkpoint of a folder. */
 static hawser_status kept_read(OutSpot *spot, const OutDir *dir, void **bytes, size_t *size, hawser_error *err)
 {
     const hawser_status status = out_spot(spot, dir, CHECKPOINT_FILE, err);
-    return status ? status : file_read(spot, bytes, size, err);
+    return status ? status : file_read(file_open_in(dir->at, CHECKPOINT_FILE, O_RDONLY), spot->path, bytes, size, err);
 }
 
 hawser_status checkpoint_read_dir(hawser_sim *s, const OutDir *dir, RunKept *run, hawser_error *err)
@@ -270,7 +272,7 @@ hawser_status hawser_sim_save_memory(hawser_sim *s, void **bytes, size_t *size, 
     Checkpoint c;
     s = SHOWN(s);
     if (!s || !bytes || !size) return error_argument(err, !s ? "s" : bytes ? "size" : "bytes");
-    if (s->inside) return error_inside(err);
+    if (is_inside(s)) return error_inside(err);
     *bytes = NULL;
     *size = 0;
     const hawser_status status = checkpoint_write(s, NULL, &c, err);
@@ -286,7 +288,8 @@ hawser_status hawser_sim_save_memory(hawser_sim *s, void **bytes, size_t *size, 
 hawser_status hawser_sim_load_memory(hawser_sim *s, const void *bytes, size_t size, hawser_error *err)
 {
     if (!s || !bytes) return error_argument(err, s ? "bytes" : "s");
-    if (SHOWN(s)->inside || SHOWN(s)->running) return error_inside(err);
+    if (is_inside(SHOWN(s)) || SHOWN(s)->running) return error_inside(err);
+    team_settle(SHOWN(s)->team);
     return state_read(s, "memory", bytes, size, err);
 }
 
@@ -299,15 +302,18 @@ hawser_status hawser_sim_save(hawser_sim *s, const char *path, hawser_error *err
     OutDir dir;
     s = SHOWN(s);
     if (!s || !path) return error_argument(err, s ? "path" : "s");
-    if (s->inside) return error_inside(err);
-    const char *const slash = strrchr(path, '/');
+    if (is_inside(s)) return error_inside(err);
+    char *const folder = strdup(path), *const slash = folder ? strrchr(folder, '/') : NULL;
+    if (!folder) return error_memory(err);
+    if (slash) slash[slash == folder] = 0;
     hawser_status status = file_marks_spare(&s->stage.scene.def.files, path, err);
-    if (!status) status = out_dir(&dir, slash ? path : ".", err);
+    if (!status) status = out_enter(&dir, slash ? folder : ".", err);
+    free(folder);
     if (status) return status;
-    if (slash) dir.path[slash > path ? slash - path : 1] = 0;
     status = checkpoint_write(s, NULL, &c, err);
-    if (!status) status = out_bytes_in(&dir, slash ? slash + 1 : path, c.bytes, c.size, err);
+    if (!status) status = out_bytes_in(&dir, slash ? strrchr(path, '/') + 1 : path, c.bytes, c.size, err);
     checkpoint_free(&c);
+    out_leave(&dir);
     return status;
 }
 
@@ -316,10 +322,9 @@ hawser_status hawser_sim_load(hawser_sim *s, const char *path, hawser_error *err
     void *bytes;
     size_t size;
     if (!s || !path) return error_argument(err, s ? "path" : "s");
-    if (SHOWN(s)->inside || SHOWN(s)->running) return error_inside(err);
-    OutSpot spot;
-    hawser_status status = out_spot_of(&spot, path, err);
-    if (!status) status = file_read(&spot, &bytes, &size, err);
+    if (is_inside(SHOWN(s)) || SHOWN(s)->running) return error_inside(err);
+    team_settle(SHOWN(s)->team);
+    hawser_status status = file_read(file_open_named(path), path, &bytes, &size, err);
     if (status) return status;
     status = state_read(s, path, bytes, size, err);
     free(bytes);
@@ -340,7 +345,7 @@ static hawser_status path_keep(CaseTree *tree, const char *name, hawser_error *e
 /* The case that is in front. */
 hawser_status hawser_case_resume(const char *dir, hawser_case **out, hawser_error *err)
 {
-    OutDir folder;
+    OutDir folder = {.at = -1};
     OutSpot spot = {0};
     TextPool pool = {0};
     Preface preface = {0};
@@ -350,8 +355,12 @@ hawser_status hawser_case_resume(const char *dir, hawser_case **out, hawser_erro
     int kept;
     if (!dir || !out) return error_argument(err, dir ? "out" : "dir");
     *out = NULL;
-    hawser_status status = out_dir(&folder, dir, err);
+    hawser_status status = HAWSER_OK;
+    if (out_enter(&folder, dir, NULL))
+        status = error_set(err, HAWSER_ERR_INPUT, "cannot read the checkpoint '%.700s/" CHECKPOINT_FILE "': %s", dir,
+                           strerror(errno));
     if (!status) status = kept_read(&spot, &folder, &bytes, &size, err);
+    out_leave(&folder);
     Checkpoint c = checkpoint_over(bytes, size, &pool);
     if (!status) status = preface_read(&c, spot.path, &preface, &kept, &run, err);
     if (!status && (!preface.text || !preface.name))

@@ -16,6 +16,7 @@ hawser_status hawser_sim_control(hawser_sim *s, hawser_control what_to_do, const
     const CommandKind *const kind = command_kind((int)what_to_do);
     s = SHOWN(s);
     if (!s) return error_argument(err, "s");
+    if (sim_in_law(s)) return error_inside(err);
     if (!kind || kind->kind == COMMAND_FORCE)
         return error_set(err, HAWSER_ERR_INPUT, "%d is no command", (int)what_to_do);
     Command command = {.kind = kind->kind, .value = kind->unit ? value : 0, .ramp = ramp_of(ramp_s)};
@@ -33,6 +34,7 @@ hawser_status hawser_sim_force(hawser_sim *s, int segment, const hawser_force *f
 {
     s = SHOWN(s);
     if (!s) return error_argument(err, "s");
+    if (sim_in_law(s)) return error_inside(err);
     Command command = {.kind = COMMAND_FORCE, .segment = segment, .ramp = ramp_of(ramp_s)};
     if (force) {
         command.follows = force->follows != 0;
@@ -49,6 +51,7 @@ hawser_status hawser_sim_set_law(hawser_sim *s, int from, int to, hawser_law law
 {
     s = SHOWN(s);
     if (!s) return error_argument(err, "s");
+    if (sim_in_law(s)) return error_inside(err);
     const OutsideLaw outside = {.call = law, .user = user, .from = from, .to = to, .has_derivatives = has_derivatives};
     Stage *const st = &s->stage;
     hawser_status status = outside_law_set(&st->scene, &outside, err);

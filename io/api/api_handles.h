@@ -22,6 +22,8 @@ struct hawser_case {
 
 /* A simulation is told to move from inside one of its call-backs. */
 hawser_status error_inside(hawser_error *err);
+/* Whether one of its call-backs is being called, or one of a chain that moves together with it. */
+int is_inside(const hawser_sim *s);
 /* One of several chains is told to move by itself. */
 hawser_status error_led(hawser_error *err);
 /* Makes c->def point at what the case says now. Errors: INPUT, MEMORY. */

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "core/base/error.h"
+#include "core/base/team.h"
 #include "io/api/api_handles.h"
 #include "io/results/results_file.h"
 
@@ -529,6 +530,7 @@ static hawser_status inputs_spare(hawser_sim *s, const char *dir, hawser_error *
 /* Whether it can be told to move: INPUT if not. */
 static hawser_status can_run(const hawser_sim *s, hawser_error *err)
 {
+    team_settle(s->team);
     if (s->inside || s->running) return error_inside(err);
     return s->leader ? error_led(err) : HAWSER_OK;
 }

@@ -9,7 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /* Numbers are read and written with a decimal point, whatever the locale of the calling program: this thread's is
  * changed until locale_back. 0: no memory. */
@@ -51,14 +50,15 @@ static hawser_status chains_read(Folder *folder, size_t *n, char **dir, hawser_e
     {
         const char *const name = json_string_value(json_object_get(chain, "name"));
         if (status || !name || strchr(name, '/') || *name == '.' || *n == REPORT_RUNS_MAX) continue;
+        int there; /* else its own, or that of all */
         dir[*n] = folder_path(&folder[0], name);
         if (!dir[*n]) return error_memory(err);
-        if (access(dir[*n], F_OK)) { /* its own, or that of all */
+        status = folder_read_within(&folder[0], name, dir[*n], &folder[*n], &there, err);
+        if (!there) {
             free(dir[*n]);
             dir[*n] = NULL;
             continue;
         }
-        status = folder_read(dir[*n], &folder[*n], err);
         ++*n;
     }
     if (*n == REPORT_RUNS_MAX && json_array_size(chains) > REPORT_RUNS_MAX + 1)

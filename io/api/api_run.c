@@ -7,6 +7,7 @@
 #include "io/api/api_handles.h"
 #include "io/results/results_file.h"
 #include "sim/picture/geometry.h"
+#include "sim/run/commands.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -203,7 +204,7 @@ static hawser_status run_on(Run *run, hawser_error *err)
     hawser_status status = tell_progress(run, 1, err);
     while (!status && hawser_sim_time(sim) < hawser_sim_end_time(sim)) { /* a trip may bring the end nearer */
         sim->inside = 1;
-        status = sim_advance(sim, hawser_sim_end_time(sim), 1, err);
+        status = sim_blame_law(sim, sim_advance(sim, hawser_sim_end_time(sim), 1, err), err);
         sim->inside = 0;
         if (!status) status = write_due(run, err);
         if (!status) status = keep_due(run, err);

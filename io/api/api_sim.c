@@ -1,6 +1,7 @@
 /* The calls of a simulation in which the interface checks something, or remembers how it went; the others are in
  * sim/run/sim.c. */
 #include "core/base/error.h"
+#include "core/base/team.h"
 #include "io/api/api_handles.h"
 #include "io/results/results_file.h"
 #include "sim/cost.h"
@@ -83,6 +84,8 @@ hawser_status error_inside(hawser_error *err)
     return error_set(err, HAWSER_ERR_INPUT, "a call-back of the simulation may look and tell, but not make it move");
 }
 
+int is_inside(const hawser_sim *s) { return s->inside || (s->leader && s->leader->inside); }
+
 hawser_status error_led(hawser_error *err)
 {
     return error_set(err, HAWSER_ERR_INPUT,
@@ -110,13 +113,16 @@ hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_err
     hawser_error *e = err ? err : &local;
     s = SHOWN(s);
     if (!s) return error_argument(err, "s");
-    if (s->inside) return error_inside(err);
+    if (is_inside(s)) return error_inside(err);
     if (s->leader) return error_led(err);
     if (hawser_sim_time(s) > 0) {
         return error_set(e, HAWSER_ERR_INPUT, "only a simulation that has not moved on from t = 0 can be relaxed");
     }
-    s->relaxed = 1;
-    return keep_outcome(s, sim_relax(s, out, e), e);
+    s->relaxed = s->inside = 1;
+    team_settle(s->team);
+    const hawser_status status = sim_blame_law(s, sim_relax(s, out, e), e);
+    s->inside = 0;
+    return keep_outcome(s, status, e);
 }
 
 static const double TIME_MOST = 1e9; /* s */
@@ -128,12 +134,13 @@ hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_e
     hawser_error *e = err ? err : &local;
     s = SHOWN(s);
     if (!s) return error_argument(err, "s");
-    if (s->inside || s->running) return error_inside(err);
+    if (is_inside(s) || s->running) return error_inside(err);
     if (s->leader) return error_led(err);
     if (!(t < INFINITY) || t > TIME_MOST)
         return error_set(e, HAWSER_ERR_INPUT, "advance to t = %g s: a time of at most %g s is expected", t, TIME_MOST);
     s->inside = 1;
-    const hawser_status status = sim_advance(s, t, one_step, e);
+    team_settle(s->team);
+    const hawser_status status = sim_blame_law(s, sim_advance(s, t, one_step, e), e);
     s->inside = 0;
     if (status && status != HAWSER_STOPPED) sim_log(s, HAWSER_LOG_ERROR, e->message);
     return keep_outcome(s, status, e);

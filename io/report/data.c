@@ -181,16 +181,16 @@ static hawser_status states_add(Text *out, hid_t file, Folder *folder, double go
 
 /* The file with its states. That of a run in progress may be caught before its first flush: a little later it is there.
  */
-static StatesFile states_wait(const char *path, int running)
+static void states_wait(StatesFile *s, const Folder *folder)
 {
     const struct timespec nap = {0, 100 * 1000 * 1000};
-    StatesFile s = states_open(path);
-    for (int k = 0; running && !s.cut && k < TRIES && (s.file < 0 || states_count(s.file) == 0); k++) {
-        states_close(&s);
+    const int running = !strcmp(folder_text(folder, "outcome"), "running");
+    states_open(s, &folder->home);
+    for (int k = 0; running && k < TRIES && (s->file < 0 || states_count(s->file) == 0); k++) {
+        states_close(s);
         nanosleep(&nap, NULL);
-        s = states_open(path);
+        states_open(s, &folder->home);
     }
-    return s;
 }
 
 /* What results.h5 has: geometry, envelopes, states. */
@@ -208,15 +208,10 @@ static hawser_status states_file_add(Text *out, hid_t file, Folder *folder, doub
 /* The same, of the file if it can be read. */
 static hawser_status file_add(Text *out, Folder *folder, double share, hawser_error *err)
 {
-    char *const path = folder_path(folder, "results.h5");
-    if (!path) return error_memory(err);
-    StatesFile s = states_wait(path, !strcmp(folder_text(folder, "outcome"), "running"));
-    free(path);
+    StatesFile s;
     hawser_status status = HAWSER_OK;
-    if (s.cut)
-        folder_say(folder, "results.h5 was cut off in the middle of a change, which 'hawser run --resume' completes: "
-                           "the page has no 3-D view");
-    else if (s.file < 0)
+    states_wait(&s, folder);
+    if (s.file < 0)
         folder_say(folder, "results.h5 is not there or cannot be read: the page has no 3-D view");
     else
         status = states_file_add(out, s.file, folder, share, err);

@@ -5,6 +5,7 @@
 #include "io/results/results_file.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <jansson.h>
 #include <math.h>
 #include <stdarg.h>
@@ -12,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 /* Of a file of text, bytes: far above what a run writes that one would want to look at on a page. */
 static const size_t file_most = (size_t)1 << 30;
@@ -34,10 +36,10 @@ char *folder_path(const Folder *folder, const char *name)
 }
 
 /* A whole file of text, malloc'ed. One that is not there is NULL with HAWSER_OK. Errors: INPUT, MEMORY. */
-static hawser_status file_read(const char *path, char **text, hawser_error *err)
+static hawser_status file_read(const Folder *folder, const char *name, const char *path, char **text, hawser_error *err)
 {
     size_t size;
-    const hawser_status status = file_whole(path, file_most, text, &size, err);
+    const hawser_status status = file_whole_in(folder->home.at, name, path, file_most, text, &size, err);
     if (!*text || strlen(*text) == size) return status;
     free(*text);
     *text = NULL;
@@ -53,10 +55,14 @@ static hawser_status table_read(Folder *folder, const char *name, Sheet *sheet, 
     size_t size = 0;
     char *text = NULL, *const path = folder_path(folder, name);
     if (!path) return error_memory(err);
-    const int there = !stat(path, &info), fit = there && S_ISREG(info.st_mode) && (size_t)info.st_size <= file_most;
-    hawser_status status = there && !fit ? HAWSER_OK : file_whole(path, file_most, &text, &size, err);
-    if (there && !fit) {
-        folder_say(folder, "cannot read '%.300s': not a file, or too large", path);
+    const int fd = file_open_in(folder->home.at, name, O_RDONLY), number = fd < 0 ? errno : 0;
+    const int strange = number == ELOOP || number == ENOTBLK,
+              large = fd >= 0 && !fstat(fd, &info) && (size_t)info.st_size > file_most;
+    if (fd >= 0) close(fd);
+    hawser_status status =
+        strange || large ? HAWSER_OK : file_whole_in(folder->home.at, name, path, file_most, &text, &size, err);
+    if (strange || large) {
+        folder_say(folder, "cannot read '%.300s': %s", path, strange ? file_reason(number) : "it is too large");
     } else if (text && strlen(text) != size) {
         folder_say(folder, "cannot read '%.300s': it is no text", path);
         free(text);
@@ -74,14 +80,10 @@ static hawser_status summary_read(Folder *folder, hawser_error *err)
 {
     json_error_t where;
     int lack = 0;
-    struct stat info;
     const char *const dir = folder->dir;
-    if (stat(dir, &info)) return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.700s': %s", dir, strerror(errno));
-    if (!S_ISDIR(info.st_mode))
-        return error_set(err, HAWSER_ERR_INPUT, "'%.700s' is no folder: give one that hawser run has written", dir);
     char *const path = folder_path(folder, "summary.json");
     if (!path) return error_memory(err);
-    hawser_status status = file_read(path, &folder->summary_text, err);
+    hawser_status status = file_read(folder, "summary.json", path, &folder->summary_text, err);
     if (!status && !folder->summary_text)
         status = error_set(err, HAWSER_ERR_INPUT,
                            "'%.700s' holds no results: there is no summary.json, which hawser run writes", dir);
@@ -94,23 +96,51 @@ static hawser_status summary_read(Folder *folder, hawser_error *err)
     return status;
 }
 
-hawser_status folder_open(const char *dir, Folder *folder, hawser_error *err)
+/* The folder itself, which the user has named. */
+static hawser_status folder_enter(const char *dir, Folder *folder, hawser_error *err)
 {
     *folder = (Folder){.dir = dir};
-    const hawser_status status = summary_read(folder, err);
-    return status ? status : belong_check(dir, folder->summary, err);
+    folder->opened = !out_enter(&folder->home, dir, NULL);
+    if (folder->opened) return HAWSER_OK;
+    if (errno == ENOTDIR)
+        return error_set(err, HAWSER_ERR_INPUT, "'%.700s' is no folder: give one that hawser run has written", dir);
+    return file_unread(dir, strerror(errno), err);
 }
 
-hawser_status folder_read(const char *dir, Folder *folder, hawser_error *err)
+hawser_status folder_open(const char *dir, Folder *folder, hawser_error *err)
 {
-    hawser_status status = folder_open(dir, folder, err);
-    if (!status && is_running(folder->summary)) folder_say(folder, "%s", FOLDER_UNFINISHED);
+    hawser_status status = folder_enter(dir, folder, err);
+    if (!status) status = summary_read(folder, err);
+    return status ? status : belong_check(&folder->home, folder->summary, err);
+}
+
+static hawser_status tables_read(Folder *folder, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    if (is_running(folder->summary)) folder_say(folder, "%s", FOLDER_UNFINISHED);
     if (!status) status = table_read(folder, "stations.csv", &folder->stations, err);
     if (!status) status = table_read(folder, "rollers.csv", &folder->rollers, err);
     if (!status) status = table_read(folder, "series.csv", &folder->series, err);
     if (!status) status = table_read(folder, "inputs.csv", &folder->inputs, err);
     if (!status) status = table_read(folder, "route.csv", &folder->route, err);
     return status;
+}
+
+hawser_status folder_read(const char *dir, Folder *folder, hawser_error *err)
+{
+    const hawser_status status = folder_open(dir, folder, err);
+    return status ? status : tables_read(folder, err);
+}
+
+hawser_status folder_read_within(const Folder *outer, const char *name, const char *dir, Folder *folder, int *there,
+                                 hawser_error *err)
+{
+    *folder = (Folder){.dir = dir};
+    folder->opened = *there = out_within(&folder->home, &outer->home, name);
+    if (!*there) return HAWSER_OK;
+    hawser_status status = summary_read(folder, err);
+    if (!status) status = belong_check(&folder->home, folder->summary, err);
+    return status ? status : tables_read(folder, err);
 }
 
 hawser_status folder_files(const Folder *folder, FileMarks *files, hawser_error *err)
@@ -133,6 +163,7 @@ void folder_clear(Folder *folder)
     for (size_t k = 0; k < sizeof sheet / sizeof *sheet; ++k) sheet_clear(sheet[k]);
     json_decref(folder->summary);
     free(folder->summary_text);
+    if (folder->opened) out_leave(&folder->home);
     *folder = (Folder){0};
 }
 

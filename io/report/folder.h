@@ -4,6 +4,7 @@
 
 #include "core/base/file_marks.h"
 #include "io/report/sheet.h"
+#include "io/results/results_file.h"
 
 struct json_t;
 
@@ -15,7 +16,9 @@ enum { FOLDER_NOTES_MAX = 8, FOLDER_NOTE_MAX = 400 };
     "what it had written by then."
 
 typedef struct Folder {
-    const char *dir;                                /* borrowed */
+    const char *dir;                                /* as it was named; borrowed */
+    OutDir home;                                    /* the same, open while `opened` */
+    int opened;
     struct json_t *summary;                         /* an object */
     char *summary_text;                             /* summary.json as it stands there */
     Sheet stations, rollers, series, inputs, route; /* without columns: not there */
@@ -27,6 +30,9 @@ typedef struct Folder {
  * run), MEMORY. A file beside it that is not there or
  * that cannot be read is a note. Give it back with folder_clear, also after an error. */
 hawser_status folder_read(const char *dir, Folder *folder, hawser_error *err);
+/* The same of a folder within one; *there 0: there is none of that name, or it is a link. dir: its path. */
+hawser_status folder_read_within(const Folder *outer, const char *name, const char *dir, Folder *folder, int *there,
+                                 hawser_error *err);
 void folder_clear(Folder *folder);
 /* The summary alone, and whether the files beside it belong to it. Arguments and errors as folder_read. */
 hawser_status folder_open(const char *dir, Folder *folder, hawser_error *err);

@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* Significant digits: a millimetre on ten kilometres. */
-enum { DIGITS = 8, NAME_MOST = 256, SURFACES_MOST = 10000 };
+enum { DIGITS = 8, SURFACES_MOST = 10000, NAMES_MOST = 10000000 };
 
 static void number_add(Text *out, double value)
 {
@@ -32,58 +32,21 @@ static void numbers_add(Text *out, const double *values, int width)
 /* Texts of one length each, with a NUL behind each of them: [n] of size + 1 bytes, malloc'ed; NULL: none. */
 static char *names_read(hid_t parent, const char *name, hsize_t *n, size_t *size)
 {
-    hid_t set = -1;
-    char *names = NULL;
-    H5E_BEGIN_TRY { set = H5Lexists(parent, name, H5P_DEFAULT) > 0 ? H5Dopen2(parent, name, H5P_DEFAULT) : -1; }
-    H5E_END_TRY
+    const hid_t set = door_set(parent, name, 1, 1, n, NAMES_MOST);
     if (set < 0) return NULL;
-    const hid_t type = H5Dget_type(set), space = H5Dget_space(set), memory = H5Tcopy(H5T_C_S1);
-    *size = H5Tget_size(type);
-    if (H5Tget_class(type) == H5T_STRING && !H5Tis_variable_str(type) && *size > 0 && *size < NAME_MOST &&
-        H5Sget_simple_extent_ndims(space) == 1 && H5Sget_simple_extent_dims(space, n, NULL) == 1 && *n < 100000000) {
-        H5Tset_size(memory, ++*size); /* room for a NUL */
-        names = calloc((size_t)*n + 1, *size);
-        if (names && H5Dread(set, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, names) < 0) {
-            free(names);
-            names = NULL;
-        }
-    }
+    const hid_t type = H5Dget_type(set), memory = H5Tcopy(H5T_C_S1);
+    *size = H5Tget_size(type) + 1; /* room for a NUL */
+    H5Tset_size(memory, *size);
+    char *names = calloc((size_t)*n + 1, *size);
+    herr_t code = -1;
+    H5E_BEGIN_TRY { code = names ? H5Dread(set, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, names) : -1; }
+    H5E_END_TRY
     H5Tclose(memory);
     H5Tclose(type);
-    H5Sclose(space);
     H5Dclose(set);
-    return names;
-}
-
-/* Numbers of an attribute; NAN where there is none. */
-static void attribute_numbers(hid_t object, const char *name, int n, double *values)
-{
-    for (int k = 0; k < n; k++) values[k] = NAN;
-    if (H5Aexists(object, name) <= 0) return;
-    const hid_t a = H5Aopen(object, name, H5P_DEFAULT), space = H5Aget_space(a), type = H5Aget_type(a);
-    const H5T_class_t class = H5Tget_class(type);
-    if (H5Sget_simple_extent_npoints(space) == n && (class == H5T_FLOAT || class == H5T_INTEGER))
-        H5Aread(a, H5T_NATIVE_DOUBLE, values);
-    H5Tclose(type);
-    H5Sclose(space);
-    H5Aclose(a);
-}
-
-/* The text of an attribute; empty where there is none. */
-static void attribute_text(hid_t object, const char *name, char text[NAME_MOST])
-{
-    memset(text, 0, NAME_MOST);
-    if (H5Aexists(object, name) <= 0) return;
-    const hid_t a = H5Aopen(object, name, H5P_DEFAULT), space = H5Aget_space(a), type = H5Aget_type(a),
-                memory = H5Tcopy(H5T_C_S1);
-    H5Tset_size(memory, NAME_MOST);
-    if (H5Tget_class(type) == H5T_STRING && !H5Tis_variable_str(type) && H5Sget_simple_extent_npoints(space) == 1)
-        H5Aread(a, memory, text);
-    text[NAME_MOST - 1] = 0;
-    H5Tclose(memory);
-    H5Tclose(type);
-    H5Sclose(space);
-    H5Aclose(a);
+    if (code >= 0) return names;
+    free(names);
+    return NULL;
 }
 
 /* A set and the key under which it stands. width: numbers an item has, 0 a plain one; -1: names. */
@@ -233,14 +196,14 @@ static void surface_add(Text *out, hid_t group)
     static const char *const word[] = {"name", "kind", "section"};
     text_add(out, "{");
     for (int k = 0; k < LENGTH(word); k++) {
-        char text[NAME_MOST];
-        attribute_text(group, word[k], text);
+        char text[DOOR_TEXT_MAX];
+        door_text(group, word[k], text);
         text_print(out, "%s\"%s\":", k ? "," : "", word[k]);
         text_json(out, text);
     }
     for (int k = 0; k < LENGTH(number); k++) {
         double values[3];
-        attribute_numbers(group, number[k].set, number[k].width ? 3 : 1, values);
+        door_numbers(group, number[k].set, number[k].width ? 3 : 1, values);
         text_print(out, ",\"%s\":", number[k].key);
         numbers_add(out, values, number[k].width);
     }
@@ -254,8 +217,7 @@ static void surfaces_add(Text *out, hid_t file)
     text_add(out, "[");
     for (int i = 0; i < SURFACES_MOST; i++) {
         snprintf(path, sizeof path, "geometry/surfaces/%d", i);
-        if (H5Lexists(file, "geometry/surfaces", H5P_DEFAULT) <= 0 || H5Lexists(file, path, H5P_DEFAULT) <= 0) break;
-        const hid_t group = H5Gopen2(file, path, H5P_DEFAULT);
+        const hid_t group = door_group(file, path);
         if (group < 0) break;
         if (i) text_add(out, ",\n");
         surface_add(out, group);
@@ -267,11 +229,11 @@ static void surfaces_add(Text *out, hid_t file)
 /* One thing: a group with attributes alone; null if there is none. */
 static void machine_add(Text *out, hid_t file, const char *path, int n, const Item *item)
 {
-    const hid_t group = H5Lexists(file, path, H5P_DEFAULT) > 0 ? H5Gopen2(file, path, H5P_DEFAULT) : -1;
+    const hid_t group = door_group(file, path);
     text_add(out, group < 0 ? "null" : "{");
     for (int k = 0; k < n && group >= 0; k++) {
         double values[3];
-        attribute_numbers(group, item[k].set, item[k].width ? 3 : 1, values);
+        door_numbers(group, item[k].set, item[k].width ? 3 : 1, values);
         text_print(out, "%s\"%s\":", k ? "," : "", item[k].key);
         numbers_add(out, values, item[k].width);
     }
@@ -336,29 +298,28 @@ static void chain_add(Text *out, hid_t file)
     }
 static const Item place_item[] = {ENVELOPE("place")}, arc_item[] = {ENVELOPE("arc")};
 
+/* Whether the file has a group. */
+static int has(hid_t file, const char *path)
+{
+    const hid_t group = door_group(file, path);
+    if (group >= 0) H5Gclose(group);
+    return group >= 0;
+}
+
 /* Least, mean and largest over time, by place and by arc length; null where there is no such line. */
 static void envelope_add(Text *out, hid_t file)
 {
     text_add(out, ",\n\"envelope\":{\"place\":");
-    if (H5Lexists(file, "envelope/place", H5P_DEFAULT) > 0)
+    if (has(file, "envelope/place"))
         arrays_add(out, file, LENGTH(place_item), place_item);
     else
         text_add(out, "null");
     text_add(out, ",\n\"arc\":");
-    if (H5Lexists(file, "envelope/arc", H5P_DEFAULT) > 0)
+    if (has(file, "envelope/arc"))
         arrays_add(out, file, LENGTH(arc_item), arc_item);
     else
         text_add(out, "null");
     text_add(out, "}");
-}
-
-/* Whether the file has a group. */
-static int has(hid_t file, const char *group)
-{
-    htri_t there = 0;
-    H5E_BEGIN_TRY { there = H5Lexists(file, group, H5P_DEFAULT); }
-    H5E_END_TRY
-    return there > 0;
 }
 
 void geometry_add(Text *out, hid_t file, Folder *folder)

@@ -9,29 +9,11 @@
 
 /* Numbers that one set may bring into memory. */
 static const double numbers_most = 3e8;
-/* HDF5 does not survive an allocation that fails: what it may take to open a file or a set, bytes. */
-enum { ROOM = 4 << 20 };
 
-/* A set of that rank, and its dimensions; < 0: there is none. */
+/* A set of numbers of that rank, and its dimensions; < 0: there is none. */
 static hid_t set_open(hid_t parent, const char *name, int rank, hsize_t *dims)
 {
-    hid_t set = -1;
-    if (!memory_room(ROOM)) return -1;
-    H5E_BEGIN_TRY { set = H5Lexists(parent, name, H5P_DEFAULT) > 0 ? H5Dopen2(parent, name, H5P_DEFAULT) : -1; }
-    H5E_END_TRY
-    if (set < 0) return -1;
-    const hid_t space = H5Dget_space(set), type = H5Dget_type(set);
-    const H5T_class_t class = H5Tget_class(type);
-    const int fits = H5Sget_simple_extent_ndims(space) == rank &&
-                     H5Sget_simple_extent_dims(space, dims, NULL) == rank &&
-                     (class == H5T_FLOAT || class == H5T_INTEGER);
-    double numbers = 1;
-    for (int k = 0; fits && k < rank; k++) numbers *= (double)dims[k];
-    H5Sclose(space);
-    H5Tclose(type);
-    if (fits && numbers <= numbers_most) return set;
-    H5Dclose(set);
-    return -1;
+    return door_set(parent, name, 0, rank, dims, numbers_most);
 }
 
 double *numbers_read(hid_t parent, const char *name, int rank, hsize_t *dims)

@@ -4,8 +4,7 @@
 
 #include "hawser/hawser.h"
 #include "io/report/text.h"
-
-#include <hdf5.h>
+#include "io/results/results_h5.h"
 
 /* What is known of each segment, or of each roller, in each state. */
 typedef struct Field {

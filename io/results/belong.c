@@ -28,79 +28,59 @@ static const json_t *said_of(const json_t *files, const char *name)
 }
 
 /* A table that is there is the one that the run has written. */
-static hawser_status table_check(const char *dir, const json_t *files, const char *name, hawser_error *err)
+static hawser_status table_check(const OutDir *dir, const json_t *files, const char *name, hawser_error *err)
 {
     FileSum sum;
-    OutDir folder;
-    hawser_status status = out_dir(&folder, dir, err);
-    if (!status) status = file_sum(&folder, name, &sum, err);
+    const hawser_status status = file_sum(dir, name, &sum, err);
     if (status || sum.bytes < 0) return status;
     const json_t *const said = said_of(files, name);
     const char *const wanted = json_string_value(json_object_get(said, "sum"));
     if (wanted && !strcmp(wanted, sum.sum)) return HAWSER_OK;
-    return error_set(err, HAWSER_ERR_INPUT, "'%.500s/%s' does not belong to the summary beside it: %s", dir, name,
+    return error_set(err, HAWSER_ERR_INPUT, "'%.500s/%s' does not belong to the summary beside it: %s", dir->path, name,
                      said ? "it is of another run, or was changed after this one"
                           : "this run has written no such file");
 }
 
-/* A text attribute of a file of HDF5, "" if it has none. */
-static void attribute_read(hid_t file, const char *name, char text[SUM_SIZE])
-{
-    *text = 0;
-    if (H5Aexists(file, name) <= 0) return;
-    const hid_t a = H5Aopen(file, name, H5P_DEFAULT), type = H5Aget_type(a);
-    if (H5Tget_class(type) == H5T_STRING && !H5Tis_variable_str(type) && H5Tget_size(type) <= SUM_SIZE) {
-        char value[SUM_SIZE] = "";
-        if (H5Aread(a, type, value) >= 0) memcpy(text, value, SUM_SIZE - 1);
-        text[SUM_SIZE - 1] = 0;
-    }
-    H5Tclose(type);
-    H5Aclose(a);
-}
-
 int states_belong(hid_t file, const char *run, const char *series)
 {
-    char has_run[SUM_SIZE], has_series[SUM_SIZE];
-    H5E_BEGIN_TRY
-    {
-        attribute_read(file, "run", has_run);
-        attribute_read(file, "series", has_series);
-    }
-    H5E_END_TRY
+    char has_run[DOOR_TEXT_MAX], has_series[DOOR_TEXT_MAX];
+    door_text(file, "run", has_run);
+    door_text(file, "series", has_series);
     return (!run || !*run || !strcmp(run, has_run)) && (!series || !strcmp(series, has_series));
 }
 
 /* The states are those of the run; those of one that has ended are those of its series, too. */
-static hawser_status states_check(const char *dir, const char *run, const char *series, hawser_error *err)
+static hawser_status states_check(const OutDir *dir, const char *run, const char *series, hawser_error *err)
 {
-    char path[OUT_PATH_MAX];
+    static const char *const name = "results.h5";
     int broken = 0;
-    hawser_status status = out_join(path, dir, "results.h5", err);
-    if (status || access(path, R_OK)) return status;
-    status = file_broken(path, &broken, err);
+    hawser_status status = file_broken(dir, name, &broken, err);
     if (status) return status;
     if (broken)
-        return error_set(err, HAWSER_ERR_INPUT, "'%.600s' is damaged: its bytes are not those that the run has written",
-                         path);
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "'%.600s/%s' is damaged: its bytes are not those that the run has written", dir->path, name);
     if (!memory_room(ROOM)) return error_memory(err);
-    StatesFile states = states_open(path);
+    StatesFile states;
+    states_open(&states, dir);
     const int belongs = states.file < 0 || states_belong(states.file, run, series); /* else who reads it says so */
     states_close(&states);
     if (belongs) return HAWSER_OK;
-    return error_set(err, HAWSER_ERR_INPUT, "'%.600s' does not belong to the summary beside it: it is of another run",
-                     path);
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "'%.600s/%s' does not belong to the summary beside it: it is of another run", dir->path, name);
 }
 
 /* A file of JSON; *json NULL: it is not there. Without memory jansson finds fault with some word of it, so that it is
  * asked before whether there is any, and what it finds is looked for twice. Errors: INPUT, MEMORY. */
-static hawser_status json_read(const char *path, json_t **json, hawser_error *err)
+static hawser_status json_read(const OutDir *dir, const char *name, json_t **json, hawser_error *err)
 {
     enum { MORE = 1 << 16, TIMES = 24, MOST = 1 << 28 };
     json_error_t where;
-    char *text;
+    OutSpot spot;
+    char *text = NULL;
     size_t size;
     *json = NULL;
-    hawser_status status = file_whole(path, MOST, &text, &size, err);
+    hawser_status status = out_spot(&spot, dir, name, err);
+    if (!status) status = file_whole_in(dir->at, name, spot.path, MOST, &text, &size, err);
     if (!text) return status;
     const int room = memory_room(MORE + TIMES * size);
     for (int twice = 0; twice < 2 && room && !*json; twice++)
@@ -108,22 +88,20 @@ static hawser_status json_read(const char *path, json_t **json, hawser_error *er
     if (!room)
         status = error_memory(err);
     else if (!*json)
-        status = error_set(err, HAWSER_ERR_INPUT, "cannot read '%.600s': %.200s", path, where.text);
+        status = error_set(err, HAWSER_ERR_INPUT, "cannot read '%.600s': %.200s", spot.path, where.text);
     free(text);
     return status;
 }
 
 /* What was computed of a run says of which. */
-static hawser_status companion_check(const char *dir, const char *run, const char *name, hawser_error *err)
+static hawser_status companion_check(const OutDir *dir, const char *run, const char *name, hawser_error *err)
 {
-    char path[OUT_PATH_MAX];
     json_t *json = NULL;
-    hawser_status status = out_join(path, dir, name, err);
-    if (!status) status = json_read(path, &json, err);
+    hawser_status status = json_read(dir, name, &json, err);
     const char *const said = json_string_value(json_object_get(json, "run"));
     if (json && (!said || strcmp(said, run) != 0))
-        status = error_set(err, HAWSER_ERR_INPUT, "'%.600s' does not belong to the summary beside it: %s", path,
-                           said ? "it is of another run" : "it does not say of which run it is");
+        status = error_set(err, HAWSER_ERR_INPUT, "'%.600s/%s' does not belong to the summary beside it: %s", dir->path,
+                           name, said ? "it is of another run" : "it does not say of which run it is");
     json_decref(json);
     return status;
 }
@@ -131,10 +109,8 @@ static hawser_status companion_check(const char *dir, const char *run, const cha
 /* Before a run goes on: its checkpoint may have come from elsewhere. A summary that is not there says nothing. */
 hawser_status summary_is_of(const OutDir *dir, const char *run, hawser_error *err)
 {
-    OutSpot spot;
     json_t *summary = NULL;
-    hawser_status status = out_spot(&spot, dir, "summary.json", err);
-    if (!status) status = out_own(json_read(spot.path, &summary, err), err);
+    hawser_status status = out_own(json_read(dir, "summary.json", &summary, err), err);
     const char *const there = json_string_value(json_object_get(summary, "run"));
     if (!status && run && *run && there && strcmp(run, there) != 0)
         status = error_set(err, HAWSER_ERR_OUTPUT,
@@ -146,20 +122,22 @@ hawser_status summary_is_of(const OutDir *dir, const char *run, hawser_error *er
 /* Between a run and what is computed of it another one may have taken its folder's name. */
 hawser_status companion_write(const char *dir, const char *name, const char *text, hawser_error *err)
 {
-    char path[OUT_PATH_MAX];
+    OutDir folder = {.at = -1};
     json_t *summary = NULL, *const own = json_loads(text, 0, NULL);
     const char *const run = json_string_value(json_object_get(own, "run"));
     hawser_status status = out_make_dir(dir, err);
-    if (!status) status = out_join(path, dir, "summary.json", err);
-    if (!status) status = json_read(path, &summary, err);
+    if (!status) status = out_enter(&folder, dir, err);
+    if (!status) status = json_read(&folder, "summary.json", &summary, err);
     if (status == HAWSER_ERR_INPUT) status = HAWSER_OK; /* it says nothing */
     const char *const there = json_string_value(json_object_get(summary, "run"));
     if (!status && run && *run && there && strcmp(run, there) != 0)
         status = error_set(err, HAWSER_ERR_OUTPUT,
                            "cannot write '%.500s/%s': the results in this folder are of another run", dir, name);
+    if (!status) status = out_whole_in(&folder, name, text, err);
+    out_leave(&folder);
     json_decref(summary);
     json_decref(own);
-    return status ? status : out_whole(dir, name, text, err);
+    return status;
 }
 
 int is_running(const json_t *summary)
@@ -168,7 +146,7 @@ int is_running(const json_t *summary)
     return outcome && !strcmp(outcome, "running");
 }
 
-hawser_status belong_check(const char *dir, const json_t *summary, hawser_error *err)
+hawser_status belong_check(const OutDir *dir, const json_t *summary, hawser_error *err)
 {
     const json_t *const files = json_object_get(summary, "files");
     const char *const run = json_string_value(json_object_get(summary, "run"));

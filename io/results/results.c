@@ -59,12 +59,11 @@ static hawser_status folder_spare(const char *dir, const FileMarks *files, hawse
 {
     static const char *const more[] = {CHECKPOINT_FILE, "results.h5.journal", MOVING};
     enum { MORE = sizeof more / sizeof *more };
-    OutDir folder;
-    OutSpot spot;
-    hawser_status s = out_dir(&folder, dir, err);
+    char path[OUT_PATH_MAX];
+    hawser_status s = HAWSER_OK;
     for (int k = 0; k < FOLDER_FILES + MORE && !s; k++) {
-        s = out_spot(&spot, &folder, k < FOLDER_FILES ? folder_files[k] : more[k - FOLDER_FILES], err);
-        if (!s) s = file_marks_spare(files, spot.path, err);
+        s = out_join(path, dir, k < FOLDER_FILES ? folder_files[k] : more[k - FOLDER_FILES], err);
+        if (!s) s = file_marks_spare(files, path, err);
     }
     return s;
 }
@@ -96,16 +95,16 @@ static hawser_status remove_old(const Results *r, int count, hawser_error *err)
     hawser_status s = HAWSER_OK;
     for (int k = 0; k < count && !s; k++) {
         s = out_spot(&spot, &r->dir, names[k], err);
-        if (!s && unlinkat(spot.at, spot_name(&spot), 0) && errno != ENOENT) s = out_error(spot.path, errno, err);
+        if (!s && !file_remove_in(spot.at, names[k])) s = out_error(spot.path, errno, err);
     }
     return s;
 }
 
 static int is_there(const OutDir *dir, const char *name)
 {
-    OutSpot spot;
-    struct stat info;
-    return !out_spot(&spot, dir, name, NULL) && !fstatat(spot.at, spot_name(&spot), &info, 0);
+    const int fd = file_open_in(dir->at, name, O_RDONLY);
+    if (fd >= 0) close(fd);
+    return fd >= 0 || errno != ENOENT;
 }
 
 /* Whether the folder's summary is one of a run that was finished: also if it is a file that cannot be read now, so that
@@ -113,13 +112,13 @@ static int is_there(const OutDir *dir, const char *name)
 static int is_finished(const OutDir *dir)
 {
     enum { MOST = 1 << 28, MORE = 1 << 16, TIMES = 24 };
-    OutSpot spot;
+    static const char *const name = "summary.json";
     char *text;
     size_t size;
-    struct stat info;
-    if (out_spot(&spot, dir, "summary.json", NULL)) return 0;
-    if (fstatat(spot.at, spot_name(&spot), &info, 0) || !S_ISREG(info.st_mode)) return 0;
-    if (file_whole_at(spot.at, spot_name(&spot), MOST, &text, &size, NULL)) return 1;
+    const int fd = file_open_in(dir->at, name, O_RDONLY);
+    if (fd >= 0) close(fd);
+    if (fd < 0 && (errno == ENOENT || errno == ELOOP || errno == ENOTBLK)) return 0;
+    if (file_whole_in(dir->at, name, name, MOST, &text, &size, NULL)) return 1;
     if (!text) return 0;
     const int room = memory_room(MORE + TIMES * size);
     json_t *summary = room ? json_loadb(text, size, 0, NULL) : NULL;
@@ -137,12 +136,11 @@ static int is_finished(const OutDir *dir)
 static void files_remove(const OutDir *dir, const char *from, int n, const char *const *files)
 {
     OutDir inner;
-    OutSpot spot;
     if (!out_within(&inner, dir, from)) return;
     while (n-- > 0) out_remove(&inner, files[n]);
     out_remove(&inner, MOVING);
     out_leave(&inner);
-    if (!out_spot(&spot, dir, from, NULL)) unlinkat(spot.at, spot_name(&spot), AT_REMOVEDIR);
+    folder_remove_in(dir->at, from);
 }
 
 /* Renames what there is of a list of files into another folder. The last one moves when the others have, whatever
@@ -150,13 +148,12 @@ static void files_remove(const OutDir *dir, const char *from, int n, const char 
 static hawser_status files_move(const OutDir *to, const OutDir *from, int n, const char *const *files,
                                 hawser_error *err)
 {
-    OutSpot old, new;
+    OutSpot new;
     hawser_status s = HAWSER_OK;
     for (int k = 0; k < n && !s; k++) {
         if (k == n - 1) s = out_sync_in(to, ".", err);
-        if (!s) s = out_spot(&old, from, files[k], err);
         if (!s) s = out_spot(&new, to, files[k], err);
-        if (!s && renameat(old.at, spot_name(&old), new.at, spot_name(&new)) && errno != ENOENT)
+        if (!s && !file_name_in(from->at, files[k], to->at, files[k]) && errno != ENOENT)
             s = out_error(new.path, errno, err);
     }
     return s;
@@ -169,7 +166,7 @@ static hawser_status earlier_begin(const OutDir *dir, OutDir *earlier, hawser_er
     OutFile mark;
     files_remove(dir, EARLIER, FOLDER_FILES, folder_files);
     hawser_status s = out_spot(&spot, dir, EARLIER, err);
-    if (!s && mkdirat(spot.at, spot_name(&spot), 0777) && errno != EEXIST) s = out_error(spot.path, errno, err);
+    if (!s && !folder_make_in(dir->at, EARLIER)) s = out_error(spot.path, errno, err);
     if (!s && !out_within(earlier, dir, EARLIER)) s = out_error(spot.path, errno, err);
     if (!s) s = out_open_in(&mark, earlier, MOVING, err);
     if (!s) s = out_close(&mark, err);
@@ -229,7 +226,10 @@ static hawser_status open_tables(Results *r, hawser_error *err)
  * killed says "running", not what the run before had to say. */
 static hawser_status open_all(Results *r, const ResultsDef *def, const char *summary, hawser_error *err)
 {
+    static const char *const more[] = {CHECKPOINT_FILE, "results.h5.journal"};
     hawser_status s = earlier_keep(r, err);
+    out_sweep(&r->dir, RUN_FILES, run_files);
+    out_sweep(&r->dir, sizeof more / sizeof *more, more);
     if (!s) s = out_whole_in(&r->dir, "summary.json", summary, err);
     if (!s) s = remove_old(r, def->states > 0 ? OLD_BUT_XDMF : OLD_ALL, err);
     if (!s) s = write_known(r, def, err);
@@ -241,11 +241,23 @@ static hawser_status open_all(Results *r, const ResultsDef *def, const char *sum
     return s;
 }
 
+/* Whether all that is to be gone on with is there and as it was at the checkpoint: nothing is changed before that is
+ * known. */
+static hawser_status resume_check(const Results *r, const ResultsDef *def, const ResultsPosition *at, hawser_error *err)
+{
+    hawser_status s = summary_is_of(&r->dir, def->run, err);
+    if (!s) s = out_can_resume(&r->dir, "series.csv", at->series, "\n", err);
+    if (!s && def->states > 0) s = h5_can_resume(&r->dir, def, at->states, err);
+    if (!s && def->states > 0) s = xdmf_can_resume(&r->dir, at->xdmf, err);
+    return s;
+}
+
 /* The files that grow go on; the others are as they were. */
 static hawser_status resume_all(Results *r, const ResultsDef *def, const ResultsPosition *at, const char *summary,
                                 hawser_error *err)
 {
-    hawser_status s = summary_is_of(&r->dir, def->run, err);
+    hawser_status s = resume_check(r, def, at, err);
+    if (!s) out_sweep(&r->dir, RUN_FILES, run_files);
     if (!s) s = out_resume(&r->series, &r->dir, "series.csv", at->series, err);
     if (!s) s = series_make(&r->columns, def, err);
     if (!s && def->states > 0) s = h5_resume(&r->h5, &r->dir, def, at->states, err);
@@ -470,14 +482,13 @@ hawser_status results_replace(const OutDir *to, const char *from, hawser_error *
 /* With what a kill leaves, too. */
 void results_remove(const OutDir *dir, const char *from)
 {
-    static const char *const kept[] = {CHECKPOINT_FILE, CHECKPOINT_FILE ".part", "results.h5.journal"};
+    static const char *const kept[] = {CHECKPOINT_FILE, "results.h5.journal"};
+    enum { KEPT = sizeof kept / sizeof *kept };
     OutDir inner;
-    char part[64];
     if (!out_within(&inner, dir, from)) return;
-    for (int k = 0; k < RUN_FILES; k++) {
-        if (snprintf(part, sizeof part, "%s.part", run_files[k]) > 0) out_remove(&inner, part);
-    }
-    for (size_t k = 0; k < sizeof kept / sizeof *kept; k++) out_remove(&inner, kept[k]);
+    out_sweep(&inner, RUN_FILES, run_files);
+    out_sweep(&inner, KEPT, kept);
+    for (size_t k = 0; k < KEPT; k++) out_remove(&inner, kept[k]);
     out_leave(&inner);
     files_remove(dir, from, RUN_FILES, run_files);
 }

@@ -30,7 +30,7 @@
 /* What the property list carries. */
 typedef struct DiskInfo {
     DiskWords *words;
-    int at; /* the folder's descriptor, to which names are relative behind their last slash; AT_FDCWD: as they are */
+    DiskPlace place;
 } DiskInfo;
 
 enum { PAGE = 4096 };
@@ -45,7 +45,7 @@ typedef struct DiskPage {
 
 typedef struct DiskFile {
     H5FD_t base; /* HDF5's part, first */
-    int fd, at;  /* its descriptor, its folder's */
+    int fd, at;  /* its descriptor; its folder's, < 0: it has no journal */
     int patient; /* readers have not been waited for in vain */
     DiskWords *words;
     haddr_t allocated, size; /* bytes that HDF5 uses, bytes there */
@@ -54,7 +54,6 @@ typedef struct DiskFile {
     size_t pages, page_room;
     dev_t device;
     ino_t inode;
-    char journal[OUT_PATH_MAX]; /* its name or path; "": the file's is too long */
 } DiskFile;
 
 static const haddr_t address_max = ((haddr_t)1 << 62) - 1;
@@ -72,21 +71,11 @@ typedef struct JournalHead {
     uint64_t pages, size, hash; /* size: of the file when they are all written; hash: of them */
 } JournalHead;
 
-/* Of a file that gets its name later (results_h5.c) as of one that has it. */
-static void journal_path(char path[OUT_PATH_MAX], const char *name)
-{
-    static const char part[] = ".part";
-    const size_t length = strlen(name), end = sizeof part - 1;
-    const int late = length > end && !strcmp(name + length - end, part);
-    if (snprintf(path, OUT_PATH_MAX, "%.*s.journal", (int)(late ? length - end : length), name) >= OUT_PATH_MAX)
-        *path = 0;
-}
-
 /* The changed pages; where there is no room for them the file does without. */
 static void journal_write(const DiskFile *f)
 {
     const size_t each = sizeof(uint64_t) + PAGE, size = sizeof(JournalHead) + f->pages * each;
-    char *const all = f->pages > 0 && *f->journal ? malloc(size) : NULL, *at = all + sizeof(JournalHead);
+    char *const all = f->pages > 0 && f->at >= 0 ? malloc(size) : NULL, *at = all + sizeof(JournalHead);
     if (!all) return;
     for (size_t k = 0; k < f->pages; k++, at += each) {
         const uint64_t number = f->page[k].number;
@@ -95,10 +84,14 @@ static void journal_write(const DiskFile *f)
     }
     const JournalHead head = {f->pages, f->allocated, checkpoint_hash(all + sizeof head, size - sizeof head)};
     memcpy(all, &head, sizeof head);
-    const int fd = openat(f->at, f->journal, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    const int whole = fd >= 0 && write(fd, all, size) == (ssize_t)size;
+    char part[FILE_PART_MAX];
+    const int fd = file_new_in(f->at, JOURNAL_FILE, part);
+    const int whole = fd >= 0 && whole_write(fd, all, size);
     if (fd >= 0) close(fd);
-    if (!whole) unlinkat(f->at, f->journal, 0); /* nor one that was left */
+    if (!whole || !file_name_in(f->at, part, f->at, JOURNAL_FILE)) {
+        if (fd >= 0) file_remove_in(f->at, part);
+        file_remove_in(f->at, JOURNAL_FILE); /* nor one that was left */
+    }
     free(all);
 }
 
@@ -114,36 +107,86 @@ static int journal_apply(int fd, const char *all, const JournalHead *head)
     return !ftruncate(fd, (off_t)head->size);
 }
 
-/* Whether a journal is as it was written, and what it says it holds. */
-static int journal_is_whole(const char *all, size_t size, JournalHead *head)
+/* Bytes by which a file may be longer after a journal than before and with its pages: far above what is laid out and
+ * not written. */
+enum { LONGER_MOST = 1 << 26 };
+
+/* Whether a journal is as it was written, and of this file: pages of it in their order. */
+static int journal_is_whole(const char *all, size_t size, int fd, JournalHead *head)
 {
     const size_t each = sizeof(uint64_t) + PAGE;
-    if (size <= sizeof *head) return 0;
+    struct stat info;
+    if (size <= sizeof *head || fstat(fd, &info)) return 0;
     memcpy(head, all, sizeof *head);
-    return head->pages == (size - sizeof *head) / each && (size - sizeof *head) % each == 0 &&
-           head->hash == checkpoint_hash(all + sizeof *head, size - sizeof *head);
+    if (head->pages != (size - sizeof *head) / each || (size - sizeof *head) % each != 0 ||
+        head->hash != checkpoint_hash(all + sizeof *head, size - sizeof *head) ||
+        head->size > (uint64_t)info.st_size + head->pages * PAGE + LONGER_MOST)
+        return 0;
+    uint64_t before = 0, number;
+    for (uint64_t k = 0; k < head->pages; k++, before = number) {
+        memcpy(&number, all + sizeof *head + k * each, sizeof number);
+        if ((k > 0 && number <= before) || number > head->size / PAGE) return 0;
+    }
+    return 1;
+}
+
+/* The file's journal, if it is there and whole: *all, malloc'ed, or NULL. Errors: OUTPUT (it cannot be read), MEMORY. */
+static hawser_status journal_read(const DiskPlace *place, char **all, JournalHead *head, hawser_error *err)
+{
+    size_t size;
+    *all = NULL;
+    if (place->at < 0) return HAWSER_OK;
+    const hawser_status status =
+        out_own(file_whole_in(place->at, JOURNAL_FILE, JOURNAL_FILE, JOURNAL_MOST, all, &size, err), err);
+    if (!*all || journal_is_whole(*all, size, place->fd, head)) return status;
+    free(*all);
+    *all = NULL;
+    return status;
 }
 
 /* A journal that is not whole was being written when nothing had been done to the file yet. One that cannot be read, or
  * not be followed, stays for the next time. */
-hawser_status disk_recover(int at, const char *name, hawser_error *err)
+hawser_status disk_recover(const DiskPlace *place, hawser_error *err)
 {
-    char path[OUT_PATH_MAX], *all = NULL;
+    char *all;
     JournalHead head;
-    size_t size;
-    journal_path(path, name);
-    if (!*path) return HAWSER_OK;
-    hawser_status status = out_own(file_whole_at(at, path, JOURNAL_MOST, &all, &size, err), err);
-    if (!all) return status;
-    if (journal_is_whole(all, size, &head)) {
-        errno = 0;
-        const int to = openat(at, name, O_WRONLY | O_CLOEXEC);
-        if (to < 0 || !journal_apply(to, all, &head)) status = out_error(name, errno, err);
-        if (to >= 0 && close(to) && !status) status = out_error(name, errno, err);
-    }
-    if (!status) unlinkat(at, path, 0);
+    hawser_status status = journal_read(place, &all, &head, err);
+    errno = 0;
+    if (all && !journal_apply(place->fd, all, &head)) status = out_error("results.h5", errno, err);
+    if (!status && place->at >= 0) file_remove_in(place->at, JOURNAL_FILE);
     free(all);
     return status;
+}
+
+/* What a journal says becomes the file's changed pages, in memory. 0: it cannot be read, or without memory. */
+static int journal_overlay(DiskFile *f, const DiskPlace *place)
+{
+    char *all;
+    JournalHead head;
+    if (journal_read(place, &all, &head, NULL)) return 0;
+    if (!all) return 1;
+    const char *at = all + sizeof head;
+    f->page = malloc((size_t)head.pages * sizeof *f->page + 1);
+    int ok = f->page != NULL;
+    for (uint64_t k = 0; k < head.pages && ok; k++, at += sizeof(uint64_t) + PAGE) {
+        DiskPage *const page = &f->page[k];
+        uint64_t number;
+        memcpy(&number, at, sizeof number);
+        *page = (DiskPage){number, malloc(PAGE)};
+        ok = page->bytes != NULL;
+        if (ok) memcpy(page->bytes, at + sizeof number, PAGE);
+        f->pages += ok ? 1 : 0;
+    }
+    f->page_room = (size_t)head.pages;
+    f->size = f->kept = head.size;
+    free(all);
+    return ok;
+}
+
+static void pages_drop(DiskFile *f)
+{
+    for (size_t k = 0; k < f->pages; k++) free(f->page[k].bytes);
+    f->pages = 0;
 }
 
 /* ------------------------------------------------------------------------------------------- readers and flushes */
@@ -171,78 +214,73 @@ static int flush_begin(DiskFile *f, int must)
 
 static void flush_end(const DiskFile *f) { flock(f->fd, LOCK_UN); }
 
-/* Whether the program was killed within a flush: the journal is there, and not because of one that goes on. < 0: nobody
- * knows. */
-static int cut_off(const char *path)
-{
-    char name[OUT_PATH_MAX], *all = NULL;
-    JournalHead head;
-    size_t size;
-    journal_path(name, path);
-    const hawser_status status = *name ? file_whole(name, JOURNAL_MOST, &all, &size, NULL) : HAWSER_OK;
-    const int whole = all && journal_is_whole(all, size, &head);
-    free(all);
-    return status ? -1 : whole;
-}
-
-StatesFile states_open(const char *path)
+void states_open_descriptor(StatesFile *s, int fd, int at)
 {
     enum { TRIES = 400, ROOM = 4 << 20 }; /* 2 s; what HDF5 may take to open a file or a set, bytes */
-    StatesFile s = {.file = -1, .lock = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-    const int cut = s.lock >= 0 && lock_take(s.lock, LOCK_SH, TRIES) ? cut_off(path) : -1;
-    s.cut = cut > 0;
-    if (cut || !memory_room(ROOM)) return s;
+    *s = (StatesFile){.file = -1, .lock = fd, .driver = -1};
+    if (fd < 0 || !lock_take(fd, LOCK_SH, TRIES) || !memory_room(ROOM)) return;
     H5E_BEGIN_TRY
     {
         const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-        H5Pset_file_locking(access, 0, 1); /* it is held, or the disk knows none */
-        s.file = H5Fopen(path, H5F_ACC_RDONLY, access);
+        s->driver = disk_driver_use(access, &(DiskPlace){fd, at}, &s->words);
+        H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
+        if (s->driver >= 0) s->file = H5Fopen("results.h5", H5F_ACC_RDONLY, access);
         H5Pclose(access);
     }
     H5E_END_TRY
-    return s;
+}
+
+void states_open(StatesFile *s, const OutDir *dir)
+{
+    states_open_descriptor(s, file_open_in(dir->at, "results.h5", O_RDONLY), dir->at);
 }
 
 void states_close(StatesFile *s)
 {
-    if (s->file >= 0) H5Fclose(s->file);
+    H5E_BEGIN_TRY
+    {
+        if (s->file >= 0) H5Fclose(s->file);
+        if (s->driver >= 0 && !s->words.open) H5FDunregister(s->driver);
+    }
+    H5E_END_TRY
     if (s->lock >= 0) close(s->lock);
-    *s = (StatesFile){.file = -1, .lock = -1};
+    *s = (StatesFile){.file = -1, .lock = -1, .driver = -1};
 }
 
 /* --------------------------------------------------------------------------------------------------- the driver */
 
-/* The name within the folder of a file that HDF5 knows by its path. */
-static const char *name_at(const DiskInfo *info, const char *path)
-{
-    const char *const slash = info->at == AT_FDCWD ? NULL : strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
-/* Called by HDF5, also to look whether the file can be opened at all. H5F_ACC flags are translated to open(2). */
+/* Called by HDF5, also to look whether the file can be opened at all. The name says nothing here: the file is open. A
+ * second one at a time would be what a link or a set of the file leads to. */
 static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t max)
 {
     const DiskInfo *info = H5Pget_driver_info(access);
     struct stat state;
-    (void)max;
-    const int mode = (flags & H5F_ACC_RDWR ? O_RDWR : O_RDONLY) | (flags & H5F_ACC_TRUNC ? O_TRUNC : 0) |
-                     (flags & H5F_ACC_CREAT ? O_CREAT : 0) | (flags & H5F_ACC_EXCL ? O_EXCL : 0) | O_CLOEXEC;
-    const int fd = info ? openat(info->at, name_at(info, name), mode, 0666) : -1;
-    DiskFile *f = fd < 0 || fstat(fd, &state) ? NULL : calloc(1, sizeof *f);
-    if (!f) {
-        if (info) info->words->error = errno;
+    (void)name, (void)max;
+    const int fits = info && !info->words->open;
+    errno = EACCES;
+    const int fd = fits ? fcntl(info->place.fd, F_DUPFD_CLOEXEC, 0) : -1;
+    int ok = fd >= 0 && !(flags & H5F_ACC_TRUNC && ftruncate(fd, 0)) && !fstat(fd, &state);
+    DiskFile *f = ok ? calloc(1, sizeof *f) : NULL;
+    if (f) {
+        f->at = info->place.at;
+        f->words = info->words;
+        f->patient = 1;
+        f->fd = fd;
+        f->size = f->kept = (haddr_t)state.st_size;
+        f->device = state.st_dev;
+        f->inode = state.st_ino;
+        ok = info->words->live || journal_overlay(f, &info->place);
+    }
+    if (!f || !ok) {
+        if (fits) info->words->error = errno;
+        if (f) pages_drop(f);
+        if (f) free(f->page);
+        free(f);
         if (fd >= 0) close(fd);
         return NULL;
     }
     info->words->error = 0; /* HDF5 tries softer ways to open a file first */
-    f->fd = fd;
-    f->at = info->at;
-    f->words = info->words;
-    f->patient = 1;
-    f->size = f->kept = (haddr_t)state.st_size;
-    f->device = state.st_dev;
-    f->inode = state.st_ino;
-    journal_path(f->journal, name_at(info, name));
+    info->words->open = 1;
     return &f->base;
 }
 
@@ -373,7 +411,7 @@ static herr_t disk_write(H5FD_t *file, H5FD_mem_t type, hid_t transfer, haddr_t 
             keep_error(f);
         from += n, at += n, size -= n;
     }
-    write_all(f, at, size, from);
+    if (f->words->live) write_all(f, at, size, from);
     if (at + size > f->size) f->size = at + size;
     return 0;
 }
@@ -392,7 +430,7 @@ static herr_t disk_truncate(H5FD_t *file, hid_t transfer, hbool_t closing)
 {
     DiskFile *f = (DiskFile *)file;
     (void)transfer, (void)closing;
-    if (f->allocated >= f->kept) fit_size(f);
+    if (f->words->live && f->allocated >= f->kept) fit_size(f);
     return 0;
 }
 
@@ -402,6 +440,7 @@ static herr_t disk_flush(H5FD_t *file, hid_t transfer, hbool_t closing)
     DiskFile *f = (DiskFile *)file;
     const int journal = f->pages > 0;
     (void)transfer;
+    if (!f->words->live) return 0;
     if (!flush_begin(f, closing || f->words->must)) return 0;
     if (journal && !f->words->error) journal_write(f);
     for (size_t k = f->pages; k-- > 0;) {
@@ -412,7 +451,7 @@ static herr_t disk_flush(H5FD_t *file, hid_t transfer, hbool_t closing)
     f->pages = 0;
     fit_size(f);
     f->kept = f->size;
-    if (journal && *f->journal && !f->words->error) unlinkat(f->at, f->journal, 0);
+    if (journal && f->at >= 0 && !f->words->error) file_remove_in(f->at, JOURNAL_FILE);
     flush_end(f);
     return 0;
 }
@@ -422,15 +461,18 @@ static herr_t disk_close(H5FD_t *file)
 {
     DiskFile *f = (DiskFile *)file;
     disk_flush(file, H5P_DEFAULT, 1);
-    if (*f->journal && !f->words->error) unlinkat(f->at, f->journal, 0); /* if that failed before */
+    if (f->words->live && f->at >= 0 && !f->words->error)
+        file_remove_in(f->at, JOURNAL_FILE); /* if that failed before */
     if (close(f->fd)) keep_error(f);
+    f->words->open = 0;
+    pages_drop(f);
     free(f->page);
     free(f);
     return 0;
 }
 
 /* The driver is registered for each file, so that no state is shared between simulations. */
-hid_t disk_driver_use(hid_t access, int at, DiskWords *words)
+hid_t disk_driver_use(hid_t access, const DiskPlace *place, DiskWords *words)
 {
     const H5FD_class_t driver = {.name = "hawser_disk",
                                  .maxaddr = address_max,
@@ -448,9 +490,9 @@ hid_t disk_driver_use(hid_t access, int at, DiskWords *words)
                                  .flush = disk_flush,
                                  .truncate = disk_truncate,
                                  .fl_map = H5FD_FLMAP_DICHOTOMY};
-    const DiskInfo info = {words, at};
+    const DiskInfo info = {words, *place};
     const hid_t id = H5FDregister(&driver);
-    words->error = 0;
+    words->error = words->open = 0;
     if (id >= 0 && H5Pset_driver(access, id, &info) < 0) {
         H5FDunregister(id);
         return -1;

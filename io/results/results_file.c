@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 
 #include <assert.h>
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>
@@ -24,7 +25,7 @@ enum { BUFFER = 1 << 17 };
 hawser_status out_error(const char *path, int number, hawser_error *err)
 {
     if (number == ENOMEM) return error_memory(err);
-    const char *reason = number ? strerror(number) : "the write failed";
+    const char *reason = number ? file_reason(number) : "the write failed";
     return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': %s", path, reason);
 }
 
@@ -81,46 +82,37 @@ hawser_status out_join(char *path, const char *dir, const char *name, hawser_err
 
 /* ----------------------------------------------------------------------------------------------------- folders */
 
-hawser_status out_dir(OutDir *dir, const char *path, hawser_error *err)
+/* By any path: the user has named it. */
+static hawser_status path_open(OutDir *dir, const char *path, hawser_error *err)
 {
-    dir->at = AT_FDCWD;
+    dir->at = -1;
     const int n = snprintf(dir->path, sizeof dir->path, "%s", path);
-    return n < OUT_PATH_MAX ? HAWSER_OK : out_error(path, ENAMETOOLONG, err);
+    if (n >= OUT_PATH_MAX) return out_error(path, ENAMETOOLONG, err);
+    dir->at = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    return dir->at >= 0 ? HAWSER_OK : out_error(path, errno, err);
 }
+
+hawser_status out_enter(OutDir *dir, const char *path, hawser_error *err) { return path_open(dir, path, err); }
 
 hawser_status out_spot(OutSpot *spot, const OutDir *dir, const char *name, hawser_error *err)
 {
     spot->at = dir->at;
-    spot->name = dir->at == AT_FDCWD ? 0 : strlen(dir->path) + 1;
+    spot->name = strlen(dir->path) + 1;
     return out_join(spot->path, dir->path, name, err);
 }
 
 const char *spot_name(const OutSpot *spot) { return spot->path + spot->name; }
 
-hawser_status out_spot_of(OutSpot *spot, const char *path, hawser_error *err)
-{
-    *spot = (OutSpot){.at = AT_FDCWD};
-    const int n = snprintf(spot->path, sizeof spot->path, "%s", path);
-    return n < OUT_PATH_MAX ? HAWSER_OK : out_error(path, ENAMETOOLONG, err);
-}
-
-static int dir_open(OutDir *out, const OutSpot *spot)
-{
-    strcpy(out->path, spot->path);
-    out->at = openat(spot->at, spot_name(spot), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    return out->at >= 0;
-}
-
 hawser_status out_take(OutDir *out, const OutDir *within, const char *name, int make, hawser_error *err)
 {
     OutSpot spot;
     out->at = -1;
-    hawser_status status = within ? out_spot(&spot, within, name, err) : out_spot_of(&spot, name, err);
+    hawser_status status = within ? out_spot(&spot, within, name, err) : HAWSER_OK;
     if (!status && make && !within) status = out_make_dir(name, err);
+    if (!status && !within) status = path_open(out, name, err);
     if (status) return status;
-    if (make && within && mkdirat(spot.at, spot_name(&spot), 0777) && errno != EEXIST)
-        return out_error(spot.path, errno, err);
-    if (!dir_open(out, &spot)) return out_error(spot.path, errno, err);
+    if (make && within && !folder_make_in(within->at, name)) return out_error(spot.path, errno, err);
+    if (within && !out_within(out, within, name)) return out_error(spot.path, errno, err);
     status = dir_lock(out->at, out->path, err);
     if (status) out_leave(out);
     return status;
@@ -134,9 +126,10 @@ void out_leave(OutDir *dir)
 
 int out_within(OutDir *out, const OutDir *dir, const char *name)
 {
-    OutSpot spot;
     out->at = -1;
-    return !out_spot(&spot, dir, name, NULL) && dir_open(out, &spot);
+    if (out_join(out->path, dir->path, name, NULL)) return 0;
+    out->at = folder_open_in(dir->at, name);
+    return out->at >= 0;
 }
 
 /* The system knows what an open folder is called now. */
@@ -159,10 +152,19 @@ hawser_status out_stays(const OutDir *dir, hawser_error *err)
                      dir->path, n > 0 ? now : "the folder of a new name");
 }
 
-void out_remove(const OutDir *dir, const char *name)
+void out_remove(const OutDir *dir, const char *name) { file_remove_in(dir->at, name); }
+
+void out_sweep(const OutDir *dir, int n, const char *const *names)
 {
-    OutSpot spot;
-    if (!out_spot(&spot, dir, name, NULL)) unlinkat(spot.at, spot_name(&spot), 0);
+    const int fd = openat(dir->at, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    DIR *const folder = fd >= 0 ? fdopendir(fd) : NULL;
+    for (const struct dirent *each; folder && (each = readdir(folder));) {
+        int is = 0;
+        for (int k = 0; k < n && !is; k++) is = file_is_part(each->d_name, names[k]);
+        if (is) file_remove_in(dir->at, each->d_name);
+    }
+    if (folder) closedir(folder);
+    if (!folder && fd >= 0) close(fd);
 }
 
 /* ------------------------------------------------------------------------------------------------------- files */
@@ -199,27 +201,39 @@ static int cut_to(int fd, long size)
     return info.st_size >= size && !ftruncate(fd, size) && lseek(fd, size, SEEK_SET) == size;
 }
 
-/* A stream for writing, with a buffer, behind the first `size` bytes of a file that is there; < 0: of a new one. NULL
- * with errno. */
-static FILE *stream_open(const OutSpot *spot, long size, char *buffer)
+/* What is open as fd as a stream for writing, with a buffer; NULL with errno, and it is closed. */
+static FILE *stream_of(int fd, char *buffer)
 {
-    const int fd = openat(spot->at, spot_name(spot), O_WRONLY | O_CLOEXEC | (size < 0 ? O_CREAT | O_TRUNC : 0), 0666);
-    if (fd < 0) return NULL;
-    if (size >= 0 && !cut_to(fd, size)) {
-        const int number = errno;
-        close(fd);
-        errno = number;
-        return NULL;
-    }
     FILE *const f =
         fopencookie((void *)((size_t)fd + 1), "w",
                     (cookie_io_functions_t){.write = stream_write, .seek = stream_seek, .close = stream_close});
     if (f) setvbuf(f, buffer, _IOFBF, BUFFER);
+    const int number = errno;
     if (!f) close(fd);
+    errno = number;
     return f;
 }
 
-/* Gives up what out_open made; returns errno's value of a close that failed. */
+/* How a file is opened: a new one that has its name at once or late; or the one that is there. */
+typedef enum OpenHow { OPEN_NOW, OPEN_LATE, OPEN_THERE } OpenHow;
+
+/* A descriptor; < 0 with errno. */
+static int descriptor_open(OutFile *out, OpenHow how, long size)
+{
+    const OutSpot *const spot = &out->spot;
+    const int fd = how == OPEN_THERE ? file_open_in(spot->at, spot_name(spot), O_WRONLY)
+                                     : file_new_in(spot->at, spot_name(spot), out->part);
+    const int ok = fd >= 0 && (how == OPEN_LATE || (how == OPEN_THERE
+                                                        ? cut_to(fd, size)
+                                                        : file_name_in(spot->at, out->part, spot->at, spot_name(spot))));
+    const int number = errno;
+    if (ok && how == OPEN_NOW) *out->part = 0;
+    if (!ok && fd >= 0) close(fd);
+    errno = number;
+    return ok ? fd : -1;
+}
+
+/* Gives up what out_begin made; returns errno's value of a close that failed. */
 static int out_release(OutFile *out)
 {
     errno = 0;
@@ -232,8 +246,18 @@ static int out_release(OutFile *out)
     return number;
 }
 
-/* The locale is made for each file: there is no place for a shared one. size: as stream_open. */
-static hawser_status out_begin(OutFile *out, const OutDir *dir, const char *name, long size, hawser_error *err)
+/* A new file that has not got its name is taken away. */
+static void part_drop(OutFile *out)
+{
+    const int number = errno;
+    if (*out->part) file_remove_in(out->spot.at, out->part);
+    *out->part = 0;
+    errno = number;
+}
+
+/* The locale is made for each file: there is no place for a shared one. size: of OPEN_THERE. */
+static hawser_status out_begin(OutFile *out, const OutDir *dir, const char *name, OpenHow how, long size,
+                               hawser_error *err)
 {
     memset(out, 0, sizeof *out);
     const hawser_status status = out_spot(&out->spot, dir, name, err);
@@ -242,8 +266,10 @@ static hawser_status out_begin(OutFile *out, const OutDir *dir, const char *name
     out->buffer = malloc(BUFFER);
     const int room = out->c && out->buffer;
     errno = 0;
-    out->f = room ? stream_open(&out->spot, size, out->buffer) : NULL;
+    const int fd = room ? descriptor_open(out, how, size) : -1;
+    out->f = fd >= 0 ? stream_of(fd, out->buffer) : NULL;
     if (out->f) return HAWSER_OK;
+    part_drop(out);
     const int number = errno;
     out_release(out);
     return room ? out_error(out->spot.path, number, err) : error_memory(err);
@@ -251,30 +277,49 @@ static hawser_status out_begin(OutFile *out, const OutDir *dir, const char *name
 
 hawser_status out_open_in(OutFile *out, const OutDir *dir, const char *name, hawser_error *err)
 {
-    return out_begin(out, dir, name, -1, err);
+    return out_begin(out, dir, name, OPEN_NOW, 0, err);
 }
 
-hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err)
+hawser_status out_open_late(OutFile *out, const OutDir *dir, const char *name, hawser_error *err)
 {
-    OutDir by_path;
-    const hawser_status status = out_dir(&by_path, dir, err);
-    memset(out, 0, sizeof *out);
-    return status ? status : out_open_in(out, &by_path, name, err);
+    return out_begin(out, dir, name, OPEN_LATE, 0, err);
 }
 
 hawser_status out_resume(OutFile *out, const OutDir *dir, const char *name, long size, hawser_error *err)
 {
     assert(size >= 0);
-    return out_begin(out, dir, name, size, err);
+    return out_begin(out, dir, name, OPEN_THERE, size, err);
 }
 
-static hawser_status spot_sync(const OutSpot *spot, hawser_error *err)
+hawser_status out_can_resume(const OutDir *dir, const char *name, long size, const char *end, hawser_error *err)
+{
+    OutSpot spot;
+    char last[256];
+    struct stat info;
+    const size_t n = strlen(end);
+    assert(n <= sizeof last);
+    hawser_status status = out_spot(&spot, dir, name, err);
+    if (status) return status;
+    const int fd = file_open_in(dir->at, name, O_RDWR);
+    errno = fd < 0 ? errno : 0;
+    const int there = fd >= 0 && !fstat(fd, &info) && size >= (long)n && info.st_size >= size;
+    const int fits = there && whole_pread(fd, last, n, size - (off_t)n) == (ssize_t)n && !memcmp(last, end, n);
+    const char *const why = errno    ? file_reason(errno)
+                            : !there ? "it is shorter than at the checkpoint"
+                            : !fits  ? "it is not as it was at the checkpoint"
+                                     : NULL;
+    if (why) status = error_set(err, HAWSER_ERR_OUTPUT, "cannot go on with '%.700s': %s", spot.path, why);
+    if (fd >= 0) close(fd);
+    return status;
+}
+
+static hawser_status spot_sync(const OutSpot *spot, const char *name, hawser_error *err)
 {
     errno = 0;
-    const int fd = openat(spot->at, spot_name(spot), O_RDONLY | O_CLOEXEC);
+    const int itself = !strcmp(name, "."), fd = itself ? spot->at : file_open_in(spot->at, name, O_RDONLY);
     const int ok = fd >= 0 && (!fsync(fd) || errno == EINVAL); /* where there is nothing to be written through */
     const int number = errno;
-    if (fd >= 0) close(fd);
+    if (fd >= 0 && !itself) close(fd);
     return ok ? HAWSER_OK : out_error(spot->path, number, err);
 }
 
@@ -282,14 +327,7 @@ hawser_status out_sync_in(const OutDir *dir, const char *name, hawser_error *err
 {
     OutSpot spot;
     const hawser_status status = out_spot(&spot, dir, name, err);
-    return status ? status : spot_sync(&spot, err);
-}
-
-hawser_status out_sync(const char *path, hawser_error *err)
-{
-    OutSpot spot;
-    const hawser_status status = out_spot_of(&spot, path, err);
-    return status ? status : spot_sync(&spot, err);
+    return status ? status : spot_sync(&spot, name, err);
 }
 
 /* The locale is the thread's, and only for the duration of the call. */
@@ -339,77 +377,47 @@ hawser_status out_close(OutFile *out, hawser_error *err)
     return bad || number ? out_error(out->spot.path, number, err) : HAWSER_OK;
 }
 
-/* What is written under "NAME.part" gets its name once it is on the disk: a loss of power leaves the old file or the
- * new one, never an empty one. */
-static hawser_status spot_rename(const OutSpot *part, const OutSpot *to, hawser_status status, hawser_error *err)
-{
-    if (!status) status = spot_sync(part, err);
-    if (!status && renameat(part->at, spot_name(part), to->at, spot_name(to))) status = out_error(to->path, errno, err);
-    if (status) unlinkat(part->at, spot_name(part), 0);
-    return status;
-}
-
-hawser_status out_name(const char *part, const char *path, hawser_status status, hawser_error *err)
-{
-    OutSpot from, to;
-    if (!status) status = out_spot_of(&to, path, err);
-    const hawser_status known = out_spot_of(&from, part, status ? NULL : err);
-    return known ? known : spot_rename(&from, &to, status, err);
-}
-
 hawser_status out_name_in(const OutDir *dir, const char *part, const char *name, hawser_status status,
                           hawser_error *err)
 {
-    OutSpot from, to;
+    OutSpot to;
     if (!status) status = out_spot(&to, dir, name, err);
-    const hawser_status known = out_spot(&from, dir, part, status ? NULL : err);
-    return known ? known : spot_rename(&from, &to, status, err);
+    if (!status) status = spot_sync(&to, part, err);
+    if (!status && !file_name_in(dir->at, part, dir->at, name)) status = out_error(to.path, errno, err);
+    if (status) file_remove_in(dir->at, part);
+    return status;
 }
 
 /* The name, too, is on the disk then. */
-static hawser_status part_name(OutFile *out, const OutDir *dir, const OutSpot *to, hawser_status status,
-                               hawser_error *err)
+hawser_status out_named(OutFile *out, const OutDir *dir, hawser_status status, hawser_error *err)
 {
     const hawser_status closed = out_close(out, status ? NULL : err);
-    status = spot_rename(&out->spot, to, status ? status : closed, err);
+    status = out_name_in(dir, out->part, spot_name(&out->spot), status ? status : closed, err);
     return status ? status : out_sync_in(dir, ".", err);
-}
-
-static hawser_status part_open(OutFile *out, const OutDir *dir, const char *name, OutSpot *to, hawser_error *err)
-{
-    char part[OUT_PATH_MAX];
-    if (snprintf(part, sizeof part, "%s.part", name) >= (int)sizeof part) return out_error(name, ENAMETOOLONG, err);
-    OutSpot from;
-    hawser_status status = out_spot(to, dir, name, err);
-    if (!status) status = out_spot(&from, dir, part, err);
-    if (status) return status;
-    status = out_open_in(out, dir, part, err);
-    if (status) unlinkat(from.at, spot_name(&from), 0);
-    return status;
 }
 
 hawser_status out_whole_in(const OutDir *dir, const char *name, const char *text, hawser_error *err)
 {
     OutFile out;
-    OutSpot to;
-    const hawser_status status = part_open(&out, dir, name, &to, err);
-    return status ? status : part_name(&out, dir, &to, out_print(&out, err, "%s", text), err);
+    const hawser_status status = out_open_late(&out, dir, name, err);
+    return status ? status : out_named(&out, dir, out_print(&out, err, "%s", text), err);
 }
 
 hawser_status out_whole(const char *dir, const char *name, const char *text, hawser_error *err)
 {
-    OutDir by_path;
-    const hawser_status status = out_dir(&by_path, dir, err);
-    return status ? status : out_whole_in(&by_path, name, text, err);
+    OutDir folder;
+    hawser_status status = out_enter(&folder, dir, err);
+    if (!status) status = out_whole_in(&folder, name, text, err);
+    out_leave(&folder);
+    return status;
 }
 
 hawser_status out_bytes_in(const OutDir *dir, const char *name, const void *bytes, size_t size, hawser_error *err)
 {
     OutFile out;
-    OutSpot to;
-    hawser_status status = part_open(&out, dir, name, &to, err);
+    hawser_status status = out_open_late(&out, dir, name, err);
     if (status) return status;
     errno = 0;
     if (fwrite(bytes, 1, size, out.f) != size) status = out_error(out.spot.path, errno, err);
-    return part_name(&out, dir, &to, status, err);
+    return out_named(&out, dir, status, err);
 }

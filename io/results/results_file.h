@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "core/base/file.h"
 #include "io/results/column.h"
 #include "io/results/results_def.h"
 
@@ -14,24 +15,24 @@
 
 enum { OUT_PATH_MAX = 4096 };
 
-/* A folder: by a descriptor, so that what is written and taken away is in it whatever becomes of its name; or by its
- * path alone (at: AT_FDCWD). */
+/* A folder that is open, so that what is written and taken away is in it whatever becomes of its name. The one that
+ * the user has named may be reached by links; within it core/base/file.h opens everything, and follows none. */
 typedef struct OutDir {
     int at;
-    char path[OUT_PATH_MAX]; /* for messages, too */
+    char path[OUT_PATH_MAX]; /* for messages */
 } OutDir;
 
-/* A file of a folder as the calls with `at` take it: its path, or within that its name alone. */
+/* A file of a folder: its path for messages, and within that its name. */
 typedef struct OutSpot {
     int at;
     size_t name; /* where in the path */
     char path[OUT_PATH_MAX];
 } OutSpot;
 
+/* Opens a folder that is there; out_leave follows. Errors: OUTPUT. */
+hawser_status out_enter(OutDir *dir, const char *path, hawser_error *err);
 /* Errors: OUTPUT if a path is too long. */
-hawser_status out_dir(OutDir *dir, const char *path, hawser_error *err);
 hawser_status out_spot(OutSpot *spot, const OutDir *dir, const char *name, hawser_error *err);
-hawser_status out_spot_of(OutSpot *spot, const char *path, hawser_error *err); /* of any path */
 const char *spot_name(const OutSpot *spot);
 
 /* Opens a folder and keeps other runs out of it until out_leave; within NULL: its name is a path, of which missing
@@ -40,9 +41,11 @@ hawser_status out_take(OutDir *out, const OutDir *within, const char *name, int 
 void out_leave(OutDir *dir);
 /* Whether its path still leads to it. Errors: OUTPUT that says where it is now. */
 hawser_status out_stays(const OutDir *dir, hawser_error *err);
-/* A folder within another one, without a lock; 0: it is not there. out_leave follows. */
+/* A folder within another one, without a lock; 0: it is not there, or a link. out_leave follows. */
 int out_within(OutDir *out, const OutDir *dir, const char *name);
 void out_remove(const OutDir *dir, const char *name); /* a file, if it is there */
+/* Deletes what writes that were killed have left of these files: their parts (file_new_in). */
+void out_sweep(const OutDir *dir, int n, const char *const *names);
 
 /* A text file open for writing; zeroed: closed. Numbers are written with a decimal point whatever the locale of the
  * calling program. */
@@ -51,6 +54,7 @@ typedef struct OutFile {
     char *buffer; /* owned: what waits for a flush */
     locale_t c;   /* the "C" locale */
     OutSpot spot;
+    char part[FILE_PART_MAX]; /* under which it is written until out_named; "": it has its name */
 } OutFile;
 
 /* Makes a directory and those above it that are missing; one that is there is fine. Errors: OUTPUT, with the
@@ -64,14 +68,19 @@ hawser_status out_error(const char *path, int number, hawser_error *err);
 /* What a run cannot read of its own files is no fault of the case's: INPUT becomes OUTPUT. */
 hawser_status out_own(hawser_status status, hawser_error *err);
 
-/* Creates dir/name or empties it. Errors: OUTPUT, MEMORY; the file is then closed. */
-hawser_status out_open(OutFile *out, const char *dir, const char *name, hawser_error *err);
+/* A new file in place of what has its name: at once, or once out_named closes it. The folder stays open as long.
+ * Errors: OUTPUT, MEMORY; the file is then closed, and what was there stays. */
 hawser_status out_open_in(OutFile *out, const OutDir *dir, const char *name, hawser_error *err);
+hawser_status out_open_late(OutFile *out, const OutDir *dir, const char *name, hawser_error *err);
+/* Closes a file of out_open_late, which gets its name once it is on the disk: a loss of power leaves the old one or the
+ * new one. After an error (status) it is taken away. Errors: OUTPUT. */
+hawser_status out_named(OutFile *out, const OutDir *dir, hawser_status status, hawser_error *err);
 /* Opens dir/name to go on behind its first `size` bytes; what is there beyond is cut off. Errors: OUTPUT (it is not
  * there, or shorter), MEMORY; the file is then closed. */
 hawser_status out_resume(OutFile *out, const OutDir *dir, const char *name, long size, hawser_error *err);
-/* Has the system write a file to the disk, where it outlives the machine; of a folder "." is itself. Errors: OUTPUT. */
-hawser_status out_sync(const char *path, hawser_error *err);
+/* Whether out_resume can do so, and the first `size` bytes end with `end`; nothing is changed. Errors: OUTPUT. */
+hawser_status out_can_resume(const OutDir *dir, const char *name, long size, const char *end, hawser_error *err);
+/* Has the system write a file to the disk, where it outlives the machine; "." is the folder itself. Errors: OUTPUT. */
 hawser_status out_sync_in(const OutDir *dir, const char *name, hawser_error *err);
 /* Appends text; errors that the system only finds later come from out_flush or out_close. */
 hawser_status out_print(OutFile *out, hawser_error *err, const char *format, ...) __attribute__((format(printf, 3, 4)));
@@ -84,13 +93,12 @@ hawser_status out_flush(OutFile *out, hawser_error *err);
 /* Flushes and closes; a closed file is left alone. Errors: OUTPUT (the file is closed all the same). */
 hawser_status out_close(OutFile *out, hawser_error *err);
 
-/* A file that was written under another name, `part`, gets its own once it is on the disk; after an error (status) it
- * is taken away. Errors: OUTPUT. */
-hawser_status out_name(const char *part, const char *path, hawser_status status, hawser_error *err);
+/* Gives a new file (file_new_in) its name, once it is on the disk; after an error (status) it is taken away. Errors:
+ * OUTPUT. */
 hawser_status out_name_in(const OutDir *dir, const char *part, const char *name, hawser_status status,
                           hawser_error *err);
-/* A file of one text, or of bytes: beside its name first ("NAME.part"), so that what stands under the name is whole at
- * any time; on the disk then. Errors: OUTPUT, MEMORY; what stood there before stays. */
+/* A file of one text, or of bytes, whole at any time, and on the disk. Errors: OUTPUT, MEMORY; what stood there before
+ * stays. */
 hawser_status out_whole(const char *dir, const char *name, const char *text, hawser_error *err);
 hawser_status out_whole_in(const OutDir *dir, const char *name, const char *text, hawser_error *err);
 hawser_status out_bytes_in(const OutDir *dir, const char *name, const void *bytes, size_t size, hawser_error *err);
@@ -107,7 +115,7 @@ hawser_status file_sum(const OutDir *dir, const char *name, FileSum *sum, hawser
  * INPUT, MEMORY. */
 hawser_status file_seal(const OutDir *dir, const char *name, hawser_error *err);
 void file_unseal(const OutDir *dir, const char *name);
-hawser_status file_broken(const char *path, int *broken, hawser_error *err);
+hawser_status file_broken(const OutDir *dir, const char *name, int *broken, hawser_error *err);
 /* The n text files of a run that are in a folder. Errors: as file_sum. */
 hawser_status folder_sums(const OutDir *dir, int *n, FileSum sum[FILE_SUMS_MAX], hawser_error *err);
 struct json_t;
@@ -115,7 +123,7 @@ struct json_t;
 int is_running(const struct json_t *summary);
 /* Whether the files of a folder are those of its summary; that of an older hawser is not asked, and of a run without an
  * end only the states and what was computed of it. Errors: INPUT (which file is not), MEMORY. */
-hawser_status belong_check(const char *dir, const struct json_t *summary, hawser_error *err);
+hawser_status belong_check(const OutDir *dir, const struct json_t *summary, hawser_error *err);
 /* Whether a folder's summary is of this run. Errors: OUTPUT (of another one), MEMORY. */
 hawser_status summary_is_of(const OutDir *dir, const char *run, hawser_error *err);
 /* A JSON object that says of which run it is, into a folder, which is made. Errors: OUTPUT (another run's), MEMORY. */
@@ -212,6 +220,9 @@ typedef struct H5File H5File;
 
 /* Creates dir/results.h5 with everything that does not change. Errors: OUTPUT, MEMORY. */
 hawser_status h5_open(H5File **out, const OutDir *dir, const ResultsDef *def, hawser_error *err);
+/* Whether h5_resume can do so; nothing is changed. Errors: OUTPUT (damaged, of another run, without so many states),
+ * MEMORY. */
+hawser_status h5_can_resume(const OutDir *dir, const ResultsDef *def, long rows, hawser_error *err);
 /* Opens dir/results.h5 to go on behind its first `rows` states; what was added later, also at the end, is taken away.
  * Errors: OUTPUT, MEMORY. */
 hawser_status h5_resume(H5File **out, const OutDir *dir, const ResultsDef *def, long rows, hawser_error *err);
@@ -240,6 +251,8 @@ typedef struct XdmfFile {
 
 /* Creates dir/results.xdmf without states. Errors: OUTPUT, MEMORY. */
 hawser_status xdmf_open(XdmfFile *x, const OutDir *dir, const ResultsDef *def, hawser_error *err);
+/* Whether xdmf_resume can do so; nothing is changed. Errors: OUTPUT. */
+hawser_status xdmf_can_resume(const OutDir *dir, long end, hawser_error *err);
 /* Opens it to go on behind byte `end`, where its last state ended. Errors: OUTPUT, MEMORY. */
 hawser_status xdmf_resume(XdmfFile *x, const OutDir *dir, const ResultsDef *def, long end, hawser_error *err);
 /* Adds states first .. first+n-1, whose frames are in results.h5 by now, at times t[n], s. Errors: OUTPUT. */

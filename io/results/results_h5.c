@@ -8,12 +8,14 @@
 #include "io/results/results_file.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <hdf5.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#define STATES_FILE "results.h5"
 enum { FRAMES_NAME = 32, TIME_CHUNK = 256 };
 /* Bytes of states from which on they are compressed. */
 static const double deflate_above = 32e6;
@@ -24,6 +26,7 @@ enum { ROOM = 4 << 20, ROOM_EACH = 256 };
 
 struct H5File {
     hid_t file, frames, driver; /* <= 0: not there */
+    int fd;                     /* that of the file; < 0: none */
     hid_t *set;                 /* [sample_columns]; 0: not there (a scene without rollers) */
     int segments, rollers;
     int deflate; /* sets are compressed */
@@ -144,11 +147,13 @@ static int write_rollers(H5File *h, const ResultsDef *def)
     return ok;
 }
 
-/* A file on the driver that never fails in HDF5's eyes, a new one or the one that is there; < 0 if there is none. */
+/* A file on the driver that never fails in HDF5's eyes, a new one or the one that is there; < 0 if there is none. The
+ * latter is not changed before disk.live. */
 static hid_t driven_file(H5File *h, int resume)
 {
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-    h->driver = disk_driver_use(access, h->spot.at, &h->disk);
+    h->disk.live = !resume;
+    h->driver = disk_driver_use(access, &(DiskPlace){h->fd, h->spot.at}, &h->disk);
     H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
     hid_t file = -1;
     if (h->driver >= 0) {
@@ -182,22 +187,12 @@ static int make_file(H5File *h, const ResultsDef *def)
            H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
 }
 
-/* The file gets its name once it is whole: a kill before that leaves none. */
-static int name_file(H5File *h, const OutSpot *to)
-{
-    if (renameat(h->spot.at, spot_name(&h->spot), to->at, spot_name(to))) {
-        h->disk.error = errno;
-        return 0;
-    }
-    h->spot = *to;
-    return 1;
-}
-
 /* Sizes and memory, without a file. */
-static hawser_status h5_new(H5File **out, const OutDir *dir, const ResultsDef *def, OutSpot *spot, hawser_error *err)
+static hawser_status h5_new(H5File **out, const OutDir *dir, const ResultsDef *def, hawser_error *err)
 {
     H5File *const h = *out = calloc(1, sizeof *h);
     if (!h) return error_memory(err);
+    h->fd = -1;
     h->segments = def->segments;
     h->rollers = def->rollers;
     h->deflate = wants_deflate(def);
@@ -206,55 +201,103 @@ static hawser_status h5_new(H5File **out, const OutDir *dir, const ResultsDef *d
     h->room = ROOM + (size_t)ROOM_EACH * (size_t)(def->segments + def->rollers);
     h->reserve = malloc(h->room);
     hawser_status status = h->frame && h->set && h->reserve ? h5_room(h, err) : error_memory(err);
-    if (!status) status = out_spot(spot, dir, "results.h5", err);
+    if (!status) status = out_spot(&h->spot, dir, STATES_FILE, err);
     if (status) h5_close(out, NULL);
     return status;
 }
 
-/* Flushed at once, so that a full disk shows before anything is computed; what has no name by then is taken away. */
+/* Flushed at once, so that a full disk shows before anything is computed. The file gets its name once it is whole: a
+ * kill before that leaves none. */
 hawser_status h5_open(H5File **out, const OutDir *dir, const ResultsDef *def, hawser_error *err)
 {
-    static const char part_name[] = "results.h5.part";
-    OutSpot spot, part;
+    char part[FILE_PART_MAX];
     H5File *h;
     *out = NULL;
-    hawser_status status = h5_new(&h, dir, def, &spot, err);
+    hawser_status status = h5_new(&h, dir, def, err);
     if (status) return status;
-    status = out_spot(&part, dir, part_name, err);
-    const int named = !status;
-    if (!status) {
+    errno = 0;
+    h->fd = file_new_in(dir->at, STATES_FILE, part);
+    if (h->fd < 0) {
+        status = out_error(h->spot.path, errno, err);
+    } else {
         int ok = 0;
-        h->spot = part;
         H5E_BEGIN_TRY { ok = make_file(h, def); }
         H5E_END_TRY
-        ok = ok && !h->disk.error;
-        if (ok) status = out_sync_in(dir, part_name, err);
-        ok = ok && !status && name_file(h, &spot);
-        if (!status) status = h5_result(h, ok, err);
+        status = out_name_in(dir, part, STATES_FILE, h5_result(h, ok, err), err);
     }
     if (status) {
         h5_close(&h, NULL);
-        if (named) unlinkat(part.at, spot_name(&part), 0);
         return status;
     }
     *out = h;
     return HAWSER_OK;
 }
 
+/* A set that has the rows to go on behind; < 0: there is none. */
+static hid_t set_found(const H5File *h, hid_t file, int k)
+{
+    const SampleColumn *const info = &sample_column[k];
+    hsize_t dims[3], there[3];
+    const int rank = set_dims(h, info, h->rows, dims);
+    const hid_t set = door_set(file, info->set, 0, rank, there, INFINITY);
+    int same = set >= 0 && there[0] >= h->rows;
+    for (int d = 1; d < rank; d++) same = same && there[d] == dims[d];
+    if (same || set < 0) return set;
+    H5Dclose(set);
+    return -1;
+}
+
+static int set_is_written(const H5File *h, int k)
+{
+    return sample_column[k].set && item_count(h, sample_column[k].per) > 0;
+}
+
+/* Whether a file has what it takes to go on with it. */
+static int file_fits(const H5File *h, hid_t file, const char *run)
+{
+    int ok = states_belong(file, run, NULL);
+    for (int k = 0; k < sample_columns && ok; k++) {
+        const hid_t set = set_is_written(h, k) ? set_found(h, file, k) : 0;
+        ok = set >= 0;
+        if (set > 0) H5Dclose(set);
+    }
+    const hid_t frames = ok ? door_group(file, "frames") : -1;
+    if (frames >= 0) H5Gclose(frames);
+    return ok && frames >= 0;
+}
+
+hawser_status h5_can_resume(const OutDir *dir, const ResultsDef *def, long rows, hawser_error *err)
+{
+    const H5File h = {.segments = def->segments, .rollers = def->rollers, .rows = (hsize_t)rows};
+    OutSpot spot;
+    StatesFile states;
+    int broken = 0;
+    hawser_status status = out_spot(&spot, dir, STATES_FILE, err);
+    if (!status) status = out_own(file_broken(dir, STATES_FILE, &broken, err), err);
+    if (status) return status;
+    errno = 0;
+    const int fd = file_open_in(dir->at, STATES_FILE, O_RDWR), number = errno;
+    states_open_descriptor(&states, fd, dir->at);
+    const char *const why = fd < 0            ? file_reason(number)
+                            : broken          ? "it is damaged: its bytes are not those that the run has written"
+                            : states.file < 0 ? "it cannot be read"
+                            : rows < 0 || !file_fits(&h, states.file, def->run)
+                                ? "it has not the states of the checkpoint"
+                                : NULL;
+    states_close(&states);
+    if (!why) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_OUTPUT, "cannot go on with '%.700s': %s", spot.path, why);
+}
+
 /* A set that is there keeps its first rows. */
 static int set_resume(H5File *h, int k)
 {
-    hsize_t dims[3], there[3];
-    const SampleColumn *const info = &sample_column[k];
-    if (!info->set || item_count(h, info->per) == 0) return 1;
-    h->set[k] = H5Dopen2(h->file, info->set, H5P_DEFAULT);
+    hsize_t dims[3];
+    if (!set_is_written(h, k)) return 1;
+    h->set[k] = set_found(h, h->file, k);
     if (h->set[k] < 0) return 0;
-    const int rank = set_dims(h, info, h->rows, dims);
-    const hid_t space = H5Dget_space(h->set[k]);
-    int same = H5Sget_simple_extent_ndims(space) == rank && H5Sget_simple_extent_dims(space, there, NULL) == rank;
-    H5Sclose(space);
-    for (int d = 1; d < rank; d++) same = same && there[d] == dims[d];
-    return same && there[0] >= h->rows && H5Dset_extent(h->set[k], dims) >= 0;
+    set_dims(h, &sample_column[k], h->rows, dims);
+    return H5Dset_extent(h->set[k], dims) >= 0;
 }
 
 /* Frames are numbered by their states. */
@@ -262,7 +305,7 @@ static int frames_resume(H5File *h)
 {
     H5G_info_t info;
     char name[FRAMES_NAME];
-    h->frames = H5Gopen2(h->file, "frames", H5P_DEFAULT);
+    h->frames = door_group(h->file, "frames");
     if (h->frames < 0 || H5Gget_info(h->frames, &info) < 0) return 0;
     int ok = 1;
     for (hsize_t k = h->rows; k < info.nlinks && ok; k++) {
@@ -272,38 +315,36 @@ static int frames_resume(H5File *h)
     return ok;
 }
 
-static int file_resume(H5File *h, const OutDir *dir, const char *run)
+/* What is changed in a file of which not all can be changed does not reach it. */
+static int file_resume(H5File *h, const char *run)
 {
-    file_unseal(dir, "results.h5");
     h->file = driven_file(h, 1);
-    int ok = h->file >= 0 && states_belong(h->file, run, NULL) && frames_resume(h);
+    int ok = h->file >= 0 && file_fits(h, h->file, run);
+    h->disk.live = ok;
+    ok = ok && frames_resume(h);
     for (int k = 0; k < sample_columns && ok; k++) ok = set_resume(h, k);
     if (ok && H5Lexists(h->file, "envelope", H5P_DEFAULT) > 0) ok = H5Ldelete(h->file, "envelope", H5P_DEFAULT) >= 0;
     if (ok && H5Aexists(h->file, "series") > 0) ok = H5Adelete(h->file, "series") >= 0;
+    h->disk.live = ok;
     return ok && H5Fflush(h->file, H5F_SCOPE_LOCAL) >= 0;
 }
 
 hawser_status h5_resume(H5File **out, const OutDir *dir, const ResultsDef *def, long rows, hawser_error *err)
 {
-    OutSpot spot;
     H5File *h;
     *out = NULL;
-    hawser_status status = h5_new(&h, dir, def, &spot, err);
+    hawser_status status = h5_new(&h, dir, def, err);
     if (status) return status;
     int ok = 0;
-    h->spot = spot;
+    errno = 0;
     h->rows = (hsize_t)rows;
-    status = disk_recover(h->spot.at, spot_name(&h->spot), err);
+    h->fd = file_open_in(dir->at, STATES_FILE, O_RDWR);
+    if (h->fd < 0) status = out_error(h->spot.path, errno, err);
+    if (!status) status = disk_recover(&(DiskPlace){h->fd, dir->at}, err);
     if (!status) {
-        H5E_BEGIN_TRY { ok = file_resume(h, dir, def->run); }
+        file_unseal(dir, STATES_FILE);
+        H5E_BEGIN_TRY { ok = file_resume(h, def->run); }
         H5E_END_TRY
-    }
-    if (status) {
-        /* what it was to be is not known */
-    } else if (!ok && !h->disk.error) {
-        status = error_set(err, HAWSER_ERR_OUTPUT,
-                           "cannot go on with '%.700s': it has not the states of the checkpoint", spot.path);
-    } else {
         status = h5_result(h, ok, err);
     }
     if (status) {
@@ -428,6 +469,7 @@ hawser_status h5_close(H5File **file, hawser_error *err)
         if (code < 0) return status;
     }
     if (h->driver > 0) H5FDunregister(h->driver);
+    if (h->fd >= 0) close(h->fd);
     free(h->set);
     free(h->frame);
     free(h);

@@ -15,28 +15,55 @@
  * so that a program that is killed leaves a file that can be read. Readers may open it at any time: while one holds a
  * shared lock (flock), as HDF5's own readers do, what the last flush left stays, and the next one is put off. */
 
+#define JOURNAL_FILE "results.h5.journal"
+
+/* The file on which a driver works, and its folder, which has its journal (JOURNAL_FILE); at < 0: it has none. HDF5 is
+ * given no name that it could follow anywhere else: it can open this file and no other one. */
+typedef struct DiskPlace {
+    int fd, at; /* must outlive the file; the driver duplicates fd */
+} DiskPlace;
+
 /* What the writer and its driver tell each other. */
 typedef struct DiskWords {
+    int live;  /* the file may be changed. 0: it is read, with what a journal says that is to be in it */
     int error; /* errno of the first write that failed; 0: none */
     int must;  /* a flush is not put off: it waits for readers up to 10 s, then goes on without them */
+    int open;  /* files that HDF5 has open; the driver's */
 } DiskWords;
 
-/* Makes `access` (a file access property list) use the driver. at: the descriptor of the folder in which a file is
- * looked for by the last part of its path, which must outlive it; or AT_FDCWD. *words must outlive the file, and
- * has no error at first. Returns a driver to be given to H5FDunregister when the file is closed (or could not be
- * opened), not before: HDF5 calls the driver's close after it has let go of the driver. < 0 on failure. */
-hid_t disk_driver_use(hid_t access, int at, DiskWords *words);
+/* Makes `access` (a file access property list) use the driver. *words must outlive the file. Returns a driver to be
+ * given to H5FDunregister when the file is closed (or could not be opened), not before: HDF5 calls the driver's close
+ * after it has let go of the driver. < 0 on failure. */
+hid_t disk_driver_use(hid_t access, const DiskPlace *place, DiskWords *words);
 /* Brings a file whose program was killed within a flush to the state after it. Errors: OUTPUT, MEMORY. */
-hawser_status disk_recover(int at, const char *name, hawser_error *err);
+hawser_status disk_recover(const DiskPlace *place, hawser_error *err);
 
 /* results.h5 open for reading, as the last flush left it and stays until states_close. */
 typedef struct StatesFile {
-    hid_t file; /* < 0: it is not there, no such file, cut off, or being written for longer than 2 s */
-    int lock;   /* a descriptor that holds flushes back; < 0: none */
-    int cut;    /* its program was killed within a flush: HDF5 must not see it before disk_recover */
+    hid_t file;      /* < 0: it is not there, no such file, or being written for longer than 2 s */
+    int lock;        /* a descriptor that holds flushes back; < 0: none */
+    hid_t driver;    /* <= 0: none */
+    DiskWords words; /* where it is, HDF5 knows it: not to be moved */
 } StatesFile;
-StatesFile states_open(const char *path);
+void states_open(StatesFile *s, const OutDir *dir);
+/* The same of a file that is open, which has no journal; it becomes ours. */
+void states_open_descriptor(StatesFile *s, int fd, int at);
 void states_close(StatesFile *s);
+
+/* ---------------------------------------------------------------------------------------------------- results_door.c
+ * What is read of results.h5 is opened here and nowhere else: the file may come from anybody. A path is followed by hard
+ * links alone (no external or soft ones, no links of a user's kind), to a group or a set with data in this file (no
+ * external storage, no virtual sets), of numbers or texts of one length, without filters other than those by which
+ * hawser writes. What is refused is < 0, as what is not there. HDF5 stays silent. */
+
+enum { DOOR_TEXT_MAX = 256 };
+
+hid_t door_group(hid_t parent, const char *path);
+/* A set of that rank, with its dimensions: at most `most` items, of class H5T_STRING with text 1, or of numbers. */
+hid_t door_set(hid_t parent, const char *path, int text, int rank, hsize_t *dims, double most);
+/* A text attribute, cut; "" where there is none. Numbers; NAN where there are none, or another number of them. */
+void door_text(hid_t object, const char *name, char text[DOOR_TEXT_MAX]);
+void door_numbers(hid_t object, const char *name, int n, double *values);
 
 /* ------------------------------------------------------------------- results_sets.c; all return 0 if HDF5 refuses */
 

@@ -111,6 +111,11 @@ hawser_status xdmf_open(XdmfFile *x, const OutDir *dir, const ResultsDef *def, h
     return write_tail(x, err);
 }
 
+hawser_status xdmf_can_resume(const OutDir *dir, long end, hawser_error *err)
+{
+    return out_can_resume(dir, "results.xdmf", end, ">\n", err);
+}
+
 hawser_status xdmf_resume(XdmfFile *x, const OutDir *dir, const ResultsDef *def, long end, hawser_error *err)
 {
     x->segments = def->segments;

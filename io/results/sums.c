@@ -45,17 +45,13 @@ static hawser_status descriptor_sum(int fd, const char *path, long most, FileSum
 hawser_status file_sum(const OutDir *dir, const char *name, FileSum *sum, hawser_error *err)
 {
     OutSpot spot;
-    struct stat info;
     *sum = (FileSum){.bytes = -1};
     snprintf(sum->file, sizeof sum->file, "%s", name);
     const hawser_status status = out_spot(&spot, dir, name, err);
     if (status) return status;
-    const char *const path = spot.path;
-    const int fd = openat(spot.at, spot_name(&spot), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-    if (fd < 0 && errno == ENOENT) return HAWSER_OK;
-    if (fd < 0) return file_unread(path, strerror(errno), err);
-    const char *const why = fstat(fd, &info) ? strerror(errno) : S_ISREG(info.st_mode) ? NULL : "not a file";
-    const hawser_status read = why ? file_unread(path, why, err) : descriptor_sum(fd, path, -1, sum, err);
+    const int fd = file_open_in(dir->at, name, O_RDONLY);
+    if (fd < 0) return errno == ENOENT ? HAWSER_OK : file_unread(spot.path, file_reason(errno), err);
+    const hawser_status read = descriptor_sum(fd, spot.path, -1, sum, err);
     close(fd);
     return read;
 }
@@ -87,7 +83,7 @@ hawser_status file_seal(const OutDir *dir, const char *name, hawser_error *err)
     hawser_status status = out_spot(&spot, dir, name, err);
     if (status) return status;
     const char *const path = spot.path;
-    const int fd = openat(spot.at, spot_name(&spot), O_RDWR | O_APPEND | O_CLOEXEC);
+    const int fd = file_open_in(dir->at, name, O_RDWR | O_APPEND);
     if (fd < 0) return out_error(path, errno, err);
     status = out_own(descriptor_sum(fd, path, -1, &sum, err), err);
     memcpy(seal.mark, seal_mark, sizeof seal.mark);
@@ -100,26 +96,26 @@ hawser_status file_seal(const OutDir *dir, const char *name, hawser_error *err)
 void file_unseal(const OutDir *dir, const char *name)
 {
     Seal seal;
-    OutSpot spot;
-    if (out_spot(&spot, dir, name, NULL)) return;
-    const int fd = openat(spot.at, spot_name(&spot), O_RDWR | O_CLOEXEC);
+    const int fd = file_open_in(dir->at, name, O_RDWR);
     long size = -1;
     /* where that fails the bytes are passed over as before, and the next seal is behind them */
     if (fd >= 0 && seal_read(fd, &seal, &size) && size >= 0 && ftruncate(fd, size)) errno = 0;
     if (fd >= 0) close(fd);
 }
 
-hawser_status file_broken(const char *path, int *broken, hawser_error *err)
+hawser_status file_broken(const OutDir *dir, const char *name, int *broken, hawser_error *err)
 {
     FileSum sum = {0};
     Seal seal;
+    OutSpot spot;
     *broken = 0;
-    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    hawser_status status = out_spot(&spot, dir, name, err);
+    if (status) return status;
+    const int fd = file_open_in(dir->at, name, O_RDONLY);
     if (fd < 0 && errno == ENOENT) return HAWSER_OK;
     long size = -1;
-    hawser_status status = HAWSER_OK;
-    if (fd < 0 || !seal_read(fd, &seal, &size)) status = file_unread(path, strerror(errno), err);
-    if (size >= 0) status = descriptor_sum(fd, path, size, &sum, err);
+    if (fd < 0 || !seal_read(fd, &seal, &size)) status = file_unread(spot.path, file_reason(errno), err);
+    if (size >= 0) status = descriptor_sum(fd, spot.path, size, &sum, err);
     if (fd < 0) return status;
     close(fd);
     *broken = size >= 0 && !status && memcmp(sum.sum, seal.sum, sizeof seal.sum) != 0;

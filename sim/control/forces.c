@@ -79,19 +79,31 @@ static hawser_segment_now segment_now(const Moment *m, int i)
     return at;
 }
 
-/* One call, without derivatives. */
-static void law_call(const Moment *m, Outside *all, const hawser_segment_now *at, double wrench[6])
+static int all_finite(const double *values, int n)
+{
+    int finite = 1;
+    for (int k = 0; k < n && values; ++k) finite &= isfinite(values[k]) != 0;
+    return finite;
+}
+
+/* One call; by_place, by_motion NULL: without derivatives. */
+static void law_call(Outside *all, const hawser_segment_now *at, double wrench[6], double *by_place, double *by_motion)
 {
     for (int c = 0; c < 6; ++c) wrench[c] = 0;
-    if (all->law.call(all->law.user, at, wrench, NULL, NULL)) all->stopped = 1;
-    (void)m;
+    ++all->calls;
+    if (all->law.call(all->law.user, at, wrench, by_place, by_motion)) all->stopped = 1;
+    --all->calls;
+    if (all->bad || (all_finite(wrench, 6) && all_finite(by_place, 36) && all_finite(by_motion, 36))) return;
+    all->bad = 1;
+    all->segment = at->segment;
+    all->t = at->t;
 }
 
 static void law_loads(const Moment *m, Outside *all, int i, Loads *loads)
 {
     double w[6];
     const hawser_segment_now at = segment_now(m, i);
-    law_call(m, all, &at, w);
+    law_call(all, &at, w, NULL, NULL);
     loads_add(loads, i, v3(w[0], w[1], w[2]), v3(w[3], w[4], w[5]));
 }
 
@@ -111,16 +123,15 @@ static hawser_segment_now moved(const hawser_segment_now *from, int c, double h)
 }
 
 /* (K10): central differences, of a size at which what they leave out and rounding are alike. */
-static void law_differences(const Moment *m, Outside *all, const hawser_segment_now *at, double by_place[36],
-                            double by_motion[36])
+static void law_differences(Outside *all, const hawser_segment_now *at, double by_place[36], double by_motion[36])
 {
     static const double step[4] = {1e-6, 1e-6, 1e-6, 1e-6}; /* m, rad, m/s, rad/s */
     for (int c = 0; c < 12; ++c) {
         const double h = step[c / 3];
         double ahead[6], behind[6];
         const hawser_segment_now plus = moved(at, c, h), minus = moved(at, c, -h);
-        law_call(m, all, &plus, ahead);
-        law_call(m, all, &minus, behind);
+        law_call(all, &plus, ahead, NULL, NULL);
+        law_call(all, &minus, behind, NULL, NULL);
         double *const by = c < 6 ? by_place : by_motion;
         for (int r = 0; r < 6; ++r) by[6 * r + c % 6] = (ahead[r] - behind[r]) / (2 * h);
     }
@@ -139,9 +150,9 @@ static void law_blocks(const Moment *m, Outside *all, int i, double *k, double *
     double wrench[6] = {0}, by_place[36] = {0}, by_motion[36] = {0};
     const hawser_segment_now at = segment_now(m, i);
     if (!all->law.has_derivatives) {
-        law_differences(m, all, &at, by_place, by_motion);
-    } else if (all->law.call(all->law.user, &at, wrench, by_place, by_motion)) {
-        all->stopped = 1;
+        law_differences(all, &at, by_place, by_motion);
+    } else {
+        law_call(all, &at, wrench, by_place, by_motion);
     }
     block_add(by_place, k);
     block_add(by_motion, d);
@@ -218,7 +229,7 @@ static void forces_work(const Room *room, const Moment *m, BalanceRates *out)
     for (int i = law_from(all, m->scene, &to); i < to; ++i) {
         double w[6];
         const hawser_segment_now at = segment_now(m, i);
-        law_call(m, all, &at, w);
+        law_call(all, &at, w, NULL, NULL);
         balance_work(out, BY_OUTSIDE, push_of(kin, i, v3(w[0], w[1], w[2]), v3(w[3], w[4], w[5])));
     }
 }

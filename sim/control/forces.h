@@ -27,6 +27,10 @@ typedef struct Outside {
     OutsideForce force[OUTSIDE_MAX]; /* [n] */
     OutsideLaw law;
     int stopped; /* the law asked for an end */
+    int calls;   /* of the law that have not returned */
+    int bad;     /* it has given what is no number since the last step that was accepted: for `segment` at `t`, s */
+    int segment;
+    double t;
 } Outside;
 
 /* The scene's, as RoomKind.self of FORCES_ROOM. */

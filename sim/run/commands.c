@@ -33,11 +33,44 @@ hawser_status sim_call(Sim *s, hawser_error *err)
     Stage *const st = &s->stage;
     if (s->calls.step && s->calls.step(s->calls.step_user, s, st->t)) s->calls.stop = "by a step's call-back";
     if (s->calls.law && outside_of(&st->scene)->stopped) s->calls.stop = "by a law of force";
+    outside_of(&st->scene)->bad = 0;
     if (!s->calls.stop) return HAWSER_OK;
     const char *const by = s->calls.stop;
     s->calls.stop = NULL;
     outside_of(&st->scene)->stopped = 0;
     return error_set(err, HAWSER_STOPPED, "stopped at t = %.6g s %s", st->t, by);
+}
+
+/* A chain, and all that move together with it. */
+static int chains_of(Sim *s, Sim **first)
+{
+    *first = s->leader ? s->leader : s;
+    return sim_chains(*first);
+}
+
+int sim_in_law(Sim *s)
+{
+    Sim *first;
+    int calls = 0;
+    for (int k = chains_of(s, &first); k-- > 0;) calls += outside_of(&sim_chain(first, k)->stage.scene)->calls;
+    return calls > 0;
+}
+
+hawser_status sim_blame_law(Sim *s, hawser_status status, hawser_error *err)
+{
+    Sim *first;
+    for (int k = chains_of(s, &first); k-- > 0 && (!status || status == HAWSER_ERR_RUN);) {
+        Outside *const all = outside_of(&sim_chain(first, k)->stage.scene);
+        if (!all->bad) continue;
+        all->bad = 0;
+        status = HAWSER_ERR_RUN;
+        error_set(err, status,
+                  "the law of force of hawser_sim_set_law gave what is no number for segment %d at t = %.6g s",
+                  all->segment, all->t);
+        error_moment(err, all->t, all->segment);
+        break;
+    }
+    return status;
 }
 
 /* ----------------------------------------------------------------------------------------------------- commands */

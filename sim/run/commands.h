@@ -18,6 +18,10 @@ hawser_status sim_note(Sim *s, hawser_event_code code, double t, const char *wha
 void sim_log(const Sim *s, hawser_log_level level, const char *text);
 /* A step was accepted: who wanted to be called. Errors: STOPPED, if one of those who were called asked for it. */
 hawser_status sim_call(Sim *s, hawser_error *err);
+/* Whether a law of force of the caller's is being called, of this chain or of one that moves together with it. */
+int sim_in_law(Sim *s);
+/* Returns status; RUN with a message that names the law of force, if it has given what is no number. */
+hawser_status sim_blame_law(Sim *s, hawser_status status, hawser_error *err);
 
 /* All that commands have changed and how far the script is, in bytes; into and out of memory of that size. A
  * simulation into which it is loaded was built from the same case and stands at the time of the saving. Errors of

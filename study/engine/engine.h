@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "hawser/hawser.h"
+#include "io/results/results_file.h"
 #include "study/maths/fit.h"
 #include "study/plan/study.h"
 
@@ -82,6 +83,8 @@ hawser_status quantities_check(const Study *s, hawser_error *err);
 /* A number that two studies share if their rows are the same: by what they say, and by the contents of every file that
  * the base case or a variant names. also: a text that counts too, or NULL. Errors: MEMORY. */
 hawser_status study_identity(const Study *s, const char *also, uint64_t *out, hawser_error *err);
+/* dir/workers, which is no link; out_leave follows. Errors: OUTPUT, with errno. */
+hawser_status workers_enter(OutDir *workers, const char *dir, hawser_error *err);
 /* Reads every whole row that is in dir/workers into `rows`, if they are of this study; changes no file, so that others
  * may append meanwhile. A folder without such is fine. Errors: INPUT (they are of another study), OUTPUT, MEMORY.
  */

@@ -21,9 +21,9 @@ hawser_status hawser_ranks_open(hawser_ranks *ranks, hawser_error *err)
     free(path);
     if (!library) return error_set(err, HAWSER_ERR_INPUT, "MPI cannot be loaded: %s", dlerror());
     void *const found = dlsym(library, "hawser_mpi_open");
-    int (*open)(hawser_ranks *) = NULL;
-    *(void **)&open = found;
-    if (!open || open(ranks)) return error_set(err, HAWSER_ERR_INPUT, "MPI cannot be started");
+    int (*begin)(hawser_ranks *) = NULL;
+    *(void **)&begin = found;
+    if (!begin || begin(ranks)) return error_set(err, HAWSER_ERR_INPUT, "MPI cannot be started");
     return HAWSER_OK;
 }
 

@@ -2,6 +2,7 @@
  * every so many-th unit of the sheet on processes of its own, and waits; what is open after that goes into another
  * array. The array's name is the study's and the folder's, so that whoever asks again finds it and waits for it. */
 #include <errno.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -24,10 +25,11 @@ enum { TASKS_MAX = 1000, CHUNK = 16, SAID_MAX = 4096, SILENCES_MAX = 20, IDLE_AR
 /* ------------------------------------------------------------------------------------------------------- the sheet */
 
 /* sheet: "tasks N", "close B ..." (bands about 0 where runs are made, exact), "units FROM TO" a line. */
-static hawser_status sheet_write(const Study *s, const char *folder, int tasks, const Units *units, hawser_error *err)
+static hawser_status sheet_write(const Study *s, const OutDir *workers, int tasks, const Units *units,
+                                 hawser_error *err)
 {
     OutFile out;
-    hawser_status status = out_open(&out, folder, "sheet.new", err);
+    hawser_status status = out_open_late(&out, workers, "sheet", err);
     if (status) return status;
     status = out_print(&out, err, "tasks %d\nclose", tasks);
     for (int k = 0; k < LIMIT_KINDS && !status; k++) status = out_print(&out, err, " %a", s->close[k]);
@@ -36,13 +38,7 @@ static hawser_status sheet_write(const Study *s, const char *folder, int tasks, 
         status = out_print(&out, err, "\nunits %ld %ld", units->unit[a], units->unit[b - 1]);
     }
     if (!status) status = out_print(&out, err, "\nend\n");
-    const hawser_status closed = out_close(&out, status ? NULL : err);
-    if (!status) status = closed;
-    char from[OUT_PATH_MAX], to[OUT_PATH_MAX];
-    if (!status) status = out_join(from, folder, "sheet.new", err);
-    if (!status) status = out_join(to, folder, "sheet", err);
-    if (!status) status = out_sync(from, err);
-    return !status && rename(from, to) ? out_error(to, errno, err) : status;
+    return out_named(&out, workers, status, err);
 }
 
 /* The task's share of the sheet: with its bands in s->close. */
@@ -52,6 +48,8 @@ static hawser_status sheet_lines(FILE *f, const char *path, Study *s, int task, 
     long from, to, seen = 0, room = 0;
     for (int k = 0; k < LIMIT_KINDS && fine; k++) fine = fscanf(f, "%la", &s->close[k]) == 1;
     while (fine && fscanf(f, " units %ld %ld", &from, &to) == 2) {
+        fine = from >= 0 && from <= to && to < s->samples;
+        if (!fine) break;
         for (long i = from; i <= to; i++, seen++) {
             if (seen % tasks != task) continue;
             if (units->n == room) {
@@ -84,19 +82,25 @@ static void units_left(const Study *s, const Rows *rows, Units *units)
  * all. */
 hawser_status slurm_task(Study *s, const char *dir, int task, const hawser_study_options *options, hawser_error *err)
 {
-    char path[OUT_PATH_MAX], folder[OUT_PATH_MAX], crew[CREW_MAX];
+    char crew[CREW_MAX];
+    OutDir workers;
+    OutSpot sheet;
     Units units = {.before = {.left_s = NAN}};
     Rows rows = {0};
     double efficiency;
     hawser_study_options mine = *options;
     mine.jobs = options->jobs > 0 ? options->jobs : 1;
     snprintf(crew, sizeof crew, "task-%d", task);
-    hawser_status status = out_join(folder, dir, "workers", err);
-    if (!status) status = out_join(path, folder, "sheet", err);
-    FILE *const f = status ? NULL : fopen(path, "r");
-    if (!status && !f) status = error_set(err, HAWSER_ERR_INPUT, "cannot read '%.400s': %s", path, strerror(errno));
-    if (!status) status = sheet_lines(f, path, s, task, &units, err);
+    if (workers_enter(&workers, dir, NULL))
+        return error_set(err, HAWSER_ERR_INPUT, "cannot read '%.400s/workers': %s", dir, strerror(errno));
+    hawser_status status = out_spot(&sheet, &workers, "sheet", err);
+    const int fd = status ? -1 : file_open_in(workers.at, "sheet", O_RDONLY);
+    FILE *const f = fd >= 0 ? fdopen(fd, "r") : NULL;
+    if (!status && !f) status = file_unread(sheet.path, file_reason(errno), err);
+    if (!status) status = sheet_lines(f, sheet.path, s, task, &units, err);
     if (f) fclose(f);
+    if (!f && fd >= 0) close(fd);
+    out_leave(&workers);
     if (!status) status = rows_make(s, &rows, err);
     if (!status && study_searches(s)) status = store_read(s, dir, &rows, err);
     for (int k = 0; k < mine.jobs && !status; k++) status = store_take(dir, crew, k, &rows, err);
@@ -159,13 +163,13 @@ static hawser_status word_print(OutFile *out, const char *text, hawser_error *er
 }
 
 /* task.sh: what each task does. */
-static hawser_status script_write(const Study *s, const char *dir, const char *folder, const char *program, int jobs,
+static hawser_status script_write(const Study *s, const char *dir, const OutDir *workers, const char *program, int jobs,
                                   hawser_error *err)
 {
     OutFile out;
     char study[PATH_MAX];
     if (!realpath(s->path, study)) return out_error(s->path, errno, err);
-    hawser_status status = out_open(&out, folder, "task.sh", err);
+    hawser_status status = out_open_late(&out, workers, "task.sh", err);
     if (status) return status;
     status = out_print(&out, err, "#!/bin/sh\nexec ");
     if (!status) status = word_print(&out, program, err);
@@ -175,8 +179,18 @@ static hawser_status script_write(const Study *s, const char *dir, const char *f
     if (!status) status = word_print(&out, dir, err);
     if (!status)
         status = out_print(&out, err, " --jobs %d --task \"$SLURM_ARRAY_TASK_ID\" --quiet\n", jobs > 0 ? jobs : 1);
-    const hawser_status closed = out_close(&out, status ? NULL : err);
-    return status ? status : closed;
+    return out_named(&out, workers, status, err);
+}
+
+/* What tasks say goes into slurm.log, which Slurm opens itself, by its name: it must be no link by then. */
+static hawser_status log_begin(const OutDir *workers, hawser_error *err)
+{
+    OutSpot spot;
+    const hawser_status status = out_spot(&spot, workers, "slurm.log", err);
+    if (status) return status;
+    const int fd = file_open_in(workers->at, "slurm.log", O_WRONLY | O_APPEND);
+    if (fd >= 0) close(fd);
+    return fd >= 0 || errno == ENOENT ? HAWSER_OK : out_error(spot.path, errno, err);
 }
 
 static hawser_status array_submit(const char *folder, const char *name, int tasks, int jobs, hawser_error *err)
@@ -296,9 +310,13 @@ static hawser_status arrays_run(Slurm *w, int pilots, Units *open, hawser_error 
         if (there < 0) return error_set(err, HAWSER_ERR_INPUT, "squeue does not answer: --slurm needs Slurm");
         const int tasks = tasks_of(w->cluster, open->n, study_searches(w->study));
         w->workers = tasks * (w->options->jobs > 0 ? w->options->jobs : 1);
-        if (!there) status = sheet_write(w->study, w->folder, tasks, open, err);
+        OutDir workers = {.at = -1};
+        if (!there) status = workers_enter(&workers, w->dir, err);
+        if (!there && !status) status = sheet_write(w->study, &workers, tasks, open, err);
         if (!there && !status)
-            status = script_write(w->study, w->dir, w->folder, w->cluster->slurm, w->options->jobs, err);
+            status = script_write(w->study, w->dir, &workers, w->cluster->slurm, w->options->jobs, err);
+        if (!there && !status) status = log_begin(&workers, err);
+        out_leave(&workers);
         if (!there && !status) status = array_submit(w->folder, w->name, tasks, w->options->jobs, err);
         if (!status) status = array_wait(w, pilots, open, err);
         if (status || open->before.done > before) continue;

@@ -1,6 +1,6 @@
 /* Workers' files: rows of one size, each with a check sum, appended and never changed. A row that is cut
  * off or damaged counts as not there. */
-#define _DEFAULT_SOURCE /* scandir */
+#define _GNU_SOURCE /* scandirat */
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -30,21 +30,33 @@ static hawser_status identity_say(const Study *s, char text[IDENTITY_MAX], hawse
 
 /* ----------------------------------------------------------------------------------------------------------- paths */
 
-/* dir/workers, and a file in it. */
-static hawser_status workers_path(char path[OUT_PATH_MAX], const char *dir, const char *name, hawser_error *err)
+static const char ENDING[] = ".rows";
+
+enum { ROWS_NAME_MAX = CREW_MAX + 20 };
+
+static void rows_name(char name[ROWS_NAME_MAX], const char *crew, int k)
 {
-    char folder[OUT_PATH_MAX];
+    snprintf(name, ROWS_NAME_MAX, "%.*s-%d%s", CREW_MAX, crew, k, ENDING);
+}
+
+hawser_status store_path(char path[], const char *dir, const char *crew, int k, hawser_error *err)
+{
+    char name[ROWS_NAME_MAX], folder[OUT_PATH_MAX];
+    rows_name(name, crew, k);
     const hawser_status status = out_join(folder, dir, "workers", err);
     return status ? status : out_join(path, folder, name, err);
 }
 
-static const char ENDING[] = ".rows";
-
-hawser_status store_path(char path[], const char *dir, const char *crew, int k, hawser_error *err)
+hawser_status workers_enter(OutDir *workers, const char *dir, hawser_error *err)
 {
-    char name[CREW_MAX + 20];
-    snprintf(name, sizeof name, "%.*s-%d%s", CREW_MAX, crew, k, ENDING);
-    return workers_path(path, dir, name, err);
+    OutDir outer;
+    workers->at = -1;
+    hawser_status status = out_enter(&outer, dir, err);
+    if (!status && !out_within(workers, &outer, "workers")) status = out_error(workers->path, errno, err);
+    const int number = errno;
+    out_leave(&outer);
+    errno = number;
+    return status;
 }
 
 static int is_rows(const struct dirent *entry)
@@ -56,27 +68,29 @@ static int is_rows(const struct dirent *entry)
 /* A file of rows that cannot be "read" or "written". */
 static hawser_status rows_error(const char *what, const char *path, int number, hawser_error *err)
 {
-    return error_set(err, HAWSER_ERR_OUTPUT, "cannot %s '%.700s': %s", what, path, strerror(number));
+    return error_set(err, HAWSER_ERR_OUTPUT, "cannot %s '%.700s': %s", what, path, file_reason(number));
 }
 
 /* Calls `with` on every file of rows in dir/workers, in the order of their names, until one returns another number than
  * 0, which is why the file cannot be done `what` with. Errors: OUTPUT, MEMORY. */
-typedef int (*RowsFile)(void *user, const char *path);
+typedef int (*RowsFile)(void *user, const OutDir *workers, const char *name);
 static hawser_status files_each(const char *dir, const char *what, RowsFile with, void *user, hawser_error *err)
 {
-    char folder[OUT_PATH_MAX], path[OUT_PATH_MAX];
+    char path[OUT_PATH_MAX];
+    OutDir workers;
     struct dirent **list = NULL;
-    hawser_status status = out_join(folder, dir, "workers", err);
-    const int n = status ? 0 : scandir(folder, &list, is_rows, alphasort);
-    if (n < 0 && errno == ENOMEM) return error_memory(err);
-    if (n < 0 && errno != ENOENT) return rows_error("read", folder, errno, err);
+    if (workers_enter(&workers, dir, NULL)) return errno == ENOENT ? HAWSER_OK : rows_error("read", dir, errno, err);
+    const int n = scandirat(workers.at, ".", &list, is_rows, alphasort);
+    hawser_status status = n >= 0            ? HAWSER_OK
+                           : errno == ENOMEM ? error_memory(err)
+                                             : rows_error("read", workers.path, errno, err);
     for (int k = 0; k < n; k++) {
-        if (!status) status = out_join(path, folder, list[k]->d_name, err);
-        const int number = status ? 0 : with(user, path);
-        if (number) status = rows_error(what, path, number, err);
+        const int number = status ? 0 : with(user, &workers, list[k]->d_name);
+        if (number && !out_join(path, workers.path, list[k]->d_name, err)) status = rows_error(what, path, number, err);
         free(list[k]);
     }
     free(list);
+    out_leave(&workers);
     return status;
 }
 
@@ -114,12 +128,21 @@ static size_t record_size(int width) { return sizeof(Row) + (size_t)width * size
 
 int store_open(const char *dir, const char *crew, int k)
 {
-    char path[OUT_PATH_MAX];
-    if (store_path(path, dir, crew, k, NULL)) {
-        errno = ENAMETOOLONG;
-        return -1;
+    char name[ROWS_NAME_MAX], part[FILE_PART_MAX];
+    OutDir workers;
+    if (workers_enter(&workers, dir, NULL)) return -1;
+    rows_name(name, crew, k);
+    int fd = file_open_in(workers.at, name, O_RDWR | O_APPEND);
+    if (fd < 0 && errno == ENOENT) {
+        const int made = file_new_in(workers.at, name, part);
+        if (made >= 0) close(made);
+        if (made >= 0 && file_name_in(workers.at, part, workers.at, name))
+            fd = file_open_in(workers.at, name, O_RDWR | O_APPEND);
     }
-    return open(path, O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    const int number = errno;
+    out_leave(&workers);
+    errno = number;
+    return fd;
 }
 
 int store_append(int fd, const Row *row, const double *value, int width)
@@ -209,12 +232,12 @@ int store_ends_with(int fd, int width, long sample, int *number)
 }
 
 /* All sound records of a file. One that is cut off in its end may be on its way: who appends there next cuts it. */
-static int records_take(void *user, const char *path)
+static int records_take(void *user, const OutDir *workers, const char *name)
 {
     Rows *const rows = user;
     char record[RECORD_MAX];
     const size_t size = record_size(rows->width);
-    const int fd = open(path, O_RDONLY | O_CLOEXEC);
+    const int fd = file_open_in(workers->at, name, O_RDONLY);
     if (fd < 0) return errno == ENOENT ? 0 : errno;
     int there = record_read(fd, 0, size, record);
     for (off_t at = (off_t)size; there > 0; at += (off_t)size) {
@@ -228,16 +251,27 @@ static int records_take(void *user, const char *path)
 
 /* ----------------------------------------------------------------------------------------------------- the folder */
 
+/* workers/study; *text NULL: it is not there. Errors: INPUT, MEMORY. */
+static hawser_status owner_read(const char *dir, char **text, hawser_error *err)
+{
+    OutDir workers;
+    OutSpot spot;
+    size_t size;
+    *text = NULL;
+    if (workers_enter(&workers, dir, NULL)) return errno == ENOENT ? HAWSER_OK : file_unread(dir, file_reason(errno), err);
+    hawser_status status = out_spot(&spot, &workers, "study", err);
+    if (!status) status = file_whole_in(workers.at, "study", spot.path, OWNER_MOST, text, &size, err);
+    out_leave(&workers);
+    return status;
+}
+
 /* Whose the files are: 1 this study's, 0 there are none, -1 another's. */
 static hawser_status owner_find(const Study *s, const char *dir, int *own, hawser_error *err)
 {
-    char path[OUT_PATH_MAX], mine[IDENTITY_MAX];
-    hawser_status status = workers_path(path, dir, "study", err);
-    if (!status) status = identity_say(s, mine, err);
+    char mine[IDENTITY_MAX], *text;
+    hawser_status status = identity_say(s, mine, err);
+    if (!status) status = owner_read(dir, &text, err);
     if (status) return status;
-    char *text;
-    size_t size;
-    status = file_whole(path, OWNER_MOST, &text, &size, err);
     *own = text ? -1 : 0;
     if (text && strncmp(text, mine, strlen(mine)) == 0) *own = 1;
     free(text);
@@ -275,35 +309,46 @@ hawser_status store_read(const Study *s, const char *dir, Rows *rows, hawser_err
 
 hawser_status store_take(const char *dir, const char *crew, int k, Rows *rows, hawser_error *err)
 {
-    char path[OUT_PATH_MAX];
+    char path[OUT_PATH_MAX], name[ROWS_NAME_MAX];
+    OutDir workers;
     const hawser_status status = store_path(path, dir, crew, k, err);
-    const int number = status ? 0 : records_take(rows, path);
-    return number ? rows_error("read", path, number, err) : status;
+    if (status) return status;
+    if (workers_enter(&workers, dir, NULL)) return errno == ENOENT ? HAWSER_OK : rows_error("read", path, errno, err);
+    rows_name(name, crew, k);
+    const int number = records_take(rows, &workers, name);
+    out_leave(&workers);
+    return number ? rows_error("read", path, number, err) : HAWSER_OK;
 }
 
-static int file_remove(void *user, const char *path)
+static int file_remove(void *user, const OutDir *workers, const char *name)
 {
     (void)user;
-    return unlink(path) ? errno : 0;
+    return file_remove_in(workers->at, name) ? 0 : errno;
 }
 
 /* workers/study: whose rows these are, and which file that was. */
-static hawser_status owner_write(const Study *s, const char *folder, hawser_error *err)
+static hawser_status owner_write(const Study *s, const OutDir *workers, hawser_error *err)
 {
     char text[IDENTITY_MAX], path[PATH_MAX], whole[IDENTITY_MAX + PATH_MAX];
     if (!realpath(s->path, path)) return out_error(s->path, errno, err);
     const hawser_status status = identity_say(s, text, err);
     snprintf(whole, sizeof whole, "%s%s\n", text, path);
-    return status ? status : out_whole(folder, "study", whole, err);
+    return status ? status : out_whole_in(workers, "study", whole, err);
 }
 
 hawser_status store_begin(const Study *s, const char *dir, int fresh, hawser_error *err)
 {
-    char folder[OUT_PATH_MAX];
-    hawser_status status = out_join(folder, dir, "workers", err);
-    if (!status) status = out_make_dir(folder, err);
+    OutDir outer, workers = {.at = -1};
+    hawser_status status = out_enter(&outer, dir, err);
+    if (!status && !folder_make_in(outer.at, "workers")) status = out_error(dir, errno, err);
+    out_leave(&outer);
+    if (!status) status = workers_enter(&workers, dir, err);
     if (!status && fresh) status = files_each(dir, "write", file_remove, NULL, err);
-    return status ? status : owner_write(s, folder, err);
+    static const char *const names[] = {"study", "sheet", "task.sh"};
+    if (!status) out_sweep(&workers, sizeof names / sizeof *names, names);
+    if (!status) status = owner_write(s, &workers, err);
+    out_leave(&workers);
+    return status;
 }
 
 hawser_status store_spare(const Study *s, const char *dir, hawser_error *err)
@@ -315,21 +360,23 @@ hawser_status store_spare(const Study *s, const char *dir, hawser_error *err)
         status = out_join(path, dir, names[k], err);
         if (!status) status = file_marks_spare(&s->files, path, err);
     }
-    DIR *const workers = status ? NULL : opendir(folder);
-    for (const struct dirent *each; workers && !status && (each = readdir(workers));) {
-        status = out_join(path, folder, each->d_name, err);
+    OutDir inner = {.at = -1};
+    struct dirent **list = NULL;
+    const int n = status || workers_enter(&inner, dir, NULL) ? 0 : scandirat(inner.at, ".", &list, NULL, NULL);
+    for (int k = 0; k < n; k++) {
+        if (!status) status = out_join(path, folder, list[k]->d_name, err);
         if (!status) status = file_marks_spare(&s->files, path, err);
+        free(list[k]);
     }
-    if (workers) closedir(workers);
+    free(list);
+    out_leave(&inner);
     return status;
 }
 
 hawser_status store_study(const char *dir, char path[], hawser_error *err)
 {
-    char from[OUT_PATH_MAX], *text;
-    size_t size;
-    hawser_status status = workers_path(from, dir, "study", err);
-    if (!status) status = file_whole(from, OWNER_MOST, &text, &size, err);
+    char *text;
+    const hawser_status status = owner_read(dir, &text, err);
     if (status) return status;
     const char *const second = text ? strchr(text, '\n') : NULL;
     const int found = second && second[1] && strcspn(second + 1, "\n") < OUT_PATH_MAX;

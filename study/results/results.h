@@ -3,6 +3,7 @@
 #define HAWSER_STUDY_RESULTS_RESULTS_H
 
 #include "io/results/column.h"
+#include "io/results/results_file.h"
 #include "study/engine/engine.h"
 #include "study/maths/estimate.h"
 #include "study/maths/sensitivity.h"
@@ -154,7 +155,7 @@ enum { ANSWER_MAX = 4096, TABLES_MAX = 12 };
 void findings_answer(const Study *s, const Findings *f, char answer[ANSWER_MAX]);
 int findings_tables(const Study *s, const Findings *f, Table table[TABLES_MAX]);
 /* dir/study.html. Errors: OUTPUT, MEMORY. */
-hawser_status study_page_write(const Study *s, const Rows *rows, const Findings *f, const char *dir, const char *name,
+hawser_status study_page_write(const Study *s, const Rows *rows, const Findings *f, const OutDir *dir, const char *name,
                                hawser_error *err);
 /* Tornado and response curves. Errors: MEMORY. */
 hawser_status responses_find(const Study *s, const Rows *rows, Findings *f, hawser_error *err);
@@ -165,7 +166,7 @@ const char *parameter_column(const Parameter *p, char name[COLUMN_NAME_MAX]);
 /* A quantity's path; with both fidelities "theory: " or "run: " stands before it. */
 const char *quantity_column(const Study *s, int q, char name[COLUMN_NAME_MAX]);
 /* All rows that are there, by sample: dir/samples.csv, dir/study.h5. Errors: OUTPUT, MEMORY. */
-hawser_status table_csv(const Study *s, const Rows *rows, const char *dir, hawser_error *err);
-hawser_status table_h5(const Study *s, const Rows *rows, const char *dir, hawser_error *err);
+hawser_status table_csv(const Study *s, const Rows *rows, const OutDir *dir, hawser_error *err);
+hawser_status table_h5(const Study *s, const Rows *rows, const OutDir *dir, hawser_error *err);
 
 #endif

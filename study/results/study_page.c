@@ -183,7 +183,7 @@ static void fit_add(Text *page, const Study *s, const Rows *rows, const Findings
     free(x);
 }
 
-hawser_status study_page_write(const Study *s, const Rows *rows, const Findings *f, const char *dir, const char *name,
+hawser_status study_page_write(const Study *s, const Rows *rows, const Findings *f, const OutDir *dir, const char *name,
                                hawser_error *err)
 {
     Text page = {0};
@@ -205,7 +205,7 @@ hawser_status study_page_write(const Study *s, const Rows *rows, const Findings 
     }
     for (int k = 0; k < tables; k++) page_table(&page, &table[k]);
     page_end(&page);
-    const hawser_status status = page.failed ? error_memory(err) : out_whole(dir, name, page.at, err);
+    const hawser_status status = page.failed ? error_memory(err) : out_whole_in(dir, name, page.at, err);
     text_clear(&page);
     return status;
 }

@@ -1,6 +1,7 @@
 /* All samples as a table: samples.csv, and the same columns as sets of study.h5. */
 #include <assert.h>
 #include <ctype.h>
+#include <errno.h>
 #include <fcntl.h>
 #include <hdf5.h>
 #include <math.h>
@@ -154,31 +155,18 @@ static int *columns_there(const Study *s, const Rows *rows)
 }
 
 /* A table has its name once it is whole: until then what an earlier call wrote stays. */
-#define PART ".part"
-static hawser_status table_name(const char *dir, const char *name, const char *part, hawser_status status,
-                                hawser_error *err)
-{
-    char path[OUT_PATH_MAX];
-    if (!status) status = out_join(path, dir, name, err);
-    return out_name(part, path, status, err);
-}
-
-hawser_status table_csv(const Study *s, const Rows *rows, const char *dir, hawser_error *err)
+hawser_status table_csv(const Study *s, const Rows *rows, const OutDir *dir, hawser_error *err)
 {
     OutFile out;
     int *const there = columns_there(s, rows);
     if (!there) return error_memory(err);
-    hawser_status status = out_open(&out, dir, "samples.csv" PART, err);
+    hawser_status status = out_open_late(&out, dir, "samples.csv", err);
     if (!status) {
         status = csv_names(s, there, &out, err);
         for (long i = 0; i < rows->n && !status; i++) {
             if (rows->row[i].state != ROW_OPEN) status = csv_row(s, rows, i, there, &out, err);
         }
-        const hawser_status closed = out_close(&out, status ? NULL : err);
-        if (!status) status = closed;
-        status = table_name(dir, "samples.csv", out.spot.path, status, err);
-    } else if (*out.spot.path) {
-        unlink(out.spot.path); /* it may have been made before memory ran out */
+        status = out_named(&out, dir, status, err);
     }
     free(there);
     return status;
@@ -267,12 +255,13 @@ static void kept_free(Kept *kept)
 
 /* HDF5 stays silent; what the disk says comes from its driver. It does not survive an allocation that fails, so that it
  * is asked before whether there is memory: it takes less than 1 MB. */
-static hawser_status file_write(const Study *s, const Rows *rows, const Kept *kept, const char *path, hawser_error *err)
+static hawser_status file_write(const Study *s, const Rows *rows, const Kept *kept, int fd, const char *path,
+                                hawser_error *err)
 {
     enum { ROOM = 4 << 20 };
-    DiskWords disk = {0};
+    DiskWords disk = {.live = 1};
     if (!memory_room(ROOM)) return error_memory(err);
-    const hid_t access = H5Pcreate(H5P_FILE_ACCESS), driver = disk_driver_use(access, AT_FDCWD, &disk);
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS), driver = disk_driver_use(access, &(DiskPlace){fd, -1}, &disk);
     const hid_t file = driver < 0 ? -1 : H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
     int ok = file >= 0 && sets_write(file, s, rows, kept);
     if (file >= 0) ok &= H5Fclose(file) >= 0;
@@ -281,23 +270,27 @@ static hawser_status file_write(const Study *s, const Rows *rows, const Kept *ke
     return ok && !disk.error ? HAWSER_OK : out_error(path, disk.error, err);
 }
 
-hawser_status table_h5(const Study *s, const Rows *rows, const char *dir, hawser_error *err)
+hawser_status table_h5(const Study *s, const Rows *rows, const OutDir *dir, hawser_error *err)
 {
-    char path[OUT_PATH_MAX];
+    char part[FILE_PART_MAX];
+    OutSpot spot;
     Kept kept = {0};
     H5E_auto2_t told;
     void *data;
-    hawser_status status = out_join(path, dir, "study.h5" PART, err);
+    hawser_status status = out_spot(&spot, dir, "study.h5", err);
     if (!status) status = kept_make(rows, &kept, err);
     if (!status && !memory_room(1 << 20)) status = error_memory(err);
+    const int fd = status ? -1 : file_new_in(dir->at, "study.h5", part);
+    if (!status && fd < 0) status = out_error(spot.path, errno, err);
     if (status) {
         kept_free(&kept);
         return status;
     }
     H5Eget_auto2(H5E_DEFAULT, &told, &data);
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
-    status = file_write(s, rows, &kept, path, err);
+    status = file_write(s, rows, &kept, fd, spot.path, err);
     H5Eset_auto2(H5E_DEFAULT, told, data);
     kept_free(&kept);
-    return table_name(dir, "study.h5", path, status, err);
+    if (close(fd) && !status) status = out_error(spot.path, errno, err);
+    return out_name_in(dir, part, "study.h5", status, err);
 }

@@ -17,14 +17,13 @@ if [ "$(id -u)" != 0 ]; then
     run_hawser 4 run pull.yaml -o locked
     says err "locked/" "Permission denied"
 fi
+# a link within the folder is replaced; it was followed, and what it led to written over
 for name in series.csv stations.csv rollers.csv summary.json results.h5 results.xdmf; do
-    mkdir "$work/full-$name"
-    ln -s /dev/full "$work/full-$name/$name"
-    case $name in # these get their names when they are whole
-    summary.json | results.h5) mv "$work/full-$name/$name" "$work/full-$name/$name.part" ;;
-    esac
-    run_hawser 4 run pull.yaml -o "full-$name"
-    says err "full-$name/$name" "No space left"
+    mkdir "$work/link-$name"
+    echo precious >"$work/victim"
+    ln -s ../victim "$work/link-$name/$name"
+    run_hawser 0 run pull.yaml -o "link-$name" --quiet
+    [ "$(cat "$work/victim")" = precious ] && [ ! -L "$work/link-$name/$name" ] || fail "$what: it leads out"
 done
 
 # a folder holds the results of one run

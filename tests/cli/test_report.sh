@@ -37,7 +37,7 @@ missing empty/report.html
 run_hawser 2 report r r r r r r r
 says err "up to 6"
 run_hawser 4 report r -o nowhere/page.html
-says err "nowhere/page.html"
+says err "nowhere"
 run_hawser 2 report r --pfd
 says err "--pdf"
 

@@ -42,6 +42,34 @@ says err "'--set' cannot be given"
 run_hawser 2 run --resume kept-KILL -o elsewhere
 says err "'--output' cannot be given"
 
+# states that are damaged are refused before anything is changed: 9.8 MB of them became 0 bytes; through a link those of others
+what="hawser run --resume of damaged states"
+for at in 0 8 24 60 96 200; do
+    rm -rf "$work/broken"
+    cp -r "$work/kept-KILL" "$work/broken"
+    printf '\377' | dd of="$work/broken/results.h5" bs=1 seek=$at conv=notrunc 2>/dev/null
+    sum=$(cd "$work/broken" && cksum ./*)
+    (cd "$work" && "$hawser" run --resume broken -q >out 2>err)
+    case $? in
+    0) ;; # a byte that says nothing
+    4) [ "$(cd "$work/broken" && cksum ./*)" = "$sum" ] || fail "$what, byte $at: refused, and changed" ;;
+    *) fail "$what, byte $at: another status than 4" ;;
+    esac
+done
+for file in results.h5 series.csv results.xdmf; do
+    rm -rf "$work/led"
+    cp -r "$work/kept-KILL" "$work/led"
+    mv "$work/led/$file" "$work/victim"
+    cp "$work/victim" "$work/victim.was"
+    ln -s ../victim "$work/led/$file"
+    run_hawser 4 run --resume led
+    cmp "$work/victim" "$work/victim.was" || fail "$what: $file outside of it was changed"
+    says err "$file" "symbolic link"
+done
+# a journal that somebody has put there, of 2^60 bytes or of pages elsewhere, changes nothing before all is known
+printf 'no journal' >"$work/led/results.h5.journal"
+run_hawser 4 run --resume led
+
 # refused without a change: a damaged checkpoint, one of other kernels, a folder that somebody has cut
 before=$(cat "$work/kept-KILL/series.csv" "$work/kept-KILL/summary.json" | cksum)
 cp -r "$work/kept-KILL" "$work/damaged"

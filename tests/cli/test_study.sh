@@ -20,7 +20,7 @@ cmp -s "$work/before" "$work/friction/samples.csv" || fail "the second time the 
 # rows that cannot be read are not taken for rows that are not there
 mkdir "$work/friction/workers/zz.rows"
 run_hawser 4 study "$source/cases/studies/friction.yaml" -o friction --quiet
-says err "zz.rows': Is a directory"
+says err "zz.rows': not a file"
 rmdir "$work/friction/workers/zz.rows"
 
 run_hawser 0 study "$source/cases/studies/what-matters.yaml" -o matters --quiet --jobs 2

@@ -69,7 +69,7 @@ done
 missing mixed.html
 
 # nothing is written over what is read: a case, its route and catalogue, a study's list, a log, results
-mkdir "$work/own" "$work/links" "$work/hard" "$work/alone" "$work/part"
+mkdir "$work/own" "$work/links" "$work/hard" "$work/alone"
 sed 's/power: {EA.*/power: {type: own}/; s/pieces: .*/file: route.csv/; s/^title/include: inputs.csv\ntitle/' "$work/pull.yaml" >"$work/own/case.yaml"
 sed -n 's/  power: /cables: {own: /; s/kg\/m}$/kg\/m}}/p' "$work/pull.yaml" | grep own: >"$work/own/inputs.csv"
 printf 'x [m],y [m],z [m]\n0,0,0\n10,0,0\n20,0,0\n' >"$work/own/route.csv"
@@ -77,14 +77,13 @@ printf 'friction.mu\n0.2\n0.3\n' >"$work/own/samples.csv"
 printf 'case: case.yaml\nlist: {file: samples.csv}\n' >"$work/own/study.yaml"
 awk 'BEGIN {print "time [s],pull [kN]"; for (i = 0; i < 90; i++) print i / 300 "," 2 + i / 1000}' >"$work/own/log.csv"
 cp "$work/pull.yaml" "$work/alone/series.csv"
-cp "$work/pull.yaml" "$work/part/summary.json.part"
 ln -s own "$work/folder"
 ln -s ../own/route.csv "$work/links/stations.csv"
 ln "$work/own/inputs.csv" "$work/hard/report.html"
 run_hawser 0 check own/case.yaml
 run_hawser 0 run own/case.yaml -o shown $short --quiet
 ln -s summary.json "$work/shown/tension.svg"
-all_sums() { (cd "$work" && find own links hard alone part shown -type f -exec cksum {} + | sort); }
+all_sums() { (cd "$work" && find own links hard alone shown -type f -exec cksum {} + | sort); }
 all_sums >"$work/sums"
 while read -r file call; do
     run_hawser 2 $call
@@ -97,7 +96,6 @@ inputs.csv run own/case.yaml -o folder
 route.csv run own/case.yaml -o links
 inputs.csv run own/case.yaml -o hard --report
 series.csv run alone/series.csv -o alone
-summary.json.part run part/summary.json.part -o part
 own/route.csv route own/route.csv -o own/../own/route.csv
 own/route.csv route own/route.csv -o links/stations.csv
 samples.csv study own/study.yaml -o own

@@ -67,7 +67,9 @@ static int sum_take(const char *dir, const char *name, FileSum *sum)
 {
     OutDir folder;
     hawser_error err = {HAWSER_OK, ""};
-    return !out_dir(&folder, dir, &err) && !file_sum(&folder, name, sum, &err);
+    const int had = !out_enter(&folder, dir, &err) && !file_sum(&folder, name, sum, &err);
+    out_leave(&folder);
+    return had;
 }
 
 static void file_take(const char *name)

@@ -159,8 +159,11 @@ static void rows_say(const Study *s, const char *dir)
     if (!status) status = store_read(s, dir, &rows, &err);
     if (!status) status = findings_make(s, &rows, &findings, &err);
     if (!status) status = findings_text(s, &findings, HAWSER_JSON, &text, &err);
-    if (!status) status = table_csv(s, &rows, dir, &err);
-    if (!status) status = study_page_write(s, &rows, &findings, dir, "study.html", &err);
+    OutDir folder = {.at = -1};
+    if (!status) status = out_enter(&folder, dir, &err);
+    if (!status) status = table_csv(s, &rows, &folder, &err);
+    if (!status) status = study_page_write(s, &rows, &findings, &folder, "study.html", &err);
+    out_leave(&folder);
     if (status) FUZZ_MUST(fuzz_error_is_good((int)status, err.message));
     hawser_text_free(text);
     findings_free(&findings);

@@ -50,6 +50,19 @@ static void files_write(void)
     bytes_write("results.h5.journal", &j, sizeof j);
 }
 
+/* As disk_recover of the folder's file. */
+static hawser_status recover(hawser_error *err)
+{
+    OutDir dir;
+    assert_int_equal(out_enter(&dir, scratch_folder(), NULL), HAWSER_OK);
+    const int fd = file_open_in(dir.at, "results.h5", O_RDWR);
+    assert_true(fd >= 0);
+    const hawser_status status = disk_recover(&(DiskPlace){fd, dir.at}, err);
+    close(fd);
+    out_leave(&dir);
+    return status;
+}
+
 static int journal_is_there(void) { return access(scratch_path("results.h5.journal"), F_OK) == 0; }
 
 /* What the second page begins with. */
@@ -68,10 +81,10 @@ static void test_followed(void **state)
     hawser_error err = {0};
     (void)state;
     files_write();
-    assert_int_equal(disk_recover(AT_FDCWD, scratch_path("results.h5"), &err), HAWSER_OK);
+    assert_int_equal(recover(&err), HAWSER_OK);
     assert_int_equal(second_page(), 'b');
     assert_false(journal_is_there());
-    assert_int_equal(disk_recover(AT_FDCWD, scratch_path("results.h5"), &err), HAWSER_OK); /* there is none */
+    assert_int_equal(recover(&err), HAWSER_OK); /* there is none */
 }
 
 static void test_cut_off(void **state)
@@ -80,7 +93,7 @@ static void test_cut_off(void **state)
     (void)state;
     files_write();
     assert_int_equal(truncate(scratch_path("results.h5.journal"), PAGE), 0);
-    assert_int_equal(disk_recover(AT_FDCWD, scratch_path("results.h5"), &err), HAWSER_OK);
+    assert_int_equal(recover(&err), HAWSER_OK);
     assert_int_equal(second_page(), 'a');
     assert_false(journal_is_there());
 }
@@ -91,7 +104,7 @@ static void test_unreadable(void **state)
     (void)state;
     files_write();
     unreadable = 1;
-    const hawser_status status = disk_recover(AT_FDCWD, scratch_path("results.h5"), &err);
+    const hawser_status status = recover(&err);
     unreadable = 0;
     assert_int_equal(status, HAWSER_ERR_OUTPUT);
     assert_int_equal(err.status, HAWSER_ERR_OUTPUT);
@@ -99,14 +112,19 @@ static void test_unreadable(void **state)
     assert_true(journal_is_there());
 }
 
-static void test_no_file(void **state)
+/* Through a link the file of somebody else was changed, whatever the journal said. */
+static void test_link(void **state)
 {
-    hawser_error err = {0};
     (void)state;
     files_write();
+    assert_int_equal(rename(scratch_path("results.h5"), scratch_path("victim")), 0);
+    assert_int_equal(symlink("victim", scratch_path("results.h5")), 0);
+    OutDir dir;
+    assert_int_equal(out_enter(&dir, scratch_folder(), NULL), HAWSER_OK);
+    assert_int_equal(file_open_in(dir.at, "results.h5", O_RDWR), -1);
+    assert_int_equal(errno, ELOOP);
+    out_leave(&dir);
     assert_int_equal(unlink(scratch_path("results.h5")), 0);
-    assert_int_equal(disk_recover(AT_FDCWD, scratch_path("results.h5"), &err), HAWSER_ERR_OUTPUT);
-    assert_true(journal_is_there());
 }
 
 static void test_no_memory(void **state)
@@ -116,12 +134,12 @@ static void test_no_memory(void **state)
     if (!lack_works()) skip();
     files_write();
     lack_after(0);
-    const hawser_status status = disk_recover(AT_FDCWD, scratch_path("results.h5"), &err);
+    const hawser_status status = recover(&err);
     assert_true(lack_end());
     assert_int_equal(status, HAWSER_ERR_MEMORY);
     assert_true(journal_is_there());
 }
 
 TEST_FILE_IN(test_journal, scratch_make, scratch_remove, cmocka_unit_test(test_followed),
-             cmocka_unit_test(test_cut_off), cmocka_unit_test(test_unreadable), cmocka_unit_test(test_no_file),
+             cmocka_unit_test(test_cut_off), cmocka_unit_test(test_unreadable), cmocka_unit_test(test_link),
              cmocka_unit_test(test_no_memory))

@@ -1,0 +1,53 @@
+"""Files of results folders are opened, renamed and deleted by core/base/file alone, and objects of HDF5 that are read by
+io/results/results_door.c: whoever made a folder may have put anything into it.
+
+Usage: check_doors.py ROOT
+"""
+import re
+import sys
+
+import tree
+
+OPENS = re.compile(r"\b(fopen|freopen|open|openat|creat|rename|renameat2?|unlink|unlinkat|remove|rmdir|mkdir|mkdirat|mkstemp|mkostemps?"
+                   r"|mkdtemp|opendir|scandir|truncate|link|symlink|json_load_file|json_dump_file)\s*\(")
+CONTAINERS = re.compile(r"\b(H5Fopen|H5Fcreate|H5Dopen2?|H5Gopen2?|H5Oopen\w*|H5Aopen\w*|H5Lexists|H5Lget_info\w*|H5Pset_elink\w*)\s*\(")
+
+# What opens files, and why that is not within a results folder that somebody else may have made.
+FILES = {
+    "core/base/file.c": "the door itself",
+    "cli/inspect.c": "theory --crew FILE: named by the user",
+    "cli/main.c": "/dev/null",
+    "cli/pdf.c": "/dev/null; the PDF beside its name, new and under a random one",
+    "fmi/archive/archive.c": "an archive, which the user names; its own temporary folder",
+    "io/library/library_place.c": "the catalogue",
+    "io/results/results_file.c": "the folder itself, which the user names, and those above it",
+    "io/yaml/yaml_file.c": "a case, which the user names",
+    "study/engine/identity.c": "files of a case",
+    "survey/input.c": "a route's file, which the user names",
+    "survey/write/write.c": "a route's file, which the user names",
+}
+# What opens objects of HDF5: those it has made itself, or resumes after the door has checked them all.
+OBJECTS = {
+    "io/results/results_door.c": "the door itself",
+    "io/results/results_disk.c": "a file by its descriptor",
+    "io/results/results_h5.c": "the file that it writes",
+    "io/results/results_geometry.c": "groups that it has made",
+    "study/results/table.c": "a file by its descriptor",
+}
+
+
+def check(root):
+    complaints = []
+    for path in tree.sources(root, [top for top in tree.BELOW if top != "include"] + ["cli", "mpi"]):
+        if not path.endswith(".c"):
+            continue
+        code = tree.code_only(tree.read(root, path))
+        for calls, allowed, door in ((OPENS, FILES, "core/base/file"), (CONTAINERS, OBJECTS, "io/results/results_door.c")):
+            if path in allowed:
+                continue
+            complaints += [f"{path}: {m.group(1)}() past {door}" for m in calls.finditer(code)]
+    return sorted(set(complaints))
+
+
+if __name__ == "__main__":
+    sys.exit(tree.report("doors", check(sys.argv[1])))
