@@ -35,8 +35,8 @@ static int stack_suffices(void)
     return 0;
 }
 
-/* Programs that are called (a browser, Slurm's) are looked for where the path says, but not in the current folder, whatever
- * that is: elements that are empty or relative are left out. 0: no memory. */
+/* Programs that are called (a browser, Slurm's) are looked for where the path says, but not in the current folder,
+ * whatever that is: elements that are empty or relative are left out. 0: no memory. */
 static int path_settle(void)
 {
     const char *at = getenv("PATH");

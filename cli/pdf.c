@@ -154,10 +154,10 @@ hawser_status pdf_print(const char *page, const char *pdf, hawser_error *err)
     if (child == 0) browser_become(url, printed, profile);
     const int result = child > 0 ? browser_wait(child) : 126;
     const hawser_status status =
-        result == 127 ? fail(err,
-                             "--pdf needs a Chromium on the path (chromium, chromium-browser or google-chrome); on "
-                             "Debian: apt-get install chromium",
-                             "")
+        result == 127  ? fail(err,
+                              "--pdf needs a Chromium on the path (chromium, chromium-browser or google-chrome); on "
+                               "Debian: apt-get install chromium",
+                              "")
         : result == -1 ? fail(err, "the browser has not printed the page in time: ", pdf)
         : result       ? fail(err, "the browser could not print to ", pdf)
                        : printed_name(printed, pdf, err);

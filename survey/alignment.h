@@ -138,7 +138,7 @@ typedef struct PlanCorner {
     double radius; /* m; NAN: none is known */
     long line;     /* of the file; 0: none */
 } PlanCorner;
-/* Makes the elements in plan, and with `heights` a profile of grades from corner to corner (AL9); *wrong: the corner
+/* Makes the elements in plan, and with `heights` a profile of grades from corner to corner (AL13); *wrong: the corner
  * that is at fault, from 0. Errors: INPUT (a corner without a radius or room for it, with what there is room for;
  * points that coincide), MEMORY. */
 hawser_status plan_from_corners(Alignment *a, int n, const PlanCorner *corner, int heights, int *wrong,

@@ -1,4 +1,4 @@
-/* From corners to straights and arcs: (AL9) of docs/model/16-alignments.md. */
+/* From corners to straights and arcs: (AL13) of docs/model/16-alignments.md. */
 #include <math.h>
 #include <stdlib.h>
 

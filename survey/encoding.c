@@ -32,6 +32,6 @@ int encoding_find(void *data, const XML_Char *name, XML_Encoding *info)
     info->convert = NULL;
     info->release = NULL;
     for (int i = 0; i < 128; ++i)
-        if (info->map[i] != i) return XML_STATUS_ERROR; /* not of ASCII's kind */
+        if (info->map[i] != i) return XML_STATUS_ERROR;    /* not of ASCII's kind */
     return known > 192 ? XML_STATUS_OK : XML_STATUS_ERROR; /* of several bytes a character */
 }

@@ -81,10 +81,10 @@ static int regular(int fd, int writes)
     struct stat info;
     if (fd < 0) return -1;
     errno = 0;
-    const int number = fstat(fd, &info)                ? errno
-                       : !S_ISREG(info.st_mode)        ? ENOTBLK
-                       : writes && info.st_nlink > 1   ? EMLINK
-                                                       : 0;
+    const int number = fstat(fd, &info)              ? errno
+                       : !S_ISREG(info.st_mode)      ? ENOTBLK
+                       : writes && info.st_nlink > 1 ? EMLINK
+                                                     : 0;
     if (!number) return fd;
     close(fd);
     errno = number;

@@ -250,10 +250,11 @@ hawser_status line_unit_check(const Survey *s, const Alignment *a, hawser_error 
     const double far = fmax(fabs(m.start.x), fabs(m.start.y)) / unit, figures = m.length / unit;
     const int grid = unit <= small && far >= grid_from && far <= grid_to && figures < grid_length;
     if (m.length >= least && m.length <= most && !grid) return HAWSER_OK;
-    return error_set(err, HAWSER_ERR_INPUT,
-                     "'%.60s' is %.6g m long in the drawing's unit (%.60s), %.6g in its own figures%s: is that the unit? "
-                     "Give 'units' (--units), mm, m, ft or what it is",
-                     a->name, m.length, s->unit, figures, grid ? ", which are like those of a grid of metres" : "");
+    return error_set(
+        err, HAWSER_ERR_INPUT,
+        "'%.60s' is %.6g m long in the drawing's unit (%.60s), %.6g in its own figures%s: is that the unit? "
+        "Give 'units' (--units), mm, m, ft or what it is",
+        a->name, m.length, s->unit, figures, grid ? ", which are like those of a grid of metres" : "");
 }
 
 /* Without the sign of what rounds to 0. */
@@ -265,7 +266,7 @@ LineWay line_way(const Alignment *a, int reversed)
     const Vec3 from = reversed ? m.end : m.start, to = reversed ? m.start : m.end;
     const double dx = to.x - from.x, dy = to.y - from.y, against = a->against / fmax(m.plan_length, 1e-300);
     const int ring = hypot(dx, dy) < 1e-3 * m.plan_length, across = fabs(dx) >= fabs(dy);
-    LineWay way = {.side = ring            ? "back to its start"
+    LineWay way = {.side = ring               ? "back to its start"
                            : across && dx > 0 ? "left to right"
                            : across           ? "right to left"
                            : dy > 0           ? "bottom to top"
@@ -276,8 +277,8 @@ LineWay line_way(const Alignment *a, int reversed)
                  against > 0.5 - 1e-9 ? "and its first piece are" : "is");
     else
         snprintf(drawn, sizeof drawn, "as it is drawn");
-    snprintf(way.text, sizeof way.text, "from (%.3f, %.3f) to (%.3f, %.3f), %s, %s%s", shown(from.x),
-             shown(from.y), shown(to.x), shown(to.y), way.side, reversed ? "against the way " : "", reversed ? drawn + 3 : drawn);
+    snprintf(way.text, sizeof way.text, "from (%.3f, %.3f) to (%.3f, %.3f), %s, %s%s", shown(from.x), shown(from.y),
+             shown(to.x), shown(to.y), way.side, reversed ? "against the way " : "", reversed ? drawn + 3 : drawn);
     return way;
 }
 

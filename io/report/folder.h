@@ -16,8 +16,8 @@ enum { FOLDER_NOTES_MAX = 8, FOLDER_NOTE_MAX = 400 };
     "what it had written by then."
 
 typedef struct Folder {
-    const char *dir;                                /* as it was named; borrowed */
-    OutDir home;                                    /* the same, open while `opened` */
+    const char *dir; /* as it was named; borrowed */
+    OutDir home;     /* the same, open while `opened` */
     int opened;
     struct json_t *summary;                         /* an object */
     char *summary_text;                             /* summary.json as it stands there */

@@ -130,7 +130,8 @@ static int journal_is_whole(const char *all, size_t size, int fd, JournalHead *h
     return 1;
 }
 
-/* The file's journal, if it is there and whole: *all, malloc'ed, or NULL. Errors: OUTPUT (it cannot be read), MEMORY. */
+/* The file's journal, if it is there and whole: *all, malloc'ed, or NULL. Errors: OUTPUT (it cannot be read), MEMORY.
+ */
 static hawser_status journal_read(const DiskPlace *place, char **all, JournalHead *head, hawser_error *err)
 {
     size_t size;

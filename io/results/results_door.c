@@ -94,9 +94,9 @@ static int type_is_data(hid_t set, int text, size_t *size)
     const hid_t type = H5Dget_type(set);
     const H5T_class_t class = H5Tget_class(type);
     *size = H5Tget_size(type);
-    const int data = H5Tcommitted(type) == 0 && *size > 0 && *size <= (text ? DOOR_TEXT_MAX : 16) &&
-                     (text ? class == H5T_STRING && H5Tis_variable_str(type) == 0
-                           : class == H5T_FLOAT || class == H5T_INTEGER);
+    const int data =
+        H5Tcommitted(type) == 0 && *size > 0 && *size <= (text ? DOOR_TEXT_MAX : 16) &&
+        (text ? class == H5T_STRING && H5Tis_variable_str(type) == 0 : class == H5T_FLOAT || class == H5T_INTEGER);
     H5Tclose(type);
     return data;
 }
@@ -136,8 +136,7 @@ hid_t door_set(hid_t parent, const char *path, int text, int rank, hsize_t *dims
         double items = 1;
         for (int k = 0; data && k < rank; k++) items *= (double)dims[k];
         /* what was never written would be made up, and may be any number of bytes */
-        data = data && items <= most &&
-               items * (double)size <= SPARE + GROWTH * (double)H5Dget_storage_size(set);
+        data = data && items <= most && items * (double)size <= SPARE + GROWTH * (double)H5Dget_storage_size(set);
         if (set >= 0 && !data) {
             H5Dclose(set);
             set = -1;

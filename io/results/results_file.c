@@ -223,9 +223,10 @@ static int descriptor_open(OutFile *out, OpenHow how, long size)
     const OutSpot *const spot = &out->spot;
     const int fd = how == OPEN_THERE ? file_open_in(spot->at, spot_name(spot), O_WRONLY)
                                      : file_new_in(spot->at, spot_name(spot), out->part);
-    const int ok = fd >= 0 && (how == OPEN_LATE || (how == OPEN_THERE
-                                                        ? cut_to(fd, size)
-                                                        : file_name_in(spot->at, out->part, spot->at, spot_name(spot))));
+    const int ok =
+        fd >= 0 &&
+        (how == OPEN_LATE ||
+         (how == OPEN_THERE ? cut_to(fd, size) : file_name_in(spot->at, out->part, spot->at, spot_name(spot))));
     const int number = errno;
     if (ok && how == OPEN_NOW) *out->part = 0;
     if (!ok && fd >= 0) close(fd);

@@ -51,9 +51,9 @@ void states_open_descriptor(StatesFile *s, int fd, int at);
 void states_close(StatesFile *s);
 
 /* ---------------------------------------------------------------------------------------------------- results_door.c
- * What is read of results.h5 is opened here and nowhere else: the file may come from anybody. A path is followed by hard
- * links alone (no external or soft ones, no links of a user's kind), to a group or a set with data in this file (no
- * external storage, no virtual sets), of numbers or texts of one length, without filters other than those by which
+ * What is read of results.h5 is opened here and nowhere else: the file may come from anybody. A path is followed by
+ * hard links alone (no external or soft ones, no links of a user's kind), to a group or a set with data in this file
+ * (no external storage, no virtual sets), of numbers or texts of one length, without filters other than those by which
  * hawser writes. What is refused is < 0, as what is not there. HDF5 stays silent. */
 
 enum { DOOR_TEXT_MAX = 256 };

@@ -258,7 +258,8 @@ static hawser_status owner_read(const char *dir, char **text, hawser_error *err)
     OutSpot spot;
     size_t size;
     *text = NULL;
-    if (workers_enter(&workers, dir, NULL)) return errno == ENOENT ? HAWSER_OK : file_unread(dir, file_reason(errno), err);
+    if (workers_enter(&workers, dir, NULL))
+        return errno == ENOENT ? HAWSER_OK : file_unread(dir, file_reason(errno), err);
     hawser_status status = out_spot(&spot, &workers, "study", err);
     if (!status) status = file_whole_in(workers.at, "study", spot.path, OWNER_MOST, text, &size, err);
     out_leave(&workers);

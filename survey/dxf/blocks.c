@@ -88,10 +88,7 @@ void dxf_blocks_free(struct DxfBlocks *b)
 
 /* --------------------------------------------------------------------------------------------------------- placing */
 
-static Vec3 along(const DxfPlace *p, Vec3 v)
-{
-    return v3_axpy(v3_axpy(v3_scale(v.x, p->x), v.y, p->y), v.z, p->z);
-}
+static Vec3 along(const DxfPlace *p, Vec3 v) { return v3_axpy(v3_axpy(v3_scale(v.x, p->x), v.y, p->y), v.z, p->z); }
 
 static Vec3 placed(const DxfPlace *p, Vec3 v) { return v3_add(p->at, along(p, v)); }
 
@@ -204,9 +201,9 @@ static int is_followed(DxfStream *s, const char *name, DxfBlock *b, int depth)
     char what[SURVEY_NAME_MAX] = "";
     for (size_t i = 0; !b && i < sizeof never / sizeof *never; ++i)
         if (!strncasecmp(name, never[i], 2)) snprintf(what, sizeof what, "INSERT of %s", are[i]);
-    if (!*what && !b && s->blocks) snprintf(what, sizeof what, "INSERT of a block '%.60s' that is not in the drawing", name);
-    if (b && *b->outside)
-        snprintf(what, sizeof what, "external drawing '%.60s': bind it into this one", b->outside);
+    if (!*what && !b && s->blocks)
+        snprintf(what, sizeof what, "INSERT of a block '%.60s' that is not in the drawing", name);
+    if (b && *b->outside) snprintf(what, sizeof what, "external drawing '%.60s': bind it into this one", b->outside);
     if (depth > DEPTH_MOST) snprintf(what, sizeof what, "blocks within each other, more than %d deep", DEPTH_MOST);
     if (*what) survey_ignore(s->in->out, what);
     if (*what || !b) return 0;

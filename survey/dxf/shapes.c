@@ -188,7 +188,8 @@ hawser_status dxf_add_lwpolyline(const SurveyInput *in, const DxfEntity *e)
 hawser_status dxf_add_ellipse(const SurveyInput *in, const DxfEntity *e)
 {
     enum { CHORDS_MOST = 10000 };
-    const double off = 2e-4, ratio = dxf_number(e, 40, NAN), from = dxf_number(e, 41, 0), to = dxf_number(e, 42, 2 * PI);
+    const double off = 2e-4, ratio = dxf_number(e, 40, NAN), from = dxf_number(e, 41, 0),
+                 to = dxf_number(e, 42, 2 * PI);
     const Vec3 centre = v3(dxf_number(e, 10, NAN), dxf_number(e, 20, NAN), dxf_number(e, 30, 0));
     const Vec3 major = v3(dxf_number(e, 11, NAN), dxf_number(e, 21, NAN), dxf_number(e, 31, 0));
     const Vec3 minor = v3_scale(ratio, v3_cross(dxf_system(in, e).axis, major));

@@ -213,7 +213,8 @@ static int corners_fill(const Line *l, double scatter, double deviation, double 
         for (int k = 1; k < CORNER_PARTS; ++k) {
             const double part = (double)k / CORNER_PARTS;
             const Node *const a = &l->node[i], *const b = a + 1;
-            out->node[out->n++] = (Node){.x = a->x + part * (b->x - a->x), .y = a->y + part * (b->y - a->y), .weight = 1, .drawn = 1};
+            out->node[out->n++] =
+                (Node){.x = a->x + part * (b->x - a->x), .y = a->y + part * (b->y - a->y), .weight = 1, .drawn = 1};
         }
     }
     return 1;

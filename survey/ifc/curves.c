@@ -161,8 +161,8 @@ static hawser_status plan_add(const IfcFile *file, const Segment *s, Alignment *
                                       .k1 = side * (k + rate * (s->from + s->length)) / unit});
 }
 
-/* The length in plan of `length` along a parabola from grade g on, whose z has the coefficient `square` of x^2: Newton's
- * steps on (AL7). */
+/* The length in plan of `length` along a parabola from grade g on, whose z has the coefficient `square` of x^2:
+ * Newton's steps on (AL7). */
 static double parabola_plan(double length, double g, double square)
 {
     double plan = length / sqrt(1 + g * g);
@@ -186,7 +186,8 @@ static hawser_status profile_add(const IfcFile *file, const Segment *s, double n
                        : s->square != 0                     ? parabola_plan(s->length, grade, s->square)
                                                             : s->length * cos(slope);
     const double length = isnan(next) ? own : next - s->start.x;
-    if (s->spiral != 0 || s->is_law) return input_error(file->step.in, "a vertical segment on a spiral, which is not read");
+    if (s->spiral != 0 || s->is_law)
+        return input_error(file->step.in, "a vertical segment on a spiral, which is not read");
     return ifc_add_profile(file, a,
                            (ProfileElement){.kind = s->radius > 0 ? PROFILE_ARC : PROFILE_PARABOLA,
                                             .station = unit * s->start.x,

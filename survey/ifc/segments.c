@@ -24,8 +24,8 @@ static void transition_note(const IfcFile *file, const StepValue *type, const Pl
     survey_ignore(file->step.in->out, what);
 }
 
-/* Of a Viennese bend that begins `station` m from the start: the height of the centre of gravity (attribute 7) times the
- * change of the cant's angle, IfcAlignmentCantSegment(.., .., StartDistAlong, .., StartCantLeft, EndCantLeft,
+/* Of a Viennese bend that begins `station` m from the start: the height of the centre of gravity (attribute 7) times
+ * the change of the cant's angle, IfcAlignmentCantSegment(.., .., StartDistAlong, .., StartCantLeft, EndCantLeft,
  * StartCantRight, EndCantRight) over IfcAlignmentCant's RailHeadDistance. */
 static hawser_status sway_of(const IfcFile *file, const StepEntity *e, double station, double *sway)
 {

@@ -178,8 +178,8 @@ static void test_readers_wait(void **state)
     results_free(r);
 }
 
-/* A journal of one page, the file's first one or other bytes, as io/results/results_disk.c writes it, or with a sum that
- * is not its own. */
+/* A journal of one page, the file's first one or other bytes, as io/results/results_disk.c writes it, or with a sum
+ * that is not its own. */
 static void journal_write(const Fixture *f, const char *bytes, uint64_t size, int whole)
 {
     struct {

@@ -420,5 +420,5 @@ static void test_locale(void **state)
 TEST_FILE(test_results, CASE(test_text_files), CASE(test_states), CASE(test_compression), CASE(test_attributes),
           CASE(test_long_names), CASE(test_xdmf_is_whole_at_any_time), CASE(test_readable_while_running),
           CASE(test_dropped_run), CASE(test_no_states_wanted), CASE(test_small_scenes), CASE(test_folder_is_made),
-          CASE(test_unusable_folders), CASE(test_links), CASE(test_folder_in_place_of_file),
-          CASE(test_disk_fills_up), CASE(test_locale))
+          CASE(test_unusable_folders), CASE(test_links), CASE(test_folder_in_place_of_file), CASE(test_disk_fills_up),
+          CASE(test_locale))

@@ -247,10 +247,9 @@ static void units_that_are_not_said(void **state)
 static void units_by_size(void **state)
 {
     (void)state;
-    static const char *const doubtful[] = {
-        MM_DRAWING(DXF_LINE(0, 0, 0, 132, 0, 0)),
-        MM_DRAWING(DXF_LINE(453120, 6712310, 0, 455320, 6712310, 0)),
-        DXF(DXF_LINE(0, 0, 0, 132000, 0, 0))};
+    static const char *const doubtful[] = {MM_DRAWING(DXF_LINE(0, 0, 0, 132, 0, 0)),
+                                           MM_DRAWING(DXF_LINE(453120, 6712310, 0, 455320, 6712310, 0)),
+                                           DXF(DXF_LINE(0, 0, 0, 132000, 0, 0))};
     for (int i = 0; i < 3; ++i) {
         check_has(said("plan.dxf", doubtful[i], ""), "is that the unit? Give 'units'");
         check_has(said("plan.dxf", doubtful[i], i == 2 ? ", units: mm" : ", units: m"), "route_length_m");
@@ -266,5 +265,4 @@ static void units_by_size(void **state)
 TEST_FILE(test_route_doubts, cmocka_unit_test(gaps_between_elements), cmocka_unit_test(jumps_of_the_profile),
           cmocka_unit_test(straights_beside_arcs), cmocka_unit_test(radius_beside_curves),
           cmocka_unit_test(lines_beside_the_route), cmocka_unit_test(units_that_are_not_said),
-          cmocka_unit_test(a_shaft_in_a_drawing), cmocka_unit_test(heights_of_a_part),
-          cmocka_unit_test(units_by_size))
+          cmocka_unit_test(a_shaft_in_a_drawing), cmocka_unit_test(heights_of_a_part), cmocka_unit_test(units_by_size))

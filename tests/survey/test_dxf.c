@@ -191,15 +191,15 @@ static void bad_entities(void **state)
     (void)state;
     static const struct {
         const char *text, *note;
-    } cases[] = {
-        {"0\nARC\n8\nC\n10\n0\n20\n0\n40\n0\n50\n0\n51\n90\n", "layer 'C', line 16: an ARC without centre, radius above 0"},
-        {"0\nARC\n8\nD\n10\n0\n20\n0\n40\n-2\n50\n0\n51\n90\n", "layer 'D', line 16: an ARC without"},
-        {"0\nLINE\n8\nD\n10\n0\n20\n0\n11\n12,5\n21\n0\n", "group 11 of a LINE is no number"},
-        {"0\nSPLINE\n8\nD\n71\n3\n10\n0\n20\n0\n", "a SPLINE needs 4 control points"},
-        {"0\nPOLYLINE\n8\nD\n66\n1\n0\nVERTEX\n8\nD\n10\nx\n20\n0\n0\nVERTEX\n8\nD\n10\n1\n20\n0\n0\nSEQEND\n",
-         "group 10 of a POLYLINE is no number"},
-        {"0\nINSERT\n8\nD\n2\nB\n10\n0\n20\n0\n41\n0\n", "an INSERT with a scale of 0"},
-        {"0\nLINE\n8\nD\n10\n20\n0.5\n11\n1\n21\n0\n", "a line of a LINE is no group code"}};
+    } cases[] = {{"0\nARC\n8\nC\n10\n0\n20\n0\n40\n0\n50\n0\n51\n90\n",
+                  "layer 'C', line 16: an ARC without centre, radius above 0"},
+                 {"0\nARC\n8\nD\n10\n0\n20\n0\n40\n-2\n50\n0\n51\n90\n", "layer 'D', line 16: an ARC without"},
+                 {"0\nLINE\n8\nD\n10\n0\n20\n0\n11\n12,5\n21\n0\n", "group 11 of a LINE is no number"},
+                 {"0\nSPLINE\n8\nD\n71\n3\n10\n0\n20\n0\n", "a SPLINE needs 4 control points"},
+                 {"0\nPOLYLINE\n8\nD\n66\n1\n0\nVERTEX\n8\nD\n10\nx\n20\n0\n0\nVERTEX\n8\nD\n10\n1\n20\n0\n0\nSEQEND\n",
+                  "group 10 of a POLYLINE is no number"},
+                 {"0\nINSERT\n8\nD\n2\nB\n10\n0\n20\n0\n41\n0\n", "an INSERT with a scale of 0"},
+                 {"0\nLINE\n8\nD\n10\n20\n0.5\n11\n1\n21\n0\n", "a line of a LINE is no group code"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char text[2000];
         snprintf(text, sizeof text, DXF("6", "%s" LINE_9), cases[i].text);
@@ -217,10 +217,10 @@ static void texts(void **state)
 {
     (void)state;
     static const char embedded[] = "101\nEmbedded Object\n70\n1\n10\n1.0\n20\n0.0\n11\n5.0\n21\n5.0\n46\n0.0\n";
-    static const char *const head[] = {"0\nMTEXT\n8\nT\n10\n5\n20\n5\n1\nJoint bay 3\n",
-                                       "0\nATTDEF\n8\nT\n10\n5\n20\n5\n1\nbay\n2\nID\n",
-                                       "0\nINSERT\n8\nT\n2\nB\n66\n1\n10\n5\n20\n5\n0\nATTRIB\n8\nT\n10\n7\n20\n7\n1\nbay\n2\nID\n"};
-    static const char *const broken[] = {"with\nbreak\n",    "Pit\n3\n",    "a\n\nb\n",        "Pit\n0+050\n12\n",
+    static const char *const head[] = {
+        "0\nMTEXT\n8\nT\n10\n5\n20\n5\n1\nJoint bay 3\n", "0\nATTDEF\n8\nT\n10\n5\n20\n5\n1\nbay\n2\nID\n",
+        "0\nINSERT\n8\nT\n2\nB\n66\n1\n10\n5\n20\n5\n0\nATTRIB\n8\nT\n10\n7\n20\n7\n1\nbay\n2\nID\n"};
+    static const char *const broken[] = {"with\nbreak\n",    "Pit\n3\n",     "a\n\nb\n",         "Pit\n0+050\n12\n",
                                          "1998\n12\n1998\n", "1\n2\n3\n4\n", "LINE\n0\nLINE x\n"};
     char text[2000];
     for (size_t i = 0; i < sizeof head / sizeof *head; ++i) {
@@ -232,7 +232,8 @@ static void texts(void **state)
         survey_clear(&s);
     }
     for (size_t i = 0; i < sizeof broken / sizeof *broken; ++i) {
-        snprintf(text, sizeof text, "\xEF\xBB\xBF" DXF("6", "0\nTEXT\n8\nT\n10\n0\n20\n0\n40\n2\n1\n%s" LINE_9), broken[i]);
+        snprintf(text, sizeof text, "\xEF\xBB\xBF" DXF("6", "0\nTEXT\n8\nT\n10\n0\n20\n0\n40\n2\n1\n%s" LINE_9),
+                 broken[i]);
         Survey s = drawing(text);
         check_close(alignment_measure(named(&s, "C")).length, 9, 1e-12);
         survey_clear(&s);
@@ -244,7 +245,8 @@ static void ellipses_and_pages(void **state)
 {
     (void)state;
     const double pi = acos(-1);
-    Survey s = drawing(DXF("6", "0\nELLIPSE\n8\nE\n10\n0\n20\n0\n30\n0\n11\n3\n21\n0\n31\n0\n40\n1\n41\n0\n42\n3.141592653589793\n"));
+    Survey s = drawing(
+        DXF("6", "0\nELLIPSE\n8\nE\n10\n0\n20\n0\n30\n0\n11\n3\n21\n0\n31\n0\n40\n1\n41\n0\n42\n3.141592653589793\n"));
     check_close(alignment_measure(only(&s)).length, 3 * pi, 1e-3);
     survey_clear(&s);
     s = drawing(DXF("6", "0\nELLIPSE\n8\nE\n10\n0\n20\n0\n11\n0\n21\n3\n40\n0.5\n41\n0\n42\n1.5707963267948966\n"));
@@ -264,8 +266,8 @@ static void layers_and_blocks(void **state)
     Survey s = drawing(DXF("6", "0\nLINE\n8\nTRASSE_\xDC\n10\n0\n20\n0\n11\n9\n21\n0\n"));
     assert_string_equal(only(&s)->layer, "TRASSE_\xC3\x9C");
     survey_clear(&s);
-    s = drawing("0\nSECTION\n2\nBLOCKS\n" BLOCK("*D1", UNIT_LINE) BLOCK("AXIS", UNIT_LINE) "0\nENDSEC\n" DXF(
-        "6", "0\nPOINT\n8\nC\n10\n0\n20\n0\n"));
+    s = drawing("0\nSECTION\n2\nBLOCKS\n" BLOCK("*D1", UNIT_LINE)
+                    BLOCK("AXIS", UNIT_LINE) "0\nENDSEC\n" DXF("6", "0\nPOINT\n8\nC\n10\n0\n20\n0\n"));
     assert_int_equal(s.n_ignored, 1); /* a dimension's block is no line of the drawing */
     assert_string_equal(s.ignored[0].what, "lines inside of blocks that are not inserted");
     assert_int_equal(s.ignored[0].times, 1);
@@ -440,6 +442,5 @@ static void what_is_wrong(void **state)
 TEST_FILE(test_dxf, cmocka_unit_test(lines_and_arcs), cmocka_unit_test(polylines), cmocka_unit_test(splines),
           cmocka_unit_test(paper_space), cmocka_unit_test(layers_and_blocks), cmocka_unit_test(marks),
           cmocka_unit_test(binary), cmocka_unit_test(railway_sheet), cmocka_unit_test(as_programs_write_them),
-          cmocka_unit_test(what_is_wrong),
-          cmocka_unit_test(insertions), cmocka_unit_test(insertions_of_other_kinds), cmocka_unit_test(bad_entities),
-          cmocka_unit_test(texts), cmocka_unit_test(ellipses_and_pages))
+          cmocka_unit_test(what_is_wrong), cmocka_unit_test(insertions), cmocka_unit_test(insertions_of_other_kinds),
+          cmocka_unit_test(bad_entities), cmocka_unit_test(texts), cmocka_unit_test(ellipses_and_pages))

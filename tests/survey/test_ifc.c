@@ -355,19 +355,20 @@ static void curves_by_parameter(void **state)
     (void)state;
     Survey s;
     assert_string_equal(
-        read_text(IFC("IFC4X3",
-                      DRAWN("#4=IFCGRADIENTCURVE((#20),.F.,#5,$);\n#5=IFCCOMPOSITECURVE((#10,#15),.F.);\n"
-                            "#10=IFCCURVESEGMENT(.CONTINUOUS.,#11,IFCPARAMETERVALUE(0.),IFCLENGTHMEASURE(50.),#13);\n"
-                            "#11=IFCAXIS2PLACEMENT2D(#12,$);\n#12=IFCCARTESIANPOINT((0.,0.));\n"
-                            "#13=IFCSECONDORDERPOLYNOMIALSPIRAL($,128.92319893893,$,1000.);\n"
-                            "#15=IFCCURVESEGMENT(.CONTINUOUS.,#16,IFCPARAMETERVALUE(50.),IFCLENGTHMEASURE(50.),#18);\n"
-                            "#16=IFCAXIS2PLACEMENT2D(#17,#19);\n#17=IFCCARTESIANPOINT((49.9681012468824,1.49252747074135));\n"
-                            "#18=IFCSECONDORDERPOLYNOMIALSPIRAL($,-128.92319893893,103.509833901353,-750.);\n"
-                            "#19=IFCDIRECTION((0.9975896963,0.0693886305));\n"
-                            "#20=IFCCURVESEGMENT(.CONTINUOUS.,#21,IFCPARAMETERVALUE(0.),IFCPARAMETERVALUE(100.),#23);\n"
-                            "#21=IFCAXIS2PLACEMENT2D(#22,#24);\n#22=IFCCARTESIANPOINT((0.,10.));\n"
-                            "#23=IFCPOLYNOMIALCURVE($,(0.,1.),(10.,-0.5,0.0025),$);\n#24=IFCDIRECTION((1.,-0.5));\n")),
-                  &s),
+        read_text(
+            IFC("IFC4X3",
+                DRAWN("#4=IFCGRADIENTCURVE((#20),.F.,#5,$);\n#5=IFCCOMPOSITECURVE((#10,#15),.F.);\n"
+                      "#10=IFCCURVESEGMENT(.CONTINUOUS.,#11,IFCPARAMETERVALUE(0.),IFCLENGTHMEASURE(50.),#13);\n"
+                      "#11=IFCAXIS2PLACEMENT2D(#12,$);\n#12=IFCCARTESIANPOINT((0.,0.));\n"
+                      "#13=IFCSECONDORDERPOLYNOMIALSPIRAL($,128.92319893893,$,1000.);\n"
+                      "#15=IFCCURVESEGMENT(.CONTINUOUS.,#16,IFCPARAMETERVALUE(50.),IFCLENGTHMEASURE(50.),#18);\n"
+                      "#16=IFCAXIS2PLACEMENT2D(#17,#19);\n#17=IFCCARTESIANPOINT((49.9681012468824,1.49252747074135));\n"
+                      "#18=IFCSECONDORDERPOLYNOMIALSPIRAL($,-128.92319893893,103.509833901353,-750.);\n"
+                      "#19=IFCDIRECTION((0.9975896963,0.0693886305));\n"
+                      "#20=IFCCURVESEGMENT(.CONTINUOUS.,#21,IFCPARAMETERVALUE(0.),IFCPARAMETERVALUE(100.),#23);\n"
+                      "#21=IFCAXIS2PLACEMENT2D(#22,#24);\n#22=IFCCARTESIANPOINT((0.,10.));\n"
+                      "#23=IFCPOLYNOMIALCURVE($,(0.,1.),(10.,-0.5,0.0025),$);\n#24=IFCDIRECTION((1.,-0.5));\n")),
+            &s),
         "");
     check_vec(alignment_at(&s.alignment[0], 50 - 1e-9).at, v3(49.9681012468824, 1.49252747074135, -8.75), 1e-6);
     check_vec(alignment_measure(&s.alignment[0]).end, v3(99.4454089089293, 8.37378888968841, -15), 2e-5);

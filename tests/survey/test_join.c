@@ -33,8 +33,8 @@ static Survey joined(const Survey *from, const char *layer, Joined *j)
     return to;
 }
 
-/* Pieces run as most of their length is drawn, in whatever order they stand in the file; of two lines, both drawn to the
- * right, the second first, the line ran to the left. Half of the length: as the first piece. */
+/* Pieces run as most of their length is drawn, in whatever order they stand in the file; of two lines, both drawn to
+ * the right, the second first, the line ran to the left. Half of the length: as the first piece. */
 static void as_most_is_drawn(void **state)
 {
     (void)state;
@@ -351,5 +351,4 @@ static void choosing(void **state)
 TEST_FILE(test_join, cmocka_unit_test(order_and_direction), cmocka_unit_test(forks_and_gaps), cmocka_unit_test(heights),
           cmocka_unit_test(arcs_at_a_height), cmocka_unit_test(pieces_without_heights), cmocka_unit_test(shafts),
           cmocka_unit_test(shafts_beside), cmocka_unit_test(own_ends), cmocka_unit_test(many),
-          cmocka_unit_test(choosing),
-          cmocka_unit_test(as_most_is_drawn), cmocka_unit_test(lines_of_blocks))
+          cmocka_unit_test(choosing), cmocka_unit_test(as_most_is_drawn), cmocka_unit_test(lines_of_blocks))

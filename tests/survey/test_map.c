@@ -204,8 +204,9 @@ static void encodings(void **state)
     (void)state;
     static const struct {
         const char *name, *bytes, *utf8;
-    } cases[] = {{"windows-1252", "Stra\xDF"
-                                  "e \x80",
+    } cases[] = {{"windows-1252",
+                  "Stra\xDF"
+                  "e \x80",
                   "Stra\xC3\x9F"
                   "e \xE2\x82\xAC"},
                  {"windows-1251", "\xD2\xF0", "\xD0\xA2\xD1\x80"},
@@ -221,10 +222,11 @@ static void encodings(void **state)
         assert_string_equal(read_text(text, &s), "");
         assert_string_equal(s.alignment[0].name, cases[i].utf8);
         survey_clear(&s);
-        snprintf(text, sizeof text,
-                 "<?xml version=\"1.0\" encoding=\"%s\"?>\n<LandXML><Alignments><Alignment name=\"%s\"><CoordGeom><Line>"
-                 "<Start>0 0</Start><End>0 9</End></Line></CoordGeom></Alignment></Alignments></LandXML>",
-                 cases[i].name, cases[i].bytes);
+        snprintf(
+            text, sizeof text,
+            "<?xml version=\"1.0\" encoding=\"%s\"?>\n<LandXML><Alignments><Alignment name=\"%s\"><CoordGeom><Line>"
+            "<Start>0 0</Start><End>0 9</End></Line></CoordGeom></Alignment></Alignments></LandXML>",
+            cases[i].name, cases[i].bytes);
         assert_string_equal(read_text(text, &s), "");
         assert_string_equal(s.alignment[0].name, cases[i].utf8);
         survey_clear(&s);
@@ -234,4 +236,5 @@ static void encodings(void **state)
 }
 
 TEST_FILE(test_map, cmocka_unit_test(projection), cmocka_unit_test(gpx), cmocka_unit_test(geojson),
-          cmocka_unit_test(crs_of_other_names), cmocka_unit_test(what_stands_before), cmocka_unit_test(what_is_wrong), cmocka_unit_test(encodings))
+          cmocka_unit_test(crs_of_other_names), cmocka_unit_test(what_stands_before), cmocka_unit_test(what_is_wrong),
+          cmocka_unit_test(encodings))

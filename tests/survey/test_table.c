@@ -151,7 +151,8 @@ static void as_spreadsheets_write_them(void **state)
     /* what would have been passed over: a bend without its angle, one whose length is another, columns without use */
     bad("length,radius\n10,\n7.854,5\n", "3: a piece with a radius is a bend");
     /* the length was left out, with a note: 300 m of a straight before the bend */
-    bad("length,angle,radius,turn\n10,,,\n5,30,5,left\n", "3: a bend of 2.618 m by its radius and angle, and its length");
+    bad("length,angle,radius,turn\n10,,,\n5,30,5,left\n",
+        "3: a bend of 2.618 m by its radius and angle, and its length");
     /* radii of corners were left out, with a note */
     assert_string_equal(read_text("x,y,radius\n0,0,\n10,0,5\n10,10,\n", &s), "");
     check_close(s.alignment[0].plan[1].k0, 1 / 5.0, 1e-12);
