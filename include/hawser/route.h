@@ -21,8 +21,6 @@ typedef struct hawser_route_options {
                                * of points, are fitted within it */
     double radius_m;          /* of the corners of lines of points; NAN: they are fitted instead */
     double join_m;            /* within which ends of a drawing's pieces meet; at most 10 m */
-    const char *sheet;        /* of a spreadsheet, by its name or its number from 1; NULL: the first */
-    const char *ignore;       /* names of a table's columns that are not used, with commas between; NULL: none */
 } hawser_route_options;
 
 /* Nothing chosen, 50 mm, joined within 10 mm. */

@@ -24,31 +24,11 @@ static hawser_status path_find(const CaseReader *r, const CaseNode *section, con
     return HAWSER_OK;
 }
 
-enum { IGNORE_MOST = 2000 };
-
-/* Names of columns, each on a line of its own. */
-static hawser_status ignore_read(const CaseReader *r, const CaseNode *section, char names[IGNORE_MOST])
-{
-    const CaseNode *const given = case_node_key(section, "ignore");
-    const CaseNode *item = given && given->kind == NODE_LIST ? given->first : given;
-    *names = 0;
-    for (size_t n = 0; item; item = item == given ? NULL : item->next) {
-        if (item->kind != NODE_TEXT || n + strlen(item->text) + 2 > IGNORE_MOST)
-            return case_value_error(r->err, item, ": expected names of columns, at most %d characters", IGNORE_MOST);
-        n += (size_t)sprintf(names + n, "%s\n", item->text);
-    }
-    return HAWSER_OK;
-}
-
 /* Which line of which file; the texts stay the record's. */
-static hawser_status pick_read(const CaseReader *r, const CaseNode *section, const LineRecord *in,
-                               char ignore[IGNORE_MOST], LinePick *out, char **path)
+static hawser_status pick_read(const CaseReader *r, const CaseNode *section, const LineRecord *in, LinePick *out,
+                               char **path)
 {
     hawser_error why = {.message = ""};
-    const hawser_status names = ignore_read(r, section, ignore);
-    if (names) return names;
-    out->sheet = *in->sheet ? in->sheet : NULL;
-    out->ignore = *ignore ? ignore : NULL;
     out->name = *in->name ? in->name : NULL;
     out->layer = *in->layer ? in->layer : NULL;
     hawser_status status = path_find(r, section, in->file, path);
@@ -78,8 +58,6 @@ static hawser_status found_say(const CaseReader *r, const CaseNode *section, con
     if (!status && *used->bends) status = case_found_add(r, section, "bends", 1, used->bends);
     return status;
 }
-/* m: no cable goes around a corner that is sharper. */
-static const double LEAST_BEND = 0.3;
 
 /* Reads, chooses and uses the line of `node`'s file. */
 static hawser_status line_find(const CaseReader *r, const CaseNode *node, const LineOptions *options, UsedLine *used,
@@ -94,11 +72,6 @@ static hawser_status line_find(const CaseReader *r, const CaseNode *node, const 
     if (!status) status = line_unit_check(&s, line, err);
     if (!status) status = line_use(line, options, used, err);
     if (!status) status = found_say(r, node, line, options, used);
-    if (!status && *used->sharp && used->sharpest < LEAST_BEND) {
-        status = error_set(err, HAWSER_ERR_INPUT, "%s", used->sharp);
-        line_clear(used);
-    }
-    if (!status && *used->sharp) status = case_unread_add(r, node, used->sharp, 1);
     if (!status) status = unread_say(r, node, s.n_ignored, s.ignored);
     survey_clear(&s);
     const int pieces = used->line.n_plan + used->line.n_points;
@@ -116,10 +89,10 @@ hawser_status case_line_use(const CaseReader *r, const CaseNode *node, const Lin
                             const LineRecord *profile, LineOptions *options, UsedLine *used)
 {
     hawser_error why = {.message = ""};
-    char *path = NULL, *profile_path = NULL, ignore[IGNORE_MOST], profile_ignore[IGNORE_MOST];
+    char *path = NULL, *profile_path = NULL;
     *used = (UsedLine){.fitted = 0};
-    hawser_status status = pick_read(r, node, line, ignore, &options->line, &path);
-    if (!status && heights) status = pick_read(r, heights, profile, profile_ignore, &options->profile, &profile_path);
+    hawser_status status = pick_read(r, node, line, &options->line, &path);
+    if (!status && heights) status = pick_read(r, heights, profile, &options->profile, &profile_path);
     if (!status) {
         assert(path);
         status = line_find(r, node, options, used, &why);
