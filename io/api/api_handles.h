@@ -89,7 +89,7 @@ typedef struct TheoryWish {
  * hawser_case_theory. */
 hawser_status case_theory_values(hawser_case *c, const TheoryWish *wish, struct json_t **out, hawser_error *err);
 
-enum { THEORY_TABLES_MAX = 14, THEORY_PIECES = 0 };
+enum { THEORY_TABLES_MAX = 15, THEORY_PIECES = 0 };
 
 /* The calculator's results, for `hawser theory`. */
 typedef struct TheoryTables {
@@ -126,9 +126,13 @@ typedef struct Answer {
     char *text; /* whole lines, cut where there is no more room */
     size_t size, used;
     hawser_units units; /* of what is said; what is still in SI is turned into them */
+    int width;          /* of a line, at most; 0: ANSWER_WIDTH */
 } Answer;
+enum { ANSWER_WIDTH = 118, TERMINAL_WIDTH = 80 };
 
-/* The first line. */
+/* What of the case is hardly ever so; what it does not give and its limits depend on, above the verdict. */
+void answer_unusual(Answer *a, const SceneDef *def, const Route *route);
+void answer_assumed(Answer *a, const SceneDef *def, int n, const hawser_limit *limit);
 void answer_verdict(Answer *a, const char *verdict);
 /* "  word   sentence", in as many lines as that takes. */
 void answer_line(Answer *a, const char *word, const char *format, ...) __attribute__((format(printf, 3, 4)));
