@@ -43,6 +43,9 @@ run_hawser 0 theory pull.yaml --set limits.pull=100N --format csv
 says out "forward_margin_pct" "row,0,20,,resultant,"
 run_hawser 0 theory pull.yaml --strict
 run_hawser 1 theory pull.yaml --strict --set limits.pull=100N
+# the paper's own pull with the paper's limits (was: NOT JUDGED, the case has no section 'limits')
+run_hawser 0 run --strict -o paper "$source/cases/huangjiahu.yaml" --set output.states=0
+says out "SAFE: all 8 limits hold" "allowed 56 kN" "rated 160 kN, 1.6 times the steady load"
 # the example: its pull is safe but for the bend's radius
 run_hawser 1 run --strict -o example "$source/cases/limits.yaml"
 says out "NOT SAFE: 1 of 12 limits broken: sidewall" "from 4.606 kN, needed, to 18.9 kN, allowed; advised 6.908"
