@@ -116,7 +116,7 @@ static void limits_that_are_not_judged(void **state)
 {
     (void)state;
     static const char text[] = "case: " HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml\n"
-                               "set: {limits.winch_capacity: 15 kN}\n"
+                               "set: {limits: \"{winch_capacity: 15 kN}\"}\n"
                                "parameters: {friction.mu: {uniform: {from: 0.1, to: 0.3}}}\n"
                                "monte-carlo: {samples: 64}\n";
     hawser_study *const s = study_open(scratch_write("study.yaml", text));
