@@ -7,6 +7,8 @@
 /* Friction at rest over that in motion, at most, and the drag of a reel whose brake is let go, N: usual on sites, no
  * standard says. */
 static const double REST_MOST = 1.5, BACK_MOST = 1000;
+/* m of cable whose weight a reel holds back, by eq. 3 (T24). */
+static const double REEL_LENGTH = 15;
 /* How far an unknown friction is followed, as factors. */
 static const double UNKNOWN_LEAST = 1.0 / 16, UNKNOWN_MOST = 16;
 /* Halvings between an end that holds and one that does not: to a four thousandth of what is between them. */
@@ -57,6 +59,14 @@ static int back_is_open(const SceneDef *def)
            def->strand.rope == 0;
 }
 
+/* N: a reel that is braked by hand, or the paper's, whichever is more. */
+static double back_most(const SceneDef *def)
+{
+    double mass = 0;
+    for (int k = 0; k < scene_def_eye(def); ++k) mass = fmax(mass, def->cables[def->pieces[k].cable].mass);
+    return fmax(BACK_MOST, REEL_LENGTH * mass * v3_norm(def->gravity));
+}
+
 int assumed_list(const SceneDef *def, Assumed out[ASSUMED_KINDS])
 {
     SceneDef *const own = (SceneDef *)(size_t)def; /* read alone */
@@ -85,8 +95,8 @@ int assumed_list(const SceneDef *def, Assumed out[ASSUMED_KINDS])
                              "drive.tail.tension",
                              0,
                              0,
-                             BACK_MOST,
-                             "a reel that turns freely to one that is braked by hand"};
+                             back_most(def),
+                             "a reel that turns freely to one that holds back 15 m of cable"};
     return n;
 }
 

@@ -77,7 +77,7 @@ static void back_tension(void **state)
     assert_string_equal(code_of(o), "safe_if");
     verdict_has(o, "SAFE ONLY IF back tension <= 151 N (");
     check_close(number_of(limit_in(o, "pull"), "holds_to"), left, 0.5);
-    check_share(number_of(limit_in(o, "pull"), "worst"), 1000 + 0.2 * W * LENGTH, 1e-9);
+    check_share(number_of(limit_in(o, "pull"), "worst"), 15 * W + 0.2 * W * LENGTH, 1e-9);
     json_decref(o);
     o = with("friction: {mu: 0.2, mu_s: 0.2}\ndrive: {tail: {tension: 0 N}}\n");
     assert_string_equal(code_of(o), "safe");
