@@ -199,6 +199,7 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     const PlanWay *there = &c->plan.way[PLAN_FORWARD], *back = &c->plan.way[PLAN_BACKWARD];
     const char *const best = theory_ways[c->best];
     int n = 0;
+    fact[n++] = (Fact){"format", NULL, "", cell_number(RESULTS_FORMAT)};
     fact[n++] = (Fact){"weight_N_per_m", "weight of the cable", "N/m", cell_number(t->setup.cable_weight)};
     fact[n++] = (Fact){"friction", "friction coefficient", "", cell_number(c->mu_largest)};
     if (c->mu_largest > c->mu_least) {

@@ -17,6 +17,7 @@ typedef struct Summary {
     const char *version;
     char verdict[HAWSER_VERDICT_MAX];
     const char *code;
+    int format;
 } Summary;
 
 /* One object a duct, tray, floor or wall. */
@@ -296,6 +297,7 @@ static const Columns file_columns = COLUMNS(FileSum, file_column);
 
 static const Column summary_column[] = {
     /* what was run, by what, and how it ended */
+    {COLUMN("format", COUNT, Summary, format)},
     {COLUMN("title", TEXT, Summary, l.title)},
     {COLUMN("case", TEXT, Summary, l.case_name)},
     {COLUMN("version", TEXT, Summary, version)},
@@ -530,7 +532,7 @@ static int remedies_put(json_t *o, const SummaryLabels *l)
 /* Ten digits: enough to compare runs, short enough to read. */
 hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels, char **text, hawser_error *err)
 {
-    Summary all = {.s = *s, .l = *labels, .version = hawser_version()};
+    Summary all = {.s = *s, .l = *labels, .version = hawser_version(), .format = RESULTS_FORMAT};
     all.code = hawser_word_code(hawser_verdict_word(hawser_verdict(s->n_conditions, s->conditions, labels->n_limits,
                                                                    labels->limit, all.verdict, sizeof all.verdict)));
     json_t *o = json_row(&summary_columns, &all);
