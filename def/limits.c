@@ -106,6 +106,12 @@ void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctL
     if (cables > 1) duct_worse(load->weight_factor > weight->value, load->weight_factor, cables, name, weight);
 }
 
+double limits_reach(const hawser_limit *l)
+{
+    if (!(l->limit > 0)) return 0;
+    return l->ok && l->value > l->limit ? l->limit / (l->value - l->error) : (l->value + l->error) / l->limit;
+}
+
 const hawser_limit *limits_undecided(int n, const hawser_limit *limit)
 {
     const hawser_limit *worst = NULL;
@@ -113,7 +119,7 @@ const hawser_limit *limits_undecided(int n, const hawser_limit *limit)
     for (int i = 0; i < n; i++) {
         const hawser_limit *const l = &limit[i];
         if (l->judged && !l->ok) return NULL;
-        const double reach = l->judged && l->limit > 0 ? (l->value + l->error) / l->limit : 0;
+        const double reach = l->judged ? limits_reach(l) : 0;
         if (!(l->error > 0 && reach > most)) continue;
         worst = l;
         most = reach;

@@ -165,6 +165,8 @@ int verdict_say(int n_conditions, const hawser_condition *condition, int n, cons
 /* Sets the findings against the limits, (LI4): out[HAWSER_LIMITS_MAX]. Returns how many; 0 if def is not present. */
 int limits_judge(const LimitsDef *def, double diameter, int cables, const Finding finding[LIMIT_KINDS],
                  hawser_limit *out);
+/* How much of what is allowed a figure uses with its error bar, 1. */
+double limits_reach(const hawser_limit *l);
 /* Where all limits hold, the one that the error bar of its figure reaches farthest beyond; NULL: there is none, or a
  * limit is broken anyway. */
 const hawser_limit *limits_undecided(int n, const hawser_limit *limit);

@@ -95,10 +95,17 @@ static void curvature_record(Peaks *peaks, const Scene *scene, const Kinematics 
                              int eye)
 {
     Vec3 before = axis_of(kin, 0);
-    for (int i = 1; i < eye; ++i) {
-        const Vec3 axis = axis_of(kin, i);
-        take(&peaks->curvature, curvature_between(before, axis, scene->chain.half[i - 1] + scene->chain.half[i]),
-             sample_joint_place(scene, sample, i));
+    double last[2] = {0, 0}; /* of the two joints before */
+    for (int i = 1; i <= eye; ++i) {
+        const Vec3 axis = i < eye ? axis_of(kin, i) : before;
+        const double next =
+            i < eye ? curvature_between(before, axis, scene->chain.half[i - 1] + scene->chain.half[i]) : 0;
+        if (i > 1 && last[1] > peaks->curvature.value) {
+            take(&peaks->curvature, last[1], sample_joint_place(scene, sample, i - 1));
+            peaks->stands_out = fmax(0, last[1] - (last[0] + next) / 2);
+        }
+        last[0] = last[1];
+        last[1] = next;
         before = axis;
     }
 }

@@ -15,15 +15,16 @@ typedef struct PeakMoment {
 
 typedef struct Peaks {
     int present;
-    int recorded;   /* a sample, or more */
-    Peak tension;   /* N, of the cable, eye included */
-    Peak sidewall;  /* N/m, T/R of the route's bends, on the worst cable */
-    Peak curvature; /* 1/m, of the cable between neighbouring segments */
-    Peak rope;      /* N, of the rope, or on its end */
-    Peak front;     /* N, at the cable's eye or net */
-    double reached; /* m along the route: how far that has come */
-    double speed;   /* m/s, of the winch */
-    double push;    /* N, of a machine on the cable, and which: its name is the simulation's */
+    int recorded;      /* a sample, or more */
+    Peak tension;      /* N, of the cable, eye included */
+    Peak sidewall;     /* N/m, T/R of the route's bends, on the worst cable */
+    Peak curvature;    /* 1/m, of the cable between neighbouring segments */
+    double stands_out; /* 1/m, by which that is more than beside it: what shorter segments may find more of (LI14) */
+    Peak rope;         /* N, of the rope, or on its end */
+    Peak front;        /* N, at the cable's eye or net */
+    double reached;    /* m along the route: how far that has come */
+    double speed;      /* m/s, of the winch */
+    double push;       /* N, of a machine on the cable, and which: its name is the simulation's */
     const char *pusher;
     Compression pushed; /* where nothing pulls any more */
     int n_rollers;

@@ -28,6 +28,8 @@ static Finding sidewall_finding(const Peaks *peaks, const Stats *stats, const Sc
 static Finding bend_finding(const Peaks *peaks, const Scene *scene)
 {
     Finding f = finding_at(&scene->route, peaks->curvature.value, peaks->curvature.at);
+    f.error = 1 / peaks->curvature.value - 1 / (peaks->curvature.value + peaks->stands_out);
+    if (!isfinite(f.error)) f.error = 0;
     f.value = 1 / peaks->curvature.value; /* a cable that is straight has no radius that could be too small */
     if (!isfinite(f.value)) *f.where = 0;
     return f;

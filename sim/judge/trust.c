@@ -340,7 +340,7 @@ static void add_decided(List *list, const TrustFacts *f)
         add(list, "decided", "1", 0, 1, "%s", "all limits hold, whatever the figures may be off by");
         return;
     }
-    add(list, "decided", "1", (l->value + l->error) / l->limit, 1,
+    add(list, "decided", "1", limits_reach(l), 1,
         "limit '%s' holds by less than its figure may be off: %.6g +- %.3g %s of %.6g %s: use finer settings, or leave "
         "it more room",
         l->name, l->value, l->error, l->unit, l->limit, l->unit);

@@ -68,5 +68,33 @@ static void it_crawls(void **state)
     expect_trap(&(Trap){"trap-crawls", "equilibrium, start_jolt", 704.2, 10000});
 }
 
-TEST_FILE(test_traps, cmocka_unit_test(it_jolts), cmocka_unit_test(it_snaps_taut),
-          cmocka_unit_test(it_leaves_its_rollers), cmocka_unit_test(it_snaps_back), cmocka_unit_test(it_crawls))
+/* The bend radius had a margin of 32 % with segments of 62.5 mm and of 2 % with half of it, and a bar of 0 in both. */
+static void it_bends_over_rollers(void **state)
+{
+    (void)state;
+    const char *const segment[] = {"62.5 mm", "31.25 mm"};
+    double value[2] = {0}, error[2] = {0};
+    for (int k = 0; k < 2; k++) {
+        hawser_limit limit[HAWSER_LIMITS_MAX];
+        hawser_sim *const sim =
+            run_of(data_text("trap-bends"), (const char *const[]){"chain.0.segment", segment[k], NULL});
+        hawser_summary sum;
+        hawser_sim_summary(sim, &sum);
+        const int n = hawser_sim_limits(sim, limit);
+        for (int i = 0; i < n; i++) {
+            if (strcmp(limit[i].name, "bend_radius") != 0) continue;
+            value[k] = limit[i].value;
+            error[k] = limit[i].error;
+        }
+        assert_false(condition_of(&sum, "decided")->holds);
+        hawser_sim_free(sim);
+    }
+    check_share(value[0], 0.592, 0.02);
+    check_share(value[1], 0.409, 0.02);
+    assert_true(value[0] - error[0] < value[1]);
+    check_between(error[0], 0.2, 0.3);
+}
+
+TEST_FILE(test_traps, cmocka_unit_test(it_bends_over_rollers), cmocka_unit_test(it_jolts),
+          cmocka_unit_test(it_snaps_taut), cmocka_unit_test(it_leaves_its_rollers), cmocka_unit_test(it_snaps_back),
+          cmocka_unit_test(it_crawls))
