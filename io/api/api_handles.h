@@ -89,7 +89,7 @@ typedef struct TheoryWish {
  * hawser_case_theory. */
 hawser_status case_theory_values(hawser_case *c, const TheoryWish *wish, struct json_t **out, hawser_error *err);
 
-enum { THEORY_TABLES_MAX = 14, THEORY_PIECES = 0 };
+enum { THEORY_TABLES_MAX = 15, THEORY_PIECES = 0 };
 
 /* The calculator's results, for `hawser theory`. */
 typedef struct TheoryTables {
