@@ -43,6 +43,7 @@ enum {
     OPTION_RAW = 'w',
     OPTION_PAGE = 'g',
     OPTION_FMI = 'M',
+    OPTION_TABLES = 'Q',
     KNOWN_MAX = 20
 };
 
@@ -90,6 +91,7 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"raw", no_argument, NULL, OPTION_RAW},
                                             {"page", required_argument, NULL, OPTION_PAGE},
                                             {"fmi", required_argument, NULL, OPTION_FMI},
+                                            {"tables", required_argument, NULL, OPTION_TABLES},
                                             {"help", no_argument, NULL, 'h'},
                                             {"version", no_argument, NULL, 'V'},
                                             {NULL, 0, NULL, 0}};
@@ -396,6 +398,9 @@ static int take_option(const Command *command, int letter, Arguments *args)
         return ARGUMENTS_GO_ON;
     case OPTION_SENSITIVE:
         args->sensitive = optarg;
+        return ARGUMENTS_GO_ON;
+    case OPTION_TABLES:
+        args->tables = optarg;
         return ARGUMENTS_GO_ON;
     case OPTION_CREW:
         args->crew = optarg;

@@ -70,4 +70,10 @@ hawser_status pdf_print(const char *page, const char *pdf, hawser_error *err);
 int certify_run(const Arguments *args, hawser_case *c, hawser_sim *sim, const char *dir, int (*stopped)(void),
                 hawser_error *err, hawser_status *status);
 
+/* Columns of the terminal that standard output is, at most 120; 80 where it is none. */
+int terminal_width(void);
+/* An answer on standard output, the words of verdicts in colour where that is a terminal and NO_COLOR does not forbid
+ * it. */
+void print_answer(const char *text);
+
 #endif

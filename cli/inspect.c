@@ -24,17 +24,17 @@ static const char check_help[] =
 static const char theory_help[] =
     "Usage: hawser theory CASE [options]\n"
     "\n"
-    "Prints the pulling calculation, without a simulation: whether the pull is safe, the "
-    "force at the winch pulled either\n"
-    "way, the worst place and what would do about it; then the tension along the route "
-    "by the paper's formulas and by the\n"
-    "reference theory, the route piece by piece, ducts, and every limit.\n"
+    "Prints the pulling calculation, without a simulation: what is assumed, whether the pull is safe, the largest\n"
+    "force that a winch needs pulled either way, the worst place and what would mend it.\n"
     "\n"
+    "      --tables NAMES      prints tables too, by name with commas between: facts, pieces, directions, ducts,\n"
+    "                          heads, sections, answers, limits, stations, assumed ...; or all\n"
+    "      --strict            the exit status says whether the pull is safe\n"
     "      --sensitivities     prints instead what forces and tensions change by with friction, weight, the tension\n"
     "                          at the start and pushes\n"
     "      --crew FILE         also writes what stands along the route, with loads, to FILE "
     "(CSV)\n" SETTING FORMAT "\n"
-    "Exit status: 0 done; 2 the case is wrong.\n";
+    "Exit status: 0 done; 2 the case is wrong; with --strict 1 the pull is not SAFE, 6 it is NOT TRUSTED.\n";
 
 static const char validate_help[] =
     "Usage: hawser validate [options]\n"
@@ -98,10 +98,30 @@ static int write_crew(const Arguments *args)
 
 /* The two commands differ in what they ask the library for. */
 static int check(const Arguments *args) { return print_case(args, hawser_case_describe); }
+
+static int print_theory(const Arguments *args)
+{
+    const hawser_theory_options options = {args->tables, terminal_width()};
+    hawser_error err = {HAWSER_OK, ""};
+    hawser_word word = HAWSER_SAFE;
+    hawser_case *c = NULL;
+    char *text = NULL;
+    hawser_status status = load_case(args, &c, &err);
+    if (!status) status = hawser_case_theory_shown(c, args->format, &options, &text, &word, &err);
+    if (!status) print_answer(text);
+    hawser_text_free(text);
+    hawser_case_free(c);
+    const int held = !args->strict || word == HAWSER_SAFE ? 0
+                     : word == HAWSER_NOT_TRUSTED         ? EXIT_NOT_TRUSTED
+                                                          : EXIT_NOT_HELD;
+    return finish_stdout(status ? exit_status(status, &err) : held);
+}
+
 static int theory(const Arguments *args)
 {
     const int status = args->crew ? write_crew(args) : 0;
-    return status ? status : print_case(args, args->sensitivities ? hawser_case_sensitivities : hawser_case_theory);
+    if (status) return status;
+    return args->sensitivities ? print_case(args, hawser_case_sensitivities) : print_theory(args);
 }
 
 static int validate(const Arguments *args)
@@ -134,6 +154,6 @@ const Command command_library = {"library", "lists cables, ropes, rollers, ducts
                                  library_help, library};
 const Command command_check = {"check", "checks a case and prints what would be built", "sfu", check_help, check};
 const Command command_theory = {"theory", "the pulling calculation alone: verdict, forces, limits; in milliseconds",
-                                "sfuWi", theory_help, theory};
+                                "sfuWiQS", theory_help, theory};
 const Command command_validate = {"validate", "runs scenes of which the result is known", "fuFx-", validate_help,
                                   validate};

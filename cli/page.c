@@ -17,19 +17,26 @@ static const char help[] =
     "and no other file; any browser of today opens it.\n"
     "\n"
     "  -o, --output FILE       where the page goes (default: RESULTS/report.html; of several ./report.html)\n"
-    "      --pdf               prints the page to FILE with .pdf in place of .html, by an installed Chromium\n"
+    "      --pdf               also prints the page to FILE with .pdf in place of .html, by an installed Chromium;\n"
+    "                          implied where FILE ends in .pdf, the page is then FILE with .html\n"
     "  -q, --quiet             prints nothing but errors\n"
     "  -h, --help              this text\n"
     "  -V, --version           the version\n"
     "\n"
     "Exit status: 0 written; 2 a folder holds no results; 4 the page could not be written or printed; 5 no memory.\n";
 
-/* "DIR/report.pdf" of "DIR/report.html"; malloc'ed. */
-static char *pdf_path(const char *page)
+static int ends_in(const char *name, const char *ending)
 {
-    const size_t n = strlen(page), end = n > 5 && strcmp(page + n - 5, ".html") == 0 ? n - 5 : n;
-    char *const path = malloc(end + sizeof ".pdf");
-    if (path) sprintf(path, "%.*s.pdf", (int)end, page);
+    const size_t n = strlen(name), e = strlen(ending);
+    return n > e && strcmp(name + n - e, ending) == 0;
+}
+
+/* "DIR/report" and `ending` of "DIR/report.html", "DIR/report.pdf" or "DIR/report"; malloc'ed. */
+static char *name_ending(const char *name, const char *ending)
+{
+    const size_t end = strlen(name) - (ends_in(name, ".html") ? 5 : ends_in(name, ".pdf") ? 4 : 0);
+    char *const path = malloc(end + strlen(ending) + 1);
+    if (path) sprintf(path, "%.*s%s", (int)end, name, ending);
     return path;
 }
 
@@ -40,23 +47,28 @@ static int study_is_in(const char *folder)
     return access(path, F_OK) == 0;
 }
 
-hawser_status page_make(const char *const *folders, size_t n, const char *path, int pdf, int quiet, hawser_error *err)
+static hawser_status page_write(const char *const *folders, size_t n, const char *path, int quiet, hawser_error *err)
 {
     const int study = n == 1 && study_is_in(folders[0]);
-    hawser_status status =
+    const hawser_status status =
         study ? hawser_study_report(folders[0], path, err) : hawser_report_write(folders, n, path, err);
-    if (status) return status;
-    if (!quiet) tell("Report: %s", path);
-    if (!pdf) return HAWSER_OK;
+    if (!status && !quiet) tell("Report: %s", path);
+    return status;
+}
+
+/* A browser prints only what is named as a page, and never over the page. */
+hawser_status page_make(const char *const *folders, size_t n, const char *path, int pdf, int quiet, hawser_error *err)
+{
+    if (!pdf && !ends_in(path, ".pdf")) return page_write(folders, n, path, quiet, err);
+    char *const page = name_ending(path, ".html"), *const printed = name_ending(path, ".pdf");
+    hawser_status status = page && printed ? HAWSER_OK : HAWSER_ERR_MEMORY;
+    if (status) *err = (hawser_error){HAWSER_ERR_MEMORY, "out of memory"};
+    if (!status) status = page_write(folders, n, page, quiet, err);
     interrupt_watch(); /* the browser does not outlive us */
     fflush(stdout);
-    char *const printed = pdf_path(path);
-    if (!printed) {
-        *err = (hawser_error){HAWSER_ERR_MEMORY, "out of memory"};
-        return HAWSER_ERR_MEMORY;
-    }
-    status = pdf_print(path, printed, err);
+    if (!status) status = pdf_print(page, printed, err);
     if (!status && !quiet) tell("Printed: %s", printed);
+    free(page);
     free(printed);
     return status;
 }

@@ -260,7 +260,8 @@ void report_run(hawser_sim *s, const Arguments *args, const char *dir)
     char answer[HAWSER_ANSWER_MAX];
     hawser_sim_summary(s, &r.sum);
     const int n = hawser_sim_limits(s, limit);
-    printf("\n%s", hawser_sim_answer(s, args->units, answer, sizeof answer));
+    putchar('\n');
+    print_answer(hawser_sim_answer(s, args->units, answer, sizeof answer));
     if (r.sum.rod) {
         report_rod(&r);
         report_stability(&r);

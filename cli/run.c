@@ -34,6 +34,7 @@ static const char help[] =
     "      --pdf               prints that page to DIR/report.pdf, by an installed Chromium; implies --report\n"
     "      --strict            a limit that is broken, or none that could be judged, is an error: status 1;\n"
     "                            figures that are not to be trusted: status 6; not certified: status 7\n"
+    "      --format FORMAT     of what is printed: table (default), or json, which is what summary.json holds\n"
     "      --units UNITS       of what is printed: si (default: kN, m, mm2) or us (lbf, ft, kcmil); files are in SI\n"
     "  -v, --verbose           prints the solver's work, balances and timings too\n"
     "  -q, --quiet             prints nothing but errors\n"
@@ -153,6 +154,16 @@ static hawser_status sensitivities(hawser_case *c, const Arguments *args, const 
     return status;
 }
 
+/* What summary.json holds, for a program that reads standard output. */
+static hawser_status print_summary(hawser_sim *sim, hawser_error *err)
+{
+    char *text = NULL;
+    const hawser_status status = hawser_sim_summary_json(sim, &text, err);
+    if (!status) fputs(text, stdout);
+    hawser_text_free(text);
+    return status;
+}
+
 /* What there is to say about a run that is over, whatever its end. What is not safe or not to be trusted weighs more
  * than a certificate that is missing. */
 static int conclude(hawser_case *c, hawser_sim *sim, const Arguments *args, const char *dir, hawser_status status,
@@ -160,6 +171,11 @@ static int conclude(hawser_case *c, hawser_sim *sim, const Arguments *args, cons
 {
     const int kept = status == HAWSER_OK || status == HAWSER_STOPPED || status == HAWSER_ERR_RUN;
     if (!args->quiet && kept) report_run(sim, args, dir);
+    if (args->format == HAWSER_JSON && kept) {
+        hawser_error late;
+        const hawser_status printed = print_summary(sim, &late);
+        if (printed && !status) status = printed, *err = late;
+    }
     fflush(stdout);
     int certified = 1;
     if (args->certify && !status) certified = certify_run(args, c, sim, dir, interrupt_wanted, err, &status);
@@ -171,7 +187,7 @@ static int conclude(hawser_case *c, hawser_sim *sim, const Arguments *args, cons
 }
 
 /* Nothing is written before the simulation is built: a wrong case leaves earlier results alone. */
-static int run(const Arguments *args)
+static int run_into(const Arguments *args)
 {
     hawser_error err = {HAWSER_OK, ""};
     hawser_case *c = NULL;
@@ -202,4 +218,15 @@ static int run(const Arguments *args)
     return result;
 }
 
-const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvuSCTOePGI", help, run};
+static int run(const Arguments *args)
+{
+    Arguments own = *args;
+    if (args->format == HAWSER_CSV) {
+        complain("--format csv: the tables of a run are files in its folder; 'table' or 'json' can be used");
+        return EXIT_USAGE;
+    }
+    own.quiet |= args->format == HAWSER_JSON;
+    return run_into(&own);
+}
+
+const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvufSCTOePGI", help, run};

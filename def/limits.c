@@ -57,8 +57,13 @@ static double margin_at_least(double value, double limit)
 static void judge(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f,
                   hawser_limit *out)
 {
-    *out = (hawser_limit){
-        .name = kinds[kind].name, .unit = kinds[kind].unit, .value = f->value, .margin = NAN, .error = f->error};
+    *out = (hawser_limit){.name = kinds[kind].name,
+                          .unit = kinds[kind].unit,
+                          .value = f->value,
+                          .margin = NAN,
+                          .error = f->error,
+                          .worst = f->value,
+                          .holds_to = NAN};
     memcpy(out->where, f->where, sizeof out->where);
     out->limit = limits_allowed(def, kind, diameter, cables, f, out->source);
     if (isnan(out->limit)) return;

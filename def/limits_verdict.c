@@ -24,6 +24,27 @@ static void add(Line *line, const char *format, ...)
     va_end(args);
 }
 
+static const struct {
+    const char *text, *code;
+} words[HAWSER_WORDS] = {[HAWSER_SAFE] = {"SAFE", "safe"},
+                         [HAWSER_NOT_SAFE] = {"NOT SAFE", "not_safe"},
+                         [HAWSER_NOT_JUDGED] = {"NOT JUDGED", "not_judged"},
+                         [HAWSER_NOT_TRUSTED] = {"NOT TRUSTED", "not_trusted"},
+                         [HAWSER_SAFE_ONLY_IF] = {"SAFE ONLY IF", "safe_if"}};
+enum { NONE_JUDGED = -1, NONE_TRUSTED = -2, ONLY_IF = -3 }; /* what verdicts return beside a count */
+
+hawser_word hawser_verdict_word(int found)
+{
+    if (found > 0) return HAWSER_NOT_SAFE;
+    return found == NONE_TRUSTED  ? HAWSER_NOT_TRUSTED
+           : found == NONE_JUDGED ? HAWSER_NOT_JUDGED
+           : found == ONLY_IF     ? HAWSER_SAFE_ONLY_IF
+                                  : HAWSER_SAFE;
+}
+
+const char *hawser_word_text(hawser_word word) { return words[word].text; }
+const char *hawser_word_code(hawser_word word) { return words[word].code; }
+
 /* "sidewall by 22 % at bend"; of a run-away what is missing. */
 static void add_broken(Line *line, const hawser_limit *l, int first)
 {
@@ -67,39 +88,88 @@ static Tally tally_of(int n, const hawser_limit *limit)
     return t;
 }
 
-int hawser_limits_verdict(int n, const hawser_limit *limit, char *text, size_t size)
+/* Whether a value that is assumed breaks it at an end of its range. */
+static int is_conditional(const hawser_limit *l) { return l->judged && l->assumed && !isnan(l->holds_to); }
+
+/* The limit that has the strictest bound of an assumed value, up to which or (at_least) down to which limits hold;
+ * NULL: none is broken. */
+static const hawser_limit *strictest(int n, const hawser_limit *limit, const char *assumed, int at_least)
 {
-    if (!text || size == 0 || (n > 0 && !limit)) return -1;
+    const hawser_limit *by = NULL;
+    for (int i = 0; i < n; i++) {
+        const hawser_limit *const l = &limit[i];
+        if (!is_conditional(l) || strcmp(l->assumed, assumed) != 0 || l->at_least != at_least) continue;
+        if (!by || (at_least ? l->holds_to > by->holds_to : l->holds_to < by->holds_to)) by = l;
+    }
+    return by;
+}
+
+/* "friction <= 0.27 (restart)", rounded to the safe side. */
+static void add_bound(Line *line, const hawser_limit *l)
+{
+    const double step = l->holds_to > 0 ? pow(10, floor(log10(l->holds_to)) - 2) : 1;
+    const double shown = step * (l->at_least ? ceil(l->holds_to / step - 1e-9) : floor(l->holds_to / step + 1e-9));
+    const char *const unit = strcmp(l->assumed, "back tension") ? "" : " N";
+    add(line, "%s %s %.4g%s (%s)", l->assumed, l->at_least ? ">=" : "<=", shown, unit, l->name);
+}
+
+/* "friction <= 0.27 (restart) and back tension <= 600 N (pull)". Returns how many bounds there are. */
+static int add_bounds(Line *line, int n, const hawser_limit *limit)
+{
+    int said = 0;
+    for (int i = 0; i < n; i++) {
+        const hawser_limit *const l = &limit[i];
+        if (!is_conditional(l) || strictest(n, limit, l->assumed, l->at_least) != l) continue;
+        if (said++) add(line, " and ");
+        add_bound(line, l);
+    }
+    return said;
+}
+
+int limits_verdict(int n, const hawser_limit *limit, int open, char *text, size_t size)
+{
+    if (!text || size == 0 || (n > 0 && !limit)) return NONE_JUDGED;
     const Tally t = tally_of(n, limit);
+    int only_if = 0;
     *text = 0;
     Line line = {text, size};
     if (t.judged == 0) {
-        add(&line, "NOT JUDGED: %s", n ? "no limit could be judged" : "the case has no section 'limits'");
-        return -1;
+        add(&line, "%s: %s", words[HAWSER_NOT_JUDGED].text,
+            n ? "no limit could be judged" : "the case has no section 'limits'");
+        return NONE_JUDGED;
     }
     if (t.broken > 0) {
-        add(&line, "NOT SAFE: %d of %d limits broken", t.broken, t.judged);
+        add(&line, "%s: %d of %d limits broken", words[HAWSER_NOT_SAFE].text, t.broken, t.judged);
         for (int i = 0, first = 1; i < n; i++) {
             if (limit[i].judged && !limit[i].ok) add_broken(&line, &limit[i], first), first = 0;
         }
     } else if (t.missing) {
         const int one = t.judged == 1;
-        add(&line, "NOT JUDGED: %s: %s; the %d limit%s that could be judged hold%s", t.missing->name, t.missing->source,
-            t.judged, one ? "" : "s", one ? "s" : "");
+        add(&line, "%s: %s: %s; the %d limit%s that could be judged hold%s", words[HAWSER_NOT_JUDGED].text,
+            t.missing->name, t.missing->source, t.judged, one ? "" : "s", one ? "s" : "");
     } else {
-        add(&line, "SAFE: all %d limits hold, smallest margin %.3g %% (%s%s%s)", t.judged, 100 * t.least->margin,
-            t.least->name, *t.least->where ? " at " : "", t.least->where);
+        add(&line, "%s ", words[HAWSER_SAFE_ONLY_IF].text);
+        only_if = add_bounds(&line, n, limit);
+        if (!only_if) snprintf(text, size, "%s", words[HAWSER_SAFE].text);
+        add(&line, ": all %d limits hold%s, smallest margin %.3g %% (%s%s%s)", t.judged,
+            only_if ? " with what is assumed" : "", 100 * t.least->margin, t.least->name, *t.least->where ? " at " : "",
+            t.least->where);
     }
-    if (n > t.judged) add_not_judged(&line, n, limit, n - t.judged);
-    return t.broken > 0 ? t.broken : t.missing ? -1 : 0;
+    if (n > t.judged && open) add_not_judged(&line, n, limit, n - t.judged);
+    return t.broken > 0 ? t.broken : t.missing ? NONE_JUDGED : only_if ? ONLY_IF : 0;
+}
+
+int hawser_limits_verdict(int n, const hawser_limit *limit, char *text, size_t size)
+{
+    return limits_verdict(n, limit, 1, text, size);
 }
 
 /* The first that fails stands for all: the others are counted. */
-int hawser_verdict(int n_conditions, const hawser_condition *condition, int n, const hawser_limit *limit, char *text,
-                   size_t size)
+int verdict_say(int n_conditions, const hawser_condition *condition, int n, const hawser_limit *limit, int open,
+                char *text, size_t size)
 {
-    if (!text || size == 0 || (n_conditions > 0 && !condition)) return -1;
-    const int broken = hawser_limits_verdict(n, limit, text, size);
+    if (!text || size == 0 || (n_conditions > 0 && !condition)) return NONE_JUDGED;
+    const int broken = limits_verdict(n, limit, open, text, size);
     const hawser_condition *first = NULL;
     int more = 0;
     for (int i = 0; i < n_conditions; i++) {
@@ -110,9 +180,15 @@ int hawser_verdict(int n_conditions, const hawser_condition *condition, int n, c
     if (!first) return broken;
     *text = 0;
     Line line = {text, size};
-    add(&line, "NOT TRUSTED: %s", first->remedy);
+    add(&line, "%s: %s", words[HAWSER_NOT_TRUSTED].text, first->remedy);
     if (more) add(&line, "; and %d more reason%s", more, more > 1 ? "s" : "");
     if (broken > 0) add(&line, "; besides, %d of the limits would be broken", broken);
     text_make_utf8(text); /* a name in a remedy may have been cut */
-    return -2;
+    return NONE_TRUSTED;
+}
+
+int hawser_verdict(int n_conditions, const hawser_condition *condition, int n, const hawser_limit *limit, char *text,
+                   size_t size)
+{
+    return verdict_say(n_conditions, condition, n, limit, 1, text, size);
 }

@@ -95,6 +95,7 @@ typedef struct PlanWear {
 typedef struct TheoryFrictionDef {
     double from, to; /* m along the route */
     double mu, mu_s; /* mu_s: from rest; NAN: mu */
+    int rest_assumed;
 } TheoryFrictionDef;
 
 /* A machine that takes the cable's tension off, up to its force; or a pit from which the cable is pulled on, with the

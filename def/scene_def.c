@@ -12,6 +12,7 @@ static void contact_defaults(SceneDef *def)
     def->impact = (ImpactLaw){.k = 3.4e8, .e = 1.5, .c = 1e4, .d = 1e-4};
     def->line_impact = def->impact; /* 200 N/m of cable lie 0.07 mm deep, 5 kN/m in a bend press 0.6 mm */
     def->friction = (FrictionLaw){.mu_s = 0.2, .mu_d = 0.2, .v_s = 1e-3, .v_d = 2e-3};
+    def->friction_known = (FrictionKnown){.source = FRICTION_UNKNOWN, .rest_assumed = 1};
     def->cable_friction = def->friction;
     def->contact_reach = 1;
     def->between_chains = 1;

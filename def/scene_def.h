@@ -15,6 +15,7 @@
 #include "def/cable_def.h"
 #include "def/command_def.h"
 #include "def/flight_def.h"
+#include "def/friction_known.h"
 #include "def/output_def.h"
 #include "def/reel_def.h"
 #include "def/rod_def.h"
@@ -63,6 +64,7 @@ typedef struct RollerDef {
     double s;      /* m along the route, for tables; NAN if listed by coordinates */
     int hold_down;
     FrictionLaw friction;
+    FrictionKnown friction_known;
     SpinDef spin;
     MountDef mount;
 } RollerDef;
@@ -72,6 +74,7 @@ typedef struct SurfaceDef {
     char name[NAME_MAX_LENGTH];
     SurfaceShape shape;
     FrictionLaw friction;
+    FrictionKnown friction_known;
     double bore; /* m, a duct's inside radius where shape.radius is that of a bundle's room (BU8); 0: it is that */
     double weight_factor; /* of a duct with several chains in it: w_c, for theory alone (SC15); 0: none */
     DuctDef several;      /* how these lie in it; cables 0: one lies there, or no formula knows */
@@ -114,6 +117,7 @@ typedef struct WinchDef {
 } WinchDef;
 
 typedef struct TailDef {
+    int given;
     Profile tension; /* N, back along the route's start direction */
     double *table_time, *table_value;
 } TailDef;
@@ -166,7 +170,8 @@ typedef struct SceneDef {
 
     ContactGeometry geometry;
     ImpactLaw impact;
-    FrictionLaw friction;       /* default of every roller, and the theory's mu (mu_d) */
+    FrictionLaw friction; /* default of every roller, and the theory's mu (mu_d) */
+    FrictionKnown friction_known;
     double contact_reach;       /* m: candidates are refreshed after this much motion */
     int cable_on_cable;         /* the cable touches itself */
     FrictionLaw cable_friction; /* there */

@@ -34,8 +34,9 @@ _hawser() {
         --linear-solver) _hawser_offer 'auto block bordered klu klu-full band dense' ;;
         --tolerance) _hawser_offer '1% 0.5% 2%' ;;
         --effort) _hawser_offer '6 20 60' ;;
+        --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--output --set --threads --linear-solver --resume --certify --tolerance --effort --sensitivities --report --pdf --strict --units --verbose --quiet --help --version' '*.yaml' ;;
+        *) _hawser_word '--output --set --threads --linear-solver --resume --certify --tolerance --effort --sensitivities --report --pdf --strict --format --units --verbose --quiet --help --version' '*.yaml' ;;
         esac
         ;;
     check)
@@ -48,11 +49,12 @@ _hawser() {
         ;;
     theory)
         case $previous in
+        --tables) _hawser_offer 'all facts pieces limits heads sections' ;;
         --crew) _hawser_offer 'files' ;;
         --set) _hawser_offer '' ;;
         --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--sensitivities --crew --set --format --units --help --version' '*.yaml' ;;
+        *) _hawser_word '--tables --strict --sensitivities --crew --set --format --units --help --version' '*.yaml' ;;
         esac
         ;;
     validate)

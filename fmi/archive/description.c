@@ -61,8 +61,8 @@ static void types_write(hawser_fmi version, Text *t)
     const int two = version == HAWSER_FMI_2;
     text_add(t, "  <TypeDefinitions>\n");
     text_add(t, two ? "    <SimpleType name=\"Verdict\"><Enumeration>\n" : "    <EnumerationType name=\"Verdict\">\n");
-    for (int i = 0; i < VERDICTS; ++i)
-        text_print(t, "      <Item name=\"%s\" value=\"%d\"/>\n", verdict_names[i], i + 1);
+    for (int i = 0; i < HAWSER_WORDS; ++i)
+        text_print(t, "      <Item name=\"%s\" value=\"%d\"/>\n", hawser_word_text((hawser_word)i), i + 1);
     text_add(t, two ? "    </Enumeration></SimpleType>\n" : "    </EnumerationType>\n");
     text_add(t, "  </TypeDefinitions>\n"
                 "  <LogCategories>\n"

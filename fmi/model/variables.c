@@ -19,8 +19,6 @@ const UnitRow unit_rows[UNIT_ROWS] = {
     {"kg/s", 1, 0, -1, 0},
 };
 
-const char *const verdict_names[VERDICTS] = {"SAFE", "NOT SAFE", "NOT JUDGED", "NOT TRUSTED"};
-
 const char *unit_name(const char *written)
 {
     char dotted[32];

@@ -91,8 +91,6 @@ enum { UNIT_ROWS = 25 };
 const char *unit_name(const char *written);
 
 /* The values of the type of VARIABLE_VERDICT, from 1 on. */
-enum { VERDICT_SAFE = 1, VERDICT_NOT_SAFE, VERDICT_NOT_JUDGED, VERDICT_NOT_TRUSTED, VERDICTS = 4 };
-extern const char *const verdict_names[VERDICTS];
 
 /* A number that changes with the case's text or with any name, type, role or start of the list: 36 characters in the
  * form of a GUID without braces, and a NUL. */

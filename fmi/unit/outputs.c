@@ -48,11 +48,8 @@ static double roller_load(const hawser_sample *now, int item)
     return item < 0 ? most : now->roller_load[item];
 }
 
-static double verdict_of(const Look *look)
-{
-    if (look->broken > 0) return VERDICT_NOT_SAFE;
-    return look->broken == 0 ? VERDICT_SAFE : look->broken == -2 ? VERDICT_NOT_TRUSTED : VERDICT_NOT_JUDGED;
-}
+/* As the enumeration of the description counts. */
+static double verdict_of(const Look *look) { return 1 + hawser_verdict_word(look->broken); }
 
 double output_number(Unit *u, const Variable *row)
 {

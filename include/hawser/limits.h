@@ -30,22 +30,56 @@ typedef struct hawser_limit {
     char source[160]; /* where `limit` comes from; if it was not judged why, and the case's key that is missing */
     double error; /* of `value`, in its unit: what it may be off by through the numbers of a run; 0: exact, or nobody
                    * knows */
+    double worst; /* `value` at the unfavourable end of the usual range of one value that the case does not give */
+    const char *assumed; /* which: "friction", "friction at rest" (1), "back tension" (N); NULL: none changes it */
+    double holds_to; /* of that: up to where all limits hold that it breaks; NAN: this one holds throughout its range */
+    int at_least;    /* down to where */
 } hawser_limit;
 
 struct hawser_sim;
 
+/* The word that a verdict begins with. Only SAFE is safe. */
+typedef enum hawser_word {
+    HAWSER_SAFE,         /* all limits hold, whatever is assumed */
+    HAWSER_NOT_SAFE,     /* a limit is broken */
+    HAWSER_NOT_JUDGED,   /* tension or sidewall pressure could not be judged */
+    HAWSER_NOT_TRUSTED,  /* the figures are not good enough to judge by */
+    HAWSER_SAFE_ONLY_IF, /* a limit breaks within the usual range of a value that the case does not give */
+    HAWSER_WORDS
+} hawser_word;
+/* Of what hawser_verdict returned; the word as it is printed ("SAFE ONLY IF"); its code in files ("safe_if"). */
+hawser_word hawser_verdict_word(int found);
+const char *hawser_word_text(hawser_word word);
+const char *hawser_word_code(hawser_word word);
+
 /* Judges what the simulation has seen so far by the case's section `limits`. Fills out[HAWSER_LIMITS_MAX] and returns
  * how many limits there are: 0 if the case has no such section. */
 int hawser_sim_limits(struct hawser_sim *s, hawser_limit *out);
-/* One line that says whether the pull is safe: "SAFE: ...", "NOT SAFE: ..." or "NOT JUDGED: ..."; at most `size` bytes
- * (HAWSER_VERDICT_MAX is enough). A pull is not safe before its tension and sidewall pressure could be judged. Returns
- * how many limits are broken, -1 if none is and none, or one of those two not, could be judged. */
+/* One line that says whether the pull is safe: "SAFE: ...", "SAFE ONLY IF friction <= 0.27 ...: ...", "NOT SAFE: ..."
+ * or "NOT JUDGED: ..."; at most `size` bytes (HAWSER_VERDICT_MAX is enough). A pull is not safe before its tension and
+ * sidewall pressure could be judged. Returns how many limits are broken; -1 if none is and none, or one of those two
+ * not, could be judged; -3 if a limit breaks within the usual range of a value that the case does not give. */
 int hawser_limits_verdict(int n, const hawser_limit *limit, char *text, size_t size);
 
 /* The same for a run of which the conditions are known: "NOT TRUSTED: ...", with the first that fails and how many more
  * do, and -2 if one of them fails, whatever the limits say; otherwise as above. */
 int hawser_verdict(int n_conditions, const hawser_condition *condition, int n, const hawser_limit *limit, char *text,
                    size_t size);
+
+struct hawser_case;
+
+/* What is shown of a pulling calculation: tables by name with commas between ("limits,heads"; "facts": the figures of
+ * the whole; "all"; NULL: for people the answer alone, with the sections of a pull that has pits, for programs all);
+ * the width of a line for people, 0: 118. */
+typedef struct hawser_theory_options {
+    const char *tables;
+    int width;
+} hawser_theory_options;
+/* hawser_case_theory, and the word of the verdict of a pull forward (of several chains the first that is not SAFE).
+ * Errors: as above, and INPUT for a table that there is not, with the names of those that there are. */
+hawser_status hawser_case_theory_shown(struct hawser_case *c, hawser_format format,
+                                       const hawser_theory_options *options, char **text, hawser_word *word,
+                                       hawser_error *err);
 
 #ifdef __cplusplus
 }

@@ -6,7 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { OPEN_MAX = 400, PAGE = 118, INDENT = 17 };
+#include "theory/assumed.h"
+
+enum { OPEN_MAX = 400, INDENT = 17, WIDE_ENOUGH = 40 };
 
 /* Adds so many bytes of a text, as far as there is room. */
 static void add(Answer *a, const char *text, int n)
@@ -22,8 +24,9 @@ static void add_sentence(Answer *a, const char *sentence, int at, int indent)
     char shown[HAWSER_VERDICT_MAX], margin[INDENT + 2];
     const char *rest = hawser_show_text(sentence, a->units, shown, sizeof shown);
     const int blanks = snprintf(margin, sizeof margin, "\n%*s", indent, "");
-    while ((int)strlen(rest) > PAGE - at) {
-        int n = PAGE - at;
+    const int width = a->width >= WIDE_ENOUGH ? a->width : ANSWER_WIDTH;
+    while ((int)strlen(rest) > width - at) {
+        int n = width - at;
         while (n > 0 && rest[n] != ' ') --n;
         if (n == 0) break; /* a word that is too long stands as it is */
         add(a, rest, n);
@@ -47,10 +50,43 @@ void answer_line(Answer *a, const char *word, const char *format, ...)
     add_sentence(a, sentence, at, INDENT);
 }
 
-void answer_verdict(Answer *a, const char *verdict)
+void answer_verdict(Answer *a, const char *verdict) { add_sentence(a, verdict, 0, 2); }
+
+/* Whether a limit depends on it. */
+static int matters(const Assumed *one, int n, const hawser_limit *limit)
 {
-    a->used = 0;
-    add_sentence(a, verdict, 0, 2);
+    int found = one->kind != ASSUMED_UNKNOWN;
+    for (int i = 0; i < n; ++i) found |= limit[i].assumed && !strcmp(limit[i].assumed, one->name);
+    return found;
+}
+
+void answer_assumed(Answer *a, const SceneDef *def, int n, const hawser_limit *limit)
+{
+    Assumed all[ASSUMED_KINDS];
+    const int count = n > 0 ? assumed_list(def, all) : 0;
+    for (int k = 0; k < count; ++k) {
+        const Assumed *const one = &all[k];
+        char value[HAWSER_SHOWN_MAX], low[HAWSER_SHOWN_MAX], high[HAWSER_SHOWN_MAX];
+        if (!matters(one, n, limit)) continue;
+        hawser_show(one->value, one->unit, a->units, value);
+        if (isnan(one->high))
+            answer_line(a, "assumed", "%s %s: not given (%s)", one->name, value, one->key);
+        else
+            answer_line(a, "assumed", "%s %s, usually %s to %s (%s)", one->name, value,
+                        hawser_show(one->low, one->unit, a->units, low),
+                        hawser_show(one->high, one->unit, a->units, high),
+                        one->kind == ASSUMED_FRICTION ? one->source : one->key);
+    }
+}
+
+void answer_unusual(Answer *a, const SceneDef *def, const Route *route)
+{
+    PlausibleRow row[PLAUSIBLE_ROWS];
+    const int n = plausible_find(def, route, row);
+    for (int i = 0; i < n; ++i)
+        answer_line(a, "unusual", "%s of %c%s%c: %.4g%s%s, usually %.4g to %.4g: is the unit right?", row[i].what,
+                    NAME_BEGINS, row[i].of, NAME_ENDS, row[i].value, *row[i].unit ? " " : "", row[i].unit, row[i].least,
+                    row[i].most);
 }
 
 /* ------------------------------------------------------------------------------------------------------ limits */
@@ -101,7 +137,7 @@ static void open_line(Answer *a, int n, const hawser_limit *limit)
         const size_t used = strlen(names);
         if (!limit[i].judged) snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", limit[i].name);
     }
-    if (*names) answer_line(a, "not judged", "%s (the table of limits says why)", names);
+    if (*names) answer_line(a, "not judged", "%s (--tables limits)", names);
 }
 
 void answer_limits(Answer *a, const Setup *setup, int n, const hawser_limit *limit)
@@ -192,14 +228,37 @@ static void inverse_lines(Answer *a, const Setup *setup, const Inverse *inverse,
                     hawser_show(m->at[0], "m", a->units, now), *m->stays ? " but " : "", m->stays);
 }
 
+/* With all that is assumed at its upper end. */
+static void together_line(Answer *a, const Setup *setup, const Calculator *c)
+{
+    hawser_limit all[HAWSER_LIMITS_MAX];
+    char found[HAWSER_SHOWN_MAX], broken[OPEN_MAX] = "";
+    Assumed list[ASSUMED_KINDS];
+    hawser_error err;
+    if (c->n_limits == 0 || assumed_list(setup->def, list) < 2) return;
+    if (assumed_together(setup, c, PLAN_FORWARD, all, &err)) return;
+    const hawser_limit *const pull = limit_called(c->n_limits, all, "pull");
+    for (int i = 0; i < c->n_limits; ++i) {
+        const size_t used = strlen(broken);
+        if (all[i].judged && !all[i].ok)
+            snprintf(broken + used, sizeof broken - used, "%s%s", used ? ", " : "; broken: ", all[i].name);
+    }
+    if (pull)
+        answer_line(a, "all at once", "all assumed at upper ends: pull %s%s",
+                    hawser_show(pull->value, "N", a->units, found), broken);
+}
+
 void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
                    const char verdict[][HAWSER_VERDICT_MAX])
 {
+    answer_unusual(a, setup->def, setup->route);
+    answer_assumed(a, setup->def, c->n_limits, c->limit[PLAN_FORWARD]);
     const int forward = calculator_holds(c, PLAN_FORWARD), backward = calculator_holds(c, PLAN_BACKWARD);
     answer_verdict(a, verdict[PLAN_FORWARD]);
     way_line(a, setup, c, PLAN_FORWARD);
     answer_limits(a, setup, c->n_limits, c->limit[PLAN_FORWARD]);
     if (!forward) inverse_lines(a, setup, inverse, PLAN_FORWARD);
+    together_line(a, setup, c);
     if (!forward && backward && c->n_limits > 0) answer_line(a, "remedy", "pulled from the other end all limits hold");
     way_line(a, setup, c, PLAN_BACKWARD);
     answer_line(a, "", "%s", verdict[PLAN_BACKWARD]);
@@ -293,16 +352,18 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
     hawser_summary sum;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     char verdict[HAWSER_VERDICT_MAX];
-    Answer a = {.text = text, .size = size, .units = units};
+    Answer a = {.text = text, .size = size, .units = units, .width = TERMINAL_WIDTH};
     s = SHOWN(s);
     hawser_sim_summary(s, &sum);
-    const int n = hawser_sim_limits(s, limit), broken = hawser_limits_verdict(n, limit, verdict, sizeof verdict);
+    const int n = hawser_sim_limits(s, limit), broken = limits_verdict(n, limit, 0, verdict, sizeof verdict);
     int failed = 0;
     for (int i = 0; i < sum.n_conditions; ++i) failed += !sum.conditions[i].holds;
     if (failed) {
         snprintf(verdict, sizeof verdict, "NOT TRUSTED, for %d reason%s", failed, failed > 1 ? "s" : "");
         if (broken > 0) snprintf(verdict + strlen(verdict), 64, "; besides, %d of the limits would be broken", broken);
     }
+    answer_unusual(&a, &s->stage.scene.def, &s->stage.scene.route);
+    answer_assumed(&a, &s->stage.scene.def, n, limit);
     answer_verdict(&a, verdict);
     if (failed) trust_lines(&a, &sum);
     place_lines(&a, &sum);

@@ -126,9 +126,13 @@ typedef struct Answer {
     char *text; /* whole lines, cut where there is no more room */
     size_t size, used;
     hawser_units units; /* of what is said; what is still in SI is turned into them */
+    int width;          /* of a line, at most; 0: ANSWER_WIDTH */
 } Answer;
+enum { ANSWER_WIDTH = 118, TERMINAL_WIDTH = 80 };
 
-/* The first line. */
+/* What of the case is hardly ever so; what it does not give and its limits depend on, above the verdict. */
+void answer_unusual(Answer *a, const SceneDef *def, const Route *route);
+void answer_assumed(Answer *a, const SceneDef *def, int n, const hawser_limit *limit);
 void answer_verdict(Answer *a, const char *verdict);
 /* "  word   sentence", in as many lines as that takes. */
 void answer_line(Answer *a, const char *word, const char *format, ...) __attribute__((format(printf, 3, 4)));

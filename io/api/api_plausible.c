@@ -13,7 +13,9 @@ typedef enum PlausibleKind {
     PLAUSIBLE_RADIUS,
     PLAUSIBLE_LENGTH,
     PLAUSIBLE_SPEED,
-    PLAUSIBLE_TENSION
+    PLAUSIBLE_TENSION,
+    PLAUSIBLE_ROOM,
+    PLAUSIBLE_CONDUCTOR
 } PlausibleKind;
 
 static const struct {
@@ -27,6 +29,8 @@ static const struct {
     [PLAUSIBLE_LENGTH] = {"length of the route", "m", 0.1, 100000},
     [PLAUSIBLE_SPEED] = {"speed of the winch", "m/s", 0, 5},
     [PLAUSIBLE_TENSION] = {"tension", "kN", 0, 1000},
+    [PLAUSIBLE_ROOM] = {"inside diameter over the cable's", "", 1.02, 3},
+    [PLAUSIBLE_CONDUCTOR] = {"conductors over the cable's cross-section", "", 0.01, 0.85},
 };
 
 /* The rows as they are found. */
@@ -49,6 +53,23 @@ static void look(Notes *notes, PlausibleKind kind, const char *of, double value)
     snprintf(row->of, sizeof row->of, "%s", of);
 }
 
+/* Ducts of one power cable; thin ones lie in whatever duct there is. */
+static void look_at_ducts(Notes *notes, const SceneDef *def)
+{
+    static const double POWER = 30e-3; /* m, diameter */
+    double diameter = 0;
+    for (int k = 0; k < scene_def_eye(def); ++k) diameter = fmax(diameter, def->cables[def->pieces[k].cable].diameter);
+    if (diameter > 0)
+        look(notes, PLAUSIBLE_CONDUCTOR, "limits",
+             def->limits.area > 0 ? def->limits.area * def->limits.cores / (M_PI / 4 * diameter * diameter) : NAN);
+    if (!(diameter >= POWER) || bundle_tails(&def->bundle) > 1 || def->theory.cables > 1 || def->n_beside > 0) return;
+    for (int i = 0; i < def->n_surfaces; ++i) {
+        const SurfaceDef *const s = &def->surfaces[i];
+        const double radius = s->bore > 0 ? s->bore : s->shape.radius;
+        if (s->shape.kind == SURFACE_DUCT) look(notes, PLAUSIBLE_ROOM, s->name, 2 * radius / diameter);
+    }
+}
+
 /* Of a cable by its section; the radius of gyration of a rod under test is nobody's affair. */
 static void look_at_cables(Notes *notes, const SceneDef *def)
 {
@@ -64,6 +85,7 @@ int plausible_find(const SceneDef *def, const Route *route, PlausibleRow row[PLA
     Notes notes = {.row = row, .room = PLAUSIBLE_ROWS};
     if (def->rod.present) return 0;
     look_at_cables(&notes, def);
+    look_at_ducts(&notes, def);
     look(&notes, PLAUSIBLE_FRICTION, "friction", fmax(def->friction.mu_s, def->friction.mu_d));
     for (int i = 0; i < def->n_surfaces; ++i) {
         const FrictionLaw *const law = &def->surfaces[i].friction;

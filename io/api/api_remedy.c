@@ -81,10 +81,8 @@ static void sidewall_remedy(const Setup *setup, const hawser_limit *l, hawser_un
 static void pull_remedy(const hawser_limit *l, hawser_units units, char *text)
 {
     char over[HAWSER_SHOWN_MAX];
-    snprintf(
-        text, REMEDY_MAX,
-        "%s less: conveyors or an intermediate pull that take so much, a lubricant (friction), or the other direction",
-        hawser_show(l->value - l->limit, "N", units, over));
+    snprintf(text, REMEDY_MAX, "%s less pull: conveyors, a pit, a lubricant, or the other direction",
+             hawser_show(l->value - l->limit, "N", units, over));
 }
 
 static void rope_remedy(const Setup *setup, const hawser_limit *l, hawser_units units, char *text)

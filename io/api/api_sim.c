@@ -210,7 +210,7 @@ hawser_status sim_summary_text(const hawser_sim *s, const OutDir *dir, char **te
         .roller = s->stats.roller_out,
         .n_assumptions = scene->def.n_assumptions,
         .assumption = scene->def.assumptions,
-        .n_limits = sim_limits(s, &summary, limit),
+        .n_limits = sim_limits(s, &summary, 1, limit),
         .limit = limit,
         .n_overloads = peaks_overload(&s->peaks, scene, &theory, &overload),
         .trip_N = limits->present ? limits_trip(limits, bundle_pulled(&scene->def), theory.needed, theory.beyond).force

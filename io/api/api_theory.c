@@ -1,6 +1,7 @@
 /* The closed-form calculation of a case: what `hawser theory` prints. The formulas are in theory/. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
+#include "theory/assumed.h"
 #include "theory/expected.h"
 #include "theory/paper.h"
 
@@ -64,7 +65,8 @@ typedef struct Theory {
     Calculator calculator;
     Inverse inverse;
     TheoryTables tables;
-    char verdict[PLAN_WAYS][HAWSER_VERDICT_MAX];
+    char verdict[PLAN_WAYS][HAWSER_VERDICT_MAX], shown[PLAN_WAYS][HAWSER_VERDICT_MAX]; /* shown: without what is open */
+    hawser_word word[PLAN_WAYS];
     char answer[HAWSER_ANSWER_MAX];
     Term *term; /* [n_paper] */
 } Theory;
@@ -136,6 +138,10 @@ static hawser_status solve(Theory *t, const TheoryWish *wish, hawser_error *err)
     }
     if (!status) status = solve_paper(t, err);
     if (!status && !wish->no_inverse) status = inverse_find(&t->setup, &t->calculator, &t->inverse, err);
+    hawser_limit *const limit[PLAN_WAYS] = {t->calculator.limit[PLAN_FORWARD], t->calculator.limit[PLAN_BACKWARD]};
+    if (!status)
+        status = assumed_judge(&t->setup, &t->calculator, wish->forward_only ? 1 : PLAN_WAYS, t->calculator.n_limits,
+                               limit, err);
     if (status) return status;
     if (wish->forward_only) return theory_limits_add(&t->calculator, 1, &t->tables) ? HAWSER_OK : error_memory(err);
     return theory_tables_make(&t->setup, &t->calculator, &t->inverse, &t->tables, err);
@@ -193,6 +199,7 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     const PlanWay *there = &c->plan.way[PLAN_FORWARD], *back = &c->plan.way[PLAN_BACKWARD];
     const char *const best = theory_ways[c->best];
     int n = 0;
+    fact[n++] = (Fact){"format", NULL, "", cell_number(RESULTS_FORMAT)};
     fact[n++] = (Fact){"weight_N_per_m", "weight of the cable", "N/m", cell_number(t->setup.cable_weight)};
     fact[n++] = (Fact){"friction", "friction coefficient", "", cell_number(c->mu_largest)};
     if (c->mu_largest > c->mu_least) {
@@ -202,7 +209,7 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     fact[n++] = (Fact){"length_m", "length of the route", "m", cell_number(t->setup.route->length)};
     fact[n++] = (Fact){"start_tension_N", "tension at the start", "N", cell_number(there->start)};
     fact[n++] = (Fact){"rope_drag_N", "drag on the rope", "N", cell_number(t->setup.def->drag.force)};
-    fact[n++] = (Fact){"paper_total_N", "winch force, paper's formulas", "N", cell_number(t->paper_total)};
+    fact[n++] = (Fact){"paper_total_N", "winch force, piece formulas", "N", cell_number(t->paper_total)};
     fact[n++] = (Fact){"reference_total_N", "winch force at end, forward", "N", cell_number(there->force)};
     fact[n++] = (Fact){"backward_total_N", "winch force at end, backward", "N", cell_number(back->force)};
     for (int k = 0; k < PLAN_WAYS; ++k) {
@@ -226,7 +233,9 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     fact[n++] = (Fact){"better_direction", "less force when pulled", "", cell_text(theory_ways[c->plan.better])};
     fact[n++] = (Fact){"best_direction", "better by its limits", "", cell_text(best)};
     fact[n++] = (Fact){"verdict_forward", NULL, "", cell_text(t->verdict[PLAN_FORWARD])};
+    fact[n++] = (Fact){"verdict_code", NULL, "", cell_text(hawser_word_code(t->word[PLAN_FORWARD]))};
     fact[n++] = (Fact){"verdict_backward", NULL, "", cell_text(t->verdict[PLAN_BACKWARD])};
+    fact[n++] = (Fact){"verdict_code_backward", NULL, "", cell_text(hawser_word_code(t->word[PLAN_BACKWARD]))};
     return n;
 }
 
@@ -240,7 +249,8 @@ static int drop_backward(int n, Fact fact[FACTS_MAX])
                                        "backward_largest_restart_head_m",
                                        "better_direction",
                                        "best_direction",
-                                       "verdict_backward"};
+                                       "verdict_backward",
+                                       "verdict_code_backward"};
     int kept = 0;
     for (int i = 0; i < n; i++) {
         int drop = 0;
@@ -272,13 +282,16 @@ static void page_make(Theory *t, const char *title, int forward_only, Page *page
         const Calculator *const c = &t->calculator;
         hawser_condition held[CALCULATOR_KNOWN + 2] = {[CALCULATOR_KNOWN] = c->pulled[k], c->limp[k]};
         memcpy(held, c->known, sizeof c->known);
-        hawser_verdict(CALCULATOR_KNOWN + 2, held, c->n_limits, c->limit[k], t->verdict[k], sizeof t->verdict[k]);
+        t->word[k] = hawser_verdict_word(
+            verdict_say(CALCULATOR_KNOWN + 2, held, c->n_limits, c->limit[k], 1, t->verdict[k], sizeof t->verdict[k]));
+        verdict_say(CALCULATOR_KNOWN + 2, held, c->n_limits, c->limit[k], 0, t->shown[k], sizeof t->shown[k]);
     }
     for (int i = 0; i < t->tables.n; i++) table[n++] = t->tables.table[i];
     table[n++] = (Table){"stations", "Tension along the route, full of cable, pulled forward",
                          COLUMNS(Place, place_column), t->n, t->place};
     if (def->n_paper > 0)
-        table[n++] = (Table){"terms", "Terms of the paper's sum", COLUMNS(Term, term_column), def->n_paper, t->term};
+        table[n++] = (Table){"terms", "Piece formulas (eq. 3-10), term by term", COLUMNS(Term, term_column),
+                             def->n_paper, t->term};
     if (!def->duration_open)
         table[n++] =
             (Table){"run", "What a run of this case is compared with", COLUMNS(RunRow, run_column), 1, &page->run};
@@ -287,18 +300,63 @@ static void page_make(Theory *t, const char *title, int forward_only, Page *page
     if (forward_only) page->doc.n_facts = drop_backward(page->doc.n_facts, page->fact);
 }
 
-/* As text for people or programs, all of it. */
-static hawser_status write_theory(Theory *t, const char *title, hawser_format format, char **text, hawser_error *err)
+/* Whether a list of names with commas between has one. */
+static int is_named(const char *list, const char *name)
+{
+    const size_t n = strlen(name);
+    for (const char *at = list; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL)
+        if (!strncmp(at, name, n) && (at[n] == ',' || !at[n])) return 1;
+    return 0;
+}
+
+/* The first name of the list that is no table's. */
+static hawser_status names_check(const Page *page, const char *list, hawser_error *err)
+{
+    char known[512] = "all, facts";
+    for (int k = 0; k < page->doc.n_tables; k++) {
+        const size_t used = strlen(known);
+        snprintf(known + used, sizeof known - used, ", %s", page->table[k].key);
+    }
+    for (const char *at = list; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL) {
+        char name[64];
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(at, ","), at);
+        int found = !strcmp(name, "facts") || !strcmp(name, "all");
+        for (int k = 0; k < page->doc.n_tables; k++) found |= !strcmp(name, page->table[k].key);
+        if (!found) return error_set(err, HAWSER_ERR_INPUT, "no table '%s': there are %s", name, known);
+    }
+    return HAWSER_OK;
+}
+
+/* Leaves of the page what is wanted. */
+static hawser_status page_choose(Page *page, const char *list, int people, hawser_error *err)
+{
+    const char *const wanted = list ? list : people ? "sections" : "all";
+    const hawser_status status = list ? names_check(page, list, err) : HAWSER_OK;
+    int n = 0;
+    page->doc.csv = &page->table[THEORY_PIECES];
+    if (status || is_named(wanted, "all")) return status;
+    if (!is_named(wanted, "facts")) page->doc.n_facts = 0;
+    for (int k = 0; k < page->doc.n_tables; k++)
+        if (is_named(wanted, page->table[k].key)) page->table[n++] = page->table[k];
+    page->doc.n_tables = n;
+    page->doc.csv = n > 0 ? page->table : NULL;
+    return HAWSER_OK;
+}
+
+/* As text for people or programs. */
+static hawser_status write_theory(Theory *t, const char *title, hawser_format format,
+                                  const hawser_theory_options *options, char **text, hawser_error *err)
 {
     Page page;
+    const int people = format == HAWSER_TABLE || format == HAWSER_TABLE_US;
     fill_places(t);
-    if (format == HAWSER_TABLE || format == HAWSER_TABLE_US) few_places(t);
+    if (people) few_places(t);
     page_make(t, title, 0, &page);
-    Answer answer = {t->answer, sizeof t->answer, 0, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI};
-    answer_theory(&answer, &t->setup, &t->calculator, &t->inverse, t->verdict);
-    page.doc.csv = &page.table[THEORY_PIECES];
+    Answer answer = {t->answer, sizeof t->answer, 0, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI, options->width};
+    answer_theory(&answer, &t->setup, &t->calculator, &t->inverse, (const char(*)[HAWSER_VERDICT_MAX])t->shown);
     page.doc.answer = t->answer;
-    return document_write(&page.doc, format, text, err);
+    const hawser_status status = page_choose(&page, options->tables, people, err);
+    return status ? status : document_write(&page.doc, format, text, err);
 }
 
 /* As an object, as far as it is wanted. */
@@ -424,8 +482,8 @@ static hawser_status chains_print(char *table, int n, char *const own[], char **
 }
 
 /* All of them solved: the table of all, alone as CSV, else with each one's own. */
-static hawser_status chains_write(const hawser_case *c, Theory *const t[], hawser_format format, char **text,
-                                  hawser_error *err)
+static hawser_status chains_write(const hawser_case *c, Theory *const t[], hawser_format format,
+                                  const hawser_theory_options *options, char **text, hawser_error *err)
 {
     const SceneDef *const def = c->def;
     const int n = def->n_beside + 1;
@@ -436,7 +494,7 @@ static hawser_status chains_write(const hawser_case *c, Theory *const t[], hawse
     const Document all = {.title = title_of(c), .n_tables = 1, .table = &rows, .csv = &rows};
     if (format == HAWSER_CSV) return document_write(&all, format, text, err);
     hawser_status status = HAWSER_OK;
-    for (int k = 0; !status && k < n; ++k) status = write_theory(t[k], row[k].name, format, &own[k], err);
+    for (int k = 0; !status && k < n; ++k) status = write_theory(t[k], row[k].name, format, options, &own[k], err);
     if (!status && format == HAWSER_JSON) {
         status = chains_json(&all, n, row, own, text, err);
     } else if (!status) {
@@ -558,7 +616,8 @@ static hawser_status chain_theory(const hawser_case *c, Theory *t[], int k, haws
     return status ? status : case_name_error(c, build_and_solve(own, &own->def, &company, &wish, err), err);
 }
 
-static hawser_status chains_theory(const hawser_case *c, hawser_format format, char **text, hawser_error *err)
+static hawser_status chains_theory(const hawser_case *c, hawser_format format, const hawser_theory_options *options,
+                                   char **text, hawser_word *word, hawser_error *err)
 {
     Theory *t[STRANDS_MAX] = {NULL};
     hawser_status status = HAWSER_OK;
@@ -566,24 +625,39 @@ static hawser_status chains_theory(const hawser_case *c, hawser_format format, c
         for (int k = 0; !status && k <= c->def->n_beside; ++k)
             if ((chain_def(c->def, k)->strand.rope > 0) == ropes) status = chain_theory(c, t, k, err);
     }
-    if (!status) status = chains_write(c, t, format, text, err);
+    if (!status) status = chains_write(c, t, format, options, text, err);
+    for (int k = c->def->n_beside; !status && k >= 0; --k)
+        if (t[k]->word[PLAN_FORWARD] != HAWSER_SAFE) *word = t[k]->word[PLAN_FORWARD];
     for (int k = 0; k <= c->def->n_beside; ++k) theory_free(t[k]);
     return status;
 }
 
-hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **text, hawser_error *err)
+hawser_status hawser_case_theory_shown(hawser_case *c, hawser_format format, const hawser_theory_options *options,
+                                       char **text, hawser_word *word, hawser_error *err)
 {
     const TheoryWish all = {0};
+    const hawser_theory_options plain = {0}, *const shown = options ? options : &plain;
+    hawser_word own = HAWSER_SAFE;
     Theory *t;
     if (!c || !text) return error_argument(err, c ? "text" : "c");
     *text = NULL;
     hawser_status status = case_ensure_read(c, err);
     if (status) return status;
-    if (c->def->n_beside > 0) return chains_theory(c, format, text, err);
-    status = theory_new(c, &all, &t, err);
-    if (!status) status = write_theory(t, title_of(c), format, text, err);
-    theory_free(t);
+    if (c->def->n_beside > 0) {
+        status = chains_theory(c, format, shown, text, &own, err);
+    } else {
+        status = theory_new(c, &all, &t, err);
+        if (!status) status = write_theory(t, title_of(c), format, shown, text, err);
+        if (!status) own = t->word[PLAN_FORWARD];
+        theory_free(t);
+    }
+    if (word) *word = own;
     return status;
+}
+
+hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **text, hawser_error *err)
+{
+    return hawser_case_theory_shown(c, format, &(hawser_theory_options){.tables = "all"}, text, NULL, err);
 }
 
 hawser_status case_theory_values(hawser_case *c, const TheoryWish *wish, json_t **out, hawser_error *err)

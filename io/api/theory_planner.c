@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "io/api/api_handles.h"
+#include "theory/assumed.h"
 
 /* ------------------------------------------------------------------------------------- places of the head */
 
@@ -239,6 +240,29 @@ static int answers_add(const Setup *setup, const Inverse *inverse, TheoryTables 
     return row && (!inverse->asked || machines_add(inverse, t));
 }
 
+/* ----------------------------------------------------------------------------------------------- what is assumed */
+
+static const Column assumed_column[] = {
+    {COLUMN("name", TEXT, Assumed, name), .label = "assumed"},
+    {COLUMN("value", NUMBER, Assumed, value), .label = "taken", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("low", NUMBER, Assumed, low), .label = "usually from", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("high", NUMBER, Assumed, high), .label = "to", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("unit", TEXT, Assumed, unit), .label = "unit"},
+    {COLUMN("key", TEXT, Assumed, key), .label = "give"},
+    {COLUMN("source", CHARS, Assumed, source), .label = "range of"},
+};
+static const Columns assumed_columns = COLUMNS(Assumed, assumed_column);
+
+static int assumed_add(const Setup *setup, TheoryTables *t)
+{
+    Assumed all[ASSUMED_KINDS];
+    const int n = assumed_list(setup->def, all);
+    if (n == 0) return 1;
+    Assumed *const row = theory_table_add(t, "assumed", "Not given, and assumed", assumed_columns, n);
+    if (row) memcpy(row, all, (size_t)n * sizeof *row);
+    return row != NULL;
+}
+
 /* ------------------------------------------------------------------------------------------------ notes */
 
 typedef struct NoteRow {
@@ -310,5 +334,5 @@ static int notes_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 int theory_planner_add(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *t)
 {
     return heads_add(c, t) && sections_add(setup, c, t) && brakes_add(c, t) && answers_add(setup, inverse, t) &&
-           notes_add(setup, c, t);
+           assumed_add(setup, t) && notes_add(setup, c, t);
 }

@@ -257,6 +257,12 @@ static const char *limit_holds(const void *row)
     return !l->judged ? "not judged" : l->ok ? "yes" : "NO";
 }
 
+static const char *limit_assumed(const void *row)
+{
+    const hawser_limit *const l = &((const LimitRow *)row)->limit;
+    return l->assumed ? l->assumed : "";
+}
+
 static const Column limit_column[] = {
     {COLUMN("direction", TEXT, LimitRow, direction), .label = "direction"},
     {COLUMN("name", TEXT, LimitRow, limit.name), .label = "limit"},
@@ -265,6 +271,9 @@ static const Column limit_column[] = {
     {COLUMN("unit", TEXT, LimitRow, limit.unit), .label = "unit"},
     {COLUMN("margin", NUMBER, LimitRow, limit.margin), .label = "margin", .decimals = 3},
     {.key = "ok", .text = limit_holds, .label = "holds"},
+    {COLUMN("worst", NUMBER, LimitRow, limit.worst), .label = "at worst", .decimals = -1, .unit_by = "unit"},
+    {.key = "assumed", .text = limit_assumed, .label = "by"},
+    {COLUMN("holds_to", NUMBER, LimitRow, limit.holds_to), .label = "holds to", .decimals = -1},
     {COLUMN("source", CHARS, LimitRow, limit.source), .label = "allowed by"},
 };
 static const Columns limit_columns = COLUMNS(LimitRow, limit_column);

@@ -250,17 +250,27 @@ hawser_status case_cables_read(CaseReader *r, const CaseNode *node)
     return case_list_read(r, node, sizeof *def->cables, cable_read, &def->cables, &def->n_cables);
 }
 
-/* Conductors of pieces that are unlike have no strength in common: then the case must say which counts. */
-static int conductors_alike(const SceneDef *def)
+static int conductors_equal(const CableDef *a, const CableDef *b)
 {
-    const CableDef *const first = &def->cables[def->pieces[0].cable];
-    for (int p = 1; p < scene_def_eye(def); ++p) {
-        const CableDef *const other = &def->cables[def->pieces[p].cable];
-        if (other->conductor_area != first->conductor_area || other->conductor_metal != first->conductor_metal ||
-            other->conductor_cores != first->conductor_cores)
-            return 0;
+    return a->conductor_area == b->conductor_area && a->conductor_metal == b->conductor_metal &&
+           a->conductor_cores == b->conductor_cores;
+}
+
+/* The cable whose conductor is pulled at: of a bundle the kind that counts as thickest, otherwise the chain's first
+ * piece. NULL: kinds or pieces have unlike conductors, which have no strength in common, so that the case must give it.
+ */
+static const CableDef *pulled_cable(const SceneDef *def)
+{
+    const BundleDef *const b = &def->bundle;
+    const CableDef *pulled = NULL;
+    const int several = bundle_present(b), n = several ? b->set.kinds : scene_def_eye(def);
+    for (int k = 0; k < n; ++k) {
+        const CableDef *const cable = &def->cables[several ? b->member[k] : def->pieces[k].cable];
+        if (several && cable->diameter < bundle_alike(b->set.twisted) * b->shape.diameter) continue;
+        if (pulled && !conductors_equal(pulled, cable)) return NULL;
+        pulled = cable;
     }
-    return 1;
+    return pulled;
 }
 
 /* The weakest of the rope's pieces, N; 0: it is not known of all. */
@@ -279,8 +289,8 @@ hawser_status case_cables_limits(CaseReader *r, const CaseNode *node)
     LimitsDef *const limits = &def->limits;
     (void)node;
     if (!limits->present || def->n_pieces == 0) return HAWSER_OK;
-    const CableDef *const cable = &def->cables[def->pieces[0].cable];
-    if (!(limits->area > 0) && cable->conductor_area > 0 && conductors_alike(def)) {
+    const CableDef *const cable = pulled_cable(def);
+    if (!(limits->area > 0) && cable && cable->conductor_area > 0) {
         limits->metal = cable->conductor_metal;
         limits->area = cable->conductor_area;
         limits->cores = cable->conductor_cores;

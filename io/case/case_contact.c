@@ -1,6 +1,8 @@
 #include <math.h>
+#include <stdio.h>
 
 #include "io/case/case_parts.h"
+#include "io/library/library.h"
 #include "sim/equipment/winch.h"
 
 static const char *const geometries[] = {"smooth", "cylinder", NULL};
@@ -89,6 +91,8 @@ hawser_status case_frictions_read(CaseReader *r, const CaseNode *node)
     if (r->def->winch.present && speed > 0) usual.v_s = fmin(usual.v_s, SPEED_SHARE * speed);
     usual.v_d = 2 * usual.v_s;
     r->def->friction = usual;
+    const FrictionKnown nothing = r->def->friction_known;
+    r->def->friction_known = case_friction_known(r, node, &nothing);
     const hawser_status status = case_friction_read(r, node, &usual, &r->def->friction);
     return status ? status : cable_friction_read(r, case_node_key(case_node_key(r->root, "contact"), "cable_friction"));
 }
@@ -118,6 +122,31 @@ static hawser_status stick_read(const CaseReader *r, const CaseNode *node, const
     }
     law->d_s = !sticks ? 0 : !isnan(record->d_s) ? record->d_s : base->d_s > 0 ? base->d_s : STICK_DISPLACEMENT;
     return HAWSER_OK;
+}
+
+/* The two ends of an entry's range of a key, if it has one as a list. */
+static int range_read(const CaseReader *r, const LibraryEntry *entry, const char *key, double *low, double *high)
+{
+    char why[UNITS_WHY_MAX];
+    const CaseNode *const range = case_node_key(case_node_key(entry->node, "range"), key);
+    return range && range->kind == NODE_LIST && range->count == 2 &&
+           units_read(r->units, range->first->text, DIM_NONE, low, why) &&
+           units_read(r->units, range->last->text, DIM_NONE, high, why);
+}
+
+FrictionKnown case_friction_known(const CaseReader *r, const CaseNode *node, const FrictionKnown *base)
+{
+    const CaseNode *const both = case_node_key(node, "mu"), *const rest = case_node_key(node, "mu_s"),
+                          *const own = case_node_key(node, "mu_d"), *const moving = own ? own : both;
+    FrictionKnown known = *base;
+    if (moving) {
+        const LibraryEntry *const entry = moving->entry;
+        known = (FrictionKnown){.source = FRICTION_GIVEN};
+        if (entry && range_read(r, entry, moving->key, &known.low, &known.high)) known.source = FRICTION_TYPICAL;
+        if (entry) snprintf(known.of, sizeof known.of, "%.63s", entry->name);
+    }
+    known.rest_assumed = !rest && (both || base->rest_assumed);
+    return known;
 }
 
 /* mu stands for both coefficients; each may be given by itself, and wins then: one of them, or mu would say nothing. */

@@ -186,6 +186,7 @@ static hawser_status winch_read(const CaseReader *r, const CaseNode *node)
 hawser_status case_tail_read(const CaseReader *r, const CaseNode *node, const CaseSection *section)
 {
     TailDef *const tail = &r->def->tail;
+    tail->given = 1;
     const hawser_status status = case_section_read(r, node, section, tail);
     if (status) return status;
     return case_profile_read(r, node, section, "tension", &tail->tension, &tail->table_time, &tail->table_value);

@@ -69,6 +69,8 @@ hawser_status case_contact_read(CaseReader *r, const CaseNode *node);
 /* The case's own friction law, and then that of cable on cable. */
 hawser_status case_frictions_read(CaseReader *r, const CaseNode *node);
 /* A friction law; what is not given is the base's. */
+/* Where the coefficient in motion of a section `friction` is from; `base`: of what it leaves out. */
+FrictionKnown case_friction_known(const CaseReader *r, const CaseNode *node, const FrictionKnown *base);
 hawser_status case_friction_read(const CaseReader *r, const CaseNode *node, const FrictionLaw *base, FrictionLaw *law);
 /* Of a velocity function: v_d, or 2 v_s where it was not given, which must be above v_s. */
 hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, double v_s, double *v_d);

@@ -173,7 +173,8 @@ static hawser_status friction_item(const CaseReader *r, const CaseNode *node, vo
     const hawser_status status = case_section_read(r, node, &case_theory_friction, f);
     if (status) return status;
     if (isnan(f->to)) f->to = r->route.length;
-    if (isnan(f->mu_s)) f->mu_s = f->mu;
+    f->rest_assumed = isnan(f->mu_s);
+    if (f->rest_assumed) f->mu_s = f->mu;
     if (f->to > f->from) return HAWSER_OK;
     return case_value_error(r->err, case_node_key(node, case_node_key(node, "to") ? "to" : "from"),
                             " is out of range: the stretch must not end at %g m, where it begins, or before", f->from);

@@ -326,6 +326,7 @@ static hawser_status surface_read(const CaseReader *r, const CaseNode *node, con
     out->shape.cable_radius = case_largest_diameter(r->def) / 2;
     if (isnan(out->shape.to)) out->shape.to = r->route.length;
     const CaseNode *const friction = case_node_key(node, "friction");
+    out->friction_known = case_friction_known(r, friction, &r->def->friction_known);
     if (!status) status = case_friction_read(r, friction, &r->def->friction, &out->friction);
     if (!status && list->along) status = stretch_check(r, node, out);
     return status ? status : list->finish(r, node, record.choice, out);

@@ -8,6 +8,10 @@
 
 #include "hawser/hawser.h"
 
+/* Of summary.json and of what theory prints as JSON: one more whenever a key goes or changes its meaning. 2: verdicts
+ * have a fifth word. */
+enum { RESULTS_FORMAT = 2 };
+
 /* What lies at a column's place in a row. */
 typedef enum ColumnKind {
     COLUMN_NUMBER, /* double; not finite: not known */

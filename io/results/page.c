@@ -298,7 +298,7 @@ static void print_facts(FILE *f, const Document *doc, hawser_units units)
 void document_print(FILE *f, const Document *doc, hawser_units units)
 {
     fprintf(f, "%s\n", doc->title);
-    if (doc->answer) fprintf(f, "\n%s\n", doc->answer);
+    if (doc->answer) fprintf(f, "\n%s%s", doc->answer, doc->n_facts > 0 ? "\n" : "");
     print_facts(f, doc, units);
     for (int i = 0; i < doc->n_tables; i++) print_table(f, &doc->table[i], units);
 }

@@ -16,6 +16,8 @@ typedef struct Summary {
     SummaryLabels l;
     const char *version;
     char verdict[HAWSER_VERDICT_MAX];
+    const char *code;
+    int format;
 } Summary;
 
 /* One object a duct, tray, floor or wall. */
@@ -159,12 +161,25 @@ static double limit_holds(const void *row)
     return l->judged ? (double)l->ok : NAN;
 }
 
+static const char *limit_assumed(const void *row)
+{
+    const hawser_limit *const l = row;
+    return l->assumed ? l->assumed : "";
+}
+
 static const Column limit_column[] = {
-    {COLUMN("name", TEXT, hawser_limit, name)},       {COLUMN("value", NUMBER, hawser_limit, value)},
-    {COLUMN("limit", NUMBER, hawser_limit, limit)},   {COLUMN("unit", TEXT, hawser_limit, unit)},
-    {COLUMN("margin", NUMBER, hawser_limit, margin)}, {.key = "ok", .kind = COLUMN_FLAG, .number = limit_holds},
-    {COLUMN("where", CHARS, hawser_limit, where)},    {COLUMN("source", CHARS, hawser_limit, source)},
+    {COLUMN("name", TEXT, hawser_limit, name)},
+    {COLUMN("value", NUMBER, hawser_limit, value)},
+    {COLUMN("limit", NUMBER, hawser_limit, limit)},
+    {COLUMN("unit", TEXT, hawser_limit, unit)},
+    {COLUMN("margin", NUMBER, hawser_limit, margin)},
+    {.key = "ok", .kind = COLUMN_FLAG, .number = limit_holds},
+    {COLUMN("where", CHARS, hawser_limit, where)},
+    {COLUMN("source", CHARS, hawser_limit, source)},
     {COLUMN("error", NUMBER, hawser_limit, error)},
+    {COLUMN("worst", NUMBER, hawser_limit, worst)},
+    {.key = "assumed", .kind = COLUMN_TEXT, .text = limit_assumed},
+    {COLUMN("holds_to", NUMBER, hawser_limit, holds_to)},
 };
 static const Columns limit_columns = COLUMNS(hawser_limit, limit_column);
 
@@ -282,6 +297,7 @@ static const Columns file_columns = COLUMNS(FileSum, file_column);
 
 static const Column summary_column[] = {
     /* what was run, by what, and how it ended */
+    {COLUMN("format", COUNT, Summary, format)},
     {COLUMN("title", TEXT, Summary, l.title)},
     {COLUMN("case", TEXT, Summary, l.case_name)},
     {COLUMN("version", TEXT, Summary, version)},
@@ -350,6 +366,7 @@ static const Column summary_column[] = {
     {LIST("limits", Summary, l.limit, l.n_limits, limit_columns)},
     {LIST("trust", Summary, s.conditions, s.n_conditions, condition_columns)},
     {COLUMN("verdict", CHARS, Summary, verdict)},
+    {COLUMN("verdict_code", TEXT, Summary, code)},
     {COLUMN("passes", OBJECT, Summary, s.passes), .of = &passes_columns},
     {COLUMN("overload.trip_N", NUMBER, Summary, l.trip_N)},
     {LIST("overload.rollers", Summary, l.overload, l.n_overloads, overload_columns)},
@@ -515,8 +532,9 @@ static int remedies_put(json_t *o, const SummaryLabels *l)
 /* Ten digits: enough to compare runs, short enough to read. */
 hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels, char **text, hawser_error *err)
 {
-    Summary all = {.s = *s, .l = *labels, .version = hawser_version()};
-    hawser_verdict(s->n_conditions, s->conditions, labels->n_limits, labels->limit, all.verdict, sizeof all.verdict);
+    Summary all = {.s = *s, .l = *labels, .version = hawser_version(), .format = RESULTS_FORMAT};
+    all.code = hawser_word_code(hawser_verdict_word(hawser_verdict(s->n_conditions, s->conditions, labels->n_limits,
+                                                                   labels->limit, all.verdict, sizeof all.verdict)));
     json_t *o = json_row(&summary_columns, &all);
     if (o && (machines_put(o, s) || remedies_put(o, labels))) {
         json_decref(o);

@@ -21,7 +21,7 @@ import pandas as pd
 
 from hawser._native import ffi, lib
 from hawser._tables import frame_of, shown
-from hawser.errors import MissingError, OutputError, c_path, check, taken
+from hawser.errors import MissingError, OutputError, c_path, check, taken, text_of
 
 PLOTS = ("tension", "series", "rollers", "plan")
 # What the axes of a set of results.h5 are, by its name; all begin with the time of the state.
@@ -31,17 +31,27 @@ AXES = {"position": ("segment", "xyz"), "quaternion": ("segment", "wxyz"), "velo
         "winch_force": (), "tail_tension": (), "head_at": ()}
 
 
+# Words of verdicts with their codes; what begins like another one comes first.
+WORDS = {text_of(lib.hawser_word_text(k)): text_of(lib.hawser_word_code(k))
+         for k in sorted(range(lib.HAWSER_WORDS), key=lambda k: -len(text_of(lib.hawser_word_text(k))))}
+
+
 class Verdict(str):
     """One line that says whether the pull is safe and the figures are to be trusted: "NOT SAFE: 1 of 12 limits broken: ..."."""
 
     @property
     def word(self) -> str:
-        """"SAFE", "NOT SAFE", "NOT JUDGED" or "NOT TRUSTED"."""
-        return self.split(":")[0].split(",")[0]
+        """"SAFE", "SAFE ONLY IF", "NOT SAFE", "NOT JUDGED" or "NOT TRUSTED"."""
+        return next((word for word in WORDS if self.startswith(word)), "")
+
+    @property
+    def code(self) -> str:
+        """The same for programs: "safe", "safe_if", "not_safe", "not_judged", "not_trusted"; only "safe" is safe."""
+        return WORDS.get(self.word, "")
 
     @property
     def safe(self) -> bool | None:
-        """Whether the pull is safe; None: nobody can say, as limits are missing or the run is not to be trusted."""
+        """Whether the pull is safe; None: that is not known, as limits or values are missing or the run is not to be trusted."""
         return {"SAFE": True, "NOT SAFE": False}.get(self.word)
 
     @property

@@ -32,9 +32,9 @@ hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err);
 double sim_jolt(const Sim *s);
 /* A number that another case has not. */
 uint64_t sim_identity(const Sim *s);
-/* What was found so far against the case's limits, with the error bars of these figures, which are the simulation's; as
- * hawser_sim_limits. */
-int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out);
+/* What was found so far against the case's limits, with the error bars of these figures, which are the simulation's;
+ * assumed: with what the case does not give at its unfavourable end, as hawser_sim_limits. */
+int sim_limits(const Sim *s, const hawser_summary *figures, int assumed, hawser_limit *out);
 /* hawser_sim_record without bringing the sample's position, quaternion, velocity and omega up to date. */
 void sim_record_row(Sim *s);
 /* What has held the integrator up since then; it has made steps. */

@@ -1,14 +1,17 @@
 /* What a simulation says of itself: the summary with its error bars and conditions of trust, limits and tables. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/equipment/reel.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
 #include "sim/run/commands.h"
 #include "sim/run/quasi_run.h"
 #include "sim/run/sim.h"
 #include "sim/run/together.h"
+#include "theory/assumed.h"
 
 static void integration_fill(const Sim *s, hawser_summary *out)
 {
@@ -173,17 +176,31 @@ static void borne_errors_add(struct Together *all)
     }
 }
 
-int sim_limits(const Sim *s, const hawser_summary *figures, hawser_limit *out)
+/* With what the case does not give at its unfavourable end; where theory cannot tell, what it touches is not judged. */
+static void assumed_add(const Sim *s, int n, hawser_limit *limit)
+{
+    hawser_error err;
+    const Setup setup = scene_setup(&s->stage.scene);
+    if (!assumed_judge(&setup, NULL, 1, n, &limit, &err)) return;
+    for (int i = 0; i < n; ++i) {
+        if (!limits_essential(limit[i].name)) continue;
+        limit[i].judged = limit[i].ok = 0;
+        snprintf(limit[i].source, sizeof limit[i].source, "theory cannot vary what is assumed: %.120s", err.message);
+    }
+}
+
+int sim_limits(const Sim *s, const hawser_summary *figures, int assumed, hawser_limit *out)
 {
     if (s->together && s->together->borne.n > 0) borne_errors_add(s->together);
     const double bar = figures->pull_peak_error.total, peak = figures->pull_peak_N;
     int n = peaks_judge(&s->peaks, &s->stats, &s->stage.scene, &s->expected, peak > 0 && bar > 0 ? bar / peak : 0, out);
+    if (assumed) assumed_add(s, n, out);
     for (int k = 1; k < sim_chains(s); ++k) {
         const Sim *const each = s->together->sim[k];
         hawser_summary own;
         hawser_limit limit[HAWSER_LIMITS_MAX];
         figures_fill(each, &own);
-        n = together_limits(n, out, sim_limits(each, &own, limit), limit, each->stage.scene.def.strand.name);
+        n = together_limits(n, out, sim_limits(each, &own, assumed, limit), limit, each->stage.scene.def.strand.name);
     }
     return n;
 }
@@ -192,7 +209,7 @@ static void summary_fill(const Sim *s, hawser_summary *out)
 {
     hawser_limit limit[HAWSER_LIMITS_MAX];
     figures_fill(s, out);
-    const int limits = sim_limits(s, out, limit);
+    const int limits = sim_limits(s, out, 0, limit);
     const TrustFacts facts = {.scene = &s->stage.scene,
                               .t = s->stage.t,
                               .end = hawser_sim_end_time(s),
@@ -299,5 +316,5 @@ int hawser_sim_limits(Sim *s, hawser_limit *out)
     if (!s || !out) return 0;
     hawser_summary figures;
     figures_fill(s, &figures);
-    return sim_limits(s, &figures, out);
+    return sim_limits(s, &figures, 1, out);
 }

@@ -15,14 +15,17 @@ typedef enum RowState { ROW_OPEN, ROW_DONE, ROW_REFUSED, ROW_FAILED, ROW_TIME, R
 /* What its answer says. */
 typedef enum RowVerdict {
     VERDICT_NONE,
-    VERDICT_SAFE,
-    VERDICT_NOT_SAFE,
-    VERDICT_NOT_JUDGED,
-    VERDICT_NOT_TRUSTED
+    VERDICT_SAFE = HAWSER_SAFE + 1,
+    VERDICT_NOT_SAFE = HAWSER_NOT_SAFE + 1,
+    VERDICT_NOT_JUDGED = HAWSER_NOT_JUDGED + 1,
+    VERDICT_NOT_TRUSTED = HAWSER_NOT_TRUSTED + 1,
+    VERDICT_SAFE_ONLY_IF = HAWSER_SAFE_ONLY_IF + 1,
+    VERDICTS
 } RowVerdict;
 
 /* The words for them, by the enumerations. */
-extern const char *const row_states[], *const row_verdicts[];
+extern const char *const row_states[];
+const char *row_verdict(int verdict);
 
 enum { REASON_MAX = 200 };
 

@@ -12,7 +12,11 @@
 #include "study/engine/engine.h"
 
 const char *const row_states[] = {"open", "done", "refused", "failed", "time limit", "no memory", "died"};
-const char *const row_verdicts[] = {"", "SAFE", "NOT SAFE", "NOT JUDGED", "NOT TRUSTED"};
+
+const char *row_verdict(int verdict)
+{
+    return verdict == VERDICT_NONE ? "" : hawser_word_text((hawser_word)(verdict - 1));
+}
 
 /* ---------------------------------------------------------------------------------------------------- answers */
 
@@ -62,12 +66,15 @@ static double number_of(const json_t *value)
     return json_is_number(value) ? json_number_value(value) : NAN;
 }
 
+/* By the word with which the text begins, the longest that fits. */
 static int verdict_of(const char *text)
 {
-    for (int k = VERDICT_SAFE; text && k <= VERDICT_NOT_TRUSTED; k++) {
-        if (strncmp(text, row_verdicts[k], strlen(row_verdicts[k])) == 0) return k;
+    int found = VERDICT_NONE;
+    for (int k = VERDICT_SAFE; text && k < VERDICTS; k++) {
+        const size_t length = strlen(row_verdict(k));
+        if (strncmp(text, row_verdict(k), length) == 0 && length > strlen(row_verdict(found))) found = k;
     }
-    return VERDICT_NONE;
+    return found;
 }
 
 /* The kind of limit of that name; LIMIT_KINDS: none. */

@@ -182,8 +182,8 @@ static int within(int32_t value, int least, int most) { return value >= least &&
 /* Whether it says what a row can say: its sum only tells that it is as somebody wrote it. */
 static int row_is_one(const Row *row)
 {
-    return within(row->state, ROW_OPEN, ROW_DIED) && within(row->verdict, VERDICT_NONE, VERDICT_NOT_TRUSTED) &&
-           within(row->theory_verdict, VERDICT_NONE, VERDICT_NOT_TRUSTED) && within(row->answered, BY_THEORY, BY_RUN) &&
+    return within(row->state, ROW_OPEN, ROW_DIED) && within(row->verdict, VERDICT_NONE, VERDICTS - 1) &&
+           within(row->theory_verdict, VERDICT_NONE, VERDICTS - 1) && within(row->answered, BY_THEORY, BY_RUN) &&
            within(row->limited_by, -1, LIMIT_KINDS - 1) && memchr(row->reason, 0, sizeof row->reason);
 }
 

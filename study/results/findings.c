@@ -16,11 +16,12 @@ static Share share_in(const Study *s, long hits, long n)
     return s->kind == STUDY_MONTE_CARLO ? share : (Share){share.value, NAN, NAN};
 }
 
-/* Not judged as a whole, but none of the limits that could be judged is broken: left out, what is judged would be what
- * is broken. */
+/* Not judged as a whole, or safe with what is assumed alone, but none of the limits that could be judged is broken:
+ * left out, what is judged would be what is broken. */
 static int holds_open(const Row *row)
 {
-    return row->state == ROW_DONE && row->verdict == VERDICT_NOT_JUDGED && row->limited_by >= 0;
+    const int open = row->verdict == VERDICT_NOT_JUDGED || row->verdict == VERDICT_SAFE_ONLY_IF;
+    return row->state == ROW_DONE && open && row->limited_by >= 0;
 }
 
 static void verdicts_count(const Study *s, const Rows *rows, Findings *f)
@@ -208,7 +209,7 @@ static void variants_list(const Study *s, const Rows *rows, Findings *f)
         VariantRow *const to = &f->variant[f->n_variants];
         if (row->state != ROW_DONE) continue;
         *to = (VariantRow){.sample = i,
-                           .verdict = row_verdicts[row->verdict],
+                           .verdict = row_verdict(row->verdict),
                            .limited_by = row->limited_by < 0 ? "" : limits_name((LimitKind)row->limited_by),
                            .margin = row->limited_by < 0 ? NAN : row->margin[row->limited_by],
                            .quantity = s->n_quantities > 0 ? rows->value[i * rows->width] : NAN,

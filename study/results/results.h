@@ -105,7 +105,7 @@ typedef struct LostRow {
 } LostRow;
 
 typedef struct Findings {
-    long by_state[ROW_DIED + 1], by_verdict[VERDICT_NOT_TRUSTED + 1];
+    long by_state[ROW_DIED + 1], by_verdict[VERDICTS];
     long runs, changed;      /* of BY_BOTH: samples with a run; of these, those whose verdict theory had otherwise */
     double off[LIMIT_KINDS]; /* of BY_BOTH: what theory and a run differ by in a margin, at most; NAN: no sample has
                                 both */

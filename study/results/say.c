@@ -295,7 +295,8 @@ static void say_rest(Lines *l, const Study *s, const Findings *f)
     line(l, "  samples  %ld of %ld, by %s\n", there, s->samples, by[s->fidelity]);
     if (s->fidelity == BY_BOTH) say_runs(l, s, f);
     if (judged == there || there == 0 || study_searches(s)) return;
-    line(l, "  open     %ld NOT TRUSTED, %ld NOT JUDGED, %ld without an answer", f->by_verdict[VERDICT_NOT_TRUSTED],
+    line(l, "  open     %ld SAFE ONLY IF, %ld NOT TRUSTED, %ld NOT JUDGED, %ld without an answer",
+         f->by_verdict[VERDICT_SAFE_ONLY_IF], f->by_verdict[VERDICT_NOT_TRUSTED],
          f->by_verdict[VERDICT_NOT_JUDGED] + f->by_verdict[VERDICT_NONE], there - f->by_state[ROW_DONE]);
     if (judged > 0)
         line(l, ": whatever they are, between %.3g and %.3g %% are NOT SAFE", 100 * f->least_share,
@@ -324,6 +325,7 @@ static int facts_list(const Study *s, const Findings *f, Fact *fact)
     fact[n++] = (Fact){"out_of_memory", NULL, "", cell_number((double)f->by_state[ROW_MEMORY])};
     fact[n++] = (Fact){"died", NULL, "", cell_number((double)f->by_state[ROW_DIED])};
     fact[n++] = (Fact){"safe", NULL, "", cell_number((double)f->by_verdict[VERDICT_SAFE])};
+    fact[n++] = (Fact){"safe_if", NULL, "", cell_number((double)f->by_verdict[VERDICT_SAFE_ONLY_IF])};
     fact[n++] = (Fact){"not_safe", NULL, "", cell_number((double)f->by_verdict[VERDICT_NOT_SAFE])};
     fact[n++] = (Fact){"not_judged", NULL, "", cell_number((double)f->by_verdict[VERDICT_NOT_JUDGED])};
     fact[n++] = (Fact){"not_trusted", NULL, "", cell_number((double)f->by_verdict[VERDICT_NOT_TRUSTED])};

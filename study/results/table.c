@@ -99,7 +99,7 @@ static Cell cell_of(const Study *s, const Rows *rows, const Row *row, const doub
     case OF_ANSWER:
         return cell_text(done ? answers[row->answered] : "");
     case OF_VERDICT:
-        return cell_text(row_verdicts[row->verdict]);
+        return cell_text(row_verdict(row->verdict));
     case OF_LIMIT:
         return cell_text(row->limited_by < 0 ? "" : limits_name((LimitKind)row->limited_by));
     case OF_STATE:

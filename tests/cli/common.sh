@@ -27,8 +27,10 @@ run_hawser() {
 says() {
     file=$1
     shift
+    # sentences of an answer go on in lines that are indented
+    awk '{ sub(/^ +/, " "); printf "%s", $0 }' "$work/$file" >"$work/flowed"
     for text in "$@"; do
-        grep -qF -- "$text" "$work/$file" || {
+        grep -qF -- "$text" "$work/$file" "$work/flowed" || {
             fail "$what: '$text' is not in its $file:"
             sed 's/^/    /' "$work/$file" >&2
         }

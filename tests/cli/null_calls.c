@@ -66,6 +66,7 @@ static void cases(void)
     REFUSED("text", hawser_case_describe, c, HAWSER_JSON, NULL);
     REFUSED("c", hawser_case_theory, NULL, HAWSER_JSON, &text);
     REFUSED("text", hawser_case_theory, c, HAWSER_JSON, NULL);
+    REFUSED("c", hawser_case_theory_shown, NULL, HAWSER_JSON, NULL, &text, NULL);
     REFUSED("c", hawser_case_equipment, NULL, HAWSER_JSON, &text);
     REFUSED("text", hawser_case_equipment, c, HAWSER_JSON, NULL);
     REFUSED("c", hawser_fmu_write, NULL, HAWSER_FMI_3, "x");
@@ -181,6 +182,8 @@ static void tables(void)
     assert_int_equal(hawser_limits_verdict(0, limit, NULL, 0), -1);
     assert_int_equal(hawser_verdict(1, NULL, 0, limit, text, sizeof text), -1);
     assert_int_equal(hawser_verdict(0, NULL, 0, limit, NULL, 0), -1);
+    assert_string_equal(hawser_word_code(hawser_verdict_word(-1)), "not_judged");
+    assert_string_equal(hawser_word_text(hawser_verdict_word(-3)), "SAFE ONLY IF");
     assert_string_equal(hawser_show(1, NULL, HAWSER_SI, text), "");
     assert_string_equal(hawser_show(1, "N", HAWSER_SI, NULL), "");
     assert_string_equal(hawser_show_figure(NULL, HAWSER_SI, text), "");

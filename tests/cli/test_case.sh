@@ -17,14 +17,20 @@ says out "turns to the side in one plane: from 6.0 to 0.0 deg"
 
 # mu w L = 0.2 * 20 kg/m * 9.81 m/s2 * 20 m of a route full of cable; of the 10 m that a run pulls half of it
 run_hawser 0 theory pull.yaml
+[ "$(wc -l <"$work/out")" -le 25 ] && [ "$(wc -L <"$work/out")" -le 80 ] || fail "$what: more than 25 lines of 80 columns"
+run_hawser 2 theory pull.yaml --tables pieces,piece
+says err "no table 'piece': there are all, facts, pieces"
+run_hawser 0 theory pull.yaml --tables pieces
+says out "The route piece by piece" "784.8"
+run_hawser 0 theory pull.yaml --tables all
 says out "middle" "784.8 N" "paper  reference" "392.4"
 run_hawser 0 theory pull.yaml --format csv
 says out "name,from_m,length_m,radius_m,supports,forward_end_N" "row,0,20,,resultant,784.8,0,196.2,"
 run_hawser 0 theory pull.yaml --format json
 says out '"reference_total_N": 784.8' '"reference_total_N": 392.4' '"stations": [' '"pieces": [' '"directions": ['
-run_hawser 0 theory pull.yaml --set friction.mu=0.4
+run_hawser 0 theory pull.yaml --tables facts --set friction.mu=0.4
 says out "1.5696 kN"
-run_hawser 0 theory --set friction.mu=0.4 --set friction.mu=0.3 -- pull.yaml
+run_hawser 0 theory --tables=facts --set friction.mu=0.4 --set friction.mu=0.3 -- pull.yaml
 says out "1.1772 kN"
 
 run_hawser 2 check nowhere.yaml

@@ -57,6 +57,22 @@ PATH=$PATH_BEFORE
 says err "apt-get install chromium"
 exists r/report.html
 
+# a name that ends in .pdf is the print's, the page stands beside it (was: HTML in a.pdf, an empty page in a.pdf.pdf)
+printf '#!/bin/sh\nfor a; do case $a in --print-to-pdf=*) echo %%PDF-of "$8" "$a" >"${a#*=}";; esac; last=$a; done\n' >"$work/bin/chromium"
+printf 'echo "$last" >>"%s/urls"\n' "$work" >>"$work/bin/chromium"
+chmod +x "$work/bin/chromium"
+PATH=$work/bin:$PATH_BEFORE
+for args in "--pdf -o a.pdf" "-o a.pdf" "--pdf -o a.html" "--pdf -o a"; do
+    rm -f "$work"/a.* "$work/urls"
+    run_hawser 0 report r $args
+    says out "Report: a.html" "Printed: a.pdf"
+    exists a.html a.pdf
+    missing a.pdf.pdf a
+    grep -q "^%PDF" "$work/a.pdf" || fail "$what: a.pdf is no print"
+    grep -q "/a.html$" "$work/urls" || fail "$what: the browser has not opened the page"
+done
+PATH=$PATH_BEFORE
+
 # figures
 run_hawser 0 plot r
 says out "Drawn: 4 figures in r"

@@ -28,6 +28,13 @@ grep -q '"outcome": "finished"' "$work/results/pull/summary.json" || fail "$what
 awk -F, 'NR > 1 && $1 <= last { exit 1 } { last = NR > 1 ? $1 : -1 }' "$work/results/pull/series.csv" ||
     fail "$what: times do not rise"
 
+# for a program: what summary.json holds, and nothing else
+run_hawser 0 run pull.yaml -o json --format json
+says out '"format": 2' '"verdict_code": "not_trusted"'
+[ "$(head -c 1 "$work/out")" = "{" ] || fail "$what: something is said before the summary"
+run_hawser 2 run pull.yaml -o json --format csv
+says err "'table' or 'json' can be used"
+
 for flag in -v --verbose; do
     run_hawser 0 run $flag -o chatty pull.yaml
     says out "20 segments" "Where the time went" "Work: 2 s in" "Balances: energy" "right-hand sides" "linear solver"

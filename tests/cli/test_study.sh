@@ -3,7 +3,7 @@ hawser=$1 source=$2
 . "$source/tests/cli/common.sh"
 
 run_hawser 0 study "$source/cases/studies/friction.yaml" -o friction
-says out "Friction of the Huangjiahu tunnel" "P(NOT SAFE) = 4 % (3-5.4 % with 95 % confidence), limited by winch in 41" \
+says out "Friction of the Huangjiahu tunnel" "P(NOT SAFE) is at least 4 % (3-5.4 % with 95 % confidence), limited by winch in 41" \
     "samples  1024 of 1024, by theory" "reference_total_N" "The estimate by the first samples"
 says err "1024 of 1024 samples, 41 not safe, 0 without an answer"
 exists friction/samples.csv friction/study.h5 friction/summary.json friction/workers/study

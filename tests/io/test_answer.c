@@ -50,7 +50,7 @@ static void words(void **state)
         double value, limit;
         const char *said;
     } row[] = {
-        {"pull", "N", 15200, 10000, "5.2 kN less: conveyors or an intermediate pull that take so much"},
+        {"pull", "N", 15200, 10000, "5.2 kN less pull: conveyors, a pit, a lubricant"},
         {"winch", "N", 15200, 10000, "5.2 kN less"},
         {"rope", "N", 15000, 10000, "a rope that breaks at 75 kN (limits.rope_strength)"},
         {"bend_radius", "m", 1.5, 2, "a radius of at least 2 m there"},
@@ -66,7 +66,7 @@ static void words(void **state)
         check_has(said, row[k].said);
         if (!*row[k].said) assert_string_equal(said, "");
     }
-    check_has(remedy(scene, "pull", "N", 4448.2216 * 2, 4448.2216, "", HAWSER_US), "1000 lbf less");
+    check_has(remedy(scene, "pull", "N", 4448.2216 * 2, 4448.2216, "", HAWSER_US), "1000 lbf less pull");
 }
 
 /* The duct that is named does what it is named for, and one that is 1 % worse does not. */
@@ -123,14 +123,15 @@ static void answers(void **state)
     char *text = NULL;
     assert_int_equal(hawser_case_parse(three, NAME, &c, NULL), HAWSER_OK);
     assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, NULL), HAWSER_OK);
-    check_has(text, "\n\nNOT SAFE: ");
+    check_has(text, "\nNOT SAFE: ");
     check_has(text, "\n  pull           ");
     check_has(text, "\n  worst          ");
     check_has(text, "\n  remedy         an inside diameter of at least ");
     check_has(text, "\n  pulled back    ");
     const char *const answer = strstr(text, "NOT SAFE"), *const table = strstr(text, "weight of the cable");
     assert_non_null(answer);
-    assert_true(answer - text < 20);
+    check_has(text, "\n\n  assumed        friction at rest 0."); /* above the verdict */
+    assert_true(strstr(text, "assumed") < answer);
     assert_true(table > answer);
     hawser_text_free(text);
     assert_int_equal(hawser_case_theory(c, HAWSER_TABLE_US, &text, NULL), HAWSER_OK);
@@ -146,7 +147,7 @@ static void answers(void **state)
     assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
     assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, NULL), HAWSER_OK);
     hawser_sim_answer(sim, HAWSER_SI, said, sizeof said);
-    assert_ptr_equal(strstr(said, "NOT SAFE: 1 of"), said);
+    check_has(said, "  assumed        friction at rest 0.2, usually 0.2 to 0.3 (friction.mu_s)\nNOT SAFE: 1 of");
     check_has(said, "\n  pull           mean ");
     check_has(said, "\n  reached        the cable's front came to ");
     check_has(said, "\n  worst          sidewall ");

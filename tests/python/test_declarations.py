@@ -19,6 +19,8 @@ import declarations  # noqa: E402
 # Functions that the package does not call, and why.
 NOT_WRAPPED = {
     "hawser_limits_verdict": "hawser_verdict says the same, with the conditions",
+    "hawser_verdict_word": "the text of a verdict begins with its word",
+    "hawser_case_theory_shown": "what chooses tables for a terminal; Theory has them all",
     "hawser_version": "the extension is linked with this version's library, whose number _declared.VERSION has",
     "hawser_version_number": "the same, as a number",
     "hawser_machine_figure": "a dict has the figures",

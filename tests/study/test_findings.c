@@ -102,7 +102,7 @@ static void probability_of_a_limit(void **state)
     assert_int_equal(hawser_study_answer(again, HAWSER_SI, &text, &err), HAWSER_ERR_INPUT);
     assert_int_equal(hawser_study_run(again, scratch_path("limit"), NULL, &err), HAWSER_OK); /* nothing is open */
     assert_int_equal(hawser_study_answer(again, HAWSER_SI, &text, &err), HAWSER_OK);
-    check_has(text, "P(NOT SAFE) = ");
+    check_has(text, "P(NOT SAFE) is at least "); /* friction at rest is assumed: none of them is SAFE for certain */
     check_has(text, ", limited by winch in ");
     hawser_text_free(text);
     hawser_study_free(again);
@@ -116,7 +116,7 @@ static void limits_that_are_not_judged(void **state)
 {
     (void)state;
     static const char text[] = "case: " HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml\n"
-                               "set: {limits.winch_capacity: 15 kN}\n"
+                               "set: {limits: \"{winch_capacity: 15 kN}\"}\n"
                                "parameters: {friction.mu: {uniform: {from: 0.1, to: 0.3}}}\n"
                                "monte-carlo: {samples: 64}\n";
     hawser_study *const s = study_open(scratch_write("study.yaml", text));
@@ -196,14 +196,15 @@ static void theory_and_runs(void **state)
         const int runs_alone = strcmp(f.limit[k].name, "roller_peak") == 0 || strcmp(f.limit[k].name, "alpha") == 0;
         assert_int_equal(isnan(f.limit[k].share.value) != 0, runs_alone);
     }
-    assert_int_equal(rows.row[0].verdict, VERDICT_SAFE);
+    assert_int_equal(rows.row[0].verdict,
+                     VERDICT_SAFE_ONLY_IF); /* with friction at rest 1.5 times as large it breaks */
     assert_int_equal(rows.row[4].verdict, VERDICT_NOT_SAFE);
     size_t size;
     char *const csv = bytes_of("both", "samples.csv", &size);
     check_has(
         csv,
         "sample,friction.mu,answered_by,verdict,limited_by,state,theory: reference_total_N,run: pull_force.peak_N,");
-    check_has(csv, "\n0,0.1,theory,SAFE,winch,done,");
+    check_has(csv, "\n0,0.1,theory,SAFE ONLY IF,winch,done,");
     free(csv);
     clear(s, &rows, &f);
 }

@@ -129,7 +129,7 @@ static void constraints_of_its_own(void **state)
                     "  friction.mu: {range: {from: 0.1, to: 0.4, start: 0.2}}\n"
                     "  tail: {key: drive.tail.tension, range: {from: 100 N, to: 500 N}}\n"
                     "optimise: {most: tail, constraints: [{of: reference_total_N, at_most: 550}, {of: friction.mu, "
-                    "at_least: 0.11}]}\n"));
+                    "at_least: 0.11}], limits: false}\n"));
     char *text;
     assert_int_equal(hawser_study_run(s, scratch_path("own"), NULL, &err), HAWSER_OK);
     assert_int_equal(hawser_study_answer(s, HAWSER_SI, &text, &err), HAWSER_OK);

@@ -15,6 +15,9 @@ export interface Limit {
   where: string;
   source: string;
   remedy?: string;
+  /** A value that the case does not give and that this limit depends on; up to where the limit holds. */
+  assumed?: string | null;
+  holds_to?: Value;
 }
 
 export interface Trust {

@@ -91,13 +91,14 @@ export function remedyOf(limit: Limit): string {
   return limit.remedy ?? '';
 }
 
-export type Standing = 'safe' | 'unsafe' | 'untrusted' | 'unjudged';
+export type Standing = 'safe' | 'conditional' | 'unsafe' | 'untrusted' | 'unjudged';
 
 /** What the verdict says, by its first words. */
 export function standing(run: RunData): Standing {
   const verdict = run.summary.verdict ?? '';
   if (verdict.startsWith('NOT TRUSTED')) return 'untrusted';
   if (verdict.startsWith('NOT SAFE')) return 'unsafe';
+  if (verdict.startsWith('SAFE ONLY IF')) return 'conditional';
   if (verdict.startsWith('SAFE')) return 'safe';
   return 'unjudged';
 }

@@ -134,7 +134,13 @@ export function compareSection(context: Context): HTMLElement | null {
   const groups = groupsOf(runs);
   const verdicts = runs.map((run) => {
     const now = standing(run);
-    const words = { safe: 'safe', unsafe: 'not safe', untrusted: 'not trusted', unjudged: 'not judged' };
+    const words = {
+      safe: 'safe',
+      conditional: 'safe only if',
+      unsafe: 'not safe',
+      untrusted: 'not trusted',
+      unjudged: 'not judged',
+    };
     return el('td', {}, el('span', { class: `standing-word ${now}` }, sign(now), words[now]));
   });
   const choose = names.map((name, i) => {

@@ -12,7 +12,13 @@ function standingOf(limit: Limit): Standing {
   return limit.ok ? 'safe' : 'unsafe';
 }
 
-const WORDS: Record<Standing, string> = { safe: 'holds', unsafe: 'broken', unjudged: 'not judged', untrusted: '' };
+const WORDS: Record<Standing, string> = {
+  safe: 'holds',
+  conditional: '',
+  unsafe: 'broken',
+  unjudged: 'not judged',
+  untrusted: '',
+};
 
 function row(limit: Limit, context: Context): HTMLElement {
   const { units, store } = context;

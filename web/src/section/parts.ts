@@ -17,6 +17,7 @@ export function note(text: string): HTMLElement {
 
 const SIGN: Record<Standing, string> = {
   safe: 'M6 12.5l4 4 8-9',
+  conditional: 'M9 9.2c0-4.2 6.4-3.6 6 .2-.3 2.4-3 2.3-3 5M12 17.2v.6',
   unsafe: 'M7 7l10 10M17 7L7 17',
   untrusted: 'M12 6v8M12 17.2v.6',
   unjudged: 'M7 12h10',

@@ -9,6 +9,7 @@ import { sign } from './parts';
 
 const WORD: Record<Standing, string> = {
   safe: 'SAFE',
+  conditional: 'SAFE ONLY IF',
   unsafe: 'NOT SAFE',
   untrusted: 'NOT TRUSTED',
   unjudged: 'NOT JUDGED',
@@ -113,6 +114,21 @@ function changes(context: Context): HTMLElement[] {
         ...brokenRemedies(context),
         el('p', { class: 'detail' }, 'A remedy looks at its own limit alone: compute again with it.'),
       ];
+    case 'conditional': {
+      const bounds = (summary.limits ?? []).filter((limit) => limit.assumed && limit.holds_to !== null);
+      const list = bounds.map((limit) =>
+        el(
+          'li',
+          {},
+          el('strong', {}, inWords(limit.name)),
+          `: depends on ${limit.assumed}, which the case does not give`,
+        ),
+      );
+      return [
+        el('p', {}, 'Give or measure what is assumed, or change the pull until these limits hold:'),
+        el('ul', {}, ...list),
+      ];
+    }
     case 'safe': {
       const open = (summary.limits ?? []).filter((limit) => limit.ok === null);
       const names = open.map((limit) => inWords(limit.name).toLowerCase()).join(', ');
@@ -138,7 +154,7 @@ function changes(context: Context): HTMLElement[] {
 
 /** The verdict without its first words, which stand above it. */
 function reason(verdict: string): string {
-  return capital(verdict.replace(/^(NOT SAFE|NOT TRUSTED|NOT JUDGED|SAFE):?\s*/, ''));
+  return capital(verdict.replace(/^(NOT SAFE|NOT TRUSTED|NOT JUDGED|SAFE ONLY IF|SAFE):?\s*/, ''));
 }
 
 export function verdictSection(context: Context): HTMLElement {

@@ -1,0 +1,117 @@
+/* Values that a case does not give: their ranges, the unfavourable end, the bound up to which all limits hold. The old
+ * verdict stands beside each: a silent default decided it. */
+#include <stdio.h>
+
+#include "tests/io/theory_fixture.h"
+
+/* A duct of 400 m: T = T0 + mu w L, so that every bound has a closed form. 10 kg/m; 8 kN are allowed, no rope. */
+static const char CASE[] = "cables: {c: {EA: 10 MN, GA: 4 MN, GJ: 100 N m2, EI: 50 N m2, d: 50 mm, mass: 10 kg/m}}\n"
+                           "chain: [{cable: c, length: 400 m}]\nroute: {pieces: [{straight: 400 m}]}\n"
+                           "surfaces: {ducts: [{radius: 80 mm}]}\nlimits: {pull: 8 kN, sidewall: 3 kN/m}\n";
+static const double W = 10 * 9.81, LENGTH = 400;
+
+static json_t *with(const char *lines)
+{
+    char text[2000];
+    snprintf(text, sizeof text, "%s%s", CASE, lines);
+    return theory_of(text, NULL);
+}
+
+static const json_t *limit_in(const json_t *answer, const char *name)
+{
+    const json_t *limit;
+    size_t i;
+    json_array_foreach(json_object_get(answer, "limits"), i,
+                       limit) if (!strcmp(json_string_value(json_object_get(limit, "name")), name)) return limit;
+    fail_msg("no limit %s", name);
+    return NULL;
+}
+
+static const char *code_of(const json_t *answer) { return json_string_value(json_object_get(answer, "verdict_code")); }
+
+/* Once 0.2 was taken without a word and the pull was SAFE with 1.9 % left. */
+static void friction_of_nobody(void **state)
+{
+    (void)state;
+    char bound[80];
+    json_t *const o = with("drive: {tail: {tension: 0 N}}\n");
+    assert_string_equal(code_of(o), "not_judged");
+    snprintf(bound, sizeof bound, "NOT JUDGED: pull: friction is not given (friction.mu): up to %.3g would do",
+             floor(1e3 * 8000 / (W * LENGTH)) / 1e3);
+    verdict_has(o, bound);
+    assert_false(json_is_true(json_object_get(limit_in(o, "pull"), "ok")));
+    json_decref(o);
+    /* with a millionth of the friction it is broken too: that does not depend on what is assumed */
+    json_t *const broken = with("drive: {tail: {tension: 9 kN}}\n");
+    assert_string_equal(code_of(broken), "not_safe");
+    json_decref(broken);
+}
+
+/* Once the restart was judged with the friction in motion: SAFE. */
+static void friction_at_rest(void **state)
+{
+    (void)state;
+    json_t *o = with("friction: {mu: 0.15}\ndrive: {tail: {tension: 0 N}}\n");
+    const double most = 8000 / (W * LENGTH);
+    assert_string_equal(code_of(o), "safe_if");
+    verdict_has(o, "SAFE ONLY IF friction at rest <= 0.203 (restart): all ");
+    check_share(number_of(limit_in(o, "restart"), "holds_to"), most, 1e-3);
+    check_share(number_of(limit_in(o, "restart"), "worst"), 1.5 * 0.15 * W * LENGTH, 1e-9);
+    check_share(number_of(limit_in(o, "restart"), "value"), 0.15 * W * LENGTH, 1e-9);
+    check_share(number_of(limit_in(o, "pull"), "worst"), 0.15 * W * LENGTH, 1e-9);
+    json_decref(o);
+    o = with("friction: {mu: 0.15, mu_s: 0.15}\ndrive: {tail: {tension: 0 N}}\n");
+    assert_string_equal(code_of(o), "safe");
+    json_decref(o);
+    o = with("friction: {mu: 0.13}\ndrive: {tail: {tension: 0 N}}\n"); /* 1.5 times as much holds */
+    assert_string_equal(code_of(o), "safe");
+    json_decref(o);
+}
+
+/* Once no tail meant 0 N: SAFE. */
+static void back_tension(void **state)
+{
+    (void)state;
+    json_t *o = with("friction: {mu: 0.2, mu_s: 0.2}\n");
+    const double left = 8000 - 0.2 * W * LENGTH;
+    assert_string_equal(code_of(o), "safe_if");
+    verdict_has(o, "SAFE ONLY IF back tension <= 151 N (");
+    check_close(number_of(limit_in(o, "pull"), "holds_to"), left, 0.5);
+    check_share(number_of(limit_in(o, "pull"), "worst"), 15 * W + 0.2 * W * LENGTH, 1e-9);
+    json_decref(o);
+    o = with("friction: {mu: 0.2, mu_s: 0.2}\ndrive: {tail: {tension: 0 N}}\n");
+    assert_string_equal(code_of(o), "safe");
+    json_decref(o);
+}
+
+/* An entry of the catalogue is typical, not measured: its range counts. */
+static void friction_of_the_catalogue(void **state)
+{
+    (void)state;
+    json_t *const o =
+        with("friction: {type: pe-jacket/pe-duct/lubricated, mu_s: 0.25}\ndrive: {tail: {tension: 0 N}}\n");
+    const json_t *const pull = limit_in(o, "pull"), *row;
+    size_t i;
+    double high = NAN;
+    json_array_foreach(json_object_get(o, "assumed"), i,
+                       row) if (!strcmp(json_string_value(json_object_get(row, "name")), "friction")) high =
+        number_of(row, "high");
+    check_share(number_of(pull, "worst"), high * W * LENGTH, 1e-9);
+    assert_string_equal(json_string_value(json_object_get(pull, "assumed")), "friction");
+    json_decref(o);
+}
+
+/* Rows of rollers are known to roll; what else the case gives leaves nothing open. */
+static void nothing_is_open(void **state)
+{
+    (void)state;
+    json_t *const o = with("friction: {mu: 0.1, mu_s: 0.12}\ndrive: {tail: {tension: 1 kN}}\n");
+    assert_string_equal(code_of(o), "safe");
+    assert_null(json_object_get(o, "assumed"));
+    assert_string_equal(json_string_value(json_object_get(limit_in(o, "pull"), "assumed")), "");
+    json_decref(o);
+}
+
+TEST_FILE(test_assumed, cmocka_unit_test(friction_of_nobody), cmocka_unit_test(friction_at_rest),
+          cmocka_unit_test(back_tension), cmocka_unit_test(friction_of_the_catalogue),
+          cmocka_unit_test(nothing_is_open))
