@@ -36,11 +36,13 @@ void limits_defaults(LimitsDef *def)
 /* Names and units by kind. */
 static const struct {
     const char *name, *unit;
-} kinds[LIMIT_KINDS] = {{"pull", "N"},        {"restart", "N"},   {"attachment", "N"},    {"sidewall", "N/m"},
-                        {"bend_radius", "m"}, {"rope_bend", "1"}, {"roller_steady", "N"}, {"roller_peak", "N"},
-                        {"rope", "N"},        {"winch", "N"},     {"push", "N"},          {"squeeze", "N/m"},
-                        {"run_away", "N"},    {"alpha", "1"},     {"trip", "N"},          {"speed", "m/s"},
-                        {"jam_ratio", "1"},   {"clearance", "m"}, {"fill", "1"},          {"weight_correction", "1"}};
+} kinds[LIMIT_KINDS] = {{"pull", "N"},          {"restart", "N"},     {"attachment", "N"},
+                        {"sidewall", "N/m"},    {"bend_radius", "m"}, {"rope_bend", "1"},
+                        {"roller_steady", "N"}, {"roller_peak", "N"}, {"rope", "N"},
+                        {"winch", "N"},         {"push", "N"},        {"buckling", "N"},
+                        {"squeeze", "N/m"},     {"run_away", "N"},    {"alpha", "1"},
+                        {"trip", "N"},          {"speed", "m/s"},     {"jam_ratio", "1"},
+                        {"clearance", "m"},     {"fill", "1"},        {"weight_correction", "1"}};
 
 const char *limits_name(LimitKind kind) { return kinds[kind].name; }
 

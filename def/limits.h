@@ -66,6 +66,7 @@ typedef enum LimitKind {
     LIMIT_ROPE,     /* N */
     LIMIT_WINCH,    /* N */
     LIMIT_PUSH,     /* N, largest push of a machine */
+    LIMIT_BUCKLING, /* N, compression where it is nearest to the critical load there */
     LIMIT_SQUEEZE,  /* N/m, of belts on the cable */
     LIMIT_RUN_AWAY, /* N, brake that is missing where the pull begins */
     LIMIT_ALPHA,
@@ -83,12 +84,13 @@ typedef struct Finding {
     int absent;     /* it says nothing about this limit, which is then not listed */
     double value;   /* in the limit's unit; NAN: not known */
     double error;   /* of value: the error bar of a run's figure; 0: it has none */
-    double rating;  /* N, of the roller found; of the run-away the largest tension, which its margin is measured by */
+    double rating;  /* N, of the roller found; the critical load; of the run-away the largest tension, which its margin
+                       is measured by */
     int cables;     /* in the duct found */
     double steady;  /* N, of a trip: the largest force that the winch needs by itself; NAN: the cable runs away */
     double beyond;  /* N, of a trip: by what the winch pulls more than the cable's front, reckoned */
     char where[80]; /* its place */
-    char why[160];  /* why it is not known; of the run-away what is missing */
+    char why[160];  /* why it is not known; of the run-away what is missing or pushes; of buckling what holds */
 } Finding;
 
 /* ------------------------------------------------------------------- values of codes and practices: limits_values.c */

@@ -233,6 +233,9 @@ static double machine_allowed(const LimitsDef *def, LimitKind kind, int cables, 
         return given(def->winch_capacity, "winch_capacity", source);
     case LIMIT_PUSH:
         return given(def->push, "push", source);
+    case LIMIT_BUCKLING:
+        snprintf(source, SOURCE_SIZE, "%s", f->why);
+        return f->rating;
     case LIMIT_SQUEEZE:
         return given(def->squeeze, "squeeze", source);
     case LIMIT_TRIP:
@@ -258,7 +261,7 @@ double limits_allowed(const LimitsDef *def, LimitKind kind, double diameter, int
     case LIMIT_BEND:
         return limits_radius(def, diameter, source);
     case LIMIT_RUN_AWAY:
-        snprintf(source, SOURCE_SIZE, "%s", f->value > 0 ? f->why : "a cable cannot be pushed");
+        snprintf(source, SOURCE_SIZE, "%s", f->value > 0 || *f->why ? f->why : "a cable cannot be pushed");
         return 0;
     case LIMIT_JAM:
     case LIMIT_CLEARANCE:

@@ -33,6 +33,7 @@ static void solver_defaults(SolverDef *s)
 {
     s->accuracy = 1e-3;
     s->max_order = 2;
+    s->imperfection = 1e-3;
     s->relax = 1;
     s->relax_tolerance = 1e-6;
     s->relax_iterations = 200;

@@ -24,6 +24,7 @@ static void refine_time(SceneDef *def, int level)
     solver->atol_velocity /= gain;
     solver->atol_omega /= gain;
     if (!(solver->max_step > 0)) solver->max_step = def->output.interval; /* what bounds a step then */
+    solver->imperfection /= pow(2, level);
     solver->max_step /= steps;
     solver->first_step /= steps;
     def->output.interval /= pow(SAMPLES, level);

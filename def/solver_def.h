@@ -27,8 +27,9 @@ typedef struct SolverDef {
     double max_step;                                                /* s, 0: none */
     double first_step;                                              /* s, 0: CVODE's choice */
     long max_steps;                                                 /* 0: none */
-    int relax;                                                      /* bring to equilibrium before t = 0 */
-    double relax_tolerance;                                         /* fraction of the largest segment weight or load */
+    double imperfection;    /* of a cable that is pushed: its bow as a share of a half wave; 0: none */
+    int relax;              /* bring to equilibrium before t = 0 */
+    double relax_tolerance; /* fraction of the largest segment weight or load */
     int relax_iterations;
     LinOptions linear;
     PlanarChoice planar;

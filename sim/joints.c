@@ -104,6 +104,28 @@ hawser_status joints_rest(Scene *scene, int end, hawser_error *err)
     return HAWSER_OK;
 }
 
+hawser_status joints_bow(Scene *scene, double curvature, double wave_number, hawser_error *err)
+{
+    static const double OTHER = 1.618033988749895; /* no multiple of the first: neither side nor hand is preferred */
+    Chain *const c = &scene->chain;
+    const int n = c->n;
+    double *const y = malloc((size_t)(STATE_SIZE * n) * sizeof *y), along = 0;
+    if (!y) return error_memory(err);
+    scene_initial_chain(scene, y);
+    for (int j = 1; j < n; ++j) {
+        const double *const a = y + STATE_Q * n + j - 1;
+        const Quat attitude = {a[0], a[n], a[2 * n], a[3 * n]};
+        const double reach = c->half[j - 1] + c->half[j], x = wave_number * (along += 2 * c->half[j - 1]);
+        const double turn = reach * curvature * (sin(x) + sin(OTHER * x)) / 2;
+        const Vec3 up = quat_rotate(quat_conj(attitude), v3(0, 0, 1));
+        const double by[3] = {0, turn * up.y, turn * up.z};
+        for (int k = 1; k < 3; ++k) c->preload[3 + k][j] -= c->stiffness[3 + k][j] * by[k];
+    }
+    chain_find_lacks(c);
+    free(y);
+    return HAWSER_OK;
+}
+
 /* First loading of joint j, 1 <= j <= n (HY2). */
 static LoadingCurve joint_curve(const Scene *scene, int j)
 {

@@ -26,6 +26,10 @@ hawser_status joints_sliders(Scene *scene, hawser_error *err);
 /* The joints before `end` rest as they lie at the start: preloads -K theta of torsion and bending. Errors: MEMORY. */
 hawser_status joints_rest(Scene *scene, int end, hawser_error *err);
 
+/* Joints rest bent to the side, by `curvature` (1/m) times two waves along the cable, the longer one of `wave_number`
+ * (1/m): the imperfection of a cable that is pushed, docs/model/60-theory.md (BK10). Errors: MEMORY. */
+hawser_status joints_bow(Scene *scene, double curvature, double wave_number, hawser_error *err);
+
 /* ---- First-loading curves of bending (sim/loading_curve.c): moment by rotation, concave, in straight pieces, for half
  * a segment or for a joint of two, and the sliders that such a curve is made of. docs/model.md, "Bending with
  * hysteresis". */

@@ -9,6 +9,7 @@
 #include "contact/surface/surface.h"
 #include "core/body.h"
 #include "sim/room.h"
+#include "theory/buckling.h"
 #include "theory/setup.h"
 
 /* Gravity along the chain: the whole weight from the route's start on; behind it what the lead-in leaves, and the
@@ -95,6 +96,8 @@ struct Scene {
     SelfModel self;    /* cable on cable */
     ChainsLook chains; /* of the first of several chains: what they do to each other, as of the last look */
     SceneDef def;      /* a deep copy of what this was built from */
+    Buckling pushed;   /* where theory has it pushed nearest to the load at which it buckles */
+    int bowed;         /* its joints rest bent to the side for that (BK10) */
     Setup setup;       /* the same as theory computes it: supports, ends, what pushes */
 };
 

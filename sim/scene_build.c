@@ -1,4 +1,5 @@
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -108,6 +109,19 @@ static hawser_status springs_build(Scene *scene, hawser_error *err)
     return status || !laid ? status : joints_rest(scene, scene->chain.n, err);
 }
 
+/* (BK10). Of several chains and of positions nothing is bent: what is pushed there is not trusted. */
+static hawser_status bow_build(Scene *scene, hawser_error *err)
+{
+    const SceneDef *const def = &scene->def;
+    const Buckling *const p = &scene->pushed;
+    const int moves = def->analysis.kind == ANALYSIS_DYNAMICS && def->solver.motion == MOTION_DYNAMIC;
+    if (!(p->push > BUCKLING_NEAR * p->critical) || !(def->solver.imperfection > 0) || !moves || def->strand.present)
+        return HAWSER_OK;
+    scene->bowed = 1;
+    const double q = M_PI / p->wave, bow = def->solver.imperfection * p->wave;
+    return joints_bow(scene, bow * q * q, q, err);
+}
+
 static hawser_status scene_fill(Scene *scene, hawser_error *err)
 {
     const SceneDef *const def = &scene->def;
@@ -124,7 +138,9 @@ static hawser_status scene_fill(Scene *scene, hawser_error *err)
     weight_fill(scene);
     hawser_status status = rooms_build(scene, err);
     if (!status) status = setup_build(def, &scene->route, scene->joint_s, &scene->setup, err);
+    if (!status) status = buckling_of_run(&scene->setup, &scene->pushed, err);
     if (!status) status = springs_build(scene, err);
+    if (!status) status = bow_build(scene, err);
     for (int r = 0; !status && r < scene->n_rooms; ++r) {
         Room *const room = &scene->room[r];
         if (room->present && room->kind->finish) status = room->kind->finish(room, scene, err);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "theory/buckling.h"
 
 /* --------------------------------------------------------------------------------------------- machines, winch */
 
@@ -164,6 +165,66 @@ void findings_run_away(const Braked *b, Finding *finding)
     run_away_say(pushed, high, end + b->beyond, finding);
 }
 
+/* ---------------------------------------------------------------------------------------------------- what buckles */
+
+/* The machine that pushes at s: the strongest of those behind it is who does. */
+static const char *pusher_of(const Setup *setup, const Pull *pull, double s)
+{
+    const double forth = pull->span[0].s1 > pull->span[0].s0 ? 1 : -1;
+    const char *name = setup->def->theory.feed > 0 ? "theory.feed" : "";
+    double nearest = -INFINITY;
+    for (int i = 0; i < setup->n_pushers; ++i) {
+        const double behind = forth * setup->pusher[i].at;
+        if (!(behind <= forth * s + 1e-6) || behind < nearest) continue;
+        nearest = behind;
+        name = setup->pusher[i].name;
+    }
+    return name;
+}
+
+/* Which rule the critical load is by, with its source. */
+static void buckling_say(const Buckling *b, Finding *f)
+{
+    if (b->by == STRAIGHT_DUCT)
+        snprintf(f->why, sizeof f->why, "snaking in the duct, 2 sqrt(EI w/r) (Dawson, Paslay 1984); coils from %.4g kN",
+                 b->helix / 1e3);
+    else
+        snprintf(f->why, sizeof f->why, "Euler, pi2 EI/l2: nothing holds it straight for l = %.4g m", b->wave);
+}
+
+/* m along the pull in which it is pushed, without a break. */
+static double pushed_as_far(int n, const Buckling *row)
+{
+    double length = 0;
+    for (int i = 0; i < n; ++i) length += row[i].to - row[i].from;
+    return length;
+}
+
+hawser_status findings_of_push(const Setup *setup, const Route *route, const Pull *pull, Finding finding[LIMIT_KINDS],
+                               hawser_error *err)
+{
+    Finding *const f = &finding[LIMIT_BUCKLING], *const away = &finding[LIMIT_RUN_AWAY];
+    const int pushes = setup->n_pushers > 0 || setup->def->theory.feed > 0;
+    Buckling *row;
+    int n;
+    *f = (Finding){.absent = 1};
+    if (!pushes) return HAWSER_OK;
+    const hawser_status status = buckling_find(setup, route, pull, &n, &row, err);
+    const Buckling *const worst = status ? NULL : buckling_worst(n, row);
+    if (worst && worst->critical < INFINITY) {
+        *f = finding_at(route, worst->push, worst->at);
+        f->rating = worst->critical;
+        buckling_say(worst, f);
+        const char *const by = pusher_of(setup, pull, worst->at);
+        if (!(away->value > 0) && *by)
+            snprintf(away->why, sizeof away->why,
+                     "'%.40s' pushes it with %.4g kN, over %.4g m; %.4g kN keep it straight", by,
+                     -pull->min_tension / 1e3, pushed_as_far(n, row), worst->critical / 1e3);
+    }
+    free(row);
+    return status;
+}
+
 /* --------------------------------------------------------------------------------------------------- of theory */
 
 /* As findings_run_away, by the plan, which knows more of a pull than its stretches. */
@@ -241,6 +302,7 @@ hawser_status findings_of_way(const Setup *setup, const Route *route, const Calc
     finding[LIMIT_WINCH].value = finding[LIMIT_ROPE].value;
     hawser_status status = largest_push(setup, c, way, &finding[LIMIT_PUSH], err);
     if (!status) status = way_run_away(setup, route, c, way, &finding[LIMIT_RUN_AWAY], err);
+    if (!status) status = findings_of_push(setup, route, &w->pull, finding, err);
     if (status) return status;
     findings_trip(setup, w->force, finding[LIMIT_ROPE].value, c->beyond[way], &finding[LIMIT_TRIP]);
     if (finding[LIMIT_RUN_AWAY].value > 0) finding[LIMIT_TRIP].steady = NAN;
@@ -305,5 +367,10 @@ hawser_status findings_of_run(const Setup *setup, const Expected *e, Finding fin
     }
     free(alone.step);
     if (!setup->def->winch.present) away->absent = 1;
-    return HAWSER_OK;
+    Pull pull;
+    finding[LIMIT_BUCKLING] = (Finding){.absent = 1};
+    if (!expected_weighs(setup->def) || expected_pull(setup, e, PULL_REFERENCE, &pull, NULL)) return HAWSER_OK;
+    const hawser_status found = findings_of_push(setup, setup->route, &pull, finding, err);
+    pull_clear(&pull);
+    return found;
 }

@@ -72,6 +72,11 @@ static void piece_closed(const Route *route, const PullSpan *span, PlanPiece *pi
         snprintf(piece->reason, sizeof piece->reason, "friction, weight or a push changes on the piece");
         return;
     }
+    if (span_straight(&span->law, span->s0, span->t0) < span_normal(&span->law, span->s0, span->t0) ||
+        span_straight(&span->law, span->s1, span->t1) < span_normal(&span->law, span->s1, span->t1)) {
+        snprintf(piece->reason, sizeof piece->reason, "the cable is pushed, and snakes or coils on the piece");
+        return;
+    }
     double T2 = 0;
     if (piece_tension(p, span->law.direction, span->t0, span->law.weight, span->law.mu, span->law.separate, &T2,
                       &why)) {

@@ -162,6 +162,7 @@ static PullStretch stretch_make(const PlanDef *def, const DuctLoad *load, int wa
         s.mu = s.mu_rope;
         s.mu_static = s.mu_rope_static;
         s.share = 1;
+        s.room = 0; /* nobody pushes a rope */
         return s;
     }
     const double factor = plan_friction_factor(def, load, way, head, middle);

@@ -64,11 +64,48 @@ SpanFrame span_frame(const SpanLine *line, double s)
                        .bz = line->bz};
 }
 
+/* Squares of the push over the load of snaking: from the first on a cable that moves is on its way from snaking to the
+ * helix (Chen, Lin and Cheatham), from the second on it is one (Wu and Juvkam-Wold, 2 sqrt 2 - 1). */
+static const double COILS_FROM = 2, COILS = 3.3431457505076194;
+
+double span_coils(double square, double *slope)
+{
+    *slope = 1;
+    if (!(square < COILS)) return square;
+    const double over = square - 1, snakes = 1 + 0.18 * over + 0.1 * over * over, rises = 0.18 + 0.2 * over;
+    const double all = sqrt(COILS) - sqrt(COILS_FROM), part = fmax(0, (sqrt(square) - sqrt(COILS_FROM)) / all);
+    const double turns = part > 0 ? (square - snakes) / (2 * sqrt(square) * all) : 0;
+    *slope = (1 - part) * rises + part + turns;
+    return (1 - part) * snakes + part * square;
+}
+
+/* (BK6): `straight` N/m of a cable that is pushed with so much tension, below 0. */
+static double coiled(const SpanLaw *p, double straight, double tension)
+{
+    const double helix = p->room * tension * tension / (4 * p->ei);
+    double slope;
+    if (!(helix > straight)) return straight;
+    return helix < COILS * straight ? straight * span_coils(helix / straight, &slope) : helix;
+}
+
 /* (T6): the support balances T k n plus the weight's normal part, -w (nz n + bz b). */
-static double normal_force(const SpanLaw *p, SpanFrame f, double tension)
+static double straight_force(const SpanLaw *p, SpanFrame f, double tension)
 {
     const double pull = p->law == PULL_REFERENCE ? tension * f.curvature : 0;
     return hypot(pull - p->weight * f.nz, p->weight * f.bz);
+}
+
+static double normal_force(const SpanLaw *p, SpanFrame f, double tension)
+{
+    const double straight = straight_force(p, f, tension);
+    return tension < 0 && p->room > 0 && p->law == PULL_REFERENCE ? coiled(p, straight, tension) : straight;
+}
+
+double span_straight(const SpanLaw *p, double s, double tension)
+{
+    SpanLaw held = *p;
+    held.room = 0;
+    return span_normal(&held, s, tension);
 }
 
 /* (LI1), by the frame's vertical components. The slope's cosine c is the length of (nz, bz). */

@@ -45,7 +45,8 @@ typedef struct SpanLaw {
         lightest;  /* N/m: each metre weighs from so much to `weight`, and counts with what makes (T28); 0: `weight` */
     double counts; /* N/m, the one that does so all along, as on straights; 0: it is looked for at each place */
     int least;     /* the least tension is asked for, not the largest */
-    int separate;  /* what carries the weight does not hold the cable in level bends: (LI1) in place of (T6) */
+    double room, ei; /* m, N m2, as a PullStretch's */
+    int separate;    /* what carries the weight does not hold the cable in level bends: (LI1) in place of (T6) */
     SpanLine line;
 } SpanLaw;
 
@@ -60,6 +61,10 @@ SpanLaw span_pressing(const SpanLaw *p, double s, double tension);
 /* Force between cable and support per length, N/m, at tension T (N): (T6), or (T8) without capstan effect; the sum over
  * separate supports (LI1). Of unlike weights the one that presses most. */
 double span_normal(const SpanLaw *p, double s, double tension);
+/* The same of a cable that stays straight, whatever pushes it, and how many times as much a cable presses that does
+ * not: of the square of its push over the load at which it begins to snake (BK6); *slope: by that square. */
+double span_straight(const SpanLaw *p, double s, double tension);
+double span_coils(double square, double *slope);
 /* What lies on the ground (positive) and what presses to the side, N/m, where supports are separate; elsewhere all of
  * the force is `down`. */
 typedef struct SpanParts {

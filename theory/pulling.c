@@ -84,6 +84,8 @@ static SpanLaw law_between(const PullDef *def, const PullStretch *a, double midd
                    .mu = def->restart ? fmax(a->mu, a->mu_static) : a->mu,
                    .lightest = a->lightest,
                    .least = def->least,
+                   .room = a->room,
+                   .ei = a->ei,
                    .separate = a->separate,
                    .line = span_line(def->route, middle)};
     law.counts = span_counts(&law);
@@ -176,7 +178,7 @@ static int span_known(const PullDef *def, const PullStretch *a, const PullSpan *
     const double mu = def->restart ? fmax(a->mu, a->mu_static) : a->mu;
     return known->s0 == span->s0 && known->s1 == span->s1 && known->t0 == span->t0 && law->law == def->law &&
            law->weight == a->weight && law->lightest == a->lightest && law->least == def->least && law->mu == mu &&
-           law->separate == a->separate;
+           law->room == a->room && law->ei == a->ei && law->separate == a->separate;
 }
 
 /* Integrates from cut to cut, in the pull's order, adding the steps between. */

@@ -13,14 +13,16 @@
 /* What lies on the route from `from` (m along the route) up to the next stretch; the first one counts from
  * far behind, so a single stretch is the whole route. A cable with rope ahead of it is two stretches. */
 typedef struct PullStretch {
-    double from;           /* m */
-    double weight;         /* N/m: mass per length times g, of all cables together */
-    double lightest;       /* N/m: what it may weigh at least, where it lies being unknown (T28); 0: as much */
-    double mu;             /* friction coefficient, weight correction of a duct included; 0: none */
-    double mu_static;      /* at a restart; counts as mu if it is smaller */
-    int separate;          /* weight and turning force rest on supports of their own: friction adds up (LI1) */
-    double share;          /* of T/R that presses on the worst loaded cable, of several; 0: all of it */
-    double mu_rope;        /* of the rope that goes ahead of the cable: plan.h puts it in place of mu there, */
+    double from;      /* m */
+    double weight;    /* N/m: mass per length times g, of all cables together */
+    double lightest;  /* N/m: what it may weigh at least, where it lies being unknown (T28); 0: as much */
+    double mu;        /* friction coefficient, weight correction of a duct included; 0: none */
+    double mu_static; /* at a restart; counts as mu if it is smaller */
+    int separate;     /* weight and turning force rest on supports of their own: friction adds up (LI1) */
+    double share;     /* of T/R that presses on the worst loaded cable, of several; 0: all of it */
+    double room;      /* m, of a duct around the cable's middle, in which a cable that is pushed snakes and coils; */
+    double ei;        /* N m2, of all cables together; room 0: it is not counted that it does (BK6) */
+    double mu_rope;   /* of the rope that goes ahead of the cable: plan.h puts it in place of mu there, */
     double mu_rope_static; /* and this in place of mu_static */
 } PullStretch;
 

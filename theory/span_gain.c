@@ -11,6 +11,18 @@ static const double STEP_TOLERANCE = 1e-12, ZERO_FORCE = 1e-11;
 
 static double sign_of(double x) { return (x > 0) - (x < 0); }
 
+/* Of a cable that is pushed so far that it snakes or coils, (SN2a). */
+static SpanSlopes coiled_slopes(const SpanLaw *p, double straight, SpanSlopes by, double tension)
+{
+    const double helix = p->room * tension * tension / (4 * p->ei), grows = p->room * tension / (2 * p->ei);
+    double slope;
+    if (!(helix > straight)) return by;
+    const double times = straight > 0 ? span_coils(helix / straight, &slope) : INFINITY;
+    if (!(times < INFINITY)) return (SpanSlopes){grows, 0};
+    const double rest = times - helix / straight * slope;
+    return (SpanSlopes){rest * by.by_tension + slope * grows, rest * by.by_weight};
+}
+
 /* (SN2). A support that bears nothing bears what comes first: the weight, or a tension that begins. */
 static SpanSlopes resultant_slopes(const SpanLaw *p, SpanFrame f, double tension)
 {
@@ -34,7 +46,9 @@ static SpanSlopes separate_slopes(const SpanLaw *p, SpanFrame f, double tension)
 SpanSlopes span_slopes(const SpanLaw *p, double s, double tension)
 {
     const SpanFrame f = span_frame(&p->line, s);
-    return (p->separate ? separate_slopes : resultant_slopes)(p, f, tension);
+    const SpanSlopes by = (p->separate ? separate_slopes : resultant_slopes)(p, f, tension);
+    const int may_coil = tension < 0 && p->room > 0 && p->law == PULL_REFERENCE && !p->separate;
+    return may_coil ? coiled_slopes(p, span_straight(p, s, tension), by, tension) : by;
 }
 
 /* (T5), (SN4); of unlike weights by the one that counts, which is best there, so that its own change makes none. */
@@ -93,6 +107,11 @@ static double gain_step(const SpanLaw *p, double s, const double x[VALUES], doub
 static int sides(const SpanLaw *p, double s, double tension)
 {
     if (p->lightest > 0) return span_weighed(p, s, tension).weight < p->weight ? 2 : 1;
+    if (tension < 0 && p->room > 0 &&
+        p->law == PULL_REFERENCE) { /* it lies straight, snakes, is about to coil, coils */
+        const double square = p->room * tension * tension / (4 * p->ei * span_straight(p, s, tension));
+        if (square > 1) return 10 + (square > 2) + (square > 3.3431457505076194);
+    }
     const SpanFrame f = span_frame(&p->line, s);
     const double pull = p->law == PULL_REFERENCE ? tension * f.curvature : 0, c = hypot(f.nz, f.bz);
     const double bare = ZERO_FORCE * (fabs(pull) + p->weight);

@@ -95,6 +95,26 @@ static int is_separate(const Corners *c, const SurfaceDef *surface, double s)
     return surface && surface->shape.kind == SURFACE_FLAT && surface->shape.height > 0;
 }
 
+/* Whether something pushes the cable; by its weight alone it runs away, and what a coil would hold then is not counted
+ * on. */
+static int is_pushed(const SceneDef *def)
+{
+    int pushed = def->n_conveyors > 0 || def->theory.feed > 0;
+    for (int r = 0; r < def->n_rollers; ++r) pushed |= def->rollers[r].spin.motor.kind != MOTOR_NONE;
+    return pushed;
+}
+
+/* N m2, of all cables together, each as its limpest piece. */
+static double stiffness_of(const SceneDef *def)
+{
+    double least = INFINITY;
+    for (int p = 0; p < scene_def_eye(def); ++p) {
+        const CableDef *const cable = &def->cables[def->pieces[p].cable];
+        least = fmin(least, fmin(cable->ei_y, cable->ei_z));
+    }
+    return fmax(1, def->bundle.shape.cables) * least;
+}
+
 /* The stretch that begins at c->s[i]. Friction is the surface's where there is one; of several cables one bears more
  * than the others. */
 static PullStretch stretch_make(const Supports *map, double weight, const Corners *c, int i)
@@ -106,12 +126,16 @@ static PullStretch stretch_make(const Supports *map, double weight, const Corner
     const double mu = surface ? surface_theory_friction(map->def, surface, in_bend) : law->mu_d;
     const double mu_rope = surface ? mu / bundle_friction(map->def, surface, in_bend) : mu;
     const double at_rest = law->mu_d > 0 ? law->mu_s / law->mu_d : NAN;
+    const int coils = surface && surface->shape.kind == SURFACE_DUCT && is_pushed(map->def);
+    const double bore = coils && surface->bore > 0 ? surface->bore : coils ? surface->shape.radius : 0;
     return (PullStretch){.from = c->s[i],
                          .weight = weight,
                          .mu = mu,
                          .mu_rope = mu_rope,
                          .mu_rope_static = law->mu_d > 0 ? mu_rope * at_rest : law->mu_s,
                          .mu_static = law->mu_d > 0 ? mu * at_rest : law->mu_s,
+                         .room = coils ? fmax(0, bore - bundle_diameter(map->def) / 2) : 0,
+                         .ei = coils ? stiffness_of(map->def) : 0,
                          .separate = is_separate(c, surface, middle),
                          .share = bundle_share(map->def, surface)};
 }

@@ -16,8 +16,8 @@ enum { HAWSER_LIMITS_MAX = 24, HAWSER_VERDICT_MAX = 2048 };
 /* One limit of a pull. */
 typedef struct hawser_limit {
     const char *name; /* "pull", "restart", "attachment", "sidewall", "bend_radius", "rope_bend", "roller_steady",
-                       * "roller_peak", "rope", "winch", "push", "squeeze", "run_away", "alpha", "trip", "speed",
-                       * "jam_ratio", "clearance", "fill", "weight_correction" */
+                       * "roller_peak", "rope", "winch", "push", "buckling", "squeeze", "run_away", "alpha", "trip",
+                       * "speed", "jam_ratio", "clearance", "fill", "weight_correction" */
     const char *unit; /* "N", "N/m", "m", "m/s", "1" */
     double value;     /* what was found: the worst */
     double limit;     /* what is allowed: at most, of bend_radius, rope_bend and clearance at least; of jam_ratio the

@@ -184,6 +184,7 @@ void limit_remedy(const Setup *setup, const hawser_limit *broken, hawser_units u
     static const char *const pulls[] = {"pull", "restart", "attachment", "winch"};
     hawser_limit sure = *broken;
     const hawser_limit *const l = &sure;
+    char value[HAWSER_SHOWN_MAX];
     int pull = 0;
     if (sure.error > 0) sure.value = SPARE * (sure.value + sure.error); /* what does must do for certain */
     for (int k = 0; k < 4; ++k) pull |= !strcmp(l->name, pulls[k]);
@@ -200,6 +201,10 @@ void limit_remedy(const Setup *setup, const hawser_limit *broken, hawser_units u
         roller_remedy(l, text);
     } else if (!strcmp(l->name, "run_away")) {
         run_away_remedy(setup, l, units, text);
+    } else if (!strcmp(l->name, "buckling")) {
+        show_bound(l->value - l->limit, 1, "N", units, value);
+        snprintf(text, REMEDY_MAX,
+                 "%s less push (conveyors.N.limit), a narrower duct, or guides and carriers closer together", value);
     } else if (!strcmp(l->name, "alpha")) {
         snprintf(text, REMEDY_MAX, "a softer start: a longer drive.winch.to, ramp step5");
     } else {

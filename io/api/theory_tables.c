@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "def/cables/duct.h"
 #include "io/api/api_handles.h"
+#include "theory/buckling.h"
 
 const char *const theory_ways[PLAN_WAYS] = {"forward", "backward"};
 
@@ -207,6 +208,44 @@ static int pushes_add(const Setup *setup, const Calculator *c, TheoryTables *t)
     return row != NULL;
 }
 
+typedef struct CompressedRow {
+    const char *direction, *by;
+    Buckling b;
+} CompressedRow;
+
+static const Column compressed_column[] = {
+    {COLUMN("direction", TEXT, CompressedRow, direction), .label = "direction"},
+    {COLUMN("from_m", NUMBER, CompressedRow, b.from), .label = "pushed from, m", .decimals = 2},
+    {COLUMN("to_m", NUMBER, CompressedRow, b.to), .label = "to, m", .decimals = 2},
+    {COLUMN("push_N", NUMBER, CompressedRow, b.push), .label = "push, N", .decimals = 1},
+    {COLUMN("at_m", NUMBER, CompressedRow, b.at), .label = "at, m", .decimals = 2},
+    {COLUMN("held_by", TEXT, CompressedRow, by), .label = "kept straight by"},
+    {COLUMN("critical_N", NUMBER, CompressedRow, b.critical), .label = "up to, N", .decimals = 1},
+    {COLUMN("helix_N", NUMBER, CompressedRow, b.helix), .label = "coils from, N", .decimals = 1},
+    {COLUMN("half_wave_m", NUMBER, CompressedRow, b.wave), .label = "half wave, m", .decimals = 2},
+    {COLUMN("locks_up_m", NUMBER, CompressedRow, b.locks_up), .label = "no push goes farther than, m", .decimals = 1},
+};
+static const Columns compressed_columns = COLUMNS(CompressedRow, compressed_column);
+
+/* Where the cable is pushed, either way. */
+static int compressed_add(const Setup *setup, const Calculator *c, TheoryTables *t)
+{
+    Buckling *found[PLAN_WAYS] = {NULL};
+    int n[PLAN_WAYS] = {0}, fine = 1;
+    for (int k = 0; k < PLAN_WAYS; ++k) /* what its friction says is in the pull; without a machine it runs away */
+        fine &= !buckling_find(setup, c->route, &c->plan.way[k].pull, &n[k], &found[k], NULL);
+    if (fine && n[0] + n[1] > 0) {
+        CompressedRow *row =
+            theory_table_add(t, "compression", "Where the cable is pushed", compressed_columns, n[0] + n[1]);
+        fine = row != NULL;
+        for (int k = 0; row && k < PLAN_WAYS; ++k)
+            for (int i = 0; i < n[k]; ++i)
+                *row++ = (CompressedRow){theory_ways[k], straight_names[found[k][i].by], found[k][i]};
+    }
+    for (int k = 0; k < PLAN_WAYS; ++k) free(found[k]);
+    return fine;
+}
+
 typedef struct LimitRow {
     const char *direction;
     hawser_limit limit;
@@ -254,8 +293,9 @@ hawser_status theory_tables_make(const Setup *setup, const Calculator *c, const 
 {
     *out = (TheoryTables){0};
     const int fine = pieces_add(setup, c, out) && ways_add(c, out) && ducts_add(setup, c, out) &&
-                     pushes_add(setup, c, out) && theory_planner_add(setup, c, inverse, out) &&
-                     theory_limits_add(c, PLAN_WAYS, out) && notes_add(setup, c, out);
+                     pushes_add(setup, c, out) && compressed_add(setup, c, out) &&
+                     theory_planner_add(setup, c, inverse, out) && theory_limits_add(c, PLAN_WAYS, out) &&
+                     notes_add(setup, c, out);
     if (fine && out->table[out->n - 1].n == 0) free(out->rows[--out->n]); /* no closed form was refused */
     if (fine) return HAWSER_OK;
     theory_tables_free(out);

@@ -78,6 +78,7 @@ static const CaseKey solver_keys[] = {
     {"ordering", KEY_CHOICE, .fallback = "auto", .choices = orderings, AT(SolverDef, linear.ordering)},
     {"threads", KEY_INTEGER, .fallback = "1", FROM(1, 2), AT(SolverDef, threads)},
     {"planar", KEY_CHOICE, .fallback = "auto", .choices = planar_choices, AT(SolverDef, planar)},
+    {"imperfection", KEY_NUMBER, .fallback = "0.001", FROM(0, 0.1), AT(SolverDef, imperfection)},
     {"relax", KEY_FLAG, .fallback = "true", AT(SolverDef, relax)},
     {"relax_tolerance", KEY_NUMBER, .fallback = "1e-6", ABOVE(0, 1), AT(SolverDef, relax_tolerance)},
     {"relax_iterations", KEY_INTEGER, .fallback = "200", FROM(0, 1e6), AT(SolverDef, relax_iterations)},

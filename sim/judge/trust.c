@@ -378,6 +378,16 @@ static void add_steadiness(List *list, const TrustFacts *f)
         100 * spike, at);
 }
 
+static const double WAVE_PART = 0.15; /* of a half wave, that a segment may be */
+
+/* m, of the cable's segments. */
+static double half_of_longest(const Scene *scene)
+{
+    double most = 0;
+    for (int i = 0; i < scene->chain.n && scene->first + i < scene->eye; ++i) most = fmax(most, scene->chain.half[i]);
+    return most;
+}
+
 /* An equilibrium that is pulled: what is pushed may buckle, and stands then where nothing here knows. */
 static void add_taut(List *list, const TrustFacts *f)
 {
@@ -385,6 +395,25 @@ static void add_taut(List *list, const TrustFacts *f)
         "the cable is pushed with %.2g %% of the largest tension at a position: it may buckle there, or run away: give "
         "it a back tension or a brake, or see 'analysis: dynamics'%s",
         100 * f->push_share, f->still ? " with 'solver.motion: dynamic'" : "");
+}
+
+/* A run of what is pushed: a straight line that nothing disturbs stays straight, however unstable it is; and segments
+ * show no waves that they are too long for. */
+static void add_bowed(List *list, const TrustFacts *f)
+{
+    const Buckling *const p = &f->scene->pushed;
+    const double share = p->push / p->critical, longest = 2 * half_of_longest(f->scene);
+    if (!(share > BUCKLING_NEAR)) return;
+    add(list, "taut", "1", f->scene->bowed ? 0 : share, BUCKLING_NEAR,
+        "the cable is pushed with %.4g kN at %.4g m, %.3g of the load at which it %s, and nothing disturbs its "
+        "straight "
+        "line, which would not last: set solver.imperfection to its default, and solver.motion to dynamic",
+        p->push / 1e3, p->at, share, p->by == STRAIGHT_DUCT ? "snakes" : "bows");
+    if (!f->scene->bowed) return;
+    add(list, "waves", "1", longest / p->wave, WAVE_PART,
+        "segments of %.3g mm are too long for half waves of %.3g m, in which a cable that is pushed gives way: set "
+        "chain.N.segment to %.3g mm",
+        1e3 * longest, p->wave, 1e3 * WAVE_PART * p->wave * (1 - 1e-3));
 }
 
 /* Positions: each has its equilibrium. */
@@ -485,6 +514,7 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     if (placed) add_places_found(&list, f);
     if (!placed) add_rest(&list, f);
     if (f->still && f->still->positions > 0) add_taut(&list, f);
+    if (dynamic && !scene->rod->present && !(f->still && f->still->positions > 0)) add_bowed(&list, f);
     if (f->balance) add_books(&list, f);
     add_places(&list, f);
     add_mesh(&list, f);

@@ -31,6 +31,7 @@ const LIMIT_NAMES: Record<string, string> = {
   rope: 'Pull of the rope',
   winch: 'Pull of the winch',
   push: 'Force of a conveyor',
+  buckling: 'Push, against buckling',
   squeeze: 'Clamp of a conveyor',
   run_away: 'Brake that is missing',
   alpha: 'Overload factor',

@@ -1,0 +1,226 @@
+#include "theory/buckling.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/base/error.h"
+#include "theory/expected.h"
+
+const char *const straight_names[] = {"duct", "carriers"};
+
+enum { LOOKS = 16 };                            /* at a span */
+static const double HELIX = 1.8284271247461903; /* times the load of snaking (BK6) */
+static const double LOCKS = 4.26;               /* (BK9): twice the integral of 1/n over the push */
+static const double PAIR = 0.5;                 /* m between two guides that hold the cable together */
+
+/* A length, or a place where both ends are the same, that holds the cable up, or to both sides. */
+typedef struct Hold {
+    double from, to; /* m along the route */
+} Hold;
+
+typedef struct Holds {
+    const Setup *setup;
+    const Route *route;
+    double ei; /* N m2, of all cables */
+    int n_up, n_aside;
+    Hold *up, *aside; /* [n] in no order */
+} Holds;
+
+/* A guide with one on the other side, a groove: what leans holds less, and is not counted. */
+static int holds_aside(const Supports *map, int i)
+{
+    const SupportRoller *const r = &map->roller[i];
+    if (r->kind == SUPPORT_ROLLER) return map->def->rollers[r->item].profile != SHAPE_CYLINDER;
+    if (r->kind != SUPPORT_GUIDE) return 0;
+    for (int k = supports_from(map, r->s - PAIR); k < map->n_rollers && map->roller[k].s <= r->s + PAIR; ++k)
+        if (map->roller[k].kind == SUPPORT_GUIDE && v3_dot(map->roller[k].off, r->off) < 0) return 1;
+    return 0;
+}
+
+/* A tray's floor carries, and its sides are as far away as they are: only a duct and belts hold it to the side. */
+static hawser_status holds_find(Holds *h, hawser_error *err)
+{
+    const Supports *const map = &h->setup->supports;
+    const SceneDef *const def = h->setup->def;
+    const size_t most = (size_t)(map->n_rollers + map->n_lengths + def->n_conveyors + 1);
+    h->up = malloc(2 * most * sizeof *h->up);
+    if (!h->up) return error_memory(err);
+    h->aside = h->up + most;
+    for (int i = 0; i < map->n_rollers; ++i) {
+        const SupportRoller *const r = &map->roller[i];
+        if (r->kind == SUPPORT_ROLLER && !(r->off.z > 0)) h->up[h->n_up++] = (Hold){r->s, r->s};
+        if (holds_aside(map, i)) h->aside[h->n_aside++] = (Hold){r->s, r->s};
+    }
+    for (int k = 0; k < map->n_lengths; ++k) {
+        const SupportLength *const l = &map->length[k];
+        if (l->kind == SUPPORT_BELT) continue;
+        h->up[h->n_up++] = (Hold){l->from, l->to};
+        if (l->kind == SUPPORT_DUCT) h->aside[h->n_aside++] = (Hold){l->from, l->to};
+    }
+    for (int k = 0; k < def->n_conveyors; ++k)
+        h->up[h->n_up++] = h->aside[h->n_aside++] = (Hold){def->conveyors[k].from, def->conveyors[k].to};
+    return HAWSER_OK;
+}
+
+/* m around s in which nothing of these holds it, as far as the route goes; 0: one is there. */
+static double free_length(const Holds *h, int n, const Hold *hold, double s)
+{
+    double before = 0, behind = h->route->length;
+    for (int i = 0; i < n; ++i) {
+        if (hold[i].from <= s && s <= hold[i].to && hold[i].to > hold[i].from) return 0;
+        if (hold[i].to <= s) before = fmax(before, hold[i].to);
+        if (hold[i].from >= s) behind = fmin(behind, hold[i].from);
+    }
+    return fmax(0, behind - before);
+}
+
+/* A floor under the cable carries it everywhere. */
+static double free_up(const Holds *h, double s)
+{
+    const double least = -bundle_diameter(h->setup->def);
+    if (supports_floor(&h->setup->supports, route_at(h->route, s).position, least, -2 * least)) return 0;
+    return free_length(h, h->n_up, h->up, s);
+}
+
+/* (BK7): between carriers upward, between what holds it to the side; whichever bows first. */
+static void bows(const Holds *h, double s, Buckling *out)
+{
+    const double apart = fmax(free_up(h, s), free_length(h, h->n_aside, h->aside, s));
+    out->by = STRAIGHT_CARRIERS;
+    out->critical = apart > 0 ? M_PI * M_PI * h->ei / (apart * apart) : INFINITY;
+    out->helix = out->locks_up = NAN;
+    out->wave = apart;
+}
+
+/* (BK2), (BK3): on a length of duct in which it is pushed with so much at s. */
+static void snakes(const Holds *h, const PullSpan *span, double room, double length, double s, double push,
+                   Buckling *out)
+{
+    const double straight = span_straight(&span->law, s, -push), k = straight / room;
+    const double wave = k > 0 ? M_PI * pow(h->ei / k, 0.25) : length;
+    const double halves = fmax(1, floor(length / wave));
+    out->by = STRAIGHT_DUCT;
+    out->critical = INFINITY;
+    for (int i = 0; i < 2; ++i) { /* the number of half waves that asks for least is one of two */
+        const double q = (halves + i) * M_PI / length, load = h->ei * q * q + k / (q * q);
+        if (!(load < out->critical)) continue;
+        out->critical = load;
+        out->wave = M_PI / q;
+    }
+    out->helix = HELIX * out->critical;
+    out->locks_up = LOCKS / span->law.mu * sqrt(h->ei / (straight * room));
+}
+
+/* m of play around the cable in the duct at s; 0: there is none. */
+static double room_at(const Setup *setup, double s)
+{
+    const SurfaceDef *const on = supports_surface(&setup->supports, s);
+    if (!on || on->shape.kind != SURFACE_DUCT) return 0;
+    return fmax(0, (on->bore > 0 ? on->bore : on->shape.radius) - bundle_diameter(setup->def) / 2);
+}
+
+/* The length around span i in which the cable is pushed, m: of spans that follow each other. */
+static double pushed_length(const Pull *pull, int i)
+{
+    double length = fabs(pull->span[i].s1 - pull->span[i].s0);
+    for (int k = i - 1; k >= 0 && pull->span[k].t1 < 0; --k) length += fabs(pull->span[k].s1 - pull->span[k].s0);
+    for (int k = i + 1; k < pull->n && pull->span[k].t0 < 0; ++k) length += fabs(pull->span[k].s1 - pull->span[k].s0);
+    return length;
+}
+
+/* Of one span; 0: it is not pushed there. */
+static int span_look(const Holds *h, const Pull *pull, int i, Buckling *out)
+{
+    const PullSpan *const span = &pull->span[i];
+    const double length = pushed_length(pull, i);
+    double share = 0;
+    if (!(-span->extremes.min_tension > h->setup->cable_weight)) return 0;
+    *out = (Buckling){.from = INFINITY, .to = -INFINITY};
+    for (int k = 0; k <= LOOKS + 1; ++k) {
+        const double s = k > LOOKS ? span->extremes.min_at : span->s0 + (span->s1 - span->s0) * k / LOOKS;
+        const double push = -span_integrate(&span->law, span->s0, span->t0, s, NULL);
+        const double middle = fmin(fmax(s, fmin(span->s0, span->s1) + 1e-6), fmax(span->s0, span->s1) - 1e-6);
+        Buckling here = *out;
+        if (!(push > h->setup->cable_weight)) continue;
+        const double room = room_at(h->setup, middle);
+        if (room > 0) {
+            snakes(h, span, room, length, s, push, &here);
+        } else {
+            bows(h, middle, &here);
+        }
+        if (!(here.critical < INFINITY)) continue; /* between belts */
+        here.from = fmin(out->from, s);
+        here.to = fmax(out->to, s);
+        here.push = push;
+        here.at = s;
+        const double its = push / here.critical;
+        if (its > share || share == 0) {
+            *out = here;
+            share = fmax(its, 1e-300);
+        }
+        out->from = here.from;
+        out->to = here.to;
+    }
+    return share > 0 && out->to > out->from;
+}
+
+hawser_status buckling_find(const Setup *setup, const Route *route, const Pull *pull, int *n, Buckling **row,
+                            hawser_error *err)
+{
+    const SceneDef *const def = setup->def;
+    Holds h = {.setup = setup, .route = route, .ei = INFINITY};
+    *n = 0;
+    *row = NULL;
+    if (!(-pull->min_tension > setup->cable_weight) || strand_is_rope(&def->strand)) return HAWSER_OK;
+    for (int p = 0; p < scene_def_eye(def); ++p) {
+        const CableDef *const cable = &def->cables[def->pieces[p].cable];
+        h.ei = fmin(h.ei, fmax(1, def->bundle.shape.cables) * fmin(cable->ei_y, cable->ei_z));
+    }
+    *row = calloc((size_t)pull->n + 1, sizeof **row);
+    const hawser_status status = *row ? holds_find(&h, err) : error_memory(err);
+    for (int i = 0; i < pull->n && !status; ++i)
+        if (span_look(&h, pull, i, &(*row)[*n])) ++*n;
+    free(h.up);
+    return status;
+}
+
+const Buckling *buckling_worst(int n, const Buckling *row)
+{
+    const Buckling *worst = NULL;
+    for (int i = 0; i < n; ++i)
+        if (!worst || row[i].push / row[i].critical > worst->push / worst->critical) worst = &row[i];
+    return worst;
+}
+
+/* With the front there. */
+static hawser_status run_look(const Setup *setup, double front, Buckling *out, hawser_error *err)
+{
+    Expected e = {0};
+    Pull pull;
+    Buckling *row = NULL;
+    int n = 0;
+    hawser_error unused;
+    hawser_status status = expected_at(setup, front, expected_back(setup, setup->def->duration), &e, &unused);
+    if (!status) status = expected_pull(setup, &e, PULL_REFERENCE, &pull, &unused);
+    expected_free(&e);
+    if (status) return status == HAWSER_ERR_MEMORY ? error_memory(err) : HAWSER_OK;
+    status = buckling_find(setup, setup->route, &pull, &n, &row, err);
+    const Buckling *const worst = buckling_worst(n, row);
+    if (worst && !(worst->push / worst->critical <= out->push / out->critical)) *out = *worst;
+    free(row);
+    pull_clear(&pull);
+    return status;
+}
+
+hawser_status buckling_of_run(const Setup *setup, Buckling *out, hawser_error *err)
+{
+    enum { FRONTS = 4 };
+    const SceneDef *const def = setup->def;
+    const double travel = setup_travel(setup, def->duration), last = fmin(setup->front + travel, expected_end(setup));
+    hawser_status status = HAWSER_OK;
+    *out = (Buckling){.critical = INFINITY};
+    if (def->rod.present || setup->n_pushers == 0 || !expected_weighs(def)) return HAWSER_OK;
+    for (int k = 0; k <= FRONTS && !status; ++k)
+        status = run_look(setup, setup->front + (fmax(last, setup->front) - setup->front) * k / FRONTS, out, err);
+    return status;
+}
