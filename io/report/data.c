@@ -205,17 +205,51 @@ static hawser_status states_file_add(Text *out, hid_t file, Folder *folder, doub
     return states_add(out, file, folder, fmin(share * states_most, states_least + states_per_segment * segments), err);
 }
 
-/* The same, of the file if it can be read. */
-static hawser_status file_add(Text *out, Folder *folder, double share, hawser_error *err)
+typedef struct FilePart {
+    Folder *folder;
+    double share;
+} FilePart;
+
+/* The same, of the file if it can be read: the notes that there are then, and the text. */
+static hawser_status file_print(void *user, FILE *out, hawser_error *err)
 {
+    const FilePart *const part = user;
+    Folder *const folder = part->folder;
+    Text text = {0};
     StatesFile s;
     hawser_status status = HAWSER_OK;
     states_wait(&s, folder);
     if (s.file < 0)
         folder_say(folder, "results.h5 is not there or cannot be read: the page has no 3-D view");
     else
-        status = states_file_add(out, s.file, folder, share, err);
+        status = states_file_add(&text, s.file, folder, part->share, err);
     states_close(&s);
+    if (text.failed && !status) status = error_memory(err);
+    if (!status && fwrite(&folder->n_notes, sizeof folder->n_notes, 1, out) == 1 &&
+        fwrite(folder->note, sizeof folder->note, 1, out) == 1 && text.size > 0)
+        fwrite(text.at, text.size, 1, out); /* what does not get out is no end either */
+    text_clear(&text);
+    return status;
+}
+
+static hawser_status file_add(Text *out, Folder *folder, double share, hawser_error *err)
+{
+    const size_t head = sizeof folder->n_notes + sizeof folder->note;
+    FilePart part = {folder, share};
+    char *bytes;
+    size_t size;
+    int died, n;
+    const hawser_status status = apart_do(file_print, &part, &bytes, &size, &died, err);
+    if (!status && (died || size < head)) {
+        folder_say(folder, "results.h5 is damaged: HDF5 does not survive to read it: the page has no 3-D view");
+    } else if (!status) {
+        memcpy(&n, bytes, sizeof n);
+        memcpy(folder->note, bytes + sizeof n, sizeof folder->note);
+        folder->n_notes = n < 0 || n > FOLDER_NOTES_MAX ? 0 : n;
+        for (int k = 0; k < FOLDER_NOTES_MAX; k++) folder->note[k][FOLDER_NOTE_MAX - 1] = 0;
+        text_bytes(out, bytes + head, size - head);
+    }
+    free(bytes);
     return status;
 }
 

@@ -6,6 +6,7 @@
 #include "core/base/file.h"
 #include "io/results/results_h5.h"
 
+#include <fcntl.h>
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,22 +50,47 @@ int states_belong(hid_t file, const char *run, const char *series)
     return (!run || !*run || !strcmp(run, has_run)) && (!series || !strcmp(series, has_series));
 }
 
+/* Of which run, and of which series, the states are. */
+typedef struct Belonging {
+    const OutDir *dir;
+    const char *run, *series;
+} Belonging;
+
+/* Prints a word if they are of another one. A file that cannot be opened says nothing: who reads it says so. */
+static hawser_status belonging_read(void *user, FILE *out, hawser_error *err)
+{
+    const Belonging *const b = user;
+    StatesFile states;
+    (void)err;
+    states_open(&states, b->dir);
+    if (states.file >= 0 && !states_belong(states.file, b->run, b->series)) fputs("another", out);
+    states_close(&states);
+    return HAWSER_OK;
+}
+
 /* The states are those of the run; those of one that has ended are those of its series, too. */
 static hawser_status states_check(const OutDir *dir, const char *run, const char *series, hawser_error *err)
 {
     static const char *const name = "results.h5";
-    int broken = 0;
+    Belonging b = {dir, run, series};
+    int broken = 0, died;
+    char *said;
+    size_t size;
     hawser_status status = file_broken(dir, name, &broken, err);
     if (status) return status;
     if (broken)
         return error_set(err, HAWSER_ERR_INPUT,
                          "'%.600s/%s' is damaged: its bytes are not those that the run has written", dir->path, name);
+    const int fd = file_open_in(dir->at, name, O_RDONLY);
+    if (fd < 0) return HAWSER_OK; /* it says nothing */
+    close(fd);
     if (!memory_room(ROOM)) return error_memory(err);
-    StatesFile states;
-    states_open(&states, dir);
-    const int belongs = states.file < 0 || states_belong(states.file, run, series); /* else who reads it says so */
-    states_close(&states);
-    if (belongs) return HAWSER_OK;
+    status = apart_do(belonging_read, &b, &said, &size, &died, err);
+    free(said);
+    if (died && !status)
+        return error_set(err, HAWSER_ERR_INPUT, "'%.600s/%s' is damaged: HDF5 does not survive to read it", dir->path,
+                         name);
+    if (status || size == 0) return status;
     return error_set(err, HAWSER_ERR_INPUT,
                      "'%.600s/%s' does not belong to the summary beside it: it is of another run", dir->path, name);
 }

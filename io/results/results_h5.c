@@ -266,29 +266,6 @@ static int file_fits(const H5File *h, hid_t file, const char *run)
     return ok && frames >= 0;
 }
 
-hawser_status h5_can_resume(const OutDir *dir, const ResultsDef *def, long rows, hawser_error *err)
-{
-    const H5File h = {.segments = def->segments, .rollers = def->rollers, .rows = (hsize_t)rows};
-    OutSpot spot;
-    StatesFile states;
-    int broken = 0;
-    hawser_status status = out_spot(&spot, dir, STATES_FILE, err);
-    if (!status) status = out_own(file_broken(dir, STATES_FILE, &broken, err), err);
-    if (status) return status;
-    errno = 0;
-    const int fd = file_open_in(dir->at, STATES_FILE, O_RDWR), number = errno;
-    states_open_descriptor(&states, fd, dir->at);
-    const char *const why = fd < 0            ? file_reason(number)
-                            : broken          ? "it is damaged: its bytes are not those that the run has written"
-                            : states.file < 0 ? "it cannot be read"
-                            : rows < 0 || !file_fits(&h, states.file, def->run)
-                                ? "it has not the states of the checkpoint"
-                                : NULL;
-    states_close(&states);
-    if (!why) return HAWSER_OK;
-    return error_set(err, HAWSER_ERR_OUTPUT, "cannot go on with '%.700s': %s", spot.path, why);
-}
-
 /* A set that is there keeps its first rows. */
 static int set_resume(H5File *h, int k)
 {
@@ -315,16 +292,23 @@ static int frames_resume(H5File *h)
     return ok;
 }
 
+/* All that is changed before the first new state. */
+static int file_cut(H5File *h)
+{
+    int ok = frames_resume(h);
+    for (int k = 0; k < sample_columns && ok; k++) ok = set_resume(h, k);
+    if (ok && H5Lexists(h->file, "envelope", H5P_DEFAULT) > 0) ok = H5Ldelete(h->file, "envelope", H5P_DEFAULT) >= 0;
+    if (ok && H5Aexists(h->file, "series") > 0) ok = H5Adelete(h->file, "series") >= 0;
+    return ok;
+}
+
 /* What is changed in a file of which not all can be changed does not reach it. */
 static int file_resume(H5File *h, const char *run)
 {
     h->file = driven_file(h, 1);
     int ok = h->file >= 0 && file_fits(h, h->file, run);
     h->disk.live = ok;
-    ok = ok && frames_resume(h);
-    for (int k = 0; k < sample_columns && ok; k++) ok = set_resume(h, k);
-    if (ok && H5Lexists(h->file, "envelope", H5P_DEFAULT) > 0) ok = H5Ldelete(h->file, "envelope", H5P_DEFAULT) >= 0;
-    if (ok && H5Aexists(h->file, "series") > 0) ok = H5Adelete(h->file, "series") >= 0;
+    ok = ok && file_cut(h);
     h->disk.live = ok;
     return ok && H5Fflush(h->file, H5F_SCOPE_LOCAL) >= 0;
 }
@@ -474,4 +458,85 @@ hawser_status h5_close(H5File **file, hawser_error *err)
     free(h->frame);
     free(h);
     return status;
+}
+
+/* ------------------------------------------------------------------------------------- whether it can be gone on with
+ */
+
+typedef struct Rehearsal {
+    const OutDir *dir;
+    const ResultsDef *def;
+    long rows;
+} Rehearsal;
+
+/* All that will be done to the file until its next state, which does not reach it; prints why it cannot be. */
+static hawser_status rehearse(void *user, FILE *out, hawser_error *err)
+{
+    const Rehearsal *const r = user;
+    const size_t most = (size_t)(r->def->segments + 1 + r->def->rollers) * 4;
+    H5File *h;
+    hawser_status status = h5_new(&h, r->dir, r->def, err);
+    if (status) return status;
+    h->rows = (hsize_t)r->rows;
+    h->fd = file_open_in(r->dir->at, STATES_FILE, O_RDWR);
+    double *const zero = calloc(most, sizeof *zero);
+    H5E_BEGIN_TRY
+    {
+        h->file = zero ? driven_file(h, 1) : -1;
+        if (!zero)
+            status = error_memory(err);
+        else if (h->file < 0)
+            fputs("it cannot be read", out);
+        else if (r->rows < 0 || !file_fits(h, h->file, r->def->run) || !file_cut(h) ||
+                 !append_state(h, &(hawser_sample){.segments = h->segments,
+                                                   .joints = h->segments + 1,
+                                                   .rollers = h->rollers,
+                                                   .position = zero,
+                                                   .quaternion = zero,
+                                                   .velocity = zero,
+                                                   .omega = zero,
+                                                   .tension = zero,
+                                                   .axial_speed = zero,
+                                                   .roller_load = zero,
+                                                   .field = {zero, zero, zero, zero}}))
+            fputs("it has not the states of the checkpoint", out);
+    }
+    H5E_END_TRY
+    h5_close(&h, NULL);
+    free(zero);
+    return status;
+}
+
+static hawser_status resume_unfit(const OutDir *dir, const ResultsDef *def, long rows, char why[128], hawser_error *err)
+{
+    Rehearsal r = {dir, def, rows};
+    char *said;
+    size_t size;
+    int died;
+    const hawser_status status = apart_do(rehearse, &r, &said, &size, &died, err);
+    if (died) snprintf(why, 128, "it is damaged: HDF5 does not survive to read it");
+    if (!died) snprintf(why, 128, "%.*s", (int)size, size > 0 ? said : "");
+    free(said);
+    return status;
+}
+
+hawser_status h5_can_resume(const OutDir *dir, const ResultsDef *def, long rows, hawser_error *err)
+{
+    OutSpot spot;
+    char why[128] = "";
+    int broken = 0;
+    hawser_status status = out_spot(&spot, dir, STATES_FILE, err);
+    if (!status) status = out_own(file_broken(dir, STATES_FILE, &broken, err), err);
+    if (status) return status;
+    errno = 0;
+    const int fd = file_open_in(dir->at, STATES_FILE, O_RDWR), number = errno;
+    if (fd >= 0) close(fd);
+    if (fd < 0)
+        snprintf(why, sizeof why, "%s", file_reason(number));
+    else if (broken)
+        snprintf(why, sizeof why, "it is damaged: its bytes are not those that the run has written");
+    else
+        status = resume_unfit(dir, def, rows, why, err);
+    if (status || !*why) return status;
+    return error_set(err, HAWSER_ERR_OUTPUT, "cannot go on with '%.700s': %s", spot.path, why);
 }

@@ -65,6 +65,17 @@ hid_t door_set(hid_t parent, const char *path, int text, int rank, hsize_t *dims
 void door_text(hid_t object, const char *name, char text[DOOR_TEXT_MAX]);
 void door_numbers(hid_t object, const char *name, int n, double *values);
 
+/* ---------------------------------------------------------------------------------------------------------- apart.c
+ * What may be somebody else's is read in a process of its own, since HDF5 does not survive every file. */
+
+/* What is to be done there; what it prints comes back. It changes nothing of the calling process, and ends as `err`
+ * says.
+ */
+typedef hawser_status ApartWork(void *user, FILE *out, hawser_error *err);
+/* *bytes [*size], malloc'ed: what the work has printed; *died 1: it did not come to its end, and there are none.
+ * Returns what the work returned. Errors besides: MEMORY (no process can be had either). */
+hawser_status apart_do(ApartWork *work, void *user, char **bytes, size_t *size, int *died, hawser_error *err);
+
 /* ------------------------------------------------------------------- results_sets.c; all return 0 if HDF5 refuses */
 
 /* Attributes of an object. */

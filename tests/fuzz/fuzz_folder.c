@@ -5,7 +5,6 @@
  * results.h5 with a wrong sum must be refused before HDF5 has seen it. One without a sum, as a run that was killed
  * leaves it, is read only where HAWSER_FUZZ_HDF5 is set: HDF5 itself does not survive every such file
  * (docs/reliability.md). */
-#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,6 +12,7 @@
 #include <unistd.h>
 
 #include "io/results/results_file.h"
+#include "tests/fuzz/base_run.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/patches.h"
 
@@ -26,7 +26,7 @@ static const char text[] = "cables: {c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 
                            "solver: {passes: 1}\n";
 static const char readings[] = "time_s,pull_N\n0,900\n0.1,1000\n0.2,1100\n0.3,1000\n";
 
-enum { FILES_MAX = 16, PATH = 256, SEAL = 32, PATCHES_MAX = 5 };
+enum { FILES_MAX = 16, PATH = BASE_PATH, SEAL = 32, PATCHES_MAX = 5 };
 
 typedef struct Whole {
     char name[64], sum[SUM_SIZE];
@@ -38,29 +38,6 @@ typedef struct Whole {
 static char base[PATH], good[PATH], bad[PATH], log_file[PATH], page[PATH], plots[PATH];
 static Whole whole[FILES_MAX];
 static int files;
-
-static void write_bytes(const char *folder, const char *name, const void *bytes, size_t size)
-{
-    char path[2 * PATH];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *const f = fopen(path, "wb");
-    FUZZ_MUST(f && fwrite(bytes, 1, size, f) == size);
-    FUZZ_MUST(!fclose(f));
-}
-
-static void folder_empty(const char *path, int itself)
-{
-    DIR *const folder = opendir(path);
-    for (const struct dirent *e = folder ? readdir(folder) : NULL; e; e = readdir(folder)) {
-        char name[2 * PATH];
-        if (*e->d_name == '.' || snprintf(name, sizeof name, "%s/%s", path, e->d_name) >= (int)sizeof name) continue;
-        if (unlink(name)) folder_empty(name, 1);
-    }
-    if (folder) closedir(folder);
-    if (itself) rmdir(path);
-}
-
-static void base_remove(void) { folder_empty(base, 1); }
 
 /* Of a file by its folder's path; 0: it could not be had. */
 static int sum_take(const char *dir, const char *name, FileSum *sum)
@@ -74,53 +51,31 @@ static int sum_take(const char *dir, const char *name, FileSum *sum)
 
 static void file_take(const char *name)
 {
-    char path[2 * PATH];
     FileSum sum;
     Whole *const w = &whole[files];
-    struct stat info;
-    snprintf(path, sizeof path, "%s/%s", good, name);
-    FILE *const f = fopen(path, "rb");
-    FUZZ_MUST(f && files < FILES_MAX && !stat(path, &info) && sum_take(good, name, &sum));
-    *w = (Whole){.size = (size_t)info.st_size, .bytes = malloc((size_t)info.st_size + 1)};
+    FUZZ_MUST(files < FILES_MAX && sum_take(good, name, &sum));
     snprintf(w->name, sizeof w->name, "%s", name);
     snprintf(w->sum, sizeof w->sum, "%s", sum.sum);
-    FUZZ_MUST(w->bytes && fread(w->bytes, 1, w->size, f) == w->size);
-    w->bytes[w->size] = 0;
-    fclose(f);
-    write_bytes(bad, name, w->bytes, w->size);
+    w->bytes = base_read(good, name, &w->size);
+    base_write(bad, name, w->bytes, w->size);
     files++;
 }
 
-static void make_run(void)
-{
-    hawser_error err = {HAWSER_OK, ""};
-    hawser_case *c = NULL;
-    hawser_sim *s = NULL;
-    if (hawser_case_parse(text, "base.yaml", &c, &err)) fuzz_failed(err.message, __FILE__, __LINE__);
-    if (hawser_sim_new(c, &(hawser_options){.threads = 1}, &s, &err)) fuzz_failed(err.message, __FILE__, __LINE__);
-    if (hawser_sim_run(s, good, NULL, NULL, &err)) fuzz_failed(err.message, __FILE__, __LINE__);
-    hawser_sim_free(s);
-    hawser_case_free(c);
-}
-
 /* The files by their names, so that an input means the same wherever it is tried. */
-static void base_make(void)
+static void folders_make(void)
 {
     static const char *const names[] = {"summary.json",     "series.csv",        "stations.csv", "rollers.csv",
                                         "inputs.csv",       "route.csv",         "results.h5",   "results.xdmf",
                                         "certificate.json", "sensitivities.json"};
-    const char *const tmp = getenv("TMPDIR");
-    snprintf(base, sizeof base, "%.200s/hawser-fuzz-XXXXXX", tmp && *tmp ? tmp : "/tmp");
-    FUZZ_MUST(mkdtemp(base));
-    atexit(base_remove);
+    base_make(base);
     snprintf(good, sizeof good, "%.200s/good", base);
     snprintf(bad, sizeof bad, "%.200s/bad", base);
     snprintf(log_file, sizeof log_file, "%.200s/log.csv", base);
     snprintf(page, sizeof page, "%.200s/page.html", base);
     snprintf(plots, sizeof plots, "%.200s/plots", base);
     FUZZ_MUST(!mkdir(bad, 0777));
-    make_run();
-    write_bytes(base, "log.csv", readings, strlen(readings));
+    base_run(text, good);
+    base_write(base, "log.csv", readings, strlen(readings));
     for (size_t k = 0; k < sizeof names / sizeof *names; ++k) {
         char path[2 * PATH], run[SUM_SIZE + 16];
         snprintf(path, sizeof path, "%s/%s", good, names[k]);
@@ -128,7 +83,7 @@ static void base_make(void)
             const char *const at = strstr((const char *)whole[0].bytes, "\"run\": \"");
             FUZZ_MUST(at);
             snprintf(run, sizeof run, "{%.25s}", at);
-            write_bytes(good, names[k], run, strlen(run));
+            base_write(good, names[k], run, strlen(run));
         }
         FUZZ_MUST(!access(path, R_OK));
         file_take(names[k]);
@@ -191,7 +146,7 @@ static int file_change(Draws *d, const Whole *w, int open)
     for (int k = 0; k < PATCHES_MAX && d->left > 0; ++k) size = change(d, bytes, size, room);
     const int ends = size > SEAL && w->size > SEAL && !memcmp(bytes + size - SEAL, w->bytes + w->size - SEAL, SEAL);
     const int changed = ends && (size != before || memcmp(bytes, w->bytes, size) != 0);
-    write_bytes(bad, w->name, bytes, size);
+    base_write(bad, w->name, bytes, size);
     free(bytes);
     return changed;
 }
@@ -205,7 +160,7 @@ static void sum_mend(const Whole *w)
     memcpy(summary, whole[0].bytes, whole[0].size + 1);
     char *const at = strstr((char *)summary, w->sum);
     if (at) memcpy(at, sum.sum, SUM_SIZE - 1);
-    write_bytes(bad, whole[0].name, summary, whole[0].size);
+    base_write(bad, whole[0].name, summary, whole[0].size);
     free(summary);
 }
 
@@ -256,7 +211,7 @@ static hawser_status read_back(void)
 FUZZ_TARGET(folder)
 {
     Draws d = {data, size};
-    if (!files) base_make();
+    if (!files) folders_make();
     const uint32_t which = draws_take(&d, 1), how = draws_take(&d, 1) % 4;
     const Whole *const w = &whole[which % (uint32_t)files];
     const int states = !strcmp(w->name, "results.h5"), open = states && how > 0 && getenv("HAWSER_FUZZ_HDF5");
@@ -264,7 +219,7 @@ FUZZ_TARGET(folder)
     if (how && !states) sum_mend(w);
     const hawser_status checked = read_back();
     if (states && changed && !open) FUZZ_MUST(checked == HAWSER_ERR_INPUT);
-    write_bytes(bad, w->name, w->bytes, w->size);
-    if (how) write_bytes(bad, whole[0].name, whole[0].bytes, whole[0].size);
+    base_write(bad, w->name, w->bytes, w->size);
+    if (how) base_write(bad, whole[0].name, whole[0].bytes, whole[0].size);
     return 0;
 }
