@@ -1,5 +1,6 @@
 /* Values of outputs: the sample is taken once a step, limits and verdict are judged only when they are asked for. */
 #include <math.h>
+#include <string.h>
 
 #include "fmi/unit/unit.h"
 
@@ -26,6 +27,15 @@ static const Look *judge_now(Unit *u)
 }
 
 static double margin_of(const hawser_limit *limit) { return limit->judged ? limit->margin : NAN; }
+
+/* By the variable's name, "margins.push": a run may judge more limits than are known before it. */
+static double margin_named(const Look *look, const char *name)
+{
+    const char *const limit = strrchr(name, '.') ? strrchr(name, '.') + 1 : name;
+    for (int i = 0; i < look->limits; ++i)
+        if (!strcmp(look->limit[i].name, limit)) return margin_of(&look->limit[i]);
+    return NAN;
+}
 
 static double worst_margin(const Look *look)
 {
@@ -77,7 +87,7 @@ double output_number(Unit *u, const Variable *row)
     case FROM_PULL_PEAK:
         return judge_now(u)->peak;
     case FROM_MARGIN:
-        return margin_of(&judge_now(u)->limit[i]);
+        return margin_named(judge_now(u), row->name);
     case FROM_WORST:
         return worst_margin(judge_now(u));
     case FROM_BROKEN:

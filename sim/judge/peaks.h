@@ -19,7 +19,7 @@ typedef struct Peaks {
     Peak tension;      /* N, of the cable, eye included */
     Peak sidewall;     /* N/m, T/R of the route's bends, on the worst cable */
     Peak curvature;    /* 1/m, of the cable between neighbouring segments */
-    double stands_out; /* 1/m, by which that is more than beside it: what shorter segments may find more of (LI14) */
+    double stands_out; /* 1/m, by which that is more than beside it: what shorter segments may find more of (LI15) */
     Peak rope;         /* N, of the rope, or on its end */
     Peak front;        /* N, at the cable's eye or net */
     double reached;    /* m along the route: how far that has come */

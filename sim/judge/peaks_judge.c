@@ -173,7 +173,7 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
                 hawser_limit *out)
 {
     const SceneDef *const def = &scene->def;
-    Finding f[LIMIT_KINDS] = {[LIMIT_RESTART] = {.absent = 1}};
+    Finding f[LIMIT_KINDS] = {[LIMIT_RESTART] = {.absent = 1}, [LIMIT_BUCKLING] = {.absent = 1}};
     if (!peaks->present) return 0;
     if (peaks->recorded > 0) {
         f[LIMIT_PULL] = finding_at(&scene->route, peaks->tension.value, peaks->tension.at);
