@@ -36,15 +36,38 @@ void limits_defaults(LimitsDef *def)
 /* Names and units by kind. */
 static const struct {
     const char *name, *unit;
-} kinds[LIMIT_KINDS] = {{"pull", "N"},          {"restart", "N"},     {"attachment", "N"},
-                        {"sidewall", "N/m"},    {"bend_radius", "m"}, {"rope_bend", "1"},
-                        {"roller_steady", "N"}, {"roller_peak", "N"}, {"rope", "N"},
-                        {"winch", "N"},         {"push", "N"},        {"buckling", "N"},
-                        {"squeeze", "N/m"},     {"run_away", "N"},    {"alpha", "1"},
-                        {"trip", "N"},          {"speed", "m/s"},     {"jam_ratio", "1"},
-                        {"clearance", "m"},     {"fill", "1"},        {"weight_correction", "1"}};
+} kinds[LIMIT_KINDS] = {
+    [HAWSER_LIMIT_PULL] = {"pull", "N"},
+    [HAWSER_LIMIT_RESTART] = {"restart", "N"},
+    [HAWSER_LIMIT_ATTACHMENT] = {"attachment", "N"},
+    [HAWSER_LIMIT_SIDEWALL] = {"sidewall", "N/m"},
+    [HAWSER_LIMIT_BEND_RADIUS] = {"bend_radius", "m"},
+    [HAWSER_LIMIT_ROPE_BEND] = {"rope_bend", "1"},
+    [HAWSER_LIMIT_ROLLER_STEADY] = {"roller_steady", "N"},
+    [HAWSER_LIMIT_ROLLER_PEAK] = {"roller_peak", "N"},
+    [HAWSER_LIMIT_ROPE] = {"rope", "N"},
+    [HAWSER_LIMIT_WINCH] = {"winch", "N"},
+    [HAWSER_LIMIT_PUSH] = {"push", "N"},
+    [HAWSER_LIMIT_BUCKLING] = {"buckling", "N"},
+    [HAWSER_LIMIT_SQUEEZE] = {"squeeze", "N/m"},
+    [HAWSER_LIMIT_RUN_AWAY] = {"run_away", "N"},
+    [HAWSER_LIMIT_ALPHA] = {"alpha", "1"},
+    [HAWSER_LIMIT_TRIP] = {"trip", "N"},
+    [HAWSER_LIMIT_SPEED] = {"speed", "m/s"},
+    [HAWSER_LIMIT_JAM_RATIO] = {"jam_ratio", "1"},
+    [HAWSER_LIMIT_CLEARANCE] = {"clearance", "m"},
+    [HAWSER_LIMIT_FILL] = {"fill", "1"},
+    [HAWSER_LIMIT_WEIGHT_CORRECTION] = {"weight_correction", "1"},
+};
 
-const char *limits_name(LimitKind kind) { return kinds[kind].name; }
+const char *limits_name(hawser_limit_kind kind) { return kinds[kind].name; }
+
+hawser_limit_kind limits_kind(const char *name)
+{
+    int k = 0;
+    while (k < LIMIT_KINDS && !(name && strcmp(name, kinds[k].name) == 0)) k++;
+    return (hawser_limit_kind)k;
+}
 
 /* Of nothing everything is missing, and so of next to nothing: a thousand times as much as there is, at most. */
 static double margin_at_least(double value, double limit)
@@ -54,10 +77,11 @@ static double margin_at_least(double value, double limit)
 }
 
 /* (LI4). A value that is not known is not judged, and neither is one whose limit is not. */
-static void judge(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f,
+static void judge(const LimitsDef *def, hawser_limit_kind kind, double diameter, int cables, const Finding *f,
                   hawser_limit *out)
 {
-    *out = (hawser_limit){.name = kinds[kind].name,
+    *out = (hawser_limit){.kind = kind,
+                          .name = kinds[kind].name,
                           .unit = kinds[kind].unit,
                           .value = f->value,
                           .margin = NAN,
@@ -73,7 +97,8 @@ static void judge(const LimitsDef *def, LimitKind kind, double diameter, int cab
     }
     out->judged = 1;
     out->margin = limits_at_least(def, kind, f) ? margin_at_least(out->value, out->limit) : 1 - out->value / out->limit;
-    if (kind == LIMIT_RUN_AWAY) out->margin = f->value > 0 ? -f->value / fmax(f->value, f->rating) : 1; /* (LI12) */
+    if (kind == HAWSER_LIMIT_RUN_AWAY)
+        out->margin = f->value > 0 ? -f->value / fmax(f->value, f->rating) : 1; /* (LI12) */
     out->ok = out->margin >= 0;
 }
 
@@ -93,8 +118,8 @@ static void duct_worse(int worse, double value, int cables, const char *name, Fi
 
 void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctLoad *load, Finding finding[LIMIT_KINDS])
 {
-    Finding *const jam = &finding[LIMIT_JAM], *const room = &finding[LIMIT_CLEARANCE],
-                   *const fill = &finding[LIMIT_FILL], *const weight = &finding[LIMIT_WEIGHT];
+    Finding *const jam = &finding[HAWSER_LIMIT_JAM_RATIO], *const room = &finding[HAWSER_LIMIT_CLEARANCE],
+                   *const fill = &finding[HAWSER_LIMIT_FILL], *const weight = &finding[HAWSER_LIMIT_WEIGHT_CORRECTION];
     if (!name) {
         jam->absent = room->absent = fill->absent = weight->absent = 1;
         return;
@@ -136,7 +161,7 @@ int limits_judge(const LimitsDef *def, double diameter, int cables, const Findin
     if (!def->present) return 0;
     for (int k = 0; k < LIMIT_KINDS; k++) {
         if (finding[k].absent) continue;
-        judge(def, (LimitKind)k, diameter, cables, &finding[k], &out[n++]);
+        judge(def, (hawser_limit_kind)k, diameter, cables, &finding[k], &out[n++]);
     }
     return n;
 }

@@ -53,31 +53,8 @@ typedef struct LimitsDef {
     double weight_correction; /* w_c of (T20) */
 } LimitsDef;
 
-/* The order in which limits are listed. */
-typedef enum LimitKind {
-    LIMIT_PULL,       /* N, largest tension of the cable: what conductor or sheath bear */
-    LIMIT_RESTART,    /* N, the same from rest */
-    LIMIT_ATTACHMENT, /* N, at the eye or net: what that bears */
-    LIMIT_SIDEWALL,   /* N/m */
-    LIMIT_BEND,       /* m, smallest radius of the cable */
-    LIMIT_ROPE_BEND,  /* 1, smallest diameter that the rope is bent round over its own */
-    LIMIT_ROLLER_STEADY,
-    LIMIT_ROLLER_PEAK,
-    LIMIT_ROPE,     /* N */
-    LIMIT_WINCH,    /* N */
-    LIMIT_PUSH,     /* N, largest push of a machine */
-    LIMIT_BUCKLING, /* N, compression where it is nearest to the critical load there */
-    LIMIT_SQUEEZE,  /* N/m, of belts on the cable */
-    LIMIT_RUN_AWAY, /* N, brake that is missing where the pull begins */
-    LIMIT_ALPHA,
-    LIMIT_TRIP,  /* N, at which the winch stops */
-    LIMIT_SPEED, /* m/s */
-    LIMIT_JAM,
-    LIMIT_CLEARANCE,
-    LIMIT_FILL,
-    LIMIT_WEIGHT, /* 1, weight correction of several cables in a duct */
-    LIMIT_KINDS
-} LimitKind;
+/* The limits are listed in the order of their kinds. */
+enum { LIMIT_KINDS = HAWSER_LIMIT_WEIGHT_CORRECTION + 1 };
 
 /* What a calculation or a simulation found. */
 typedef struct Finding {
@@ -117,10 +94,12 @@ typedef struct Allowed {
 /* The first rule that fits; set: a LimitCode, of sidewall and bend a LimitPractice, otherwise -1. */
 Allowed limits_rule(Rule rule, int set, int a, int b);
 const char *limits_code_name(int code);
-/* "pull" of LIMIT_PULL and so on. */
-const char *limits_name(LimitKind kind);
+/* "pull" of HAWSER_LIMIT_PULL and so on. */
+const char *limits_name(hawser_limit_kind kind);
+/* The kind of that name; LIMIT_KINDS: none. */
+hawser_limit_kind limits_kind(const char *name);
 /* Whether nothing is known of a pull without that limit: it is not called safe where this one is not judged. */
-int limits_essential(const char *name);
+int limits_essential(hawser_limit_kind kind);
 /* The practice that counts. */
 int limits_practice(const LimitsDef *def);
 
@@ -144,17 +123,18 @@ typedef struct TripSetting {
 TripSetting limits_trip(const LimitsDef *def, int cables, double force, double beyond);
 /* The bound of any kind for what was found, in its unit, (LI3)-(LI12); likewise. And whether it is the least that is
  * allowed, not the most. */
-double limits_allowed(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f,
+double limits_allowed(const LimitsDef *def, hawser_limit_kind kind, double diameter, int cables, const Finding *f,
                       char *source);
-int limits_at_least(const LimitsDef *def, LimitKind kind, const Finding *f);
+int limits_at_least(const LimitsDef *def, hawser_limit_kind kind, const Finding *f);
 
 /* ------------------------------------------------------------------------------------------------ to judge: limits.c
  */
 
 /* The paper's values where nothing else is said. */
 void limits_defaults(LimitsDef *def);
-/* How a number of cables lies in ducts, against the worst of them: their findings of LIMIT_JAM, LIMIT_CLEARANCE,
- * LIMIT_FILL and LIMIT_WEIGHT into finding[LIMIT_KINDS]; begin with no duct (name NULL). (LI8) */
+/* How a number of cables lies in ducts, against the worst of them: their findings of HAWSER_LIMIT_JAM_RATIO,
+ * HAWSER_LIMIT_CLEARANCE, HAWSER_LIMIT_FILL and HAWSER_LIMIT_WEIGHT_CORRECTION into finding[LIMIT_KINDS]; begin with no
+ * duct (name NULL). (LI8) */
 void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctLoad *load,
                  Finding finding[LIMIT_KINDS]);
 /* hawser_limits_verdict and hawser_verdict; open: with the names of those that are not judged. */

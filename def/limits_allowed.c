@@ -200,16 +200,16 @@ static double by_rule(double own, const char *key, Allowed rule, char *source)
 }
 
 /* What is allowed of ducts. */
-static double duct_allowed(const LimitsDef *def, LimitKind kind, const Finding *f, char *source)
+static double duct_allowed(const LimitsDef *def, hawser_limit_kind kind, const Finding *f, char *source)
 {
     switch (kind) {
-    case LIMIT_JAM:
+    case HAWSER_LIMIT_JAM_RATIO:
         snprintf(source, SOURCE_SIZE, "three cables wedge between %g and %g", def->jam_from, def->jam_to);
         return jams_above(def, f->value) ? def->jam_to : def->jam_from;
-    case LIMIT_CLEARANCE:
+    case HAWSER_LIMIT_CLEARANCE:
         snprintf(source, SOURCE_SIZE, "%s", "over the uppermost cable; 1/4 in are usual");
         return def->clearance;
-    case LIMIT_WEIGHT:
+    case HAWSER_LIMIT_WEIGHT_CORRECTION:
         if (isnan(given(def->weight_correction, "weight_correction", source)))
             snprintf(source, SOURCE_SIZE, "%s", "no code has a bound: needs limits.weight_correction");
         return def->weight_correction;
@@ -219,28 +219,28 @@ static double duct_allowed(const LimitsDef *def, LimitKind kind, const Finding *
 }
 
 /* What machines, rope and winch allow. */
-static double machine_allowed(const LimitsDef *def, LimitKind kind, int cables, const Finding *f, char *source)
+static double machine_allowed(const LimitsDef *def, hawser_limit_kind kind, int cables, const Finding *f, char *source)
 {
     switch (kind) {
-    case LIMIT_ROLLER_STEADY:
-    case LIMIT_ROLLER_PEAK:
-        return roller_allowed(def, f, kind == LIMIT_ROLLER_STEADY, source);
-    case LIMIT_ROPE:
+    case HAWSER_LIMIT_ROLLER_STEADY:
+    case HAWSER_LIMIT_ROLLER_PEAK:
+        return roller_allowed(def, f, kind == HAWSER_LIMIT_ROLLER_STEADY, source);
+    case HAWSER_LIMIT_ROPE:
         return rope_allowed(def, source);
-    case LIMIT_ROPE_BEND:
+    case HAWSER_LIMIT_ROPE_BEND:
         return by_rule(def->rope_bend, "limits.rope_bend", limits_rule(RULE_ROPE_BEND, -1, def->rope_kind, 0), source);
-    case LIMIT_WINCH:
+    case HAWSER_LIMIT_WINCH:
         return given(def->winch_capacity, "winch_capacity", source);
-    case LIMIT_PUSH:
+    case HAWSER_LIMIT_PUSH:
         return given(def->push, "push", source);
-    case LIMIT_BUCKLING:
+    case HAWSER_LIMIT_BUCKLING:
         snprintf(source, SOURCE_SIZE, "%s", f->why);
         return f->rating;
-    case LIMIT_SQUEEZE:
+    case HAWSER_LIMIT_SQUEEZE:
         return given(def->squeeze, "squeeze", source);
-    case LIMIT_TRIP:
+    case HAWSER_LIMIT_TRIP:
         return trip_allowed(def, cables, f, source);
-    case LIMIT_SPEED:
+    case HAWSER_LIMIT_SPEED:
         return by_rule(def->speed, "limits.speed", limits_rule(RULE_SPEED, -1, 0, 0), source);
     default:
         snprintf(source, SOURCE_SIZE, "%s", "eq. 12: 1.2 to 1.5 are usual");
@@ -248,33 +248,35 @@ static double machine_allowed(const LimitsDef *def, LimitKind kind, int cables, 
     }
 }
 
-double limits_allowed(const LimitsDef *def, LimitKind kind, double diameter, int cables, const Finding *f, char *source)
+double limits_allowed(const LimitsDef *def, hawser_limit_kind kind, double diameter, int cables, const Finding *f,
+                      char *source)
 {
     switch (kind) {
-    case LIMIT_PULL:
-    case LIMIT_RESTART:
+    case HAWSER_LIMIT_PULL:
+    case HAWSER_LIMIT_RESTART:
         return limits_pull(def, cables, source);
-    case LIMIT_ATTACHMENT:
+    case HAWSER_LIMIT_ATTACHMENT:
         return limits_attachment(def, source);
-    case LIMIT_SIDEWALL:
+    case HAWSER_LIMIT_SIDEWALL:
         return limits_sidewall(def, source);
-    case LIMIT_BEND:
+    case HAWSER_LIMIT_BEND_RADIUS:
         return limits_radius(def, diameter, source);
-    case LIMIT_RUN_AWAY:
+    case HAWSER_LIMIT_RUN_AWAY:
         snprintf(source, SOURCE_SIZE, "%s", f->value > 0 || *f->why ? f->why : "a cable cannot be pushed");
         return 0;
-    case LIMIT_JAM:
-    case LIMIT_CLEARANCE:
-    case LIMIT_FILL:
-    case LIMIT_WEIGHT:
+    case HAWSER_LIMIT_JAM_RATIO:
+    case HAWSER_LIMIT_CLEARANCE:
+    case HAWSER_LIMIT_FILL:
+    case HAWSER_LIMIT_WEIGHT_CORRECTION:
         return duct_allowed(def, kind, f, source);
     default:
         return machine_allowed(def, kind, cables, f, source);
     }
 }
 
-int limits_at_least(const LimitsDef *def, LimitKind kind, const Finding *f)
+int limits_at_least(const LimitsDef *def, hawser_limit_kind kind, const Finding *f)
 {
-    return kind == LIMIT_BEND || kind == LIMIT_ROPE_BEND || kind == LIMIT_CLEARANCE ||
-           (kind == LIMIT_JAM && jams_above(def, f->value)) || (kind == LIMIT_TRIP && f->value < f->steady);
+    return kind == HAWSER_LIMIT_BEND_RADIUS || kind == HAWSER_LIMIT_ROPE_BEND || kind == HAWSER_LIMIT_CLEARANCE ||
+           (kind == HAWSER_LIMIT_JAM_RATIO && jams_above(def, f->value)) ||
+           (kind == HAWSER_LIMIT_TRIP && f->value < f->steady);
 }

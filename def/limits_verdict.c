@@ -48,7 +48,7 @@ const char *hawser_word_code(hawser_word word) { return words[word].code; }
 /* "sidewall by 22 % at bend"; of a run-away what is missing. */
 static void add_broken(Line *line, const hawser_limit *l, int first)
 {
-    if (!strcmp(l->name, "run_away")) {
+    if (l->kind == HAWSER_LIMIT_RUN_AWAY) {
         add(line, "%s %s", first ? ":" : ",", l->source);
         return;
     }
@@ -56,7 +56,7 @@ static void add_broken(Line *line, const hawser_limit *l, int first)
     add(line, "%s %s by %.3g %%%s%s", first ? ":" : ",", l->name, over, *l->where ? " at " : "", l->where);
 }
 
-int limits_essential(const char *name) { return !strcmp(name, "pull") || !strcmp(name, "sidewall"); }
+int limits_essential(hawser_limit_kind kind) { return kind == HAWSER_LIMIT_PULL || kind == HAWSER_LIMIT_SIDEWALL; }
 
 /* "; 2 not judged: rope, winch". */
 static void add_not_judged(Line *line, int n, const hawser_limit *limit, int unknown)
@@ -79,7 +79,7 @@ static Tally tally_of(int n, const hawser_limit *limit)
     Tally t = {0};
     for (int i = 0; i < n; i++) {
         const hawser_limit *const l = &limit[i];
-        if (!l->judged && !t.missing && limits_essential(l->name)) t.missing = l;
+        if (!l->judged && !t.missing && limits_essential(l->kind)) t.missing = l;
         if (!l->judged) continue;
         t.judged++;
         t.broken += !l->ok;

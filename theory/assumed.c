@@ -149,10 +149,10 @@ static int limit_holds(const hawser_limit *l, const hawser_limit *was, const haw
     return own ? !is->judged || is->ok : !(*value > l->limit && is->value != was->value);
 }
 
-static const hawser_limit *called(const Calculator *c, int way, const char *name)
+static const hawser_limit *limit_of(const Calculator *c, int way, hawser_limit_kind kind)
 {
     for (int i = 0; i < c->n_limits; ++i)
-        if (!strcmp(c->limit[way][i].name, name)) return &c->limit[way][i];
+        if (c->limit[way][i].kind == kind) return &c->limit[way][i];
     return NULL;
 }
 
@@ -185,8 +185,8 @@ static hawser_status effect_of_all(const Trial *t, int count, const Assumed *a, 
     status = solve(t, &def, &setup, &expected, &c);
     for (int way = 0; way < t->ways && !status; ++way) {
         for (int i = 0; i < t->n; ++i) {
-            const hawser_limit *const l = &t->limit[way][i], *const was = called(t->base, way, l->name),
-                                      *const is = called(&c, way, l->name);
+            const hawser_limit *const l = &t->limit[way][i], *const was = limit_of(t->base, way, l->kind),
+                                      *const is = limit_of(&c, way, l->kind);
             effect[way].value[i] = l->value;
             effect[way].holds[i] = !was || !is || limit_holds(l, was, is, &effect[way].value[i]);
         }

@@ -88,6 +88,8 @@ typedef struct Calculator {
 hawser_status calculator_build(const Setup *setup, const Expected *expected, int forward_only, Calculator *out,
                                hawser_error *err);
 void calculator_free(Calculator *c);
+/* A condition of theory, which holds where value <= allowed. */
+hawser_condition theory_condition(hawser_condition_kind kind, double value, double allowed);
 /* Fills limits and `pulled` of one that is solved. Errors: MEMORY. */
 hawser_status calculator_judge(const Setup *setup, Calculator *c, hawser_error *err);
 /* Whether a bend presses the cable away from a guide of a row: it bears nothing. */

@@ -137,14 +137,14 @@ static void rope_findings(const Setup *setup, int way, Finding f[LIMIT_KINDS])
 {
     const StrandDef *const strand = &setup->def->strand;
     double all = setup->company.drawn[way], most = all + setup->company.drawn_more[way];
-    if (strand->leads) all = most = f[LIMIT_ROPE].value;
-    if (strand->joined >= 0) f[LIMIT_ROPE].absent = f[LIMIT_WINCH].absent = 1;
+    if (strand->leads) all = most = f[HAWSER_LIMIT_ROPE].value;
+    if (strand->joined >= 0) f[HAWSER_LIMIT_ROPE].absent = f[HAWSER_LIMIT_WINCH].absent = 1;
     if (!strand->rope) return;
-    f[LIMIT_PULL] = f[LIMIT_RESTART] = f[LIMIT_ATTACHMENT] = (Finding){.value = most};
-    f[LIMIT_PULL].value = all;
-    snprintf(f[LIMIT_PULL].where, sizeof f->where, "%s", strand->leads ? "the head" : "the eye");
-    memcpy(f[LIMIT_RESTART].where, f[LIMIT_PULL].where, sizeof f->where);
-    memcpy(f[LIMIT_ATTACHMENT].where, f[LIMIT_PULL].where, sizeof f->where);
+    f[HAWSER_LIMIT_PULL] = f[HAWSER_LIMIT_RESTART] = f[HAWSER_LIMIT_ATTACHMENT] = (Finding){.value = most};
+    f[HAWSER_LIMIT_PULL].value = all;
+    snprintf(f[HAWSER_LIMIT_PULL].where, sizeof f->where, "%s", strand->leads ? "the head" : "the eye");
+    memcpy(f[HAWSER_LIMIT_RESTART].where, f[HAWSER_LIMIT_PULL].where, sizeof f->where);
+    memcpy(f[HAWSER_LIMIT_ATTACHMENT].where, f[HAWSER_LIMIT_PULL].where, sizeof f->where);
 }
 
 static hawser_status limits_set(const Setup *setup, Calculator *c, hawser_error *err)
@@ -153,14 +153,15 @@ static hawser_status limits_set(const Setup *setup, Calculator *c, hawser_error 
     for (int k = 0; k < PLAN_WAYS; ++k) {
         const PlanWay *const way = &c->plan.way[k];
         if (c->def.skip[k]) continue;
-        Finding f[LIMIT_KINDS] = {[LIMIT_ROLLER_PEAK] = {.absent = 1}, [LIMIT_ALPHA] = {.absent = 1}};
-        f[LIMIT_PULL] = finding_on(route, way->pull.max_tension, way->pull.max_at, way->pull.max_piece);
-        f[LIMIT_RESTART] = finding_on(route, way->restart_max, way->restart_at, way->restart_piece);
-        f[LIMIT_SIDEWALL] = sidewall_finding(route, way);
-        f[LIMIT_BEND] = bend_finding(c, k);
-        if (strand_is_rope(&setup->def->strand)) f[LIMIT_BEND].absent = f[LIMIT_SIDEWALL].absent = 1;
-        f[LIMIT_ROPE].value = calculator_peak(setup, c, k);
-        hawser_status status = roller_finding(setup, c, k, &f[LIMIT_ROLLER_STEADY], err);
+        Finding f[LIMIT_KINDS] = {[HAWSER_LIMIT_ROLLER_PEAK] = {.absent = 1}, [HAWSER_LIMIT_ALPHA] = {.absent = 1}};
+        f[HAWSER_LIMIT_PULL] = finding_on(route, way->pull.max_tension, way->pull.max_at, way->pull.max_piece);
+        f[HAWSER_LIMIT_RESTART] = finding_on(route, way->restart_max, way->restart_at, way->restart_piece);
+        f[HAWSER_LIMIT_SIDEWALL] = sidewall_finding(route, way);
+        f[HAWSER_LIMIT_BEND_RADIUS] = bend_finding(c, k);
+        if (strand_is_rope(&setup->def->strand))
+            f[HAWSER_LIMIT_BEND_RADIUS].absent = f[HAWSER_LIMIT_SIDEWALL].absent = 1;
+        f[HAWSER_LIMIT_ROPE].value = calculator_peak(setup, c, k);
+        hawser_status status = roller_finding(setup, c, k, &f[HAWSER_LIMIT_ROLLER_STEADY], err);
         if (!status) status = findings_of_way(setup, route, c, k, f, err);
         if (status) return status;
         rope_findings(setup, k, f);

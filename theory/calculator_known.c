@@ -8,13 +8,30 @@
 #include "core/profile.h"
 #include "theory/calculator.h"
 
+hawser_condition theory_condition(hawser_condition_kind kind, double value, double allowed)
+{
+    static const struct {
+        const char *name, *unit;
+    } kinds[] = {
+        [HAWSER_CONDITION_SUPPORTED] = {"supported", "1"}, [HAWSER_CONDITION_FRICTION] = {"friction", "1"},
+        [HAWSER_CONDITION_MEDIUM] = {"medium", "1"},       [HAWSER_CONDITION_DRIVE] = {"drive", "1"},
+        [HAWSER_CONDITION_PULLED] = {"pulled", "N"},       [HAWSER_CONDITION_STIFFNESS] = {"stiffness", "N"},
+    };
+    return (hawser_condition){.kind = kind,
+                              .name = kinds[kind].name,
+                              .unit = kinds[kind].unit,
+                              .value = value,
+                              .allowed = allowed,
+                              .holds = value <= allowed};
+}
+
 /* Friction on nothing is nobody's: a case for theory alone may leave supports out, not friction as well. One that says
  * how it runs is a pull in which the cable would fall. */
 static hawser_status supported_by(const Setup *setup, const Calculator *c, hawser_condition *result, hawser_error *err)
 {
     const TheoryDef *const theory = &setup->def->theory;
     const int hangs = theory->guessed_friction || theory->would_fall;
-    hawser_condition out = {.name = "supported", .unit = "1", .value = hangs, .holds = !hangs};
+    hawser_condition out = theory_condition(HAWSER_CONDITION_SUPPORTED, hangs, 0);
     if (theory->guessed_friction) {
         snprintf(out.remedy, sizeof out.remedy,
                  "nothing carries the cable (no rollers, ducts, trays or floor), and no friction is given: the pull is "
@@ -101,7 +118,7 @@ static hawser_condition friction_of(const Setup *setup, double lightest)
     }
     /* friction from rest is named where that alone is too large */
     const int rests = !(rough[0].mu > given[0] * (1 + 1e-9)) && rough[1].mu > given[1] * (1 + 1e-9);
-    hawser_condition c = {.name = "friction", .unit = "1", .value = rough[rests].mu, .allowed = given[rests]};
+    hawser_condition c = theory_condition(HAWSER_CONDITION_FRICTION, rough[rests].mu, given[rests]);
     c.holds = c.value <= c.allowed * (1 + 1e-9);
     snprintf(c.remedy, sizeof c.remedy,
              "'%s' has a friction of its own%s%s, %g, and the calculation takes friction.%s, %g: give that, or "
@@ -145,7 +162,7 @@ static hawser_condition medium_of(const Setup *setup)
         const double drag = d / 2 * fmax(fluid->normal, M_PI * fluid->tangential) * speed * speed;
         most = fmax(most, fluid->density * (lift + drag) / (cable->mass * g)); /* (MD1), (MD3) */
     }
-    hawser_condition c = {.name = "medium", .unit = "1", .value = most, .allowed = WET, .holds = most <= WET};
+    hawser_condition c = theory_condition(HAWSER_CONDITION_MEDIUM, most, WET);
     snprintf(c.remedy, sizeof c.remedy,
              "the fluid of section medium lifts or moves the cable by %.2g %% of its weight, and the calculation knows "
              "none: a run does",
@@ -267,7 +284,7 @@ static double tension_most(const Setup *setup)
 static hawser_condition drive_told(const Setup *setup)
 {
     const SceneDef *const def = setup->def;
-    hawser_condition out = {.name = "drive", .unit = "1", .holds = 1};
+    hawser_condition out = theory_condition(HAWSER_CONDITION_DRIVE, 0, 0);
     for (int i = 0; i < def->n_jams; ++i) {
         const char *const what = def->jams[i].what;
         if (conveyor_named(def, what)) conveyor_doubted("jams", "stops", what, &out);
@@ -313,7 +330,8 @@ static hawser_status drive_unbounded(const Setup *setup, const Calculator *c, in
     const hawser_status status = least_needed(setup, c, way, &least, err);
     if (status || !(most > MORE * least.force)) return status;
     const double needed = fmax(least.force, 0);
-    *out = (hawser_condition){.name = "drive", .unit = "1", .value = most / fmax(needed, 1e-3 * most), .allowed = MORE};
+    *out = theory_condition(HAWSER_CONDITION_DRIVE, most / fmax(needed, 1e-3 * most), MORE);
+    out->holds = 0;
     snprintf(out->remedy, sizeof out->remedy,
              "the winch pulls with %.4g kN, where %.4g kN are needed with the front at %.4g m: without "
              "drive.winch.tension.speed_limit that is the pull, and the cable gathers speed",
@@ -375,7 +393,9 @@ static hawser_status drive_shared(const Setup *setup, const Calculator *c, int w
     if (!out->holds || !least) return HAWSER_OK;
     const hawser_status status = without_belts(setup, c, way, &more, &first, err);
     if (status || !first || more <= left) return status;
-    *out = (hawser_condition){.name = "drive", .unit = "N", .value = more, .allowed = left};
+    *out = theory_condition(HAWSER_CONDITION_DRIVE, more, left);
+    out->unit = "N";
+    out->holds = 0;
     snprintf(out->remedy, sizeof out->remedy,
              "'%s' runs with the winch, so that lengths decide who of them pulls: without it %.4g kN more are needed, "
              "and '%s' has %.4g kN left; give it a 'factor' of 1.02",

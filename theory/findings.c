@@ -89,12 +89,12 @@ static Finding speed_said(const Setup *setup)
 void findings_of_scene(const Setup *setup, Finding finding[LIMIT_KINDS])
 {
     const SceneDef *const def = setup->def;
-    finding[LIMIT_SQUEEZE] = squeeze(def);
-    finding[LIMIT_PUSH].absent = def->n_conveyors == 0;
-    finding[LIMIT_SPEED] = speed_said(setup);
+    finding[HAWSER_LIMIT_SQUEEZE] = squeeze(def);
+    finding[HAWSER_LIMIT_PUSH].absent = def->n_conveyors == 0;
+    finding[HAWSER_LIMIT_SPEED] = speed_said(setup);
     if (has_row(def)) return;
-    finding[LIMIT_ALPHA].absent = 1;
-    if (!has_rating(def)) finding[LIMIT_ROLLER_STEADY].absent = finding[LIMIT_ROLLER_PEAK].absent = 1;
+    finding[HAWSER_LIMIT_ALPHA].absent = 1;
+    if (!has_rating(def)) finding[HAWSER_LIMIT_ROLLER_STEADY].absent = finding[HAWSER_LIMIT_ROLLER_PEAK].absent = 1;
 }
 
 void findings_trip(const Setup *setup, double force, double steady, double beyond, Finding *finding)
@@ -203,7 +203,7 @@ static double pushed_as_far(int n, const Buckling *row)
 hawser_status findings_of_push(const Setup *setup, const Route *route, const Pull *pull, Finding finding[LIMIT_KINDS],
                                hawser_error *err)
 {
-    Finding *const f = &finding[LIMIT_BUCKLING], *const away = &finding[LIMIT_RUN_AWAY];
+    Finding *const f = &finding[HAWSER_LIMIT_BUCKLING], *const away = &finding[HAWSER_LIMIT_RUN_AWAY];
     const int pushes = setup->n_pushers > 0 || setup->def->theory.feed > 0;
     Buckling *row;
     int n;
@@ -296,21 +296,21 @@ hawser_status findings_of_way(const Setup *setup, const Route *route, const Calc
 {
     const PlanWay *const w = &c->plan.way[way];
     /* the eye comes to every place, at speed and from rest, and has the cable's tension there (LI10a) */
-    finding[LIMIT_ATTACHMENT] = w->restart_max > w->pull.max_tension
+    finding[HAWSER_LIMIT_ATTACHMENT] = w->restart_max > w->pull.max_tension
                                     ? finding_on(route, w->restart_max, w->restart_at, w->restart_piece)
                                     : finding_on(route, w->pull.max_tension, w->pull.max_at, w->pull.max_piece);
-    finding[LIMIT_WINCH].value = finding[LIMIT_ROPE].value;
-    hawser_status status = largest_push(setup, c, way, &finding[LIMIT_PUSH], err);
-    if (!status) status = way_run_away(setup, route, c, way, &finding[LIMIT_RUN_AWAY], err);
+    finding[HAWSER_LIMIT_WINCH].value = finding[HAWSER_LIMIT_ROPE].value;
+    hawser_status status = largest_push(setup, c, way, &finding[HAWSER_LIMIT_PUSH], err);
+    if (!status) status = way_run_away(setup, route, c, way, &finding[HAWSER_LIMIT_RUN_AWAY], err);
     if (!status) status = findings_of_push(setup, route, &w->pull, finding, err);
     if (status) return status;
-    findings_trip(setup, w->force, finding[LIMIT_ROPE].value, c->beyond[way], &finding[LIMIT_TRIP]);
-    if (finding[LIMIT_RUN_AWAY].value > 0) finding[LIMIT_TRIP].steady = NAN;
+    findings_trip(setup, w->force, finding[HAWSER_LIMIT_ROPE].value, c->beyond[way], &finding[HAWSER_LIMIT_TRIP]);
+    if (finding[HAWSER_LIMIT_RUN_AWAY].value > 0) finding[HAWSER_LIMIT_TRIP].steady = NAN;
     findings_of_scene(setup, finding);
-    finding[LIMIT_ROPE_BEND] = rope_bend(setup, route, 0, c->roller);
+    finding[HAWSER_LIMIT_ROPE_BEND] = rope_bend(setup, route, 0, c->roller);
     /* machines that are asked for push too, if there are none yet */
     const int asked = has_machines(c) || !isnan(setup->def->theory.machine_push);
-    if (c->def.feed > 0 || asked) finding[LIMIT_PUSH].absent = 0;
+    if (c->def.feed > 0 || asked) finding[HAWSER_LIMIT_PUSH].absent = 0;
     return HAWSER_OK;
 }
 
@@ -346,7 +346,7 @@ static hawser_status without_pushes(const Expected *e, Expected *out, hawser_err
 
 hawser_status findings_of_run(const Setup *setup, const Expected *e, Finding finding[LIMIT_KINDS], hawser_error *err)
 {
-    Finding *const away = &finding[LIMIT_RUN_AWAY];
+    Finding *const away = &finding[HAWSER_LIMIT_RUN_AWAY];
     Expected alone;
     RunPull run = {setup, e};
     Braked b = {.solve = solve_run,
@@ -368,7 +368,7 @@ hawser_status findings_of_run(const Setup *setup, const Expected *e, Finding fin
     free(alone.step);
     if (!setup->def->winch.present) away->absent = 1;
     Pull pull;
-    finding[LIMIT_BUCKLING] = (Finding){.absent = 1};
+    finding[HAWSER_LIMIT_BUCKLING] = (Finding){.absent = 1};
     if (!expected_weighs(setup->def) || expected_pull(setup, e, PULL_REFERENCE, &pull, NULL)) return HAWSER_OK;
     const hawser_status found = findings_of_push(setup, setup->route, &pull, finding, err);
     pull_clear(&pull);

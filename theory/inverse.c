@@ -98,7 +98,7 @@ static void enough_find(Question *q)
     double most = 0;
     for (int i = 0; i < q->base->n_limits; ++i) {
         const hawser_limit *const l = &q->base->limit[q->way][i];
-        const int tension = !strcmp(l->name, limits_name(LIMIT_PULL)) || !strcmp(l->name, limits_name(LIMIT_RESTART));
+        const int tension = l->kind == HAWSER_LIMIT_PULL || l->kind == HAWSER_LIMIT_RESTART;
         if (!tension || !l->judged || q->untouched[i]) continue;
         ++judged;
         most = fmax(most, l->limit);
@@ -169,7 +169,7 @@ static int runs_ahead(const Question *q)
     const hawser_limit *const l = q->base->limit[q->way];
     int broken_by_it = !q->base->pulled[q->way].holds;
     for (int i = 0; i < q->base->n_limits; ++i)
-        broken_by_it |= l[i].judged && !l[i].ok && !strcmp(l[i].name, limits_name(LIMIT_RUN_AWAY));
+        broken_by_it |= l[i].judged && !l[i].ok && l[i].kind == HAWSER_LIMIT_RUN_AWAY;
     return broken_by_it;
 }
 

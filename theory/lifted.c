@@ -285,7 +285,8 @@ hawser_status lifted_judge(const Setup *setup, const Calculator *c, hawser_condi
     const int rope = !(most.by > SUPPORT_OFF_ROUTE);
     if (!status && rope && way == PLAN_FORWARD && c->def.rope_weight > 0) status = rope_lift(setup, c, &most, err);
     if (status || !(most.by > SUPPORT_OFF_ROUTE)) return status;
-    *out = (hawser_condition){.name = out->name, .unit = "m", .value = most.by, .allowed = SUPPORT_OFF_ROUTE};
+    *out = theory_condition(HAWSER_CONDITION_SUPPORTED, most.by, SUPPORT_OFF_ROUTE);
+    out->unit = "m";
     snprintf(out->remedy, sizeof out->remedy,
              "taut, the %s lifts off what carries it by %.3g m at %.1f m: give hold-downs or a duct there, or leave "
              "out 'run' and 'drive'",

@@ -299,11 +299,8 @@ static hawser_status way_pulled(const Setup *setup, Calculator *c, int way, haws
     c->pushed[way] = found.most;
     c->away[way] = found.why;
     c->early[way] = found.t;
-    c->pulled[way] = (hawser_condition){.name = "pulled",
-                                        .unit = "N",
-                                        .value = found.most.force,
-                                        .allowed = found.most.allowed,
-                                        .holds = !is_pushed(found.most)};
+    c->pulled[way] = theory_condition(HAWSER_CONDITION_PULLED, found.most.force, found.most.allowed);
+    c->pulled[way].holds = !is_pushed(found.most);
     return status;
 }
 

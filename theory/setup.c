@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "def/wound.h"
 
 /* ----------------------------------------------------------------------------------------------------- the chain */
 
@@ -78,8 +79,15 @@ static hawser_status ends_find(Setup *s, const double *joint_s, hawser_error *er
     scene_def_cut(s->def, length);
     setup_joints(s->def, s->route, n, length, own);
     ends_take(s, n, own);
+    hawser_status status = HAWSER_OK;
+    if (s->def->drum.present) { /* a scene checks it where it lays the cable */
+        Wound wound;
+        for (int i = 0; i < n; ++i) length[i] /= 2;
+        status = wound_lay(s->def, n, length, own, &wound, err);
+        free(wound.angle);
+    }
     free(length);
-    return HAWSER_OK;
+    return status;
 }
 
 /* ----------------------------------------------------------------------------------------------------- the winch */

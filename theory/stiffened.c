@@ -112,12 +112,19 @@ static double way_takes(const Setup *setup, const Calculator *c, int way, double
 /* What a limit has left, N, of those that go with the pull; INFINITY: it says nothing of it. */
 static double left_of(const hawser_limit *limit, const PlanWay *way)
 {
-    static const char *const pulls[] = {"pull", "restart", "attachment", "rope", "winch"};
     if (!limit->judged || !limit->ok) return INFINITY;
-    for (size_t k = 0; k < sizeof pulls / sizeof *pulls; ++k)
-        if (strcmp(limit->name, pulls[k]) == 0) return limit->limit - limit->value;
-    if (strcmp(limit->name, "sidewall") != 0 || !(limit->value > 0)) return INFINITY;
-    return way->pull.max_tension * (limit->limit / limit->value - 1);
+    switch (limit->kind) {
+    case HAWSER_LIMIT_PULL:
+    case HAWSER_LIMIT_RESTART:
+    case HAWSER_LIMIT_ATTACHMENT:
+    case HAWSER_LIMIT_ROPE:
+    case HAWSER_LIMIT_WINCH:
+        return limit->limit - limit->value;
+    case HAWSER_LIMIT_SIDEWALL:
+        return limit->value > 0 ? way->pull.max_tension * (limit->limit / limit->value - 1) : INFINITY;
+    default:
+        return INFINITY;
+    }
 }
 
 double limits_left(const Calculator *c, int way, const hawser_limit **least)
@@ -138,7 +145,8 @@ hawser_condition stiffened_judge(const Setup *setup, const Calculator *c, int wa
     const hawser_limit *least;
     double at = 0;
     const double left = limits_left(c, way, &least), takes = way_takes(setup, c, way, &at);
-    hawser_condition out = {.name = "stiffness", .unit = "N", .value = takes, .allowed = left / DOUBT, .holds = 1};
+    hawser_condition out = theory_condition(HAWSER_CONDITION_STIFFNESS, takes, left / DOUBT);
+    out.holds = 1;
     if (!least || takes <= out.allowed) return out;
     out.holds = 0;
     snprintf(

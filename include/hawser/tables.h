@@ -94,6 +94,44 @@ typedef struct hawser_place {
     int iterations;                         /* of Newton's method */
 } hawser_place;
 
+/* Which condition it is. Numbers stay; new kinds come behind. */
+typedef enum hawser_condition_kind {
+    /* of a run */
+    HAWSER_CONDITION_FINISHED,          /* the run reached its end */
+    HAWSER_CONDITION_STEADY_WINDOW,     /* the run reached the steady window */
+    HAWSER_CONDITION_EQUILIBRIUM,       /* the cable came to rest before t = 0; of positions, each is in equilibrium */
+    HAWSER_CONDITION_TAUT,              /* of positions, nothing is pushed */
+    HAWSER_CONDITION_STABLE,            /* the equilibrium is stable */
+    HAWSER_CONDITION_ENERGY,            /* the balance of energy closes */
+    HAWSER_CONDITION_MOMENTUM,          /* the balance of momentum closes */
+    HAWSER_CONDITION_NUMERICAL_DAMPING, /* steps in time take little of the motion */
+    HAWSER_CONDITION_ON_ROUTE,          /* the cable stays near the route */
+    HAWSER_CONDITION_PASSED,            /* no segment passes through a support */
+    HAWSER_CONDITION_START,             /* the chain does not begin inside a support */
+    HAWSER_CONDITION_EDGE,              /* the cable does not rest at the edge of a roller */
+    HAWSER_CONDITION_OVERLAP,           /* cables do not lie inside each other */
+    HAWSER_CONDITION_ORIENTATION,       /* neither head nor joints have turned over */
+    HAWSER_CONDITION_MESH,              /* segments are short enough */
+    HAWSER_CONDITION_FRICTION_SPEED,    /* the pull is faster than friction needs to come in */
+    HAWSER_CONDITION_NUMERICAL_ERROR,   /* error bound of the mean pull */
+    HAWSER_CONDITION_NUMERICAL_PEAK,    /* error bound of the largest pull */
+    HAWSER_CONDITION_DECIDED,           /* limits hold by more than their figures may be off */
+    HAWSER_CONDITION_PUSHED,            /* the cable does not push the winch */
+    HAWSER_CONDITION_DRAWN,             /* the cable moves in the steady window */
+    HAWSER_CONDITION_SHARED,            /* it is decided how a belt and the winch share the pull */
+    HAWSER_CONDITION_STEADY,            /* the pull is even over the steady window */
+    HAWSER_CONDITION_START_JOLT,        /* the largest pull is not the jolt of the start */
+    HAWSER_CONDITION_PEAK,              /* the largest pull is no single spike */
+    HAWSER_CONDITION_WAVES,             /* segments are short enough for the waves of a cable that is pushed */
+    /* of theory */
+    HAWSER_CONDITION_SUPPORTED, /* the cable is held up and to the side all along */
+    HAWSER_CONDITION_FRICTION,  /* there is as much friction as the surfaces have */
+    HAWSER_CONDITION_MEDIUM,    /* the medium resists little */
+    HAWSER_CONDITION_DRIVE,     /* machines act as theory takes them to */
+    HAWSER_CONDITION_PULLED,    /* the cable is in tension everywhere */
+    HAWSER_CONDITION_STIFFNESS, /* bending stiffness breaks no limit */
+} hawser_condition_kind;
+
 /* A condition under which a run is worth judging (docs/limits.md, "Trust"). */
 enum { HAWSER_CONDITIONS_MAX = 32 };
 typedef struct hawser_condition {
@@ -102,6 +140,7 @@ typedef struct hawser_condition {
     double value, allowed; /* it holds where value <= allowed */
     int holds;
     char remedy[200]; /* what is wrong if it does not hold, and what to do */
+    hawser_condition_kind kind;
 } hawser_condition;
 
 /* How several cables lie in a duct (docs/model.md, "Bundles"). */

@@ -108,10 +108,10 @@ static void say_margin(const hawser_limit *l, hawser_units units, char *text, si
                                    : "short");
 }
 
-static const hawser_limit *limit_called(int n, const hawser_limit *limit, const char *name)
+static const hawser_limit *limit_of(int n, const hawser_limit *limit, hawser_limit_kind kind)
 {
     for (int i = 0; i < n; ++i) {
-        if (!strcmp(limit[i].name, name)) return &limit[i];
+        if (limit[i].kind == kind) return &limit[i];
     }
     return NULL;
 }
@@ -180,7 +180,7 @@ static void way_line(Answer *a, const Setup *setup, const Calculator *c, int k)
     char force[HAWSER_SHOWN_MAX], restart[HAWSER_SHOWN_MAX], margin[128] = "", at[160], then[160];
     const HeadSeries *const heads = &c->heads[k];
     const char *const word = k == PLAN_FORWARD ? "pull" : "pulled back";
-    const hawser_limit *const l = limit_called(c->n_limits, c->limit[k], "pull");
+    const hawser_limit *const l = limit_of(c->n_limits, c->limit[k], HAWSER_LIMIT_PULL);
     if (!c->pulled[k].holds && !isnan(c->brake[k].brake)) {
         answer_line(a, word, "%s at the winch with the brake that is missing, %s",
                     hawser_show(c->brake[k].force, "N", a->units, force),
@@ -237,7 +237,7 @@ static void together_line(Answer *a, const Setup *setup, const Calculator *c)
     hawser_error err;
     if (c->n_limits == 0 || assumed_list(setup->def, list) < 2) return;
     if (assumed_together(setup, c, PLAN_FORWARD, all, &err)) return;
-    const hawser_limit *const pull = limit_called(c->n_limits, all, "pull");
+    const hawser_limit *const pull = limit_of(c->n_limits, all, HAWSER_LIMIT_PULL);
     for (int i = 0; i < c->n_limits; ++i) {
         const size_t used = strlen(broken);
         if (all[i].judged && !all[i].ok)
@@ -280,7 +280,7 @@ static const char *say_bar(const hawser_error_bar *bar, double figure, char text
 static void pull_line(Answer *a, const hawser_summary *s, int n, const hawser_limit *limit)
 {
     char mean[HAWSER_SHOWN_MAX], peak[HAWSER_SHOWN_MAX], bar[32], peak_bar[32], margin[128] = "";
-    const hawser_limit *const l = limit_called(n, limit, "pull");
+    const hawser_limit *const l = limit_of(n, limit, HAWSER_LIMIT_PULL);
     if (l && l->judged) {
         strcpy(margin, "; ");
         say_margin(l, a->units, margin + 2, sizeof margin - 2);

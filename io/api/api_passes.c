@@ -31,20 +31,16 @@ enum { STEPS_MOST = 4 };
  */
 static int is_numerical(const hawser_condition *c)
 {
-    static const char *const names[] = {"numerical_error", "numerical_peak", "mesh", "decided"};
-    int found = 0;
-    for (int k = 0; k < 4; ++k) found |= !strcmp(c->name, names[k]);
-    return found;
+    return c->kind == HAWSER_CONDITION_NUMERICAL_ERROR || c->kind == HAWSER_CONDITION_NUMERICAL_PEAK ||
+           c->kind == HAWSER_CONDITION_MESH || c->kind == HAWSER_CONDITION_DECIDED;
 }
 
 /* Conditions on what a pass shows, which the mesh may have made: a segment that passes a support. A finer pass has to
  * meet them itself, so that its results must be those that are shown (docs/model.md, "Error bars"). */
 static int is_shown(const hawser_condition *c)
 {
-    static const char *const names[] = {"steady", "peak", "start_jolt"};
-    int found = 0;
-    for (int k = 0; k < 3; ++k) found |= !strcmp(c->name, names[k]);
-    return found;
+    return c->kind == HAWSER_CONDITION_STEADY || c->kind == HAWSER_CONDITION_PEAK ||
+           c->kind == HAWSER_CONDITION_START_JOLT;
 }
 
 /* Whether so much of the bar alone, N, is more than the condition allows it to be. */
@@ -57,7 +53,7 @@ static int is_too_much(const hawser_condition *c, const hawser_error_bar *bar, d
  * already differs by from a finer one. */
 static int is_beyond(const hawser_sim *s, const hawser_condition *c, const hawser_summary *sum)
 {
-    const int mean = !strcmp(c->name, "numerical_error"), peak = !strcmp(c->name, "numerical_peak");
+    const int mean = c->kind == HAWSER_CONDITION_NUMERICAL_ERROR, peak = c->kind == HAWSER_CONDITION_NUMERICAL_PEAK;
     const hawser_error_bar *const bar = peak ? &sum->pull_peak_error : &sum->pull_mean_error;
     if (!mean && !peak) return 0;
     return is_too_much(c, bar, bar->friction) ||

@@ -124,8 +124,8 @@ static void duct_remedy(const Setup *setup, const hawser_limit *l, hawser_units 
     if (!duct) return;
     const double D = 2 * (duct->bore > 0 ? duct->bore : duct->shape.radius);
     double wider = D * sqrt(l->value / l->limit);
-    if (!strcmp(l->name, "clearance")) wider = diameter_for(setup->def, duct, l->limit, D);
-    if (!strcmp(l->name, "jam_ratio")) {
+    if (l->kind == HAWSER_LIMIT_CLEARANCE) wider = diameter_for(setup->def, duct, l->limit, D);
+    if (l->kind == HAWSER_LIMIT_JAM_RATIO) {
         wider = D * limits->jam_to / l->value;
         show_bound(D * limits->jam_from / l->value, 0, "m", units, most);
     }
@@ -136,7 +136,7 @@ static void duct_remedy(const Setup *setup, const hawser_limit *l, hawser_units 
 
 static void roller_remedy(const hawser_limit *l, char *text)
 {
-    const int steady = !strcmp(l->name, "roller_steady");
+    const int steady = l->kind == HAWSER_LIMIT_ROLLER_STEADY;
     snprintf(text, REMEDY_MAX, "rollers there at %.3g of their spacing, or rated %.4g times as high%s",
              floor(1e3 * l->limit / l->value) / 1e3, ceil(1e3 * l->value / l->limit) / 1e3,
              steady ? "" : ", or a softer start (drive.winch.to)");
@@ -144,14 +144,15 @@ static void roller_remedy(const hawser_limit *l, char *text)
 
 /* Remedies that are the limit itself, put into words. */
 static const struct SimpleRemedy {
-    const char *name, *before, *after;
+    hawser_limit_kind kind;
+    const char *before, *after;
 } simple[] = {
-    {"bend_radius", "a radius of at least ", " there"},
-    {"rope_bend", "sheaves and bends of at least ", " times the rope's diameter"},
-    {"push", "more conveyors or machines, each with at most ", ""},
-    {"squeeze", "longer conveyors or more of them, pressing with at most ", ""},
-    {"trip", "a winch that stops at ", " (drive.winch.trip)"},
-    {"speed", "a winch that pulls with at most ", " (drive.winch.speed)"},
+    {HAWSER_LIMIT_BEND_RADIUS, "a radius of at least ", " there"},
+    {HAWSER_LIMIT_ROPE_BEND, "sheaves and bends of at least ", " times the rope's diameter"},
+    {HAWSER_LIMIT_PUSH, "more conveyors or machines, each with at most ", ""},
+    {HAWSER_LIMIT_SQUEEZE, "longer conveyors or more of them, pressing with at most ", ""},
+    {HAWSER_LIMIT_TRIP, "a winch that stops at ", " (drive.winch.trip)"},
+    {HAWSER_LIMIT_SPEED, "a winch that pulls with at most ", " (drive.winch.speed)"},
 };
 
 static void simple_remedy(const hawser_limit *l, hawser_units units, char *text)
@@ -162,7 +163,7 @@ static void simple_remedy(const hawser_limit *l, hawser_units units, char *text)
         return;
     }
     for (size_t k = 0; k < sizeof simple / sizeof *simple; ++k) {
-        if (strcmp(l->name, simple[k].name) != 0) continue;
+        if (l->kind != simple[k].kind) continue;
         show_bound(l->limit, l->value < l->limit, l->unit, units, value);
         snprintf(text, REMEDY_MAX, "%s%s%s", simple[k].before, value, simple[k].after);
     }
@@ -181,33 +182,45 @@ static void run_away_remedy(const Setup *setup, const hawser_limit *l, hawser_un
 
 void limit_remedy(const Setup *setup, const hawser_limit *broken, hawser_units units, char *text)
 {
-    static const char *const pulls[] = {"pull", "restart", "attachment", "winch"};
     hawser_limit sure = *broken;
     const hawser_limit *const l = &sure;
     char value[HAWSER_SHOWN_MAX];
-    int pull = 0;
     if (sure.error > 0) sure.value = SPARE * (sure.value + sure.error); /* what does must do for certain */
-    for (int k = 0; k < 4; ++k) pull |= !strcmp(l->name, pulls[k]);
     *text = 0;
-    if (pull) {
+    switch (l->kind) {
+    case HAWSER_LIMIT_PULL:
+    case HAWSER_LIMIT_RESTART:
+    case HAWSER_LIMIT_ATTACHMENT:
+    case HAWSER_LIMIT_WINCH:
         pull_remedy(l, units, text);
-    } else if (!strcmp(l->name, "sidewall")) {
+        break;
+    case HAWSER_LIMIT_SIDEWALL:
         sidewall_remedy(setup, l, units, text);
-    } else if (!strcmp(l->name, "rope")) {
+        break;
+    case HAWSER_LIMIT_ROPE:
         rope_remedy(setup, l, units, text);
-    } else if (!strcmp(l->name, "jam_ratio") || !strcmp(l->name, "clearance") || !strcmp(l->name, "fill")) {
+        break;
+    case HAWSER_LIMIT_JAM_RATIO:
+    case HAWSER_LIMIT_CLEARANCE:
+    case HAWSER_LIMIT_FILL:
         duct_remedy(setup, l, units, text);
-    } else if (!strncmp(l->name, "roller_", 7)) {
+        break;
+    case HAWSER_LIMIT_ROLLER_STEADY:
+    case HAWSER_LIMIT_ROLLER_PEAK:
         roller_remedy(l, text);
-    } else if (!strcmp(l->name, "run_away")) {
+        break;
+    case HAWSER_LIMIT_RUN_AWAY:
         run_away_remedy(setup, l, units, text);
-    } else if (!strcmp(l->name, "buckling")) {
+        break;
+    case HAWSER_LIMIT_BUCKLING:
         show_bound(l->value - l->limit, 1, "N", units, value);
         snprintf(text, REMEDY_MAX,
                  "%s less push (conveyors.N.limit), a narrower duct, or guides and carriers closer together", value);
-    } else if (!strcmp(l->name, "alpha")) {
+        break;
+    case HAWSER_LIMIT_ALPHA:
         snprintf(text, REMEDY_MAX, "a softer start: a longer drive.winch.to, ramp step5");
-    } else {
+        break;
+    default:
         simple_remedy(l, units, text);
     }
 }

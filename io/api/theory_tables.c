@@ -57,8 +57,8 @@ static double margin_of(const Calculator *c, int way, const PlanPiece *piece)
     double least = NAN;
     for (int i = 0; i < c->n_limits; ++i) {
         const hawser_limit *const l = &c->limit[way][i];
-        const int pull = !strcmp(l->name, "pull");
-        if (!l->judged || (!pull && strcmp(l->name, "sidewall"))) continue;
+        const int pull = l->kind == HAWSER_LIMIT_PULL;
+        if (!l->judged || (!pull && l->kind != HAWSER_LIMIT_SIDEWALL)) continue;
         least = fmin(least, 100 * (1 - (pull ? piece->max_tension : piece->sidewall) / l->limit));
     }
     return least;

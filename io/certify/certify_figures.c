@@ -91,8 +91,9 @@ static void add_loads(hawser_sim *s, Floors floor, Figures *f)
     const int n = hawser_sim_limits(s, limit);
     for (int i = 0; i < n; ++i) {
         if (!isfinite(limit[i].value)) continue;
-        if (!strcmp(limit[i].name, "sidewall")) add(f, "N/m", limit[i].value, floor.weight, "sidewall pressure, peak");
-        if (!strcmp(limit[i].name, "pull")) add(f, "N", limit[i].value, floor.drag, "tension, largest");
+        if (limit[i].kind == HAWSER_LIMIT_SIDEWALL)
+            add(f, "N/m", limit[i].value, floor.weight, "sidewall pressure, peak");
+        if (limit[i].kind == HAWSER_LIMIT_PULL) add(f, "N", limit[i].value, floor.drag, "tension, largest");
     }
 }
 

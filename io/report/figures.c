@@ -1,5 +1,6 @@
 #include "io/report/report.h"
 
+#include "def/limits.h"
 #include "io/report/svg.h"
 #include "io/results/column.h"
 #include "io/results/results_file.h"
@@ -72,14 +73,13 @@ static double column_size(const Sheet *sheet, const char *name)
 /* Lengths are shown in m or ft, whatever their size: 300 ft rather than 0.06 mi. */
 static Scale length_scale(hawser_units units) { return scale_of("m", 10, units); }
 
-/* The row of the summary's limits of that name; NULL: none. */
-static const json_t *limit_named(const Folder *folder, const char *name)
+/* The row of the summary's limits of that kind; NULL: none. */
+static const json_t *limit_of(const Folder *folder, hawser_limit_kind kind)
 {
     const json_t *const limits = json_object_get(folder->summary, "limits");
     for (size_t i = 0; i < json_array_size(limits); ++i) {
         const json_t *const limit = json_array_get(limits, i);
-        const char *const is = json_string_value(json_object_get(limit, "name"));
-        if (is && strcmp(is, name) == 0) return limit;
+        if (limits_kind(json_string_value(json_object_get(limit, "name"))) == kind) return limit;
     }
     return NULL;
 }
@@ -147,7 +147,7 @@ static int draw_tension(const Folder *folder, hawser_units units, Text *out)
              y = {.at = TOP + FRAME, .length = -FRAME, .label = tension.text};
         range_of(N, c, 1, &x.from, &x.to);
         range_of(N, c, 0, &from, &to);
-        const json_t *const limit = limit_named(folder, "pull");
+        const json_t *const limit = limit_of(folder, HAWSER_LIMIT_PULL);
         const double allowed = force.factor * json_number_value(json_object_get(limit, "limit"));
         if (allowed > 0 && allowed < 2.5 * to) to = fmax(to, allowed);
         axis_fit(&y, fmin(from, 0), to);

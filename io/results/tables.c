@@ -1,4 +1,7 @@
-/* stations.csv, rollers.csv and modes.csv, which are small and written once, at the end; inputs.csv and route.csv,
+/* What stands above a column says what it is: docs/results.md and Python's tables have it from here. One without has
+ * that of the column before it. (tests/house/check_columns.py)
+ *
+ * stations.csv, rollers.csv and modes.csv, which are small and written once, at the end; inputs.csv and route.csv,
  * which are known at the start. */
 #include "core/base/error.h"
 #include "def/scene_def.h"
@@ -34,16 +37,27 @@ static double station_peak(const void *row)
 }
 
 static const Column station_column[] = {
+    /* the station's */
     {COLUMN("name", TEXT, hawser_station, name)},
+    /* its place along the route */
     {COLUMN("s_m", NUMBER, hawser_station, s)},
+    /* tension by the paper's formulas (no capstan terms) */
     {COLUMN("paper_N", NUMBER, hawser_station, paper_N)},
+    /* tension by the reference theory, the bend equation integrated along the route */
     {COLUMN("reference_N", NUMBER, hawser_station, reference_N)},
+    /* simulated tension of the cable that passes there, mean over the steady window */
     {COLUMN("mean_N", NUMBER, hawser_station, mean_N)},
+    /* its largest value of the whole run */
     {COLUMN("peak_N", NUMBER, hawser_station, peak_N)},
+    /* 100 (mean - paper) / paper */
     {.key = "error_paper_pct", .number = paper_error},
+    /* 100 (mean - reference) / reference */
     {.key = "error_reference_pct", .number = reference_error},
+    /* peak / reference: the paper's overload factor alpha (its eq. 12) with the reference as theory */
     {.key = "peak_ratio", .number = station_peak},
+    /* what the mean may be off by through the numbers alone */
     {COLUMN("mean_error_N", NUMBER, hawser_station, mean_error_N)},
+    /* what the peak may be off by through the numbers alone */
     {COLUMN("peak_error_N", NUMBER, hawser_station, peak_error_N)},
 };
 const Columns station_columns = COLUMNS(hawser_station, station_column);
@@ -68,15 +82,25 @@ static double roller_margin(const void *row)
 }
 
 static const Column roller_column[] = {
+    /* the roller's */
     {COLUMN("name", TEXT, hawser_roller, name)},
+    /* its place along the route; empty if it was placed by coordinates */
     {COLUMN("s_m", NUMBER, hawser_roller, s)},
+    /* load at rest before t = 0 */
     {COLUMN("initial_N", NUMBER, hawser_roller, initial_N)},
+    /* mean load of the steady window; limit `roller_steady` goes by the largest that lasts within it */
     {COLUMN("steady_N", NUMBER, hawser_roller, steady_N)},
+    /* largest load of the run */
     {COLUMN("peak_N", NUMBER, hawser_roller, peak_N)},
+    /* peak / steady */
     {.key = "peak_ratio", .number = roller_peak},
+    /* what the roller may carry; empty if the case does not say */
     {.key = "rating_N", .number = roller_rating},
+    /* rating / steady; the paper wants at least 1.6 */
     {.key = "rating_ratio", .number = roller_margin},
+    /* what the mean load may be off by through the numbers alone */
     {COLUMN("steady_error_N", NUMBER, hawser_roller, steady_error_N)},
+    /* what the largest load may be off by through the numbers alone */
     {COLUMN("peak_error_N", NUMBER, hawser_roller, peak_error_N)},
 };
 const Columns roller_columns = COLUMNS(hawser_roller, roller_column);
@@ -88,13 +112,19 @@ typedef struct ModeRow {
 } ModeRow;
 
 static const Column shape_column[] = {
+    /* from 1, by rising omega squared */
     {COLUMN("mode", COUNT, ModeRow, mode)},
+    /* 0 where it does not swing */
     {COLUMN("frequency_Hz", NUMBER, ModeRow, frequency), .digits = 10},
+    /* above 0 it grows: the equilibrium is not stable */
     {COLUMN("growth_per_s", NUMBER, ModeRow, growth), .digits = 10},
+    /* from 0 at the tail */
     {COLUMN("segment", COUNT, ModeRow, segment)},
+    /* displacement of the segment's centre */
     {COLUMN("dx_m", NUMBER, ModeRow, shape[0])},
     {COLUMN("dy_m", NUMBER, ModeRow, shape[1])},
     {COLUMN("dz_m", NUMBER, ModeRow, shape[2])},
+    /* its rotation */
     {COLUMN("rx_rad", NUMBER, ModeRow, shape[3])},
     {COLUMN("ry_rad", NUMBER, ModeRow, shape[4])},
     {COLUMN("rz_rad", NUMBER, ModeRow, shape[5])},
@@ -107,23 +137,41 @@ typedef struct InputRow {
 } InputRow;
 
 static const Column input_column[] = {
-    {COLUMN("key", TEXT, InputRow, text[INPUT_KEY])},     {COLUMN("value", TEXT, InputRow, text[INPUT_VALUE])},
-    {COLUMN("unit", TEXT, InputRow, text[INPUT_UNIT])},   {COLUMN("origin", TEXT, InputRow, text[INPUT_ORIGIN])},
-    {COLUMN("where", TEXT, InputRow, text[INPUT_WHERE])}, {COLUMN("source", TEXT, InputRow, text[INPUT_SOURCE])},
+    /* dotted, as `--set` takes it */
+    {COLUMN("key", TEXT, InputRow, text[INPUT_KEY])},
+    /* as written, without its unit; a list within brackets; of a default perhaps in words */
+    {COLUMN("value", TEXT, InputRow, text[INPUT_VALUE])},
+    /* as written behind a number */
+    {COLUMN("unit", TEXT, InputRow, text[INPUT_UNIT])},
+    /* `given`, `catalogue`, `estimated` or `default` */
+    {COLUMN("origin", TEXT, InputRow, text[INPUT_ORIGIN])},
+    /* file and line, or `--set KEY`; empty of estimates and defaults */
+    {COLUMN("where", TEXT, InputRow, text[INPUT_WHERE])},
+    /* the entry of the catalogue and where its figures are from; how a value was estimated and what it may be off by */
+    {COLUMN("source", TEXT, InputRow, text[INPUT_SOURCE])},
 };
 static const Columns input_columns = COLUMNS(InputRow, input_column);
 
 static const Column route_column[] = {
+    /* along the route */
     {COLUMN("s_m", NUMBER, AlongRow, s)},
+    /* the route's line there */
     {COLUMN("x_m", NUMBER, AlongRow, place[0])},
     {COLUMN("y_m", NUMBER, AlongRow, place[1])},
     {COLUMN("z_m", NUMBER, AlongRow, place[2])},
+    /* of the route */
     {COLUMN("curvature_per_m", NUMBER, AlongRow, curvature), .digits = 6},
+    /* tension by the reference theory, the route full of cable, pulled to its end */
     {COLUMN("forward_N", NUMBER, AlongRow, forward), .digits = 6},
+    /* the same, pulled back to its start */
     {COLUMN("backward_N", NUMBER, AlongRow, backward), .digits = 6},
+    /* forward, by the paper's formulas */
     {COLUMN("paper_N", NUMBER, AlongRow, paper), .digits = 6},
+    /* reference theory of the cable that the run is compared with (`reference_N` of the stations), where that is */
     {COLUMN("run_N", NUMBER, AlongRow, run), .digits = 6},
+    /* T/R on the worst loaded cable, of `forward_N` */
     {COLUMN("forward_sidewall_N_per_m", NUMBER, AlongRow, sidewall), .digits = 6},
+    /* the same, of `backward_N` */
     {COLUMN("backward_sidewall_N_per_m", NUMBER, AlongRow, sidewall_back), .digits = 6},
 };
 const Columns route_columns = COLUMNS(AlongRow, route_column);
@@ -175,22 +223,39 @@ static double place_error(const void *row)
 
 /* One that nothing pushes has no place where it is. */
 static const Column place_column[] = {
+    /* place of the front along the route */
     {COLUMN("head_m", NUMBER, hawser_place, head_m)},
+    /* when the winch has hauled it there */
     {COLUMN("time_s", NUMBER, hawser_place, time_s)},
+    /* pull of the winch */
     {COLUMN("pull_N", NUMBER, hawser_place, pull_N)},
+    /* the reference theory for that place */
     {COLUMN("reference_N", NUMBER, hawser_place, reference_N)},
+    /* how far the pull is above that */
     {.key = "error_pct", .number = place_error},
+    /* tension at the front */
     {COLUMN("front_N", NUMBER, hawser_place, front_N)},
+    /* the largest tension of cable and rope */
     {COLUMN("max_tension_N", NUMBER, hawser_place, tension_N)},
+    /* where that is */
     {COLUMN("max_tension_at_m", NUMBER, hawser_place, tension_at_m)},
+    /* the largest compression (0: none) */
     {COLUMN("push_N", NUMBER, hawser_place, push_N)},
+    /* where that is */
     {COLUMN("push_at_m", NUMBER, hawser_place, push_at_m)},
+    /* the largest load on a roller */
     {COLUMN("max_roller_N", NUMBER, hawser_place, roller_N)},
+    /* which roller that is */
     {COLUMN("max_roller", TEXT, hawser_place, roller)},
+    /* the largest sidewall pressure in the route's bends */
     {COLUMN("max_sidewall_N_per_m", NUMBER, hawser_place, sidewall_N_per_m)},
+    /* where that is */
     {COLUMN("max_sidewall_at_m", NUMBER, hawser_place, sidewall_at_m)},
+    /* the largest force left unbalanced on a segment */
     {COLUMN("residual_N", NUMBER, hawser_place, residual_N), .digits = 4},
+    /* what is allowed of it */
     {COLUMN("tolerance_N", NUMBER, hawser_place, tolerance_N), .digits = 4},
+    /* of Newton's method */
     {COLUMN("iterations", COUNT, hawser_place, iterations)},
 };
 const Columns place_columns = COLUMNS(hawser_place, place_column);

@@ -45,9 +45,11 @@ def plain(value: Any, name: str = "") -> Any:
 
 
 def kinds_of(struct: str) -> dict[str, Any]:
-    """{member: its type} of those that fit into a cell: no pointers but texts."""
-    return {name: field.type for name, field in ffi.typeof(struct).fields
-            if field.type.kind != "pointer" or field.type.item.cname == "char"}
+    """{member: its type} of those that fit into a cell: no pointers but texts, and no number of a kind that has a name."""
+    fields = ffi.typeof(struct).fields
+    return {name: field.type for name, field in fields
+            if (field.type.kind != "pointer" or field.type.item.cname == "char")
+            and not (field.type.kind == "enum" and name == "kind" and any(other == "name" for other, _ in fields))}
 
 
 def is_text(kind: Any) -> bool:

@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
+from hawser._columns import COLUMNS
 from hawser._native import ffi, lib
 from hawser._tables import frame_of, shown
 from hawser.errors import MissingError, OutputError, c_path, check, taken, text_of
@@ -97,10 +98,14 @@ def unguarded(cell: str) -> str:
 
 
 def read_csv(path: pathlib.Path) -> pd.DataFrame:
-    """A table of results; an empty cell is NaN, in a column of texts an empty text."""
+    """A table of results; an empty cell is NaN, in a column of texts an empty text. What each column is stands in
+    `attrs["columns"]`, of those that every folder has."""
     table = pd.read_csv(path, encoding="utf-8", converters=dict.fromkeys(TEXTS, unguarded))
     whole = [name for name in table.columns if table[name].dtype == np.int64 and name not in COUNTS]
-    return table.astype(dict.fromkeys(whole, float))
+    table = table.astype(dict.fromkeys(whole, float))
+    told = COLUMNS.get(path.name, {})
+    table.attrs["columns"] = {name: told[name] for name in table.columns if name in told}
+    return table
 
 
 def remove(folder: str, process: int) -> None:

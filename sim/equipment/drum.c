@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "def/wound.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/roller_motion.h"
 #include "sim/equipment/rooms.h"
@@ -13,87 +14,6 @@
 
 static const double HOLD = 1e7;     /* N s/m: 1 kN drags the cable's end along by 0.1 mm/s */
 static const double HOLD_ARM = 0.1; /* m: lever at which turning is held as moving is */
-/* Diameters from turn to turn and from layer to layer: the cable leaves square, the turn before it does not. */
-static const double LAY = 1.03;
-
-/* How the cable lies: radii and places across as functions of the angle from its inner end (CC22), (CC23). */
-typedef struct Lay {
-    double first;    /* m, radius of the lowest layer's axis */
-    double diameter; /* m, of the cable */
-    double pitch;    /* m, from turn to turn and from layer to layer */
-    double turns;    /* regular ones in the lowest layer */
-} Lay;
-
-/* The lay for a drum and a cable of this diameter. */
-static Lay lay_of(const DrumDef *d, double diameter)
-{
-    Lay lay = {.first = (d->barrel + diameter) / 2, .diameter = diameter};
-    lay.pitch = d->lay > 0 ? d->lay : LAY * diameter;
-    lay.turns = floor((d->width - 2 * diameter) / lay.pitch * (1 + 1e-9));
-    return lay;
-}
-
-/* Turns that the lay holds: two layers, and of the third what does not come near the second's first turns, which stand
- * out where they cross the turn below. */
-static double lay_capacity(const Lay *lay) { return 2 * lay->turns + 3 + fmax(0, lay->turns - 5); }
-
-/* Radius and place across after so many turns. Above the lowest layer each begins with a turn that climbs round the one
- * before it and one that comes back over that; then it goes on beside itself to the other flange (CC23). */
-static void lay_at(const Lay *lay, double turn, double *radius, double *across)
-{
-    const double edge = lay->turns * lay->pitch / 2, past = fmax(turn - lay->turns, 0);
-    const double layer = floor(past / (lay->turns + 1)), in = past - layer * (lay->turns + 1);
-    const double side = fmod(layer, 2) > 0.5 ? -1 : 1;
-    double up = layer, over = -1; /* pitches above the lowest layer, and beyond the edge */
-    if (turn < lay->turns) {
-        /* the end stands out straight, where layers above would meet it: it begins a diameter aside */
-        *radius = lay->first;
-        *across = lay->pitch * turn - edge - lay->diameter * fmax(1 - 2 * turn, 0);
-        return;
-    }
-    if (in < 1) {
-        up += sin(M_PI / 2 * in);
-        over += in + cos(M_PI / 2 * in);
-    } else if (in < 2) {
-        const double a = M_PI / 2 * (in - 1);
-        up += sin(a) + cos(a);
-        over += in - 1 + cos(a) - sin(a);
-    } else {
-        up += 1;
-        over -= in - 2;
-    }
-    *radius = lay->first + lay->pitch * up;
-    *across = side * (edge + lay->pitch * over);
-}
-
-/* Where a joint between segments of length h lies for the segments' middles to lie on the lay: in the drum's frame, x
- * across, y and z round. */
-static Vec3 joint_at(const Lay *lay, double angle, double h)
-{
-    double radius, across;
-    lay_at(lay, angle / (2 * M_PI), &radius, &across);
-    const double out = sqrt(radius * radius + h * h / 4);
-    return v3(across, out * sin(angle), out * cos(angle));
-}
-
-/* The angle of the next joint: one chord of length h on. */
-static double angle_next(const Lay *lay, double angle, double h)
-{
-    const Vec3 from = joint_at(lay, angle, h);
-    double radius, across, low = angle;
-    lay_at(lay, angle / (2 * M_PI), &radius, &across);
-    double high = angle + 2 * atan(h / radius);
-    for (int it = 0; it < 60; ++it) {
-        const double middle = (low + high) / 2;
-        if (v3_norm(v3_sub(joint_at(lay, middle, h), from)) < h) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return (low + high) / 2;
-}
-
 /* A flange: a smooth square plane, since a line that lies against a disc has no one nearest point. side: 1 left, -1. */
 static void flange_add(SceneDef *def, const char *name, Vec3 centre, Vec3 axis, Vec3 direction, int side)
 {
@@ -138,78 +58,31 @@ static hawser_status shapes_add(SceneDef *def, Vec3 centre, Vec3 axis, Vec3 dire
     return HAWSER_OK;
 }
 
-/* Whether turns, layers and the way to the route fit; turns: wound. */
-static hawser_status fit_check(const SceneDef *def, const Lay *lay, double turns, int wound, hawser_error *err)
-{
-    const DrumDef *const d = &def->drum;
-    double radius = 0, across;
-    lay_at(lay, turns, &radius, &across);
-    if (wound < 2) {
-        return error_set(
-            err, HAWSER_ERR_INPUT,
-            "reel: no cable is left for the drum: the chain ends %.4g m behind the route's start or nearer",
-            d->distance);
-    }
-    if (lay->turns < 2) {
-        return error_set(
-            err, HAWSER_ERR_INPUT,
-            "reel.width: %.4g m is too narrow: a layer has two turns at least, with room for two beside, %.4g m",
-            d->width, 2 * lay->pitch + 2 * lay->diameter);
-    }
-    if (turns > lay_capacity(lay)) {
-        return error_set(err, HAWSER_ERR_INPUT,
-                         "reel.width: more cable than fits: %.4g turns of %.4g m cable, the contact model holds %.4g",
-                         turns, lay->diameter, lay_capacity(lay));
-    }
-    if (2 * radius + lay->diameter > d->flange) {
-        return error_set(
-            err, HAWSER_ERR_INPUT,
-            "reel.flange: more cable than fits: the top layer reaches a diameter of %.4g m, the flange %.4g m",
-            2 * radius + lay->diameter, d->flange);
-    }
-    if (d->distance > d->flange / 2) return HAWSER_OK;
-    return error_set(err, HAWSER_ERR_INPUT,
-                     "reel.distance: %.4g m is out of range: must be above the flange's radius, %.4g m", d->distance,
-                     d->flange / 2);
-}
-
 static hawser_status drum_lay(SceneDef *def, const Chain *chain, const double *joint_s, Vec3 origin, Vec3 direction,
                               Vec3 left, Drum *drum, hawser_error *err)
 {
-    const Lay lay = lay_of(&def->drum, 2 * chain->radius[0]);
-    int free_joint = 0; /* the last one on or behind the place where the cable leaves */
-    while (free_joint < chain->n && joint_s[free_joint + 1] <= -def->drum.distance) ++free_joint;
-    double *const angle = calloc((size_t)free_joint + 1, sizeof *angle);
+    Wound wound;
+    hawser_status status = wound_lay(def, chain->n, chain->half, joint_s, &wound, err);
+    const Lay *const lay = &wound.lay;
+    const int free_joint = wound.joints;
     drum->joint = calloc((size_t)free_joint + 1, sizeof *drum->joint);
-    if (!angle || !drum->joint) {
-        free(angle);
-        return error_memory(err);
-    }
-    for (int j = 1; lay.turns >= 2 && j < free_joint; ++j)
-        angle[j] = angle_next(&lay, angle[j - 1], 2 * chain->half[j - 1]);
-
-    /* the segment before the free joint is half on the drum and half off it: its middle is where the cable leaves */
-    const double half = free_joint > 0 ? chain->half[free_joint - 1] : 0;
-    double radius = lay.first, across = 0, last = free_joint > 0 ? angle[free_joint - 1] : 0;
-    if (lay.turns >= 2) lay_at(&lay, last / (2 * M_PI), &radius, &across);
-    last += atan(half / radius);
-    hawser_status status = fit_check(def, &lay, last / (2 * M_PI), free_joint, err);
+    if (!status && !drum->joint) status = error_memory(err);
     const Vec3 up = v3_cross(direction, left);
-    drum->tangent = v3_axpy(origin, joint_s[free_joint] - half, direction);
-    const Vec3 centre = v3_axpy(v3_axpy(drum->tangent, -radius, up), -across, left);
+    drum->tangent = v3_axpy(origin, joint_s[free_joint] - wound.half, direction);
+    const Vec3 centre = v3_axpy(v3_axpy(drum->tangent, -wound.radius, up), -wound.across, left);
     for (int j = 0; !status && j < free_joint; ++j) { /* turned so that it leaves at the top */
-        const Vec3 p = joint_at(&lay, angle[j], 2 * chain->half[j]);
-        const double out = sqrt(p.y * p.y + p.z * p.z), turned = angle[j] - last;
+        const Vec3 p = lay_joint(lay, wound.angle[j], 2 * chain->half[j]);
+        const double out = sqrt(p.y * p.y + p.z * p.z), turned = wound.angle[j] - wound.last;
         drum->joint[j] =
             v3_axpy(v3_axpy(v3_axpy(centre, p.x, left), out * cos(turned), up), out * sin(turned), direction);
     }
     drum->joints = free_joint;
-    drum->turns = last / (2 * M_PI);
+    drum->turns = wound.last / (2 * M_PI);
     drum->hold = HOLD;
     drum->present = 1;
-    free(angle);
+    free(wound.angle);
     /* the lowest layer ends at the left flange, where it must climb; all room left is at its beginning */
-    const double aside = (def->drum.width - lay.diameter - lay.turns * lay.pitch) / 2;
+    const double aside = (def->drum.width - lay->diameter - lay->turns * lay->pitch) / 2;
     return status ? status : shapes_add(def, v3_axpy(centre, -aside, left), left, direction, drum, err);
 }
 

@@ -71,8 +71,8 @@ static Finding roller_finding(const Peaks *peaks, const Stats *stats, int steady
  * itself. */
 static void errors_of_tension(Finding f[LIMIT_KINDS], double share)
 {
-    static const LimitKind of_tension[] = {LIMIT_PULL, LIMIT_ATTACHMENT, LIMIT_SIDEWALL,
-                                           LIMIT_ROPE, LIMIT_WINCH,      LIMIT_ALPHA};
+    static const hawser_limit_kind of_tension[] = {HAWSER_LIMIT_PULL, HAWSER_LIMIT_ATTACHMENT, HAWSER_LIMIT_SIDEWALL,
+                                                   HAWSER_LIMIT_ROPE, HAWSER_LIMIT_WINCH,      HAWSER_LIMIT_ALPHA};
     for (size_t k = 0; k < sizeof of_tension / sizeof *of_tension; ++k) {
         Finding *const it = &f[of_tension[k]];
         if (it->value > 0) it->error = share * it->value;
@@ -147,7 +147,7 @@ static void speed_finding(const Peaks *peaks, const Scene *scene, Finding *f)
 static void by_theory(const Peaks *peaks, const Stats *stats, const Scene *scene, const Expected *expected,
                       Finding f[LIMIT_KINDS])
 {
-    static const LimitKind needs[] = {LIMIT_ALPHA, LIMIT_RUN_AWAY, LIMIT_TRIP};
+    static const hawser_limit_kind needs[] = {HAWSER_LIMIT_ALPHA, HAWSER_LIMIT_RUN_AWAY, HAWSER_LIMIT_TRIP};
     const Setup setup = scene_setup(scene);
     PeaksTheory theory;
     hawser_status status = peaks_theory(peaks, stats, scene, expected, &theory, NULL);
@@ -159,13 +159,13 @@ static void by_theory(const Peaks *peaks, const Stats *stats, const Scene *scene
         for (size_t k = 0; k < sizeof needs / sizeof *needs; ++k) f[needs[k]] = NO_MEMORY;
         return;
     }
-    f[LIMIT_ALPHA] = alpha_finding(peaks, scene, &theory);
-    f[LIMIT_ALPHA].absent |= scene->def.strand.rope > 0;
-    trip_finding(stats, scene, expected, &theory, &f[LIMIT_TRIP]);
+    f[HAWSER_LIMIT_ALPHA] = alpha_finding(peaks, scene, &theory);
+    f[HAWSER_LIMIT_ALPHA].absent |= scene->def.strand.rope > 0;
+    trip_finding(stats, scene, expected, &theory, &f[HAWSER_LIMIT_TRIP]);
     if (scene->def.strand.rope)
-        f[LIMIT_RUN_AWAY] = (Finding){0}; /* theory of it alone knows nothing of what it draws */
-    if (f[LIMIT_RUN_AWAY].value > 0) f[LIMIT_TRIP].steady = NAN;
-    pushed_finding(peaks, scene, &f[LIMIT_RUN_AWAY]);
+        f[HAWSER_LIMIT_RUN_AWAY] = (Finding){0}; /* theory of it alone knows nothing of what it draws */
+    if (f[HAWSER_LIMIT_RUN_AWAY].value > 0) f[HAWSER_LIMIT_TRIP].steady = NAN;
+    pushed_finding(peaks, scene, &f[HAWSER_LIMIT_RUN_AWAY]);
     peaks_theory_free(&theory);
 }
 
@@ -173,18 +173,18 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
                 hawser_limit *out)
 {
     const SceneDef *const def = &scene->def;
-    Finding f[LIMIT_KINDS] = {[LIMIT_RESTART] = {.absent = 1}, [LIMIT_BUCKLING] = {.absent = 1}};
+    Finding f[LIMIT_KINDS] = {[HAWSER_LIMIT_RESTART] = {.absent = 1}, [HAWSER_LIMIT_BUCKLING] = {.absent = 1}};
     if (!peaks->present) return 0;
     if (peaks->recorded > 0) {
-        f[LIMIT_PULL] = finding_at(&scene->route, peaks->tension.value, peaks->tension.at);
-        f[LIMIT_SIDEWALL] = sidewall_finding(peaks, stats, scene);
-        f[LIMIT_BEND] = bend_finding(peaks, scene);
-        f[LIMIT_ROLLER_STEADY] = roller_finding(peaks, stats, 1);
-        f[LIMIT_ROLLER_PEAK] = roller_finding(peaks, stats, 0);
-        f[LIMIT_ROPE] = finding_at(&scene->route, peaks->rope.value, peaks->rope.at);
-        f[LIMIT_WINCH] = f[LIMIT_ROPE];
-        f[LIMIT_ATTACHMENT] = finding_at(&scene->route, peaks->front.value, peaks->front.at);
-        f[LIMIT_PUSH] = push_finding(peaks);
+        f[HAWSER_LIMIT_PULL] = finding_at(&scene->route, peaks->tension.value, peaks->tension.at);
+        f[HAWSER_LIMIT_SIDEWALL] = sidewall_finding(peaks, stats, scene);
+        f[HAWSER_LIMIT_BEND_RADIUS] = bend_finding(peaks, scene);
+        f[HAWSER_LIMIT_ROLLER_STEADY] = roller_finding(peaks, stats, 1);
+        f[HAWSER_LIMIT_ROLLER_PEAK] = roller_finding(peaks, stats, 0);
+        f[HAWSER_LIMIT_ROPE] = finding_at(&scene->route, peaks->rope.value, peaks->rope.at);
+        f[HAWSER_LIMIT_WINCH] = f[HAWSER_LIMIT_ROPE];
+        f[HAWSER_LIMIT_ATTACHMENT] = finding_at(&scene->route, peaks->front.value, peaks->front.at);
+        f[HAWSER_LIMIT_PUSH] = push_finding(peaks);
         by_theory(peaks, stats, scene, expected, f);
         errors_of_tension(f, share);
     } else {
@@ -194,11 +194,12 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         }
     }
     findings_of_scene(&scene->setup, f);
-    if (strand_is_rope(&def->strand)) f[LIMIT_BEND].absent = f[LIMIT_SIDEWALL].absent = 1;
-    if (def->strand.present && !peaks->borne) f[LIMIT_ROLLER_STEADY].absent = f[LIMIT_ROLLER_PEAK].absent = 1;
+    if (strand_is_rope(&def->strand)) f[HAWSER_LIMIT_BEND_RADIUS].absent = f[HAWSER_LIMIT_SIDEWALL].absent = 1;
+    if (def->strand.present && !peaks->borne)
+        f[HAWSER_LIMIT_ROLLER_STEADY].absent = f[HAWSER_LIMIT_ROLLER_PEAK].absent = 1;
     const double rope = scene->joint_s[strand_is_rope(&def->strand) ? 0 : scene->eye];
-    f[LIMIT_ROPE_BEND] = rope_bend(&scene->setup, &scene->route, rope, scene->setup.supports.roller);
-    speed_finding(peaks, scene, &f[LIMIT_SPEED]);
+    f[HAWSER_LIMIT_ROPE_BEND] = rope_bend(&scene->setup, &scene->route, rope, scene->setup.supports.roller);
+    speed_finding(peaks, scene, &f[HAWSER_LIMIT_SPEED]);
     duct_findings(def, f);
     return limits_judge(&def->limits, bundle_diameter(def), bundle_pulled(def), f, out);
 }

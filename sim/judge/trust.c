@@ -152,15 +152,54 @@ typedef struct List {
     int n;
 } List;
 
-static void add(List *list, const char *name, const char *unit, double value, double allowed, const char *format, ...)
-    __attribute__((format(printf, 6, 7)));
+/* Names and units by kind; those of theory are in theory/calculator_known.c. */
+static const struct {
+    const char *name, *unit;
+} kinds[] = {
+    [HAWSER_CONDITION_FINISHED] = {"finished", "s"},
+    [HAWSER_CONDITION_STEADY_WINDOW] = {"steady_window", "s"},
+    [HAWSER_CONDITION_EQUILIBRIUM] = {"equilibrium", "N"},
+    [HAWSER_CONDITION_TAUT] = {"taut", "1"},
+    [HAWSER_CONDITION_STABLE] = {"stable", "1"},
+    [HAWSER_CONDITION_ENERGY] = {"energy", "1"},
+    [HAWSER_CONDITION_MOMENTUM] = {"momentum", "1"},
+    [HAWSER_CONDITION_NUMERICAL_DAMPING] = {"numerical_damping", "1"},
+    [HAWSER_CONDITION_ON_ROUTE] = {"on_route", "m"},
+    [HAWSER_CONDITION_PASSED] = {"passed", "1"},
+    [HAWSER_CONDITION_START] = {"start", "N"},
+    [HAWSER_CONDITION_EDGE] = {"edge", "1"},
+    [HAWSER_CONDITION_OVERLAP] = {"overlap", "1"},
+    [HAWSER_CONDITION_ORIENTATION] = {"orientation", "1"},
+    [HAWSER_CONDITION_MESH] = {"mesh", "1"},
+    [HAWSER_CONDITION_FRICTION_SPEED] = {"friction_speed", "1"},
+    [HAWSER_CONDITION_NUMERICAL_ERROR] = {"numerical_error", "1"},
+    [HAWSER_CONDITION_NUMERICAL_PEAK] = {"numerical_peak", "1"},
+    [HAWSER_CONDITION_DECIDED] = {"decided", "1"},
+    [HAWSER_CONDITION_PUSHED] = {"pushed", "N"},
+    [HAWSER_CONDITION_DRAWN] = {"drawn", "1"},
+    [HAWSER_CONDITION_SHARED] = {"shared", "1"},
+    [HAWSER_CONDITION_STEADY] = {"steady", "1"},
+    [HAWSER_CONDITION_START_JOLT] = {"start_jolt", "1"},
+    [HAWSER_CONDITION_PEAK] = {"peak", "1"},
+    [HAWSER_CONDITION_WAVES] = {"waves", "1"},
+};
+
+const char *trust_name(hawser_condition_kind kind) { return kinds[kind].name; }
+
+static void add(List *list, hawser_condition_kind kind, double value, double allowed, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
 
 /* A condition that holds where value <= allowed; what to say and to do otherwise. */
-static void add(List *list, const char *name, const char *unit, double value, double allowed, const char *format, ...)
+static void add(List *list, hawser_condition_kind kind, double value, double allowed, const char *format, ...)
 {
     hawser_condition *const c = &list->out[list->n++];
     va_list args;
-    *c = (hawser_condition){.name = name, .unit = unit, .value = value, .allowed = allowed, .holds = value <= allowed};
+    *c = (hawser_condition){.kind = kind,
+                            .name = kinds[kind].name,
+                            .unit = kinds[kind].unit,
+                            .value = value,
+                            .allowed = allowed,
+                            .holds = value <= allowed};
     va_start(args, format);
     vsnprintf(c->remedy, sizeof c->remedy, format, args);
     va_end(args);
@@ -176,7 +215,7 @@ static void add_mesh(List *list, const TrustFacts *f)
     if (worst < 0) return;
     const MeshPlace *const place = &f->mesh->place[worst];
     mesh_describe(place, sizeof where, where);
-    add(list, "mesh", "1", error, MESH_ALLOWED,
+    add(list, HAWSER_CONDITION_MESH, error, MESH_ALLOWED,
         "segments are too long, about %+.3g %% of pull (%s): set chain.%d.segment to auto or to %.3g mm", 100 * error,
         where, place->piece, 1e3 * mesh_length(f->mesh, place->piece, MESH_AIM));
 }
@@ -249,7 +288,7 @@ static void add_friction_speed(List *list, const TrustFacts *f)
     const Fading slowest = slowest_of(f->scene);
     const double speed = pulled_at(f);
     if (!(slowest.speed > 0 && speed > 0)) return;
-    add(list, "friction_speed", "1", slowest.speed / speed, SLOWEST,
+    add(list, HAWSER_CONDITION_FRICTION_SPEED, slowest.speed / speed, SLOWEST,
         "the pull is slower than friction needs to come in: set %s below %.3g %s", slowest.key, slowest.per * speed / 5,
         strstr(slowest.key, "bearing") ? "rad/s" : "m/s");
 }
@@ -268,7 +307,7 @@ static void add_drawn(List *list, const TrustFacts *f)
 {
     const double most = drawn_at_most(f), speed = f->figures->steady_speed_m_per_s;
     if (!(most > 0)) return;
-    add(list, "drawn", "1", 1 - fmax(speed, 0) / most, STANDS,
+    add(list, HAWSER_CONDITION_DRAWN, 1 - fmax(speed, 0) / most, STANDS,
         "within the steady window, from %.4g s on, the cable stands or goes back: what pulls has stopped, or is too "
         "weak: set run.steady_from and run.duration to a time in which it is pulled",
         f->figures->steady_from_s);
@@ -280,7 +319,7 @@ static void add_shared(List *list, const TrustFacts *f)
     Sharing most;
     if (!sharing_find(f->scene, f->figures, f->t, &most)) return;
     const char *const quote = *most.name ? "'" : "";
-    add(list, "shared", "1", most.share, SHARED,
+    add(list, HAWSER_CONDITION_SHARED, most.share, SHARED,
         "0.1 mm of cable between conveyor '%.24s' and %s%s%.24s%s moves %.2g %% of the pull between them: give it a "
         "limit "
         "that it reaches, or a speed that differs",
@@ -296,15 +335,15 @@ static void add_damping(List *list, const TrustFacts *f)
     const SolverDef *const solver = &f->scene->def.solver;
     const double bounds = solver->method == METHOD_ESDIRK ? 30 : 1;
     const double share = f->balance->numerical_share, logs = share < 0.95 ? -log1p(-share) : 3;
-    add(list, "numerical_damping", "1", share, DAMPED,
+    add(list, HAWSER_CONDITION_NUMERICAL_DAMPING, share, DAMPED,
         "the steps in time took %.2g %% of '%s' that nothing else damped: set solver.accuracy to %.1g, and "
         "solver.max_order to 2",
         100 * share, f->balance->turnover_of, solver->accuracy * fmin(0.1, DAMPED * DAMPED / (logs * logs) / bounds));
 }
 
 /* One figure's error bar, with what it is mostly made of, and what makes that smaller. */
-static void add_error(List *list, const char *name, const char *figure, const hawser_error_bar *bar, double size,
-                      double allowed)
+static void add_error(List *list, hawser_condition_kind kind, const char *figure, const hawser_error_bar *bar,
+                      double size, double allowed)
 {
     const char *of = "friction that is not there yet", *remedy = "a friction.v_s far below the pull's speed";
     if (bar->mesh >= bar->friction && bar->mesh >= bar->time) {
@@ -316,17 +355,16 @@ static void add_error(List *list, const char *name, const char *figure, const ha
     }
     char share[32] = "more than its own size";
     if (bar->total < size) snprintf(share, sizeof share, "%.2g %%", 100 * bar->total / size);
-    add(list, name, "1", bar->total / size, allowed, "%s may be off by %s, mostly by %s: use %s", figure, share, of,
-        remedy);
+    add(list, kind, bar->total / size, allowed, "%s may be off by %s, mostly by %s: use %s", figure, share, of, remedy);
 }
 
 /* The error bars of the pull. */
 static void add_errors(List *list, const hawser_summary *s)
 {
     if (!(s->pull_peak_N > 0)) return;
-    add_error(list, "numerical_error", "the mean pull", &s->pull_mean_error,
+    add_error(list, HAWSER_CONDITION_NUMERICAL_ERROR, "the mean pull", &s->pull_mean_error,
               fmax(fabs(s->pull_mean_N), s->pull_peak_N / 100), MEAN_ERROR);
-    add_error(list, "numerical_peak", "the peak", &s->pull_peak_error, s->pull_peak_N, PEAK_ERROR);
+    add_error(list, HAWSER_CONDITION_NUMERICAL_PEAK, "the peak", &s->pull_peak_error, s->pull_peak_N, PEAK_ERROR);
 }
 
 /* Whether it is certain that all limits hold: a margin that is smaller than the error of what was found is none. */
@@ -337,10 +375,10 @@ static void add_decided(List *list, const TrustFacts *f)
     for (int i = 0; i < f->n_limits; ++i) judged += f->limit[i].judged, ok += f->limit[i].ok;
     if (judged == 0 || ok < judged) return;
     if (!l) {
-        add(list, "decided", "1", 0, 1, "%s", "all limits hold, whatever the figures may be off by");
+        add(list, HAWSER_CONDITION_DECIDED, 0, 1, "%s", "all limits hold, whatever the figures may be off by");
         return;
     }
-    add(list, "decided", "1", limits_reach(l), 1,
+    add(list, HAWSER_CONDITION_DECIDED, limits_reach(l), 1,
         "limit '%s' holds by less than its figure may be off: %.6g +- %.3g %s of %.6g %s: use finer settings, or leave "
         "it more room",
         l->name, l->value, l->error, l->unit, l->limit, l->unit);
@@ -349,7 +387,7 @@ static void add_decided(List *list, const TrustFacts *f)
 /* A winch pulls: where the cable pushes it the start has jammed or thrown it, or it runs away. */
 static void add_pushed(List *list, const hawser_summary *s)
 {
-    add(list, "pushed", "N", fmax(0, -s->pull_mean_N), PUSHED * fmax(0, s->pull_peak_N),
+    add(list, HAWSER_CONDITION_PUSHED, fmax(0, -s->pull_mean_N), PUSHED * fmax(0, s->pull_peak_N),
         "the cable pushes the winch with %.3g N: it runs away, or its start holds it back: give it a back tension or a "
         "brake, or begin where every joint lies clear of the rollers",
         -s->pull_mean_N);
@@ -361,18 +399,18 @@ static void add_steadiness(List *list, const TrustFacts *f)
     const Steadiness *const s = f->steadiness;
     const int jumps = s->speed > 0, rests = f->scene->def.solver.relax && f->relaxation->reached;
     const double drift = steadiness_drift(s);
-    add(list, "steady", "1", drift, DRIFT,
+    add(list, HAWSER_CONDITION_STEADY, drift, DRIFT,
         "the pull changes by %.2g %% within the steady window: set run.steady_from to where it has settled, or "
         "run.duration to more",
         100 * drift);
     if (may_jolt(s, rests)) {
-        add(list, "start_jolt", "1", fmax(s->jolt, 0) / fmax(s->later, 1e-6), 1,
+        add(list, HAWSER_CONDITION_START_JOLT, fmax(s->jolt, 0) / fmax(s->later, 1e-6), 1,
             "the largest pull is the jolt of the start, at %.3g s: %s", s->jolt_at,
             jumps ? "give the winch a ramp (drive.winch.ramp)" : "let the cable come to rest first (solver.relax)");
     }
     double at;
     const double spike = steadiness_spike(s, rests, &at);
-    add(list, "peak", "1", spike, SPIKE,
+    add(list, HAWSER_CONDITION_PEAK, spike, SPIKE,
         "the largest pull is a spike, %.2g %% above the rows beside it, at %.4g s: set output.interval to less, "
         "or start more gently",
         100 * spike, at);
@@ -391,7 +429,7 @@ static double half_of_longest(const Scene *scene)
 /* An equilibrium that is pulled: what is pushed may buckle, and stands then where nothing here knows. */
 static void add_taut(List *list, const TrustFacts *f)
 {
-    add(list, "taut", "1", f->push_share, PUSHED_ALONG,
+    add(list, HAWSER_CONDITION_TAUT, f->push_share, PUSHED_ALONG,
         "the cable is pushed with %.2g %% of the largest tension at a position: it may buckle there, or run away: give "
         "it a back tension or a brake, or see 'analysis: dynamics'%s",
         100 * f->push_share, f->still ? " with 'solver.motion: dynamic'" : "");
@@ -404,13 +442,13 @@ static void add_bowed(List *list, const TrustFacts *f)
     const Buckling *const p = &f->scene->pushed;
     const double share = p->push / p->critical, longest = 2 * half_of_longest(f->scene);
     if (!(share > BUCKLING_NEAR)) return;
-    add(list, "taut", "1", f->scene->bowed ? 0 : share, BUCKLING_NEAR,
+    add(list, HAWSER_CONDITION_TAUT, f->scene->bowed ? 0 : share, BUCKLING_NEAR,
         "the cable is pushed with %.4g kN at %.4g m, %.3g of the load at which it %s, and nothing disturbs its "
         "straight "
         "line, which would not last: set solver.imperfection to its default, and solver.motion to dynamic",
         p->push / 1e3, p->at, share, p->by == STRAIGHT_DUCT ? "snakes" : "bows");
     if (!f->scene->bowed) return;
-    add(list, "waves", "1", longest / p->wave, WAVE_PART,
+    add(list, HAWSER_CONDITION_WAVES, longest / p->wave, WAVE_PART,
         "segments of %.3g mm are too long for half waves of %.3g m, in which a cable that is pushed gives way: set "
         "chain.N.segment to %.3g mm",
         1e3 * longest, p->wave, 1e3 * WAVE_PART * p->wave * (1 - 1e-3));
@@ -420,7 +458,7 @@ static void add_bowed(List *list, const TrustFacts *f)
 static void add_places_found(List *list, const TrustFacts *f)
 {
     const hawser_relaxation *const worst = f->relaxation;
-    add(list, "equilibrium", "N", worst->residual_N, worst->tolerance_N,
+    add(list, HAWSER_CONDITION_EQUILIBRIUM, worst->residual_N, worst->tolerance_N,
         "a position has no steady motion that could be found (segment %d is the worst): 'analysis: dynamics' may show "
         "why",
         worst->segment);
@@ -435,17 +473,17 @@ static void add_rest(List *list, const TrustFacts *f)
     const double residual = f->relaxation->residual_N, tolerance = f->relaxation->tolerance_N;
     const int rests = (scene->def.solver.relax || !dynamic) && tolerance > 0;
     if (rests && rod_is_loose(scene)) {
-        add(list, "equilibrium", "N", residual, tolerance,
+        add(list, HAWSER_CONDITION_EQUILIBRIUM, residual, tolerance,
             "nothing holds the rod: it has no rest and begins where the case puts it: hold an end, or set solver.relax "
             "to false");
     } else if (rests) {
-        add(list, "equilibrium", "N", residual, tolerance,
+        add(list, HAWSER_CONDITION_EQUILIBRIUM, residual, tolerance,
             "no equilibrium was found before t = 0 (segment %d is the worst): see that everything is supported",
             f->relaxation->segment);
     }
     if (!dynamic && scene->def.analysis.stability != STABILITY_IGNORE) {
         const double grow = f->unstable < 0 ? (double)INFINITY : (double)f->unstable;
-        add(list, "stable", "1", grow, 0, "%s",
+        add(list, HAWSER_CONDITION_STABLE, grow, 0, "%s",
             f->unstable < 0 ? "the equilibrium's stability could not be counted: see 'analysis: modes'"
                             : "the last equilibrium is not stable: see critical loads; a slow load would not leave the "
                               "rod there");
@@ -455,10 +493,10 @@ static void add_rest(List *list, const TrustFacts *f)
 /* What the books of energy and momentum leave open. */
 static void add_books(List *list, const TrustFacts *f)
 {
-    add(list, "energy", "1", f->balance->residual_share, ENERGY,
+    add(list, HAWSER_CONDITION_ENERGY, f->balance->residual_share, ENERGY,
         "energy does not add up by %.2g %% of what goes through '%s': try a smaller solver.accuracy",
         100 * f->balance->residual_share, f->balance->turnover_of);
-    add(list, "momentum", "1", f->balance->impulse_residual_share, MOMENTUM,
+    add(list, HAWSER_CONDITION_MOMENTUM, f->balance->impulse_residual_share, MOMENTUM,
         "momentum does not add up by %.2g %%: try a smaller solver.accuracy", 100 * f->balance->impulse_residual_share);
     add_damping(list, f);
 }
@@ -469,31 +507,31 @@ static void add_places(List *list, const TrustFacts *f)
     const Scene *const scene = f->scene;
     const Misfit *const start = &f->passing->start;
     if (!scene->rod->present) {
-        add(list, "on_route", "m", f->stray.farthest, SUPPORT_OFF_ROUTE,
+        add(list, HAWSER_CONDITION_ON_ROUTE, f->stray.farthest, SUPPORT_OFF_ROUTE,
             "the cable was %.3g m off its route near %.4g m: it has fallen, or nothing guides it there",
             f->stray.farthest, f->stray.at);
     }
-    add(list, "passed", "1", f->passing->through, 0,
+    add(list, HAWSER_CONDITION_PASSED, f->passing->through, 0,
         "%s: try a smaller solver.max_step, a stiffer contact.k or a start nearer to its place", f->passing->says);
     if (start->force > 0 && !scene->def.solver.relax) {
-        add(list, "start", "N", start->force, start->allowed,
+        add(list, HAWSER_CONDITION_START, start->force, start->allowed,
             "the chain begins inside '%s': let it come to rest first (solver.relax), or set chain.segment to %.3g mm "
             "or less there",
             start->name, 1e3 * misfit_segment(start));
     }
     if (f->passing->edge.share > 0 && scene->def.solver.relax && scene->winch->present) {
-        add(list, "edge", "1", f->passing->edge.share, EDGE,
+        add(list, HAWSER_CONDITION_EDGE, f->passing->edge.share, EDGE,
             "the cable comes to rest %.3g m beside the middle of roller '%s', where it is chance whether it slips off: "
             "put guides there, or set solver.relax to false",
             f->passing->edge.across, f->passing->edge.name);
     }
     if (f->passing->overlap.looks > 0 && !scene->def.analysis.inside) {
-        add(list, "overlap", "1", f->passing->overlap.share, INSIDE, "%s: %s", f->passing->overlap.says,
+        add(list, HAWSER_CONDITION_OVERLAP, f->passing->overlap.share, INSIDE, "%s: %s", f->passing->overlap.says,
             scene->self.present         ? "a stiffer contact.k, or a smaller solver.max_step"
             : scene->def.strand.present ? "see contact.between_chains, contact.k and solver.max_step"
                                         : "nothing keeps it from that without contact.cable_on_cable");
     }
-    add(list, "orientation", "1", f->turned, 0, "%s",
+    add(list, HAWSER_CONDITION_ORIENTATION, f->turned, 0, "%s",
         f->turned & TURNED_HEAD ? "the head has turned away from the pull: use drive.winch.grip: clamp"
                                 : "joints have turned too far for the chain to follow: use shorter segments");
 }
@@ -504,10 +542,10 @@ int trust_judge(const TrustFacts *f, hawser_condition *out)
     const int dynamic = scene->def.analysis.kind == ANALYSIS_DYNAMICS;
     const int placed = scene->def.analysis.kind == ANALYSIS_POSITIONS;
     List list = {out, 0};
-    add(&list, "finished", "s", fmax(0, f->end - f->t), 1e-9 * f->end,
+    add(&list, HAWSER_CONDITION_FINISHED, fmax(0, f->end - f->t), 1e-9 * f->end,
         "the run ended at %.4g s of %.4g s: its figures are of no steady pull", f->t, f->end);
     if (dynamic && !scene->rod->present) {
-        add(&list, "steady_window", "s", scene->def.output.steady_from, f->t,
+        add(&list, HAWSER_CONDITION_STEADY_WINDOW, scene->def.output.steady_from, f->t,
             "the steady window was never reached: it begins at %.4g s (run.steady_from)",
             scene->def.output.steady_from);
     }

@@ -85,6 +85,8 @@ typedef struct TrustFacts {
 
 /* The conditions that apply, into out [HAWSER_CONDITIONS_MAX]; returns how many. */
 int trust_judge(const TrustFacts *facts, hawser_condition *out);
+/* "energy" of HAWSER_CONDITION_ENERGY and so on, of a run's conditions. */
+const char *trust_name(hawser_condition_kind kind);
 
 /* ---------------------------------------------------------------------------- belts that share a pull: sharing.c */
 

@@ -253,7 +253,7 @@ int together_conditions(int n, hawser_condition *out, int more, const hawser_con
 {
     for (int i = 0; i < more; ++i) {
         int at = 0;
-        while (at < n && strcmp(out[at].name, theirs[i].name) != 0) ++at;
+        while (at < n && out[at].kind != theirs[i].kind) ++at;
         if (at == HAWSER_CONDITIONS_MAX || (at < n && taken(&theirs[i]) <= taken(&out[at]))) continue;
         out[at] = theirs[i];
         snprintf(out[at].remedy, sizeof out[at].remedy, "chain '%s': %.*s", chain,
@@ -267,7 +267,7 @@ int together_limits(int n, hawser_limit *out, int more, const hawser_limit *thei
 {
     for (int i = 0; i < more; ++i) {
         int at = 0;
-        while (at < n && strcmp(out[at].name, theirs[i].name) != 0) ++at;
+        while (at < n && out[at].kind != theirs[i].kind) ++at;
         const int worse = at == n || !out[at].judged || theirs[i].margin < out[at].margin;
         if (at == HAWSER_LIMITS_MAX || (at < n && !(theirs[i].judged && worse))) continue;
         out[at] = theirs[i];

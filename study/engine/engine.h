@@ -35,7 +35,7 @@ typedef struct Row {
     int32_t state, verdict; /* a RowState, RowVerdict of the last answer */
     int32_t answered;       /* BY_THEORY or BY_RUN: the last answer */
     int32_t theory_verdict; /* of theory, where it was asked */
-    int32_t limited_by;     /* the LimitKind with the least margin; -1: none was judged */
+    int32_t limited_by;     /* the hawser_limit_kind with the least margin; -1: none was judged */
     int32_t pad;
     double margin[LIMIT_KINDS]; /* of the last answer; NAN: not judged */
     double seconds;             /* of processor time */

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "def/limits.h"
 #include "io/api/api_handles.h"
+#include "sim/judge/trust.h"
 #include "study/engine/engine.h"
 
 const char *const row_states[] = {"open", "done", "refused", "failed", "time limit", "no memory", "died"};
@@ -77,14 +78,6 @@ static int verdict_of(const char *text)
     return found;
 }
 
-/* The kind of limit of that name; LIMIT_KINDS: none. */
-static int limit_kind(const char *name)
-{
-    int k = 0;
-    while (k < LIMIT_KINDS && !(name && strcmp(name, limits_name((LimitKind)k)) == 0)) k++;
-    return k;
-}
-
 /* The margins of one answer, of theory's those of a pull forward. */
 static void margins_take(const json_t *limits, Row *row)
 {
@@ -95,7 +88,7 @@ static void margins_take(const json_t *limits, Row *row)
     json_array_foreach((json_t *)(size_t)limits, i, limit)
     {
         const char *const direction = json_string_value(json_object_get(limit, "direction"));
-        const int k = limit_kind(json_string_value(json_object_get(limit, "name")));
+        const int k = (int)limits_kind(json_string_value(json_object_get(limit, "name")));
         if (k == LIMIT_KINDS || (direction && strcmp(direction, "forward") != 0)) continue;
         row->margin[k] = number_of(json_object_get(limit, "margin"));
         if (isnan(row->margin[k])) continue;
@@ -110,9 +103,9 @@ static int essential_missing(const json_t *limits)
     json_t *limit;
     json_array_foreach((json_t *)(size_t)limits, i, limit)
     {
-        const char *const name = json_string_value(json_object_get(limit, "name"));
+        const hawser_limit_kind kind = limits_kind(json_string_value(json_object_get(limit, "name")));
         const char *const direction = json_string_value(json_object_get(limit, "direction"));
-        const int counts = name && limits_essential(name) && !(direction && strcmp(direction, "forward") != 0);
+        const int counts = limits_essential(kind) && !(direction && strcmp(direction, "forward") != 0);
         if (counts && isnan(number_of(json_object_get(limit, "margin")))) return 1;
     }
     return 0;
@@ -128,7 +121,7 @@ static int is_close_only(const json_t *conditions)
     {
         if (!json_is_false(json_object_get(condition, "holds"))) continue;
         const char *const name = json_string_value(json_object_get(condition, "name"));
-        *(name && !strcmp(name, "decided") ? &close : &other) += 1;
+        *(name && !strcmp(name, trust_name(HAWSER_CONDITION_DECIDED)) ? &close : &other) += 1;
     }
     return close && !other;
 }
@@ -143,9 +136,9 @@ static void judge(const json_t *answer, const char *verdict, int theory, Row *ro
     margins_take(json_object_get(answer, "limits"), row);
     if (row->verdict == VERDICT_NOT_TRUSTED && is_close_only(json_object_get(answer, "trust")))
         row->verdict = essential_missing(json_object_get(answer, "limits")) ? VERDICT_NOT_JUDGED : VERDICT_SAFE;
-    if (theory && row->margin[LIMIT_RUN_AWAY] < 0 && row->verdict == VERDICT_NOT_TRUSTED) {
+    if (theory && row->margin[HAWSER_LIMIT_RUN_AWAY] < 0 && row->verdict == VERDICT_NOT_TRUSTED) {
         row->verdict = VERDICT_NOT_SAFE;
-        row->limited_by = LIMIT_RUN_AWAY;
+        row->limited_by = HAWSER_LIMIT_RUN_AWAY;
     }
 }
 

@@ -16,7 +16,7 @@ static DesignRow design_of(const Study *s, const Rows *rows, long i, double *bro
     d.value = aim_value(s, row, rows->value + i * rows->width, x, broken);
     d.broken = search_broken(d.value, broken, aim_constraints(s));
     d.verdict = row_verdict(row->verdict);
-    d.limited_by = row->limited_by < 0 ? "" : limits_name((LimitKind)row->limited_by);
+    d.limited_by = row->limited_by < 0 ? "" : limits_name((hawser_limit_kind)row->limited_by);
     d.margin = row->limited_by < 0 ? NAN : row->margin[row->limited_by];
     return d;
 }

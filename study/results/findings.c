@@ -73,7 +73,7 @@ static int by_runs_alone(const Rows *rows, int limit)
 static void limits_find(const Study *s, const Rows *rows, double *x, Findings *f)
 {
     for (int k = 0; k < LIMIT_KINDS; k++) {
-        LimitRow row = {.name = limits_name((LimitKind)k), .band = NAN, .off = f->off[k]};
+        LimitRow row = {.name = limits_name((hawser_limit_kind)k), .band = NAN, .off = f->off[k]};
         if (s->fidelity == BY_BOTH) row.band = s->close[k];
         const int pilots_alone = f->chosen && by_runs_alone(rows, k);
         int n = 0;
@@ -210,7 +210,7 @@ static void variants_list(const Study *s, const Rows *rows, Findings *f)
         if (row->state != ROW_DONE) continue;
         *to = (VariantRow){.sample = i,
                            .verdict = row_verdict(row->verdict),
-                           .limited_by = row->limited_by < 0 ? "" : limits_name((LimitKind)row->limited_by),
+                           .limited_by = row->limited_by < 0 ? "" : limits_name((hawser_limit_kind)row->limited_by),
                            .margin = row->limited_by < 0 ? NAN : row->margin[row->limited_by],
                            .quantity = s->n_quantities > 0 ? rows->value[i * rows->width] : NAN,
                            .unit = first_unit(s)};

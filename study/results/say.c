@@ -266,7 +266,7 @@ static void say_runs(Lines *l, const Study *s, const Findings *f)
     if (s->pilot && all) line(l, ": theory says nothing of what limits these pulls, and all are run");
     for (int k = 0, n = 0; k < LIMIT_KINDS && s->pilot && !all; k++) {
         if (s->close[k] < 0.005) continue;
-        line(l, "%s%s %.2g", n ? ", " : "; near a limit is within: ", limits_name((LimitKind)k), s->close[k]);
+        line(l, "%s%s %.2g", n ? ", " : "; near a limit is within: ", limits_name((hawser_limit_kind)k), s->close[k]);
         n++;
     }
     line(l, s->pilot ? "\n  runs     %ld" : "  runs     %ld", f->runs);
@@ -281,7 +281,8 @@ static void say_runs(Lines *l, const Study *s, const Findings *f)
     for (int k = 0; k < LIMIT_KINDS; k++) {
         if (!(f->off[k] > s->close[k])) continue;
         line(l, "  beware   theory's margin of %s was off by %.3g, more than the band of %.3g: %s\n",
-             limits_name((LimitKind)k), f->off[k], s->close[k], s->pilot ? "take more pilots" : "raise 'close'");
+             limits_name((hawser_limit_kind)k), f->off[k], s->close[k],
+             s->pilot ? "take more pilots" : "raise 'close'");
     }
 }
 

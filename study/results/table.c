@@ -65,7 +65,7 @@ static const char *column_name(const Study *s, ColumnOf of, int k, char name[COL
                                                   "state", NULL,          NULL,      "reason"};
     if (of == OF_PARAMETER) return parameter_column(&s->parameter[k], name);
     if (of == OF_QUANTITY) return quantity_column(s, k, name);
-    if (of == OF_MARGIN) snprintf(name, COLUMN_NAME_MAX, "margin_%s", limits_name((LimitKind)k));
+    if (of == OF_MARGIN) snprintf(name, COLUMN_NAME_MAX, "margin_%s", limits_name((hawser_limit_kind)k));
     return of == OF_MARGIN ? name : fixed[of];
 }
 
@@ -101,7 +101,7 @@ static Cell cell_of(const Study *s, const Rows *rows, const Row *row, const doub
     case OF_VERDICT:
         return cell_text(row_verdict(row->verdict));
     case OF_LIMIT:
-        return cell_text(row->limited_by < 0 ? "" : limits_name((LimitKind)row->limited_by));
+        return cell_text(row->limited_by < 0 ? "" : limits_name((hawser_limit_kind)row->limited_by));
     case OF_STATE:
         return cell_text(row_states[row->state]);
     case OF_QUANTITY:

@@ -84,5 +84,27 @@ static void test_refused(void **state)
     refused("chain.0.length", "60 m", "reel.width", "more cable than fits");
 }
 
+/* Theory lays no cable, and refuses what a run refuses: it gave 398.3 N with status 0. */
+static void test_refused_by_theory(void **state)
+{
+    static const char *const set[][3] = {{"reel.flange", "520 mm", "more cable than fits"},
+                                         {"reel.width", "150 mm", "too narrow"},
+                                         {"reel.distance", "500 mm", "flange's radius"},
+                                         {"reel.distance", "20 m", "no cable is left for the drum"},
+                                         {"chain.0.length", "60 m", "more cable than fits"}};
+    (void)state;
+    for (size_t k = 0; k < sizeof set / sizeof *set; ++k) {
+        hawser_case *c = NULL;
+        char *text = NULL;
+        hawser_error err = {0};
+        assert_int_equal(hawser_case_load(HAWSER_SOURCE_DIR "/cases/drum-contact.yaml", &c, &err), HAWSER_OK);
+        assert_int_equal(hawser_case_set(c, set[k][0], set[k][1], &err), HAWSER_OK);
+        assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &text, &err), HAWSER_ERR_INPUT);
+        check_has(err.message, set[k][2]);
+        assert_null(text);
+        hawser_case_free(c);
+    }
+}
+
 TEST_FILE(test_case_drum, cmocka_unit_test(test_pull), cmocka_unit_test(test_beside_payout),
-          cmocka_unit_test(test_refused))
+          cmocka_unit_test(test_refused), cmocka_unit_test(test_refused_by_theory))

@@ -272,9 +272,9 @@ static void pilots_find_the_band(void **state)
     double band[LIMIT_KINDS], most = 0;
     pilots_bands(s[0], &rows[0], band);
     for (int i = 0; i < 6; i++)
-        most = fmax(most, fabs(rows[0].row[i].theory[LIMIT_WINCH] - rows[0].row[i].margin[LIMIT_WINCH]));
-    check_share(band[LIMIT_WINCH], 1.5 * most, 1e-12);
-    check_equal(band[LIMIT_SPEED], 0);
+        most = fmax(most, fabs(rows[0].row[i].theory[HAWSER_LIMIT_WINCH] - rows[0].row[i].margin[HAWSER_LIMIT_WINCH]));
+    check_share(band[HAWSER_LIMIT_WINCH], 1.5 * most, 1e-12);
+    check_equal(band[HAWSER_LIMIT_SPEED], 0);
     for (int i = 0; i < 32; i++) assert_int_equal(rows[0].row[i].verdict, rows[1].row[i].verdict);
     check_between((double)f[0].runs, 6, 26);
     /* what runs say is told of the pilots, a fair draw, not of those near a limit */
@@ -285,17 +285,17 @@ static void pilots_find_the_band(void **state)
         check_share(f[0].quantity[q].spread.mean, mean, 1e-9);
         assert_int_equal(f[1].quantity[q - 2].spread.n, 32);
     }
-    check_at_most(f[0].off[LIMIT_WINCH], band[LIMIT_WINCH]);
+    check_at_most(f[0].off[HAWSER_LIMIT_WINCH], band[HAWSER_LIMIT_WINCH]);
     for (int i = 0; i < 6; i++) rows[0].row[i].answered = BY_THEORY;
     pilots_bands(s[0], &rows[0], band);
-    check_at_least(band[LIMIT_PULL], 1e3); /* no pilot says anything: all are run */
+    check_at_least(band[HAWSER_LIMIT_PULL], 1e3); /* no pilot says anything: all are run */
     rows[0].row[2].answered = BY_RUN;
     pilots_bands(s[0], &rows[0], band);
-    check_at_most(band[LIMIT_PULL], 1);
-    rows[0].row[2].theory[LIMIT_ALPHA] = NAN;
-    rows[0].row[2].margin[LIMIT_ALPHA] = -0.1; /* broken, and theory does not see it */
+    check_at_most(band[HAWSER_LIMIT_PULL], 1);
+    rows[0].row[2].theory[HAWSER_LIMIT_ALPHA] = NAN;
+    rows[0].row[2].margin[HAWSER_LIMIT_ALPHA] = -0.1; /* broken, and theory does not see it */
     pilots_bands(s[0], &rows[0], band);
-    check_at_least(band[LIMIT_PULL], 1e3);
+    check_at_least(band[HAWSER_LIMIT_PULL], 1e3);
     for (int k = 0; k < 2; k++) clear(s[k], &rows[k], &f[k]);
 }
 

@@ -290,7 +290,8 @@ static void ducts_that_are_alike(void **state)
     limits_defaults(&def);
     const DuctLoad load = {
         .jam_risk = JAM_SMALL, .jam_ratio = 3.1, .clearance = 0.01, .fill = 0.3, .weight_factor = 1.2};
-    const LimitKind kinds[] = {LIMIT_JAM, LIMIT_CLEARANCE, LIMIT_FILL, LIMIT_WEIGHT};
+    const hawser_limit_kind kinds[] = {HAWSER_LIMIT_JAM_RATIO, HAWSER_LIMIT_CLEARANCE, HAWSER_LIMIT_FILL,
+                                       HAWSER_LIMIT_WEIGHT_CORRECTION};
     Finding f[LIMIT_KINDS] = {{0}};
     limits_duct(&def, 3, NULL, NULL, f);
     for (int k = 0; k < 4; ++k) assert_true(f[kinds[k]].absent);

@@ -220,7 +220,7 @@ static const hawser_limit *named(int n, const hawser_limit *limit, const char *n
 }
 
 /* One finding alone, judged. */
-static hawser_limit judged_alone(const LimitsDef *def, LimitKind kind, Finding found)
+static hawser_limit judged_alone(const LimitsDef *def, hawser_limit_kind kind, Finding found)
 {
     Finding f[LIMIT_KINDS];
     hawser_limit out[HAWSER_LIMITS_MAX];
@@ -238,33 +238,33 @@ static void trips(void **state)
     LimitsDef def = given();
     def.area = 800e-6;
     Finding f = {.value = 30e3, .steady = 20e3, .beyond = 2e3};
-    hawser_limit l = judged_alone(&def, LIMIT_TRIP, f);
+    hawser_limit l = judged_alone(&def, HAWSER_LIMIT_TRIP, f);
     assert_true(l.ok);
     check_share(l.limit, 58e3, 1e-12);
     check_has(l.source, "from 20 kN, needed, to 58 kN, allowed; advised 30 kN");
     def.rope_strength = 300e3;
     def.winch_capacity = 50e3;
     f.value = 55e3;
-    l = judged_alone(&def, LIMIT_TRIP, f);
+    l = judged_alone(&def, HAWSER_LIMIT_TRIP, f);
     assert_false(l.ok);
     check_share(l.limit, 50e3, 1e-12);
     f.value = 19e3; /* it would trip on the pull itself */
-    l = judged_alone(&def, LIMIT_TRIP, f);
+    l = judged_alone(&def, HAWSER_LIMIT_TRIP, f);
     assert_false(l.ok);
     check_share(l.limit, 20e3, 1e-12);
     f.value = NAN;
-    l = judged_alone(&def, LIMIT_TRIP, f);
+    l = judged_alone(&def, HAWSER_LIMIT_TRIP, f);
     assert_false(l.judged);
     check_has(l.source, "needs drive.winch.trip: set it to 30 kN");
-    check_has(judged_alone(&def, LIMIT_TRIP, (Finding){.value = 30e3, .steady = NAN}).source, "see run_away");
+    check_has(judged_alone(&def, HAWSER_LIMIT_TRIP, (Finding){.value = 30e3, .steady = NAN}).source, "see run_away");
     check_share(limits_trip(&def, 1, 40e3, 2e3).force, 50e3, 1e-12); /* 1.5 x 40 kN are more than the winch has */
     def.area = 0, def.rope_strength = def.winch_capacity = NAN;
     f.value = 30e3;
-    l = judged_alone(&def, LIMIT_TRIP, f);
+    l = judged_alone(&def, HAWSER_LIMIT_TRIP, f);
     assert_false(l.judged);
     check_has(l.source, "needs limits.conductor or limits.pull");
     f.value = 19e3; /* too low is known all the same */
-    assert_false(judged_alone(&def, LIMIT_TRIP, f).ok || !judged_alone(&def, LIMIT_TRIP, f).judged);
+    assert_false(judged_alone(&def, HAWSER_LIMIT_TRIP, f).ok || !judged_alone(&def, HAWSER_LIMIT_TRIP, f).judged);
 }
 
 /* A brake that is missing breaks its limit whatever its size; the verdict says how large it must be. */
@@ -273,10 +273,11 @@ static void run_away(void **state)
     (void)state;
     const LimitsDef def = given();
     char text[HAWSER_VERDICT_MAX];
-    hawser_limit l = judged_alone(&def, LIMIT_RUN_AWAY, (Finding){.value = 0, .rating = 8e3});
+    hawser_limit l = judged_alone(&def, HAWSER_LIMIT_RUN_AWAY, (Finding){.value = 0, .rating = 8e3});
     assert_true(l.judged && l.ok);
     check_close(l.margin, 1, 0);
-    l = judged_alone(&def, LIMIT_RUN_AWAY, (Finding){.value = 12e3, .rating = 16e3, .why = "a brake of 12 kN more"});
+    l = judged_alone(&def, HAWSER_LIMIT_RUN_AWAY,
+                     (Finding){.value = 12e3, .rating = 16e3, .why = "a brake of 12 kN more"});
     assert_false(l.ok);
     check_close(l.margin, -0.75, 1e-12);
     assert_int_equal(hawser_limits_verdict(1, &l, text, sizeof text), 1);
@@ -296,23 +297,25 @@ static void held_and_broken(void **state)
         Finding f[LIMIT_KINDS] = {{0}};
         hawser_limit out[HAWSER_LIMITS_MAX];
         for (int k = 0; k < LIMIT_KINDS; k++) {
-            const int over = k == LIMIT_BEND || k == LIMIT_ROPE_BEND || k == LIMIT_CLEARANCE ? !broken : broken;
+            const int over = k == HAWSER_LIMIT_BEND_RADIUS || k == HAWSER_LIMIT_ROPE_BEND || k == HAWSER_LIMIT_CLEARANCE
+                                 ? !broken
+                                 : broken;
             f[k].value = bound[k] * (over ? 1.01 : 0.99);
             f[k].rating = 100e3;
             f[k].cables = 1;
             strcpy(f[k].where, "here");
         }
-        f[LIMIT_RUN_AWAY].value = broken ? 1e3 : 0;
+        f[HAWSER_LIMIT_RUN_AWAY].value = broken ? 1e3 : 0;
         assert_int_equal(limits_judge(&def, 0.08, 1, f, out), LIMIT_KINDS);
         for (int k = 0; k < LIMIT_KINDS; k++) {
             check_close(out[k].limit, bound[k], 1e-9 * bound[k]);
             assert_true(out[k].judged);
             check_equal(out[k].ok, !broken);
-            if (k != LIMIT_RUN_AWAY) check_close(fabs(out[k].margin), 0.01, 2e-4);
+            if (k != HAWSER_LIMIT_RUN_AWAY) check_close(fabs(out[k].margin), 0.01, 2e-4);
             check_equal(out[k].margin < 0, broken);
             assert_string_equal(out[k].where, "here");
-            if (k == LIMIT_SPEED) check_has(out[k].source, "TB 889");
-            if (k == LIMIT_ROPE_BEND) check_has(out[k].source, "riggers' rule");
+            if (k == HAWSER_LIMIT_SPEED) check_has(out[k].source, "TB 889");
+            if (k == HAWSER_LIMIT_ROPE_BEND) check_has(out[k].source, "riggers' rule");
         }
     }
 }
@@ -328,8 +331,16 @@ static void verdicts(void **state)
 {
     (void)state;
     hawser_limit l[3] = {
-        {.name = "pull", .unit = "N", .value = 28e3, .limit = 56e3, .margin = 0.5, .judged = 1, .ok = 1},
-        {.name = "sidewall",
+        {.kind = HAWSER_LIMIT_PULL,
+         .name = "pull",
+         .unit = "N",
+         .value = 28e3,
+         .limit = 56e3,
+         .margin = 0.5,
+         .judged = 1,
+         .ok = 1},
+        {.kind = HAWSER_LIMIT_SIDEWALL,
+         .name = "sidewall",
          .unit = "N/m",
          .value = 2700,
          .limit = 3000,
@@ -337,7 +348,7 @@ static void verdicts(void **state)
          .judged = 1,
          .ok = 1,
          .where = "12 m"},
-        {.name = "rope", .unit = "N", .source = "needs limits.rope_strength"}};
+        {.kind = HAWSER_LIMIT_ROPE, .name = "rope", .unit = "N", .source = "needs limits.rope_strength"}};
     expect_verdict(0, NULL, -1, "NOT JUDGED: the case has no section 'limits'");
     expect_verdict(1, &l[2], -1, "NOT JUDGED: no limit could be judged");
     expect_verdict(2, l, 0, "SAFE: all 2 limits hold, smallest margin 10 % (sidewall at 12 m)");
@@ -379,10 +390,10 @@ static void not_judged(void **state)
                    {"squeeze", "needs limits.squeeze"},
                    {"alpha", "no rollers"},
                    {"weight_correction", "needs limits.weight_correction"}};
-    f[LIMIT_RESTART].absent = 1;
-    f[LIMIT_ALPHA].value = NAN;
-    strcpy(f[LIMIT_ALPHA].why, "no rollers");
-    f[LIMIT_BEND].value = INFINITY; /* a straight route */
+    f[HAWSER_LIMIT_RESTART].absent = 1;
+    f[HAWSER_LIMIT_ALPHA].value = NAN;
+    strcpy(f[HAWSER_LIMIT_ALPHA].why, "no rollers");
+    f[HAWSER_LIMIT_BEND_RADIUS].value = INFINITY; /* a straight route */
     const int n = limits_judge(&def, 0.08, 1, f, out);
     assert_int_equal(n, LIMIT_KINDS - 1);
     for (size_t i = 0; i < sizeof unknown / sizeof *unknown; i++) {
@@ -506,12 +517,12 @@ static void sources_in_words(void **state)
     char source[160];
     LimitsDef def = given();
     Finding f = {.value = 4000, .rating = 5600, .cables = 1};
-    check_share(limits_allowed(&def, LIMIT_ROLLER_PEAK, 0.1, 1, &f, source), 5600, 1e-15);
+    check_share(limits_allowed(&def, HAWSER_LIMIT_ROLLER_PEAK, 0.1, 1, &f, source), 5600, 1e-15);
     assert_string_equal(source, "rated 5.6 kN");
-    check_share(limits_allowed(&def, LIMIT_ROLLER_STEADY, 0.1, 1, &f, source), 3500, 1e-15);
+    check_share(limits_allowed(&def, HAWSER_LIMIT_ROLLER_STEADY, 0.1, 1, &f, source), 3500, 1e-15);
     assert_string_equal(source, "rated 5.6 kN, 1.6 times the steady load");
     f.rating = 0;
-    check_nan(limits_allowed(&def, LIMIT_ROLLER_PEAK, 0.1, 1, &f, source));
+    check_nan(limits_allowed(&def, HAWSER_LIMIT_ROLLER_PEAK, 0.1, 1, &f, source));
     assert_string_equal(source, "no roller has a rating: needs rollers.along.N.rating");
     static const struct {
         int cables;
@@ -523,7 +534,7 @@ static void sources_in_words(void **state)
                 {4, 0.4, "40 % with 4 cables (conduits: 53, 31, from three on 40 %)"}};
     for (int k = 0; k < 4; k++) {
         f.cables = fill[k].cables;
-        check_share(limits_allowed(&def, LIMIT_FILL, 0.1, 1, &f, source), fill[k].share, 1e-15);
+        check_share(limits_allowed(&def, HAWSER_LIMIT_FILL, 0.1, 1, &f, source), fill[k].share, 1e-15);
         assert_string_equal(source, fill[k].words);
     }
     check_share(limits_radius(&def, 0.0873, source), 20 * 0.0873, 1e-15);
@@ -531,28 +542,28 @@ static void sources_in_words(void **state)
     def.bend_factor = 12;
     check_share(limits_radius(&def, 0.0873, source), 12 * 0.0873, 1e-15);
     assert_string_equal(source, "12 D, D = 87.3 mm (limits.bend_factor)");
-    check_nan(limits_allowed(&def, LIMIT_ROPE, 0.1, 1, &f, source));
+    check_nan(limits_allowed(&def, HAWSER_LIMIT_ROPE, 0.1, 1, &f, source));
     assert_string_equal(source, "needs limits.rope_strength");
     def.rope_strength = 120e3;
-    check_share(limits_allowed(&def, LIMIT_ROPE, 0.1, 1, &f, source), 24e3, 1e-15);
+    check_share(limits_allowed(&def, HAWSER_LIMIT_ROPE, 0.1, 1, &f, source), 24e3, 1e-15);
     assert_string_equal(source, "strength 120 kN over a safety factor of 5");
     /* a winch's trip between what it needs and what something bears */
     def = given();
     f = (Finding){.value = NAN, .steady = 20e3};
-    check_nan(limits_allowed(&def, LIMIT_TRIP, 0.1, 1, &f, source));
+    check_nan(limits_allowed(&def, HAWSER_LIMIT_TRIP, 0.1, 1, &f, source));
     assert_string_equal(source, "needs drive.winch.trip: set it to 30 kN");
     f.value = 25e3;
-    check_nan(limits_allowed(&def, LIMIT_TRIP, 0.1, 1, &f, source));
+    check_nan(limits_allowed(&def, HAWSER_LIMIT_TRIP, 0.1, 1, &f, source));
     check_has(source, "or limits.pull; 20 kN are needed anyway");
     f.value = 19e3;
-    check_equal(limits_allowed(&def, LIMIT_TRIP, 0.1, 1, &f, source), 20e3);
+    check_equal(limits_allowed(&def, HAWSER_LIMIT_TRIP, 0.1, 1, &f, source), 20e3);
     f.value = 20e3; /* just what is needed: not too low */
-    check_nan(limits_allowed(&def, LIMIT_TRIP, 0.1, 1, &f, source));
+    check_nan(limits_allowed(&def, HAWSER_LIMIT_TRIP, 0.1, 1, &f, source));
     def.pull = 50e3;
-    check_equal(limits_allowed(&def, LIMIT_TRIP, 0.1, 1, &f, source), 50e3);
+    check_equal(limits_allowed(&def, HAWSER_LIMIT_TRIP, 0.1, 1, &f, source), 50e3);
     assert_string_equal(source, "from 20 kN, needed, to 50 kN, allowed; advised 30 kN");
     f.steady = NAN;
-    check_nan(limits_allowed(&def, LIMIT_TRIP, 0.1, 1, &f, source));
+    check_nan(limits_allowed(&def, HAWSER_LIMIT_TRIP, 0.1, 1, &f, source));
     check_has(source, "see run_away");
     def.attachment_rating = 9e3, def.grips = 2, def.code = CODE_PAPER;
     check_share(limits_attachment(&def, source), 18e3, 1e-15);

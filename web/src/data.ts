@@ -1,73 +1,22 @@
 // The data that hawser writes into the page (docs/report.md says what each key means): SI units, null where nothing is known.
 
+import type { Assumption, ErrorBar, EventRow, LimitRow, Passes, Trust } from './columns';
+export type { Assumption, ErrorBar, Pass, Passes, Trust } from './columns';
+
 export type Value = number | null;
 export type Point = [number, number, number];
 /** A table by columns: texts in `name` and the like, numbers elsewhere. */
 export type Columns = Record<string, (Value | string)[]>;
 
-export interface Limit {
-  name: string;
-  unit: string;
-  value: Value;
-  limit: Value;
-  margin: Value;
-  ok: boolean | null;
-  where: string;
-  source: string;
+export interface Limit extends LimitRow {
   remedy?: string;
   /** A value that the case does not give and that this limit depends on; up to where the limit holds. */
   assumed?: string | null;
   holds_to?: Value;
 }
 
-export interface Trust {
-  name: string;
-  value: Value;
-  allowed: Value;
-  unit: string;
-  holds: boolean | null;
-  remedy: string;
-}
-
-export interface PullEvent {
+export interface PullEvent extends EventRow {
   time_s: number;
-  what: string;
-  pull_N: Value;
-}
-
-export interface Assumption {
-  key: string;
-  value: string;
-  origin: string;
-  source?: string;
-}
-
-export interface ErrorBar {
-  time_N: Value;
-  mesh_N: Value;
-  friction_N: Value;
-  total_N: Value;
-}
-
-/** One of up to three passes: its settings and what the pull was by it alone. */
-export interface Pass {
-  accuracy: Value;
-  segments: Value;
-  v_s_factor: Value;
-  steady_mean_N: Value;
-  steady_mean_bar_N: Value;
-  peak_N: Value;
-  peak_bar_N: Value;
-  steps: Value;
-  wall_time_s: Value;
-}
-
-/** What became of finer passes: the last replaced the first, was compared with it, was declined as too long, or failed. */
-export interface Passes {
-  outcome: string;
-  why: string;
-  says: string;
-  pass?: Pass[];
 }
 
 /** The keys of summary.json that the page reads; all of them may be missing in results of an older hawser. */
