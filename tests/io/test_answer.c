@@ -1,5 +1,6 @@
 /* What a report begins with: what would make each broken limit hold, put back into the formula that it comes from, and
  * the answer of a run and of the calculation. */
+#include "def/limits.h"
 #include "tests/io/case_fixture.h"
 
 #include "io/api/api_handles.h"
@@ -36,7 +37,8 @@ static const char *remedy(const Scene *scene, const char *name, const char *unit
                           const char *where, hawser_units units)
 {
     static char text[256];
-    hawser_limit l = {.name = name, .unit = unit, .value = value, .limit = limit, .judged = 1};
+    hawser_limit l = {
+        .kind = limits_kind(name), .name = name, .unit = unit, .value = value, .limit = limit, .judged = 1};
     snprintf(l.where, sizeof l.where, "%s", where);
     limit_remedy(&scene->setup, &l, units, text);
     return text;
