@@ -59,7 +59,7 @@ static hawser_status walk_begin(Walk *w, Stage *st, double share, hawser_relaxat
 
 static void walk_end(Walk *w)
 {
-    w->st->scene.rod->still = 0;
+    w->st->scene.rod->still = w->st->scene.def.analysis.kind == ANALYSIS_STATIC; /* its rows are equilibria */
     free(w->kept);
     free(w->shape);
 }

@@ -93,12 +93,36 @@ static void speed_take(SampleBuffers *b, const Kinematics *kin, int first, int n
     }
 }
 
+/* N along the segment of a rod's end about which it turns freely (segment 0's joint, or the last one's): the law's
+ * frame lies half way between the segment and the ground, which does not turn. */
+static double turned_tension(const Scene *scene, const Workspace *ws, int j)
+{
+    const int i = j == 0 ? 0 : j - 1;
+    const Kinematics *const kin = &ws->kin;
+    const Vec3 force = v3(ws->law[0][j], ws->law[1][j], ws->law[2][j]);
+    const Quat before = {kin->q[0][j - 1], kin->q[1][j - 1], kin->q[2][j - 1], kin->q[3][j - 1]};
+    const Quat behind = {kin->q[0][j], kin->q[1][j], kin->q[2][j], kin->q[3][j]};
+    const Vec3 turn = quat_log(quat_mul(quat_conj(before), behind));
+    const double share = scene->chain.frame == FRAME_SYMMETRIC ? 0.5 : 1;
+    const Quat frame = quat_mul(before, quat_exp(v3_scale(share, turn)));
+    return v3_dot(quat_rotate(frame, force), v3_load(kin->a, i));
+}
+
+/* Whether a rod's end turns about its joint. */
+static int turns_freely(const Scene *scene, int j)
+{
+    const Chain *const c = &scene->chain;
+    return scene->rod->present && c->stiffness[0][j] > 0 && !(c->stiffness[4][j] > 0) && !(c->stiffness[5][j] > 0);
+}
+
 static void tension_take(SampleBuffers *b, const Scene *scene, const Workspace *ws)
 {
     const int n = scene->chain.n, first = scene->first;
     hawser_sample *const s = &b->sample;
     double *const tension = b->tension + first;
     memcpy(tension, ws->law[0], (size_t)(n + 1) * sizeof(double));
+    for (int j = 0; j <= n; j += n)
+        if (turns_freely(scene, j)) tension[j] = turned_tension(scene, ws, j);
     if (!scene->rod->present) tension[0] = s->tail_tension;
     if (scene->winch->mode == WINCH_TENSION || ws->led.present) tension[n] = s->winch_force; /* no bushing carries it */
     s->max_tension_joint = first;
