@@ -84,7 +84,7 @@ hawser_status hawser_sim_set_law(struct hawser_sim *s, int from, int to, hawser_
 typedef int (*hawser_step_function)(void *user, struct hawser_sim *s, double t);
 void hawser_sim_on_step(struct hawser_sim *s, hawser_step_function function, void *user);
 
-/* Is called for each event as it is noted; as above, but gives no commands. */
+/* Is called for each event as it is noted; as above, but gives no commands, and between two calls ends nothing. */
 typedef int (*hawser_event_function)(void *user, struct hawser_sim *s, const hawser_event *event);
 void hawser_sim_on_event(struct hawser_sim *s, hawser_event_function function, void *user);
 

@@ -366,6 +366,7 @@ hawser_status hawser_case_resume(const char *dir, hawser_case **out, hawser_erro
     if (!status && (!preface.text || !preface.name))
         status = error_set(err, HAWSER_ERR_INPUT, "the checkpoint '%.500s' has no case in it", spot.path);
     if (!status) status = hawser_case_parse(preface.text, preface.name, out, err);
+    if (!status) case_tree_unline((*out)->tree);
     if (!status && preface.folder) status = hawser_case_folder(*out, preface.folder, err);
     if (!status && preface.folder) status = path_keep((*out)->tree, preface.name, err);
     if (status && *out) {

@@ -326,13 +326,15 @@ hawser_status case_tree_pack(const CaseTree *tree, const char *name, char **text
     return status;
 }
 
-/* Has all nodes come from one place without lines. */
+/* Has all nodes be without lines and come from one place (NULL: from where they did). */
 static void nodes_place(CaseNode *node, const char *origin)
 {
-    node->origin = origin;
+    if (origin) node->origin = origin;
     node->line = 0;
     for (CaseNode *child = node->first; child; child = child->next) nodes_place(child, origin);
 }
+
+void case_tree_unline(CaseTree *tree) { nodes_place(tree->root, NULL); }
 
 /* A copy of a text of the map, NULL where there is none; *fine turns 0 without memory. */
 static char *text_take(const CaseNode *map, const char *key, int *fine)

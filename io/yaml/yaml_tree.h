@@ -63,6 +63,8 @@ hawser_status case_tree_parse(const char *text, const char *name, CaseTree **out
 hawser_status case_tree_set(CaseTree *tree, const char *key, const char *value, hawser_error *err);
 /* The value under a dotted key, as case_tree_set follows it; "": the whole tree. Errors: INPUT (there is none). */
 hawser_status case_tree_find(const CaseTree *tree, const char *key, const CaseNode **node, hawser_error *err);
+/* No node has a line any longer: what was read is not the file that the user knows. */
+void case_tree_unline(CaseTree *tree);
 CaseTree *case_tree_free(CaseTree *tree);
 /* A copy to be set apart. Several threads may copy one tree. NULL if there is no memory. */
 CaseTree *case_tree_copy(const CaseTree *tree);

@@ -27,6 +27,22 @@ def places(at: Callable[[float, Any], None], s: float | Array) -> dict[str, Arra
     return {"position": shaped[0], "tangent": shaped[1], "curvature": shaped[2]}
 
 
+class Turn:
+    """One thread at a time, the others wait. A forked process does not wait for threads that it has not got."""
+
+    def __init__(self) -> None:
+        self._lock, self._pid = threading.Lock(), os.getpid()
+
+    def __enter__(self) -> None:
+        forked = os.getpid() != self._pid
+        if not self._lock.acquire(not forked):
+            raise RuntimeError("a thread was at work with these routes as this process was forked: read them again")
+        self._pid = os.getpid()
+
+    def __exit__(self, *_: object) -> None:
+        self._lock.release()
+
+
 class Route:
     """One line of a file.
 
@@ -36,7 +52,7 @@ class Route:
     problem:     why it cannot be a route; None: it can
     """
 
-    def __init__(self, handle: Any, number: int, lock: threading.Lock) -> None:
+    def __init__(self, handle: Any, number: int, lock: Turn) -> None:
         self._c, self._number, self._lock = handle, number, lock  # of all lines of the file: C makes routes of them when they are first used
         found = ffi.new("hawser_route_figures *")
         self._call(lib.hawser_routes_figures, found)
@@ -108,5 +124,5 @@ def routes(path: str | os.PathLike[str], *, name: str | None = None, layer: str 
     options.join_m = options.join_m if join_m is None else join_m
     check(lib.hawser_routes_read(c_path(path), options, made, error), error, path)
     handle = ffi.gc(made[0], lib.hawser_routes_free)
-    lock = threading.Lock()
+    lock = Turn()
     return [Route(handle, k, lock) for k in range(lib.hawser_routes_count(handle))]

@@ -21,7 +21,10 @@ hawser_status sim_note(Sim *s, hawser_event_code code, double t, const char *wha
     char line[512];
     const hawser_status status = events_say(&s->events, event, err);
     if (status) return status;
-    if (s->calls.event && s->calls.event(s->calls.event_user, s, &event)) s->calls.stop = "by an event's call-back";
+    const Sim *const first = s->leader ? s->leader : s;
+    /* between two calls there is nothing to end */
+    if (s->calls.event && s->calls.event(s->calls.event_user, s, &event) && (first->inside || first->running))
+        s->calls.stop = "by an event's call-back";
     if (!s->calls.log) return HAWSER_OK;
     snprintf(line, sizeof line, "t = %.6g s: %s", t, what);
     sim_log(s, code < HAWSER_EVENT_COMMAND ? HAWSER_LOG_WARNING : HAWSER_LOG_INFO, line);
