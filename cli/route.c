@@ -6,9 +6,9 @@
 static const char help[] =
     "Usage: hawser route FILE [options]\n"
     "\n"
-    "Says which routes FILE holds: a drawing (DXF), a model (LandXML, IFC), a table (CSV, TSV) or a map (GeoJSON,\n"
-    "GPX); how long they are, where they begin and end, how well straights, arcs and clothoids fit them, and what\n"
-    "was not read. docs/case-format.md says how a case takes one.\n"
+    "Says which routes FILE holds: a drawing (DXF), a model (LandXML, IFC), a table (CSV, TSV, .xlsx, .ods)\n"
+    "or a map (GeoJSON, GPX); how long they are, where they begin and end, how well straights, arcs and clothoids\n"
+    "fit them, and what was not read. docs/case-format.md says how a case takes one.\n"
     "\n"
     "      --name NAME         only lines of this name\n"
     "      --layer LAYER       only lines on this layer of a drawing\n"

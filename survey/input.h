@@ -85,5 +85,7 @@ hawser_status gpx_read(SurveyInput *in);
 hawser_status geojson_read(SurveyInput *in);
 /* CSV and TSV with names over the columns: survey/table/table.h. */
 hawser_status table_read(SurveyInput *in);
+/* One sheet of a workbook (.xlsx, .ods) by the rules of tables; lines in messages are the sheet's rows. */
+hawser_status sheet_read(SurveyInput *in);
 
 #endif

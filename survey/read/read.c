@@ -51,6 +51,13 @@ static int is_gpx(const char *head)
     const size_t size = strcspn(head + 1, " \t\r\n/>");
     return (size == 3 || (size > 3 && head[size - 3] == ':')) && !strncmp(head + size - 2, "gpx", 3);
 }
+static int is_archive(const char *head) { return !strncmp(head, "PK\3\4", 4); }
+/* The container of .xls, and of workbooks with a password. */
+static int is_old_office(const char *head) { return !strncmp(head, "\xD0\xCF\x11\xE0", 4); }
+static hawser_status old_office_read(SurveyInput *in)
+{
+    return input_error(in, "an .xls workbook, or one with a password, which cannot be read: save it as .xlsx without");
+}
 static int is_json(const char *head) { return *head == '{'; }
 static int is_xml(const char *head) { return *head == '<'; }
 static int is_table(const char *head) { return *head != 0; }
@@ -59,8 +66,11 @@ static int is_table(const char *head) { return *head != 0; }
 static const struct {
     int (*is)(const char *head);
     Reader read;
-} readers[] = {{is_dxf, dxf_read},      {is_dwg, dwg_read},     {is_step, ifc_read},   {is_gpx, gpx_read},
-               {is_json, geojson_read}, {is_xml, landxml_read}, {is_table, table_read}};
+} readers[] = {{is_archive, sheet_read}, {is_old_office, old_office_read},
+               {is_dxf, dxf_read},       {is_dwg, dwg_read},
+               {is_step, ifc_read},      {is_gpx, gpx_read},
+               {is_json, geojson_read},  {is_xml, landxml_read},
+               {is_table, table_read}};
 
 /* What the file begins with, without a byte-order mark and blanks; the file is at its start again then. *wide: it is
  * text of two bytes a character (UTF-16), of which the head has every other one. */
@@ -209,7 +219,10 @@ hawser_status survey_read(const char *path, const SurveyOptions *options, Survey
     if (!status && !*head) status = input_error(&in, "the file is empty");
     for (size_t i = 0; !status && i < sizeof readers / sizeof *readers; ++i) {
         if (!readers[i].is(head)) continue;
-        status = readers[i].read(&in);
+        if (options->sheet && !is_archive(head))
+            status = input_error(&in, "'sheet' chooses one of a spreadsheet (.xlsx, .ods), which this is not");
+        else
+            status = readers[i].read(&in);
         break;
     }
     /* what a disk does not give looks like the file's end, and is taken for the file's fault */

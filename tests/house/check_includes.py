@@ -19,7 +19,7 @@ LIBRARIES = [
     (r"hdf5\w*\.h$", r"io/|study/results/"),
     (r"zlib\.h$", r"io/report/"),
     (r"nlopt\.h$", r"study/maths/"),
-    (r"zip\.h$", r"fmi/archive/"),
+    (r"zip\.h$", r"fmi/archive/|survey/table/"),
     (r"mpi\.h$", r"mpi/"),
 ]
 
