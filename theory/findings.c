@@ -297,8 +297,8 @@ hawser_status findings_of_way(const Setup *setup, const Route *route, const Calc
     const PlanWay *const w = &c->plan.way[way];
     /* the eye comes to every place, at speed and from rest, and has the cable's tension there (LI10a) */
     finding[HAWSER_LIMIT_ATTACHMENT] = w->restart_max > w->pull.max_tension
-                                    ? finding_on(route, w->restart_max, w->restart_at, w->restart_piece)
-                                    : finding_on(route, w->pull.max_tension, w->pull.max_at, w->pull.max_piece);
+                                           ? finding_on(route, w->restart_max, w->restart_at, w->restart_piece)
+                                           : finding_on(route, w->pull.max_tension, w->pull.max_at, w->pull.max_piece);
     finding[HAWSER_LIMIT_WINCH].value = finding[HAWSER_LIMIT_ROPE].value;
     hawser_status status = largest_push(setup, c, way, &finding[HAWSER_LIMIT_PUSH], err);
     if (!status) status = way_run_away(setup, route, c, way, &finding[HAWSER_LIMIT_RUN_AWAY], err);

@@ -28,8 +28,8 @@ struct Braked {
  * With it what the winch then needs, in words. (LI12) */
 void findings_run_away(const Braked *b, Finding *finding);
 
-/* Of a pull in which machines push the cable, HAWSER_LIMIT_BUCKLING, and what HAWSER_LIMIT_RUN_AWAY says of a push that is meant;
- * both as they are where nothing does. Errors: MEMORY. (LI14) */
+/* Of a pull in which machines push the cable, HAWSER_LIMIT_BUCKLING, and what HAWSER_LIMIT_RUN_AWAY says of a push that
+ * is meant; both as they are where nothing does. Errors: MEMORY. (LI14) */
 hawser_status findings_of_push(const Setup *setup, const Route *route, const Pull *pull, Finding finding[LIMIT_KINDS],
                                hawser_error *err);
 

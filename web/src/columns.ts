@@ -12,6 +12,9 @@ export interface LimitRow {
   where: string;
   source: string;
   error: Value;
+  worst: Value;
+  assumed: string;
+  holds_to: Value;
 }
 
 export interface Trust {

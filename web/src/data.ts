@@ -10,9 +10,6 @@ export type Columns = Record<string, (Value | string)[]>;
 
 export interface Limit extends LimitRow {
   remedy?: string;
-  /** A value that the case does not give and that this limit depends on; up to where the limit holds. */
-  assumed?: string | null;
-  holds_to?: Value;
 }
 
 export interface PullEvent extends EventRow {
