@@ -129,7 +129,7 @@ typedef enum hawser_condition_kind {
     HAWSER_CONDITION_MEDIUM,    /* the medium resists little */
     HAWSER_CONDITION_DRIVE,     /* machines act as theory takes them to */
     HAWSER_CONDITION_PULLED,    /* the cable is in tension everywhere */
-    HAWSER_CONDITION_STIFFNESS, /* bending stiffness breaks no limit */
+    HAWSER_CONDITION_STIFFNESS  /* bending stiffness breaks no limit */
 } hawser_condition_kind;
 
 /* A condition under which a run is worth judging (docs/limits.md, "Trust"). */
