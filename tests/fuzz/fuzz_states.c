@@ -1,12 +1,16 @@
 /* A file of HDF5 in memory as results.h5: a run's own with numbers, addresses and pieces changed, without its sum, so
  * that HDF5 does see it; or, if the input begins like one, the input itself. It is opened by what opens results, and
  * all is read of it that a page reads; then a run goes on in it. What comes out is JSON, or a reason. */
-#define _GNU_SOURCE /* memfd_create */
+#define _GNU_SOURCE /* memfd_create, dladdr */
+#include <dlfcn.h>
+#include <execinfo.h>
 #include <jansson.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "io/report/report.h"
@@ -36,6 +40,11 @@ static size_t image_size;
 static uint32_t *busy;
 static size_t busies;
 
+/* HDF5 does not survive every file, so it is opened and read as the program does it, in a process of its own (apart.c).
+ * That HDF5 ends that process is no finding; that anything else does is one, and this number, which both share, says
+ * so. */
+static volatile int *own_fault;
+
 static void image_make(void)
 {
     base_make(dir);
@@ -43,6 +52,8 @@ static void image_make(void)
     image = base_read(dir, "results.h5", &image_size);
     FUZZ_MUST(image_size > SEAL);
     image_size -= SEAL;
+    own_fault = mmap(NULL, sizeof *own_fault, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    FUZZ_MUST(own_fault != MAP_FAILED);
     busy = malloc(image_size * sizeof *busy);
     FUZZ_MUST(busy);
     for (size_t k = 0; k < image_size; ++k)
@@ -124,6 +135,60 @@ static void is_json(const char *before, const Text *t, const char *after)
     text_clear(&whole);
 }
 
+enum { SECONDS_MOST = 20, STACK_MOST = 64 };
+
+#if defined(__has_feature)
+#define SANITIZED __has_feature(address_sanitizer)
+#elif defined(__SANITIZE_ADDRESS__)
+#define SANITIZED 1
+#else
+#define SANITIZED 0
+#endif
+#if SANITIZED
+void __sanitizer_set_death_callback(void (*callback)(void));
+#endif
+
+/* Whose code has ended the process: HDF5's if that stands on the stack before any of ours. */
+static void fault_place(void)
+{
+    static const char *const nobody[] = {"libasan", "libubsan", "libc.so", "libclang_rt"};
+    void *stack[STACK_MOST];
+    Dl_info here, at;
+    const int n = backtrace(stack, STACK_MOST);
+    dladdr(__extension__(void *) fault_place, &here);
+    for (int k = 1; k < n; ++k) {
+        int skip = !dladdr(stack[k], &at) || !at.dli_fname;
+        for (size_t i = 0; i < sizeof nobody / sizeof *nobody && !skip; ++i) skip = !!strstr(at.dli_fname, nobody[i]);
+#ifdef HAWSER_FUZZER
+        /* the sanitizer's functions are within the program, ours in libraries and above the program's */
+        skip |= at.dli_fname == here.dli_fname;
+#endif
+        if (skip) continue;
+        *own_fault = !strstr(at.dli_fname, "libhdf5");
+        return;
+    }
+    *own_fault = 1;
+}
+
+static void fault_signal(int number)
+{
+    fault_place();
+    _exit(128 + number);
+}
+
+static void faults_watch(void)
+{
+    static const int ends[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU};
+    const struct rlimit time = {SECONDS_MOST, RLIM_INFINITY};
+    void *first[1];
+    (void)backtrace(first, 1); /* loads what it needs */
+    setrlimit(RLIMIT_CPU, &time);
+    for (size_t k = 0; k < sizeof ends / sizeof *ends; ++k) signal(ends[k], fault_signal);
+#if SANITIZED
+    __sanitizer_set_death_callback(fault_place);
+#endif
+}
+
 static void page_read(hid_t file)
 {
     Folder folder = {.dir = "fuzz", .home.at = -1};
@@ -143,6 +208,17 @@ static void page_read(hid_t file)
     }
     text_clear(&out);
     states_clear(&states);
+}
+
+static hawser_status page_apart(void *user, FILE *out, hawser_error *err)
+{
+    StatesFile s;
+    (void)out, (void)err;
+    faults_watch();
+    states_open_descriptor(&s, *(const int *)user, -1);
+    if (s.file >= 0) page_read(s.file);
+    states_close(&s);
+    return HAWSER_OK;
 }
 
 /* A run goes on behind two states of the file, as those of its chain would be. */
@@ -187,12 +263,16 @@ FUZZ_TARGET(states)
     const uint32_t goes_on = itself ? data[size - 1] : draws_take(&d, 1);
     for (int k = 0; k < CHANGES_MAX && d.left > 0 && !itself; ++k) n = change(&d, bytes, n);
 
-    StatesFile s;
-    const int fd = memfd_create("results.h5", MFD_CLOEXEC);
+    char *printed;
+    size_t length;
+    int died, fd = memfd_create("results.h5", MFD_CLOEXEC);
+    hawser_error err;
     FUZZ_MUST(fd >= 0 && whole_write(fd, bytes, n));
-    states_open_descriptor(&s, fd, -1);
-    if (s.file >= 0) page_read(s.file);
-    states_close(&s);
+    *own_fault = 0;
+    FUZZ_MUST(!apart_do(page_apart, &fd, &printed, &length, &died, &err));
+    FUZZ_MUST(!*own_fault);
+    free(printed);
+    close(fd);
     if (goes_on % 4 == 0) run_goes_on(bytes, n);
     free(bytes);
     return 0;
