@@ -1,4 +1,4 @@
-/* What a terminal gets and a pipe does not: the width of its lines, and colour. */
+/* The width of lines and the colour of words, which depend on the terminal. */
 #include "cli/commands.h"
 
 #include <stdio.h>
@@ -16,25 +16,11 @@ int terminal_width(void)
     return size.ws_col < WIDEST ? size.ws_col : WIDEST;
 }
 
-/* https://no-color.org: any value that is not empty. */
+/* Any value of NO_COLOR that is not empty forbids colour (https://no-color.org). */
 static int has_colour(void)
 {
     const char *const no = getenv("NO_COLOR"), *const terminal = getenv("TERM");
     return isatty(STDOUT_FILENO) && !(no && *no) && !(terminal && !strcmp(terminal, "dumb"));
-}
-
-/* The word of a verdict with which a line begins, the longest; HAWSER_WORDS: none. */
-static hawser_word word_of(const char *line)
-{
-    int found = HAWSER_WORDS;
-    size_t longest = 0;
-    for (int w = 0; w < HAWSER_WORDS; ++w) {
-        const size_t n = strlen(hawser_word_text((hawser_word)w));
-        if (n <= longest || strncmp(line, hawser_word_text((hawser_word)w), n) != 0) continue;
-        found = w;
-        longest = n;
-    }
-    return (hawser_word)found;
 }
 
 void print_answer(const char *text)
@@ -47,7 +33,7 @@ void print_answer(const char *text)
     const int coloured = has_colour();
     for (const char *line = text; *line;) {
         const size_t n = strcspn(line, "\n") + (strchr(line, '\n') != NULL);
-        const hawser_word word = coloured ? word_of(line + strspn(line, " ")) : HAWSER_WORDS;
+        const hawser_word word = coloured ? hawser_word_of(line + strspn(line, " ")) : HAWSER_WORDS;
         if (word == HAWSER_WORDS) {
             printf("%.*s", (int)n, line);
         } else {

@@ -87,7 +87,10 @@ static void judge(const LimitsDef *def, hawser_limit_kind kind, double diameter,
                           .margin = NAN,
                           .error = f->error,
                           .worst = f->value,
-                          .holds_to = NAN};
+                          .friction_most = NAN,
+                          .friction_least = NAN,
+                          .rest_most = NAN,
+                          .back_most = NAN};
     memcpy(out->where, f->where, sizeof out->where);
     out->limit = limits_allowed(def, kind, diameter, cables, f, out->source);
     if (isnan(out->limit)) return;

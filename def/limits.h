@@ -137,8 +137,7 @@ void limits_defaults(LimitsDef *def);
  * duct (name NULL). (LI8) */
 void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctLoad *load,
                  Finding finding[LIMIT_KINDS]);
-/* hawser_limits_verdict and hawser_verdict; open: with the names of those that are not judged. */
-int limits_verdict(int n, const hawser_limit *limit, int open, char *text, size_t size);
+/* As hawser_verdict; open: with the names of the limits that are not judged. */
 int verdict_say(int n_conditions, const hawser_condition *condition, int n, const hawser_limit *limit, int open,
                 char *text, size_t size);
 /* How the source of `trip` begins where more is needed than is allowed. */

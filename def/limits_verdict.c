@@ -1,6 +1,7 @@
 /* The verdict in one line: public, for every front end. */
 #include <math.h>
 #include <stdarg.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -45,6 +46,20 @@ hawser_word hawser_verdict_word(int found)
 const char *hawser_word_text(hawser_word word) { return words[word].text; }
 const char *hawser_word_code(hawser_word word) { return words[word].code; }
 
+/* Of words that begin alike the longest. */
+hawser_word hawser_word_of(const char *verdict)
+{
+    int found = HAWSER_WORDS;
+    size_t longest = 0;
+    for (int w = 0; verdict && w < HAWSER_WORDS; w++) {
+        const size_t n = strlen(words[w].text);
+        if (n <= longest || strncmp(verdict, words[w].text, n) != 0) continue;
+        found = w;
+        longest = n;
+    }
+    return (hawser_word)found;
+}
+
 /* "sidewall by 22 % at bend"; of a run-away what is missing. */
 static void add_broken(Line *line, const hawser_limit *l, int first)
 {
@@ -88,52 +103,58 @@ static Tally tally_of(int n, const hawser_limit *limit)
     return t;
 }
 
-/* Whether a value that is assumed breaks it at an end of its range. */
-static int is_conditional(const hawser_limit *l) { return l->judged && l->assumed && !isnan(l->holds_to); }
+/* The bounds of what is assumed, and how a verdict says them. */
+static const struct BoundRow {
+    const char *text, *unit;
+    size_t offset; /* in a limit */
+    int least;
+} bounds[] = {{"friction <=", "", offsetof(hawser_limit, friction_most), 0},
+              {"friction >=", "", offsetof(hawser_limit, friction_least), 1},
+              {"friction at rest <=", "", offsetof(hawser_limit, rest_most), 0},
+              {"back tension <=", " N", offsetof(hawser_limit, back_most), 0}};
 
-/* The limit that has the strictest bound of an assumed value, up to which or (at_least) down to which limits hold;
- * NULL: none is broken. */
-static const hawser_limit *strictest(int n, const hawser_limit *limit, const char *assumed, int at_least)
+/* What the limit says of a bound; NAN: nothing. */
+static double bound_of(const hawser_limit *l, const struct BoundRow *row)
 {
-    const hawser_limit *by = NULL;
-    for (int i = 0; i < n; i++) {
-        const hawser_limit *const l = &limit[i];
-        if (!is_conditional(l) || strcmp(l->assumed, assumed) != 0 || l->at_least != at_least) continue;
-        if (!by || (at_least ? l->holds_to > by->holds_to : l->holds_to < by->holds_to)) by = l;
-    }
-    return by;
+    return l->judged && l->assumed ? *(const double *)(const void *)((const char *)l + row->offset) : NAN;
 }
 
-/* "friction <= 0.27 (restart)", rounded to the safe side. */
-static void add_bound(Line *line, const hawser_limit *l)
+/* In three digits, rounded to the safe side. */
+static double rounded(double value, int least)
 {
-    const double step = l->holds_to > 0 ? pow(10, floor(log10(l->holds_to)) - 2) : 1;
-    const double shown = step * (l->at_least ? ceil(l->holds_to / step - 1e-9) : floor(l->holds_to / step + 1e-9));
-    const char *const unit = strcmp(l->assumed, "back tension") ? "" : " N";
-    add(line, "%s %s %.4g%s (%s)", l->assumed, l->at_least ? ">=" : "<=", shown, unit, l->name);
+    const double step = value > 0 ? pow(10, floor(log10(value)) - 2) : 1;
+    return step * (least ? ceil(value / step - 1e-9) : floor(value / step + 1e-9));
 }
 
-/* "friction <= 0.27 (restart) and back tension <= 600 N (pull)". Returns how many bounds there are. */
+/* "friction <= 0.27 (restart) and back tension <= 600 N (pull)": of each the strictest. Returns how many there are. */
 static int add_bounds(Line *line, int n, const hawser_limit *limit)
 {
     int said = 0;
-    for (int i = 0; i < n; i++) {
-        const hawser_limit *const l = &limit[i];
-        if (!is_conditional(l) || strictest(n, limit, l->assumed, l->at_least) != l) continue;
-        if (said++) add(line, " and ");
-        add_bound(line, l);
+    for (size_t k = 0; k < sizeof bounds / sizeof *bounds; k++) {
+        const struct BoundRow *const row = &bounds[k];
+        const hawser_limit *by = NULL;
+        double strictest = row->least ? -INFINITY : INFINITY;
+        for (int i = 0; i < n; i++) {
+            const double bound = bound_of(&limit[i], row);
+            if (!(row->least ? bound > strictest : bound < strictest)) continue;
+            strictest = bound;
+            by = &limit[i];
+        }
+        if (!by) continue;
+        add(line, "%s%s %.4g%s (%s)", said++ ? " and " : "", row->text, rounded(strictest, row->least), row->unit,
+            by->name);
     }
     return said;
 }
 
-int limits_verdict(int n, const hawser_limit *limit, int open, char *text, size_t size)
+static int limits_say(int n, const hawser_limit *limit, int open, char *text, size_t size)
 {
     if (!text || size == 0 || (n > 0 && !limit)) return NONE_JUDGED;
     const Tally t = tally_of(n, limit);
     int only_if = 0;
     *text = 0;
     Line line = {text, size};
-    if (t.judged == 0) {
+    if (t.judged == 0 && !t.missing) {
         add(&line, "%s: %s", words[HAWSER_NOT_JUDGED].text,
             n ? "no limit could be judged" : "the case has no section 'limits'");
         return NONE_JUDGED;
@@ -145,8 +166,9 @@ int limits_verdict(int n, const hawser_limit *limit, int open, char *text, size_
         }
     } else if (t.missing) {
         const int one = t.judged == 1;
-        add(&line, "%s: %s: %s; the %d limit%s that could be judged hold%s", words[HAWSER_NOT_JUDGED].text,
-            t.missing->name, t.missing->source, t.judged, one ? "" : "s", one ? "s" : "");
+        add(&line, "%s: %s: %s", words[HAWSER_NOT_JUDGED].text, t.missing->name, t.missing->source);
+        if (t.judged > 0)
+            add(&line, "; the %d limit%s that could be judged hold%s", t.judged, one ? "" : "s", one ? "s" : "");
     } else {
         add(&line, "%s ", words[HAWSER_SAFE_ONLY_IF].text);
         only_if = add_bounds(&line, n, limit);
@@ -161,7 +183,7 @@ int limits_verdict(int n, const hawser_limit *limit, int open, char *text, size_
 
 int hawser_limits_verdict(int n, const hawser_limit *limit, char *text, size_t size)
 {
-    return limits_verdict(n, limit, 1, text, size);
+    return limits_say(n, limit, 1, text, size);
 }
 
 /* The first that fails stands for all: the others are counted. */
@@ -169,7 +191,7 @@ int verdict_say(int n_conditions, const hawser_condition *condition, int n, cons
                 char *text, size_t size)
 {
     if (!text || size == 0 || (n_conditions > 0 && !condition)) return NONE_JUDGED;
-    const int broken = limits_verdict(n, limit, open, text, size);
+    const int broken = limits_say(n, limit, open, text, size);
     const hawser_condition *first = NULL;
     int more = 0;
     for (int i = 0; i < n_conditions; i++) {

@@ -78,7 +78,7 @@ hawser_status ifc_read(SurveyInput *in);
 /* DXF drawings, text or binary, R12 to 2018, streaming: LINE, ARC, LWPOLYLINE, POLYLINE and SPLINE, each an alignment
  * of its own, on its layer; INSERT and POINT as marks. */
 hawser_status dxf_read(SurveyInput *in);
-/* GPX tracks, routes and waypoints; lines and points of KML and GeoJSON, also one value a line: longitude, latitude and
+/* GPX tracks, routes and waypoints; lines and points of GeoJSON, also one value a line: longitude, latitude and
  * height, projected about the first place of the file. */
 hawser_status gpx_read(SurveyInput *in);
 

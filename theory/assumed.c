@@ -16,13 +16,13 @@ enum { HALVINGS = 12 };
 
 /* ------------------------------------------------------------------------------------------ what is left open */
 
-/* A friction of the definition with where it is from. */
+/* A friction of the definition, and where it is from. */
 typedef struct Law {
     FrictionLaw *law;
     const FrictionKnown *known;
 } Law;
 
-/* The i-th of all; 0: there are no more. */
+/* Finds the i-th friction; 0: there are no more. */
 static int law_at(SceneDef *def, int i, Law *out)
 {
     if (i == 0) *out = (Law){&def->friction, &def->friction_known};
@@ -39,7 +39,7 @@ static int is_of(AssumedKind kind, const FrictionKnown *known)
     return known->source == (kind == ASSUMED_FRICTION ? FRICTION_TYPICAL : FRICTION_UNKNOWN);
 }
 
-/* The largest friction that is assumed in that way; NULL: none is. */
+/* Finds the largest friction that is assumed in that way; NULL: none is. */
 static const Law *largest(SceneDef *def, AssumedKind kind, Law *out)
 {
     Law law;
@@ -52,7 +52,7 @@ static const Law *largest(SceneDef *def, AssumedKind kind, Law *out)
     return found;
 }
 
-/* Whether the tension where the pull begins is nobody's. */
+/* Whether nothing in the case gives the tension where the pull begins. */
 static int back_is_open(const SceneDef *def)
 {
     return !def->tail.given && def->reel.model == REEL_NONE && !(def->theory.reel > 0) && !(def->theory.feed > 0) &&
@@ -79,7 +79,7 @@ int assumed_list(const SceneDef *def, Assumed out[ASSUMED_KINDS])
     }
     if (largest(own, ASSUMED_UNKNOWN, &law))
         out[n++] = (Assumed){ASSUMED_UNKNOWN, "friction", "1", "friction.mu", law.law->mu_d, NAN, NAN, "not given"};
-    if (largest(own, ASSUMED_REST, &law))
+    if (largest(own, ASSUMED_REST, &law) && law.law->mu_d > 0)
         out[n++] = (Assumed){ASSUMED_REST,
                              "friction at rest",
                              "1",
@@ -123,11 +123,11 @@ static void friction_set(SceneDef *def, const Assumed *a, double x)
     }
 }
 
-/* One that is varied: theory's question, and its limits. */
+/* A case that is varied, and the limits that are judged by it. */
 typedef struct Trial {
     const Setup *setup;
     const Calculator *base;
-    int ways, n;
+    int ways, bounds, n; /* bounds: they are sought */
     hawser_limit *const *limit;
     hawser_error *err;
 } Trial;
@@ -141,11 +141,15 @@ static hawser_status solve(const Trial *t, const SceneDef *def, Setup *setup, Ex
     return status ? status : calculator_build(setup, expected, t->ways == 1, c, t->err);
 }
 
-/* The value of a limit when theory's goes from `was` to `is`, and whether it still holds. */
-static int limit_holds(const hawser_limit *l, const hawser_limit *was, const hawser_limit *is, double *value)
+/* The value of a limit when theory's goes from `was` to `is`, and whether it still holds. A run's value changes with
+ * friction by the factor by which theory's does, and with the back tension by as much as theory's. */
+static int limit_holds(const hawser_limit *l, const hawser_limit *was, const hawser_limit *is, int scales,
+                       double *value)
 {
     const int own = l->value == was->value;
-    *value = own ? is->value : was->value > 0 ? l->value * is->value / was->value : l->value + is->value - was->value;
+    *value = own                        ? is->value
+             : scales && was->value > 0 ? l->value * is->value / was->value
+                                        : l->value + is->value - was->value;
     return own ? !is->judged || is->ok : !(*value > l->limit && is->value != was->value);
 }
 
@@ -156,7 +160,7 @@ static const hawser_limit *limit_of(const Calculator *c, int way, hawser_limit_k
     return NULL;
 }
 
-/* What a value does to the limits of a way. */
+/* The limits of a way with another value. */
 typedef struct Effect {
     int holds[HAWSER_LIMITS_MAX];
     double value[HAWSER_LIMITS_MAX];
@@ -169,8 +173,8 @@ static void value_set(SceneDef *def, const Assumed *a, double x)
         def->tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = x * bundle_tails(&def->bundle)};
 }
 
-/* All limits with the assumed value x of one, or (x NAN) with all `count` of them at their upper ends. */
-static hawser_status effect_of_all(const Trial *t, int count, const Assumed *a, double x, Effect effect[PLAN_WAYS])
+/* Computes all limits with the assumed value x of one, or (x NAN) with all `count` of them at their upper ends. */
+static hawser_status effect_of(const Trial *t, int count, const Assumed *a, double x, Effect effect[PLAN_WAYS])
 {
     SceneDef def;
     Setup setup = {0};
@@ -188,7 +192,8 @@ static hawser_status effect_of_all(const Trial *t, int count, const Assumed *a, 
             const hawser_limit *const l = &t->limit[way][i], *const was = limit_of(t->base, way, l->kind),
                                       *const is = limit_of(&c, way, l->kind);
             effect[way].value[i] = l->value;
-            effect[way].holds[i] = !was || !is || limit_holds(l, was, is, &effect[way].value[i]);
+            effect[way].holds[i] =
+                !was || !is || limit_holds(l, was, is, a->kind != ASSUMED_BACK, &effect[way].value[i]);
         }
     }
     calculator_free(&c);
@@ -198,14 +203,9 @@ static hawser_status effect_of_all(const Trial *t, int count, const Assumed *a, 
     return status;
 }
 
-static hawser_status effect_of(const Trial *t, const Assumed *a, double x, Effect effect[PLAN_WAYS])
-{
-    return effect_of_all(t, 1, a, x, effect);
-}
-
 /* ---------------------------------------------------------------------------------------------------- to judge */
 
-/* Which of the limits that hold break at an end. Returns how many. */
+/* Marks the limits that hold and break at an end. Returns how many there are. */
 static int broken_at(const Trial *t, int way, const Effect *end, int broken[HAWSER_LIMITS_MAX])
 {
     int n = 0;
@@ -217,7 +217,8 @@ static int broken_at(const Trial *t, int way, const Effect *end, int broken[HAWS
     return n;
 }
 
-/* Between a value at which limits hold and one at which some do not: the last at which all of those do. */
+/* Finds the last value at which all limits of `asked` hold, between one at which they do and one at which they do not.
+ */
 static hawser_status bound_find(const Trial *t, const Assumed *a, int way, const int asked[HAWSER_LIMITS_MAX],
                                 double holds, double fails, double *bound)
 {
@@ -225,7 +226,7 @@ static hawser_status bound_find(const Trial *t, const Assumed *a, int way, const
         Effect effect[PLAN_WAYS];
         const double middle = (holds + fails) / 2;
         int all = 1;
-        const hawser_status status = effect_of(t, a, middle, effect);
+        const hawser_status status = effect_of(t, 1, a, middle, effect);
         if (status) return status;
         for (int i = 0; i < t->n; ++i) all &= !asked[i] || effect[way].holds[i];
         *(all ? &holds : &fails) = middle;
@@ -234,24 +235,31 @@ static hawser_status bound_find(const Trial *t, const Assumed *a, int way, const
     return HAWSER_OK;
 }
 
-/* One end of a range: what it makes of each limit, and where those break that it breaks. */
+/* Where a limit keeps the bound of an assumed value. */
+static double *bound_at(hawser_limit *l, AssumedKind kind, int least)
+{
+    if (kind == ASSUMED_REST) return &l->rest_most;
+    if (kind == ASSUMED_BACK) return &l->back_most;
+    return least ? &l->friction_least : &l->friction_most;
+}
+
+/* Judges the limits at one end of a range, and finds where those break that it breaks. */
 static hawser_status end_judge(const Trial *t, const Assumed *a, double end)
 {
     Effect effect[PLAN_WAYS];
-    hawser_status status = effect_of(t, a, end, effect);
+    hawser_status status = effect_of(t, 1, a, end, effect);
     for (int way = 0; way < t->ways && !status; ++way) {
         int broken[HAWSER_LIMITS_MAX];
-        double bound = NAN;
-        if (broken_at(t, way, effect, broken)) status = bound_find(t, a, way, broken, a->value, end, &bound);
+        double bound = a->value; /* it holds there */
+        if (broken_at(t, way, effect, broken) && t->bounds)
+            status = bound_find(t, a, way, broken, a->value, end, &bound);
         for (int i = 0; i < t->n && !status; ++i) {
             hawser_limit *const l = &t->limit[way][i];
-            const double was = fabs(l->worst - l->limit), is = fabs(effect[way].value[i] - l->limit);
-            const int worse = broken[i] || (isnan(l->holds_to) && effect[way].value[i] != l->value && is < was);
-            if (!l->judged || !l->ok || !worse) continue;
-            l->worst = effect[way].value[i];
+            const double value = effect[way].value[i];
+            if (broken[i]) *bound_at(l, a->kind, end < a->value) = bound;
+            if (!l->judged || !l->ok || !(value > l->worst || (broken[i] && !l->assumed))) continue;
+            l->worst = value;
             l->assumed = a->name;
-            l->holds_to = broken[i] ? bound : NAN;
-            l->at_least = end < a->value;
         }
     }
     return status;
@@ -261,8 +269,8 @@ static hawser_status end_judge(const Trial *t, const Assumed *a, double end)
 static hawser_status unknown_judge(const Trial *t, const Assumed *a)
 {
     Effect least[PLAN_WAYS], most[PLAN_WAYS];
-    hawser_status status = effect_of(t, a, UNKNOWN_LEAST * a->value, least);
-    if (!status) status = effect_of(t, a, UNKNOWN_MOST * a->value, most);
+    hawser_status status = effect_of(t, 1, a, UNKNOWN_LEAST * a->value, least);
+    if (!status) status = effect_of(t, 1, a, UNKNOWN_MOST * a->value, most);
     for (int way = 0; way < t->ways && !status; ++way) {
         int asked[HAWSER_LIMITS_MAX], any = 0, fails = 0, least_holds = 1, now_holds = 1;
         double to = INFINITY;
@@ -277,7 +285,7 @@ static hawser_status unknown_judge(const Trial *t, const Assumed *a)
             now_holds &= l->ok;
         }
         if (!any) continue;
-        if (fails && (least_holds || now_holds))
+        if (fails && t->bounds && (least_holds || now_holds))
             status = bound_find(t, a, way, asked, (least_holds ? UNKNOWN_LEAST : 1) * a->value, UNKNOWN_MOST * a->value,
                                 &to);
         for (int i = 0; i < t->n && !status; ++i) {
@@ -286,7 +294,7 @@ static hawser_status unknown_judge(const Trial *t, const Assumed *a)
             l->judged = l->ok = 0;
             l->margin = NAN;
             l->assumed = a->name;
-            l->holds_to = to;
+            l->friction_most = to;
             if (isfinite(to))
                 snprintf(l->source, sizeof l->source, "friction is not given (friction.mu): up to %.3g would do",
                          floor(1e3 * to) / 1e3);
@@ -297,23 +305,32 @@ static hawser_status unknown_judge(const Trial *t, const Assumed *a)
     return status;
 }
 
-/* By theory that is solved. */
+/* Whether a limit is broken as the case is: then no end of a range changes the word. */
+static int is_broken(const Trial *t)
+{
+    for (int i = 0; i < t->n; ++i)
+        if (t->limit[0][i].judged && !t->limit[0][i].ok) return 1;
+    return 0;
+}
+
+/* Judges by a theory that is solved. */
 static hawser_status judge(const Trial *t, int count, const Assumed all[])
 {
     hawser_status status = HAWSER_OK;
     for (int k = 0; k < count && !status; ++k) {
         const Assumed *const a = &all[k];
         if (a->kind == ASSUMED_UNKNOWN) status = unknown_judge(t, a);
+        if (!t->bounds && is_broken(t)) break;
         if (!status && a->low < a->value) status = end_judge(t, a, a->low);
         if (!status && a->high > a->value) status = end_judge(t, a, a->high);
     }
     return status;
 }
 
-hawser_status assumed_judge(const Setup *setup, const Calculator *base, int ways, int n, hawser_limit *const limit[],
-                            hawser_error *err)
+hawser_status assumed_judge(const Setup *setup, const Calculator *base, int ways, int bounds, int n,
+                            hawser_limit *const limit[], hawser_error *err)
 {
-    Trial t = {setup, base, ways, n, limit, err};
+    Trial t = {setup, base, ways, bounds, n, limit, err};
     Assumed all[ASSUMED_KINDS];
     Setup own = {0};
     Expected expected = {0};
@@ -334,14 +351,14 @@ hawser_status assumed_together(const Setup *setup, const Calculator *base, int w
                                hawser_error *err)
 {
     hawser_limit other[HAWSER_LIMITS_MAX], *limit[PLAN_WAYS] = {other, other};
-    const Trial t = {setup, base, PLAN_WAYS, base->n_limits, limit, err};
+    const Trial t = {setup, base, PLAN_WAYS, 0, base->n_limits, limit, err};
     Assumed all[ASSUMED_KINDS];
     Effect effect[PLAN_WAYS];
     const int count = assumed_list(setup->def, all);
     for (int i = 0; i < t.n; ++i) out[i] = base->limit[way][i];
     limit[way] = out;
     memcpy(other, base->limit[!way], sizeof other);
-    const hawser_status status = effect_of_all(&t, count, all, NAN, effect);
+    const hawser_status status = effect_of(&t, count, all, NAN, effect);
     for (int i = 0; i < t.n && !status; ++i) {
         out[i].ok = effect[way].holds[i];
         out[i].value = effect[way].value[i];

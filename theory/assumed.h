@@ -20,16 +20,17 @@ typedef struct Assumed {
     char source[96];
 } Assumed;
 
-/* What the definition leaves open, of several frictions the largest. Returns how many. */
+/* Lists what the definition leaves open, of several frictions the largest. Returns how many there are. */
 int assumed_list(const SceneDef *def, Assumed out[ASSUMED_KINDS]);
 
-/* Sets `worst`, `assumed`, `holds_to` and `at_least` of limits that were judged, limit[way][n] of the first `ways`
- * ways; what an unknown friction touches is no longer judged. base: theory of the case, of which the limits are; NULL:
- * they are a run's, whose values change by the same factors as theory's. Errors: as calculator_build. */
-hawser_status assumed_judge(const Setup *setup, const Calculator *base, int ways, int n, hawser_limit *const limit[],
-                            hawser_error *err);
+/* Sets `worst`, `assumed` and the bounds of limits that were judged, limit[way][n] of the first `ways` ways; what an
+ * unknown friction touches is no longer judged. base: theory of the case, of which the limits are; NULL: they are a
+ * run's, whose values change as theory's do. bounds: 0: the values taken stand for bounds, and where a limit is broken
+ * anyway the others are not varied, for those who need the word alone. Errors: as calculator_build. */
+hawser_status assumed_judge(const Setup *setup, const Calculator *base, int ways, int bounds, int n,
+                            hawser_limit *const limit[], hawser_error *err);
 
-/* Values of all limits of a way, and whether they hold, with all that is assumed at its upper end. Errors: as above. */
+/* Computes all limits of a way, and whether they hold, with all that is assumed at its upper end. Errors: as above. */
 hawser_status assumed_together(const Setup *setup, const Calculator *base, int way, hawser_limit out[HAWSER_LIMITS_MAX],
                                hawser_error *err);
 

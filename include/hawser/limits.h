@@ -55,9 +55,12 @@ typedef struct hawser_limit {
     double error; /* of `value`, in its unit: what it may be off by through the numbers of a run; 0: exact, or nobody
                    * knows */
     double worst; /* `value` at the unfavourable end of the usual range of one value that the case does not give */
-    const char *assumed; /* which: "friction", "friction at rest" (1), "back tension" (N); NULL: none changes it */
-    double holds_to; /* of that: up to where all limits hold that it breaks; NAN: this one holds throughout its range */
-    int at_least;    /* down to where */
+    const char *assumed; /* which: "friction", "friction at rest", "back tension"; NULL: none changes it, and what
+                          * follows says nothing */
+    /* Up to which friction (1), down to which, up to which friction at rest (1) and back tension (N) the limits of a
+     * pull hold that this value breaks, each with the others as they were taken; NAN: this limit holds throughout its
+     * usual range. */
+    double friction_most, friction_least, rest_most, back_most;
     hawser_limit_kind kind;
 } hawser_limit;
 
@@ -76,6 +79,8 @@ typedef enum hawser_word {
 hawser_word hawser_verdict_word(int found);
 const char *hawser_word_text(hawser_word word);
 const char *hawser_word_code(hawser_word word);
+/* The word that a verdict begins with; HAWSER_WORDS: none. */
+hawser_word hawser_word_of(const char *verdict);
 
 /* Judges what the simulation has seen so far by the case's section `limits`. Fills out[HAWSER_LIMITS_MAX] and returns
  * how many limits there are: 0 if the case has no such section. */

@@ -355,7 +355,7 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
     Answer a = {.text = text, .size = size, .units = units, .width = TERMINAL_WIDTH};
     s = SHOWN(s);
     hawser_sim_summary(s, &sum);
-    const int n = hawser_sim_limits(s, limit), broken = limits_verdict(n, limit, 0, verdict, sizeof verdict);
+    const int n = hawser_sim_limits(s, limit), broken = verdict_say(0, NULL, n, limit, 0, verdict, sizeof verdict);
     int failed = 0;
     for (int i = 0; i < sum.n_conditions; ++i) failed += !sum.conditions[i].holds;
     if (failed) {

@@ -140,8 +140,8 @@ static hawser_status solve(Theory *t, const TheoryWish *wish, hawser_error *err)
     if (!status && !wish->no_inverse) status = inverse_find(&t->setup, &t->calculator, &t->inverse, err);
     hawser_limit *const limit[PLAN_WAYS] = {t->calculator.limit[PLAN_FORWARD], t->calculator.limit[PLAN_BACKWARD]};
     if (!status)
-        status = assumed_judge(&t->setup, &t->calculator, wish->forward_only ? 1 : PLAN_WAYS, t->calculator.n_limits,
-                               limit, err);
+        status = assumed_judge(&t->setup, &t->calculator, wish->forward_only ? 1 : PLAN_WAYS, !wish->no_inverse,
+                               t->calculator.n_limits, limit, err);
     if (status) return status;
     if (wish->forward_only) return theory_limits_add(&t->calculator, 1, &t->tables) ? HAWSER_OK : error_memory(err);
     return theory_tables_make(&t->setup, &t->calculator, &t->inverse, &t->tables, err);

@@ -273,7 +273,10 @@ static const Column limit_column[] = {
     {.key = "ok", .text = limit_holds, .label = "holds"},
     {COLUMN("worst", NUMBER, LimitRow, limit.worst), .label = "at worst", .decimals = -1, .unit_by = "unit"},
     {.key = "assumed", .text = limit_assumed, .label = "by"},
-    {COLUMN("holds_to", NUMBER, LimitRow, limit.holds_to), .label = "holds to", .decimals = -1},
+    {COLUMN("friction_most", NUMBER, LimitRow, limit.friction_most), .label = "friction to", .decimals = 3},
+    {COLUMN("friction_least", NUMBER, LimitRow, limit.friction_least), .label = "from", .decimals = 3},
+    {COLUMN("friction_at_rest_most", NUMBER, LimitRow, limit.rest_most), .label = "at rest to", .decimals = 3},
+    {COLUMN("back_tension_most_N", NUMBER, LimitRow, limit.back_most), .label = "back tension to, N", .decimals = 0},
     {COLUMN("source", CHARS, LimitRow, limit.source), .label = "allowed by"},
 };
 static const Columns limit_columns = COLUMNS(LimitRow, limit_column);

@@ -179,7 +179,10 @@ static const Column limit_column[] = {
     {COLUMN("error", NUMBER, hawser_limit, error)},
     {COLUMN("worst", NUMBER, hawser_limit, worst)},
     {.key = "assumed", .kind = COLUMN_TEXT, .text = limit_assumed},
-    {COLUMN("holds_to", NUMBER, hawser_limit, holds_to)},
+    {COLUMN("friction_most", NUMBER, hawser_limit, friction_most)},
+    {COLUMN("friction_least", NUMBER, hawser_limit, friction_least)},
+    {COLUMN("friction_at_rest_most", NUMBER, hawser_limit, rest_most)},
+    {COLUMN("back_tension_most_N", NUMBER, hawser_limit, back_most)},
 };
 static const Columns limit_columns = COLUMNS(hawser_limit, limit_column);
 

@@ -32,23 +32,22 @@ AXES = {"position": ("segment", "xyz"), "quaternion": ("segment", "wxyz"), "velo
         "winch_force": (), "tail_tension": (), "head_at": ()}
 
 
-# Words of verdicts with their codes; what begins like another one comes first.
-WORDS = {text_of(lib.hawser_word_text(k)): text_of(lib.hawser_word_code(k))
-         for k in sorted(range(lib.HAWSER_WORDS), key=lambda k: -len(text_of(lib.hawser_word_text(k))))}
-
-
 class Verdict(str):
     """One line that says whether the pull is safe and the figures are to be trusted: "NOT SAFE: 1 of 12 limits broken: ..."."""
 
     @property
+    def _found(self) -> int:
+        return int(lib.hawser_word_of(self.encode()))
+
+    @property
     def word(self) -> str:
         """"SAFE", "SAFE ONLY IF", "NOT SAFE", "NOT JUDGED" or "NOT TRUSTED"."""
-        return next((word for word in WORDS if self.startswith(word)), "")
+        return text_of(lib.hawser_word_text(self._found)) if self._found < lib.HAWSER_WORDS else ""
 
     @property
     def code(self) -> str:
         """The same for programs: "safe", "safe_if", "not_safe", "not_judged", "not_trusted"; only "safe" is safe."""
-        return WORDS.get(self.word, "")
+        return text_of(lib.hawser_word_code(self._found)) if self._found < lib.HAWSER_WORDS else ""
 
     @property
     def safe(self) -> bool | None:

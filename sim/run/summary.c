@@ -181,7 +181,7 @@ static void assumed_add(const Sim *s, int n, hawser_limit *limit)
 {
     hawser_error err;
     const Setup setup = scene_setup(&s->stage.scene);
-    if (!assumed_judge(&setup, NULL, 1, n, &limit, &err)) return;
+    if (!assumed_judge(&setup, NULL, 1, 1, n, &limit, &err)) return;
     for (int i = 0; i < n; ++i) {
         if (!limits_essential(limit[i].kind)) continue;
         limit[i].judged = limit[i].ok = 0;

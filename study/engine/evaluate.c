@@ -67,15 +67,10 @@ static double number_of(const json_t *value)
     return json_is_number(value) ? json_number_value(value) : NAN;
 }
 
-/* By the word with which the text begins, the longest that fits. */
 static int verdict_of(const char *text)
 {
-    int found = VERDICT_NONE;
-    for (int k = VERDICT_SAFE; text && k < VERDICTS; k++) {
-        const size_t length = strlen(row_verdict(k));
-        if (strncmp(text, row_verdict(k), length) == 0 && length > strlen(row_verdict(found))) found = k;
-    }
-    return found;
+    const hawser_word word = hawser_word_of(text);
+    return word == HAWSER_WORDS ? VERDICT_NONE : (int)word + 1;
 }
 
 /* The margins of one answer, of theory's those of a pull forward. */

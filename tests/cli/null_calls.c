@@ -184,6 +184,7 @@ static void tables(void)
     assert_int_equal(hawser_verdict(0, NULL, 0, limit, NULL, 0), -1);
     assert_string_equal(hawser_word_code(hawser_verdict_word(-1)), "not_judged");
     assert_string_equal(hawser_word_text(hawser_verdict_word(-3)), "SAFE ONLY IF");
+    assert_int_equal(hawser_word_of(NULL), HAWSER_WORDS);
     assert_string_equal(hawser_show(1, NULL, HAWSER_SI, text), "");
     assert_string_equal(hawser_show(1, "N", HAWSER_SI, NULL), "");
     assert_string_equal(hawser_show_figure(NULL, HAWSER_SI, text), "");

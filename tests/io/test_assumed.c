@@ -55,7 +55,7 @@ static void friction_at_rest(void **state)
     const double most = 8000 / (W * LENGTH);
     assert_string_equal(code_of(o), "safe_if");
     verdict_has(o, "SAFE ONLY IF friction at rest <= 0.203 (restart): all ");
-    check_share(number_of(limit_in(o, "restart"), "holds_to"), most, 1e-3);
+    check_share(number_of(limit_in(o, "restart"), "friction_at_rest_most"), most, 1e-3);
     check_share(number_of(limit_in(o, "restart"), "worst"), 1.5 * 0.15 * W * LENGTH, 1e-9);
     check_share(number_of(limit_in(o, "restart"), "value"), 0.15 * W * LENGTH, 1e-9);
     check_share(number_of(limit_in(o, "pull"), "worst"), 0.15 * W * LENGTH, 1e-9);
@@ -76,7 +76,7 @@ static void back_tension(void **state)
     const double left = 8000 - 0.2 * W * LENGTH;
     assert_string_equal(code_of(o), "safe_if");
     verdict_has(o, "SAFE ONLY IF back tension <= 151 N (");
-    check_close(number_of(limit_in(o, "pull"), "holds_to"), left, 0.5);
+    check_close(number_of(limit_in(o, "pull"), "back_tension_most_N"), left, 0.5);
     check_share(number_of(limit_in(o, "pull"), "worst"), 15 * W + 0.2 * W * LENGTH, 1e-9);
     json_decref(o);
     o = with("friction: {mu: 0.2, mu_s: 0.2}\ndrive: {tail: {tension: 0 N}}\n");
@@ -112,6 +112,51 @@ static void nothing_is_open(void **state)
     json_decref(o);
 }
 
-TEST_FILE(test_assumed, cmocka_unit_test(friction_of_nobody), cmocka_unit_test(friction_at_rest),
-          cmocka_unit_test(back_tension), cmocka_unit_test(friction_of_the_catalogue),
-          cmocka_unit_test(nothing_is_open))
+/* Once the second value took the place of the first, and the verdict named one of two conditions. */
+static void two_of_them(void **state)
+{
+    (void)state;
+    json_t *const o = with("friction: {mu: 0.18}\n");
+    verdict_has(o, "SAFE ONLY IF friction at rest <= 0.203 (restart) and back tension <= 936 N (");
+    assert_string_equal(code_of(o), "safe_if");
+    json_decref(o);
+}
+
+/* Nothing rubs, so that nothing more rubs from rest: there was 0/0. */
+static void no_friction(void **state)
+{
+    (void)state;
+    json_t *const o = with("friction: {mu: 0}\n");
+    assert_string_equal(code_of(o), "safe");
+    check_share(number_of(limit_in(o, "restart"), "worst"), 15 * W, 1e-9);
+    assert_int_equal(json_array_size(json_object_get(o, "assumed")), 1);
+    json_decref(o);
+}
+
+/* A run's pull grows by the back tension, and with friction at rest not at all in motion. */
+static void of_a_run(void **state)
+{
+    (void)state;
+    char text[2000];
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    snprintf(text, sizeof text, "%s%s", CASE,
+             "friction: {mu: 0.2}\nlead_in: {}\ndrive: {winch: {speed: 0.1 m/s, to: 0.1 s}}\n"
+             "run: {duration: 0.2 s, steady_from: 0.1 s}\n");
+    hawser_sim *const sim =
+        run_of(text, (const char *const[]){"chain.0.length", "10 m", "route.pieces.0.straight", "12 m", "route.head_at",
+                                           "10 m", "chain.0.segment", "1 m", "limits.pull", "1 kN", NULL});
+    const int n = hawser_sim_limits(sim, limit);
+    assert_true(n > 0);
+    for (int i = 0; i < n; i++) {
+        if (limit[i].kind != HAWSER_LIMIT_PULL) continue;
+        assert_true(limit[i].ok);
+        check_close(limit[i].worst - limit[i].value, 15 * W, 1e-6);
+        check_close(limit[i].back_most, 1000 - limit[i].value, 0.5);
+        check_nan(limit[i].friction_most);
+    }
+    hawser_sim_free(sim);
+}
+
+TEST_FILE(test_assumed, cmocka_unit_test(two_of_them), cmocka_unit_test(no_friction), cmocka_unit_test(of_a_run),
+          cmocka_unit_test(friction_of_nobody), cmocka_unit_test(friction_at_rest), cmocka_unit_test(back_tension),
+          cmocka_unit_test(friction_of_the_catalogue), cmocka_unit_test(nothing_is_open))

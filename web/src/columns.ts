@@ -14,7 +14,10 @@ export interface LimitRow {
   error: Value;
   worst: Value;
   assumed: string;
-  holds_to: Value;
+  friction_most: Value;
+  friction_least: Value;
+  friction_at_rest_most: Value;
+  back_tension_most_N: Value;
 }
 
 export interface Trust {

@@ -115,7 +115,11 @@ function changes(context: Context): HTMLElement[] {
         el('p', { class: 'detail' }, 'A remedy looks at its own limit alone: compute again with it.'),
       ];
     case 'conditional': {
-      const bounds = (summary.limits ?? []).filter((limit) => limit.assumed && limit.holds_to !== null);
+      const bounds = (summary.limits ?? []).filter((limit) =>
+        [limit.friction_most, limit.friction_least, limit.friction_at_rest_most, limit.back_tension_most_N].some(
+          (bound) => typeof bound === 'number',
+        ),
+      );
       const list = bounds.map((limit) =>
         el(
           'li',
