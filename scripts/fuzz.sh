@@ -9,7 +9,7 @@
 #   --keep   takes what was found along the way into the tree: of each target the inputs that reach all that its corpus reaches,
 #            packed as tests/fuzz/kept/TARGET.tar.xz, the sums of the ledgers in tests/fuzz/ledger.csv
 # What is found along the way stays in build/fuzz/corpus/TARGET, which begins with what is kept in the tree, so that the next call
-# goes on from there; an input that breaks something is left in build/fuzz/found, also one that takes 100 s by the clock: so long, as the machine may be busy. Status 1 if
+# goes on from there; an input that breaks something is left in build/fuzz/found, also one that takes 1000 s by the clock: so long, as the machine may be busy. Status 1 if
 # there is one. Inputs and processor time of each go to build/ENGINE/ledger.csv (scripts/fuzz_ledger.py). HAWSER_FUZZ_JOBS: how many at once (default 1).
 set -eu
 
@@ -108,7 +108,7 @@ for target in "$@"; do
     fi
     # shellcheck disable=SC2086 # one word a folder
     python3 scripts/fuzz_ledger.py run $build/ledger.csv "$target" libFuzzer $build/"$target".log $build/found \
-        nice -n 19 $build/tests/fuzz/fuzz_"$program" -max_total_time=$((60 * minutes)) -timeout=100 -report_slow_units=100 -rss_limit_mb=2048 \
+        nice -n 19 $build/tests/fuzz/fuzz_"$program" -max_total_time=$((60 * minutes)) -timeout=1000 -report_slow_units=100 -rss_limit_mb=2048 \
         -max_len=16384 -dict=$words -artifact_prefix=$build/found/"$target"- -print_final_stats=1 \
         -fork="${HAWSER_FUZZ_JOBS-1}" -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 \
         $build/corpus/"$target" $seeds || status=1
