@@ -121,6 +121,7 @@ hawser_status bundle_in(const SceneDef *def, const SurfaceDef *duct, DuctLoad *o
     const DuctDef set = bundle_in_duct(&b->set, &b->shape, inside);
     DuctDef several = duct->several;
     several.duct_diameter = inside;
+    several.oval = b->set.oval;
     if (several.cables > 0 && !duct_load(&several, out, NULL)) return HAWSER_OK; /* else each is one alone */
     return duct_load(bundle_present(b) ? &set : &alone, out, err);
 }
@@ -170,6 +171,11 @@ double bundle_share(const SceneDef *def, const SurfaceDef *surface)
 
 /* --------------------------------------------------------------------------------------------- what is said */
 
+JamRisk bundle_jam_risk(const SceneDef *def, const DuctLoad *load)
+{
+    return def->limits.present && limits_jams(&def->limits, load) ? JAM_SIGNIFICANT : load->jam_risk;
+}
+
 static hawser_bundle_duct duct_said(const SceneDef *def, const SurfaceDef *duct, const DuctLoad *load)
 {
     return (hawser_bundle_duct){.name = duct->name,
@@ -179,7 +185,7 @@ static hawser_bundle_duct duct_said(const SceneDef *def, const SurfaceDef *duct,
                                 .friction_bend = surface_theory_friction(def, duct, 1),
                                 .sidewall_factor = load->sidewall_factor,
                                 .jam_ratio = load->jam_ratio,
-                                .jam_risk = jam_risk_name(load->jam_risk),
+                                .jam_risk = jam_risk_name(bundle_jam_risk(def, load)),
                                 .clearance_m = load->clearance,
                                 .fill = load->fill,
                                 .room_m = load->room};

@@ -54,4 +54,9 @@ typedef struct BundleTerms {
 hawser_status bundle_terms_make(const struct SceneDef *def, BundleTerms *out, hawser_error *err);
 void bundle_terms_free(BundleTerms *terms);
 
+/* The risk of jamming in words never says less than the limit: at a ratio that the case's code forbids it is
+ * significant.
+ */
+JamRisk bundle_jam_risk(const struct SceneDef *def, const DuctLoad *load);
+
 #endif

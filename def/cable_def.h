@@ -34,7 +34,7 @@ typedef struct CableDef {
     BendingTable bending;
     double strength;       /* N, a rope's breaking force; 0: not known */
     double conductor_area; /* m2, of one conductor; 0: not known */
-    int conductor_metal;   /* a ConductorMetal (def/limits.h) */
+    int conductor_metal;   /* a ConductorMetal (def/codes.h) */
     int conductor_cores;
     unsigned estimated; /* CABLE_ESTIMATED_EA and so on: what nobody gave (CS1) */
 } CableDef;

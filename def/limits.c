@@ -13,6 +13,7 @@ void limits_defaults(LimitsDef *def)
                        .grips = 1,
                        .attachment_rating = NAN,
                        .sidewall = NAN,
+                       .contact = NAN,
                        .bend_factor = NAN,
                        .bend_radius = NAN,
                        .roller_factor = 1.6,
@@ -26,9 +27,9 @@ void limits_defaults(LimitsDef *def)
                        .squeeze = NAN,
                        .speed = NAN,
                        .alpha = 1.5,
-                       .jam_from = 2.6,
-                       .jam_to = 3.2,
-                       .clearance = 6.35e-3,
+                       .jam_from = NAN,
+                       .jam_to = NAN,
+                       .clearance = NAN,
                        .fill = NAN,
                        .weight_correction = NAN};
 }
@@ -41,6 +42,7 @@ static const struct {
     [HAWSER_LIMIT_RESTART] = {"restart", "N"},
     [HAWSER_LIMIT_ATTACHMENT] = {"attachment", "N"},
     [HAWSER_LIMIT_SIDEWALL] = {"sidewall", "N/m"},
+    [HAWSER_LIMIT_CONTACT_PRESSURE] = {"contact_pressure", "N/m"},
     [HAWSER_LIMIT_BEND_RADIUS] = {"bend_radius", "m"},
     [HAWSER_LIMIT_ROPE_BEND] = {"rope_bend", "1"},
     [HAWSER_LIMIT_ROLLER_STEADY] = {"roller_steady", "N"},
@@ -105,17 +107,24 @@ static void judge(const LimitsDef *def, hawser_limit_kind kind, double diameter,
     out->ok = out->margin >= 0;
 }
 
-/* How far a ratio is from the band, 1; below 0 within it. */
-static double jam_distance(const LimitsDef *def, double ratio)
+/* How far a load's jam ratio is from the band in which cables jam, 1; below 0 within it. */
+static double jam_distance(const LimitsDef *def, double ratio, int triangle)
 {
-    return fmax(def->jam_from - ratio, ratio - def->jam_to);
+    const JamBand band = limits_jam_band(def, triangle);
+    return fmax(band.from - ratio, ratio - band.to);
+}
+
+int limits_jams(const LimitsDef *def, const DuctLoad *load)
+{
+    const int three = load->jam_risk != JAM_NONE;
+    return three && jam_distance(def, load->jam_ratio, load->layout == DUCT_TRIANGLE) < 0;
 }
 
 /* A duct that is worse takes the place of the one before. */
-static void duct_worse(int worse, double value, int cables, const char *name, Finding *f)
+static void duct_worse(int worse, double value, int cables, int triangle, const char *name, Finding *f)
 {
     if (!f->absent && !worse) return;
-    *f = (Finding){.value = value, .cables = cables};
+    *f = (Finding){.value = value, .cables = cables, .triangle = triangle};
     snprintf(f->where, sizeof f->where, "%.75s", name);
 }
 
@@ -127,13 +136,15 @@ void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctL
         jam->absent = room->absent = fill->absent = weight->absent = 1;
         return;
     }
+    const int triangle = load->layout == DUCT_TRIANGLE;
     if (load->jam_risk != JAM_NONE) {
-        duct_worse(jam_distance(def, load->jam_ratio) < jam_distance(def, jam->value), load->jam_ratio, cables, name,
-                   jam);
+        const int nearer = jam_distance(def, load->jam_ratio, triangle) < jam_distance(def, jam->value, jam->triangle);
+        duct_worse(nearer, load->jam_ratio, cables, triangle, name, jam);
     }
-    duct_worse(load->clearance < room->value, load->clearance, cables, name, room);
-    duct_worse(load->fill > fill->value, load->fill, cables, name, fill);
-    if (cables > 1) duct_worse(load->weight_factor > weight->value, load->weight_factor, cables, name, weight);
+    duct_worse(load->clearance < room->value, load->clearance, cables, triangle, name, room);
+    duct_worse(load->fill > fill->value, load->fill, cables, triangle, name, fill);
+    if (cables > 1)
+        duct_worse(load->weight_factor > weight->value, load->weight_factor, cables, triangle, name, weight);
 }
 
 double limits_reach(const hawser_limit *l)
@@ -163,7 +174,8 @@ int limits_judge(const LimitsDef *def, double diameter, int cables, const Findin
     int n = 0;
     if (!def->present) return 0;
     for (int k = 0; k < LIMIT_KINDS; k++) {
-        if (finding[k].absent) continue;
+        if (finding[k].absent || (k == HAWSER_LIMIT_CONTACT_PRESSURE && isnan(def->contact)))
+            continue; /* no code has one */
         judge(def, (hawser_limit_kind)k, diameter, cables, &finding[k], &out[n++]);
     }
     return n;

@@ -3,12 +3,10 @@
 #define HAWSER_DEF_LIMITS_H
 
 #include "def/cables/duct.h"
+#include "def/codes.h"
 #include "hawser/hawser.h"
 
-/* Whose rules count for what is pulled at: the paper's table 4; CIGRE TB 889; American practice (ICEA, AEIC and IEEE
- * 1185 are two names of one set); cables to IEC and VDE as European makers quote them; TES-P-104.05. */
-typedef enum LimitCode { CODE_PAPER, CODE_TB889, CODE_AEIC, CODE_IEEE1185, CODE_IEC, CODE_TES } LimitCode;
-/* Whose sidewall pressure and bend radius count. AUTO: what belongs to the code. */
+/* Whose sidewall pressure and bend radius count. AUTO: the code's. CHINESE: GB 50217. */
 typedef enum LimitPractice {
     PRACTICE_AUTO,
     PRACTICE_CHINESE,
@@ -16,13 +14,6 @@ typedef enum LimitPractice {
     PRACTICE_AEIC,
     PRACTICE_ROLLERS
 } LimitPractice;
-/* What American practice tells cables apart by; UNKNOWN takes the strictest. */
-typedef enum CableType { TYPE_UNKNOWN, TYPE_CONTROL, TYPE_POWER, TYPE_SHIELDED, TYPE_ARMOURED } CableType;
-typedef enum Attachment { ATTACH_EYE, ATTACH_NET } Attachment;
-typedef enum ConductorMetal { METAL_COPPER, METAL_ALUMINIUM } ConductorMetal;
-typedef enum SheathKind { SHEATH_PE, SHEATH_XLPE, SHEATH_LEAD, SHEATH_COPPER, SHEATH_ALUMINIUM } SheathKind;
-typedef enum RopeKind { ROPE_STEEL, ROPE_FIBRE } RopeKind;
-
 /* The section `limits` of a case. NAN: not given, the code or practice says it. */
 typedef struct LimitsDef {
     int present;
@@ -36,7 +27,8 @@ typedef struct LimitsDef {
     int grips;                         /* eyes or nets that share the pull */
     double attachment_rating;          /* N, of each */
     double stress, pull;               /* Pa; N */
-    double sidewall;                   /* N/m */
+    double sidewall;                   /* N/m, of T/R */
+    double contact;                    /* N/m, of what surfaces really bear */
     double bend_factor, bend_radius;   /* of the cable's diameter; m */
     double roller_factor;              /* rating over load at steady speed */
     double rope_strength, rope_factor; /* N, breaking; strength over pull */
@@ -48,7 +40,7 @@ typedef struct LimitsDef {
     double push, squeeze;              /* N, of one machine; N/m, of belts on the cable */
     double speed;                      /* m/s */
     double alpha;                      /* largest overload factor of eq. 12 */
-    double jam_from, jam_to;           /* 1.05 D/d of three cables in a duct: not between these */
+    double jam_from, jam_to;           /* jam ratio of three cables in a duct: not between these */
     double clearance, fill;   /* m, over the uppermost cable in a duct, at least; share of it that is filled, at most */
     double weight_correction; /* w_c of (T20) */
 } LimitsDef;
@@ -64,44 +56,27 @@ typedef struct Finding {
     double rating;  /* N, of the roller found; the critical load; of the run-away the largest tension, which its margin
                        is measured by */
     int cables;     /* in the duct found */
+    int triangle;   /* and whether they are a triangle there */
     double steady;  /* N, of a trip: the largest force that the winch needs by itself; NAN: the cable runs away */
     double beyond;  /* N, of a trip: by what the winch pulls more than the cable's front, reckoned */
     char where[80]; /* its place */
     char why[160];  /* why it is not known; of the run-away what is missing or pushes; of buckling what holds */
 } Finding;
 
-/* ------------------------------------------------------------------- values of codes and practices: limits_values.c */
-
-/* What a rule says; a and b of limits_rule in brackets, -1 where a rule holds for all. */
-typedef enum Rule {
-    RULE_CONDUCTOR,  /* Pa, of a conductor under an eye (ConductorMetal, 1 if there are several cores) */
-    RULE_SHEATH,     /* Pa, of a sheath under a net (SheathKind) */
-    RULE_UNDER_NET,  /* Pa, of the conductors where a net may not pull more than they bear (ConductorMetal) */
-    RULE_ATTACHMENT, /* N, of one eye or net, whatever the cable bears (Attachment, SheathKind) */
-    RULE_TOGETHER,   /* 1, share of n cables' sum that a rope may pull at (conductors, cables; 4 and more are 4) */
-    RULE_SIDEWALL,   /* N/m (CableType), by practice */
-    RULE_BEND,       /* 1, radius over the cable's diameter (CableType), by practice */
-    RULE_ROPE_BEND,  /* 1 (RopeKind), by nobody */
-    RULE_SPEED       /* m/s, by nobody */
-} Rule;
-
-/* A value with its source. */
-typedef struct Allowed {
-    double value; /* NAN: nobody says so */
-    const char *source;
-} Allowed;
-
-/* The first rule that fits; set: a LimitCode, of sidewall and bend a LimitPractice, otherwise -1. */
-Allowed limits_rule(Rule rule, int set, int a, int b);
-const char *limits_code_name(int code);
 /* "pull" of HAWSER_LIMIT_PULL and so on. */
 const char *limits_name(hawser_limit_kind kind);
 /* The kind of that name; LIMIT_KINDS: none. */
 hawser_limit_kind limits_kind(const char *name);
 /* Whether nothing is known of a pull without that limit: it is not called safe where this one is not judged. */
 int limits_essential(hawser_limit_kind kind);
-/* The practice that counts. */
-int limits_practice(const LimitsDef *def);
+/* The jam ratios at which three cables may jam, in a triangle or not. */
+typedef struct JamBand {
+    double from, to;
+    Allowed by; /* the code's rule; `value` NAN where the case gives both ends */
+} JamBand;
+JamBand limits_jam_band(const LimitsDef *def, int triangle);
+/* Whether the jam ratio of that load is one at which three cables may jam, by the case or its code. */
+int limits_jams(const LimitsDef *def, const DuctLoad *load);
 
 /* ------------------------------------------------------------------------------- what is allowed: limits_allowed.c */
 

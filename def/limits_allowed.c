@@ -10,7 +10,7 @@ enum { SOURCE_SIZE = sizeof((hawser_limit *)0)->source };
 /* A key of the case in place of the rule; the rule's source or the key's. */
 static Allowed given_or(double given, const char *key, Allowed rule)
 {
-    return isnan(given) ? rule : (Allowed){given, key};
+    return isnan(given) ? rule : (Allowed){given, key, -1, KNOWN_READ};
 }
 
 /* A bound that only the case can give. */
@@ -29,13 +29,14 @@ typedef struct Grasp {
 
 /* An eye pulls at the conductors. So does a net of a code that knows no stress of this sheath but says what conductors
  * bear under one. */
-static Grasp grasp_of(const LimitsDef *def)
+static Grasp grasp_of(const LimitsDef *def, int cables)
 {
     const double area = def->area * def->cores;
     if (def->attachment == ATTACH_EYE)
-        return (Grasp){limits_rule(RULE_CONDUCTOR, def->code, def->metal, def->cores > 1), area, "conductor"};
-    const Allowed sheath = limits_rule(RULE_SHEATH, def->code, def->sheath, 0);
-    const Allowed under = limits_rule(RULE_UNDER_NET, def->code, def->metal, 0);
+        return (Grasp){code_rule(RULE_CONDUCTOR, def->code, def->metal, def->cores > 1 || cables > 1), area,
+                       "conductor"};
+    const Allowed sheath = code_rule(RULE_SHEATH, def->code, def->sheath, 0);
+    const Allowed under = code_rule(RULE_UNDER_NET, def->code, def->metal, 0);
     const int by_sheath = !isnan(sheath.value) || isnan(under.value);
     return (Grasp){by_sheath ? sheath : under, by_sheath ? def->sheath_area : area, by_sheath ? "sheath" : "conductor"};
 }
@@ -44,14 +45,13 @@ static Grasp grasp_of(const LimitsDef *def)
 static Allowed together(const LimitsDef *def, int cables)
 {
     const int conductors = cables * def->cores;
-    const Allowed share =
-        limits_rule(RULE_TOGETHER, def->code, conductors > 4 ? 4 : conductors, cables > 4 ? 4 : cables);
-    return isnan(share.value) ? (Allowed){1, ""} : share;
+    const Allowed share = code_rule(RULE_TOGETHER, def->code, conductors > 4 ? 4 : conductors, cables > 4 ? 4 : cables);
+    return isnan(share.value) ? (Allowed){1, "", -1, KNOWN_READ} : share;
 }
 
 double limits_pull(const LimitsDef *def, int cables, char *source)
 {
-    Grasp at = grasp_of(def);
+    Grasp at = grasp_of(def, cables);
     const Allowed share = together(def, cables);
     at.stress = given_or(def->stress, "limits.stress", at.stress);
     if (!isnan(def->pull)) { /* of one cable, with what the code says of its own conductors */
@@ -62,7 +62,7 @@ double limits_pull(const LimitsDef *def, int cables, char *source)
     }
     if (isnan(at.stress.value)) {
         snprintf(source, SOURCE_SIZE, "code %s has no stress for this %s: needs limits.stress or limits.pull",
-                 limits_code_name(def->code), at.key);
+                 code_name(def->code), at.key);
         return NAN;
     }
     if (!(at.area > 0)) {
@@ -77,7 +77,7 @@ double limits_pull(const LimitsDef *def, int cables, char *source)
 
 double limits_attachment(const LimitsDef *def, char *source)
 {
-    const Allowed usual = limits_rule(RULE_ATTACHMENT, def->code, def->attachment, def->sheath);
+    const Allowed usual = code_rule(RULE_ATTACHMENT, def->code, def->attachment, def->sheath);
     const int own = !isnan(def->attachment_rating) && !(usual.value < def->attachment_rating);
     const double each = own ? def->attachment_rating : usual.value;
     snprintf(source, SOURCE_SIZE, "%s", own ? "limits.attachment_rating" : usual.source);
@@ -89,21 +89,30 @@ double limits_attachment(const LimitsDef *def, char *source)
     return def->grips * each; /* (LI10) */
 }
 
+/* Of whom sidewall pressure and bend radius are. */
+static int practice_code(const LimitsDef *def)
+{
+    static const int code[] = {0, CODE_GB50217, CODE_FUJIKURA, CODE_AEIC, CODE_ROLLERS};
+    return def->practice == PRACTICE_AUTO ? def->code : code[def->practice];
+}
+
 double limits_sidewall(const LimitsDef *def, char *source)
 {
     const Allowed a = given_or(def->sidewall, "limits.sidewall",
-                               limits_rule(RULE_SIDEWALL, limits_practice(def), def->cable_type, 0));
-    snprintf(source, SOURCE_SIZE, "%s", a.source);
+                               code_rule(RULE_SIDEWALL, practice_code(def), def->cable_type, def->cores > 1));
+    allowed_say(a, source, SOURCE_SIZE);
     return a.value;
 }
 
 double limits_radius(const LimitsDef *def, double d, char *source)
 {
+    char by[SOURCE_SIZE];
     snprintf(source, SOURCE_SIZE, "%s", "limits.bend_radius");
     if (!isnan(def->bend_radius)) return def->bend_radius;
-    const Allowed k = given_or(def->bend_factor, "limits.bend_factor",
-                               limits_rule(RULE_BEND, limits_practice(def), def->cable_type, 0));
-    snprintf(source, SOURCE_SIZE, "%g D, D = %g mm (%s)", k.value, 1e3 * d, k.source);
+    const Allowed k =
+        given_or(def->bend_factor, "limits.bend_factor", code_rule(RULE_BEND, practice_code(def), def->cable_type, 0));
+    allowed_say(k, by, sizeof by);
+    snprintf(source, SOURCE_SIZE, "%g D, D = %g mm (%.100s)", k.value, 1e3 * d, by);
     return k.value * d;
 }
 
@@ -177,25 +186,38 @@ static double roller_allowed(const LimitsDef *def, const Finding *f, int steady,
     return steady ? f->rating / def->roller_factor : f->rating;
 }
 
-/* Share of a duct that n cables may fill: the usual table of conduits. */
-static double fill_allowed(const LimitsDef *def, int cables, char *source)
+JamBand limits_jam_band(const LimitsDef *def, int triangle)
 {
-    const double usual = cables == 1 ? 0.53 : cables == 2 ? 0.31 : 0.4;
-    snprintf(source, SOURCE_SIZE, "%s", "limits.fill");
-    if (!isnan(def->fill)) return def->fill;
-    snprintf(source, SOURCE_SIZE, "%g %% with %d cable%s (conduits: 53, 31, from three on 40 %%)", 100 * usual, cables,
-             cables == 1 ? "" : "s");
-    return usual;
+    const Allowed from = code_rule(RULE_JAM_FROM, def->code, triangle, 0),
+                  to = code_rule(RULE_JAM_TO, def->code, triangle, 0);
+    const int own[] = {!isnan(def->jam_from), !isnan(def->jam_to)};
+    JamBand band = {own[0] ? def->jam_from : from.value, own[1] ? def->jam_to : to.value, to};
+    if (own[0] && own[1]) band.by = (Allowed){NAN, "limits.jam_from, jam_to", -1, KNOWN_READ};
+    return band;
 }
 
-/* Nearer to the upper end of the band in which cables jam: then a wider duct is asked for, else a narrower one. */
-static int jams_above(const LimitsDef *def, double ratio) { return 2 * ratio > def->jam_from + def->jam_to; }
+/* Nearer to the upper end of the band in which cables jam: then a wider duct is needed, else a narrower one. */
+static int jams_above(const LimitsDef *def, const Finding *f)
+{
+    const JamBand band = limits_jam_band(def, f->triangle);
+    return 2 * f->value > band.from + band.to;
+}
+
+static double jam_allowed(const LimitsDef *def, const Finding *f, char *source)
+{
+    const JamBand band = limits_jam_band(def, f->triangle);
+    char by[SOURCE_SIZE];
+    allowed_say(band.by, by, sizeof by);
+    snprintf(source, SOURCE_SIZE, "not between %g and %g (%.110s)", band.from, band.to, by);
+    if (isinf(band.to)) snprintf(source, SOURCE_SIZE, "below %g (%.120s)", band.from, by);
+    return jams_above(def, f) ? band.to : band.from;
+}
 
 /* A rule of one number that the case may replace. */
 static double by_rule(double own, const char *key, Allowed rule, char *source)
 {
     const Allowed a = given_or(own, key, rule);
-    snprintf(source, SOURCE_SIZE, "%s", a.source);
+    allowed_say(a, source, SOURCE_SIZE);
     return a.value;
 }
 
@@ -204,17 +226,15 @@ static double duct_allowed(const LimitsDef *def, hawser_limit_kind kind, const F
 {
     switch (kind) {
     case HAWSER_LIMIT_JAM_RATIO:
-        snprintf(source, SOURCE_SIZE, "three cables wedge between %g and %g", def->jam_from, def->jam_to);
-        return jams_above(def, f->value) ? def->jam_to : def->jam_from;
+        return jam_allowed(def, f, source);
     case HAWSER_LIMIT_CLEARANCE:
-        snprintf(source, SOURCE_SIZE, "%s", "over the uppermost cable; 1/4 in are usual");
-        return def->clearance;
+        return by_rule(def->clearance, "limits.clearance", code_rule(RULE_CLEARANCE, def->code, 0, 0), source);
     case HAWSER_LIMIT_WEIGHT_CORRECTION:
         if (isnan(given(def->weight_correction, "weight_correction", source)))
             snprintf(source, SOURCE_SIZE, "%s", "no code has a bound: needs limits.weight_correction");
         return def->weight_correction;
     default:
-        return fill_allowed(def, f->cables, source);
+        return by_rule(def->fill, "limits.fill", code_rule(RULE_FILL, def->code, f->cables, 0), source);
     }
 }
 
@@ -228,7 +248,8 @@ static double machine_allowed(const LimitsDef *def, hawser_limit_kind kind, int 
     case HAWSER_LIMIT_ROPE:
         return rope_allowed(def, source);
     case HAWSER_LIMIT_ROPE_BEND:
-        return by_rule(def->rope_bend, "limits.rope_bend", limits_rule(RULE_ROPE_BEND, -1, def->rope_kind, 0), source);
+        return by_rule(def->rope_bend, "limits.rope_bend", code_rule(RULE_ROPE_BEND, CODE_USUAL, def->rope_kind, 0),
+                       source);
     case HAWSER_LIMIT_WINCH:
         return given(def->winch_capacity, "winch_capacity", source);
     case HAWSER_LIMIT_PUSH:
@@ -241,7 +262,7 @@ static double machine_allowed(const LimitsDef *def, hawser_limit_kind kind, int 
     case HAWSER_LIMIT_TRIP:
         return trip_allowed(def, cables, f, source);
     case HAWSER_LIMIT_SPEED:
-        return by_rule(def->speed, "limits.speed", limits_rule(RULE_SPEED, -1, 0, 0), source);
+        return by_rule(def->speed, "limits.speed", code_rule(RULE_SPEED, def->code, 0, 0), source);
     default:
         snprintf(source, SOURCE_SIZE, "%s", "eq. 12: 1.2 to 1.5 are usual");
         return def->alpha;
@@ -259,6 +280,8 @@ double limits_allowed(const LimitsDef *def, hawser_limit_kind kind, double diame
         return limits_attachment(def, source);
     case HAWSER_LIMIT_SIDEWALL:
         return limits_sidewall(def, source);
+    case HAWSER_LIMIT_CONTACT_PRESSURE:
+        return given(def->contact, "contact_pressure", source);
     case HAWSER_LIMIT_BEND_RADIUS:
         return limits_radius(def, diameter, source);
     case HAWSER_LIMIT_RUN_AWAY:
@@ -277,6 +300,6 @@ double limits_allowed(const LimitsDef *def, hawser_limit_kind kind, double diame
 int limits_at_least(const LimitsDef *def, hawser_limit_kind kind, const Finding *f)
 {
     return kind == HAWSER_LIMIT_BEND_RADIUS || kind == HAWSER_LIMIT_ROPE_BEND || kind == HAWSER_LIMIT_CLEARANCE ||
-           (kind == HAWSER_LIMIT_JAM_RATIO && jams_above(def, f->value)) ||
+           (kind == HAWSER_LIMIT_JAM_RATIO && jams_above(def, f)) ||
            (kind == HAWSER_LIMIT_TRIP && f->value < f->steady);
 }

@@ -472,7 +472,8 @@ static hawser_status route_vary(const Setup *setup, const Variation *by, Route *
             meant = by->bend < 0 || (by->bend >= p && by->bend <= last);
         }
         piece[p] = def->route[p];
-        if (meant) piece_grow(&piece[p], by->radius);
+        if (by->radii) piece_grow(&piece[p], by->radii[p]);
+        if (!by->radii && meant) piece_grow(&piece[p], by->radius);
     }
     const hawser_status status =
         route_build(out, def->n_route, piece, def->route_start, def->route_heading, def->route_slope, err);
@@ -536,7 +537,7 @@ hawser_status calculator_vary(const Setup *setup, const Calculator *base, const 
     out->def.enough = by->enough;
     out->def.skip[!by->way] = 1;
     hawser_status status = HAWSER_OK;
-    if (by->radius != 1) {
+    if (by->radius != 1 || by->radii) {
         status = route_vary(setup, by, &out->own, err);
         out->route = &out->own;
     }

@@ -139,6 +139,7 @@ typedef struct Variation {
     double friction;       /* factor on all friction */
     double radius;         /* factor on the radius of ... */
     int bend;              /* ... this piece, or of every bend: -1 */
+    const double *radii;   /* [pieces] factors in place of that, one for all parts of a bend; NULL */
     double beyond;         /* m, how far the pull goes beyond the route's end; below 0: stops short of it */
     int n_machines;        /* so many more machines ... */
     const double *machine; /* [n_machines] ... here (m along the route) ... */

@@ -37,6 +37,21 @@ static Finding sidewall_finding(const Route *route, const PlanWay *way)
     return f;
 }
 
+/* The largest force per length on a duct, tray or floor along the route, N/m, at speed; absent without one. */
+static Finding contact_finding(const Setup *setup, const Calculator *c, const PlanWay *way)
+{
+    Finding f = {.absent = 1};
+    for (int p = 0; p < setup->route->n; ++p) {
+        const RoutePiece *const piece = &setup->route->piece[p];
+        const SurfaceDef *const on = supports_surface(&setup->supports, piece->s0 + piece->length / 2);
+        if (!on) continue;
+        const PieceExtremes most = pull_piece_extremes(&way->pull, p);
+        const double force = bundle_share(setup->def, on) * fmax(most.down, most.aside);
+        if (f.absent || force > f.value) f = finding_at(c->route, force, c->route->piece[p].s0);
+    }
+    return f;
+}
+
 /* N, (T18a). */
 static double load_beside_bend(const Setup *setup, const Pull *pull, const Beside *beside)
 {
@@ -157,6 +172,7 @@ static hawser_status limits_set(const Setup *setup, Calculator *c, hawser_error 
         f[HAWSER_LIMIT_PULL] = finding_on(route, way->pull.max_tension, way->pull.max_at, way->pull.max_piece);
         f[HAWSER_LIMIT_RESTART] = finding_on(route, way->restart_max, way->restart_at, way->restart_piece);
         f[HAWSER_LIMIT_SIDEWALL] = sidewall_finding(route, way);
+        f[HAWSER_LIMIT_CONTACT_PRESSURE] = contact_finding(setup, c, way);
         f[HAWSER_LIMIT_BEND_RADIUS] = bend_finding(c, k);
         if (strand_is_rope(&setup->def->strand))
             f[HAWSER_LIMIT_BEND_RADIUS].absent = f[HAWSER_LIMIT_SIDEWALL].absent = 1;

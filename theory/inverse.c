@@ -76,7 +76,11 @@ static const hawser_limit *broken(const Question *q, const Calculator *c)
     return worst;
 }
 
-static int keeps(const Question *q, const Calculator *c) { return c->pulled[q->way].holds && !broken(q, c); }
+/* Where stiffness would break a limit the verdict is NOT TRUSTED, not SAFE. */
+static int keeps(const Question *q, const Calculator *c)
+{
+    return c->pulled[q->way].holds && !broken(q, c) && stiffened_judge(q->setup, c, q->way).holds;
+}
 
 /* Those that are broken and that it does not touch, as far as there is room. */
 static void stays_find(const Question *q, const Calculator *c, char stays[INVERSE_STAYS_MAX])
@@ -131,6 +135,7 @@ static void binding_find(Question *q, const Variation *by, char binds[24], char 
         memcpy(where, finding_on(c.route, 0, worst.at, worst.piece).where, 80);
     } else {
         const hawser_limit *const worst = broken(q, &c);
+        if (!worst) snprintf(binds, 24, "%s", "stiffness");
         if (worst) snprintf(binds, 24, "%.23s", worst->name);
         if (worst) snprintf(where, 80, "%.79s", worst->where);
     }
@@ -301,8 +306,9 @@ hawser_status inverse_find(const Setup *setup, const Calculator *base, Inverse *
     const double push = setup->def->theory.machine_push;
     Question q = {.setup = setup, .base = base, .err = err};
     memset(out, 0, sizeof *out);
-    for (q.way = 0; q.way < PLAN_WAYS; ++q.way) {
+    for (q.way = 0; q.way < PLAN_WAYS && !q.status; ++q.way) {
         if (!calculator_worst(base, q.way)) continue;
+        q.status = mend_find(setup, base, q.way, &out->mend[q.way], err);
         q.bend = critical_bend(base, q.way);
         for (int k = 0; k < INVERSE_KINDS && !q.status; ++k) {
             q.kind = (InverseKind)k;

@@ -4,6 +4,7 @@
 #define HAWSER_THEORY_INVERSE_H
 
 #include "theory/calculator.h"
+#include "theory/mend.h"
 #include "theory/search.h"
 
 typedef enum InverseKind { INVERSE_FRICTION, INVERSE_RADIUS, INVERSE_BEND, INVERSE_LENGTH, INVERSE_KINDS } InverseKind;
@@ -38,7 +39,8 @@ typedef struct InverseMachines {
 typedef struct Inverse {
     int n;
     InverseAnswer answer[PLAN_WAYS * INVERSE_KINDS];
-    int asked; /* for machines */
+    Mend mend[PLAN_WAYS]; /* of each way that is not safe */
+    int asked;            /* for machines */
     InverseMachines machines[PLAN_WAYS];
 } Inverse;
 

@@ -19,6 +19,7 @@ typedef enum hawser_limit_kind {
     HAWSER_LIMIT_RESTART,          /* N, the same from rest */
     HAWSER_LIMIT_ATTACHMENT,       /* N, at the eye or net: what that bears */
     HAWSER_LIMIT_SIDEWALL,         /* N/m, largest tension over radius in a bend */
+    HAWSER_LIMIT_CONTACT_PRESSURE, /* N/m, largest force per length on ducts, trays, floors and walls */
     HAWSER_LIMIT_BEND_RADIUS,      /* m, smallest radius of the cable */
     HAWSER_LIMIT_ROPE_BEND,        /* 1, smallest diameter that the rope is bent round over its own */
     HAWSER_LIMIT_ROLLER_STEADY,    /* N, largest load of a roller at steady speed */

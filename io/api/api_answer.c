@@ -116,14 +116,26 @@ static const hawser_limit *limit_of(int n, const hawser_limit *limit, hawser_lim
     return NULL;
 }
 
-/* What was found at its worst place, and what to do if that is too much, unless that was `said` just before. */
-static void limit_lines(Answer *a, const Setup *setup, const char *word, const hawser_limit *l, char said[REMEDY_MAX])
+/* Limits that a checked remedy of the calculation (Mend) is about. */
+static int is_mended(const hawser_limit *l)
+{
+    static const hawser_limit_kind kinds[] = {HAWSER_LIMIT_PULL,     HAWSER_LIMIT_RESTART,     HAWSER_LIMIT_ATTACHMENT,
+                                              HAWSER_LIMIT_SIDEWALL, HAWSER_LIMIT_BEND_RADIUS, HAWSER_LIMIT_WINCH};
+    int mended = 0;
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; ++k) mended |= l->kind == kinds[k];
+    return mended;
+}
+
+/* What was found at its worst place, and what to do if that is too much, unless that was `said` just before or is to
+ * be said for all together. */
+static void limit_lines(Answer *a, const Setup *setup, const char *word, const hawser_limit *l, int together,
+                        char said[REMEDY_MAX])
 {
     char found[HAWSER_SHOWN_MAX], margin[128], remedy[REMEDY_MAX], where[sizeof l->where + 2];
     say_margin(l, a->units, margin, sizeof margin);
     answer_line(a, word, "%s %s%s%s; %s", l->name, hawser_show(l->value, l->unit, a->units, found),
                 *l->where ? " at " : "", place_mark(l->where, where, sizeof where), margin);
-    if (l->ok) return;
+    if (l->ok || (together && is_mended(l))) return;
     limit_remedy(setup, l, a->units, remedy);
     if (*remedy && strcmp(remedy, said) != 0) answer_line(a, "remedy", "%s", remedy);
     strcpy(said, remedy);
@@ -140,19 +152,25 @@ static void open_line(Answer *a, int n, const hawser_limit *limit)
     if (*names) answer_line(a, "not judged", "%s (--tables limits)", names);
 }
 
-void answer_limits(Answer *a, const Setup *setup, int n, const hawser_limit *limit)
+static void limits_say(Answer *a, const Setup *setup, int n, const hawser_limit *limit, int together)
 {
     const hawser_limit *worst = NULL;
     char said[REMEDY_MAX] = "";
     for (int i = 0; i < n; ++i) {
         if (limit[i].judged && (!worst || limit[i].margin < worst->margin)) worst = &limit[i];
     }
-    if (worst) limit_lines(a, setup, "worst", worst, said);
+    if (worst) limit_lines(a, setup, "worst", worst, together, said);
     for (int i = 0; i < n; ++i) {
-        if (limit[i].judged && !limit[i].ok && &limit[i] != worst) limit_lines(a, setup, "broken", &limit[i], said);
+        if (limit[i].judged && !limit[i].ok && &limit[i] != worst)
+            limit_lines(a, setup, "broken", &limit[i], together, said);
     }
     if (n == 0) answer_line(a, "remedy", "say what is allowed in the case's section 'limits'");
     open_line(a, n, limit);
+}
+
+void answer_limits(Answer *a, const Setup *setup, int n, const hawser_limit *limit)
+{
+    limits_say(a, setup, n, limit, 0);
 }
 
 /* ------------------------------------------------------------------------------------------ of the calculation */
@@ -198,11 +216,59 @@ static void way_line(Answer *a, const Setup *setup, const Calculator *c, int k)
                 margin);
 }
 
+enum { MEND_SHOWN = 6 };
+
+/* "a radius of 7.86 m in 'b2' (route.pieces.3.radius, now 3 m)", or of a change of slope. */
+static void bend_say(const Setup *setup, const MendBend *b, const char *would, hawser_units units, char *text,
+                     size_t size)
+{
+    char radius[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX], key[40];
+    const RoutePiece *const piece = &setup->route->piece[b->piece];
+    mend_key(setup, b->piece, key);
+    show_bound(b->radius, 1, "m", units, radius);
+    hawser_show(b->now, "m", units, now);
+    if (!piece->listed && *key)
+        snprintf(text, size, "a radius of %s at changes of slope%s (%s, now %s)", radius, would, key, now);
+    else if (*piece->name)
+        snprintf(text, size, "a radius of %s in '%s'%s (%s%snow %s)", radius, piece->name, would, key, *key ? ", " : "",
+                 now);
+    else
+        snprintf(text, size, "a radius of %s there%s (%s%snow %s)", radius, would, key, *key ? ", " : "", now);
+}
+
+/* The remedy that was computed again, or what no radius and no friction mends. */
+static void mend_lines(Answer *a, const Setup *setup, const Mend *m)
+{
+    char text[1600] = "", one[256];
+    const int alone = m->safe && m->n == 1 && !(m->friction > 0);
+    int shared = 0, n = 0;
+    for (int i = 0; i < m->n; ++i) {
+        const int slope = !setup->route->piece[m->bend[i].piece].listed;
+        bend_say(setup, &m->bend[i], alone ? " would do" : "", a->units, one, sizeof one);
+        if ((slope && strstr(one, "transition_radius") && shared++) || n++ >= MEND_SHOWN) continue;
+        snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s", n > 1 ? " and " : "", one);
+    }
+    if (n > MEND_SHOWN)
+        snprintf(text + strlen(text), sizeof text - strlen(text), " and %d more bends (table remedies)",
+                 n - MEND_SHOWN);
+    if (m->friction > 0)
+        snprintf(text + strlen(text), sizeof text - strlen(text), "%sfriction of at most %.2g, now %.3g,",
+                 *text ? " with " : "", m->friction, m->now);
+    Assumed assumed[ASSUMED_KINDS];
+    const char *const but = assumed_list(setup->def, assumed) > 0 ? " with what is assumed" : "";
+    if (m->safe)
+        answer_line(a, "remedy", "%s%s: computed again, all limits hold%s", text, alone ? "" : " would do", but);
+    else if (*text)
+        answer_line(a, "remedy", "%s would help, but then is still broken: %s", text, m->still);
+    else if (*m->still)
+        answer_line(a, "remedy", "no radius and no friction makes this safe: still broken is %s", m->still);
+}
+
 /* Less friction, a shorter pull, machines: what would keep the limits of this way, by the same calculation. */
 static void inverse_lines(Answer *a, const Setup *setup, const Inverse *inverse, int way)
 {
     char shown[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX];
-    const InverseMachines *const m = &inverse->machines[way];
+    const InverseMachines *const machines = &inverse->machines[way];
     for (int i = 0; i < inverse->n; ++i) {
         const InverseAnswer *const b = &inverse->answer[i];
         const char *const but = *b->stays ? " but " : "";
@@ -214,7 +280,9 @@ static void inverse_lines(Answer *a, const Setup *setup, const Inverse *inverse,
             answer_line(a, "remedy", "friction of %.3g to %.3g, now %.3g, would keep all limits%s%s", least, most,
                         b->now, but, b->stays);
         if (b->way != way || b->end != SEARCH_FOUND || !(b->value < b->now)) continue;
-        if (b->kind == INVERSE_FRICTION)
+        const Mend *const m = &inverse->mend[way];
+        const int told = m->safe && m->n == 0; /* the same friction, rounded */
+        if (b->kind == INVERSE_FRICTION && !told)
             answer_line(a, "remedy", "friction of at most %.3g, now %.3g, would keep all limits%s%s",
                         floor(1e3 * b->value) / 1e3, b->now, but, b->stays);
         if (b->kind == INVERSE_LENGTH)
@@ -222,10 +290,10 @@ static void inverse_lines(Answer *a, const Setup *setup, const Inverse *inverse,
                         show_bound(b->value, 0, "m", a->units, shown), hawser_show(b->now, "m", a->units, now), but,
                         b->stays);
     }
-    if (inverse->asked && m->n > 0)
-        answer_line(a, "remedy", "%d machine%s of %s, the first at %s, would keep all limits%s%s", m->n,
-                    m->n > 1 ? "s" : "", hawser_show(setup->def->theory.machine_push, "N", a->units, shown),
-                    hawser_show(m->at[0], "m", a->units, now), *m->stays ? " but " : "", m->stays);
+    if (inverse->asked && machines->n > 0)
+        answer_line(a, "remedy", "%d machine%s of %s, the first at %s, would keep all limits%s%s", machines->n,
+                    machines->n > 1 ? "s" : "", hawser_show(setup->def->theory.machine_push, "N", a->units, shown),
+                    hawser_show(machines->at[0], "m", a->units, now), *machines->stays ? " but " : "", machines->stays);
 }
 
 /* With all that is assumed at its upper end. */
@@ -256,7 +324,8 @@ void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inv
     const int forward = calculator_holds(c, PLAN_FORWARD), backward = calculator_holds(c, PLAN_BACKWARD);
     answer_verdict(a, verdict[PLAN_FORWARD]);
     way_line(a, setup, c, PLAN_FORWARD);
-    answer_limits(a, setup, c->n_limits, c->limit[PLAN_FORWARD]);
+    limits_say(a, setup, c->n_limits, c->limit[PLAN_FORWARD], 1);
+    if (!forward && c->n_limits > 0) mend_lines(a, setup, &inverse->mend[PLAN_FORWARD]);
     if (!forward) inverse_lines(a, setup, inverse, PLAN_FORWARD);
     together_line(a, setup, c);
     if (!forward && backward && c->n_limits > 0) answer_line(a, "remedy", "pulled from the other end all limits hold");
@@ -345,6 +414,24 @@ static void trust_lines(Answer *a, const hawser_summary *s)
     if (!failed) answer_line(a, "trust", "the figures are to be trusted: all %d conditions hold", s->n_conditions);
 }
 
+/* A run's remedy is of its one worst bend. Where theory has several bends too tight, or friction too, what it computes
+ * of all together is said as well. */
+static void theory_lines(Answer *a, const hawser_sim *s, int n, const hawser_limit *limit)
+{
+    const Setup *const setup = &s->stage.scene.setup;
+    int broken = 0;
+    for (int i = 0; i < n; ++i) broken |= limit[i].judged && !limit[i].ok && is_mended(&limit[i]);
+    if (!broken) return;
+    Calculator c;
+    Mend mend = {.n = 0};
+    if (!calculator_build(setup, &s->expected, 1, &c, NULL) && !mend_find(setup, &c, PLAN_FORWARD, &mend, NULL) &&
+        mend.n + (mend.friction > 0) > 1) {
+        answer_line(a, "by theory", "of all bends together:");
+        mend_lines(a, setup, &mend);
+    }
+    calculator_free(&c);
+}
+
 /* A rod is not pulled, and nothing is allowed of it: there is only whether its figures are to be trusted. */
 const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, size_t size)
 {
@@ -371,6 +458,7 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
         pull_line(&a, &sum, n, limit);
         if (n > 0) reached_line(&a, s);
         if (n > 0 || !failed) answer_limits(&a, &s->stage.scene.setup, n, limit);
+        if (n > 0) theory_lines(&a, s, n, limit);
     }
     if (!failed) trust_lines(&a, &sum);
     if (sum.passes) answer_line(&a, "passes", "%s: %s", sum.passes->why, sum.passes->says);

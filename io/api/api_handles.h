@@ -89,7 +89,7 @@ typedef struct TheoryWish {
  * hawser_case_theory. */
 hawser_status case_theory_values(hawser_case *c, const TheoryWish *wish, struct json_t **out, hawser_error *err);
 
-enum { THEORY_TABLES_MAX = 15, THEORY_PIECES = 0 };
+enum { THEORY_TABLES_MAX = 16, THEORY_PIECES = 0 };
 
 /* The calculator's results, for `hawser theory`. */
 typedef struct TheoryTables {
@@ -149,6 +149,8 @@ hawser_status along_rows(hawser_sim *s, AlongRow **rows, int *n, hawser_error *e
 
 /* A value in three digits as it is shown, rounded up where at least so much is asked for and down where at most. */
 const char *show_bound(double value, int least, const char *unit, hawser_units units, char *text);
+/* The key of a bend's radius, "route.pieces.3.radius"; empty where it is not one of the case's. */
+void mend_key(const Setup *setup, int piece, char key[40]);
 /* What would make a broken limit hold, from its own figures and the scene's: "a radius of 8.5 m in 'bend' would do".
  * The tension is taken to stay as it is. `text` has 256 bytes and is empty where nothing can be told. */
 void limit_remedy(const Setup *setup, const hawser_limit *broken, hawser_units units, char *text);

@@ -119,15 +119,22 @@ static double diameter_for(const SceneDef *def, const SurfaceDef *duct, double c
 static void duct_remedy(const Setup *setup, const hawser_limit *l, hawser_units units, char *text)
 {
     char least[HAWSER_SHOWN_MAX], most[HAWSER_SHOWN_MAX] = "", now[HAWSER_SHOWN_MAX];
-    const LimitsDef *const limits = &setup->def->limits;
     const SurfaceDef *const duct = duct_called(setup->def, l->where);
     if (!duct) return;
     const double D = 2 * (duct->bore > 0 ? duct->bore : duct->shape.radius);
+    DuctLoad load;
     double wider = D * sqrt(l->value / l->limit);
     if (l->kind == HAWSER_LIMIT_CLEARANCE) wider = diameter_for(setup->def, duct, l->limit, D);
     if (l->kind == HAWSER_LIMIT_JAM_RATIO) {
-        wider = D * limits->jam_to / l->value;
-        show_bound(D * limits->jam_from / l->value, 0, "m", units, most);
+        const int triangle = !bundle_in(setup->def, duct, &load, NULL) && load.layout == DUCT_TRIANGLE;
+        const JamBand band = limits_jam_band(&setup->def->limits, triangle);
+        wider = D * band.to / l->value;
+        show_bound(D * band.from / l->value, 0, "m", units, most);
+        if (isinf(wider)) {
+            snprintf(text, REMEDY_MAX, "an inside diameter of at most %s in '%s' would do (now %s)", most, duct->name,
+                     hawser_show(D, "m", units, now));
+            return;
+        }
     }
     snprintf(text, REMEDY_MAX, "an inside diameter of at least %s%s%s in '%s' would do (now %s)",
              show_bound(wider, 1, "m", units, least), *most ? " or at most " : "", most, duct->name,

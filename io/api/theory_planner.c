@@ -263,6 +263,88 @@ static int assumed_add(const Setup *setup, TheoryTables *t)
     return row != NULL;
 }
 
+/* --------------------------------------------------------------------------------------------- what would do */
+
+/* One change of a remedy: all of a direction's belong together and were computed as one. */
+typedef struct RemedyRow {
+    const char *direction, *what, *place, *unit, *still, *safe;
+    char key[40];
+    double now, value;
+} RemedyRow;
+
+static const Column remedy_column[] = {
+    {COLUMN("direction", TEXT, RemedyRow, direction), .label = "direction"},
+    {COLUMN("remedy", TEXT, RemedyRow, what), .label = "remedy"},
+    {COLUMN("where", TEXT, RemedyRow, place), .label = "of"},
+    {COLUMN("key", CHARS, RemedyRow, key), .label = "key"},
+    {COLUMN("now", NUMBER, RemedyRow, now), .label = "now", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("value", NUMBER, RemedyRow, value), .label = "needed", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("unit", TEXT, RemedyRow, unit), .label = "unit"},
+    {COLUMN("safe", TEXT, RemedyRow, safe), .label = "safe with all"},
+    {COLUMN("still", TEXT, RemedyRow, still), .label = "still broken"},
+};
+static const Columns remedy_columns = COLUMNS(RemedyRow, remedy_column);
+
+void mend_key(const Setup *setup, int piece, char key[40])
+{
+    const Route *const route = setup->route;
+    int listed = 0;
+    for (int k = 0; k < route->n; ++k) listed |= route->piece[k].listed > 0;
+    *key = 0;
+    if (route->piece[piece].listed) snprintf(key, 40, "route.pieces.%d.radius", route->piece[piece].listed - 1);
+    if (!route->piece[piece].listed && listed) snprintf(key, 40, "route.transition_radius");
+}
+
+static RemedyRow remedy_row(const Mend *m, const char *what, double now, double value)
+{
+    return (RemedyRow){.direction = theory_ways[m->way],
+                       .what = what,
+                       .place = "",
+                       .unit = "1",
+                       .still = m->still,
+                       .safe = m->safe ? "yes" : "NO",
+                       .now = now,
+                       .value = value};
+}
+
+/* Of the case's one coefficient, in motion and from rest; without a key where there are several. */
+static int friction_rows(const Setup *setup, const Calculator *c, const Mend *m, RemedyRow *row)
+{
+    const SceneDef *const def = setup->def;
+    const FrictionLaw *const law = &def->friction;
+    const int one =
+        c->mu_least == c->mu_largest && c->mu_largest == law->mu_d && law->mu_d > 0 && def->theory.n_friction == 0;
+    const int apart = one && !def->friction_known.rest_assumed;
+    row[0] = remedy_row(m, "friction", m->now, m->friction);
+    if (one) snprintf(row[0].key, sizeof row->key, "friction.mu%s", apart ? "_d" : "");
+    if (!apart) return 1;
+    row[1] = remedy_row(m, "friction", law->mu_s, m->friction * law->mu_s / law->mu_d);
+    snprintf(row[1].key, sizeof row->key, "friction.mu_s");
+    return 2;
+}
+
+static int remedies_add(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *t)
+{
+    int n = 0;
+    RemedyRow *const row = theory_table_add(t, "remedies", "What would do, computed again with all limits",
+                                            remedy_columns, PLAN_WAYS * (MEND_BENDS_MAX + 3));
+    for (int k = 0; row && k < PLAN_WAYS; ++k) {
+        const Mend *const m = &inverse->mend[k];
+        const int before = n;
+        for (int i = 0; i < m->n; ++i, ++n) {
+            row[n] = remedy_row(m, "radius", m->bend[i].now, m->bend[i].radius);
+            row[n].place = setup->route->piece[m->bend[i].piece].name;
+            row[n].unit = "m";
+            mend_key(setup, m->bend[i].piece, row[n].key);
+        }
+        if (m->friction > 0) n += friction_rows(setup, c, m, &row[n]);
+        if (*m->still && n == before) row[n++] = remedy_row(m, "none", NAN, NAN);
+    }
+    if (row) t->table[t->n - 1].n = n;
+    if (row && n == 0) free(t->rows[--t->n]);
+    return row != NULL;
+}
+
 /* ------------------------------------------------------------------------------------------------ notes */
 
 typedef struct NoteRow {
@@ -334,5 +416,5 @@ static int notes_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 int theory_planner_add(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *t)
 {
     return heads_add(c, t) && sections_add(setup, c, t) && brakes_add(c, t) && answers_add(setup, inverse, t) &&
-           assumed_add(setup, t) && notes_add(setup, c, t);
+           assumed_add(setup, t) && remedies_add(setup, c, inverse, t) && notes_add(setup, c, t);
 }

@@ -176,7 +176,8 @@ static int ducts_add(const Setup *setup, const Calculator *c, TheoryTables *t)
     DuctRow *const row = theory_table_add(t, "ducts", "Ducts", duct_columns, c->n_ducts);
     for (int i = 0; row && i < c->n_ducts; ++i) {
         const DuctLoad *const load = &c->duct[i].load;
-        row[i] = (DuctRow){c->duct[i].surface->name, duct_layout_name(load->layout), jam_risk_name(load->jam_risk),
+        row[i] = (DuctRow){c->duct[i].surface->name, duct_layout_name(load->layout),
+                           jam_risk_name(bundle_jam_risk(setup->def, load)),
                            bundle_cables_in(setup->def, c->duct[i].surface), *load};
     }
     return row != NULL;

@@ -38,7 +38,7 @@ static const CaseKey bundle_keys[] = {
      AT(BundleRecord, bundle.correction)},
     {"weight_factor", KEY_NUMBER, .otherwise = "by the layout", FROM(1, 10),
      AT(BundleRecord, bundle.set.weight_factor)},
-    {"oval", KEY_NUMBER, .fallback = "1.05", FROM(1, 2), AT(BundleRecord, bundle.set.oval)},
+    {"oval", KEY_NUMBER, .otherwise = "by `limits.code`", FROM(1, 2), AT(BundleRecord, bundle.set.oval)},
 };
 SECTION(case_bundle, "bundle", bundle_keys);
 
@@ -132,6 +132,7 @@ static hawser_status bundle_finish(CaseReader *r, const CaseNode *node, BundleRe
         b->set.kinds = 1;
     }
     if (isnan(b->set.weight_factor)) b->set.weight_factor = 0;
+    if (isnan(b->set.oval)) b->set.oval = 0; /* case_cables_limits sets the code's */
     if (isnan(b->set.lay)) b->set.lay = USUAL_LAY * r->def->cables[cable].diameter;
     r->def->bundle = *b;
     hawser_error why = {.message = ""};

@@ -288,6 +288,8 @@ hawser_status case_cables_limits(CaseReader *r, const CaseNode *node)
     SceneDef *const def = r->def;
     LimitsDef *const limits = &def->limits;
     (void)node;
+    if (!(def->bundle.set.oval > 0))
+        def->bundle.set.oval = code_rule(RULE_OVAL, limits->present ? limits->code : CODE_USUAL, 0, 0).value;
     if (!limits->present || def->n_pieces == 0) return HAWSER_OK;
     const CableDef *const cable = pulled_cable(def);
     if (!(limits->area > 0) && cable && cable->conductor_area > 0) {

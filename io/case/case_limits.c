@@ -2,9 +2,9 @@
 #include "io/case/case_parts.h"
 
 /* In the order of the enumerations that they stand for. */
-static const char *const codes[] = {"paper", "tb889", "aeic", "ieee1185", "iec", "tes", NULL};
+static const char *const codes[] = {"paper", "tb889", "aeic", "ieee1185", "iec", "tes", "gb50217", NULL};
 static const char *const practices[] = {"auto", "chinese", "fujikura", "aeic", "rollers", NULL};
-static const char *const types[] = {"unknown", "control", "power", "shielded", "armoured", NULL};
+static const char *const types[] = {"unknown", "control", "power", "shielded", "armoured", "separate", NULL};
 static const char *const ropes[] = {"steel", "fibre", NULL};
 static const char *const wears[] = {"cable", "place", NULL};
 static const char *const attachments[] = {"eye", "net", NULL};
@@ -62,6 +62,8 @@ static const CaseKey limits_keys[] = {
     {"practice", KEY_CHOICE, .fallback = "auto", .choices = practices, AT(LimitsDef, practice)},
     {"cable_type", KEY_CHOICE, .fallback = "unknown", .choices = types, AT(LimitsDef, cable_type)},
     {"sidewall", KEY_NUMBER, DIM_LINE_FORCE, .otherwise = "by `practice`", ABOVE(0, STRONG), AT(LimitsDef, sidewall)},
+    {"contact_pressure", KEY_NUMBER, DIM_LINE_FORCE, .otherwise = "not known", ABOVE(0, STRONG),
+     AT(LimitsDef, contact)},
     {"bend_factor", KEY_NUMBER, .otherwise = "by `practice`", ABOVE(0, 1000), AT(LimitsDef, bend_factor)},
     {"bend_radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "`bend_factor` times the cable's diameter", ABOVE(0, LONG),
      AT(LimitsDef, bend_radius)},
@@ -79,10 +81,10 @@ static const CaseKey limits_keys[] = {
     {"squeeze", KEY_NUMBER, DIM_LINE_FORCE, .otherwise = "not known", ABOVE(0, STRONG), AT(LimitsDef, squeeze)},
     {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "15 m/min", ABOVE(0, 1e3), AT(LimitsDef, speed)},
     {"alpha", KEY_NUMBER, .fallback = "1.5", FROM(1, 100), AT(LimitsDef, alpha)},
-    {"jam_from", KEY_NUMBER, .fallback = "2.6", FROM(1, 100), AT(LimitsDef, jam_from)},
-    {"jam_to", KEY_NUMBER, .fallback = "3.2", FROM(1, 100), AT(LimitsDef, jam_to)},
-    {"clearance", KEY_NUMBER, DIM_LENGTH, .fallback = "6.35 mm", FROM(0, LONG), AT(LimitsDef, clearance)},
-    {"fill", KEY_NUMBER, .otherwise = "by the number of cables", ABOVE(0, 1), AT(LimitsDef, fill)},
+    {"jam_from", KEY_NUMBER, .otherwise = "by `code`", FROM(1, 100), AT(LimitsDef, jam_from)},
+    {"jam_to", KEY_NUMBER, .otherwise = "by `code`", FROM(1, 100), AT(LimitsDef, jam_to)},
+    {"clearance", KEY_NUMBER, DIM_LENGTH, .otherwise = "by `code`", FROM(0, LONG), AT(LimitsDef, clearance)},
+    {"fill", KEY_NUMBER, .otherwise = "by `code` and the number of cables", ABOVE(0, 1), AT(LimitsDef, fill)},
     {"weight_correction", KEY_NUMBER, .otherwise = "not known", FROM(1, 100), AT(LimitsDef, weight_correction)},
 };
 SECTION(case_limits, "limits", limits_keys);
@@ -117,9 +119,10 @@ hawser_status case_limits_read(CaseReader *r, const CaseNode *node)
     if (!status && cover) status = case_section_read(r, cover, &sheath, limits);
     if (!status) status = either_check(r, node, "pull", "stress");
     if (!status) status = either_check(r, node, "bend_radius", "bend_factor");
-    if (!status && limits->jam_from > limits->jam_to) {
+    const JamBand band = limits_jam_band(limits, 0);
+    if (!status && band.from > band.to) {
         status = case_value_error(r->err, case_node_key(node, case_node_key(node, "jam_to") ? "jam_to" : "jam_from"),
-                                  " is out of order: 'jam_from' is %g, 'jam_to' %g", limits->jam_from, limits->jam_to);
+                                  " is out of order: 'jam_from' is %g, 'jam_to' %g", band.from, band.to);
     }
     if (!status && limits->attachment == ATTACH_EYE && cover && !metal) {
         status = case_key_error(r->err, cover, NULL, "only counts with 'attachment: net'");

@@ -10,18 +10,26 @@
 static const Finding NO_MEMORY = {.value = NAN, .steady = NAN, .why = "no memory"};
 static const double WAVERS = 0.02; /* share by which a cable's speed may be above that of the belts that draw it */
 
-/* The route's bends by T/R, surfaces by the force per length that was found on them. */
-static Finding sidewall_finding(const Peaks *peaks, const Stats *stats, const Scene *scene)
+/* The route's bends by T/R, which is what codes mean; a route that is straight presses nowhere. */
+static Finding sidewall_finding(const Peaks *peaks, const Scene *scene)
 {
     Finding f = finding_at(&scene->route, peaks->sidewall.value, peaks->sidewall.at);
+    if (!(f.value > 0)) *f.where = 0;
+    return f;
+}
+
+/* The force per length that was found on surfaces, with its own error bar; absent where there are none. */
+static Finding contact_finding(const Stats *stats, const Scene *scene)
+{
+    Finding f = {.absent = stats->n_surfaces == 0};
     for (int i = 0; i < stats->n_surfaces; ++i) {
         const hawser_surface *const s = &stats->surface_out[i];
-        const double worst = s->line_load_N_per_m * bundle_share(&scene->def, &scene->def.surfaces[i]);
+        const double share = bundle_share(&scene->def, &scene->def.surfaces[i]), worst = share * s->line_load_N_per_m;
         if (!(worst > f.value)) continue;
         f.value = worst;
+        f.error = share * s->line_load_error;
         snprintf(f.where, sizeof f.where, "%.1f m on %.60s", s->line_load_at_m, s->name);
     }
-    if (!(f.value > 0)) *f.where = 0;
     return f;
 }
 
@@ -66,9 +74,7 @@ static Finding roller_finding(const Peaks *peaks, const Stats *stats, int steady
     return worst;
 }
 
-/* What is a tension, or one over something exact, is as uncertain as the largest pull. So is sidewall pressure here,
- * also where it was found on a surface: what is allowed is meant for T/R, and a surface's own bar is as large as
- * itself. */
+/* What is a tension, or one over something exact, is as uncertain as the largest pull. */
 static void errors_of_tension(Finding f[LIMIT_KINDS], double share)
 {
     static const hawser_limit_kind of_tension[] = {HAWSER_LIMIT_PULL, HAWSER_LIMIT_ATTACHMENT, HAWSER_LIMIT_SIDEWALL,
@@ -177,7 +183,8 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
     if (!peaks->present) return 0;
     if (peaks->recorded > 0) {
         f[HAWSER_LIMIT_PULL] = finding_at(&scene->route, peaks->tension.value, peaks->tension.at);
-        f[HAWSER_LIMIT_SIDEWALL] = sidewall_finding(peaks, stats, scene);
+        f[HAWSER_LIMIT_SIDEWALL] = sidewall_finding(peaks, scene);
+        f[HAWSER_LIMIT_CONTACT_PRESSURE] = contact_finding(stats, scene);
         f[HAWSER_LIMIT_BEND_RADIUS] = bend_finding(peaks, scene);
         f[HAWSER_LIMIT_ROLLER_STEADY] = roller_finding(peaks, stats, 1);
         f[HAWSER_LIMIT_ROLLER_PEAK] = roller_finding(peaks, stats, 0);
@@ -193,6 +200,7 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
             snprintf(f[k].why, sizeof f[k].why, "nothing has run yet");
         }
     }
+    if (stats->n_surfaces == 0) f[HAWSER_LIMIT_CONTACT_PRESSURE].absent = 1;
     findings_of_scene(&scene->setup, f);
     if (strand_is_rope(&def->strand)) f[HAWSER_LIMIT_BEND_RADIUS].absent = f[HAWSER_LIMIT_SIDEWALL].absent = 1;
     if (def->strand.present && !peaks->borne)
