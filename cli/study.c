@@ -22,6 +22,7 @@ static const char help[] =
     "      --tasks N           of the array (default: by the number of samples)\n"
     "      --mpi               computes on all ranks that mpirun has started; --jobs is of each rank\n"
     "      --fresh             begins anew where DIR has samples already\n"
+    "      --format FORMAT     of what is printed: table (default), or json, which is what summary.json holds\n"
     "      --units UNITS       of what is printed: si (default) or us; files are in SI\n"
     "  -q, --quiet             prints nothing but errors\n"
     "  -h, --help              this text\n"
@@ -50,7 +51,8 @@ static int run_study(const Arguments *args, hawser_study *s, const char *dir, co
                      hawser_error *err)
 {
     Progress progress;
-    const int quiet = args->quiet || (ranks && ranks->rank > 0);
+    const int first = !ranks || ranks->rank == 0, json = args->format == HAWSER_JSON;
+    const int quiet = args->quiet || json || !first;
     const hawser_study_options options = {
         .jobs = args->jobs, .fresh = args->fresh, .progress = show_progress, .user = &progress};
     const hawser_study_cluster cluster = {
@@ -63,10 +65,10 @@ static int run_study(const Arguments *args, hawser_study *s, const char *dir, co
     progress_end(&progress);
     const int kept = (status == HAWSER_OK || status == HAWSER_STOPPED) && !args->task;
     hawser_error late;
-    if (kept && !quiet && !hawser_study_answer(s, args->units, &text, &late)) {
+    if (kept && first && (json || !quiet) && !hawser_study_answer(s, args->format, &text, &late)) {
         fputs(text, stdout);
-        printf("\n");
-        tell("Results in %s/", dir);
+        if (!json) printf("\n");
+        if (!json) tell("Results in %s/", dir);
     }
     fflush(stdout);
     hawser_text_free(text);
@@ -79,6 +81,10 @@ static int study(const Arguments *args)
     hawser_error err = {HAWSER_OK, ""};
     hawser_ranks ranks = {0};
     hawser_study *s = NULL;
+    if (args->format == HAWSER_CSV) {
+        complain("--format csv: the table of a study is samples.csv in its folder; 'table' or 'json' can be used");
+        return EXIT_USAGE;
+    }
     hawser_status status = args->mpi ? hawser_ranks_open(&ranks, &err) : HAWSER_OK;
     if (!status) status = hawser_study_load(args->case_path, &s, &err);
     char *const made = args->dir || status ? NULL : default_dir(args->case_path);
@@ -93,4 +99,4 @@ static int study(const Arguments *args)
 }
 
 const Command command_study = {"study", "many variants of a case: how likely is a broken limit, and what matters",
-                               "ouqKNmcky", help, study};
+                               "oufqKNmcky", help, study};

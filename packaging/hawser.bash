@@ -98,8 +98,9 @@ _hawser() {
         case $previous in
         -o|--output) _hawser_offer 'folders' ;;
         --jobs|--tasks|--task) _hawser_offer '1 2' ;;
+        --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--output --jobs --slurm --tasks --mpi --fresh --units --quiet --help --version --task' '*.yaml' ;;
+        *) _hawser_word '--output --jobs --slurm --tasks --mpi --fresh --format --units --quiet --help --version --task' '*.yaml' ;;
         esac
         ;;
     compare)

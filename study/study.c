@@ -209,15 +209,17 @@ hawser_status hawser_study_report(const char *dir, const char *page, hawser_erro
     return status;
 }
 
-hawser_status hawser_study_answer(const hawser_study *s, hawser_units units, char **text, hawser_error *err)
+hawser_status hawser_study_answer(const hawser_study *s, hawser_format format, char **text, hawser_error *err)
 {
     char *found, *whole;
     if (!s || !text) return error_argument(err, s ? "text" : "s");
     *text = NULL;
     if (s->rows.n == 0) return error_set(err, HAWSER_ERR_INPUT, "the study has not run");
-    const hawser_format format = units == HAWSER_US ? HAWSER_TABLE_US : HAWSER_TABLE;
+    if (format == HAWSER_CSV)
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "the table of a study is samples.csv in its folder; of its answer there are tables and JSON");
     const hawser_status status = findings_text(s->study, &s->findings, format, &found, err);
-    if (status || isnan(s->efficiency)) {
+    if (status || format == HAWSER_JSON || isnan(s->efficiency)) {
         *text = status ? NULL : found;
         return status;
     }

@@ -39,9 +39,9 @@ void hawser_study_free(hawser_study *s);
  * hold what there is. */
 hawser_status hawser_study_run(hawser_study *s, const char *dir, const hawser_study_options *options,
                                hawser_error *err);
-/* The answer for people, as far as the last run went: *text is malloc'ed: hawser_text_free. Errors: INPUT (it has not
- * run), MEMORY. */
-hawser_status hawser_study_answer(const hawser_study *s, hawser_units units, char **text, hawser_error *err);
+/* The answer, as far as the last run went: tables for people, or with HAWSER_JSON what summary.json holds. *text is
+ * malloc'ed: hawser_text_free. Errors: INPUT (it has not run; HAWSER_CSV: a study's table is samples.csv), MEMORY. */
+hawser_status hawser_study_answer(const hawser_study *s, hawser_format format, char **text, hawser_error *err);
 
 /* ---------------------------------------------------------------------------------------------------- measured pulls
  */

@@ -116,7 +116,7 @@ def main(path: str, out: str, jobs: str, fresh: str) -> int:
                                                      "progress": lib.hawser_python_study, "user": ffi.NULL})
         end["status"] = lib.hawser_study_run(handle, os.fsencode(out), options, error)
         if not end["status"]:
-            check(lib.hawser_study_answer(handle, lib.HAWSER_SI, text, error), error)
+            check(lib.hawser_study_answer(handle, lib.HAWSER_TABLE, text, error), error)
             end["answer"] = taken(text)
     if end["status"]:
         end["told"] = told(error)

@@ -251,7 +251,7 @@ static void others(void)
     REFUSED("path", hawser_study_load, NULL, &study);
     REFUSED("out", hawser_study_load, "x.yaml", NULL);
     REFUSED("s", hawser_study_run, NULL, ".", NULL);
-    REFUSED("s", hawser_study_answer, NULL, HAWSER_SI, &text);
+    REFUSED("s", hawser_study_answer, NULL, HAWSER_TABLE, &text);
     REFUSED("s", hawser_study_run_on, NULL, ".", NULL, NULL);
     REFUSED("s", hawser_study_task, NULL, ".", 0, NULL);
     REFUSED("dir", hawser_study_report, NULL, "x.html");

@@ -17,6 +17,12 @@ silent out
 silent err
 cmp -s "$work/before" "$work/friction/samples.csv" || fail "the second time the table is another"
 
+# for a program: what summary.json holds, and nothing else
+run_hawser 0 study "$source/cases/studies/friction.yaml" -o friction --format json
+cmp -s "$work/out" "$work/friction/summary.json" || fail "--format json is not summary.json"
+run_hawser 2 study "$source/cases/studies/friction.yaml" -o friction --format csv
+says err "'table' or 'json' can be used"
+
 # rows that cannot be read are not taken for rows that are not there
 mkdir "$work/friction/workers/zz.rows"
 run_hawser 4 study "$source/cases/studies/friction.yaml" -o friction --quiet

@@ -299,7 +299,7 @@ static void stopped(void **state)
     assert_int_equal(now.samples, 100000);
     assert_int_equal(now.jobs, 2);
     char *text;
-    assert_int_equal(hawser_study_answer(s, HAWSER_SI, &text, &err), HAWSER_OK);
+    assert_int_equal(hawser_study_answer(s, HAWSER_TABLE, &text, &err), HAWSER_OK);
     check_has(text, "of 100000, by theory");
     hawser_text_free(text);
     hawser_study_free(s);

@@ -99,9 +99,9 @@ static void probability_of_a_limit(void **state)
     hawser_study *const again = study_open(scratch_path("study.yaml"));
     char *text;
     hawser_error err;
-    assert_int_equal(hawser_study_answer(again, HAWSER_SI, &text, &err), HAWSER_ERR_INPUT);
+    assert_int_equal(hawser_study_answer(again, HAWSER_TABLE, &text, &err), HAWSER_ERR_INPUT);
     assert_int_equal(hawser_study_run(again, scratch_path("limit"), NULL, &err), HAWSER_OK); /* nothing is open */
-    assert_int_equal(hawser_study_answer(again, HAWSER_SI, &text, &err), HAWSER_OK);
+    assert_int_equal(hawser_study_answer(again, HAWSER_TABLE, &text, &err), HAWSER_OK);
     check_has(text, "P(NOT SAFE) is at least "); /* friction at rest is assumed: none of them is SAFE for certain */
     check_has(text, ", limited by winch in ");
     hawser_text_free(text);
@@ -126,7 +126,7 @@ static void limits_that_are_not_judged(void **state)
     Study *read;
     Rows rows;
     if (hawser_study_run(s, scratch_path("open"), &options, &err)) fail_msg("%s", err.message);
-    assert_int_equal(hawser_study_answer(s, HAWSER_SI, &said, &err), HAWSER_OK);
+    assert_int_equal(hawser_study_answer(s, HAWSER_TABLE, &said, &err), HAWSER_OK);
     check_has(said, "P(NOT SAFE) is at least");
     check_has(said, "break no limit that could be judged");
     hawser_text_free(said);

@@ -132,7 +132,7 @@ static void constraints_of_its_own(void **state)
                     "at_least: 0.11}], limits: false}\n"));
     char *text;
     assert_int_equal(hawser_study_run(s, scratch_path("own"), NULL, &err), HAWSER_OK);
-    assert_int_equal(hawser_study_answer(s, HAWSER_SI, &text, &err), HAWSER_OK);
+    assert_int_equal(hawser_study_answer(s, HAWSER_TABLE, &text, &err), HAWSER_OK);
     /* 10 m of 20 kg/m at 0.11, and what the case's tail holds: 196.2 N/m 20 m 0.11 = 431.64 N go off */
     check_has(text, "MOST tail = 118.36");
     check_has(text, "friction.mu = 0.11, tail = 118.36 N");
