@@ -25,6 +25,8 @@ enum {
     OPTION_DEVIATION = 'd',
     OPTION_RADIUS = 'R',
     OPTION_JOIN = 'J',
+    OPTION_SHEET = 'z',
+    OPTION_IGNORE = 'Z',
     OPTION_JSON = 'j',
     OPTION_JOBS = 'K',
     OPTION_FRESH = 'N',
@@ -73,6 +75,8 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"tolerance", required_argument, NULL, OPTION_DEVIATION},
                                             {"radius", required_argument, NULL, OPTION_RADIUS},
                                             {"join", required_argument, NULL, OPTION_JOIN},
+                                            {"sheet", required_argument, NULL, OPTION_SHEET},
+                                            {"ignore", required_argument, NULL, OPTION_IGNORE},
                                             {"json", no_argument, NULL, OPTION_JSON},
                                             {"jobs", required_argument, NULL, OPTION_JOBS},
                                             {"fresh", no_argument, NULL, OPTION_FRESH},
@@ -264,6 +268,12 @@ static int take_route_option(int letter, hawser_route_options *route)
     case OPTION_FILE_UNITS:
         route->units = optarg;
         return ARGUMENTS_GO_ON;
+    case OPTION_SHEET:
+        route->sheet = optarg;
+        return ARGUMENTS_GO_ON;
+    case OPTION_IGNORE:
+        route->ignore = optarg;
+        return ARGUMENTS_GO_ON;
     case OPTION_PROFILE:
         route->profile = optarg;
         return ARGUMENTS_GO_ON;
@@ -347,17 +357,9 @@ static int take_certify_option(int letter, Arguments *args)
  * the exit status of having printed. */
 static int take_option(const Command *command, int letter, Arguments *args)
 {
-    static const char of_route[] = {OPTION_NAME,
-                                    OPTION_LAYER,
-                                    OPTION_FILE_UNITS,
-                                    OPTION_REVERSE,
-                                    OPTION_FROM,
-                                    OPTION_TO,
-                                    OPTION_PROFILE,
-                                    OPTION_DEVIATION,
-                                    OPTION_RADIUS,
-                                    OPTION_JOIN,
-                                    0};
+    static const char of_route[] = {
+        OPTION_NAME,      OPTION_LAYER,  OPTION_FILE_UNITS, OPTION_REVERSE, OPTION_FROM,   OPTION_TO, OPTION_PROFILE,
+        OPTION_DEVIATION, OPTION_RADIUS, OPTION_JOIN,       OPTION_SHEET,   OPTION_IGNORE, 0};
     static const char of_compare[] = {OPTION_ALIGN, OPTION_SHIFT, OPTION_BAND, OPTION_RAW, OPTION_PAGE, 0};
     static const char of_study[] = {OPTION_JOBS, OPTION_FRESH, OPTION_MPI, OPTION_SLURM, OPTION_TASKS, OPTION_TASK, 0};
     if (strchr(of_route, letter)) return take_route_option(letter, &args->route);

@@ -7,8 +7,8 @@ static const char help[] =
     "Usage: hawser route FILE [options]\n"
     "\n"
     "Says which routes FILE holds: a drawing (DXF), a model (LandXML, IFC), a table (CSV, TSV, .xlsx, .ods)\n"
-    "or a map (GeoJSON, GPX); how long they are, where they begin and end, how well straights, arcs and clothoids\n"
-    "fit them, and what was not read. docs/case-format.md says how a case takes one.\n"
+    "or a map (GeoJSON, GPX, KML, KMZ); how long they are, where they begin and end, how well straights, arcs and\n"
+    "clothoids fit them, and what was not read. docs/case-format.md says how a case takes one.\n"
     "\n"
     "      --name NAME         only lines of this name\n"
     "      --layer LAYER       only lines on this layer of a drawing\n"
@@ -19,6 +19,8 @@ static const char help[] =
     "      --to STATION        ends at this station\n"
     "      --tolerance LENGTH  how far the route may be off the file's line (50mm)\n"
     "      --join LENGTH       within which ends of a drawing's pieces meet (10mm)\n"
+    "      --sheet NAME        of a spreadsheet, by its name or its number from 1 (the first)\n"
+    "      --ignore NAMES      columns of a table that are not used, with commas between\n"
     "      --radius LENGTH     corners of lines of points get this radius; without it such lines are fitted\n"
     "  -o, --output FILE       writes the line as it would be built: .yaml (of a case), .csv, .dxf, .geojson\n"
     "      --json              JSON, with lengths in m whatever the file's unit is\n"
@@ -43,5 +45,5 @@ static int route(const Arguments *args)
     return finish_stdout(exit_status(status, &err));
 }
 
-const Command command_route = {"route", "which routes a drawing, a model, a table or a map holds", "fonLUrabpdRJj/",
+const Command command_route = {"route", "which routes a drawing, a model, a table or a map holds", "fonLUrabpdRJjzZ/",
                                help, route};

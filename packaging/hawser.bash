@@ -74,11 +74,12 @@ _hawser() {
         ;;
     route)
         case $previous in
-        --name|--layer|--from|--to|--tolerance|--join|--radius) _hawser_offer '' ;;
+        --name|--layer|--from|--to|--tolerance|--join|--sheet|--radius) _hawser_offer '' ;;
         --units) _hawser_offer 'mm m ft' ;;
         --profile|-o|--output) _hawser_offer 'files' ;;
+        --ignore) _hawser_offer 'all facts pieces limits heads sections' ;;
         --format) _hawser_offer 'table json csv' ;;
-        *) _hawser_word '--name --layer --units --profile --reverse --from --to --tolerance --join --radius --output --json --format --help --version' '*' ;;
+        *) _hawser_word '--name --layer --units --profile --reverse --from --to --tolerance --join --sheet --ignore --radius --output --json --format --help --version' '*' ;;
         esac
         ;;
     report)

@@ -55,6 +55,7 @@ typedef struct Alignment {
     int whole;               /* parts of one feature of a map have the same number here; 0: it has but one */
     int inserted;            /* the number of the insertion of a block that it comes from; 0: it is drawn itself */
     double against;          /* m of it that are drawn from its end to its start, of joined pieces */
+    double corner;           /* m, radius with which the corners of its points are built; 0: none */
     double stated_length;    /* m, in plan, by the file's own word; NAN: it says nothing */
     double station;          /* the file's number for where the alignment begins */
 } Alignment;

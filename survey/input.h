@@ -78,14 +78,14 @@ hawser_status ifc_read(SurveyInput *in);
 /* DXF drawings, text or binary, R12 to 2018, streaming: LINE, ARC, LWPOLYLINE, POLYLINE and SPLINE, each an alignment
  * of its own, on its layer; INSERT and POINT as marks. */
 hawser_status dxf_read(SurveyInput *in);
-/* GPX tracks, routes and waypoints; lines and points of GeoJSON, also one value a line: longitude, latitude and
+/* GPX tracks, routes and waypoints, or KML; lines and points of GeoJSON, also one value a line: longitude, latitude and
  * height, projected about the first place of the file. */
-hawser_status gpx_read(SurveyInput *in);
-
+hawser_status tracks_read(SurveyInput *in);
 hawser_status geojson_read(SurveyInput *in);
 /* CSV and TSV with names over the columns: survey/table/table.h. */
 hawser_status table_read(SurveyInput *in);
-/* One sheet of a workbook (.xlsx, .ods) by the rules of tables; lines in messages are the sheet's rows. */
+/* One sheet of a workbook (.xlsx, .ods) by the rules of tables; lines in messages are the sheet's rows. Or the first
+ * KML of a KMZ. */
 hawser_status sheet_read(SurveyInput *in);
 
 #endif

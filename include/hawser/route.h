@@ -1,5 +1,5 @@
-/* Routes out of files: drawings (DXF), models (LandXML, IFC), tables (CSV) and maps (GeoJSON, GPX). Part of
- * hawser/hawser.h, which includes it. docs/routes.md says what is read of each. Lengths in m; x east, y north, z up, in
+/* Routes out of files: drawings (DXF), models (LandXML, IFC), tables (CSV, spreadsheets), maps (GeoJSON, GPX, KML).
+ * Part of hawser/hawser.h, which includes it. docs/routes.md says what is read of each. Lengths in m; x east, y north, z up, in
  * the file's own system of coordinates. */
 #ifndef HAWSER_ROUTE_H
 #define HAWSER_ROUTE_H
@@ -21,6 +21,8 @@ typedef struct hawser_route_options {
                                * of points, are fitted within it */
     double radius_m;          /* of the corners of lines of points; NAN: they are fitted instead */
     double join_m;            /* within which ends of a drawing's pieces meet; at most 10 m */
+    const char *sheet;        /* of a spreadsheet, by its name or its number from 1; NULL: the first */
+    const char *ignore;       /* names of a table's columns that are not used, with commas between; NULL: none */
 } hawser_route_options;
 
 /* Nothing chosen, 50 mm, joined within 10 mm. */

@@ -13,6 +13,7 @@ typedef struct LineRecord {
     char name[SURVEY_NAME_MAX];  /* of the line */
     char layer[SURVEY_NAME_MAX]; /* of a drawing */
     char units[32];              /* of length: "mm" */
+    char sheet[SURVEY_NAME_MAX]; /* of a spreadsheet */
 } LineRecord;
 
 /* Their rows, for a LineRecord that is a member of a section's record. */
@@ -20,8 +21,10 @@ typedef struct LineRecord {
     {"file", KEY_TEXT, .fallback = (file_), .otherwise = (otherwise_), AT(type, member.file)},                         \
         {"name", KEY_TEXT, .otherwise = "the only one", AT(type, member.name)},                                        \
         {"layer", KEY_TEXT, .otherwise = "any", AT(type, member.layer)},                                               \
+        {"units", KEY_TEXT, .otherwise = "what the file says", AT(type, member.units)},                                \
+        {"sheet", KEY_TEXT, .otherwise = "the first", AT(type, member.sheet)},                                         \
     {                                                                                                                  \
-        "units", KEY_TEXT, .otherwise = "what the file says", AT(type, member.units)                                   \
+        "ignore", KEY_ANY, .otherwise = "none", .form = "a name, or a list of names"                                   \
     }
 
 /* The line of node's file as it will be built, by the options' other members; heights: the section of the file that the

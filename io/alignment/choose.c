@@ -184,7 +184,7 @@ static void ignored_say(const Survey *s, size_t room, char *text)
 
 hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err)
 {
-    const SurveyOptions options = {.unit = pick->unit};
+    const SurveyOptions options = {.unit = pick->unit, .sheet = pick->sheet, .ignore = pick->ignore};
     Survey pieces;
     char names[500], ignored[500] = "";
     hawser_status status = survey_read(pick->path, &options, &pieces, err);

@@ -9,6 +9,8 @@
 /* Which line of which file. */
 typedef struct LinePick {
     const char *path, *name, *layer; /* name, layer NULL: any; case ignored */
+    const char *sheet;               /* of a spreadsheet, by name or number from 1; NULL: the first */
+    const char *ignore;              /* names of a table's columns that are not used, each on a line; NULL: none */
     double unit;                     /* m in the file's unit of length; NAN: as it says */
     double join;                     /* m, > 0, within which ends of a drawing's pieces meet */
 } LinePick;
@@ -52,8 +54,11 @@ enum { LINE_PIECES_MOST = 50000 };
 
 /* A line as it will be built. */
 typedef struct UsedLine {
-    Alignment line;   /* elements; points where their corners get a radius */
-    int fitted;       /* it is not the file's own elements */
+    Alignment line;              /* elements; points where their corners get a radius */
+    int rounded;                 /* its bends are corners that got a radius */
+    char sharp[SURVEY_NAME_MAX]; /* corners without a radius, as wide as the tolerance allows, in words; "": none */
+    double sharpest;             /* m, the least radius of those */
+    int fitted;                  /* it is not the file's own elements */
     double deviation; /* m, the largest from the file's line, chains and corners included, in plan or height */
     double rms;       /* m, of the fit */
     double file_length, file_plan; /* m, of the file's own line, in space and in plan */

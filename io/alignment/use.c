@@ -202,6 +202,51 @@ static double corners_cut(const Alignment *a, double radius)
     return most;
 }
 
+/* rad: what turns by more between two legs is a corner to whoever drew it. m: bends below are none that were meant. */
+static const double CORNER = 0.35, SHARP = 1.5;
+
+/* Corners that the fit made bends of which are only as wide as the tolerance allows: `radius` is what is missing. */
+static void sharp_say(const Alignment *from, UsedLine *used)
+{
+    Vec3 *const point = calloc((size_t)from->n_plan + (size_t)from->n_points + 2, sizeof *point);
+    int n = 0, corners;
+    double most;
+    for (int i = 0; point && i < from->n_points; ++i) point[n++] = from->point[i];
+    for (int i = 0; point && i < from->n_plan; ++i) {
+        const PlanElement end = plan_at(&from->plan[i], from->plan[i].length);
+        if (from->plan[i].k0 != 0 || from->plan[i].k1 != 0) n = -from->n_plan; /* it has bends of its own */
+        if (n == 0) point[n++] = v3(from->plan[i].x, from->plan[i].y, 0);
+        if (n > 0) point[n++] = v3(end.x, end.y, 0);
+    }
+    const double radius = n > 2 ? corners_radius(n, point, CORNER, &corners, &most) : 0;
+    const double least = alignment_measure(&used->line).least_radius;
+    free(point);
+    if (radius == 0 || !(least < SHARP) || !(radius > 2 * least)) return;
+    used->sharpest = least;
+    snprintf(used->sharp, sizeof used->sharp,
+             "%d corner%s without a radius, a bend of %.2g m by the tolerance: give 'radius', such as %g m (room for "
+             "%.3g m)",
+             corners, corners > 1 ? "s" : "", least, radius, most);
+}
+
+/* A level line of corners as the straights and arcs that are built, so that they are shown and written. */
+static hawser_status corners_build(const LineOptions *options, UsedLine *used, hawser_error *err)
+{
+    Alignment *const a = &used->line;
+    PlanCorner *const corner = calloc((size_t)a->n_points, sizeof *corner);
+    int wrong;
+    used->rounded = 1;
+    used->deviation = corners_cut(a, options->corner);
+    a->corner = options->corner;
+    if (!corner) return error_memory(err);
+    for (int i = 0; i < a->n_points; ++i) corner[i] = (PlanCorner){.at = a->point[i], .radius = options->corner};
+    const hawser_status status =
+        a->flat ? plan_from_corners(a, a->n_points, corner, 0, &wrong, err) : HAWSER_OK; /* else arcs in space */
+    if (!status && a->flat) a->n_points = 0;
+    free(corner);
+    return status;
+}
+
 static hawser_status part_take(const LineOptions *options, Alignment *a, hawser_error *err)
 {
     const double length = alignment_measure(a).plan_length;
@@ -253,7 +298,8 @@ hawser_status line_use(const Alignment *from, const LineOptions *options, UsedLi
     if (!status) status = part_take(options, &used->line, err);
     if (!status) status = measure(from, !profile, options, used, err);
     if (!status) status = chain(options, used, err);
-    if (!status && !isnan(options->corner)) used->deviation = corners_cut(&used->line, options->corner);
+    if (!status && !isnan(options->corner)) status = corners_build(options, used, err);
+    if (!status && isnan(options->corner)) sharp_say(from, used);
     used->unread = s.ignored; /* handed over */
     used->n_unread = s.n_ignored;
     s.ignored = NULL;

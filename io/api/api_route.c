@@ -35,7 +35,7 @@ typedef struct RouteRow {
 } RouteRow;
 
 struct hawser_routes {
-    char *path, *name, *layer, *profile;
+    char *path, *name, *layer, *profile, *sheet, *ignore;
     LineOptions options;
     Survey survey;
     RouteRow *row; /* [survey.n] */
@@ -68,8 +68,11 @@ static hawser_status options_take(const char *path, const hawser_route_options *
     r->name = keep(from->name, &fine);
     r->layer = keep(from->layer, &fine);
     r->profile = keep(from->profile, &fine);
+    r->sheet = keep(from->sheet, &fine);
+    r->ignore = keep(from->ignore, &fine);
+    for (char *c = r->ignore; c && *c; ++c) *c = *c == ',' ? '\n' : *c;
     if (!fine) return error_memory(err);
-    o->line = (LinePick){r->path, r->name, r->layer, NAN, from->join_m};
+    o->line = (LinePick){.path = r->path, .name = r->name, .layer = r->layer, .unit = NAN, .join = from->join_m};
     o->profile.join = from->join_m;
     o->profile.path = r->profile;
     o->reverse = from->reverse;
@@ -77,6 +80,8 @@ static hawser_status options_take(const char *path, const hawser_route_options *
     o->to = from->to_m;
     o->tolerance = from->tolerance_m;
     o->corner = from->radius_m;
+    o->line.sheet = r->sheet;
+    o->line.ignore = r->ignore;
     if (!(o->tolerance > 0 && o->tolerance <= 1000))
         return error_set(err, HAWSER_ERR_INPUT, "a tolerance of %g m: must be above 0 m, at most 1000 m", o->tolerance);
     if (!(from->join_m > 0 && from->join_m <= 10))
@@ -158,6 +163,8 @@ hawser_status hawser_routes_read(const char *path, const hawser_route_options *o
     for (int i = 0; i < r->survey.n && r->survey.n <= USED_AT_ONCE && !status; ++i) {
         const Alignment *const a = &r->survey.alignment[i];
         if (a->n_plan + a->n_points <= PIECES_AT_ONCE) status = row_use(r, i, err);
+        const RouteUse *const use = r->row[i].use;
+        if (use && *use->line.sharp) survey_ignore(&r->survey, use->line.sharp);
     }
     const LineOptions *const o = &r->options;
     const int asked = o->profile.path || !isnan(o->from) || !isnan(o->to);
@@ -186,6 +193,8 @@ void hawser_routes_free(hawser_routes *r)
     free(r->name);
     free(r->layer);
     free(r->profile);
+    free(r->sheet);
+    free(r->ignore);
     free(r);
 }
 
@@ -202,12 +211,28 @@ static int bend_of(const PlanElement *e, double station, hawser_route_bend *bend
     return 1;
 }
 
+/* Corners in space that are built with one radius: their arcs, by stations along the line. */
+static int corners_list(const Alignment *a, double station, hawser_route_bend *bend)
+{
+    int n = 0;
+    for (int i = 1; i + 1 < a->n_points; ++i) {
+        const Vec3 in = v3_sub(a->point[i], a->point[i - 1]), out = v3_sub(a->point[i + 1], a->point[i]);
+        const double angle = atan2(v3_norm(v3_cross(in, out)), v3_dot(in, out)), half = a->corner * tan(angle / 2);
+        station += v3_norm(in) - half;
+        const double side = in.x * out.y - in.y * out.x < 0 ? -1 : 1;
+        if (bend) bend[n] = (hawser_route_bend){station, a->corner * angle, side * angle, a->corner, NAN};
+        station += a->corner * angle - half;
+        n += angle > 1e-6;
+    }
+    return n;
+}
+
 /* The arcs of a line that is used: their number, and they themselves if `bend` is not NULL. */
 static int bends_list(const RouteRow *row, hawser_route_bend *bend)
 {
     const Alignment *const a = row->use ? &row->use->line.line : NULL;
     double station = row->figures.station_m;
-    int n = 0;
+    int n = a && a->n_plan == 0 && a->corner > 0 ? corners_list(a, station, bend) : 0;
     for (int i = 0; a && i < a->n_plan; station += a->plan[i].length, ++i) {
         hawser_route_bend one;
         if (!bend_of(&a->plan[i], station, &one)) continue;
@@ -376,7 +401,8 @@ static BendRow *bend_rows(const hawser_routes *r, int *n)
     BendRow *const rows = calloc((size_t)all + 1, sizeof *rows);
     hawser_route_bend *const bend = calloc((size_t)all + 1, sizeof *bend);
     for (int i = 0; rows && bend && i < r->survey.n; ++i) {
-        const int found = r->row[i].figures.fitted ? bends_list(&r->row[i], bend) : 0;
+        const int shown = r->row[i].figures.fitted || (r->row[i].use && r->row[i].use->line.rounded);
+        const int found = shown ? bends_list(&r->row[i], bend) : 0;
         for (int k = 0; k < found; ++k)
             rows[(*n)++] = (BendRow){r->row[i].figures.name, bend[k], bend[k].turn * DEGREES};
     }

@@ -509,6 +509,8 @@ static hawser_status form_check(const CaseReader *r, const CaseNode *node)
                 {"name", FILE_},
                 {"layer", FILE_},
                 {"units", FILE_},
+                {"sheet", FILE_},
+                {"ignore", FILE_},
                 {"reverse", FILE_},
                 {"from", FILE_},
                 {"to", FILE_},

@@ -99,6 +99,13 @@ static const char *say_words(const Page *page, const Column *column, int row, co
     return hawser_show_text(words, page->units, text, CELL_MAX);
 }
 
+/* In so many decimals, without the sign of what rounds to 0. */
+static void say_fixed(double value, int decimals, char *text)
+{
+    snprintf(text, CELL_MAX, "%.*f", decimals, value);
+    if (*text == '-' && !text[1 + strspn(text + 1, "0.")]) snprintf(text, CELL_MAX, "%.*f", decimals, 0.0);
+}
+
 /* A cell as people read it; `text` has CELL_MAX bytes. */
 static const char *say_cell(const Page *page, const Shape *shape, int row, char *text)
 {
@@ -113,13 +120,13 @@ static const char *say_cell(const Page *page, const Shape *shape, int row, char 
         const Column *const by = &page->table->columns.column[shape->unit_at];
         const char *const unit = cell_of(page, row, by).text;
         const double factor = scale_of(unit ? unit : "", row_size(page, row, by), page->units).factor;
-        if (shape->decimals >= 0 && factor == 1) snprintf(text, CELL_MAX, "%.*f", shape->decimals, cell.value);
+        if (shape->decimals >= 0 && factor == 1) say_fixed(cell.value, shape->decimals, text);
         if (shape->decimals < 0 || factor != 1) say_digits(cell.value * factor, DIGITS, text);
         return text;
     }
     const double value = cell.value * shape->scale.factor;
     if (shape->decimals < 0) say_digits(value, DIGITS, text);
-    if (shape->decimals >= 0) snprintf(text, CELL_MAX, "%.*f", shape->decimals, value);
+    if (shape->decimals >= 0) say_fixed(value, shape->decimals, text);
     return text;
 }
 

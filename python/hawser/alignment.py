@@ -101,8 +101,8 @@ class Route:
 def routes(path: str | os.PathLike[str], *, name: str | None = None, layer: str | None = None, units: str | None = None,
            profile: str | os.PathLike[str] | None = None, reverse: bool = False, from_m: float = math.nan,
            to_m: float = math.nan, tolerance_m: float | None = None, radius_m: float = math.nan,
-           join_m: float | None = None) -> list[Route]:
-    """The routes that a file holds (DXF, LandXML, IFC, CSV, GeoJSON, GPX).
+           join_m: float | None = None, sheet: str | None = None, ignore: list[str] | None = None) -> list[Route]:
+    """The routes that a file holds (DXF, LandXML, IFC, tables, spreadsheets, GeoJSON, KML, GPX).
 
     name, layer:  only lines of this name, on this layer
     units:        the file's unit of length, in place of what it says: "mm", "ft"
@@ -112,10 +112,13 @@ def routes(path: str | os.PathLike[str], *, name: str | None = None, layer: str 
     tolerance_m:  by which the route may be off the line (default 0.05)
     radius_m:     of the corners of lines of points, which are fitted otherwise
     join_m:       within which ends of a drawing's pieces meet (default 0.01)
+    sheet:        of a spreadsheet, by its name or its number from 1 (default: the first)
+    ignore:       names of a table's columns that are not used
     """
     error, made = ffi.new("hawser_error *"), ffi.new("hawser_routes **")
     options = ffi.new("hawser_route_options *", lib.hawser_route_defaults())
-    texts = {"name": name, "layer": layer, "units": units, "profile": None if profile is None else os.fsdecode(profile)}
+    texts = {"name": name, "layer": layer, "units": units, "profile": None if profile is None else os.fsdecode(profile), "sheet": sheet,
+             "ignore": None if ignore is None else ",".join(ignore)}
     kept = {key: ffi.new("char[]", c_text(text, key)) for key, text in texts.items() if text is not None}
     for key, text in kept.items():
         setattr(options, key, text)

@@ -40,8 +40,8 @@ static const char *prolog_end(const char *text)
     return NULL;
 }
 
-/* XML whose outermost element is gpx, with or without a prefix. */
-static int is_gpx(const char *head)
+/* XML whose outermost element is gpx or kml, with or without a prefix. */
+static int is_tracks(const char *head)
 {
     while (head && *head == '<' && (head[1] == '?' || head[1] == '!')) {
         head = prolog_end(head);
@@ -49,7 +49,8 @@ static int is_gpx(const char *head)
     }
     if (!head || *head != '<') return 0;
     const size_t size = strcspn(head + 1, " \t\r\n/>");
-    return (size == 3 || (size > 3 && head[size - 3] == ':')) && !strncmp(head + size - 2, "gpx", 3);
+    return (size == 3 || (size > 3 && head[size - 3] == ':')) &&
+           (!strncmp(head + size - 2, "gpx", 3) || !strncmp(head + size - 2, "kml", 3));
 }
 static int is_archive(const char *head) { return !strncmp(head, "PK\3\4", 4); }
 /* The container of .xls, and of workbooks with a password. */
@@ -66,11 +67,12 @@ static int is_table(const char *head) { return *head != 0; }
 static const struct {
     int (*is)(const char *head);
     Reader read;
-} readers[] = {{is_archive, sheet_read}, {is_old_office, old_office_read},
-               {is_dxf, dxf_read},       {is_dwg, dwg_read},
-               {is_step, ifc_read},      {is_gpx, gpx_read},
-               {is_json, geojson_read},  {is_xml, landxml_read},
-               {is_table, table_read}};
+} readers[] = {
+    {is_archive, sheet_read}, {is_old_office, old_office_read}, {is_dxf, dxf_read},      {is_dwg, dwg_read},
+    {is_step, ifc_read},      {is_tracks, tracks_read},         {is_json, geojson_read}, {is_xml, landxml_read},
+    {is_table, table_read}};
+
+static int is_table_of(Reader read) { return read == table_read || read == sheet_read; }
 
 /* What the file begins with, without a byte-order mark and blanks; the file is at its start again then. *wide: it is
  * text of two bytes a character (UTF-16), of which the head has every other one. */
@@ -221,6 +223,8 @@ hawser_status survey_read(const char *path, const SurveyOptions *options, Survey
         if (!readers[i].is(head)) continue;
         if (options->sheet && !is_archive(head))
             status = input_error(&in, "'sheet' chooses one of a spreadsheet (.xlsx, .ods), which this is not");
+        else if (options->ignore && !is_table_of(readers[i].read))
+            status = input_error(&in, "'ignore' names columns of a table, which this is not");
         else
             status = readers[i].read(&in);
         break;

@@ -1,5 +1,5 @@
-/* Spreadsheets, .xlsx (ECMA-376) and .ods (OpenDocument 1.2): the cells of one sheet as text, a row a line, which is
- * read as any table is. */
+/* Archives: spreadsheets, .xlsx (ECMA-376) and .ods (OpenDocument 1.2), the cells of one sheet as text, a row a line,
+ * which is read as any table is; and KMZ, whose KML is read as any KML is. */
 #define _GNU_SOURCE /* locale_t, fdopen */
 #include <expat.h>
 #include <math.h>
@@ -670,10 +670,46 @@ static hawser_status book_open(Book *b)
     return status;
 }
 
+/* The first KML of a KMZ, outside of its folders if there is one, as what the input reads from here on; the others are
+ * said to be unread. 0: there is none. */
+static int kml_hold(Book *b)
+{
+    const zip_int64_t n = zip_get_num_entries(b->zip, 0);
+    zip_int64_t chosen = -1;
+    zip_stat_t stat;
+    for (zip_int64_t i = 0; i < n; ++i) {
+        const char *const name = zip_get_name(b->zip, (zip_uint64_t)i, 0);
+        const size_t size = name ? strlen(name) : 0;
+        if (size < 4 || strcasecmp(name + size - 4, ".kml")) continue;
+        if (chosen >= 0) survey_ignore(b->in->out, "another KML of the archive");
+        if (chosen < 0 || (!strchr(name, '/') && strchr(zip_get_name(b->zip, (zip_uint64_t)chosen, 0), '/')))
+            chosen = i;
+    }
+    if (chosen < 0) return 0;
+    zip_file_t *const file = zip_fopen_index(b->zip, (zip_uint64_t)chosen, 0);
+    const int known = !zip_stat_index(b->zip, (zip_uint64_t)chosen, 0, &stat) && stat.valid & ZIP_STAT_SIZE;
+    char *const text = known && stat.size > 0 && stat.size <= UNPACKED_MOST ? malloc(stat.size) : NULL;
+    if (known && stat.size > UNPACKED_MOST)
+        b->status = input_error(b->in, "more than %zu MB when it is unpacked", UNPACKED_MOST >> 20);
+    else if (!file || !known || stat.size == 0)
+        b->status = input_error(b->in, "its KML cannot be unpacked");
+    else if (!text)
+        b->status = error_memory(b->in->err);
+    else if (zip_fread(file, text, stat.size) != (zip_int64_t)stat.size)
+        b->status = input_error(b->in, "its KML cannot be unpacked: %s", zip_file_strerror(file));
+    if (file) zip_fclose(file);
+    if (b->status)
+        free(text);
+    else
+        b->status = input_hold(b->in, text, stat.size);
+    return 1;
+}
+
 hawser_status sheet_read(SurveyInput *in)
 {
     Book *const b = calloc(1, sizeof *b);
     if (!b) return error_memory(in->err);
+    int kmz = 0;
     b->in = in;
     b->left = UNPACKED_MOST;
     keep(b, ""); /* place 0 */
@@ -683,12 +719,15 @@ hawser_status sheet_read(SurveyInput *in)
             b->status = xlsx_read(b);
         else if (zip_name_locate(b->zip, "content.xml", 0) >= 0)
             b->status = ods_read(b);
-        else
-            b->status = input_error(in, "an archive that is no spreadsheet (.xlsx, .ods): unpack it, and name a file");
+        else if (!(kmz = kml_hold(b)))
+            b->status = input_error(
+                in, "an archive that is no spreadsheet (.xlsx, .ods) and no KMZ: unpack it, and name a file");
     }
+    if (!b->status && kmz && (in->options.sheet || in->options.ignore))
+        b->status = input_error(in, "'sheet' and 'ignore' are about a spreadsheet, which a KMZ is not");
     hawser_status status = b->status;
     in->line = 0;
-    if (!status) status = sheet_hold(b);
+    if (!status && !kmz) status = sheet_hold(b);
     if (b->zip) zip_discard(b->zip);
     free(b->store);
     free(b->sheet);
@@ -698,5 +737,5 @@ hawser_status sheet_read(SurveyInput *in)
     free(b->cell);
     free(b->merge);
     free(b);
-    return status ? status : table_read(in);
+    return status ? status : kmz ? tracks_read(in) : table_read(in);
 }

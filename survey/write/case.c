@@ -83,8 +83,20 @@ static void profile_print(const Alignment *a, double length, FILE *to)
     fprintf(to, "    - {station: %.9f m, height: %.9f m}\n", end.station + over, end.z + over * end.grade);
 }
 
+/* Corners in space that are built with one radius. */
+static hawser_status print_corners(const Alignment *a, const char *system, FILE *to)
+{
+    fprintf(to, "# %s\n", *a->name ? a->name : "route");
+    if (*system) fprintf(to, "# coordinates: %s\n", system);
+    fprintf(to, "route:\n  radius: %.12g m\n  points:\n", a->corner);
+    for (int i = 0; i < a->n_points; ++i)
+        fprintf(to, "    - [%.6f m, %.6f m, %.6f m]\n", a->point[i].x, a->point[i].y, a->point[i].z);
+    return HAWSER_OK;
+}
+
 hawser_status print_case(const Alignment *a, const char *system, FILE *to, hawser_error *err)
 {
+    if (a->n_plan == 0 && a->corner > 0) return print_corners(a, system, to);
     if (a->n_plan == 0) {
         return error_set(err, HAWSER_ERR_INPUT, "'%.60s' is a line of points: fit it first", a->name);
     }

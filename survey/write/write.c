@@ -31,6 +31,11 @@ hawser_status alignment_print(const Alignment *a, const char *system, WriteForma
     if (a->n_plan == 0 && a->n_points < 2) {
         return error_set(err, HAWSER_ERR_INPUT, "'%.60s' is a profile without a plan: nothing to write", a->name);
     }
+    if (format != WRITE_CASE && a->n_plan == 0 && a->corner > 0) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "'%.60s' has corners in space with a radius, which only a case's route (.yaml) can say",
+                         a->name);
+    }
     for (int i = 0; i < a->n_plan; ++i) {
         const PlanElement *const e = &a->plan[i];
         if (fmax(fabs(e->k0), fabs(e->k1)) * e->length <= turn_most) continue;

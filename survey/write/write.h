@@ -22,7 +22,8 @@ typedef enum WriteFormat {
 int write_format(const char *path);
 
 /* Writes one alignment. system: what the Survey says of its coordinates. Errors: INPUT where the format has no way to
- * say it (points as pieces or as a case, clothoids as pieces), OUTPUT, MEMORY. */
+ * say it (points as pieces or as a case, clothoids as pieces, corners in space with a radius but as a case), OUTPUT,
+ * MEMORY. */
 hawser_status alignment_print(const Alignment *a, const char *system, WriteFormat format, FILE *to, hawser_error *err);
 /* The same to a file, which is not left behind when that fails. */
 hawser_status alignment_write(const Alignment *a, const char *system, WriteFormat format, const char *path,

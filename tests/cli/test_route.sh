@@ -48,7 +48,31 @@ says err "within 0 m: must be above 0 m"
 # corners of straights that are drawn one by one get the radius that is asked for; bends keep their own, and say so
 printf '%s\n' 0 SECTION 2 ENTITIES 0 LINE 8 C 10 0 20 0 11 10 21 0 0 LINE 8 C 10 10 20 0 11 10 21 10 0 ENDSEC 0 EOF >"$work/corner.dxf"
 run_hawser 0 route corner.dxf --radius 2m --json
-says out '"pieces": 2, "fitted": false' '"deviation_max_m": 0.8284'
+says out '"fitted": false' '"deviation_max_m": 0.8284'
+says out '"pieces": 3, "fitted": false' '"least_radius_m": 2.0' '"bends": [{"station_m": 8.0' '"turn_deg": 90.0'
+for ending in csv dxf yaml; do # the arc is in what is written
+    run_hawser 0 route corner.dxf --radius 2m -o bent.$ending
+    exists bent.$ending
+done
+run_hawser 0 route bent.csv --json
+says out '"pieces": 3' '"least_radius_m": 2.0'
+# corners in space have their radius in a case's route alone
+printf 'x (m),y (m),z (m)\n0,0,0\n10,0,1\n10,10,2\n' >"$work/rising.csv"
+run_hawser 0 route rising.csv --radius 2m --json -o rising.yaml
+says out '"radius_m": 2.0'
+grep -q 'radius: 2 m' "$work/rising.yaml" || fail "a route without its radius"
+run_hawser 2 route rising.csv --radius 2m -o rising.dxf
+says err "corners in space with a radius"
+missing rising.dxf
+# a sheet of a workbook, and columns that are not used
+cp "$source/tests/data/route.xlsx" "$work"
+run_hawser 2 route route.xlsx
+says err "route.xlsx"
+run_hawser 0 route route.xlsx --sheet plan --ignore cost --json
+says out '"length_m": 20.0' "the sheet 'Costs'"
+silent err
+run_hawser 2 route route.xlsx --sheet 4
+says err "no sheet '4'; there are 'Costs', 'Plan', 'Heights'"
 run_hawser 0 route tunnel.xml --radius 2m
 says out "has bends of its own: a 'radius' rounds the corners"
 

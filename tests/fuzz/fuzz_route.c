@@ -69,7 +69,9 @@ static const char *reader_of(const char *text, size_t size)
     const size_t blank = size && strchr(" \t\r\n", *text) ? 1 : 0;
     const char *const from = text + blank;
     const size_t n = size - blank;
-    if (n && *from == '<') return memmem(from, n < 400 ? n : 400, "<gpx", 4) ? "gpx" : "landxml";
+    if (n && *from == '<')
+        return (memmem(from, n < 400 ? n : 400, "<gpx", 4) || memmem(from, n < 400 ? n : 400, "<kml", 4)) ? "gpx"
+                                                                                                          : "landxml";
     if (n && *from == '{') return "geojson";
     if (n > 12 && !memcmp(from, "ISO-10303-21", 12)) return "ifc";
     if (n > 18 && !memcmp(from, "AutoCAD Binary DXF", 18)) return "dxf";

@@ -174,6 +174,7 @@ static void wrong_any(const Site *site, Coverage *coverage)
          {"sagg", "true", "7", "[7]", "[[1, 2, 3]]", "[[2, 1]]", "[[1, nan]]", "{a: 1}", "", "[[1, 5 kg]]"}},
         {"k", {"5 kg", "nan", "inf", "-1", "0", "1e8 N/m^9", "1e8 N/m", "[1]", "1e8x", ""}},
         {"include", {"7", "{a: 1}", "''", "", "[7]", "[{a: 1}]", "nan", "[[a]]", "[~]", "/dev/null"}},
+        {"ignore", {"7", "{a: 1}", "''", "cots", "[costs]", "[[cost]]", "[~]", "[cost, checkd]", "nan", "[{a: 1}]"}},
         {"type", {"bogus", "5 kg", "nan", "[a]", "{a: 1}", "''", "", "7", "[7]", "Straight"}},
         {"positions",
          {"7", "[]", "[aut]", "[nan]", "{step: 0}", "{step: 5 kg}", "{a: 1}", "''", "[[1], 2]", "{from: nan}"}},
@@ -301,10 +302,10 @@ static void every_key_wrong_in_every_way(void **state)
 {
     (void)state;
     static const char *const names[] = {
-        "full-ramps",      "full-tables",       "full-tension",   "full-tension-table", "full-reel",
-        "full-reel-table", "full-reel-weight",  "full-rod",       "full-rod-polyline",  "full-bundle",
-        "full-chains",     "full-library",      "full-route",     "full-route-points",  "full-route-plan",
-        "full-drawing",    "full-drawing-file", "full-route-file"};
+        "full-ramps",      "full-tables",       "full-tension",    "full-tension-table", "full-reel",
+        "full-reel-table", "full-reel-weight",  "full-rod",        "full-rod-polyline",  "full-bundle",
+        "full-chains",     "full-library",      "full-route",      "full-route-points",  "full-route-plan",
+        "full-drawing",    "full-drawing-file", "full-route-file", "full-route-sheet"};
     Coverage coverage = {.n = 0};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         const char *const text = data_text(names[k]);

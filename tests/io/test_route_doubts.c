@@ -262,7 +262,43 @@ static void units_by_size(void **state)
               "right to left, against the way 60 % of its length is drawn");
 }
 
+/* Corners without a radius: how wide the tolerance lets a bend be is no radius that anybody meant. A route of 0.06 m
+ * bends was pulled along before; now `radius` is proposed, the least room for it is said, and with it the bends are
+ * listed, of half the tangent that fits: legs of 20 m, corners of 90 deg, 10 m at most. */
+static void corners_without_a_radius(void **state)
+{
+    (void)state;
+    static const char corners[] = "x (m),y (m)\n0,0\n20,0\n20,20\n40,20\n";
+    hawser_route_options options = hawser_route_defaults();
+    hawser_route_figures f;
+    check_has(said("route.csv", corners, ""), "2 corners without a radius, a bend of 0.06 m by the tolerance: give "
+                                              "'radius', such as 10 m (room for 10 m)");
+    check_has(said("route.csv", corners, ", radius: 3 m"), "route_length_m");
+    check_has(said("route.csv", corners, ", radius: 12 m"), "has no room for a radius of 12 m: the leg of 20 m is 4 m");
+    assert_string_equal(trouble(corners, &options, &f), "");
+    options.radius_m = 3;
+    assert_string_equal(trouble(corners, &options, &f), "");
+    check_close(f.least_radius_m, 3, 1e-12);
+    assert_int_equal(f.pieces, 5);
+    assert_int_equal(f.fitted, 0);
+}
+
+/* A column that looks like a part of the route stops the reading until it is ignored; a name that no column has, and
+ * columns of what is no table, are refused. */
+static void columns_that_are_ignored(void **state)
+{
+    (void)state;
+    static const char table[] = "x (m),y (m),depth of cover\n0,0,1.2\n20,0,1.5\n40,0,1.9\n";
+    check_has(said("route.csv", table, ", ignore: [depth of cover]"), "route_length_m");
+    assert_null(strstr(said("route.csv", table, ", ignore: [depth of cover]"), "column 'depth"));
+    check_has(said("route.csv", table, ", ignore: cover"), "'ignore' names a column 'cover', and there is none");
+    check_has(said("plan.dxf", DXF(DXF_LINE(0, 0, 0, 50, 0, 0)), ", ignore: z"),
+              "columns of a table, which this is not");
+    check_has(said("plan.dxf", DXF(DXF_LINE(0, 0, 0, 50, 0, 0)), ", sheet: A"), "which this is not");
+}
+
 TEST_FILE(test_route_doubts, cmocka_unit_test(gaps_between_elements), cmocka_unit_test(jumps_of_the_profile),
           cmocka_unit_test(straights_beside_arcs), cmocka_unit_test(radius_beside_curves),
           cmocka_unit_test(lines_beside_the_route), cmocka_unit_test(units_that_are_not_said),
-          cmocka_unit_test(a_shaft_in_a_drawing), cmocka_unit_test(heights_of_a_part), cmocka_unit_test(units_by_size))
+          cmocka_unit_test(a_shaft_in_a_drawing), cmocka_unit_test(heights_of_a_part), cmocka_unit_test(units_by_size),
+          cmocka_unit_test(corners_without_a_radius), cmocka_unit_test(columns_that_are_ignored))

@@ -235,6 +235,100 @@ static void encodings(void **state)
     bad("<?xml version=\"1.0\" encoding=\"none\"?>\n<gpx version=\"1.1\"/>", "unknown encoding");
 }
 
-TEST_FILE(test_map, cmocka_unit_test(projection), cmocka_unit_test(gpx), cmocka_unit_test(geojson),
-          cmocka_unit_test(crs_of_other_names), cmocka_unit_test(what_stands_before), cmocka_unit_test(what_is_wrong),
-          cmocka_unit_test(encodings))
+#define KML(...)                                                                                                       \
+    "<?xml version='1.0'?>\n<kml xmlns='http://www.opengis.net/kml/2.2' xmlns:gx='g'><Document>" __VA_ARGS__           \
+    "</Document></kml>"
+#define PLACEMARK(...)   "<Placemark>" __VA_ARGS__ "</Placemark>"
+#define LINE_STRING(...) "<LineString>" __VA_ARGS__ "</LineString>"
+
+/* As Google Earth writes it: a name before and one behind the line, heights of 0 on the ground, a folder's name that is
+ * nobody's, coordinates over several lines and with a blank behind a comma. */
+static void kml(void **state)
+{
+    (void)state;
+    Survey s;
+    assert_string_equal(
+        read_text(
+            KML("<name>doc</name><Style id='s'><LineStyle><width>3</width></LineStyle></Style><Folder><name>F"
+                "</name>" PLACEMARK("<name>drum to pit</name><LookAt><longitude>1</longitude></LookAt>" LINE_STRING(
+                    "<tessellate>1</tessellate><coordinates>\n 10,60,0\n\t10, 60.001,0 \n</coordinates>"))
+                    PLACEMARK(
+                        LINE_STRING("<altitudeMode>absolute</altitudeMode><coordinates>10,60,1 "
+                                    "10,60.002,2.5</coordinates>") "<name>second</name><ExtendedData><Data"
+                                                                   " name='x'><name>no</name></Data></ExtendedData>")
+                        PLACEMARK("<name>pit</name><Point><coordinates>10,60,7</coordinates></Point>") "</Folder>"),
+            &s),
+        "");
+    assert_int_equal(s.n, 2);
+    const Alignment *const a = named(&s, "drum to pit"), *const b = named(&s, "second");
+    check_close(alignment_measure(a).length, meridian(60, 60.001), 1e-6);
+    assert_true(a->flat && !a->partly && !b->flat);
+    check_vec(alignment_measure(b).end, v3(0, meridian(60, 60.002), 2.5), 1e-6);
+    assert_int_equal(s.n_marks, 1);
+    assert_string_equal(s.mark[0].name, "pit");
+    check_close(s.mark[0].at.z, 7, 0);
+    assert_int_equal(s.n_ignored, 0);
+    survey_clear(&s);
+}
+
+/* A receiver's track, and parts of one feature, which are one line where they touch. */
+static void kml_tracks_and_parts(void **state)
+{
+    (void)state;
+    Survey s;
+    assert_string_equal(
+        read_text(KML(PLACEMARK("<name>t</name><gx:MultiTrack><altitudeMode>absolute</altitudeMode><gx:Track><when>2020"
+                                "</when><gx:coord>10 60 3</gx:coord><gx:coord>10 60.001 4</gx:coord></gx:Track>"
+                                "<gx:Track><gx:coord>10 60.001 4</gx:coord><gx:coord>10 60.002 5</gx:coord></gx:Track>"
+                                "</gx:MultiTrack>")),
+                  &s),
+        "");
+    assert_int_equal(s.n, 2);
+    assert_true(s.alignment[0].whole == 1 && s.alignment[1].whole == 1);
+    check_close(alignment_measure(&s.alignment[1]).end.z, 5, 0);
+    survey_clear(&s);
+    assert_string_equal(
+        read_text(KML(PLACEMARK("<MultiGeometry>" LINE_STRING("<coordinates>10,60 10,61</coordinates>")
+                                    LINE_STRING("<coordinates>10,61 10,62</coordinates>") "</MultiGeometry>")
+                          PLACEMARK(LINE_STRING("<coordinates>10,60 10,60.5</coordinates>"))),
+                  &s),
+        "");
+    assert_int_equal(s.n, 3);
+    assert_true(s.alignment[0].whole == 1 && s.alignment[1].whole == 1 && s.alignment[2].whole == 0);
+    survey_clear(&s);
+}
+
+/* Heights above a ground that is not in the file are none; those of a line on the ground are taken, and both are said.
+ * What is no line is named. */
+static void kml_that_leaves_open(void **state)
+{
+    (void)state;
+    Survey s;
+    assert_string_equal(
+        read_text(
+            KML(PLACEMARK("<name>r</name>" LINE_STRING("<altitudeMode>relativeToGround</altitudeMode><coordinates>"
+                                                       "10,60,2 10,60.001,3</coordinates>"))
+                    PLACEMARK("<name>g</name>" LINE_STRING("<coordinates>10,60,2 10,60.001,3</coordinates>"))
+                        PLACEMARK("<Polygon><outerBoundaryIs><LinearRing><coordinates>1,1 2,2 1,2</coordinates>"
+                                  "</LinearRing></outerBoundaryIs></Polygon>") "<NetworkLink/>"),
+            &s),
+        "");
+    assert_int_equal(s.n, 2);
+    assert_true(named(&s, "r")->flat && named(&s, "r")->partly && !named(&s, "g")->flat);
+    assert_int_equal(s.n_ignored, 4);
+    check_has(s.ignored[0].what, "heights above the ground");
+    check_has(s.ignored[1].what, "clamped to the ground: its heights are taken");
+    check_has(s.ignored[3].what, "NetworkLink");
+    survey_clear(&s);
+    bad(KML(PLACEMARK(LINE_STRING("<coordinates>\n10,60\n10;61\n</coordinates>"))), "4: '10;61' is no place");
+    bad(KML(PLACEMARK(LINE_STRING("<coordinates>10,60 10</coordinates>"))), "'10' is no place");
+    bad(KML(PLACEMARK(LINE_STRING("<coordinates>10,60,1,2</coordinates>"))), "is no place");
+    bad(KML(PLACEMARK(LINE_STRING("<coordinates>60,100 60,101</coordinates>"))), "expected degrees, within 180 and 89");
+    bad(KML(PLACEMARK("<gx:Track><gx:coord>10</gx:coord></gx:Track>")), "'10' is no place");
+    bad(KML(PLACEMARK("<gx:Track><gx:coord/></gx:Track>")), "is no place");
+}
+
+TEST_FILE(test_map, cmocka_unit_test(kml), cmocka_unit_test(kml_tracks_and_parts),
+          cmocka_unit_test(kml_that_leaves_open), cmocka_unit_test(projection), cmocka_unit_test(gpx),
+          cmocka_unit_test(geojson), cmocka_unit_test(crs_of_other_names), cmocka_unit_test(what_stands_before),
+          cmocka_unit_test(what_is_wrong), cmocka_unit_test(encodings))

@@ -185,6 +185,26 @@ static void bombs_are_refused(void **state)
     check_has(read_parts(parts, NULL, &s), "a sheet of more than");
 }
 
-TEST_FILE(test_sheet, cmocka_unit_test(xlsx_as_excel_writes), cmocka_unit_test(xlsx_merged_heads),
-          cmocka_unit_test(xlsx_refused), cmocka_unit_test(ods_as_libreoffice_writes),
-          cmocka_unit_test(bombs_are_refused))
+/* A KMZ as Google Earth writes it: doc.kml beside its pictures; of further KML it is said that it is not read. */
+static void kmz(void **state)
+{
+    (void)state;
+    static const char map[] = "<kml><Placemark><name>feeder</name><LineString><coordinates>10,60,0 10,60.001,0"
+                              "</coordinates></LineString></Placemark></kml>";
+    const Part parts[] = {{"files/more.kml", "<kml/>"}, {"doc.kml", map}, {"files/icon.png", "x"}, {NULL, NULL}};
+    const Part empty[] = {{"doc.kml", ""}, {NULL, NULL}}, broken[] = {{"doc.kml", "<kml>\n<Placemark>"}, {NULL, NULL}};
+    Survey s;
+    assert_string_equal(read_parts(parts, NULL, &s), "");
+    assert_int_equal(s.n, 1);
+    assert_string_equal(s.alignment[0].name, "feeder");
+    check_close(alignment_measure(&s.alignment[0]).length, 111.4, 0.1);
+    assert_int_equal(s.n_ignored, 1);
+    survey_clear(&s);
+    check_has(read_parts(parts, "Route A", &s), "which a KMZ is not");
+    check_has(read_parts(empty, NULL, &s), "cannot be unpacked");
+    check_has(read_parts(broken, NULL, &s), "2: no XML");
+}
+
+TEST_FILE(test_sheet, cmocka_unit_test(kmz), cmocka_unit_test(xlsx_as_excel_writes),
+          cmocka_unit_test(xlsx_merged_heads), cmocka_unit_test(xlsx_refused),
+          cmocka_unit_test(ods_as_libreoffice_writes), cmocka_unit_test(bombs_are_refused))

@@ -1,5 +1,7 @@
-/* GPX: tracks, routes and waypoints, streaming. */
+/* GPX (tracks, routes and waypoints) and KML (LineString, LinearRing, gx:Track; Point), streaming. */
+#define _GNU_SOURCE /* locale_t */
 #include <expat.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,6 +26,11 @@ typedef struct Reader {
     char text[TEXT_MOST]; /* of the innermost element, its beginning */
     size_t length;
     int heights, points; /* of the line: points with a height, all */
+    /* of KML */
+    int kml, placemark, parts; /* placemark, parts: depth of the <Placemark>, of what holds several lines; 0: none */
+    int first, first_mark;     /* of the placemark */
+    int coordinates, highest;  /* inside of <coordinates>; a height of the line is not 0 */
+    enum { GROUND, ABOVE_GROUND, ABSOLUTE } mode; /* what heights count from */
 } Reader;
 
 static void fail(Reader *r, hawser_status status)
@@ -78,6 +85,7 @@ static void point_end(Reader *r)
         else
             fail(r, error_memory(in->err));
         r->heights += !isnan(r->height);
+        r->highest |= fabs(r->height) > 0;
         r->points++;
     }
     r->point = POINT_NONE;
@@ -93,7 +101,8 @@ static void line_begin(Reader *r, const char *layer)
     }
     memcpy(a->layer, layer, strlen(layer) + 1);
     r->line = s->n - 1;
-    r->heights = r->points = 0;
+    r->heights = r->points = r->highest = 0;
+    if (r->parts) a->whole = r->first + 1;
 }
 
 /* One without points is none. A line of which some points have no height has none. */
@@ -105,6 +114,13 @@ static void line_end(Reader *r)
     a->flat = r->heights < r->points;
     a->partly = a->flat && r->heights > 0;
     if (a->partly) survey_ignore(s, "heights of a line in which some points have none");
+    if (r->kml && !a->flat && r->mode == GROUND && !r->highest) a->flat = 1; /* 0 stands for the ground */
+    if (r->kml && !a->flat && r->mode == ABOVE_GROUND) {
+        survey_ignore(s, "heights above the ground (relativeToGround), whose own are not in the file");
+        a->flat = a->partly = 1;
+    }
+    if (r->kml && !a->flat && r->mode == GROUND)
+        survey_ignore(s, "that a line is clamped to the ground: its heights are taken");
     for (int i = 0; i < a->n_points && a->flat; ++i) a->point[i].z = 0;
     if (a->n_points < 2) {
         survey_ignore(s, "a line of fewer than two points");
@@ -121,6 +137,95 @@ static const char *local(const char *name)
     return colon ? colon + 1 : name;
 }
 
+/* Longitude, latitude and maybe height, with `between` between them; of a line or, outside of one, a mark. */
+static void place_read(Reader *r, char between)
+{
+    char *at = r->text;
+    double value[3] = {NAN, NAN, NAN};
+    int n = 0, fine = 1;
+    for (; n < 3 && fine; ++n) {
+        fine = input_number(r->places.in, at, &at, &value[n]);
+        at += strspn(at, " \t\r\n");
+        if (*at != between && (between != ' ' || !*at)) break;
+        at += *at == between;
+    }
+    line_set(r);
+    if (!fine || n < 1 || *at) {
+        fail(r, input_error(r->places.in, "'%.40s' is no place: expected longitude%clatitude%cheight", r->text, between,
+                            between));
+        return;
+    }
+    r->longitude = value[0];
+    r->latitude = value[1];
+    r->height = value[2];
+    r->point = r->line >= 0 ? POINT_OF_LINE : POINT_MARK;
+    point_end(r);
+}
+
+/* What of KML is no line and no point, and is said. */
+static int is_left_out(const char *name)
+{
+    static const char *const kinds[] = {"Polygon",       "Model",        "NetworkLink", "GroundOverlay",
+                                        "ScreenOverlay", "PhotoOverlay", "Tour"};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; ++i)
+        if (!strcmp(name, kinds[i])) return 1;
+    return 0;
+}
+
+static void kml_begin(Reader *r, const char *name)
+{
+    Survey *const s = r->places.in->out;
+    if (is_left_out(name)) {
+        survey_ignore(s, strcmp(name, "NetworkLink") ? name : "NetworkLink: what lies in another file");
+        r->skipped = r->depth;
+    } else if (!strcmp(name, "ExtendedData")) {
+        r->skipped = r->depth;
+    } else if (!strcmp(name, "Placemark")) {
+        r->placemark = r->depth;
+        r->parts = 0;
+        r->mode = GROUND;
+        r->first = s->n;
+        r->first_mark = s->n_marks;
+        *r->name = 0;
+    } else if (!strcmp(name, "MultiGeometry") || !strcmp(name, "MultiTrack")) {
+        if (!r->parts) r->parts = r->depth;
+    } else if (!strcmp(name, "LineString") || !strcmp(name, "LinearRing") || !strcmp(name, "Track")) {
+        if (strcmp(name, "Track")) r->mode = GROUND; /* that of tracks may stand before them */
+        line_begin(r, "");
+    } else if (!strcmp(name, "coordinates")) {
+        r->coordinates = 1;
+    }
+}
+
+/* A name may stand behind what it is of. */
+static void kml_name(Reader *r)
+{
+    Survey *const s = r->places.in->out;
+    memcpy(r->name, r->text, sizeof r->name);
+    for (int i = r->first; i < s->n; ++i) memcpy(s->alignment[i].name, r->name, sizeof r->name);
+    for (int i = r->first_mark; i < s->n_marks; ++i) memcpy(s->mark[i].name, r->name, sizeof r->name);
+}
+
+static void kml_end(Reader *r, const char *name, int depth)
+{
+    if (!strcmp(name, "coordinates")) {
+        if (r->length) place_read(r, ',');
+        r->coordinates = 0;
+    } else if (!strcmp(name, "coord")) {
+        place_read(r, ' ');
+    } else if (!strcmp(name, "altitudeMode")) {
+        r->mode = strstr(r->text, "absolute") ? ABSOLUTE : strstr(r->text, "relativeTo") ? ABOVE_GROUND : GROUND;
+    } else if (!strcmp(name, "LineString") || !strcmp(name, "LinearRing") || !strcmp(name, "Track")) {
+        line_end(r);
+    } else if (!strcmp(name, "name") && r->placemark && depth == r->placemark + 1) {
+        kml_name(r);
+    } else if (depth == r->parts) {
+        r->parts = 0;
+    } else if (depth == r->placemark) {
+        r->placemark = 0;
+    }
+}
+
 static void begin(void *data, const char *full, const char **attributes)
 {
     Reader *const r = data;
@@ -128,14 +233,17 @@ static void begin(void *data, const char *full, const char **attributes)
     r->length = 0;
     *r->text = 0;
     if (r->status) return;
-    if (++r->depth > DEPTH_MOST || (r->depth == 1 && strcmp(name, "gpx"))) {
+    if (++r->depth == 1) r->kml = !strcmp(name, "kml");
+    if (r->depth > DEPTH_MOST || (r->depth == 1 && !r->kml && strcmp(name, "gpx"))) {
         line_set(r);
         fail(r, input_error(r->places.in,
-                            r->depth == 1 ? "the outermost element is <%.40s>: expected <gpx>"
+                            r->depth == 1 ? "the outermost element is <%.40s>: expected <gpx> or <kml>"
                                           : "<%.40s>: elements more than 64 deep",
                             name));
     } else if (r->skipped) {
         return;
+    } else if (r->kml) {
+        kml_begin(r, name);
     } else if (!strcmp(name, "extensions")) {
         r->skipped = r->depth;
     } else if (!strcmp(name, "trk") || !strcmp(name, "rte")) {
@@ -159,6 +267,8 @@ static void end(void *data, const char *full)
     const int depth = r->depth--;
     if (r->skipped) {
         if (r->skipped == depth) r->skipped = 0;
+    } else if (r->kml) {
+        kml_end(r, name, depth);
     } else if (!strcmp(name, "name") && r->point != POINT_OF_LINE) {
         memcpy(r->name, r->text, sizeof r->name);
         if (r->line >= 0 && r->point == POINT_NONE)
@@ -177,11 +287,23 @@ static void end(void *data, const char *full)
 static void text(void *data, const char *piece, int n)
 {
     Reader *const r = data;
-    for (int i = 0; i < n && r->length + 1 < TEXT_MOST; ++i) r->text[r->length++] = piece[i];
-    r->text[r->length] = 0;
+    for (int i = 0; i < n && !r->status; ++i) {
+        const int blank = strchr(" \t\r\n", piece[i]) != NULL;
+        if (r->coordinates && blank) { /* between places, or behind a comma of one */
+            if (r->length && r->text[r->length - 1] != ',') place_read(r, ',');
+            if (r->length && r->text[r->length - 1] == ',') continue;
+            r->length = 0;
+        } else if (r->length + 1 < TEXT_MOST) {
+            r->text[r->length++] = piece[i];
+        } else if (r->coordinates) {
+            line_set(r);
+            fail(r, input_error(r->places.in, "'%.40s...' is no place", r->text));
+        }
+        r->text[r->length] = 0;
+    }
 }
 
-/* A GPX file has no need of entities of its own; a hostile one has. */
+/* Such a file has no need of entities of its own; a hostile one has. */
 static void entity(void *data, const char *name, int parameter, const char *value, int length, const char *base,
                    const char *system, const char *public, const char *notation)
 {
@@ -210,7 +332,7 @@ static void parse(Reader *r)
     }
 }
 
-hawser_status gpx_read(SurveyInput *in)
+hawser_status tracks_read(SurveyInput *in)
 {
     Reader r = {.places = {.in = in}, .line = -1, .parser = XML_ParserCreate(NULL)};
     if (!r.parser) return error_memory(in->err);
