@@ -109,16 +109,13 @@ static hawser_status springs_build(Scene *scene, hawser_error *err)
     return status || !laid ? status : joints_rest(scene, scene->chain.n, err);
 }
 
-/* (BK10). Of several chains and of positions nothing is bent: what is pushed there is not trusted. */
+/* (BK10). */
 static hawser_status bow_build(Scene *scene, hawser_error *err)
 {
-    const SceneDef *const def = &scene->def;
-    const Buckling *const p = &scene->pushed;
-    const int moves = def->analysis.kind == ANALYSIS_DYNAMICS && def->solver.motion == MOTION_DYNAMIC;
-    if (!(p->push > BUCKLING_NEAR * p->critical) || !(def->solver.imperfection > 0) || !moves || def->strand.present)
-        return HAWSER_OK;
-    scene->bowed = 1;
-    const double q = M_PI / p->wave, bow = def->solver.imperfection * p->wave;
+    const double wave = scene->pushed.wave;
+    scene->bowed = buckling_bends(&scene->def, &scene->pushed);
+    if (!scene->bowed) return HAWSER_OK;
+    const double q = M_PI / wave, bow = scene->def.solver.imperfection * wave;
     return joints_bow(scene, bow * q * q, q, err);
 }
 

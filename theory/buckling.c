@@ -128,6 +128,21 @@ static double pushed_length(const Pull *pull, int i)
     return length;
 }
 
+/* m along the route, as far as it is pushed by more than a metre weighs from `in`, where it is, towards `out`. */
+static double pushed_to(const Holds *h, const PullSpan *span, double in, double out)
+{
+    enum { HALVINGS = 24 };
+    double to = out;
+    for (int i = 0; i < HALVINGS; ++i) {
+        const int is = -span_integrate(&span->law, span->s0, span->t0, to, NULL) > h->setup->cable_weight;
+        if (is && i == 0) return out;
+        if (is) in = to;
+        if (!is) out = to;
+        to = (in + out) / 2;
+    }
+    return in;
+}
+
 /* Of one span; 0: it is not pushed there. */
 static int span_look(const Holds *h, const Pull *pull, int i, Buckling *out)
 {
@@ -161,7 +176,11 @@ static int span_look(const Holds *h, const Pull *pull, int i, Buckling *out)
         out->from = here.from;
         out->to = here.to;
     }
-    return share > 0 && out->to > out->from;
+    const double low = fmin(span->s0, span->s1), high = fmax(span->s0, span->s1), step = (high - low) / LOOKS;
+    if (!(share > 0)) return 0;
+    out->from = pushed_to(h, span, out->from, fmax(low, out->from - step));
+    out->to = pushed_to(h, span, out->to, fmin(high, out->to + step));
+    return out->to > out->from;
 }
 
 hawser_status buckling_find(const Setup *setup, const Route *route, const Pull *pull, int *n, Buckling **row,
@@ -223,4 +242,30 @@ hawser_status buckling_of_run(const Setup *setup, Buckling *out, hawser_error *e
     for (int k = 0; k <= FRONTS && !status; ++k)
         status = run_look(setup, setup->front + (fmax(last, setup->front) - setup->front) * k / FRONTS, out, err);
     return status;
+}
+
+hawser_status buckling_of_case(const SceneDef *def, const Route *route, Buckling *out, hawser_error *err)
+{
+    Setup setup;
+    hawser_error unused;
+    int pushes = def->n_conveyors > 0;
+    for (int i = 0; i < def->n_rollers; ++i) pushes |= def->rollers[i].spin.motor.kind != MOTOR_NONE;
+    *out = (Buckling){.critical = INFINITY};
+    if (!pushes || def->rod.present) return HAWSER_OK;
+    hawser_status status = setup_build(def, route, NULL, &setup, &unused);
+    if (!status) status = buckling_of_run(&setup, out, &unused);
+    setup_free(&setup);
+    return status == HAWSER_ERR_MEMORY ? error_memory(err) : HAWSER_OK;
+}
+
+int buckling_bends(const SceneDef *def, const Buckling *of_run)
+{
+    const int moves = def->analysis.kind == ANALYSIS_DYNAMICS && def->solver.motion == MOTION_DYNAMIC;
+    const int gives_way = of_run->push > BUCKLING_NEAR * of_run->critical;
+    return gives_way && moves && def->solver.imperfection > 0 && !def->strand.present;
+}
+
+double buckling_shown(const Buckling *b)
+{
+    return b->by == STRAIGHT_DUCT ? b->wave * sqrt(fmin(1, b->critical / b->push)) : b->wave;
 }

@@ -32,6 +32,14 @@ static const double BUCKLING_NEAR = 0.7;
 /* The worst place of a run's pull, wherever the front is on its way; its push is 0 if nothing pushes. What theory has
  * no answer for pushes nothing. Errors: MEMORY. */
 hawser_status buckling_of_run(const Setup *setup, Buckling *out, hawser_error *err);
+/* The same of a case that is not built yet; where nothing pushes, nothing is computed. What a setup cannot be built of
+ * pushes nothing here. Errors: MEMORY. */
+hawser_status buckling_of_case(const SceneDef *def, const Route *route, Buckling *out, hawser_error *err);
+/* Whether a run with that begins bent (BK10). Of several chains and of positions nothing is: what is pushed there is
+ * not trusted. */
+int buckling_bends(const SceneDef *def, const Buckling *of_run);
+/* m, half wave in which it snakes or coils with the push that is there (ME14), or bows. */
+double buckling_shown(const Buckling *b);
 /* The one that is nearest to its critical load, or farthest beyond it; NULL if there is none. */
 const Buckling *buckling_worst(int n, const Buckling *row);
 

@@ -154,7 +154,9 @@ double mesh_auto(const Mesh *mesh, const SceneDef *def, int piece)
     /* a rod is asked for more than its shape's error: its loads and ends are within a segment each */
     const double wanted = mesh_length(mesh, piece, def->rod.present ? MESH_AIM / 16 : MESH_AIM);
     const double least = fmax(p->length / MESH_SEGMENTS_MAX, def->rod.present ? 0 : def->cables[p->cable].diameter / 2);
-    return fmax(wanted, least);
+    const double shows = /* (ME14) */
+        mesh->wave > 0 && piece < scene_def_eye(def) ? MESH_WAVE * mesh->wave : INFINITY;
+    return fmax(fmin(wanted, shows), least);
 }
 
 double mesh_given(const Mesh *mesh, const SceneDef *def, double pull, int *worst)

@@ -31,6 +31,7 @@ typedef struct MeshPlace {
 typedef struct Mesh {
     int n;
     MeshPlace *place; /* [n] owned, by pieces of the chain, then along the route */
+    double wave;      /* m, half wave in which a run's cable that is pushed gives way; 0: none. mesh_find has none */
 } Mesh;
 
 /* Every place that asks for something, of pieces that come there during the run; the drive of the map's definition must
@@ -50,7 +51,7 @@ double mesh_sag_error(double h, double pitch, double bending_length);
 double mesh_length(const Mesh *mesh, int piece, double error);
 double mesh_place_length(const MeshPlace *place, double error);
 
-/* What `segment: auto` takes for a piece of this length, m (ME8). */
+/* What `segment: auto` takes for a piece of this length, m (ME8), (ME14). */
 double mesh_auto(const Mesh *mesh, const SceneDef *def, int piece);
 /* What the segments of the definition are expected to cost: the sum over all places, a share of a pull (N; 0: of the
  * tension at each), and the place with most of it (-1: none). */
@@ -62,6 +63,8 @@ void mesh_describe(const MeshPlace *place, int size, char *text);
 static const double MESH_AIM = 0.005, MESH_ALLOWED = 0.02;
 /* m: the longest segments of `auto`. */
 static const double MESH_USUAL = 0.5;
+/* Of a half wave of a cable that is pushed: the longest segment that shows it (ME14). */
+static const double MESH_WAVE = 0.15;
 /* Segments that `auto` gives a piece at most. */
 enum { MESH_SEGMENTS_MAX = 20000 };
 

@@ -147,6 +147,7 @@ typedef struct Description {
     RouteRow *leg;       /* [n_route] */
     SurfaceRow *surface; /* [n_surfaces] */
     Mesh mesh;
+    double wave; /* m, of the cable that is pushed (ME14); 0: none */
     int n_chains;
     ChainRow chain[STRANDS_MAX]; /* [n_chains] of several; none of one */
     MeshRow *demand;             /* [n_demands] places that ask for less than the usual length */
@@ -358,6 +359,7 @@ static hawser_status gather(Description *d, hawser_error *err)
     if (!found) found = mesh_find(&map, &d->mesh, err);
     supports_free(&map);
     if (found) return found;
+    d->mesh.wave = d->wave;
     d->demand = calloc((size_t)d->mesh.n + 1, sizeof *d->demand);
     if (!d->demand) return error_memory(err);
     fill_mesh(d);
@@ -374,6 +376,7 @@ static hawser_status describe(const hawser_case *c, hawser_format format, char *
     if (status) return case_name_error(c, status, err);
     hawser_sim_summary(sim, &d.summary);
     hawser_sim_surfaces(sim, &d.surfaces);
+    d.wave = sim->stage.scene.bowed ? buckling_shown(&sim->stage.scene.pushed) : 0;
     status = gather(&d, err);
     if (!status) status = write_description(&d, d.def->title[0] ? d.def->title : c->name, format, text, err);
     route_clear(&d.route);

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
+#include "theory/buckling.h"
 #include "theory/mesh.h"
 
 static const double PI = 3.14159265358979323846;
@@ -341,20 +342,37 @@ static hawser_status segment_read(const CaseReader *r, const CaseNode *node, Cha
     return status ? status : segments_count(r, node, segment, piece);
 }
 
+/* Of the pieces that leave their length open. */
+static hawser_status segments_take(const CaseReader *r, const CaseNode *node, const Mesh *mesh, const char *open)
+{
+    SceneDef *const def = r->def;
+    hawser_status status = HAWSER_OK;
+    for (int p = 0; p < def->n_pieces && !status; p++) {
+        const CaseNode *const piece = node ? case_node_item(node, p) : r->root;
+        if (!open[p]) continue;
+        def->pieces[p].segments = 0;
+        status = segments_count(r, piece, mesh_auto(mesh, def, p), &def->pieces[p]);
+    }
+    return status;
+}
+
 hawser_status case_mesh_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
-    int open = 0;
-    for (int p = 0; p < def->n_pieces; p++) open |= !(def->pieces[p].segments > 0);
-    if (!open) return HAWSER_OK; /* no piece waits for a length */
+    int any = 0;
+    char *const open = calloc((size_t)def->n_pieces + 1, 1);
+    if (!open) return error_memory(r->err);
+    for (int p = 0; p < def->n_pieces; p++) any |= open[p] = !(def->pieces[p].segments > 0);
     Supports map = {.def = def, .route = &r->route};
     Mesh mesh = {0};
-    hawser_status status = def->rod.present ? HAWSER_OK : supports_build(def, &r->route, &map, r->err);
-    if (!status) status = mesh_find(&map, &mesh, r->err);
-    for (int p = 0; p < def->n_pieces && !status; p++) {
-        if (def->pieces[p].segments > 0) continue;
-        status = segments_count(r, node ? case_node_item(node, p) : r->root, mesh_auto(&mesh, def, p), &def->pieces[p]);
-    }
+    hawser_status status = any && !def->rod.present ? supports_build(def, &r->route, &map, r->err) : HAWSER_OK;
+    if (any && !status) status = mesh_find(&map, &mesh, r->err);
+    if (any && !status) status = segments_take(r, node, &mesh, open);
+    Buckling pushed = {0}; /* by theory, which has no need of short segments */
+    if (any && !status) status = buckling_of_case(def, &r->route, &pushed, r->err);
+    if (buckling_bends(def, &pushed)) mesh.wave = buckling_shown(&pushed);
+    if (mesh.wave > 0 && !status) status = segments_take(r, node, &mesh, open);
+    free(open);
     mesh_free(&mesh);
     supports_free(&map);
     return status;

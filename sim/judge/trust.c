@@ -416,8 +416,6 @@ static void add_steadiness(List *list, const TrustFacts *f)
         100 * spike, at);
 }
 
-static const double WAVE_PART = 0.15; /* of a half wave, that a segment may be */
-
 /* m, of the cable's segments. */
 static double half_of_longest(const Scene *scene)
 {
@@ -448,10 +446,11 @@ static void add_bowed(List *list, const TrustFacts *f)
         "line, which would not last: set solver.imperfection to its default, and solver.motion to dynamic",
         p->push / 1e3, p->at, share, p->by == STRAIGHT_DUCT ? "snakes" : "bows");
     if (!f->scene->bowed) return;
-    add(list, HAWSER_CONDITION_WAVES, longest / p->wave, WAVE_PART,
-        "segments of %.3g mm are too long for half waves of %.3g m, in which a cable that is pushed gives way: set "
-        "chain.N.segment to %.3g mm",
-        1e3 * longest, p->wave, 1e3 * WAVE_PART * p->wave * (1 - 1e-3));
+    const double wave = buckling_shown(p);
+    add(list, HAWSER_CONDITION_WAVES, longest / wave, MESH_WAVE * (1 + 1e-9),
+        "segments of %.3g mm are too long for half waves of %.3g m, in which a cable that is pushed gives way: leave "
+        "out chain.N.segment, or set it to %.3g mm",
+        1e3 * longest, wave, 1e3 * MESH_WAVE * wave * (1 - 1e-3));
 }
 
 /* Positions: each has its equilibrium. */
