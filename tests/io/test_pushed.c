@@ -1,14 +1,5 @@
 /* What theory says of cables that are pushed: the scenes that were SAFE, and what stays as it was. */
-#include "tests/io/theory_fixture.h"
-
-/* 22 kg/m in a straight duct with 30 mm of room, pushed at 22 m. */
-static const char DUCT[] =
-    "cables: {p: {d: 100 mm, mass: 22 kg/m, EI: 1000, EA: 60 MN, GA: 20 MN, GJ: 1000}}\n"
-    "chain: [{cable: p, length: 400 m}]\n"
-    "route: {head_at: 402 m, pieces: [{straight: 420 m}]}\nsurfaces: {ducts: [{radius: 80 mm}]}\n"
-    "friction: {mu: 0.2}\ndrive: {winch: {speed: 0.2 m/s, to: 5 s, grip: axial}}\n"
-    "conveyors: [{name: pusher, from: 20 m, to: 24 m, clamp: 40 kN, mu: 0.3, factor: 1.05, limit: 12 kN}]\n"
-    "limits: {pull: 56 kN, sidewall: 3 kN/m, bend_radius: 2 m, push: 25 kN}\nrun: {duration: 60 s}\n";
+#include "tests/io/pushed_fixture.h"
 
 /* On rollers every 1.5 m, with a push of 700 N at 5 m. */
 static const char ROLLERS[] =
@@ -18,17 +9,6 @@ static const char ROLLERS[] =
     "friction: {mu: 0.2}\ndrive: {winch: {speed: 0.1 m/s, to: 2 s}}\n"
     "conveyors: [{name: pusher, from: 4 m, to: 6 m, clamp: 5 kN, mu: 0.3, factor: 1.05, limit: 800 N}]\n"
     "limits: {pull: 20 kN, sidewall: 3 kN/m, push: 2 kN}\nrun: {duration: 20 s}\n";
-
-static json_t *limit_row(const json_t *answer, const char *name)
-{
-    json_t *limit;
-    size_t i;
-    json_array_foreach(json_object_get(answer, "limits"), i, limit)
-    {
-        if (!strcmp(json_string_value(json_object_get(limit, "name")), name)) return limit;
-    }
-    return NULL;
-}
 
 /* Straight 6.13 kN: it was SAFE with that. A run with an imperfection, segments of 0.25 m, had 8.22 kN with 13 m less
  * of cable on the route (7.90 by theory there), a first one of b0cd4723 7.92. */
