@@ -92,6 +92,8 @@ void answer_unusual(Answer *a, const SceneDef *def, const Route *route)
 /* ------------------------------------------------------------------------------------------------------ limits */
 
 /* "; allowed 18.9 kN: 75.6 % left". */
+enum { MARGIN_MAX = 160 };
+
 static void say_margin(const hawser_limit *l, hawser_units units, char *text, size_t size)
 {
     char allowed[HAWSER_SHOWN_MAX];
@@ -191,29 +193,38 @@ static const char *largest_place(const Answer *a, const Setup *setup, const Calc
     return text;
 }
 
+/* "; allowed 18.9 kN: 75.6 % left": what is allowed of the cable, whose tension stands before it where it is not the
+ * winch's force. */
+static void pull_margin(const Answer *a, int n, const hawser_limit *limit, const char *force, char text[MARGIN_MAX])
+{
+    const hawser_limit *const l = limit_of(n, limit, HAWSER_LIMIT_PULL);
+    char own[HAWSER_SHOWN_MAX];
+    *text = 0;
+    if (!l || !l->judged) return;
+    hawser_show(l->value, "N", a->units, own);
+    snprintf(text, MARGIN_MAX, "; %s%s%s", strcmp(own, force) ? "in the cable " : "", strcmp(own, force) ? own : "",
+             strcmp(own, force) ? ", " : "");
+    say_margin(l, a->units, text + strlen(text), MARGIN_MAX - strlen(text));
+}
+
 /* The largest force that a winch of one way needs, at speed and from rest: of all sections and of all places of the
  * head. */
 static void way_line(Answer *a, const Setup *setup, const Calculator *c, int k)
 {
-    char force[HAWSER_SHOWN_MAX], restart[HAWSER_SHOWN_MAX], margin[128] = "", at[160], then[160];
+    char force[HAWSER_SHOWN_MAX], restart[HAWSER_SHOWN_MAX], margin[MARGIN_MAX], at[160], then[160];
     const HeadSeries *const heads = &c->heads[k];
     const char *const word = k == PLAN_FORWARD ? "pull" : "pulled back";
-    const hawser_limit *const l = limit_of(c->n_limits, c->limit[k], HAWSER_LIMIT_PULL);
     if (!c->pulled[k].holds && !isnan(c->brake[k].brake)) {
         answer_line(a, word, "%s at the winch with the brake that is missing, %s",
                     hawser_show(c->brake[k].force, "N", a->units, force),
                     hawser_show(c->brake[k].brake, "N", a->units, restart));
         return;
     }
-    if (l && l->judged) {
-        strcpy(margin, "; ");
-        say_margin(l, a->units, margin + 2, sizeof margin - 2);
-    }
+    pull_margin(a, c->n_limits, c->limit[k], hawser_show(heads->peak.force, "N", a->units, force), margin);
     largest_place(a, setup, c, k, heads->peak.head, at);
     largest_place(a, setup, c, k, heads->restart_peak.head, then);
-    answer_line(a, word, "%s at the winch%s, %s from rest%s%s", hawser_show(heads->peak.force, "N", a->units, force),
-                at, hawser_show(heads->restart_peak.restart, "N", a->units, restart), strcmp(at, then) ? then : "",
-                margin);
+    answer_line(a, word, "%s at the winch%s, %s from rest%s%s", force, at,
+                hawser_show(heads->restart_peak.restart, "N", a->units, restart), strcmp(at, then) ? then : "", margin);
 }
 
 enum { MEND_SHOWN = 6 };
@@ -348,13 +359,8 @@ static const char *say_bar(const hawser_error_bar *bar, double figure, char text
 /* The winch's force, against what the cable may be pulled with. */
 static void pull_line(Answer *a, const hawser_summary *s, int n, const hawser_limit *limit)
 {
-    char mean[HAWSER_SHOWN_MAX], peak[HAWSER_SHOWN_MAX], bar[32], peak_bar[32], margin[128] = "";
-    const hawser_limit *const l = limit_of(n, limit, HAWSER_LIMIT_PULL);
-    if (l && l->judged) {
-        strcpy(margin, "; ");
-        say_margin(l, a->units, margin + 2, sizeof margin - 2);
-    }
-    hawser_show(s->pull_peak_N, "N", a->units, peak);
+    char mean[HAWSER_SHOWN_MAX], peak[HAWSER_SHOWN_MAX], bar[32], peak_bar[32], margin[MARGIN_MAX];
+    pull_margin(a, n, limit, hawser_show(s->pull_peak_N, "N", a->units, peak), margin);
     say_bar(&s->pull_peak_error, s->pull_peak_N, peak_bar);
     if (!(s->pull_peak_N > 0)) {
         answer_line(a, "pull", "nothing was pulled: there is no winch, or its rope stayed slack");

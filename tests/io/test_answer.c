@@ -186,5 +186,25 @@ static void a_listed_bend(void **state)
     scene_def_clear(&def);
 }
 
+/* The winch holds the rope's own way up as well: 151.6 kN stood beside 45.1 % left of 200 kN, which are the cable's. */
+static void the_margin_is_the_cables(void **state)
+{
+    (void)state;
+    static const char shaft[] =
+        "cables: {p: {d: 100 mm, mass: 20 kg/m}}\nchain: [{cable: p, length: 485.708 m}]\n"
+        "route: {pieces: [{straight: 22 m}, {bend: 90 deg, radius: 5 m, plane: down}, {straight: 400 m},"
+        " {bend: 90 deg, radius: 5 m, plane: up}, {straight: 60 m}]}\n"
+        "surfaces: {ducts: [{radius: 75 mm}]}\nfriction: {mu: 0.2}\n"
+        "drive: {tail: {tension: 80 kN}}\nlimits: {pull: 200 kN, sidewall: 50 kN/m, bend_radius: 1 m}\n";
+    hawser_case *c = NULL;
+    char *text = NULL;
+    assert_int_equal(hawser_case_parse(shaft, NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, NULL), HAWSER_OK);
+    check_has(text, "in the cable 109.8 kN");
+    hawser_text_free(text);
+    hawser_case_free(c);
+}
+
 TEST_FILE_IN(test_answer, answer_setup, answer_teardown, cmocka_unit_test(words), cmocka_unit_test(ducts),
-             cmocka_unit_test(bends), cmocka_unit_test(a_listed_bend), cmocka_unit_test(answers))
+             cmocka_unit_test(bends), cmocka_unit_test(a_listed_bend), cmocka_unit_test(answers),
+             cmocka_unit_test(the_margin_is_the_cables))
