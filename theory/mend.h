@@ -15,7 +15,7 @@ typedef struct MendBend {
 
 typedef struct Mend {
     int way;
-    int safe; /* the verdict with all of it is SAFE */
+    int safe; /* with all of it every limit and condition holds, at the values that were taken */
     int n;
     MendBend bend[MEND_BENDS_MAX];
     double now, friction;       /* the largest coefficient, rounded down; friction NAN: it stays as it is */
@@ -24,7 +24,8 @@ typedef struct Mend {
 
 /* Of a way that is not safe; n of 0 and friction NAN where neither helps. Errors: MEMORY. */
 hawser_status mend_find(const Setup *setup, const Calculator *base, int way, Mend *out, hawser_error *err);
-/* Whether the verdict of one way is SAFE; otherwise what is not kept, by name. */
+/* Whether all limits and conditions of one way hold at the values that were taken (ranges of what is assumed are not
+ * looked at); otherwise what is not kept, by name. */
 int calculator_is_safe(const Setup *setup, const Calculator *c, int way, char still[MEND_STILL_MAX]);
 
 #endif

@@ -267,7 +267,7 @@ static int assumed_add(const Setup *setup, TheoryTables *t)
 
 /* One change of a remedy: all of a direction's belong together and were computed as one. */
 typedef struct RemedyRow {
-    const char *direction, *what, *place, *unit, *still, *safe;
+    const char *direction, *what, *place, *unit, *still, *holds;
     char key[40];
     double now, value;
 } RemedyRow;
@@ -280,7 +280,7 @@ static const Column remedy_column[] = {
     {COLUMN("now", NUMBER, RemedyRow, now), .label = "now", .decimals = -1, .unit_by = "unit"},
     {COLUMN("value", NUMBER, RemedyRow, value), .label = "needed", .decimals = -1, .unit_by = "unit"},
     {COLUMN("unit", TEXT, RemedyRow, unit), .label = "unit"},
-    {COLUMN("safe", TEXT, RemedyRow, safe), .label = "safe with all"},
+    {COLUMN("holds", TEXT, RemedyRow, holds), .label = "all limits hold"},
     {COLUMN("still", TEXT, RemedyRow, still), .label = "still broken"},
 };
 static const Columns remedy_columns = COLUMNS(RemedyRow, remedy_column);
@@ -302,7 +302,7 @@ static RemedyRow remedy_row(const Mend *m, const char *what, double now, double 
                        .place = "",
                        .unit = "1",
                        .still = m->still,
-                       .safe = m->safe ? "yes" : "NO",
+                       .holds = m->safe ? "yes" : "NO",
                        .now = now,
                        .value = value};
 }

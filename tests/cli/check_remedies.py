@@ -94,7 +94,7 @@ def main():
             if rows and safe(theory(arguments.hawser, path, settings.items())):
                 first += 1
                 continue
-            if rows and all(row["safe"] == "yes" for row in rows):
+            if rows and all(row["holds"] == "yes" for row in rows):
                 failures.append(f"proposed as safe and not:\n{text}{settings}")
                 continue
             way = next((a for a in o["answers"] if a["direction"] == "forward" and "friction" in a["question"]), None)

@@ -315,7 +315,7 @@ static void remedy_settings(const json_t *answer, char text[][64], const char *s
     {
         const double value = number_of(row, "value");
         if (strcmp(text_of(row, "direction"), "forward") || n + 3 > room) continue;
-        assert_string_equal(text_of(row, "safe"), "yes");
+        assert_string_equal(text_of(row, "holds"), "yes");
         const int metres = !strcmp(text_of(row, "unit"), "m");
         snprintf(text[n], 64, "%s", text_of(row, "key"));
         snprintf(text[n + 1], 64, "%.12g%s", value, metres ? " m" : "");
