@@ -244,6 +244,12 @@ hawser_status buckling_of_run(const Setup *setup, Buckling *out, hawser_error *e
     return status;
 }
 
+static int begins_bent(const SceneDef *def)
+{
+    const int moves = def->analysis.kind == ANALYSIS_DYNAMICS && def->solver.motion == MOTION_DYNAMIC;
+    return moves && def->solver.imperfection > 0 && !def->strand.present && !def->rod.present;
+}
+
 hawser_status buckling_of_case(const SceneDef *def, const Route *route, Buckling *out, hawser_error *err)
 {
     Setup setup;
@@ -251,7 +257,7 @@ hawser_status buckling_of_case(const SceneDef *def, const Route *route, Buckling
     int pushes = def->n_conveyors > 0;
     for (int i = 0; i < def->n_rollers; ++i) pushes |= def->rollers[i].spin.motor.kind != MOTOR_NONE;
     *out = (Buckling){.critical = INFINITY};
-    if (!pushes || def->rod.present) return HAWSER_OK;
+    if (!pushes || !begins_bent(def)) return HAWSER_OK;
     hawser_status status = setup_build(def, route, NULL, &setup, &unused);
     if (!status) status = buckling_of_run(&setup, out, &unused);
     setup_free(&setup);
@@ -260,9 +266,7 @@ hawser_status buckling_of_case(const SceneDef *def, const Route *route, Buckling
 
 int buckling_bends(const SceneDef *def, const Buckling *of_run)
 {
-    const int moves = def->analysis.kind == ANALYSIS_DYNAMICS && def->solver.motion == MOTION_DYNAMIC;
-    const int gives_way = of_run->push > BUCKLING_NEAR * of_run->critical;
-    return gives_way && moves && def->solver.imperfection > 0 && !def->strand.present;
+    return begins_bent(def) && of_run->push > BUCKLING_NEAR * of_run->critical;
 }
 
 double buckling_shown(const Buckling *b)
