@@ -105,6 +105,8 @@ static void probability_of_a_limit(void **state)
     check_has(text, "P(NOT SAFE) is at least "); /* friction at rest is assumed: none of them is SAFE for certain */
     check_has(text, ", limited by winch in ");
     hawser_text_free(text);
+    assert_int_equal(hawser_study_answer(again, HAWSER_CSV, &text, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "samples.csv");
     hawser_study_free(again);
     clear(s, &rows, &f);
 }
