@@ -12,6 +12,7 @@
 /* One contact that carried force when the last step was accepted. */
 typedef struct StickRecord {
     int roller, face, element;
+    int none;  /* 0: a checkpoint holds no bytes between numbers */
     Vec3 lean; /* s, m, world */
 } StickRecord;
 

@@ -312,7 +312,8 @@ void contact_accept(const ContactModel *model, const Chain *chain, const Kinemat
         batch_push(model, &batch, &push);
         for (int l = 0; l < batch.count; ++l) {
             if (!(push.normal[l] > 0)) continue;
-            store->fresh[n++] = (StickRecord){batch.roller[l], batch.face[l], batch.element[l], batch_at(push.kept, l)};
+            store->fresh[n++] =
+                (StickRecord){batch.roller[l], batch.face[l], batch.element[l], 0, batch_at(push.kept, l)};
         }
     }
     stick_accept(store, t, n);

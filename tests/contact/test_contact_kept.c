@@ -185,7 +185,7 @@ static void test_sticks(void **state)
     static const char words[] = "what sticks is impossible";
     Sticks s = {.rollers = 2, .room = 3}, to = {.rollers = 2, .room = 1};
     assert_true(stick_reserve(&s.store, 2, 3));
-    for (int k = 0; k < 3; ++k) s.store.fresh[k] = (StickRecord){k / 2, k % 2, 4 + 7 * k, {k, -k, 0.5}};
+    for (int k = 0; k < 3; ++k) s.store.fresh[k] = (StickRecord){k / 2, k % 2, 4 + 7 * k, 0, {k, -k, 0.5}};
     stick_accept(&s.store, 1.5, 3);
     stick_clock(&s.store, 1.75);
     read_back(keep_sticks, &s, &to);
@@ -231,14 +231,14 @@ static void test_nearest_sticks(void **state)
     static const int element[] = {4, 5, 20, 7, 30};
     StickStore s = {.n = 0};
     assert_true(stick_reserve(&s, 2, 5));
-    for (int k = 0; k < 5; ++k) s.fresh[k] = (StickRecord){k / 3, 0, element[k], {element[k], 0, 0}};
+    for (int k = 0; k < 5; ++k) s.fresh[k] = (StickRecord){k / 3, 0, element[k], 0, {element[k], 0, 0}};
     stick_accept(&s, 0, 5);
     for (int e = 0; e < 40; ++e) {
         check_equal(stick_kept(&s, 0, 0, e).x, e < 5 ? 4 + (e > 4) : e < 13 ? 5 : 20);
         if (e != 18) check_equal(stick_kept(&s, 1, 0, e).x, e < 19 ? 7 : 30);
         check_equal(stick_kept(&s, 0, 1, e).x, 0);
     }
-    s.fresh[0] = (StickRecord){1, 1, 3, {9, 0, 0}};
+    s.fresh[0] = (StickRecord){1, 1, 3, 0, {9, 0, 0}};
     stick_accept(&s, 1, 1); /* the others are forgotten */
     for (int f = 0; f < 4; ++f) check_equal(stick_kept(&s, f / 2, f % 2, 4).x, f == 3 ? 9 : 0);
     stick_accept(&s, 2, 0);

@@ -152,7 +152,7 @@ static void test_freed(void **state)
     StickStore store = {0};
     for (int rollers = 1; rollers < 4; ++rollers) {
         assert_true(stick_reserve(&store, rollers, 5));
-        store.fresh[0] = (StickRecord){rollers - 1, 1, 3, {0, 0, 1}};
+        store.fresh[0] = (StickRecord){rollers - 1, 1, 3, 0, {0, 0, 1}};
         stick_accept(&store, 2, 1);
         check_vec(stick_kept(&store, rollers - 1, 1, 4), v3(0, 0, 1), 0);
         check_vec(stick_kept(&store, rollers - 1, 0, 4), V3_ZERO, 0);
