@@ -133,12 +133,13 @@ static int is_mended(const hawser_limit *l)
 static void limit_lines(Answer *a, const Setup *setup, const char *word, const hawser_limit *l, int together,
                         char said[REMEDY_MAX])
 {
-    char found[HAWSER_SHOWN_MAX], margin[128], remedy[REMEDY_MAX], where[sizeof l->where + 2];
+    char found[HAWSER_SHOWN_MAX], margin[128], remedy[REMEDY_MAX] = "", where[sizeof l->where + 2];
+    Remedy r;
     say_margin(l, a->units, margin, sizeof margin);
     answer_line(a, word, "%s %s%s%s; %s", l->name, hawser_show(l->value, l->unit, a->units, found),
                 *l->where ? " at " : "", place_mark(l->where, where, sizeof where), margin);
     if (l->ok || (together && is_mended(l))) return;
-    limit_remedy(setup, l, a->units, remedy);
+    if (remedy_find(setup, l, &r)) remedy_say(&r, a->units, remedy);
     if (*remedy && strcmp(remedy, said) != 0) answer_line(a, "remedy", "%s", remedy);
     strcpy(said, remedy);
 }

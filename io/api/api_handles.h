@@ -151,8 +151,10 @@ hawser_status along_rows(hawser_sim *s, AlongRow **rows, int *n, hawser_error *e
 const char *show_bound(double value, int least, const char *unit, hawser_units units, char *text);
 /* The key of a bend's radius, "route.pieces.3.radius"; empty where it is not one of the case's. */
 void mend_key(const Setup *setup, int piece, char key[40]);
-/* What would make a broken limit hold, from its own figures and the scene's: "a radius of 8.5 m in 'bend' would do".
- * The tension is taken to stay as it is. `text` has 256 bytes and is empty where nothing can be told. */
-void limit_remedy(const Setup *setup, const hawser_limit *broken, hawser_units units, char *text);
+/* What would make a broken limit hold, from its own figures and the scene's, without its sentence; the tension is taken
+ * to stay as it is. 0: nothing can be told. */
+int remedy_find(const Setup *setup, const hawser_limit *broken, Remedy *r);
+/* Its sentence: "a radius of 8.5 m in 'bend' would do". */
+void remedy_say(const Remedy *r, hawser_units units, char text[REMEDY_MAX]);
 
 #endif

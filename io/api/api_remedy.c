@@ -59,38 +59,20 @@ static double tension_by_radius(const Setup *setup, const RoutePiece *bend)
 }
 
 /* T/R goes down as R goes up: (T + k (R' - R)) / R' is the limit. */
-static void sidewall_remedy(const Setup *setup, const hawser_limit *l, hawser_units units, char *text)
+static void sidewall_remedy(const Setup *setup, const hawser_limit *l, Remedy *r)
 {
-    char radius[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX], place[56] = "there", key[40] = "";
     const int p = bend_at(setup->route, l->where);
     const RoutePiece *const bend = p >= 0 ? &setup->route->piece[p] : NULL;
-    const double share = 100 * (1 - l->limit / l->value), k = bend ? tension_by_radius(setup, bend) : INFINITY;
-    if (!(l->limit > k)) {
-        snprintf(text, REMEDY_MAX, "%.3g %% less tension there, or what presses less", share);
-        return;
-    }
+    const double k = bend ? tension_by_radius(setup, bend) : INFINITY;
+    r->code = l->limit > k ? "radius" : "less_tension";
+    r->share = 1 - l->limit / l->value;
+    if (!(l->limit > k)) return;
     assert(bend);
-    show_bound(bend->radius * (l->value - k) / (l->limit - k), 1, "m", units, radius);
-    if (*bend->name) snprintf(place, sizeof place, "in '%s'", bend->name);
-    if (bend->listed) snprintf(key, sizeof key, "route.pieces.%d.radius, ", bend->listed - 1);
-    snprintf(text, REMEDY_MAX, "a radius of %s %s would do (%snow %s), or %.3g %% less tension there", radius, place,
-             key, hawser_show(bend->radius, "m", units, now), share);
-}
-
-/* At the cable's head all that is pulled comes together. */
-static void pull_remedy(const hawser_limit *l, hawser_units units, char *text)
-{
-    char over[HAWSER_SHOWN_MAX];
-    snprintf(text, REMEDY_MAX, "%s less pull: conveyors, a pit, a lubricant, or the other direction",
-             hawser_show(l->value - l->limit, "N", units, over));
-}
-
-static void rope_remedy(const Setup *setup, const hawser_limit *l, hawser_units units, char *text)
-{
-    char strength[HAWSER_SHOWN_MAX];
-    const double factor = setup->def->limits.rope_strength / l->limit; /* of safety */
-    snprintf(text, REMEDY_MAX, "a rope that breaks at %s (limits.rope_strength), or less pull",
-             show_bound(l->value * factor, 1, "N", units, strength));
+    r->unit = "m";
+    r->now = bend->radius;
+    r->least = bend->radius * (l->value - k) / (l->limit - k);
+    snprintf(r->where, sizeof r->where, "%s", bend->name);
+    if (bend->listed) snprintf(r->key, sizeof r->key, "route.pieces.%d.radius", bend->listed - 1);
 }
 
 static int has_clearance(const SceneDef *def, const SurfaceDef *now, double clearance, double diameter)
@@ -116,118 +98,198 @@ static double diameter_for(const SceneDef *def, const SurfaceDef *duct, double c
 
 /* Jamming goes by D/d and is forbidden between two of its values; clearance goes by D, by
  * more than D where cables lie in a triangle; fill by (d/D)^2. */
-static void duct_remedy(const Setup *setup, const hawser_limit *l, hawser_units units, char *text)
+static void duct_remedy(const Setup *setup, const hawser_limit *l, Remedy *r)
 {
-    char least[HAWSER_SHOWN_MAX], most[HAWSER_SHOWN_MAX] = "", now[HAWSER_SHOWN_MAX];
     const SurfaceDef *const duct = duct_called(setup->def, l->where);
     if (!duct) return;
     const double D = 2 * (duct->bore > 0 ? duct->bore : duct->shape.radius);
     DuctLoad load;
-    double wider = D * sqrt(l->value / l->limit);
-    if (l->kind == HAWSER_LIMIT_CLEARANCE) wider = diameter_for(setup->def, duct, l->limit, D);
+    r->unit = "m";
+    r->now = D;
+    r->least = D * sqrt(l->value / l->limit);
+    snprintf(r->where, sizeof r->where, "%s", duct->name);
+    if (l->kind == HAWSER_LIMIT_CLEARANCE) r->least = diameter_for(setup->def, duct, l->limit, D);
     if (l->kind == HAWSER_LIMIT_JAM_RATIO) {
         const int triangle = !bundle_in(setup->def, duct, &load, NULL) && load.layout == DUCT_TRIANGLE;
         const JamBand band = limits_jam_band(&setup->def->limits, triangle);
-        wider = D * band.to / l->value;
-        show_bound(D * band.from / l->value, 0, "m", units, most);
-        if (isinf(wider)) {
-            snprintf(text, REMEDY_MAX, "an inside diameter of at most %s in '%s' would do (now %s)", most, duct->name,
-                     hawser_show(D, "m", units, now));
-            return;
-        }
+        r->least = D * band.to / l->value;
+        r->most = D * band.from / l->value;
     }
-    snprintf(text, REMEDY_MAX, "an inside diameter of at least %s%s%s in '%s' would do (now %s)",
-             show_bound(wider, 1, "m", units, least), *most ? " or at most " : "", most, duct->name,
-             hawser_show(D, "m", units, now));
+    r->code = isinf(r->least) ? "narrower_duct" : "wider_duct";
+    if (isinf(r->least)) r->least = NAN;
 }
 
-static void roller_remedy(const hawser_limit *l, char *text)
-{
-    const int steady = l->kind == HAWSER_LIMIT_ROLLER_STEADY;
-    snprintf(text, REMEDY_MAX, "rollers there at %.3g of their spacing, or rated %.4g times as high%s",
-             floor(1e3 * l->limit / l->value) / 1e3, ceil(1e3 * l->value / l->limit) / 1e3,
-             steady ? "" : ", or a softer start (drive.winch.to)");
-}
-
-/* Remedies that are the limit itself, put into words. */
+/* Remedies that are the limit itself, or what is missing to it, and the keys that would do it. */
+typedef enum Bound { BOUND_NONE, BOUND_LEAST, BOUND_MOST, BOUND_OVER } Bound;
 static const struct SimpleRemedy {
     hawser_limit_kind kind;
-    const char *before, *after;
+    Bound bound;
+    const char *code, *key;
 } simple[] = {
-    {HAWSER_LIMIT_BEND_RADIUS, "a radius of at least ", " there"},
-    {HAWSER_LIMIT_ROPE_BEND, "sheaves and bends of at least ", " times the rope's diameter"},
-    {HAWSER_LIMIT_PUSH, "more conveyors or machines, each with at most ", ""},
-    {HAWSER_LIMIT_SQUEEZE, "longer conveyors or more of them, pressing with at most ", ""},
-    {HAWSER_LIMIT_TRIP, "a winch that stops at ", " (drive.winch.trip)"},
-    {HAWSER_LIMIT_SPEED, "a winch that pulls with at most ", " (drive.winch.speed)"},
+    {HAWSER_LIMIT_PULL, BOUND_OVER, "less_pull", ""},
+    {HAWSER_LIMIT_RESTART, BOUND_OVER, "less_pull", ""},
+    {HAWSER_LIMIT_ATTACHMENT, BOUND_OVER, "less_pull", ""},
+    {HAWSER_LIMIT_WINCH, BOUND_OVER, "less_pull", ""},
+    {HAWSER_LIMIT_BUCKLING, BOUND_OVER, "less_push", "conveyors.N.limit"},
+    {HAWSER_LIMIT_BEND_RADIUS, BOUND_LEAST, "bend_radius", ""},
+    {HAWSER_LIMIT_ROPE_BEND, BOUND_LEAST, "sheaves", ""},
+    {HAWSER_LIMIT_PUSH, BOUND_MOST, "more_machines", ""},
+    {HAWSER_LIMIT_SQUEEZE, BOUND_MOST, "longer_conveyors", ""},
+    {HAWSER_LIMIT_TRIP, BOUND_MOST, "trip", "drive.winch.trip"},
+    {HAWSER_LIMIT_SPEED, BOUND_MOST, "slower", "drive.winch.speed"},
+    {HAWSER_LIMIT_ALPHA, BOUND_NONE, "softer_start", "drive.winch.to"},
 };
 
-static void simple_remedy(const hawser_limit *l, hawser_units units, char *text)
+static void simple_remedy(const hawser_limit *l, Remedy *r)
 {
-    char value[HAWSER_SHOWN_MAX];
-    if (!strcmp(l->where, "theory.feed")) {
-        snprintf(text, REMEDY_MAX, "less feed (theory.feed): at most %s", show_bound(l->limit, 0, "N", units, value));
-        return;
-    }
     for (size_t k = 0; k < sizeof simple / sizeof *simple; ++k) {
         if (l->kind != simple[k].kind) continue;
-        show_bound(l->limit, l->value < l->limit, l->unit, units, value);
-        snprintf(text, REMEDY_MAX, "%s%s%s", simple[k].before, value, simple[k].after);
+        r->code = simple[k].code;
+        r->unit = l->unit;
+        snprintf(r->key, sizeof r->key, "%s", simple[k].key);
+        if (simple[k].bound == BOUND_LEAST) r->least = l->limit;
+        if (simple[k].bound == BOUND_MOST) *(l->value < l->limit ? &r->least : &r->most) = l->limit;
+        if (simple[k].bound == BOUND_OVER) r->least = l->value - l->limit;
     }
-    if (!strncmp(l->source, LIMITS_NO_TRIP, strlen(LIMITS_NO_TRIP))) *text = 0; /* what lowers the pull is said there */
+    if (!strcmp(l->where, "theory.feed")) {
+        r->code = "less_feed";
+        snprintf(r->key, sizeof r->key, "theory.feed");
+    }
+    if (!strncmp(l->source, LIMITS_NO_TRIP, strlen(LIMITS_NO_TRIP))) r->code = NULL; /* less pull is said there */
 }
 
 /* `drive.tail` is of each cable (BU10); what pushes the cable from behind may push less. */
-static void run_away_remedy(const Setup *setup, const hawser_limit *l, hawser_units units, char *text)
+static void run_away_remedy(const Setup *setup, const hawser_limit *l, Remedy *r)
 {
-    char value[HAWSER_SHOWN_MAX];
     const int tails = bundle_tails(&setup->def->bundle);
-    show_bound(l->value / tails, 1, "N", units, value);
-    snprintf(text, REMEDY_MAX, "a brake of %s more where the pull begins (drive.tail.tension%s)%s", value,
-             tails > 1 ? ", of each cable" : "", setup->def->theory.feed > 0 ? ", or less feed (theory.feed)" : "");
+    r->code = tails > 1 ? "brake_each" : "brake";
+    r->unit = "N";
+    r->least = l->value / tails;
+    snprintf(r->key, sizeof r->key, "drive.tail.tension");
+    if (setup->def->theory.feed > 0) snprintf(r->also, sizeof r->also, "theory.feed");
 }
 
-void limit_remedy(const Setup *setup, const hawser_limit *broken, hawser_units units, char *text)
+int remedy_find(const Setup *setup, const hawser_limit *broken, Remedy *r)
 {
     hawser_limit sure = *broken;
     const hawser_limit *const l = &sure;
-    char value[HAWSER_SHOWN_MAX];
     if (sure.error > 0) sure.value = SPARE * (sure.value + sure.error); /* what does must do for certain */
-    *text = 0;
+    *r = (Remedy){.limit = broken->name, .unit = "1", .least = NAN, .most = NAN, .now = NAN, .share = NAN};
     switch (l->kind) {
-    case HAWSER_LIMIT_PULL:
-    case HAWSER_LIMIT_RESTART:
-    case HAWSER_LIMIT_ATTACHMENT:
-    case HAWSER_LIMIT_WINCH:
-        pull_remedy(l, units, text);
-        break;
     case HAWSER_LIMIT_SIDEWALL:
-        sidewall_remedy(setup, l, units, text);
+        sidewall_remedy(setup, l, r);
         break;
-    case HAWSER_LIMIT_ROPE:
-        rope_remedy(setup, l, units, text);
+    case HAWSER_LIMIT_ROPE: /* of the strength, over the factor of safety that the limit has */
+        r->code = "rope_strength";
+        r->unit = "N";
+        r->least = l->value * (setup->def->limits.rope_strength / l->limit);
+        snprintf(r->key, sizeof r->key, "limits.rope_strength");
         break;
     case HAWSER_LIMIT_JAM_RATIO:
     case HAWSER_LIMIT_CLEARANCE:
     case HAWSER_LIMIT_FILL:
-        duct_remedy(setup, l, units, text);
+        duct_remedy(setup, l, r);
         break;
     case HAWSER_LIMIT_ROLLER_STEADY:
     case HAWSER_LIMIT_ROLLER_PEAK:
-        roller_remedy(l, text);
+        r->code = "more_rollers";
+        r->share = floor(1e3 * l->limit / l->value) / 1e3;
+        r->least = l->value / l->limit;
+        if (l->kind == HAWSER_LIMIT_ROLLER_PEAK) snprintf(r->also, sizeof r->also, "drive.winch.to");
         break;
     case HAWSER_LIMIT_RUN_AWAY:
-        run_away_remedy(setup, l, units, text);
-        break;
-    case HAWSER_LIMIT_BUCKLING:
-        show_bound(l->value - l->limit, 1, "N", units, value);
-        snprintf(text, REMEDY_MAX,
-                 "%s less push (conveyors.N.limit), a narrower duct, or guides and carriers closer together", value);
-        break;
-    case HAWSER_LIMIT_ALPHA:
-        snprintf(text, REMEDY_MAX, "a softer start: a longer drive.winch.to, ramp step5");
+        run_away_remedy(setup, l, r);
         break;
     default:
-        simple_remedy(l, units, text);
+        simple_remedy(l, r);
     }
+    return r->code != NULL;
+}
+
+/* ------------------------------------------------------------------------------------------------------- sentences */
+
+/* Of each code. {NAME} is a value; what stands in [...] goes where one of its values is not there, or becomes what
+ * stands behind its '|'. */
+static const struct RemedySentence {
+    const char *code, *text;
+} sentence[] = {
+    {"radius",
+     "a radius of {least}[ in '{where}'| there] would do ([{key}, ]now {now}), or {percent} % less tension there"},
+    {"less_tension", "{percent} % less tension there, or what presses less"},
+    {"less_pull", "{least} less pull: conveyors, a pit, a lubricant, or the other direction"},
+    {"less_push", "{least} less push ({key}), a narrower duct, or guides and carriers closer together"},
+    {"rope_strength", "a rope that breaks at {least} ({key}), or less pull"},
+    {"wider_duct", "an inside diameter of at least {least}[ or at most {most}] in '{where}' would do (now {now})"},
+    {"narrower_duct", "an inside diameter of at most {most} in '{where}' would do (now {now})"},
+    {"more_rollers",
+     "rollers there at {share} of their spacing, or rated {least} times as high[, or a softer start ({also})]"},
+    {"brake", "a brake of {least} more where the pull begins ({key})[, or less feed ({also})]"},
+    {"brake_each", "a brake of {least} more where the pull begins ({key}, of each cable)[, or less feed ({also})]"},
+    {"bend_radius", "a radius of at least {least} there"},
+    {"sheaves", "sheaves and bends of at least {least} times the rope's diameter"},
+    {"more_machines", "more conveyors or machines, each with at most {most}"},
+    {"longer_conveyors", "longer conveyors or more of them, pressing with at most {most}"},
+    {"trip", "a winch that stops at [{most}|{least}] ({key})"},
+    {"slower", "a winch that pulls with at most {most} ({key})"},
+    {"less_feed", "less feed ({key}): at most {most}"},
+    {"softer_start", "a softer start: a longer {key}, ramp step5"},
+};
+
+/* The value called name [n]; "" if there is none. */
+static const char *remedy_value(const Remedy *r, const char *name, size_t n, hawser_units units, char text[64])
+{
+    const struct {
+        const char *name;
+        double value;
+        int least; /* > 0: rounded up, 0: down, < 0: to the nearest */
+        const char *unit;
+    } number[] = {{"least", r->least, 1, r->unit}, {"most", r->most, 0, r->unit}, {"now", r->now, -1, r->unit}};
+    *text = 0;
+    for (size_t k = 0; k < sizeof number / sizeof *number; ++k) {
+        if (strncmp(number[k].name, name, n) != 0 || isnan(number[k].value)) continue;
+        if (number[k].least < 0) return hawser_show(number[k].value, number[k].unit, units, text);
+        return show_bound(number[k].value, number[k].least, number[k].unit, units, text);
+    }
+    if (!strncmp("where", name, n)) return r->where;
+    if (!strncmp("key", name, n)) return r->key;
+    if (!strncmp("also", name, n)) return r->also;
+    if (!strncmp("share", name, n)) snprintf(text, 64, "%.3g", r->share);
+    if (!strncmp("percent", name, n)) snprintf(text, 64, "%.3g", 100 * r->share);
+    return text;
+}
+
+void remedy_say(const Remedy *r, hawser_units units, char text[REMEDY_MAX])
+{
+    size_t n = 0, group = 0; /* where the group begins */
+    size_t whole = 0;        /* where it has ended, while what would replace it is passed over */
+    int missing = 0;         /* a value of the group */
+    char value[64];
+    const char *from = "";
+    for (size_t k = 0; k < sizeof sentence / sizeof *sentence; ++k) {
+        if (r->code && !strcmp(sentence[k].code, r->code)) from = sentence[k].text;
+    }
+    for (; *from; ++from) {
+        const char *piece = from;
+        size_t size = 1;
+        if (*from == '{') {
+            const size_t name = strcspn(from + 1, "}");
+            piece = remedy_value(r, from + 1, name, units, value);
+            size = strlen(piece);
+            missing |= !size;
+            from += name + 1;
+        } else if (*from == '[') {
+            group = n, missing = 0;
+            continue;
+        } else if (*from == '|' || *from == ']') {
+            if (missing) n = group;
+            if (whole) n = whole;
+            whole = *from == '|' && !missing ? n : 0;
+            missing = 0;
+            continue;
+        }
+        if (size > REMEDY_MAX - 1 - n) size = REMEDY_MAX - 1 - n;
+        memcpy(text + n, piece, size);
+        n += size;
+    }
+    text[n] = 0;
 }

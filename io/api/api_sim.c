@@ -6,6 +6,7 @@
 #include "io/results/results_file.h"
 #include "sim/cost.h"
 #include "sim/run/commands.h"
+#include "theory/assumed.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -165,14 +166,15 @@ int hawser_sim_assumptions(const hawser_sim *s, const hawser_assumption **out)
 }
 
 /* What would make each broken limit hold, each sentence once. Returns how many. */
-static int remedies_find(const Scene *scene, int n, const hawser_limit *limit, char remedy[][REMEDY_MAX])
+static int remedies_find(const Scene *scene, int n, const hawser_limit *limit, Remedy remedy[])
 {
     int found = 0;
     for (int i = 0; i < n; i++) {
-        if (!limit[i].judged || limit[i].ok) continue;
-        limit_remedy(&scene->setup, &limit[i], HAWSER_SI, remedy[found]);
-        int fresh = *remedy[found] != 0;
-        for (int k = 0; k < found; k++) fresh &= strcmp(remedy[k], remedy[found]) != 0;
+        Remedy *const r = &remedy[found];
+        if (!limit[i].judged || limit[i].ok || !remedy_find(&scene->setup, &limit[i], r)) continue;
+        remedy_say(r, HAWSER_SI, r->text);
+        int fresh = 1;
+        for (int k = 0; k < found; k++) fresh &= strcmp(remedy[k].text, r->text) != 0;
         found += fresh;
     }
     return found;
@@ -217,10 +219,13 @@ hawser_status sim_summary_text(const hawser_sim *s, const OutDir *dir, char **te
                                   : NAN};
     peaks_theory_free(&theory);
     if (labels.n_overloads < 0) return error_memory(err);
-    char remedy[HAWSER_LIMITS_MAX][REMEDY_MAX];
+    Remedy remedy[HAWSER_LIMITS_MAX];
+    Assumed assumed[ASSUMED_KINDS];
     labels.overload = overload;
     labels.n_remedies = remedies_find(scene, labels.n_limits, limit, remedy);
-    labels.remedy = (const char(*)[REMEDY_MAX])remedy;
+    labels.remedy = remedy;
+    labels.n_assumed = labels.n_limits > 0 ? assumed_list(&scene->def, assumed) : 0;
+    labels.assumed = assumed;
     status = summary_json(&summary, &labels, text, err);
     free(overload);
     return status;

@@ -46,6 +46,19 @@ typedef struct ResultsDef {
 
 enum { REMEDY_MAX = 256 };
 
+/* What would make a broken limit hold. Its code says the sentence (io/api/api_remedy.c), of which the values are parts;
+ * NAN, "": it has none. */
+typedef struct Remedy {
+    const char *code, *limit; /* limit: its name */
+    const char *unit;         /* of the next three */
+    double least, most, now;
+    double share;          /* 1, of what there is */
+    char where[64];        /* a bend or duct by its name */
+    char key[40];          /* of the case */
+    char also[40];         /* a key that may be changed in place of it */
+    char text[REMEDY_MAX]; /* the sentence, in SI units */
+} Remedy;
+
 /* A file as it stands in a folder: its bytes (< 0: it is not there) and a sum of them all, as 16 hexadecimal digits. */
 enum { SUM_SIZE = 17, FILE_SUMS_MAX = 8 };
 typedef struct FileSum {
@@ -71,7 +84,9 @@ typedef struct SummaryLabels {
     int n_limits;
     const hawser_limit *limit; /* [n_limits] */
     int n_remedies;
-    const char (*remedy)[REMEDY_MAX]; /* [n_remedies] what would make broken limits hold */
+    const Remedy *remedy; /* [n_remedies] */
+    int n_assumed;
+    const struct Assumed *assumed; /* [n_assumed] what limits depend on */
     int n_overloads;
     const Overload *overload; /* [n_overloads], by roller */
     double trip_N;            /* that follows from the largest overload factor allowed; NAN without limits */

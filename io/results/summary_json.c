@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "io/results/column.h"
 #include "io/results/results_file.h"
+#include "theory/assumed.h"
 
 #include <jansson.h>
 #include <math.h>
@@ -186,6 +187,24 @@ static const Column limit_column[] = {
 };
 static const Columns limit_columns = COLUMNS(hawser_limit, limit_column);
 
+static const Column assumed_column[] = {
+    {COLUMN("name", TEXT, Assumed, name)},      {COLUMN("value", NUMBER, Assumed, value)},
+    {COLUMN("low", NUMBER, Assumed, low)},      {COLUMN("high", NUMBER, Assumed, high)},
+    {COLUMN("unit", TEXT, Assumed, unit)},      {COLUMN("key", TEXT, Assumed, key)},
+    {COLUMN("source", CHARS, Assumed, source)},
+};
+static const Columns assumed_columns = COLUMNS(Assumed, assumed_column);
+
+static const Column remedy_column[] = {
+    {COLUMN("remedy", TEXT, Remedy, code)},   {COLUMN("limit", TEXT, Remedy, limit)},
+    {COLUMN("where", CHARS, Remedy, where)},  {COLUMN("key", CHARS, Remedy, key)},
+    {COLUMN("also", CHARS, Remedy, also)},    {COLUMN("now", NUMBER, Remedy, now)},
+    {COLUMN("least", NUMBER, Remedy, least)}, {COLUMN("most", NUMBER, Remedy, most)},
+    {COLUMN("unit", TEXT, Remedy, unit)},     {COLUMN("share", NUMBER, Remedy, share)},
+    {COLUMN("text", CHARS, Remedy, text)},
+};
+static const Columns remedy_columns = COLUMNS(Remedy, remedy_column);
+
 /* Eq. 12 roller by roller. */
 static const Column overload_column[] = {
     {COLUMN("roller", TEXT, Overload, name)},   {COLUMN("s_m", NUMBER, Overload, s)},
@@ -366,7 +385,9 @@ static const Column summary_column[] = {
     {LIST("surfaces", Summary, l.surface, l.n_surfaces, surface_columns)},
     {LIST("moving_rollers", Summary, l.roller, l.n_rollers, moving_columns), .keep = roller_moves},
     {LIST("assumptions", Summary, l.assumption, l.n_assumptions, assumption_columns), .keep = is_assumption},
+    {LIST("assumed", Summary, l.assumed, l.n_assumed, assumed_columns)},
     {LIST("limits", Summary, l.limit, l.n_limits, limit_columns)},
+    {LIST("remedies", Summary, l.remedy, l.n_remedies, remedy_columns)},
     {LIST("trust", Summary, s.conditions, s.n_conditions, condition_columns)},
     {COLUMN("verdict", CHARS, Summary, verdict)},
     {COLUMN("verdict_code", TEXT, Summary, code)},
@@ -522,16 +543,6 @@ static int machines_put(json_t *o, const hawser_summary *s)
     return bad;
 }
 
-/* A list of sentences, where there are any. */
-static int remedies_put(json_t *o, const SummaryLabels *l)
-{
-    int bad = l->n_remedies > 0 && json_object_set_new(o, "remedies", json_array());
-    for (int i = 0; i < l->n_remedies && !bad; i++) {
-        bad = json_array_append_new(json_object_get(o, "remedies"), json_words(l->remedy[i]));
-    }
-    return bad;
-}
-
 /* Ten digits: enough to compare runs, short enough to read. */
 hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels, char **text, hawser_error *err)
 {
@@ -539,7 +550,7 @@ hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels,
     all.code = hawser_word_code(hawser_verdict_word(hawser_verdict(s->n_conditions, s->conditions, labels->n_limits,
                                                                    labels->limit, all.verdict, sizeof all.verdict)));
     json_t *o = json_row(&summary_columns, &all);
-    if (o && (machines_put(o, s) || remedies_put(o, labels))) {
+    if (o && machines_put(o, s)) {
         json_decref(o);
         o = NULL;
     }

@@ -1,5 +1,7 @@
 /* What a report begins with: what would make each broken limit hold, put back into the formula that it comes from, and
  * the answer of a run and of the calculation. */
+#include <jansson.h>
+
 #include "def/limits.h"
 #include "tests/io/case_fixture.h"
 
@@ -40,7 +42,9 @@ static const char *remedy(const Scene *scene, const char *name, const char *unit
     hawser_limit l = {
         .kind = limits_kind(name), .name = name, .unit = unit, .value = value, .limit = limit, .judged = 1};
     snprintf(l.where, sizeof l.where, "%s", where);
-    limit_remedy(&scene->setup, &l, units, text);
+    Remedy r;
+    *text = 0;
+    if (remedy_find(&scene->setup, &l, &r)) remedy_say(&r, units, text);
     return text;
 }
 
@@ -99,6 +103,29 @@ static void ducts(void **state)
     assert_string_equal(remedy(scene, "fill", "1", 0.5, 0.4, "no such duct", HAWSER_SI), "");
 }
 
+/* Whatever is broken, with values or without: whole sentences, of which no brace or bracket is left. */
+static void sentences(void **state)
+{
+    const Scene *const scene = *state;
+    int said = 0;
+    for (int kind = 0; kind < HAWSER_LIMITS_MAX; ++kind) {
+        for (int k = 0; k < 6; ++k) {
+            static const char *const where[] = {"", "d", "12.0 m (turn)", "25.0 m (straight)", "theory.feed", "P1"};
+            hawser_limit l = {.kind = (hawser_limit_kind)kind, .name = "x", .unit = "N", .value = 5e3, .limit = 3e3};
+            Remedy r;
+            char text[REMEDY_MAX] = "";
+            snprintf(l.where, sizeof l.where, "%s", where[k]);
+            if (!remedy_find(&scene->setup, &l, &r)) continue;
+            remedy_say(&r, HAWSER_SI, text);
+            assert_int_equal(strcspn(text, "{}[]|"), strlen(text));
+            assert_null(strstr(text, "nan"));
+            assert_true(*text);
+            ++said;
+        }
+    }
+    check_at_least(said, 6 * 14);
+}
+
 /* A bend is found by the metres of its place, also at its very end where the next straight begins; elsewhere there is
  * only less tension. What the bend's own length adds to the tension is in the radius. */
 static void bends(void **state)
@@ -115,6 +142,32 @@ static void bends(void **state)
     said = remedy(scene, "sidewall", "N/m", 4000, 3000, "25.0 m (straight)", HAWSER_SI);
     assert_ptr_equal(strstr(said, "25 % less tension there"), said);
     check_has(remedy(scene, "sidewall", "N/m", 4000, 3000, where, HAWSER_US), " ft in 'turn'");
+}
+
+/* What is assumed, and what would do, in the summary: codes with values and units. */
+static void check_coded(const hawser_sim *sim)
+{
+    char *text = NULL;
+    const char *code, *key, *unit, *name, *rest;
+    double least, now, low, high;
+    assert_int_equal(hawser_sim_summary_json(sim, &text, NULL), HAWSER_OK);
+    json_t *const o = json_loads(text, 0, NULL);
+    hawser_text_free(text);
+    assert_int_equal(json_unpack(o, "{s:[{s:s,s:s,s:s,s:F,s:F}]}", "remedies", "remedy", &code, "key", &key, "unit",
+                                 &unit, "least", &least, "now", &now),
+                     0);
+    assert_string_equal(code, "radius");
+    assert_string_equal(key, "route.pieces.1.radius");
+    assert_string_equal(unit, "m");
+    check_at_least(least, now);
+    assert_int_equal(
+        json_unpack(o, "{s:[{s:s,s:s,s:F,s:F}]}", "assumed", "name", &name, "key", &rest, "low", &low, "high", &high),
+        0);
+    assert_string_equal(name, "friction at rest");
+    assert_string_equal(rest, "friction.mu_s");
+    check_equal(low, 0.2);
+    check_between(high, 0.3 - 1e-12, 0.3 + 1e-12);
+    json_decref(o);
 }
 
 /* The first lines of a page: verdict, pull, worst place, remedy, in the units that are asked for, within a page. */
@@ -158,6 +211,7 @@ static void answers(void **state)
     check_has(said, "\n  trust          the figures are to be trusted");
     hawser_sim_answer(sim, HAWSER_US, said, sizeof said);
     check_has(said, "allowed 6.852 lbf/ft");
+    check_coded(sim);
     hawser_sim_answer(sim, HAWSER_SI, little, sizeof little); /* cut, never beyond */
     assert_int_equal(strlen(little), sizeof little - 1);
     hawser_sim_free(sim);
@@ -205,6 +259,6 @@ static void the_margin_is_the_cables(void **state)
     hawser_case_free(c);
 }
 
-TEST_FILE_IN(test_answer, answer_setup, answer_teardown, cmocka_unit_test(words), cmocka_unit_test(ducts),
-             cmocka_unit_test(bends), cmocka_unit_test(a_listed_bend), cmocka_unit_test(answers),
-             cmocka_unit_test(the_margin_is_the_cables))
+TEST_FILE_IN(test_answer, answer_setup, answer_teardown, cmocka_unit_test(words), cmocka_unit_test(sentences),
+             cmocka_unit_test(ducts), cmocka_unit_test(bends), cmocka_unit_test(a_listed_bend),
+             cmocka_unit_test(answers), cmocka_unit_test(the_margin_is_the_cables))

@@ -24,7 +24,7 @@ export interface Summary {
   outcome?: string;
   message?: string;
   verdict?: string;
-  remedies?: string[];
+  remedies?: { remedy: string; text: string }[];
   analysis?: string;
   /** Of several chains that are pulled together, in the first one's summary: its own name, the others', and "all". */
   chains?: { name: string }[];
