@@ -14,14 +14,20 @@ enum { UNKNOWNS = 6, KIND = 6, JOINT = 8, TIE = 11, BLOCK = 12, HALF = 11 };
 
 /* A place on a piece: where, and the integrals of s n and s2 n up to it, n the normal to the left. */
 typedef struct Along {
-    double s, x, y, curvature;
-    double t[2]; /* the tangent */
+    double s, x, y, curvature, rate; /* rate: 1/m2, of the curvature */
+    int straight;                    /* but for what rounding leaves */
+    double t[2];                     /* the tangent */
     double first[2], second[2];
 } Along;
 
 static Along piece_start(const PlanElement *e)
 {
-    return (Along){.x = e->x, .y = e->y, .curvature = e->k0, .t = {cos(e->heading), sin(e->heading)}};
+    return (Along){.x = e->x,
+                   .y = e->y,
+                   .curvature = e->k0,
+                   .rate = (e->k1 - e->k0) / e->length,
+                   .straight = fmax(fabs(e->k0), fabs(e->k1)) * e->length < 1e-13,
+                   .t = {cos(e->heading), sin(e->heading)}};
 }
 
 static double heading_at(const PlanElement *e, double s)
@@ -43,55 +49,77 @@ static void go_straight(double ds, Along *a)
     a->s = to;
 }
 
-/* The direction t turned by a small angle, |angle| < 0.3: Taylor's sums, error below 1e-12. */
-static void turn_small(const double t[2], double angle, double out[2])
+/* Cosine and sine of a small angle, |angle| < 0.3: Taylor's sums, error below 1e-12. */
+static inline void turn_small(double angle, double *c, double *n)
 {
     const double q = angle * angle;
-    const double c = 1 - q / 2 * (1 - q / 12 * (1 - q / 30 * (1 - q / 56)));
-    const double n = angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72))));
-    out[0] = t[0] * c - t[1] * n;
-    out[1] = t[1] * c + t[0] * n;
+    *c = 1 - q * (1. / 2 - q * (1. / 24 - q * (1. / 720 - q * (1. / 40320))));
+    *n = angle * (1 - q * (1. / 6 - q * (1. / 120 - q * (1. / 5040 - q * (1. / 362880)))));
 }
 
-/* A part of length h about its middle, by a Gauss-Legendre sum of n points. */
-static void go_part(const PlanElement *e, double middle, double h, int n, Along *a)
+static inline void rotate(const double t[2], double along, double left, double out[2])
 {
-    static const double node[3][4] = {
-        {0},
+    out[0] = t[0] * along - t[1] * left;
+    out[1] = t[1] * along + t[0] * left;
+}
+
+/* A part of length h, |turn| < 0.5, from where it is on, by a Gauss-Legendre sum of n points: sums of the tangent, of s
+ * and of s2 times it, along and to the left of the tangent in the middle. */
+static inline void go_part(double h, int n, Along *a)
+{
+    static const double node[][4] = {
         {-0.5773502691896257, 0.5773502691896257},
+        {-0.7745966692414834, 0, 0.7745966692414834},
         {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526}};
-    static const double weight[3][4] = {
-        {2}, {1, 1}, {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538}};
-    const double rate = (e->k1 - e->k0) / e->length, curvature = e->k0 + rate * middle;
-    const double angle = heading_at(e, middle), t[2] = {cos(angle), sin(angle)};
+    static const double weight[][4] = {
+        {1, 1},
+        {0.5555555555555556, 0.8888888888888888, 0.5555555555555556},
+        {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538}};
+    const double rate = a->rate, middle = a->s + 0.5 * h, curvature = a->curvature + 0.5 * h * rate;
+    double c, l, t[2], d[2], along[3] = {0}, left[3] = {0};
+    turn_small(0.5 * h * (a->curvature + 0.25 * rate * h), &c, &l);
+    rotate(a->t, c, l, t);
     for (int k = 0; k < n; ++k) {
-        const double u = 0.5 * h * node[n / 2][k], s = middle + u, w = 0.5 * h * weight[n / 2][k];
-        double d[2];
-        turn_small(t, u * (curvature + 0.5 * rate * u), d);
-        a->x += w * d[0];
-        a->y += w * d[1];
-        a->first[0] -= w * s * d[1];
-        a->first[1] += w * s * d[0];
-        a->second[0] -= w * s * s * d[1];
-        a->second[1] += w * s * s * d[0];
+        const double u = 0.5 * h * node[n - 2][k], s = middle + u, w = 0.5 * h * weight[n - 2][k];
+        turn_small(u * (curvature + 0.5 * rate * u), &c, &l);
+        along[0] += w * c;
+        left[0] += w * l;
+        along[1] += w * s * c;
+        left[1] += w * s * l;
+        along[2] += w * s * s * c;
+        left[2] += w * s * s * l;
     }
-    turn_small(t, 0.5 * h * (curvature + 0.25 * rate * h), a->t);
+    rotate(t, along[0], left[0], d);
+    a->x += d[0];
+    a->y += d[1];
+    rotate(t, along[1], left[1], d);
+    a->first[0] -= d[1];
+    a->first[1] += d[0];
+    rotate(t, along[2], left[2], d);
+    a->second[0] -= d[1];
+    a->second[1] += d[0];
+    turn_small(0.5 * h * (curvature + 0.25 * rate * h), &c, &l);
+    rotate(t, c, l, a->t);
+    a->s += h;
+    a->curvature += h * rate;
 }
 
 /* ds on, or back. Parts turn by less than half a radian, and small turns need fewer points: error below 1e-11 ds. */
-static void go(const PlanElement *e, double ds, Along *a)
+static void go(double ds, Along *a)
 {
-    if (fmax(fabs(e->k0), fabs(e->k1)) * e->length < 1e-13) { /* what rounding leaves of a straight */
+    if (a->straight) {
         go_straight(ds, a);
         return;
     }
-    const double rate = (e->k1 - e->k0) / e->length;
-    const double turn = fabs(ds) * fmax(fabs(a->curvature), fabs(a->curvature + ds * rate));
-    const int parts = (int)fmin(1 + 2 * turn, 1000), n = turn < 1e-5 ? 1 : turn < 1e-2 ? 2 : 4;
-    const double h = ds / parts;
-    for (int i = 0; i < parts; ++i) go_part(e, a->s + (i + 0.5) * h, h, n, a);
-    a->s += ds;
-    a->curvature = e->k0 + a->s * rate;
+    const double from = fabs(a->curvature), to = fabs(a->curvature + ds * a->rate);
+    const double turn = fabs(ds) * (from > to ? from : to);
+    const int parts = turn < 0.5 ? 1 : turn < 500 ? (int)(1 + 2 * turn) : 1000;
+    if (turn < 1e-2) /* numbers of points that the compiler knows */
+        go_part(ds, 2, a);
+    else if (turn < 0.15)
+        go_part(ds, 3, a);
+    else
+        for (int i = 0; i < parts; ++i) go_part(ds / parts, 4, a);
 }
 
 /* By how much the place moves along direction d with the piece's unknowns, at the same s: (FT2). */
@@ -122,15 +150,25 @@ static void row_add(Normal *q, const double row[UNKNOWNS], double weight, double
     }
 }
 
-/* Goes from where it is to the foot of a point on the endless piece. */
+/* Goes from where it is to the foot of a point on the endless piece: on a circle the way there is known, and a piece
+ * whose curvature changes leaves that by its change times the way squared. */
 static void go_to_foot(const PlanElement *e, const Node *p, Along *a)
 {
+    const double least = 0.3;
     for (int i = 0; i < 8; ++i) {
         const double x = p->x - a->x, y = p->y - a->y;
         const double along = a->t[0] * x + a->t[1] * y, left = a->t[0] * y - a->t[1] * x;
-        const double ds = along / fmax(1 - a->curvature * left, 0.3);
-        go(e, fmin(fmax(ds, -a->s - e->length), 2 * e->length - a->s), a);
+        const double way = 1 - a->curvature * left, across = way > least ? way : least;
+        const double u = a->curvature * along / across, u2 = u * u;
+        const int near = way > least && u2 < 0.01;
+        const double ds = along / across * (near ? 1 - u2 / 3 * (1 - u2 * (0.6 - u2 * 3 / 7)) : 1);
+        const double back = -a->s - e->length, on = 2 * e->length - a->s;
+        const double most = ds < back ? back : ds > on ? on : ds;
+        go(most, a);
         if (fabs(ds) < 1e-6) return; /* Newton's steps: the next one would be its square */
+        if (near && most == ds &&
+            fabs(a->rate) * ds * ds * (fabs(left) + fabs(ds)) + 0.2 * fabs(ds) * u2 * u2 * u2 * u2 < 1e-8)
+            return;
     }
 }
 
@@ -138,7 +176,7 @@ static void go_to_foot(const PlanElement *e, const Node *p, Along *a)
 static void end_add(const PlanElement *e, const Node *p, int last, Normal *q)
 {
     Along a = piece_start(e);
-    if (last) go(e, e->length, &a);
+    if (last) go(e->length, &a);
     double row[UNKNOWNS];
     place_row(e, &a, a.t, row);
     if (last) row[3] += 1;
@@ -151,7 +189,7 @@ static Along nearest_on(const PlanElement *e, const Node *p)
     Along a = piece_start(e);
     go_to_foot(e, p, &a);
     if (a.s < 0) a = piece_start(e);
-    if (a.s > e->length) go(e, e->length - a.s, &a);
+    if (a.s > e->length) go(e->length - a.s, &a);
     return a;
 }
 
@@ -190,7 +228,7 @@ static void feet_find(int n, const Piece *piece, int m, const Node *node, Foot *
         if (i > 0) lost_find(n, piece, &node[i], &node[i - 1], &q, &at);
         Along here = at;
         if ((q > 0 && at.s < 0) || (i == 0 && q == 0)) here = piece_start(&piece[q].e);
-        if (i == m - 1 && q == n - 1) go(&piece[q].e, piece[q].e.length - here.s, &here);
+        if (i == m - 1 && q == n - 1) go(piece[q].e.length - here.s, &here);
         const double left[2] = {-here.t[1], here.t[0]};
         const double away = left[0] * (node[i].x - here.x) + left[1] * (node[i].y - here.y);
         foot[i] = (Foot){q, here.s, away};
@@ -231,7 +269,7 @@ static void misses_find(const Piece *p, int last, double miss[BLOCK])
     }
     if (last) return;
     Along end = piece_start(&p->e);
-    go(&p->e, p->e.length, &end);
+    go(p->e.length, &end);
     miss[JOINT] = end.x - p[1].e.x;
     miss[JOINT + 1] = end.y - p[1].e.y;
     miss[JOINT + 2] = remainder(heading_at(&p->e, p->e.length) - p[1].e.heading, 2 * acos(-1));
@@ -251,7 +289,7 @@ static void kind_constrain(const Piece *p, int at, double *a)
 static void joint_constrain(const Piece *p, int at, double *a)
 {
     Along end = piece_start(&p->e);
-    go(&p->e, p->e.length, &end);
+    go(p->e.length, &end);
     const double x[2] = {1, 0}, y[2] = {0, 1};
     double row[3][UNKNOWNS] = {{0}, {0}, {0, 0, 1, 0.5 * (p->e.k0 + p->e.k1), 0.5 * p->e.length, 0.5 * p->e.length}};
     place_row(&p->e, &end, x, row[0]);
@@ -430,16 +468,22 @@ static int step_try(int n, Piece *piece, int m, const Node *node, double *streng
     return 0;
 }
 
-hawser_status chain_refine(int n, Piece *piece, int m, const Node *node, int steps, Foot *foot, hawser_error *err)
+hawser_status chain_refine(int n, Piece *piece, int m, const Node *node, int steps, double enough, Foot *foot,
+                           hawser_error *err)
 {
+    enum { SURE = 2, AS_MANY = 10 };
     Work w;
     const int memory = work_alloc(n, &w);
-    double strength = 1, change = INFINITY;
+    double strength = 1, change = INFINITY, squares = INFINITY;
     if (steps > 0) unwind(n, piece);
     if (memory) feet_find(n, piece, m, node, foot, w.normal);
     for (int i = 0; memory && i < steps && !(change < 1e-6); ++i) {
+        const double before = squares;
         if (!step_try(n, piece, m, node, &strength, foot, &change, &w)) break;
         strength = fmax(1, strength / 30);
+        if (!isfinite(enough)) continue;
+        squares = chain_squares(m, node, foot);
+        if (i >= SURE && AS_MANY * (before - squares) < squares - enough) break;
     }
     work_free(&w);
     return memory ? HAWSER_OK : error_memory(err);

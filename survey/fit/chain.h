@@ -37,9 +37,11 @@ typedef struct Foot {
 int chain_tied(const Piece *p);
 
 /* Moves n >= 1 pieces through m >= 2 nodes, in their order, by Gauss-Newton on the sum of weighted squares of their
- * distances (FT1)-(FT4), at most `steps` times. The first and last node pull at the chain's ends. foot: [m].
- * Errors: MEMORY. */
-hawser_status chain_refine(int n, Piece *piece, int m, const Node *node, int steps, Foot *foot, hawser_error *err);
+ * distances (FT1)-(FT4), at most `steps` times; given up where ten more steps like the last one would not bring the sum
+ * down to `enough`, m2 (INFINITY: never). The first and last node pull at the chain's ends. foot: [m]. Errors: MEMORY.
+ */
+hawser_status chain_refine(int n, Piece *piece, int m, const Node *node, int steps, double enough, Foot *foot,
+                           hawser_error *err);
 /* The standard deviation of the curvature of arc q, 1/m, if points scatter by sigma, m: (FT10). The chain is where it
  * fits best. NAN: the points do not tell. Errors: MEMORY. */
 hawser_status chain_curvature_sd(int n, const Piece *piece, int q, int m, const Node *node, double sigma, double *sd,

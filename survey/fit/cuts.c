@@ -16,7 +16,8 @@ enum { FEATURES = 5, REACH_MOST = 700 };
 /* A node with the heading there and the way to the next one. */
 typedef struct Course {
     double x, y, weight;
-    double heading, step; /* rad, unwrapped; m along the curve to the next node */
+    double heading, step;   /* rad, unwrapped; m along the curve to the next node */
+    double t[2], middle[2]; /* the tangent there and in the middle of that way */
 } Course;
 
 /* Sums over the nodes of a piece, from its first one on. */
@@ -35,7 +36,7 @@ static void way_go(const Course *c, double heading0, Way *w)
     static const double part[3] = {0, 0.5, 1}, weight[3] = {1.0 / 6, 4.0 / 6, 1.0 / 6};
     for (int i = 0; i < 3; ++i) {
         const double angle = c[0].heading + part[i] * (c[1].heading - c[0].heading), s = w->s + part[i] * c->step;
-        const double t[2] = {cos(angle), sin(angle)}, n[2] = {-t[1], t[0]}, dw = weight[i] * c->step;
+        const double *const t = i == 1 ? c->middle : c[i / 2].t, n[2] = {-t[1], t[0]}, dw = weight[i] * c->step;
         for (int k = 0; k < 2; ++k) {
             w->t[k] += dw * t[k];
             w->turned[k] += dw * (angle - heading0) * n[k];
@@ -50,7 +51,7 @@ static void way_go(const Course *c, double heading0, Way *w)
 /* Node c of the piece that begins at node `from`: (FT5). */
 static void node_add(const Course *from, const Course *c, const Way *w, Sums *sums)
 {
-    const double n[2] = {-sin(c->heading), cos(c->heading)};
+    const double n[2] = {-c->t[1], c->t[0]};
     const double y =
         n[0] * (c->x - from->x - w->t[0] + w->turned[0]) + n[1] * (c->y - from->y - w->t[1] + w->turned[1]);
     const double f[FEATURES] = {n[0], n[1], n[0] * w->moment[0][0] + n[1] * w->moment[0][1],
@@ -78,10 +79,11 @@ static void sums_solve(const Sums *sums, double l[FEATURES][FEATURES], double z[
             rest -= l[i][k] * l[i][k];
             b -= l[i][k] * z[k];
         }
-        l[i][i] = sqrt(fmax(rest, 1e-12 * sums->h[i][i] + 1e-30)); /* what the points say nothing about */
+        const double nothing = 1e-12 * sums->h[i][i] + 1e-30; /* what the points say nothing about */
+        l[i][i] = sqrt(rest > nothing ? rest : nothing);
         z[i] = rest > 1e-10 * sums->h[i][i] ? b / l[i][i] : 0;
         squares -= z[i] * z[i];
-        left[i] = fmax(squares, 0);
+        left[i] = squares > 0 ? squares : 0;
     }
 }
 
@@ -116,11 +118,17 @@ static double heading_near(int m, const Node *node, int i, int wide)
     return det < 0 ? atan2(-slope[1], -slope[0]) : atan2(slope[1], slope[0]);
 }
 
+static void direction(double angle, double t[2])
+{
+    t[0] = cos(angle);
+    t[1] = sin(angle);
+}
+
 static Course *course_make(int m, const Node *node, double sigma)
 {
     Course *const c = malloc((size_t)m * sizeof *c);
     for (int i = 0; c && i < m; ++i) {
-        c[i] = (Course){node[i].x, node[i].y, node[i].weight, 0, 0};
+        c[i] = (Course){.x = node[i].x, .y = node[i].y, .weight = node[i].weight};
         const int j = i + 1 < m ? i : i - 1;
         const double h = hypot(node[j + 1].x - node[j].x, node[j + 1].y - node[j].y);
         int wide = 1; /* the least at which the heading's error is below 0.02 rad */
@@ -131,7 +139,9 @@ static Course *course_make(int m, const Node *node, double sigma)
     for (int i = 0; c && i + 1 < m; ++i) {
         const double half = 0.5 * fmin(fabs(c[i + 1].heading - c[i].heading), 2.5);
         c[i].step = hypot(c[i + 1].x - c[i].x, c[i + 1].y - c[i].y) * (half > 1e-6 ? half / sin(half) : 1);
+        direction(0.5 * (c[i].heading + c[i + 1].heading), c[i].middle);
     }
+    for (int i = 0; c && i < m; ++i) direction(c[i].heading, c[i].t);
     return c;
 }
 

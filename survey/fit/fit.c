@@ -269,11 +269,11 @@ static hawser_status arcs_widen(Fitted *f, int m, const Node *node, const FitOpt
     hawser_status status = HAWSER_OK;
     if (changed) {
         chain_close(f->n, f->piece);
-        status = chain_refine(f->n, f->piece, m, node, CLOSE_STEPS, foot, err);
+        status = chain_refine(f->n, f->piece, m, node, CLOSE_STEPS, INFINITY, foot, err);
     }
     if (!status && changed && farthest(m, foot) > fmax(before, o->deviation) * 1.02) {
         memcpy(f->piece, kept, (size_t)f->n * sizeof *kept);
-        status = chain_refine(f->n, f->piece, m, node, 0, foot, err);
+        status = chain_refine(f->n, f->piece, m, node, 0, INFINITY, foot, err);
     }
     free(kept);
     return status;
@@ -328,11 +328,11 @@ hawser_status line_fit(const Line *l, const FitOptions *o, int clothoids, Fitted
         status = chain_search(full.n, full.node, sigma, o->deviation, clothoids, &f->piece, &f->n, foot, err);
     if (!status && kept) status = corners_round(&f->piece, &f->n, o->deviation, err);
     if (!status && kept) status = chain_improve(&f->piece, &f->n, full.n, full.node, sigma, clothoids, foot, err);
-    if (!status) status = chain_refine(f->n, f->piece, full.n, full.node, CLOSE_STEPS, foot, err);
+    if (!status) status = chain_refine(f->n, f->piece, full.n, full.node, CLOSE_STEPS, INFINITY, foot, err);
     if (!status) status = arcs_widen(f, full.n, full.node, o, foot, err);
     if (!status) {
         chain_close(f->n, f->piece);
-        status = chain_refine(f->n, f->piece, seen.n, seen.node, 0, f->foot, err);
+        status = chain_refine(f->n, f->piece, seen.n, seen.node, 0, INFINITY, f->foot, err);
     }
     if (!status) status = radii_judge(f, seen.n, seen.node, f->foot, fmax(f->scatter, rms_of(f)), err);
     free(thin.node);

@@ -25,7 +25,7 @@ static hawser_status feet_of_points(const Alignment *plan, const Alignment *from
         node[i + 1] = (Node){.x = from->point[i].x - start.x, .y = from->point[i].y - start.y, .weight = 1};
     node[0] = (Node){.weight = 1};
     node[n + 1] = (Node){.x = end.x - start.x, .y = end.y - start.y, .weight = 1};
-    const hawser_status status = chain_refine(plan->n_plan, piece, n + 2, node, 0, foot, err);
+    const hawser_status status = chain_refine(plan->n_plan, piece, n + 2, node, 0, INFINITY, foot, err);
     for (int i = 0; i < n + 2 && !status; ++i) { /* square to it where the line has ended, else as far as it is */
         const PlanElement *const e = &piece[foot[i].piece].e, at = plan_at(e, fmin(fmax(foot[i].s, 0), e->length));
         const double x = node[i].x - at.x, y = node[i].y - at.y;

@@ -294,11 +294,16 @@ static Window window_of(const Search *s, int a, int b, int *from, int *to)
     return w;
 }
 
-/* What the window costs when it is fitted; pieces that vanish or turn by more than a full circle are none. */
-static hawser_status window_cost(const Search *s, Window *w, int from, int to, double *cost)
+/* What the window costs when it is fitted, as far as that takes to see that it is not below `least`; pieces that vanish
+ * or turn by more than a full circle are none. */
+static hawser_status window_cost(const Search *s, Window *w, int from, int to, double least, double *cost)
 {
-    const hawser_status status = chain_refine(w->n, w->piece, to - from, s->node + from, STEPS, s->trial, s->err);
-    *cost = chain_squares(to - from, s->node + from, s->trial) / s->sigma2 + pieces_cost(w->n, w->piece);
+    const double fixed = pieces_cost(w->n, w->piece);
+    *cost = INFINITY;
+    if (!(fixed < least)) return HAWSER_OK;
+    const hawser_status status = chain_refine(w->n, w->piece, to - from, s->node + from, STEPS,
+                                              (least - fixed) * s->sigma2, s->trial, s->err);
+    *cost = chain_squares(to - from, s->node + from, s->trial) / s->sigma2 + fixed;
     for (int i = 0; i < w->n; ++i) {
         const PlanElement *const e = &w->piece[i].e;
         if (e->length < 1e-2 || fmax(fabs(e->k0), fabs(e->k1)) * e->length > 2 * PI) *cost = INFINITY;
@@ -350,7 +355,7 @@ static hawser_status move_find(const Search *s, int q, int *a, int *b, Window *b
     *best = now;
     *found = 0;
     if (to - from < 3) return HAWSER_OK;
-    hawser_status status = window_cost(s, best, from, to, &least);
+    hawser_status status = window_cost(s, best, from, to, INFINITY, &least);
     const int rough = !(least - pieces_cost(best->n, best->piece) < ROUGH * (to - from));
     for (size_t k = rough ? 0 : ROUGH_MOVES; k < sizeof moves / sizeof *moves && !status; ++k) {
         Window w = now;
@@ -358,7 +363,7 @@ static hawser_status move_find(const Search *s, int q, int *a, int *b, Window *b
         int allowed = 1;
         for (int i = 0; i < w.n && !s->clothoids; ++i) allowed &= w.piece[i].kind != PIECE_CLOTHOID;
         if (!allowed || w.n == 0) continue;
-        status = window_cost(s, &w, from, to, &cost);
+        status = window_cost(s, &w, from, to, least - 1, &cost);
         if (!(cost < least - 1)) continue;
         *best = w;
         least = cost;
@@ -376,7 +381,7 @@ double chain_cost(int n, const Piece *piece, int m, const Node *node, double sig
 
 static hawser_status refine(Search *s, int steps)
 {
-    return chain_refine(*s->n, *s->piece, s->m, s->node, steps, s->foot, s->err);
+    return chain_refine(*s->n, *s->piece, s->m, s->node, steps, INFINITY, s->foot, s->err);
 }
 
 static double whole_cost(const Search *s)
@@ -406,7 +411,7 @@ static hawser_status feet_renew(Search *s, int a, int n, int from, int to, int m
     for (int i = to; i < s->m; ++i) s->foot[i].piece += more;
     const hawser_status status =
         to - from < 2 ? HAWSER_OK
-                      : chain_refine(n, *s->piece + a, to - from, s->node + from, 0, s->foot + from, s->err);
+                      : chain_refine(n, *s->piece + a, to - from, s->node + from, 0, INFINITY, s->foot + from, s->err);
     for (int i = from; i < to; ++i) s->foot[i].piece += a;
     return status;
 }
@@ -427,12 +432,12 @@ static hawser_status settle(Search *s, int a, int b, const Window *w, int *bette
     ends_cut(s, first < a ? first : -1, last > b ? last : -1, &from, &to, cut);
     was = old;
     window_shorten(&was, cut);
-    hawser_status status = window_cost(s, &was, from, to, &before);
+    hawser_status status = window_cost(s, &was, from, to, INFINITY, &before);
     if (!status) status = window_put(s, a, b, w, whole[0], whole[1]);
     if (status) return status;
     memcpy(is.piece, &(*s->piece)[first], (size_t)is.n * sizeof *is.piece);
     window_shorten(&is, cut);
-    status = window_cost(s, &is, from, to, &after);
+    status = window_cost(s, &is, from, to, INFINITY, &after);
     *better = !status && after < before - 0.5;
     if (!status)
         status =
