@@ -24,7 +24,8 @@ export interface Summary {
   outcome?: string;
   message?: string;
   verdict?: string;
-  remedies?: { remedy: string; text: string }[];
+  /** Of format 1: sentences. */
+  remedies?: ({ remedy: string; text: string } | string)[];
   analysis?: string;
   /** Of several chains that are pulled together, in the first one's summary: its own name, the others', and "all". */
   chains?: { name: string }[];

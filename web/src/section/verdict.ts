@@ -79,7 +79,9 @@ const capital = (text: string): string => text.charAt(0).toUpperCase() + text.sl
 
 /** The remedies as the program words them: of the run, or of each limit. */
 function brokenRemedies(context: Context): HTMLElement[] {
-  const sentences = context.run.summary.remedies ?? [];
+  const sentences = (context.run.summary.remedies ?? []).map((remedy) =>
+    typeof remedy === 'string' ? remedy : remedy.text,
+  );
   if (sentences.length > 0)
     return sentences.map((sentence) => el('p', {}, named(`${capital(sentenceText(sentence, context.units))}.`)));
   const broken = judged(context.run).filter((limit) => limit.ok === false);
