@@ -117,5 +117,35 @@ static void nothing_unstable_is_trusted(void **state)
     assert_null(c.name); /* 0.57 of it: as before */
 }
 
+/* Refused before it starts: theory was SAFE, and runs blamed max_step, or found cable inside cable. */
+static void what_cannot_be_is_refused(void **state)
+{
+    (void)state;
+    static const char *const row[][3] = {
+        {"route",
+         "{head_at: 402 m, pieces: [{straight: 412 m}, {bend: 15 deg, radius: 10 m, plane: left}, {straight: 10 m}]}",
+         "key 'route.head_at': the cable's head is at 402 m, before the bend at 412 m, and has no rope"},
+        {"route",
+         "{head_at: 412 m, pieces: [{straight: 325 m}, {bend: 270 deg, radius: 6 m, plane: left}, {straight: 65 m}]}",
+         "key 'route': the route crosses itself at one level, at 319 m and at 359.3 m"}};
+    for (int k = 0; k < 2; ++k) {
+        const char *const setting[] = {row[k][0], row[k][1], NULL};
+        char *answer = NULL;
+        hawser_error err = {0};
+        hawser_sim *sim = NULL;
+        hawser_case *const c = case_with(DUCT, setting);
+        if (k == 1) { /* of the first, theory has a rope ahead of the cable */
+            assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &answer, &err), HAWSER_ERR_INPUT);
+            check_has(err.message, row[k][2]);
+        }
+        assert_int_equal(hawser_case_describe(c, HAWSER_JSON, &answer, &err), HAWSER_ERR_INPUT);
+        check_has(err.message, row[k][2]);
+        assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_ERR_INPUT);
+        check_has(err.message, row[k][2]);
+        hawser_case_free(c);
+    }
+}
+
 TEST_FILE(test_pushed, cmocka_unit_test(nothing_unstable_is_trusted), cmocka_unit_test(it_coils),
-          cmocka_unit_test(it_stays_straight), cmocka_unit_test(on_rollers))
+          cmocka_unit_test(it_stays_straight), cmocka_unit_test(on_rollers),
+          cmocka_unit_test(what_cannot_be_is_refused))
