@@ -109,6 +109,9 @@ double limits_left(const Calculator *c, int way, const hawser_limit **least);
 hawser_condition stiffened_judge(const Setup *setup, const Calculator *c, int way);
 /* Whether something holds it to the side where it turns (T30), into a condition that holds: aside.c. Errors: MEMORY. */
 hawser_status aside_judge(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err);
+/* Whether the route crosses itself within the cable's length, into a condition that holds: crossing.c. Errors: MEMORY.
+ */
+hawser_status crossing_judge(const Setup *setup, hawser_condition *out, hawser_error *err);
 /* load [n_rollers]: N, what theory has each rated roller bear of this chain with what those bring that it draws, and
  * what all others do (SC18); 0 where it knows of none. */
 void calculator_rollers(const Setup *setup, const Calculator *c, int way, double *load);

@@ -16,6 +16,7 @@ hawser_condition theory_condition(hawser_condition_kind kind, double value, doub
         [HAWSER_CONDITION_SUPPORTED] = {"supported", "1"}, [HAWSER_CONDITION_FRICTION] = {"friction", "1"},
         [HAWSER_CONDITION_MEDIUM] = {"medium", "1"},       [HAWSER_CONDITION_DRIVE] = {"drive", "1"},
         [HAWSER_CONDITION_PULLED] = {"pulled", "N"},       [HAWSER_CONDITION_STIFFNESS] = {"stiffness", "N"},
+        [HAWSER_CONDITION_OVERLAP] = {"overlap", "1"},
     };
     return (hawser_condition){.kind = kind,
                               .name = kinds[kind].name,
@@ -23,6 +24,14 @@ hawser_condition theory_condition(hawser_condition_kind kind, double value, doub
                               .value = value,
                               .allowed = allowed,
                               .holds = value <= allowed};
+}
+
+/* What carries the cable does so all along, whatever its tension. */
+static hawser_status held_by(const Setup *setup, const Calculator *c, hawser_condition *result, hawser_error *err)
+{
+    hawser_status status = gaps_judge(setup, c, result, err);
+    if (!status && result->holds) status = lifted_judge(setup, c, result, err);
+    return status || !result->holds ? status : aside_judge(setup, c, result, err);
 }
 
 /* Friction on nothing is nobody's: a case for theory alone may leave supports out, not friction as well. One that says
@@ -44,10 +53,9 @@ static hawser_status supported_by(const Setup *setup, const Calculator *c, hawse
             "would fall; give what carries it, or leave out 'run' and 'drive' to calculate with friction.mu alone");
     }
     *result = out;
-    if (hangs || !theory->simulated) return HAWSER_OK;
-    hawser_status status = gaps_judge(setup, c, result, err);
-    if (!status && result->holds) status = lifted_judge(setup, c, result, err);
-    return status || !result->holds ? status : aside_judge(setup, c, result, err);
+    if (hangs) return HAWSER_OK;
+    hawser_status status = theory->simulated ? held_by(setup, c, result, err) : HAWSER_OK;
+    return status || !result->holds ? status : crossing_judge(setup, result, err);
 }
 
 /* Whether the case gives friction for theory alone at s, or along the whole route if that is not known (NAN). */

@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
 #include "theory/assumed.h"
+#include "theory/cannot.h"
 #include "theory/expected.h"
 #include "theory/paper.h"
 
@@ -376,7 +377,8 @@ static hawser_status list_theory(Theory *t, const char *title, const TheoryWish 
 static hawser_status build_and_solve(Theory *t, const SceneDef *def, const Company *company, const TheoryWish *wish,
                                      hawser_error *err)
 {
-    const hawser_status status = setup_make(def, &t->setup, err);
+    hawser_status status = setup_make(def, &t->setup, err);
+    if (!status && def->theory.simulated) status = cannot_be_pulled(&t->setup, 0, err);
     if (status) return status;
     if (company) t->setup.company = *company;
     return solve(t, wish, err);

@@ -20,6 +20,7 @@
 #include "sim/stage/modes.h"
 #include "sim/stage/statics.h"
 #include "sim/watch/events.h"
+#include "theory/cannot.h"
 
 hawser_status sim_trip_set(Sim *s, hawser_error *err)
 {
@@ -39,6 +40,8 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     if (s->threads > 1) s->team = team_new(s->threads);
     if (s->threads > 1 && !s->team) return error_memory(err);
     hawser_status status = stage_new(&s->stage, def, s->team, err);
+    if (status) return status;
+    if (scene->def.theory.simulated) status = cannot_be_pulled(&scene->setup, 1, err);
     if (status) return status;
     s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin);
     s->condition = calloc(HAWSER_CONDITIONS_MAX, sizeof *s->condition);
@@ -301,12 +304,19 @@ void sim_held_up(Sim *s, const StallFrom *from, hawser_hold *out)
 }
 
 /* The window whose steps were shortest stays in mind. */
-static void stall_watch(Sim *s)
+static hawser_status stall_watch(Sim *s, hawser_error *err)
 {
     const double t = s->stage.t;
-    if (!stall_step(&s->stall, s->stage.integrator, t)) return;
-    sim_held_up(s, &s->stall.from, &s->stall.slowest);
-    stall_begin(&s->stall, s->stage.integrator, t);
+    if (stall_step(&s->stall, s->stage.integrator, t)) {
+        sim_held_up(s, &s->stall.from, &s->stall.slowest);
+        stall_begin(&s->stall, s->stage.integrator, t);
+    }
+    if (s->stall.crawls < STALL_CRAWLS) return HAWSER_OK;
+    return error_set(
+        err, HAWSER_ERR_RUN,
+        "the run crawls, with steps below a thousandth of its usual ones, and is stopped: %s; something has "
+        "caught there, or is stiffer than it can be",
+        s->stall.slowest.says);
 }
 
 /* A failed step: what had held up the ones before it goes with the message. */
@@ -370,7 +380,7 @@ static hawser_status advance_moving(Sim *s, double t, hawser_error *err)
     const double stop = next_stop(s, t);
     hawser_status status = s->together ? together_step(s->together, stop, err) : stage_step(&s->stage, stop, err);
     if (status == HAWSER_ERR_RUN) failure_explain(s, err);
-    if (!status) stall_watch(s);
+    if (!status) status = stall_watch(s, err);
     for (int k = 0; !status && k < sim_chains(s); ++k) status = step_watch(sim_chain(s, k), err);
     if (!status && s->together) chains_watch(s->together);
     return status ? status : quasi_begin(s, err);

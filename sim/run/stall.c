@@ -8,6 +8,7 @@
 
 /* Shares of a window's steps from which on something is what holds it up; and of the longest step that is allowed. */
 static const double FAILS_MANY = 0.1, STRIDES_MANY = 0.5, LONGEST_NEAR = 0.8;
+static const double CRAWL = 1e-3; /* of the longest window's mean step */
 
 StallFrom stall_from(const Integrator *in, double t)
 {
@@ -132,6 +133,7 @@ int stall_step(Stall *stall, const Integrator *in, double t)
     const StallFrom now = stall_from(in, t);
     const double step = (t - stall->from.t) / fmax(1, (double)(now.steps - stall->from.steps));
     stall->longest = fmax(stall->longest, step);
+    stall->crawls = step < CRAWL * stall->longest ? stall->crawls + 1 : 0;
     if (stall->slowest.steps == 0 || step < 0.5 * stall->slowest.step_s) return 1;
     stall_begin(stall, in, t);
     return 0;

@@ -7,7 +7,10 @@
 #include "sim/scene.h"
 #include "sim/step/integrator.h"
 
-enum { STALL_STEPS = 500 };
+enum {
+    STALL_STEPS = 500,
+    STALL_CRAWLS = 20
+}; /* so many windows go less far than ten usual steps: nothing comes of it */
 
 /* Since when: the integrator's counts and the time then. */
 typedef struct StallFrom {
@@ -18,6 +21,7 @@ typedef struct StallFrom {
 typedef struct Stall {
     int left;            /* steps of this window that are still to come; 0: none has begun */
     StallFrom from;      /* where the window began */
+    int crawls;          /* windows in a row whose steps were less than a thousandth of the longest window's */
     double longest;      /* s, mean step of the window with the longest steps */
     hawser_hold slowest; /* of the windows so far; steps 0: none */
 } Stall;

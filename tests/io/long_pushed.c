@@ -78,4 +78,32 @@ static void random_pushes(void **state)
     check_between(broken, 40, 95);
 }
 
-TEST_FILE(long_pushed, cmocka_unit_test(a_run_is_as_theory), cmocka_unit_test(random_pushes))
+/* A rope's end that has caught on a roller: 5e-11 s a step for ever is an end that says where. */
+static void an_end_that_has_caught(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables: {p: {d: 80 mm, mass: 14 kg/m, EI: 2000, EA: 60 MN, GA: 20 MN, GJ: 2000}, "
+        "r: {d: 16 mm, mass: 1 kg/m, EI: 20, EA: 8 MN, GA: 3 MN, GJ: 20}}\n"
+        "chain: [{cable: p, length: 30 m}, {cable: r, length: 12 m}]\n"
+        "route: {head_at: 32 m, pieces: [{straight: 16 m}, {bend: 40 deg, radius: 12 m, plane: left}, {straight: 22 "
+        "m}]}\n"
+        "rollers: {along: [{spacing: 1.5 m, radius: 60 mm, width: 600 mm}, "
+        "{guide: both, spacing: 1 m, radius: 60 mm, gap: 5 mm, name: G, where: [[0 m, 46 m]]}]}\n"
+        "friction: {mu: 0.2}\n"
+        "drive: {winch: {speed: 0.15 m/s, to: 2 s, grip: axial}, tail: {tension: 800 N}}\n"
+        "run: {duration: 12 s, steady_from: 6 s}\n";
+    hawser_case *c = NULL;
+    hawser_sim *sim = NULL;
+    hawser_error err;
+    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
+    assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, &err), HAWSER_ERR_RUN);
+    check_has(err.message, "the run crawls");
+    check_has(err.message, "worst at segment 83 of 84");
+    hawser_sim_free(sim);
+    hawser_case_free(c);
+}
+
+TEST_FILE(long_pushed, cmocka_unit_test(a_run_is_as_theory), cmocka_unit_test(random_pushes),
+          cmocka_unit_test(an_end_that_has_caught))

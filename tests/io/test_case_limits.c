@@ -356,6 +356,7 @@ static void run_runs_away(void **state)
     hawser_sim *sim = NULL;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     assert_int_equal(hawser_case_parse(data_text("limits-shaft"), NAME, &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "route.pieces", "[{name: shaft, straight: 60 m}]", NULL), HAWSER_OK);
     assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
     assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, NULL), HAWSER_OK);
     const int n = hawser_sim_limits(sim, limit);

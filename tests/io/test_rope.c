@@ -8,7 +8,7 @@ static const char ROPES[] = "{c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 2 kN m2
 
 static hawser_sim *pulled(const char *chain)
 {
-    const char *const settings[] = {"cables", ROPES, "chain", chain, "route.head_at", "11 m", NULL};
+    const char *const settings[] = {"cables", ROPES, "chain", chain, "route.head_at", "13 m", NULL};
     return run_of(data_text("limits"), settings);
 }
 

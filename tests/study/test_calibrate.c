@@ -125,7 +125,7 @@ static void intervals_cover(void **state)
         char answer[ANSWER_MAX];
         findings_answer(s, &f, answer);
         check_has(answer, "\n  log      Force from column 'winch pull [kN]'\n");
-        check_at_most(f.fit.half[0], 0.006);
+        check_at_most(f.fit.half[0], 0.01);
         check_at_most(f.fit.half[1], 0.1);
         inside[0] += fabs(f.fit.x[0] - 0.17) <= f.fit.half[0];
         inside[1] += fabs(f.fit.x[1] - 6.2) <= f.fit.half[1];
@@ -214,25 +214,29 @@ static void goes_on(void **state)
 #define HILL_CASE HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml"
 
 /* A short pull from the level up a hill: friction and mass each do something else along it. */
-static const char HILL[] = "[{straight: 12 m, name: row}, {bend: 35 deg, radius: 9 m, plane: up}, {straight: 8 m}]",
-                  LEVEL[] = "[{straight: 25 m, name: row}]";
-static const char *const pull[][2] = {
-    {"drive.winch.speed", "30 m/min"}, {"run.duration", "13 s"}, {"run.steady_from", "2 s"}};
+static const char HILL[] = "[{straight: 30 m, name: row}, {bend: 35 deg, radius: 9 m, plane: up}, {straight: 12 m}]",
+                  LEVEL[] = "[{straight: 48 m, name: row}]";
+static const char *const pull[][2] = {{"drive.winch.speed", "30 m/min"},
+                                      {"run.duration", "13 s"},
+                                      {"run.steady_from", "2 s"},
+                                      {"route.head_at", "36 m"},
+                                      {"chain", "[{cable: power, length: 20 m, segment: 500 mm}]"}};
+enum { PULL = sizeof pull / sizeof *pull };
 
 /* The run's force with these values, every 10 ms, by the place of the cable's head. */
 static Truth run_truth(const char *route, const char *mu, const char *mass)
 {
-    const char *const set[][2] = {{pull[0][0], pull[0][1]}, {pull[1][0], pull[1][1]}, {pull[2][0], pull[2][1]},
-                                  {"route.pieces", route},  {"friction.mu", mu},      {"cables.power.mass", mass}};
+    const char *set[PULL + 3][2] = {{"route.pieces", route}, {"friction.mu", mu}, {"cables.power.mass", mass}};
+    memcpy(&set[3], pull, sizeof pull);
     Truth t = {0};
     hawser_sim *sim;
     hawser_error err;
-    hawser_case *const c = case_with(HILL_CASE, set, 6);
+    hawser_case *const c = case_with(HILL_CASE, set, PULL + 3);
     if (hawser_sim_new(c, NULL, &sim, &err) || hawser_sim_relax(sim, NULL, &err)) fail_msg("%s", err.message);
     for (double time = 0.01; time < 12.99; time += 0.01) {
         if (hawser_sim_advance(sim, time, 0, &err)) fail_msg("%s", err.message);
         const hawser_sample *const now = hawser_sim_sample(sim);
-        t.at[t.n] = 12 + now->winch_travel;
+        t.at[t.n] = 36 + now->winch_travel;
         t.force[t.n++] = now->winch_force;
     }
     hawser_sim_free(sim);
@@ -250,7 +254,7 @@ static void run_log(const Truth *t, uint64_t seed)
     for (uint64_t i = 0; i < 220; i++) {
         const double length = 1.2 + 0.02 * (double)i, luck = random_uniform(seed, RANDOM_TAIL, i, 0);
         for (int k = 0; i == 100 && k < 40; k++, time++) fprintf(f, "%.0f,120,%.3f\n", time, length);
-        const double force = luck < 0.02 ? 0 : between(t, t->force, 12 + length) * (1 + 0.01 * noise(seed, i));
+        const double force = luck < 0.02 ? 0 : between(t, t->force, 36 + length) * (1 + 0.01 * noise(seed, i));
         if (luck <= 0.98) fprintf(f, "%.0f,%.3f,%.3f\n", time, force, length);
         time++;
     }
@@ -262,8 +266,10 @@ static Findings calibrate_runs(const char *route, const char *lines, const char 
     char text[2000];
     hawser_error err;
     Findings f;
-    snprintf(text, sizeof text, "case: " HILL_CASE "\nset:\n  route.pieces: \"%s\"\n  %s: %s\n  %s: %s\n  %s: %s\n%s",
-             route, pull[0][0], pull[0][1], pull[1][0], pull[1][1], pull[2][0], pull[2][1], lines);
+    int n = snprintf(text, sizeof text, "case: " HILL_CASE "\nset:\n  route.pieces: \"%s\"\n", route);
+    for (int i = 0; i < PULL; i++)
+        n += snprintf(text + n, sizeof text - (size_t)n, "  %s: \"%s\"\n", pull[i][0], pull[i][1]);
+    snprintf(text + n, sizeof text - (size_t)n, "%s", lines);
     hawser_study *const study = study_open(scratch_write("study.yaml", text));
     const hawser_study_options options = {.jobs = 1, .fresh = 1};
     if (hawser_study_run(study, scratch_path(dir), &options, &err)) fail_msg("%s", err.message);
@@ -279,7 +285,7 @@ static Findings fit_hill(const char *fidelity, Study **s, Rows *rows)
     snprintf(text, sizeof text,
              "fidelity: %s\nparameters:\n  friction.mu: {range: {from: 0.1, to: 0.5}}\n"
              "  mass: {key: cables.power.mass, range: {from: 10 kg/m, to: 40 kg/m}}\n"
-             "calibrate: {log: pull.csv, head: 12 m, parts: 40}\n",
+             "calibrate: {log: pull.csv, head: 36 m, parts: 40}\n",
              fidelity);
     return calibrate_runs(HILL, text, fidelity, s, rows);
 }
@@ -328,7 +334,7 @@ static void runs_cannot_tell(void **state)
                                 "fidelity: run\nparameters:\n"
                                 "  reel: {key: drive.tail.tension, range: {from: 1 N, to: 900 N}}\n"
                                 "  drag: {key: drive.rope_drag.force, range: {from: 1 N, to: 900 N}}\n"
-                                "calibrate: {log: pull.csv, head: 12 m, parts: 20}\n",
+                                "calibrate: {log: pull.csv, head: 36 m, parts: 20}\n",
                                 "twins", &s, &rows);
     int said = 0;
     for (int k = 0; k < f.n_warnings; k++) said |= strstr(f.warning[k], "reel") && strstr(f.warning[k], "drag");
