@@ -47,7 +47,7 @@ static int fmu(const Arguments *args)
     }
     hawser_status status = load_case(args, &c, &err);
     if (!status) status = hawser_fmu_write(c, args->fmi, file, &err);
-    if (!status && !args->quiet) printf("%s: FMI %d.0, co-simulation\n", file, (int)args->fmi);
+    if (!status && !args->quiet) tell("%s: FMI %d.0, co-simulation", file, (int)args->fmi);
     hawser_case_free(c);
     free(made);
     return finish_stdout(exit_status(status, &err));

@@ -69,6 +69,7 @@ typedef struct hawser_options {
 hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options, size_t size, hawser_sim **out,
                                    hawser_error *err);
 #define hawser_sim_new(c, options, out, err) hawser_sim_new_sized(c, options, sizeof(hawser_options), out, err)
+/* NULL is fine; within a call-back of the simulation it does nothing. */
 void hawser_sim_free(hawser_sim *s);
 
 /* What the relaxation to the initial equilibrium reached. */

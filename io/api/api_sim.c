@@ -70,7 +70,11 @@ hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options
     return status;
 }
 
-void hawser_sim_free(hawser_sim *s) { sim_free(s); }
+void hawser_sim_free(hawser_sim *s)
+{
+    if (s && (is_inside(s) || s->running)) return;
+    sim_free(s);
+}
 
 /* Keeps the outcome of a call that computes, for the summary. */
 static hawser_status keep_outcome(hawser_sim *s, hawser_status status, const hawser_error *err)

@@ -193,6 +193,39 @@ static hawser_status earlier_keep(const Results *r, hawser_error *err)
     return s;
 }
 
+/* A folder in which no run has begun, but which has a file by a name that a run writes or takes away: it is somebody's.
+ */
+static hawser_status nobodys_check(const OutDir *dir, hawser_error *err)
+{
+    static const char *const more[] = {CHECKPOINT_FILE};
+    enum { ALL = FOLDER_FILES + sizeof more / sizeof *more };
+    OutSpot spot;
+    for (int k = 0; k < ALL; k++) {
+        const char *const name = k < FOLDER_FILES ? folder_files[k] : more[k - FOLDER_FILES];
+        const int fd = file_open_in(dir->at, name, O_RDONLY); /* not a link, which is replaced, or a folder */
+        if (fd < 0) continue;
+        close(fd);
+        const hawser_status status = out_spot(&spot, dir, name, err);
+        return status ? status
+                      : error_set(err, HAWSER_ERR_OUTPUT,
+                                  "'%.700s' is there, and no summary.json of a run: it would be written over, or "
+                                  "taken away; give another folder",
+                                  spot.path);
+    }
+    return HAWSER_OK;
+}
+
+/* The folder, and the one of earlier results, are a run's or have nothing of it. */
+static hawser_status ours_check(const OutDir *dir, hawser_error *err)
+{
+    OutDir earlier;
+    const int there = out_within(&earlier, dir, EARLIER), kept = there && is_there(&earlier, "summary.json");
+    hawser_status s = kept || is_there(dir, "summary.json") ? HAWSER_OK : nobodys_check(dir, err);
+    if (!s && there && !kept && !is_there(&earlier, MOVING)) s = nobodys_check(&earlier, err);
+    out_leave(&earlier);
+    return s;
+}
+
 /* What does not change: the case as it was read, and the route with its theory, where there is one. */
 static hawser_status write_known(const Results *r, const ResultsDef *def, hawser_error *err)
 {
@@ -227,7 +260,9 @@ static hawser_status open_tables(Results *r, hawser_error *err)
 static hawser_status open_all(Results *r, const ResultsDef *def, const char *summary, hawser_error *err)
 {
     static const char *const more[] = {CHECKPOINT_FILE, "results.h5.journal"};
-    hawser_status s = earlier_keep(r, err);
+    hawser_status s = ours_check(&r->dir, err);
+    if (s) return s;
+    s = earlier_keep(r, err);
     out_sweep(&r->dir, RUN_FILES, run_files);
     out_sweep(&r->dir, sizeof more / sizeof *more, more);
     if (!s) s = out_whole_in(&r->dir, "summary.json", summary, err);

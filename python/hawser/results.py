@@ -5,6 +5,7 @@ import contextlib
 import fcntl
 import functools
 import html
+import io
 import json
 import os
 import pathlib
@@ -14,11 +15,12 @@ import time
 import weakref
 import webbrowser
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 import pandas as pd
 
+from hawser import _door
 from hawser._columns import COLUMNS
 from hawser._native import ffi, lib
 from hawser._tables import frame_of, shown
@@ -68,10 +70,11 @@ class Figure(str):
 
 
 @contextlib.contextmanager
-def held(path: pathlib.Path) -> Iterator[pathlib.Path]:
+def held(folder: pathlib.Path) -> Iterator[BinaryIO]:
     """results.h5 as the last flush left it, which it stays meanwhile: HDF5 must not see a file that changes, or one whose run was
     killed within a flush."""
-    with open(path, "rb") as file:
+    path = folder / "results.h5"
+    with _door.opened(folder, path.name) as file:
         for last in [False] * 40 + [True]:
             try:
                 fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
@@ -82,9 +85,9 @@ def held(path: pathlib.Path) -> Iterator[pathlib.Path]:
                 time.sleep(0.05)
             except OSError:  # the disk knows no locks
                 break
-        if os.path.exists(f"{path}.journal"):
+        if os.path.lexists(f"{path}.journal"):
             raise OutputError(f"{path}: its run was killed while it wrote this file: 'hawser run --resume' completes it")
-        yield path
+        yield file
 
 
 TEXTS = ("name", "key", "value", "unit", "origin", "where", "source")  # columns that hold no numbers
@@ -96,14 +99,16 @@ def unguarded(cell: str) -> str:
     return cell[1:] if cell[:1] == "'" and cell[1:2] in tuple("=+-@") else cell
 
 
-def read_csv(path: pathlib.Path) -> pd.DataFrame:
+def read_csv(folder: pathlib.Path, name: str, *, optional: bool = False) -> pd.DataFrame:
     """A table of results; an empty cell is NaN, in a column of texts an empty text. What each column is stands in
-    `attrs["columns"]`, of those that every folder has."""
-    table = pd.read_csv(path, encoding="utf-8", converters=dict.fromkeys(TEXTS, unguarded))
-    whole = [name for name in table.columns if table[name].dtype == np.int64 and name not in COUNTS]
+    `attrs["columns"]`, of those that every folder has. optional: an empty one if it is not there."""
+    if optional and not _door.is_there(folder, name):
+        return pd.DataFrame()
+    table = pd.read_csv(io.BytesIO(_door.read(folder, name)), encoding="utf-8", converters=dict.fromkeys(TEXTS, unguarded))
+    whole = [column for column in table.columns if table[column].dtype == np.int64 and column not in COUNTS]
     table = table.astype(dict.fromkeys(whole, float))
-    told = COLUMNS.get(path.name, {})
-    table.attrs["columns"] = {name: told[name] for name in table.columns if name in told}
+    told = COLUMNS.get(name, {})
+    table.attrs["columns"] = {column: told[column] for column in table.columns if column in told}
     return table
 
 
@@ -144,12 +149,13 @@ class Result:
     def __reduce__(self) -> tuple[Any, ...]:
         if self._keep is None:
             return Result, (self.folder.absolute(),)
-        return with_files, ({str(file.relative_to(self.folder)): file.read_bytes() for file in self.folder.rglob("*") if file.is_file()},)
+        return with_files, ({str(file.relative_to(self.folder)): file.read_bytes() for file in self.folder.rglob("*")
+                            if file.is_file() and not file.is_symlink()},)
 
     @functools.cached_property
     def summary(self) -> dict[str, Any]:
         """The run in numbers; what is not known is None."""
-        found: dict[str, Any] = json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
+        found: dict[str, Any] = json.loads(_door.read(self.folder, "summary.json"))
         return found
 
     @property
@@ -170,41 +176,38 @@ class Result:
     @functools.cached_property
     def series(self) -> pd.DataFrame:
         """Over time, a row every output.interval: time_s, winch_force_N, winch_speed_m_per_s, max_tension_N and more."""
-        return read_csv(self.folder / "series.csv")
+        return read_csv(self.folder, "series.csv")
 
     @functools.cached_property
     def stations(self) -> pd.DataFrame:
         """Tension along the route: s_m; paper_N and reference_N by theory; mean_N and peak_N as simulated, with what each may
         be off by."""
-        return read_csv(self.folder / "stations.csv")
+        return read_csv(self.folder, "stations.csv")
 
     @functools.cached_property
     def rollers(self) -> pd.DataFrame:
         """Loads of the rollers (N): initial_N, steady_N, peak_N, rating_N."""
-        return read_csv(self.folder / "rollers.csv")
+        return read_csv(self.folder, "rollers.csv")
 
     @functools.cached_property
     def inputs(self) -> pd.DataFrame:
         """Every key of the case: value, unit, origin ("given", "catalogue", "estimated", "default"), where, source."""
-        return read_csv(self.folder / "inputs.csv")
+        return read_csv(self.folder, "inputs.csv")
 
     @functools.cached_property
     def route(self) -> pd.DataFrame:
         """The route and theory along it (m, N, N/m); empty of a rod."""
-        path = self.folder / "route.csv"
-        return read_csv(path) if path.exists() else pd.DataFrame()
+        return read_csv(self.folder, "route.csv", optional=True)
 
     @functools.cached_property
     def places(self) -> pd.DataFrame:
         """Steady motion by place of the front, of a run with `analysis: positions`; empty of others."""
-        path = self.folder / "positions.csv"
-        return read_csv(path) if path.exists() else pd.DataFrame()
+        return read_csv(self.folder, "positions.csv", optional=True)
 
     @functools.cached_property
     def modes(self) -> pd.DataFrame:
         """Shapes of vibration, of a run with `analysis: modes`; empty of others."""
-        path = self.folder / "modes.csv"
-        return read_csv(path) if path.exists() else pd.DataFrame()
+        return read_csv(self.folder, "modes.csv", optional=True)
 
     def _list(self, key: str) -> pd.DataFrame:
         return frame_of(self.summary.get(key) or [])
@@ -252,11 +255,12 @@ class Result:
             import h5py
         except ImportError as missing:
             raise ImportError("states are read with h5py, which is not there (Debian: python3-h5py)") from missing
-        with held(self.folder / "results.h5") as path, h5py.File(path, "r") as file:
-            arrays = {name: np.asarray(file[name]) for name in ("time", *AXES) if name in file}
-            units = {name: as_text(file[name].attrs["unit"]) for name in arrays}
-            told = {name: as_text(file[name].attrs["description"]) for name in arrays}
-            names = [as_text(name) for name in file["roller_name"]] if "roller_name" in file else []
+        with held(self.folder) as held_file, h5py.File(held_file, "r") as file:
+            sets = {name: data for name in ("time", *AXES) if (data := _door.data_of(file, name)) is not None}
+            arrays = {name: np.asarray(data) for name, data in sets.items()}
+            units = {name: as_text(data.attrs["unit"]) for name, data in sets.items()}
+            told = {name: as_text(data.attrs["description"]) for name, data in sets.items()}
+            names = [as_text(name) for name in _door.data_of(file, "roller_name", text=True) or []]
         complete = len(arrays["time"])  # a state has a time once all of it is there
         arrays = {name: values[:complete] for name, values in arrays.items()}
         try:
@@ -293,7 +297,7 @@ class Result:
 
     def save(self, folder: str | os.PathLike[str]) -> Result:
         """Copies the files to another folder, which must not be there yet. Returns the results there."""
-        shutil.copytree(self.folder, folder)
+        shutil.copytree(self.folder, folder, symlinks=True)  # what a link leads to is none of the result's
         return Result(folder)
 
     def against(self, log: str | os.PathLike[str], *, align: str = "length", shift: float = 0.0, band: float = 0.1, raw: bool = False,

@@ -15,6 +15,7 @@ from typing import Any, Callable
 
 import pandas as pd
 
+from hawser import _door
 from hawser._native import ffi, lib
 from hawser.errors import MissingError, OutputError, c_path, check, error_from, taken, told
 from hawser.results import read_csv
@@ -41,12 +42,12 @@ class Study:
     @property
     def samples(self) -> pd.DataFrame:
         """A row a sample: its parameters, verdict, limited_by, quantities, margins."""
-        return read_csv(self.folder / "samples.csv")
+        return read_csv(self.folder, "samples.csv")
 
     @property
     def summary(self) -> dict[str, Any]:
         """All of them together: shares, limits, sensitivities."""
-        found: dict[str, Any] = json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
+        found: dict[str, Any] = json.loads(_door.read(self.folder, "summary.json"))
         return found
 
     def report(self, path: str | os.PathLike[str]) -> pathlib.Path:

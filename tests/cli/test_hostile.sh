@@ -25,7 +25,8 @@ for name in report.html.part report.html tension.svg.part tension.svg; do
 done
 for name in series.csv stations.csv rollers.csv inputs.csv route.csv results.xdmf results.h5 summary.json summary.json.part results.h5.part; do
     cp -r "$work/good" "$work/linked"
-    rm -f "$work/linked/summary.json" "$work/linked/$name" # it has not ended: nothing is kept of it
+    sed -i 's/"finished"/"stopped"/' "$work/linked/summary.json" # nothing is kept of it
+    rm -f "$work/linked/$name"
     precious "$name"
     ln -s "../victims/$name" "$work/linked/$name"
     # shellcheck disable=SC2086
@@ -33,9 +34,19 @@ for name in series.csv stations.csv rollers.csv inputs.csv route.csv results.xdm
     untouched
     rm -r "$work/linked"
 done
+# files of somebody's, in a folder in which no run has begun, are not written over or taken away
+for name in route.csv report.pdf results.h5 checkpoint.hawser earlier/series.csv earlier/report.html; do
+    mkdir -p "$work/own/earlier"
+    echo mine >"$work/own/$name"
+    # shellcheck disable=SC2086
+    run_hawser 4 run pull.yaml -o own $short
+    says err "own/$name' is there, and no summary.json of a run"
+    [ "$(cd "$work/own" && find . -type f -exec cat {} +)" = mine ] || fail "$what: $name is gone"
+    rm -r "$work/own"
+done
 # a second name of a file is left what it was, too
 cp -r "$work/good" "$work/linked"
-rm "$work/linked/series.csv" "$work/linked/summary.json"
+rm "$work/linked/series.csv"
 precious second
 ln "$work/victims/second" "$work/linked/series.csv"
 # shellcheck disable=SC2086
@@ -66,19 +77,29 @@ mkfifo "$work/piped/checkpoint.hawser"
 run_hawser 2 run --resume piped
 says err "not a file"
 
-# a study's rows
-printf 'case: pull.yaml\nparameters:\n  friction.mu: {uniform: [0.2, 0.3]}\nsamples: 2\nanswer: theory\n' >"$work/study.yaml"
-mkdir -p "$work/rows/workers"
-precious rows
-ln -s ../../victims/rows "$work/rows/workers/worker-0.rows"
-(cd "$work" && "$hawser" study study.yaml -o rows --jobs 1 --quiet >out 2>err </dev/null)
-what="hawser study with rows that lead out"
-untouched
-rm -r "$work/rows"
-mkdir "$work/rows" "$work/victims.d"
-ln -s ../victims.d "$work/rows/workers"
-(cd "$work" && "$hawser" study study.yaml -o rows --jobs 1 --quiet >out 2>err </dev/null)
+# a study's files: each a link that leads out, in a folder that a study has written
+printf 'case: pull.yaml\nparameters:\n  friction.mu: {uniform: {from: 0.2, to: 0.3}}\nmonte-carlo: {samples: 2}\nfidelity: theory\n' >"$work/study.yaml"
+run_hawser 0 study study.yaml -o rows --jobs 1 --quiet
+[ -f "$work/rows/workers/worker-0.rows" ] || fail "a study without rows of workers"
+for name in $(cd "$work/rows" && find . -type f); do
+    cp -r "$work/rows" "$work/linked"
+    precious rows
+    ln -sf "$work/victims/rows" "$work/linked/$name"
+    for fresh in "" --fresh; do
+        what="hawser study $fresh with $name that leads out"
+        # shellcheck disable=SC2086
+        (cd "$work" && "$hawser" study study.yaml -o linked --jobs 1 --quiet $fresh >out 2>err </dev/null)
+        status=$?
+        case $status in 0 | 2 | 4) ;; *) fail "$what: status $status" ;; esac
+        untouched
+    done
+    rm -r "$work/linked"
+done
+mkdir "$work/linked" "$work/victims.d"
+ln -s ../victims.d "$work/linked/workers"
+run_hawser 2 study study.yaml -o linked --jobs 1 --quiet
 [ -z "$(ls "$work/victims.d")" ] || fail "a study's workers wrote outside of its folder"
+rm -r "$work/linked" "$work/rows"
 
 # several pages of one folder at once: 20 of 75 failed, as all wrote under one name
 for round in 1 2 3; do

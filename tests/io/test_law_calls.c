@@ -41,6 +41,7 @@ static int meddle(void *user, const hawser_segment_now *at, double wrench[6], do
     size_t size;
     (void)at, (void)wrench, (void)by_place, (void)by_motion;
     if (m->calls++) return 0;
+    hawser_sim_free(m->s); /* was a SIGSEGV */
     const hawser_status done[] = {hawser_sim_set_law(m->s, 0, 0, NULL, 0, NULL, &err),
                                   hawser_sim_force(m->s, 0, NULL, 0, &err),
                                   hawser_sim_control(m->s, HAWSER_WINCH_BRAKE, NULL, 0, 0, &err),
