@@ -307,15 +307,15 @@ void sim_held_up(Sim *s, const StallFrom *from, hawser_hold *out)
 static hawser_status stall_watch(Sim *s, hawser_error *err)
 {
     const double t = s->stage.t;
-    if (stall_step(&s->stall, s->stage.integrator, t)) {
+    if (stall_step(&s->stall, s->stage.integrator, t, hawser_sim_end_time(s))) {
         sim_held_up(s, &s->stall.from, &s->stall.slowest);
         stall_begin(&s->stall, s->stage.integrator, t);
     }
     if (s->stall.crawls < STALL_CRAWLS) return HAWSER_OK;
     return error_set(
         err, HAWSER_ERR_RUN,
-        "the run crawls, with steps below a thousandth of its usual ones, and is stopped: %s; something has "
-        "caught there, or is stiffer than it can be",
+        "the run crawls, with steps below a thousandth of its usual ones and more than 1e8 of them to the end, and is "
+        "stopped: %s; something has caught there, or is stiffer than it can be",
         s->stall.slowest.says);
 }
 

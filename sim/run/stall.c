@@ -8,7 +8,8 @@
 
 /* Shares of a window's steps from which on something is what holds it up; and of the longest step that is allowed. */
 static const double FAILS_MANY = 0.1, STRIDES_MANY = 0.5, LONGEST_NEAR = 0.8;
-static const double CRAWL = 1e-3; /* of the longest window's mean step */
+static const double CRAWL = 1e-3;   /* of the longest window's mean step */
+static const double FOR_EVER = 1e8; /* steps to the end */
 
 StallFrom stall_from(const Integrator *in, double t)
 {
@@ -123,7 +124,7 @@ void stall_begin(Stall *stall, const Integrator *in, double t)
     stall->left = STALL_STEPS;
 }
 
-int stall_step(Stall *stall, const Integrator *in, double t)
+int stall_step(Stall *stall, const Integrator *in, double t, double end)
 {
     if (stall->left == 0) {
         stall_begin(stall, in, t);
@@ -133,7 +134,8 @@ int stall_step(Stall *stall, const Integrator *in, double t)
     const StallFrom now = stall_from(in, t);
     const double step = (t - stall->from.t) / fmax(1, (double)(now.steps - stall->from.steps));
     stall->longest = fmax(stall->longest, step);
-    stall->crawls = step < CRAWL * stall->longest ? stall->crawls + 1 : 0;
+    const int crawls = step < CRAWL * stall->longest && end - t > FOR_EVER * step && isfinite(end);
+    stall->crawls = crawls ? stall->crawls + 1 : 0;
     if (stall->slowest.steps == 0 || step < 0.5 * stall->slowest.step_s) return 1;
     stall_begin(stall, in, t);
     return 0;

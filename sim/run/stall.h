@@ -19,9 +19,10 @@ typedef struct StallFrom {
 } StallFrom;
 
 typedef struct Stall {
-    int left;            /* steps of this window that are still to come; 0: none has begun */
-    StallFrom from;      /* where the window began */
-    int crawls;          /* windows in a row whose steps were less than a thousandth of the longest window's */
+    int left;       /* steps of this window that are still to come; 0: none has begun */
+    StallFrom from; /* where the window began */
+    int crawls; /* windows in a row whose steps were less than a thousandth of the longest window's, and that leave a
+                 * hundred million to the end */
     double longest;      /* s, mean step of the window with the longest steps */
     hawser_hold slowest; /* of the windows so far; steps 0: none */
 } Stall;
@@ -37,9 +38,9 @@ void stall_place(const Scene *scene, int segment, const hawser_sample *sample, c
                  const hawser_surface *surface, hawser_hold *out);
 /* Whether it is where something moves fastest, not where the error is largest. */
 int stall_by_speed(const hawser_hold *hold);
-/* After each step. Whether a window has ended whose steps were at most half as long as those of the slowest one, which
- * is to be asked for then: what held it up from stall->from on; and stall_begin. */
-int stall_step(Stall *stall, const Integrator *in, double t);
+/* After each step of a run to `end`, s. Whether a window has ended whose steps were at most half as long as those of
+ * the slowest one, which is to be asked for then: what held it up from stall->from on; and stall_begin. */
+int stall_step(Stall *stall, const Integrator *in, double t, double end);
 /* The window that begins now. */
 void stall_begin(Stall *stall, const Integrator *in, double t);
 
