@@ -1,8 +1,9 @@
 """Files of results folders are opened, renamed and deleted by core/base/file alone, and objects of HDF5 that are read by
-io/results/results_door.c: whoever made a folder may have put anything into it.
+io/results/results_door.c, of Python by hawser/_door.py: whoever made a folder may have put anything into it.
 
 Usage: check_doors.py ROOT
 """
+import pathlib
 import re
 import sys
 
@@ -34,10 +35,22 @@ OBJECTS = {
     "io/results/results_geometry.c": "groups that it has made",
     "study/results/table.c": "a file by its descriptor",
 }
+# Of Python: what opens a file by its name, and lines that do so with a file of their own.
+BY_NAME = re.compile(r"(?<![\w.])open\(|\.(read_text|read_bytes)\(|os\.open\(|h5py\.File\(|pd\.read_csv\(|file\[")
+OWN_FILES = ("file.read_bytes() for file in self.folder.rglob", "pathlib.Path(scratch)", "held(self.folder) as held_file", "io.BytesIO(_door.read(")
+
+
+def check_python(root):
+    complaints = []
+    for path in sorted(pathlib.Path(root, "python", "hawser").glob("*.py")):
+        for k, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if path.name != "_door.py" and BY_NAME.search(line) and not any(own in line for own in OWN_FILES):
+                complaints.append(f"python/hawser/{path.name}:{k}: a file past _door.py")
+    return complaints
 
 
 def check(root):
-    complaints = []
+    complaints = check_python(root)
     for path in tree.sources(root, [top for top in tree.BELOW if top != "include"] + ["cli", "mpi"]):
         if not path.endswith(".c"):
             continue
