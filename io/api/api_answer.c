@@ -144,15 +144,15 @@ static void limit_lines(Answer *a, const Setup *setup, const char *word, const h
     strcpy(said, remedy);
 }
 
-/* Names of those that are not judged. */
-static void open_line(Answer *a, int n, const hawser_limit *limit)
+/* Names of those that are not judged, and how to see why, where that is not printed anyway. */
+static void open_line(Answer *a, int n, const hawser_limit *limit, const char *how)
 {
     char names[OPEN_MAX] = "";
     for (int i = 0; i < n; ++i) {
         const size_t used = strlen(names);
         if (!limit[i].judged) snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", limit[i].name);
     }
-    if (*names) answer_line(a, "not judged", "%s (--tables limits)", names);
+    if (*names) answer_line(a, "not judged", "%s%s", names, how);
 }
 
 static void limits_say(Answer *a, const Setup *setup, int n, const hawser_limit *limit, int together)
@@ -168,7 +168,7 @@ static void limits_say(Answer *a, const Setup *setup, int n, const hawser_limit 
             limit_lines(a, setup, "broken", &limit[i], together, said);
     }
     if (n == 0) answer_line(a, "remedy", "say what is allowed in the case's section 'limits'");
-    open_line(a, n, limit);
+    open_line(a, n, limit, together ? " (--tables limits)" : "");
 }
 
 void answer_limits(Answer *a, const Setup *setup, int n, const hawser_limit *limit)

@@ -12,7 +12,7 @@ says err "NOT JUDGED"
 printf 'limits: {conductor: {material: copper, area: 800 mm2}}\n' >>"$work/pull.yaml"
 run_hawser 0 run pull.yaml -o out2 --strict
 says out "Limits" "eq. 11, K = 1, S = 800 mm2; paper, table 4: copper 70 N/mm2" "56 kN" "SAFE: all" \
-    "  not judged     attachment, rope, winch, trip (--tables limits)" "not judged; needs limits.rope_strength" \
+    "  not judged     attachment, rope, winch, trip" "not judged; needs limits.rope_strength" \
     "not judged; needs limits.winch_capacity" "not judged; needs drive.winch.trip: set it to"
 run_hawser 0 run pull.yaml -o out3 --set limits.pull=100N
 says out "NOT SAFE: 1 of" "pull by" "BROKEN"
