@@ -4,30 +4,46 @@
 
 #include "core/base/error.h"
 
-static const double TURNED =
-    5 * M_PI / 180;              /* rad, that the route may turn between a head without a rope and the winch */
-static const double ALONG = 0.9; /* cosine between a carrier's axis and the route */
+/* rad, by which the route may turn between a head without a rope and its end; cosine between a carrier's axis and the
+ * route. */
+static const double TURNED = 5 * M_PI / 180, ALONG = 0.9;
+
+/* rad, by how much the route turns from s on, to whatever side. */
+static double turn_from(const Route *route, double s)
+{
+    double turn = 0;
+    for (int p = route_at(route, s).piece; p < route->n; ++p) {
+        const RoutePiece *const piece = &route->piece[p];
+        turn += piece->angle * fmin(1, (piece->s0 + piece->length - s) / piece->length);
+    }
+    return turn;
+}
+
+/* m along the route, from where on it turns by less than TURNED. */
+static double straight_from(const Route *route)
+{
+    double turn = 0;
+    for (int p = route->n - 1; p >= 0; --p) {
+        const RoutePiece *const piece = &route->piece[p];
+        turn += piece->angle;
+        if (turn > TURNED) return piece->s0 + piece->length * (turn - TURNED) / piece->angle;
+    }
+    return 0;
+}
 
 /* A winch pulls at the cable's end in the direction of the route's end: round a bend that is through the wall. */
 static hawser_status head_check(const Setup *s, hawser_error *err)
 {
     const SceneDef *const def = s->def;
-    const Route *const route = s->route;
-    const double front = fmin(fmax(s->front, 0), route->length);
-    if (!def->winch.present || s->has_rope || def->strand.present || def->winch.take_in) return HAWSER_OK;
-    for (int p = route_at(route, front).piece; p < route->n; ++p) {
-        const RoutePiece *const piece = &route->piece[p];
-        const double from = fmax(front, piece->s0), ends = piece->s0 + piece->length;
-        const double turns = piece->kind == ROUTE_STRAIGHT ? 0 : piece->angle * (ends - from) / piece->length;
-        if (!(turns > TURNED)) continue;
-        return error_set(
-            err, HAWSER_ERR_INPUT,
-            "key 'route.head_at': the cable's head is at %.4g m, before the bend at %.4g m, and has no rope: the "
-            "winch would pull it along the route's end, through the wall; give 'chain' a rope, or put "
-            "the head on the last straight, from %.4g m on",
-            front, piece->s0, route->piece[route->n - 1].s0);
-    }
-    return HAWSER_OK;
+    const double front = fmin(fmax(s->front, 0), s->route->length), turn = turn_from(s->route, front);
+    if (!def->winch.present || s->has_rope || def->strand.present || def->winch.take_in || turn <= TURNED)
+        return HAWSER_OK;
+    return error_set(
+        err, HAWSER_ERR_INPUT,
+        "key 'route.head_at': the cable's head is at %.4g m and has no rope, and the route turns by %.3g "
+        "degrees ahead of it: the winch would pull along the route's end, through the wall; give 'chain' a "
+        "rope, or put the head at %.4g m or beyond",
+        front, turn * 180 / M_PI, ceil(100 * straight_from(s->route)) / 100);
 }
 
 /* Carriers of rows that lie along the cable, so that it has an edge to lie on, or nothing. */

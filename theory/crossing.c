@@ -1,4 +1,5 @@
-/* Whether a route crosses itself at one level: the cable would lie inside itself. */
+/* Whether a route crosses itself at one level: the cable would lie inside itself. Two stretches of the route are halved
+ * until they are too far apart for that, or as short as the cable is thick. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -6,16 +7,36 @@
 #include "core/base/error.h"
 #include "theory/calculator.h"
 
-static const double APART = 10; /* cable diameters along the route, within which it is beside itself anyway */
-enum { PLACES = 20000 };        /* of the route, at most */
+/* Cable diameters along the route, within which the cable is beside itself anyway. */
+static const double APART = 10;
 
-/* A curve that comes back to a place of its own turns by half a circle at least. */
-static int comes_back(const Route *route)
+typedef struct Stretch {
+    double from, to;               /* m along the route */
+    double turned_from, turned_to; /* rad, at most: by how much the route has turned up to there, to whatever side */
+    Vec3 middle;
+} Stretch;
+
+typedef struct Search {
+    const Route *route;
+    const double *turned; /* [pieces + 1] rad, up to each piece's start */
+    double thick, chain;  /* m, of the cable and its length */
+    double turn;          /* rad: a curve whose ends meet turns by more than that */
+    double a, b, away;    /* m, what was found */
+} Search;
+
+/* end: the stretch ends there; of a curve, which does not turn evenly, it has the whole turn then, else none. */
+static double turned_at(const Search *f, double s, int end)
 {
-    double turns = 0;
-    for (int p = 0; p < route->n; ++p)
-        if (route->piece[p].kind != ROUTE_STRAIGHT) turns += fabs(route->piece[p].angle);
-    return turns > M_PI * (1 - 1e-9);
+    const int k = route_at(f->route, s).piece;
+    const RoutePiece *const p = &f->route->piece[k];
+    const double part = p->kind == ROUTE_BEND ? fmin(fmax((s - p->s0) / p->length, 0), 1) : end;
+    return f->turned[k] + part * p->angle;
+}
+
+static Stretch stretch_of(const Search *f, double from, double to)
+{
+    return (Stretch){from, to, turned_at(f, from, 0), turned_at(f, to, 1),
+                     route_at(f->route, 0.5 * (from + to)).position};
 }
 
 /* m between the places a and b of the route, which move to where it is nearest to itself. */
@@ -25,49 +46,64 @@ static double nearest(const Route *route, double *a, double *b)
         const RoutePoint p = route_at(route, *a), q = route_at(route, *b);
         const Vec3 off = v3_sub(q.position, p.position);
         const double along = v3_dot(p.tangent, q.tangent), det = 1 - along * along;
-        if (!(det > 1e-6)) break;
         const double x = v3_dot(off, p.tangent), y = v3_dot(off, q.tangent);
+        if (!(det > 1e-6)) { /* beside each other */
+            *b = fmin(fmax(*b - y, 0), route->length);
+            break;
+        }
         *a = fmin(fmax(*a + (x - along * y) / det, 0), route->length);
         *b = fmin(fmax(*b + (along * x - y) / det, 0), route->length);
     }
     return v3_norm(v3_sub(route_at(route, *b).position, route_at(route, *a).position));
 }
 
-static void crossing_say(double a, double b, double away, double thick, hawser_condition *result)
+static int is_crossing(Search *f, double a, double b)
 {
-    *result = theory_condition(HAWSER_CONDITION_OVERLAP, 1 - away / thick, 0);
-    snprintf(result->remedy, sizeof result->remedy,
-             "the route crosses itself at one level, at %.4g m and at %.4g m, where the cable would lie inside itself: "
-             "lead one way over the other, by %.3g mm at least",
-             a, b, 1e3 * thick);
+    f->a = a;
+    f->b = b;
+    f->away = nearest(f->route, &f->a, &f->b);
+    return f->away < f->thick && f->b - f->a > APART * f->thick && f->b - f->a < f->chain;
+}
+
+/* Whether a place of p meets one of q, which is the same stretch or lies behind it. */
+static int stretches_meet(Search *f, const Stretch *p, const Stretch *q)
+{
+    const double lp = p->to - p->from, lq = q->to - q->from;
+    const int together = q->to - p->from <= APART * f->thick || q->turned_to - p->turned_from <= f->turn;
+    if (together || q->from - p->to >= f->chain) return 0;
+    if (v3_norm(v3_sub(p->middle, q->middle)) > 0.5 * (lp + lq) + f->thick) return 0;
+    if (fmax(lp, lq) <= f->thick) return is_crossing(f, p->from + 0.5 * lp, q->from + 0.5 * lq);
+    const Stretch *const longer = lp > lq ? p : q;
+    const double middle = 0.5 * (longer->from + longer->to);
+    const Stretch first = stretch_of(f, longer->from, middle), second = stretch_of(f, middle, longer->to);
+    if (p->from == q->from)
+        return stretches_meet(f, &first, &first) || stretches_meet(f, &first, &second) ||
+               stretches_meet(f, &second, &second);
+    if (longer == p) return stretches_meet(f, &first, q) || stretches_meet(f, &second, q);
+    return stretches_meet(f, p, &first) || stretches_meet(f, p, &second);
 }
 
 hawser_status crossing_judge(const Setup *setup, hawser_condition *result, hawser_error *err)
 {
     const SceneDef *const def = setup->def;
     const Route *const route = setup->route;
-    const double thick = bundle_diameter(def), chain = setup->head - setup->tail;
-    if (!(thick > 0) || def->strand.present || def->drum.present || def->analysis.inside || !comes_back(route))
-        return HAWSER_OK;
-    const double step = fmax(thick, route->length / PLACES);
-    const int n = (int)(route->length / step) + 1;
-    Vec3 *const at = malloc((size_t)n * sizeof *at);
-    if (!at) return error_memory(err);
-    for (int i = 0; i < n; ++i) at[i] = route_at(route, i * step).position;
-    for (int i = 0; i < n && result->holds; ++i) {
-        int j = i + (int)fmax(2, ceil(APART * thick / step));
-        while (j < n && result->holds) {
-            const double away = v3_norm(v3_sub(at[j], at[i]));
-            if (away > 2 * step + thick) { /* nothing nearer comes before it has gone that far */
-                j += (int)fmax(1, floor((away - thick - step) / step));
-                continue;
-            }
-            double a = i * step, b = j * step;
-            const double least = nearest(route, &a, &b);
-            if (least < thick && b - a > APART * thick && b - a < chain) crossing_say(a, b, least, thick, result);
-            ++j;
-        }
+    /* ends a tenth of their way apart: a curve that turns by t has ends at least cos(t/2) of its length apart */
+    Search f = {
+        .route = route, .thick = bundle_diameter(def), .chain = setup->head - setup->tail, .turn = 2 * acos(1 / APART)};
+    if (!(f.thick > 0) || def->strand.present || def->drum.present || def->analysis.inside) return HAWSER_OK;
+    double *const turned = malloc(((size_t)route->n + 1) * sizeof *turned);
+    if (!turned) return error_memory(err);
+    turned[0] = 0;
+    for (int k = 0; k < route->n; ++k) turned[k + 1] = turned[k] + route->piece[k].angle;
+    f.turned = turned;
+    const Stretch whole = stretch_of(&f, 0, route->length);
+    if (stretches_meet(&f, &whole, &whole)) {
+        *result = theory_condition(HAWSER_CONDITION_OVERLAP, 1 - f.away / f.thick, 0);
+        snprintf(result->remedy, sizeof result->remedy,
+                 "the route crosses itself at one level, at %.4g m and at %.4g m, where the cable would lie inside "
+                 "itself: lead one way over the other, by %.3g mm at least",
+                 f.a, f.b, 1e3 * f.thick);
     }
-    free(at);
+    free(turned);
     return HAWSER_OK;
 }
