@@ -125,7 +125,7 @@ static void intervals_cover(void **state)
         char answer[ANSWER_MAX];
         findings_answer(s, &f, answer);
         check_has(answer, "\n  log      Force from column 'winch pull [kN]'\n");
-        check_at_most(f.fit.half[0], 0.01);
+        check_at_most(f.fit.half[0], 0.006);
         check_at_most(f.fit.half[1], 0.1);
         inside[0] += fabs(f.fit.x[0] - 0.17) <= f.fit.half[0];
         inside[1] += fabs(f.fit.x[1] - 6.2) <= f.fit.half[1];
