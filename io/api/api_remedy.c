@@ -72,7 +72,7 @@ static void sidewall_remedy(const Setup *setup, const hawser_limit *l, Remedy *r
     r->now = bend->radius;
     r->least = bend->radius * (l->value - k) / (l->limit - k);
     snprintf(r->where, sizeof r->where, "%s", bend->name);
-    if (bend->listed) snprintf(r->key, sizeof r->key, "route.pieces.%d.radius", bend->listed - 1);
+    mend_key(setup, p, r->key);
 }
 
 static int has_clearance(const SceneDef *def, const SurfaceDef *now, double clearance, double diameter)
@@ -153,6 +153,9 @@ static void simple_remedy(const hawser_limit *l, Remedy *r)
     }
     if (!strcmp(l->where, "theory.feed")) {
         r->code = "less_feed";
+        r->unit = "N";
+        r->least = NAN;
+        r->most = l->limit;
         snprintf(r->key, sizeof r->key, "theory.feed");
     }
     if (!strncmp(l->source, LIMITS_NO_TRIP, strlen(LIMITS_NO_TRIP))) r->code = NULL; /* less pull is said there */

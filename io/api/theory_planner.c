@@ -242,17 +242,6 @@ static int answers_add(const Setup *setup, const Inverse *inverse, TheoryTables 
 
 /* ----------------------------------------------------------------------------------------------- what is assumed */
 
-static const Column assumed_column[] = {
-    {COLUMN("name", TEXT, Assumed, name), .label = "assumed"},
-    {COLUMN("value", NUMBER, Assumed, value), .label = "taken", .decimals = -1, .unit_by = "unit"},
-    {COLUMN("low", NUMBER, Assumed, low), .label = "usually from", .decimals = -1, .unit_by = "unit"},
-    {COLUMN("high", NUMBER, Assumed, high), .label = "to", .decimals = -1, .unit_by = "unit"},
-    {COLUMN("unit", TEXT, Assumed, unit), .label = "unit"},
-    {COLUMN("key", TEXT, Assumed, key), .label = "give"},
-    {COLUMN("source", CHARS, Assumed, source), .label = "range of"},
-};
-static const Columns assumed_columns = COLUMNS(Assumed, assumed_column);
-
 static int assumed_add(const Setup *setup, TheoryTables *t)
 {
     Assumed all[ASSUMED_KINDS];

@@ -253,9 +253,7 @@ static int set_is_written(const H5File *h, int k)
     return sample_column[k].set && item_count(h, sample_column[k].per) > 0;
 }
 
-/* Whether its addresses count from its first byte, as a run's do: HDF5 would put them right, and fail many states
- * later.
- */
+/* Whether addresses in the file count from its first byte, as in a run's: HDF5 corrects others, and fails later. */
 static int counts_from_start(int fd)
 {
     static const unsigned char zero[8];

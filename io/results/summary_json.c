@@ -188,12 +188,15 @@ static const Column limit_column[] = {
 static const Columns limit_columns = COLUMNS(hawser_limit, limit_column);
 
 static const Column assumed_column[] = {
-    {COLUMN("name", TEXT, Assumed, name)},      {COLUMN("value", NUMBER, Assumed, value)},
-    {COLUMN("low", NUMBER, Assumed, low)},      {COLUMN("high", NUMBER, Assumed, high)},
-    {COLUMN("unit", TEXT, Assumed, unit)},      {COLUMN("key", TEXT, Assumed, key)},
-    {COLUMN("source", CHARS, Assumed, source)},
+    {COLUMN("name", TEXT, Assumed, name), .label = "assumed"},
+    {COLUMN("value", NUMBER, Assumed, value), .label = "taken", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("low", NUMBER, Assumed, low), .label = "usually from", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("high", NUMBER, Assumed, high), .label = "to", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("unit", TEXT, Assumed, unit), .label = "unit"},
+    {COLUMN("key", TEXT, Assumed, key), .label = "give"},
+    {COLUMN("source", CHARS, Assumed, source), .label = "range of"},
 };
-static const Columns assumed_columns = COLUMNS(Assumed, assumed_column);
+const Columns assumed_columns = COLUMNS(Assumed, assumed_column);
 
 static const Column remedy_column[] = {
     {COLUMN("remedy", TEXT, Remedy, code)},   {COLUMN("limit", TEXT, Remedy, limit)},

@@ -235,7 +235,7 @@ static void a_listed_bend(void **state)
     check_has(remedy(&scene, "sidewall", "N/m", 3500, 3000, "124.4 m (tight)", HAWSER_SI),
               "in 'tight' would do (route.pieces.3.radius, now 3 m)");
     const char *const said = remedy(&scene, "sidewall", "N/m", 3500, 3000, "50.0 m (change of slope)", HAWSER_SI);
-    check_has(said, "in 'change of slope' would do (now 20 m)");
+    check_has(said, "in 'change of slope' would do (route.transition_radius, now 20 m)");
     scene_clear(&scene);
     scene_def_clear(&def);
 }
