@@ -114,7 +114,7 @@ class Finder:
             children = children[-1:] if "=" in self.text[slice(*self.span(cursor))] and children else []
         if cursor.kind == kinds.CASE_STMT:
             children = children[1:]
-        if self.text[self.span(cursor)[0]:].startswith("__builtin"):
+        if self.text.startswith("__builtin", self.span(cursor)[0]):
             return
         if cursor.kind.name in ("CXX_UNARY_EXPR", "STATIC_ASSERT", "ENUM_DECL"):  # constants to the compiler
             return
