@@ -40,7 +40,7 @@ typedef struct Arguments {
     double effort;     /* runs of the case; 0: the library's choice */
     int verbose;       /* what it cost to compute is shown too */
     hawser_format format;
-    const char *tables; /* of theory, by name; NULL: the answer alone */
+    const char *tables; /* below the answer, by name; NULL: none */
     const char *kind;   /* of the catalogue; NULL: all */
     hawser_units units; /* of what is shown */
     const char *filter; /* NULL: none */

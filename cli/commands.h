@@ -55,6 +55,8 @@ void report_scene(const hawser_sim *s, const Arguments *args);
 /* The answer, then pull, machines, events, rollers, limits; with --verbose work and where the time went. `dir`: where
  * the results are. */
 void report_run(hawser_sim *s, const Arguments *args, const char *dir);
+/* Whether a run has all tables of a list; complains of the first that it has not. NULL: none is asked for. */
+int report_tables_check(const char *list);
 
 /* What the case did not say itself: how many values, and what an estimated EI is worth; nothing if it said all. */
 void report_assumptions(const hawser_sim *s, hawser_units units);

@@ -14,6 +14,9 @@ enum { SENTENCE_MAX = 1024, PAGE = 118 };
 typedef struct Report {
     hawser_summary sum;
     hawser_units units;
+    hawser_sim *sim;
+    int all, n_limits; /* all: what else there is, too */
+    hawser_limit limit[HAWSER_LIMITS_MAX];
 } Report;
 
 static void say(const Report *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -45,8 +48,9 @@ static void report_rod(const Report *r)
 }
 
 /* Frequencies, one line each. */
-static void report_modes(const hawser_summary *s)
+static void report_modes(const Report *r)
 {
+    const hawser_summary *const s = &r->sum;
     if (s->n_modes > 0) printf("\nModes about the last equilibrium\n");
     for (int i = 0; i < s->n_modes; i++) {
         const hawser_mode *m = &s->modes[i];
@@ -122,7 +126,8 @@ static void report_pull(const Report *r)
         printf("not settled when the run ended\n");
     printf("  %-18s %14s %14s %23s %9s\n", "", "winch force", "pull is off by", "tension error: largest", "mean");
     report_theory(r, "reference theory", s->reference_total_N, s->error_max_pct, s->error_mean_pct);
-    report_theory(r, "paper's formulas", s->paper_total_N, s->error_max_paper_pct, s->error_mean_paper_pct);
+    if (r->all) /* they know no level bends */
+        report_theory(r, "piece formulas", s->paper_total_N, s->error_max_paper_pct, s->error_mean_paper_pct);
 }
 
 /* What machines did, one line each, under the heading of their kind. */
@@ -170,11 +175,11 @@ static void report_events(const Report *r)
 }
 
 /* The most heavily loaded roller. */
-static void report_rollers(const Report *report, hawser_sim *s)
+static void report_rollers(const Report *report)
 {
     char load[HAWSER_SHOWN_MAX];
     const hawser_roller *r;
-    const int n = hawser_sim_rollers(s, &r);
+    const int n = hawser_sim_rollers(report->sim, &r);
     if (n == 0) return;
     const hawser_roller *heaviest = &r[0];
     for (int i = 1; i < n; i++) {
@@ -187,8 +192,9 @@ static void report_rollers(const Report *report, hawser_sim *s)
 }
 
 /* What it cost, in the integrator's own counts. */
-static void report_work(const hawser_summary *s)
+static void report_work(const Report *r)
 {
+    const hawser_summary *const s = &r->sum;
     printf("\nWork: %g s in %.3g s (%.3g x real time), %ld steps (%.0f a second)\n", s->sim_time_s, s->wall_time_s,
            s->real_time_factor, s->steps, s->steps_per_second);
     printf("  %ld right-hand sides, %ld Newton iterations, %ld Jacobians, %ld set-ups, %ld error-test and "
@@ -217,8 +223,9 @@ static void report_balance(const Report *r)
 }
 
 /* Where the time went, so that a slow case shows its reason. */
-static void report_phases(const hawser_summary *s)
+static void report_phases(const Report *r)
 {
+    const hawser_summary *const s = &r->sum;
     const hawser_phases *p = &s->phases;
     const struct {
         const char *name;
@@ -234,12 +241,13 @@ static void report_phases(const hawser_summary *s)
 }
 
 /* The limits one by one; where a limit comes from stands below it if the line has no room for it. */
-static void report_limits(const Report *r, int n, const hawser_limit *limit)
+static void report_limits(const Report *r)
 {
+    const int n = r->n_limits;
     char found[HAWSER_SHOWN_MAX], allowed[HAWSER_SHOWN_MAX], where[SENTENCE_MAX], source[SENTENCE_MAX];
     if (n > 0) printf("\nLimits\n  %-14s %13s %13s %9s\n", "", "found", "allowed", "margin");
     for (int i = 0; i < n; i++) {
-        const hawser_limit *l = &limit[i];
+        const hawser_limit *l = &r->limit[i];
         if (isdigit((unsigned char)*l->where)) hawser_show_text(l->where, r->units, where, sizeof where);
         if (!isdigit((unsigned char)*l->where)) snprintf(where, sizeof where, "%s", l->where); /* a name */
         hawser_show_text(l->source, r->units, source, sizeof source);
@@ -248,38 +256,59 @@ static void report_limits(const Report *r, int n, const hawser_limit *limit)
         if (l->judged) used += printf("%7.1f %%  %-7s %s", 100 * l->margin, l->ok ? "holds" : "BROKEN", where);
         if (!l->judged) used += printf("%9s  not judged", "-");
         const int fits = used + 2 + (int)strlen(source) <= PAGE;
-        printf(fits ? "; %s\n" : "\n                 %s\n", source);
+        printf(!fits ? "\n                 %s\n" : *where || !l->judged ? "; %s\n" : "%s\n", source);
     }
 }
 
-/* The whole report, in the order in which a planner asks: the answer, then what it rests on. */
+static void report_known(const Report *r) { report_assumptions(r->sim, r->units); }
+
+/* Below the answer, in the order in which a planner asks. */
+static const struct Part {
+    const char *name; /* NULL: it is always printed */
+    int rod;          /* 1: of rods alone, 0: of pulls alone, -1: of both */
+    void (*print)(const Report *r);
+} parts[] = {{NULL, 1, report_rod},        {NULL, 1, report_stability},       {NULL, 1, report_modes},
+             {NULL, 0, report_pull},       {NULL, -1, report_events},         {NULL, -1, report_rollers},
+             {"bundle", 0, report_bundle}, {"machines", -1, report_machines}, {"limits", 0, report_limits},
+             {NULL, -1, report_known},     {"rest", -1, report_relaxation},   {"balances", -1, report_balance},
+             {"work", -1, report_work},    {"times", -1, report_phases}};
+enum { PARTS = sizeof parts / sizeof *parts };
+
+/* Whether a list of names with commas between has that name. */
+static int is_listed(const char *list, const char *name)
+{
+    for (const char *at = list; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL)
+        if (strcspn(at, ",") == strlen(name) && !strncmp(at, name, strlen(name))) return 1;
+    return 0;
+}
+
+int report_tables_check(const char *list)
+{
+    for (const char *at = list; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL) {
+        char name[32];
+        int found = 0;
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(at, ","), at);
+        found |= !strcmp(name, "all");
+        for (int k = 0; k < PARTS; k++) found |= parts[k].name && !strcmp(parts[k].name, name);
+        if (found) continue;
+        complain("--tables: no table '%s': there are all, bundle, machines, limits, rest, balances, work, times", name);
+        return 0;
+    }
+    return 1;
+}
+
 void report_run(hawser_sim *s, const Arguments *args, const char *dir)
 {
-    Report r = {.units = args->units};
-    hawser_limit limit[HAWSER_LIMITS_MAX];
+    Report r = {.units = args->units, .sim = s, .all = args->verbose || is_listed(args->tables, "all")};
     char answer[HAWSER_ANSWER_MAX];
     hawser_sim_summary(s, &r.sum);
-    const int n = hawser_sim_limits(s, limit);
+    r.n_limits = hawser_sim_limits(s, r.limit);
     putchar('\n');
     print_answer(hawser_sim_answer(s, args->units, answer, sizeof answer));
-    if (r.sum.rod) {
-        report_rod(&r);
-        report_stability(&r);
-        report_modes(&r.sum);
-    } else {
-        report_pull(&r);
-    }
-    report_bundle(&r);
-    report_machines(&r);
-    report_events(&r);
-    report_rollers(&r, s);
-    report_limits(&r, n, limit);
-    report_assumptions(s, r.units);
-    if (args->verbose) {
-        report_relaxation(&r);
-        report_balance(&r);
-        report_work(&r.sum);
-        report_phases(&r.sum);
+    for (int k = 0; k < PARTS; k++) {
+        const struct Part *const part = &parts[k];
+        if (part->rod >= 0 && part->rod != !!r.sum.rod) continue;
+        if (!part->name || r.all || is_listed(args->tables, part->name)) part->print(&r);
     }
     printf("\n");
     tell("Results: %s", dir);

@@ -36,7 +36,9 @@ static const char help[] =
     "                            figures that are not to be trusted: status 6; not certified: status 7\n"
     "      --format FORMAT     of what is printed: table (default), or json, which is what summary.json holds\n"
     "      --units UNITS       of what is printed: si (default: kN, m, mm2) or us (lbf, ft, kcmil); files are in SI\n"
-    "  -v, --verbose           prints the solver's work, balances and timings too\n"
+    "      --tables NAMES      prints tables too, by name with commas between: bundle, machines, limits, rest,\n"
+    "                            balances, work, times; all\n"
+    "  -v, --verbose           prints all of them, and the counts of the model\n"
     "  -q, --quiet             prints nothing but errors\n"
     "  -h, --help              this text\n"
     "  -V, --version           the version\n"
@@ -225,8 +227,9 @@ static int run(const Arguments *args)
         complain("--format csv: the tables of a run are files in its folder; 'table' or 'json' can be used");
         return EXIT_USAGE;
     }
+    if (!report_tables_check(args->tables)) return EXIT_USAGE;
     own.quiet |= args->format == HAWSER_JSON;
     return run_into(&own);
 }
 
-const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvufSCTOePGI", help, run};
+const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvufSCTOePGIQ", help, run};

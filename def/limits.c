@@ -92,7 +92,8 @@ static void judge(const LimitsDef *def, hawser_limit_kind kind, double diameter,
                           .friction_most = NAN,
                           .friction_least = NAN,
                           .rest_most = NAN,
-                          .back_most = NAN};
+                          .back_most = NAN,
+                          .slope_radius_least = NAN};
     memcpy(out->where, f->where, sizeof out->where);
     out->limit = limits_allowed(def, kind, diameter, cables, f, out->source);
     if (isnan(out->limit)) return;

@@ -67,6 +67,9 @@ typedef struct Finding {
 const char *limits_name(hawser_limit_kind kind);
 /* The kind of that name; LIMIT_KINDS: none. */
 hawser_limit_kind limits_kind(const char *name);
+/* "SAFE", or "SAFE ONLY IF friction at rest <= 0.2 (restart)", of limits that all hold. Returns how many conditions it
+ * has. */
+int limits_only_if(int n, const hawser_limit *limit, char *text, size_t size);
 /* Whether nothing is known of a pull without that limit: it is not called safe where this one is not judged. */
 int limits_essential(hawser_limit_kind kind);
 /* The jam ratios at which three cables may jam, in a triangle or not. */

@@ -60,6 +60,8 @@ hawser_word hawser_word_of(const char *verdict)
     return (hawser_word)found;
 }
 
+static const double TIMES = 10; /* of what is allowed, from which on a share in % says nothing */
+
 /* "sidewall by 22 % at bend"; of a run-away what is missing. */
 static void add_broken(Line *line, const hawser_limit *l, int first)
 {
@@ -67,8 +69,13 @@ static void add_broken(Line *line, const hawser_limit *l, int first)
         add(line, "%s %s", first ? ":" : ",", l->source);
         return;
     }
-    const double over = 100 * fabs(l->value / l->limit - 1);
-    add(line, "%s %s by %.3g %%%s%s", first ? ":" : ",", l->name, over, *l->where ? " at " : "", l->where);
+    const double share = l->value / l->limit;
+    add(line, "%s %s ", first ? ":" : ",", l->name);
+    if (share < TIMES)
+        add(line, "by %.3g %%", 100 * fabs(share - 1));
+    else
+        add(line, "by %.3g times", share);
+    add(line, "%s%s", *l->where ? " at " : "", l->where);
 }
 
 int limits_essential(hawser_limit_kind kind) { return kind == HAWSER_LIMIT_PULL || kind == HAWSER_LIMIT_SIDEWALL; }
@@ -111,7 +118,8 @@ static const struct BoundRow {
 } bounds[] = {{"friction <=", "", offsetof(hawser_limit, friction_most), 0},
               {"friction >=", "", offsetof(hawser_limit, friction_least), 1},
               {"friction at rest <=", "", offsetof(hawser_limit, rest_most), 0},
-              {"back tension <=", " N", offsetof(hawser_limit, back_most), 0}};
+              {"back tension <=", " N", offsetof(hawser_limit, back_most), 0},
+              {"radius at changes of slope >=", " m", offsetof(hawser_limit, slope_radius_least), 1}};
 
 /* What the limit says of a bound; NAN: nothing. */
 static double bound_of(const hawser_limit *l, const struct BoundRow *row)
@@ -147,6 +155,15 @@ static int add_bounds(Line *line, int n, const hawser_limit *limit)
     return said;
 }
 
+int limits_only_if(int n, const hawser_limit *limit, char *text, size_t size)
+{
+    Line line = {text, size};
+    snprintf(text, size, "%s ", words[HAWSER_SAFE_ONLY_IF].text);
+    const int said = add_bounds(&line, n, limit);
+    if (!said) snprintf(text, size, "%s", words[HAWSER_SAFE].text);
+    return said;
+}
+
 static int limits_say(int n, const hawser_limit *limit, int open, char *text, size_t size)
 {
     if (!text || size == 0 || (n > 0 && !limit)) return NONE_JUDGED;
@@ -170,9 +187,7 @@ static int limits_say(int n, const hawser_limit *limit, int open, char *text, si
         if (t.judged > 0)
             add(&line, "; the %d limit%s that could be judged hold%s", t.judged, one ? "" : "s", one ? "s" : "");
     } else {
-        add(&line, "%s ", words[HAWSER_SAFE_ONLY_IF].text);
-        only_if = add_bounds(&line, n, limit);
-        if (!only_if) snprintf(text, size, "%s", words[HAWSER_SAFE].text);
+        only_if = limits_only_if(n, limit, text, size);
         add(&line, ": all %d limits hold%s, smallest margin %.3g %% (%s%s%s)", t.judged,
             only_if ? " with what is assumed" : "", 100 * t.least->margin, t.least->name, *t.least->where ? " at " : "",
             t.least->where);

@@ -103,6 +103,7 @@ typedef struct TheoryFrictionDef {
 typedef struct TheoryPlaceDef {
     char name[PROBE_NAME_MAX];
     double at, force; /* m along the route; N */
+    int open;         /* a pit's force is not given */
 } TheoryPlaceDef;
 
 /* What the pulling calculation adds to the scene. NAN: not given. */

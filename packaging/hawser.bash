@@ -36,7 +36,8 @@ _hawser() {
         --effort) _hawser_offer '6 20 60' ;;
         --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--output --set --threads --linear-solver --resume --certify --tolerance --effort --sensitivities --report --pdf --strict --format --units --verbose --quiet --help --version' '*.yaml' ;;
+        --tables) _hawser_offer 'all facts pieces limits heads sections' ;;
+        *) _hawser_word '--output --set --threads --linear-solver --resume --certify --tolerance --effort --sensitivities --report --pdf --strict --format --units --tables --verbose --quiet --help --version' '*.yaml' ;;
         esac
         ;;
     check)

@@ -2,7 +2,11 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "core/base/error.h"
+#include "theory/solved.h"
 
 /* Friction at rest over that in motion, at most, and the drag of a reel whose brake is let go, N: usual on sites, no
  * standard says. */
@@ -11,26 +15,85 @@ static const double REST_MOST = 1.5, BACK_MOST = 1000;
 static const double REEL_LENGTH = 15;
 /* How far an unknown friction is followed, as factors. */
 static const double UNKNOWN_LEAST = 1.0 / 16, UNKNOWN_MOST = 16;
+static const char RADIUS_NAME[] = "radius at changes of slope";
+/* In which steps a wider radius is looked for, and how many of them: up to three hundred times. */
+static const double RADIUS_STEP = 1.25;
+enum { RADIUS_STEPS = 26 };
+static const double SEAM = 1e-6; /* m between two lengths of duct, which is none */
 /* Halvings between an end that holds and one that does not: to a four thousandth of what is between them. */
 enum { HALVINGS = 12 };
 
 /* ------------------------------------------------------------------------------------------ what is left open */
 
-/* A friction of the definition, and where it is from. */
+/* A friction of the definition, where it is from, and by which key it is given. */
 typedef struct Law {
-    FrictionLaw *law;
-    const FrictionKnown *known;
+    double *moving, *rest;
+    FrictionKnown known;
+    char key[ASSUMED_KEY_MAX];
 } Law;
 
-/* Finds the i-th friction; 0: there are no more. */
+/* By the order in which lists of surfaces are read. */
+static int surface_list(const SurfaceDef *s)
+{
+    return s->shape.kind == SURFACE_DUCT ? 0 : surface_along_route(s) ? 1 : 2;
+}
+
+static Law law_of(FrictionLaw *law, const FrictionKnown *known)
+{
+    return (Law){&law->mu_d, &law->mu_s, *known, "friction"};
+}
+
+void surface_key(const SceneDef *def, int i, const char *of, char key[ASSUMED_KEY_MAX])
+{
+    static const char *const lists[] = {"ducts", "trays", "planes"};
+    const int list = surface_list(&def->surfaces[i]);
+    int place = 0;
+    for (int k = 0; k < i; ++k) place += surface_list(&def->surfaces[k]) == list;
+    snprintf(key, ASSUMED_KEY_MAX, "surfaces.%s.%d.%s", lists[list], place, of);
+}
+
+static Law law_of_surface(SceneDef *def, int i)
+{
+    SurfaceDef *const s = &def->surfaces[i];
+    Law law = law_of(&s->friction, &s->friction_known);
+    if (s->friction_known.own) surface_key(def, i, "friction", law.key);
+    return law;
+}
+
+static Law law_of_stretch(TheoryDef *theory, int i)
+{
+    TheoryFrictionDef *const f = &theory->friction[i];
+    Law law = {&f->mu, &f->mu_s, {.source = FRICTION_GIVEN, .rest_assumed = f->rest_assumed}, ""};
+    snprintf(law.key, sizeof law.key, "theory.stretches.%d", i);
+    return law;
+}
+
+/* Finds the i-th friction: the case's, surfaces', those for theory alone, rollers'; 0: there are no more. */
 static int law_at(SceneDef *def, int i, Law *out)
 {
-    if (i == 0) *out = (Law){&def->friction, &def->friction_known};
-    if (i >= 1 && i <= def->n_rollers) *out = (Law){&def->rollers[i - 1].friction, &def->rollers[i - 1].friction_known};
-    const int s = i - 1 - def->n_rollers;
-    if (s >= def->n_surfaces) return 0;
-    if (s >= 0) *out = (Law){&def->surfaces[s].friction, &def->surfaces[s].friction_known};
+    if (i-- == 0) return *out = law_of(&def->friction, &def->friction_known), 1;
+    if (i < def->n_surfaces) return *out = law_of_surface(def, i), 1;
+    i -= def->n_surfaces;
+    if (i < def->theory.n_friction) return *out = law_of_stretch(&def->theory, i), 1;
+    i -= def->theory.n_friction;
+    if (i >= def->n_rollers) return 0;
+    *out = law_of(&def->rollers[i].friction, &def->rollers[i].friction_known);
     return 1;
+}
+
+/* Whether theory reckons with the i-th friction: the case's where no duct and no tray is, a surface's where that is,
+ * both where no other is given for theory alone. */
+static int is_used(const Setup *setup, int i)
+{
+    const SceneDef *const def = setup->def;
+    const Supports *const map = &setup->supports;
+    double covered = 0;
+    if (i > def->n_surfaces) return i <= def->n_surfaces + def->theory.n_friction;
+    if (friction_is_given(setup, NAN)) return 0;
+    if (i > 0) return surface_along_route(&def->surfaces[i - 1]);
+    for (int k = 0; k < map->n_along && map->along[k]->shape.from <= covered + SEAM; ++k)
+        covered = fmax(covered, map->along[k]->shape.to);
+    return covered < setup->route->length - SEAM;
 }
 
 static int is_of(AssumedKind kind, const FrictionKnown *known)
@@ -40,23 +103,64 @@ static int is_of(AssumedKind kind, const FrictionKnown *known)
 }
 
 /* Finds the largest friction that is assumed in that way; NULL: none is. */
-static const Law *largest(SceneDef *def, AssumedKind kind, Law *out)
+static const Law *largest(const Setup *setup, AssumedKind kind, Law *out)
 {
-    Law law;
+    SceneDef *const own = (SceneDef *)(size_t)setup->def; /* read alone */
     const Law *found = NULL;
-    for (int i = 0; law_at(def, i, &law); ++i) {
-        if (!is_of(kind, law.known) || (found && law.law->mu_d <= out->law->mu_d)) continue;
+    Law law;
+    for (int i = 0; law_at(own, i, &law); ++i) {
+        if (!is_of(kind, &law.known) || !is_used(setup, i) || (found && *law.moving <= *out->moving)) continue;
         *out = law;
         found = out;
     }
     return found;
 }
 
+int frictions_used(const Setup *setup, int most, FrictionUsed out[])
+{
+    SceneDef *const own = (SceneDef *)(size_t)setup->def; /* read alone */
+    Law law;
+    int n = 0;
+    for (int i = 0; n < most && law_at(own, i, &law); ++i) {
+        int known = !is_used(setup, i);
+        for (int k = 0; k < n; ++k) known |= !strcmp(out[k].key, law.key);
+        if (known) continue;
+        out[n] = (FrictionUsed){*law.moving, *law.rest, law.known.rest_assumed, ""};
+        memcpy(out[n++].key, law.key, sizeof law.key);
+    }
+    return n;
+}
+
+int route_rounds_slope(const Route *route, int piece)
+{
+    int listed = 0;
+    for (int k = 0; k < route->n; ++k) listed |= route->piece[k].listed > 0;
+    return listed && !route->piece[piece].listed && route->piece[piece].kind != ROUTE_STRAIGHT;
+}
+
+/* The smallest radius of changes of slope that the case does not give, m; INFINITY: there are none. */
+static double open_radius(const Setup *setup)
+{
+    const Route *const route = setup->route;
+    double least = INFINITY;
+    for (int p = 0; setup->def->slopes_open && p < route->n; ++p)
+        if (route_rounds_slope(route, p)) least = fmin(least, route->piece[p].radius);
+    return least;
+}
+
 /* Whether nothing in the case gives the tension where the pull begins. */
-static int back_is_open(const SceneDef *def)
+static int start_is_open(const SceneDef *def)
 {
     return !def->tail.given && def->reel.model == REEL_NONE && !(def->theory.reel > 0) && !(def->theory.feed > 0) &&
            def->strand.rope == 0;
+}
+
+/* The first pit that leaves open what holds back there; -1: none does. */
+static int open_pit(const TheoryDef *theory)
+{
+    for (int i = 0; i < theory->n_pits; ++i)
+        if (theory->pits[i].open) return i;
+    return -1;
 }
 
 /* N: a reel that is braked by hand, or the paper's, whichever is more. */
@@ -67,36 +171,53 @@ static double back_most(const SceneDef *def)
     return fmax(BACK_MOST, REEL_LENGTH * mass * v3_norm(def->gravity));
 }
 
-int assumed_list(const SceneDef *def, Assumed out[ASSUMED_KINDS])
+/* A friction's line; what follows its key in the case. */
+static Assumed friction_line(const Law *law, AssumedKind kind, const char *name, const char *key)
 {
-    SceneDef *const own = (SceneDef *)(size_t)def; /* read alone */
+    Assumed a = {.kind = kind, .name = name, .unit = "1", .value = *law->moving, .low = NAN, .high = NAN};
+    snprintf(a.key, sizeof a.key, "%.40s.%s", law->key, key);
+    return a;
+}
+
+int assumed_list(const Setup *setup, Assumed out[ASSUMED_KINDS])
+{
+    const SceneDef *const def = setup->def;
+    const int pit = open_pit(&def->theory);
+    const double radius = open_radius(setup);
     Law law;
     int n = 0;
-    if (largest(own, ASSUMED_FRICTION, &law)) {
-        out[n] = (Assumed){ASSUMED_FRICTION, "friction",      "1", "friction.mu", law.law->mu_d,
-                           law.known->low,   law.known->high, ""};
-        snprintf(out[n++].source, sizeof out->source, "%s", law.known->of);
+    if (isfinite(radius)) {
+        out[n] = (Assumed){.kind = ASSUMED_RADIUS,
+                           .name = RADIUS_NAME,
+                           .unit = "m",
+                           .value = radius,
+                           .low = NAN,
+                           .high = NAN,
+                           .key = "route.transition_radius"};
+        snprintf(out[n++].source, sizeof out->source, "20 diameters, or limits.bend_radius");
     }
-    if (largest(own, ASSUMED_UNKNOWN, &law))
-        out[n++] = (Assumed){ASSUMED_UNKNOWN, "friction", "1", "friction.mu", law.law->mu_d, NAN, NAN, "not given"};
-    if (largest(own, ASSUMED_REST, &law) && law.law->mu_d > 0)
-        out[n++] = (Assumed){ASSUMED_REST,
-                             "friction at rest",
-                             "1",
-                             "friction.mu_s",
-                             law.law->mu_s,
-                             law.law->mu_d,
-                             REST_MOST * law.law->mu_d,
-                             "1 to 1.5 times that in motion"};
-    if (back_is_open(def))
-        out[n++] = (Assumed){ASSUMED_BACK,
-                             "back tension",
-                             "N",
-                             "drive.tail.tension",
-                             0,
-                             0,
-                             back_most(def),
-                             "a reel that turns freely to one that holds back 15 m of cable"};
+    if (largest(setup, ASSUMED_FRICTION, &law)) {
+        out[n] = friction_line(&law, ASSUMED_FRICTION, "friction", "mu");
+        out[n].low = law.known.low;
+        out[n].high = law.known.high;
+        snprintf(out[n++].source, sizeof out->source, "%s", law.known.of);
+    }
+    if (largest(setup, ASSUMED_UNKNOWN, &law)) {
+        out[n] = friction_line(&law, ASSUMED_UNKNOWN, "friction", "mu");
+        snprintf(out[n++].source, sizeof out->source, "not given");
+    }
+    if (largest(setup, ASSUMED_REST, &law) && *law.moving > 0) {
+        out[n] = friction_line(&law, ASSUMED_REST, "friction at rest", "mu_s");
+        out[n].value = *law.rest;
+        out[n].low = *law.moving;
+        out[n].high = REST_MOST * *law.moving;
+        snprintf(out[n++].source, sizeof out->source, "1 to 1.5 times that in motion");
+    }
+    if (start_is_open(def) || pit >= 0) {
+        out[n] = (Assumed){.kind = ASSUMED_BACK, .name = "back tension", .unit = "N", .high = back_most(def)};
+        snprintf(out[n].key, sizeof out->key, start_is_open(def) ? "drive.tail.tension" : "theory.pits.%d.back", pit);
+        snprintf(out[n++].source, sizeof out->source, "a reel that turns freely to one that holds back 15 m of cable");
+    }
     return n;
 }
 
@@ -108,37 +229,54 @@ static void friction_set(SceneDef *def, const Assumed *a, double x)
     Law law;
     const double end = x < a->value ? a->low : a->high, part = end != a->value ? (x - a->value) / (end - a->value) : 0;
     for (int i = 0; law_at(def, i, &law); ++i) {
-        FrictionLaw *const f = law.law;
-        if (!is_of(a->kind, law.known)) continue;
-        double mu = a->kind == ASSUMED_REST ? f->mu_d : f->mu_d * x / a->value;
-        if (a->kind == ASSUMED_FRICTION)
-            mu = f->mu_d + part * ((x < a->value ? law.known->low : law.known->high) - f->mu_d);
-        const double at_rest = a->kind == ASSUMED_REST ? x / a->low : f->mu_d > 0 ? f->mu_s / f->mu_d : 1;
-        f->mu_s = mu * at_rest;
-        f->mu_d = mu;
+        if (!is_of(a->kind, &law.known)) continue;
+        const double was = *law.moving;
+        double mu = a->kind == ASSUMED_REST ? was : was * x / a->value;
+        if (a->kind == ASSUMED_FRICTION) mu = was + part * ((x < a->value ? law.known.low : law.known.high) - was);
+        const double at_rest = a->kind == ASSUMED_REST ? x / a->low : was > 0 ? *law.rest / was : 1;
+        *law.rest = mu * at_rest;
+        *law.moving = mu;
     }
-    for (int i = 0; i < def->theory.n_friction && a->kind == ASSUMED_REST; ++i) {
-        TheoryFrictionDef *const f = &def->theory.friction[i];
-        if (f->rest_assumed) f->mu_s = f->mu * x / a->low;
-    }
+}
+
+/* Where the pull begins and where it is begun anew, of all cables together. */
+static void back_set(SceneDef *def, double x)
+{
+    const double all = x * bundle_tails(&def->bundle);
+    if (start_is_open(def)) def->tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = all};
+    for (int i = 0; i < def->theory.n_pits; ++i)
+        if (def->theory.pits[i].open) def->theory.pits[i].force = all;
 }
 
 /* A case that is varied, and the limits that are judged by it. */
 typedef struct Trial {
     const Setup *setup;
     const Calculator *base;
-    int ways, bounds, n; /* bounds: they are sought */
+    const Variation *by;        /* of the case; NULL: it is as it is */
+    int first, ways, bounds, n; /* from the first way to `ways`; bounds: they are sought */
     hawser_limit *const *limit;
     hawser_error *err;
 } Trial;
 
-/* Theory of the case with that value; *c is to be freed by calculator_free in any case, before *setup and *expected. */
-static hawser_status solve(const Trial *t, const SceneDef *def, Setup *setup, Expected *expected, Calculator *c)
+/* Theory of a case, and of it as it is changed; both are to be freed by both_free in any case. */
+typedef struct Both {
+    Solved whole;
+    Calculator varied, *c; /* c: the one that was asked for */
+} Both;
+
+static hawser_status solve(const Trial *t, const SceneDef *own, Both *s)
 {
-    hawser_status status = setup_make(def, setup, t->err);
-    setup->company = t->setup->company;
-    if (!status) status = expected_fill(setup, 0, NULL, expected, t->err);
-    return status ? status : calculator_build(setup, expected, t->ways == 1, c, t->err);
+    *s = (Both){.c = &s->whole.c};
+    const hawser_status status = solved_make(own, &t->setup->company, t->ways == 1, &s->whole, t->err);
+    if (status || !t->by) return status;
+    s->c = &s->varied;
+    return calculator_vary(&s->whole.setup, &s->whole.c, t->by, &s->varied, t->err);
+}
+
+static void both_free(Both *s)
+{
+    calculator_free(&s->varied);
+    solved_free(&s->whole);
 }
 
 /* The value of a limit when theory's goes from `was` to `is`, and whether it still holds. A run's value changes with
@@ -166,40 +304,37 @@ typedef struct Effect {
     double value[HAWSER_LIMITS_MAX];
 } Effect;
 
-static void value_set(SceneDef *def, const Assumed *a, double x)
+void assumed_set(SceneDef *def, const Assumed *a, double x)
 {
-    if (a->kind != ASSUMED_BACK) friction_set(def, a, x);
     if (a->kind == ASSUMED_BACK)
-        def->tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = x * bundle_tails(&def->bundle)};
+        back_set(def, x);
+    else
+        friction_set(def, a, x);
 }
 
-/* Computes all limits with the assumed value x of one, or (x NAN) with all `count` of them at their upper ends. */
-static hawser_status effect_of(const Trial *t, int count, const Assumed *a, double x, Effect effect[PLAN_WAYS])
+/* Computes all limits with the values x[count] of what is assumed; NAN: as it was taken. */
+static hawser_status effect_of(const Trial *t, int count, const Assumed *a, const double *x, Effect effect[PLAN_WAYS])
 {
     SceneDef def;
-    Setup setup = {0};
-    Expected expected = {0};
-    Calculator c = {0};
+    Both other;
     hawser_status status = scene_def_copy(t->setup->def, &def, t->err);
     if (status) return status;
+    int scales = 0; /* friction is among them */
     for (int k = 0; k < count; ++k) {
-        const double end = isnan(x) ? a[k].high : x;
-        if (!isnan(end)) value_set(&def, &a[k], end);
+        if (isnan(x[k])) continue;
+        assumed_set(&def, &a[k], x[k]);
+        scales |= a[k].kind != ASSUMED_BACK;
     }
-    status = solve(t, &def, &setup, &expected, &c);
-    for (int way = 0; way < t->ways && !status; ++way) {
+    status = solve(t, &def, &other);
+    for (int way = t->first; way < t->ways && !status; ++way) {
         for (int i = 0; i < t->n; ++i) {
             const hawser_limit *const l = &t->limit[way][i], *const was = limit_of(t->base, way, l->kind),
-                                      *const is = limit_of(&c, way, l->kind);
+                                      *const is = limit_of(other.c, way, l->kind);
             effect[way].value[i] = l->value;
-            effect[way].holds[i] =
-                !was || !is || limit_holds(l, was, is, a->kind != ASSUMED_BACK, &effect[way].value[i]);
+            effect[way].holds[i] = !was || !is || limit_holds(l, was, is, scales, &effect[way].value[i]);
         }
     }
-    calculator_free(&c);
-    expected_free(&expected);
-    setup_free(&setup);
-    scene_def_clear(&def);
+    both_free(&other);
     return status;
 }
 
@@ -226,7 +361,7 @@ static hawser_status bound_find(const Trial *t, const Assumed *a, int way, const
         Effect effect[PLAN_WAYS];
         const double middle = (holds + fails) / 2;
         int all = 1;
-        const hawser_status status = effect_of(t, 1, a, middle, effect);
+        const hawser_status status = effect_of(t, 1, a, &middle, effect);
         if (status) return status;
         for (int i = 0; i < t->n; ++i) all &= !asked[i] || effect[way].holds[i];
         *(all ? &holds : &fails) = middle;
@@ -247,8 +382,8 @@ static double *bound_at(hawser_limit *l, AssumedKind kind, int least)
 static hawser_status end_judge(const Trial *t, const Assumed *a, double end)
 {
     Effect effect[PLAN_WAYS];
-    hawser_status status = effect_of(t, 1, a, end, effect);
-    for (int way = 0; way < t->ways && !status; ++way) {
+    hawser_status status = effect_of(t, 1, a, &end, effect);
+    for (int way = t->first; way < t->ways && !status; ++way) {
         int broken[HAWSER_LIMITS_MAX];
         double bound = a->value; /* it holds there */
         if (broken_at(t, way, effect, broken) && t->bounds)
@@ -269,9 +404,10 @@ static hawser_status end_judge(const Trial *t, const Assumed *a, double end)
 static hawser_status unknown_judge(const Trial *t, const Assumed *a)
 {
     Effect least[PLAN_WAYS], most[PLAN_WAYS];
-    hawser_status status = effect_of(t, 1, a, UNKNOWN_LEAST * a->value, least);
-    if (!status) status = effect_of(t, 1, a, UNKNOWN_MOST * a->value, most);
-    for (int way = 0; way < t->ways && !status; ++way) {
+    const double little = UNKNOWN_LEAST * a->value, much = UNKNOWN_MOST * a->value;
+    hawser_status status = effect_of(t, 1, a, &little, least);
+    if (!status) status = effect_of(t, 1, a, &much, most);
+    for (int way = t->first; way < t->ways && !status; ++way) {
         int asked[HAWSER_LIMITS_MAX], any = 0, fails = 0, least_holds = 1, now_holds = 1;
         double to = INFINITY;
         for (int i = 0; i < t->n; ++i) {
@@ -286,8 +422,7 @@ static hawser_status unknown_judge(const Trial *t, const Assumed *a)
         }
         if (!any) continue;
         if (fails && t->bounds && (least_holds || now_holds))
-            status = bound_find(t, a, way, asked, (least_holds ? UNKNOWN_LEAST : 1) * a->value, UNKNOWN_MOST * a->value,
-                                &to);
+            status = bound_find(t, a, way, asked, least_holds ? little : a->value, much, &to);
         for (int i = 0; i < t->n && !status; ++i) {
             hawser_limit *const l = &t->limit[way][i];
             if (!asked[i]) continue;
@@ -305,12 +440,122 @@ static hawser_status unknown_judge(const Trial *t, const Assumed *a)
     return status;
 }
 
+/* Changes of slope that become wider, one way. */
+typedef struct Rounding {
+    Trial *t;
+    int way, count;     /* count: of what else is assumed */
+    const Assumed *all; /* [count] */
+    double *radii;      /* [pieces] factors, which t->by has */
+    Effect with;        /* what was found last with the rest as it was taken */
+} Rounding;
+
+/* Whether all limits hold with the rest as it was taken, and those that are broken at the ends of that too; *fits: the
+ * route has room for them. */
+static hawser_status slopes_hold(Rounding *r, double factor, int *fits, int *holds)
+{
+    const Trial *const t = r->t;
+    const Route *const route = t->setup->route;
+    Effect effect[PLAN_WAYS];
+    for (int p = 0; p < route->n; ++p) r->radii[p] = route_rounds_slope(route, p) ? factor : 1;
+    *fits = *holds = 1;
+    for (int k = -1; k < r->count && *holds; ++k) {
+        const Assumed *const a = k < 0 ? NULL : &r->all[k];
+        if (a && !(a->high > a->value)) continue;
+        const hawser_status status = effect_of(t, a != NULL, a, a ? &a->high : NULL, effect);
+        if (status == HAWSER_ERR_INPUT) *fits = *holds = 0;
+        if (status) return status == HAWSER_ERR_INPUT ? HAWSER_OK : status;
+        if (!a) r->with = effect[r->way];
+        for (int i = 0; i < t->n && *holds; ++i) {
+            const hawser_limit *const l = &t->limit[r->way][i];
+            *holds = !l->judged || effect[r->way].holds[i] || (a && l->ok);
+        }
+    }
+    return HAWSER_OK;
+}
+
+static void radius_asked(hawser_limit *l, const Assumed *a, double radius, double value)
+{
+    const int at_least = l->kind == HAWSER_LIMIT_BEND_RADIUS, broken = !l->ok;
+    if (!broken && !(at_least && value > l->value)) return;
+    if (broken) {
+        l->assumed = a->name;
+        l->slope_radius_least = radius;
+        l->worst = l->value;
+    }
+    l->ok = 1;
+    l->value = value;
+    l->margin = fmax(0, at_least ? 1 - l->limit / value : 1 - value / l->limit);
+}
+
+/* Finds the least radius with which no limit of the way is broken, if wider changes of slope mend all that are; *found:
+ * the radii are that wide then. */
+static hawser_status slopes_judge(Rounding *r, const Assumed *a, int *found)
+{
+    const Trial *const t = r->t;
+    double broken = 1, factor = 1;
+    int fits = 1, holds = 0, any = 0;
+    *found = 0;
+    for (int i = 0; i < t->n; ++i) any |= t->limit[r->way][i].judged && !t->limit[r->way][i].ok;
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; any && k < RADIUS_STEPS && fits && !holds && !status; ++k) {
+        broken = factor;
+        factor *= RADIUS_STEP;
+        status = slopes_hold(r, factor, &fits, &holds);
+    }
+    if (status || !holds) return status;
+    for (int k = 0; k < HALVINGS && !status; ++k) {
+        const double middle = (broken + factor) / 2;
+        status = slopes_hold(r, middle, &fits, &holds);
+        *(holds ? &factor : &broken) = middle;
+    }
+    if (!status) status = slopes_hold(r, factor, &fits, found);
+    for (int i = 0; i < t->n && *found; ++i)
+        if (t->limit[r->way][i].judged) radius_asked(&t->limit[r->way][i], a, factor * a->value, r->with.value[i]);
+    return status;
+}
+
 /* Whether a limit is broken as the case is: then no end of a range changes the word. */
 static int is_broken(const Trial *t)
 {
     for (int i = 0; i < t->n; ++i)
         if (t->limit[0][i].judged && !t->limit[0][i].ok) return 1;
     return 0;
+}
+
+/* Bounds of several are each found with the others as they were taken. So that all may be at theirs at once, they go
+ * the same share of the way from the values taken, as far as all limits hold. */
+static hawser_status bounds_join(const Trial *t, int count, const Assumed all[], int way)
+{
+    double bound[ASSUMED_KINDS], share = 1, holds = 0, fails = 1, x[ASSUMED_KINDS] = {0};
+    int bounded = 0;
+    for (int k = 0; k < count; ++k) {
+        bound[k] = NAN;
+        for (int i = 0; i < t->n; ++i) {
+            hawser_limit *const l = &t->limit[way][i];
+            if (l->judged && l->ok) bound[k] = fmin(bound[k], *bound_at(l, all[k].kind, 0));
+        }
+        bounded += !isnan(bound[k]);
+    }
+    for (int step = 0; step <= HALVINGS && bounded > 1; ++step) {
+        Effect effect[PLAN_WAYS];
+        int broken[HAWSER_LIMITS_MAX];
+        for (int k = 0; k < count; ++k) x[k] = all[k].value + share * (bound[k] - all[k].value);
+        const hawser_status status = effect_of(t, count, all, x, effect);
+        if (status) return status;
+        if (!broken_at(t, way, effect, broken))
+            holds = share;
+        else
+            fails = share;
+        if (holds == 1) return HAWSER_OK;
+        share = (holds + fails) / 2;
+    }
+    for (int k = 0; k < count && bounded > 1; ++k) {
+        for (int i = 0; i < t->n; ++i) {
+            double *const own = bound_at(&t->limit[way][i], all[k].kind, 0);
+            if (!isnan(*own)) *own = fmin(*own, all[k].value + holds * (bound[k] - all[k].value));
+        }
+    }
+    return HAWSER_OK;
 }
 
 /* Judges by a theory that is solved. */
@@ -324,44 +569,109 @@ static hawser_status judge(const Trial *t, int count, const Assumed all[])
         if (!status && a->low < a->value) status = end_judge(t, a, a->low);
         if (!status && a->high > a->value) status = end_judge(t, a, a->high);
     }
+    for (int way = t->first; way < t->ways && t->bounds && !status; ++way) status = bounds_join(t, count, all, way);
     return status;
+}
+
+/* The same by theory that it solves itself, of a case that `by` changes. */
+static hawser_status own_judge(const Trial *t, const Variation *by, int count, const Assumed all[])
+{
+    Trial own = *t;
+    Both both;
+    SceneDef def;
+    hawser_status status = scene_def_copy(t->setup->def, &def, t->err);
+    if (status) return status;
+    own.by = by;
+    status = solve(&own, &def, &both);
+    own.base = both.c;
+    if (!status) status = judge(&own, count, all);
+    both_free(&both);
+    return status;
+}
+
+/* The radius of changes of slope comes first: where it is found all else is judged with it, way by way. */
+static hawser_status rounded_judge(const Trial *t, int count, const Assumed all[])
+{
+    hawser_status status = HAWSER_OK;
+    double *const radii = malloc(((size_t)t->setup->route->n + 1) * sizeof *radii);
+    if (!radii) return error_memory(t->err);
+    for (int way = t->first; way < t->ways && !status; ++way) {
+        const Variation by = {.way = way, .friction = 1, .radius = 1, .bend = -1, .radii = radii};
+        Trial one = *t;
+        int found;
+        one.first = way;
+        one.ways = way + 1;
+        one.by = &by;
+        Rounding rounding = {.t = &one, .way = way, .count = count - 1, .all = all + 1, .radii = radii};
+        status = slopes_judge(&rounding, all, &found);
+        rounding.count = 0; /* if that asks too much: with the rest as it was taken */
+        if (!status && !found && count > 1) status = slopes_judge(&rounding, all, &found);
+        one.by = NULL;
+        if (!status) status = found ? own_judge(&one, &by, count - 1, all + 1) : judge(&one, count - 1, all + 1);
+    }
+    free(radii);
+    return status;
+}
+
+static hawser_status all_judge(const Trial *t, int count, const Assumed all[])
+{
+    return all->kind == ASSUMED_RADIUS ? rounded_judge(t, count, all) : judge(t, count, all);
 }
 
 hawser_status assumed_judge(const Setup *setup, const Calculator *base, int ways, int bounds, int n,
                             hawser_limit *const limit[], hawser_error *err)
 {
-    Trial t = {setup, base, ways, bounds, n, limit, err};
+    Trial t = {setup, base, NULL, 0, ways, bounds, n, limit, err};
     Assumed all[ASSUMED_KINDS];
-    Setup own = {0};
-    Expected expected = {0};
-    Calculator c = {0};
-    const int count = n > 0 ? assumed_list(setup->def, all) : 0;
-    hawser_status status = HAWSER_OK;
-    if (count == 0) return status;
-    if (!base) status = solve(&t, setup->def, &own, &expected, &c);
-    if (!base) t.base = &c;
-    if (!status) status = judge(&t, count, all);
-    calculator_free(&c);
-    expected_free(&expected);
-    setup_free(&own);
+    const int count = n > 0 ? assumed_list(setup, all) : 0;
+    if (count == 0) return HAWSER_OK;
+    if (base) return all_judge(&t, count, all);
+    Both own;
+    SceneDef def;
+    hawser_status status = scene_def_copy(setup->def, &def, err);
+    if (status) return status;
+    status = solve(&t, &def, &own);
+    t.base = own.c;
+    if (!status) status = all_judge(&t, count, all);
+    both_free(&own);
     return status;
+}
+
+hawser_status assumed_judge_varied(const Setup *setup, const Variation *by, int n, hawser_limit *limit,
+                                   hawser_error *err)
+{
+    hawser_limit *const both[PLAN_WAYS] = {limit, limit};
+    const Trial t = {setup, NULL, NULL, by->way, by->way + 1, 1, n, both, err};
+    Assumed all[ASSUMED_KINDS];
+    const int count = assumed_list(setup, all);
+    int kept = 0;
+    for (int k = 0; k < count; ++k) {
+        const int is_friction = all[k].kind == ASSUMED_FRICTION || all[k].kind == ASSUMED_UNKNOWN;
+        if (all[k].kind != ASSUMED_RADIUS && !(is_friction && by->friction != 1)) all[kept++] = all[k];
+    }
+    return kept > 0 && n > 0 ? own_judge(&t, by, kept, all) : HAWSER_OK;
 }
 
 hawser_status assumed_together(const Setup *setup, const Calculator *base, int way, hawser_limit out[HAWSER_LIMITS_MAX],
                                hawser_error *err)
 {
     hawser_limit other[HAWSER_LIMITS_MAX], *limit[PLAN_WAYS] = {other, other};
-    const Trial t = {setup, base, PLAN_WAYS, 0, base->n_limits, limit, err};
+    const Trial t = {setup, base, NULL, 0, PLAN_WAYS, 0, base->n_limits, limit, err};
     Assumed all[ASSUMED_KINDS];
     Effect effect[PLAN_WAYS];
-    const int count = assumed_list(setup->def, all);
+    const int count = assumed_list(setup, all);
     for (int i = 0; i < t.n; ++i) out[i] = base->limit[way][i];
     limit[way] = out;
     memcpy(other, base->limit[!way], sizeof other);
-    const hawser_status status = effect_of(&t, count, all, NAN, effect);
+    double high[ASSUMED_KINDS] = {0};
+    for (int k = 0; k < count; ++k) high[k] = all[k].high;
+    const hawser_status status = effect_of(&t, count, all, high, effect);
     for (int i = 0; i < t.n && !status; ++i) {
+        const double taken = out[i].worst, with = out[i].value;
+        const int asks = !isnan(out[i].slope_radius_least); /* `taken` is with the radius that was taken, too */
         out[i].ok = effect[way].holds[i];
         out[i].value = effect[way].value[i];
+        if (asks) out[i].ok = (out[i].value *= with / taken) <= out[i].limit;
     }
     return status;
 }

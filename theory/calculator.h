@@ -96,6 +96,8 @@ hawser_status calculator_judge(const Setup *setup, Calculator *c, hawser_error *
 int guide_stands_outside(const Route *route, const RollerDef *guide);
 /* Fills `known` and `limp` of one that is solved: calculator_known.c. Errors: as plan_build. */
 hawser_status calculator_know(const Setup *setup, Calculator *c, hawser_error *err);
+/* Whether the case gives friction for theory alone at s (m along the route), or along all of it if that is NAN. */
+int friction_is_given(const Setup *setup, double s);
 /* Whether the cable sags too far where nothing carries it (T29), into a condition that holds: gaps.c. Errors: as
  * plan_build. */
 hawser_status gaps_judge(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err);

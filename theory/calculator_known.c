@@ -58,8 +58,7 @@ static hawser_status supported_by(const Setup *setup, const Calculator *c, hawse
     return status || !result->holds ? status : crossing_judge(setup, result, err);
 }
 
-/* Whether the case gives friction for theory alone at s, or along the whole route if that is not known (NAN). */
-static int friction_given(const Setup *setup, double s)
+int friction_is_given(const Setup *setup, double s)
 {
     const TheoryDef *const theory = &setup->def->theory;
     double given = 0;
@@ -115,13 +114,13 @@ static hawser_condition friction_of(const Setup *setup, double lightest)
     Rough rough[2] = {{given[0], "", 0}, {given[1], "", 0}};
     for (int r = 0; r < def->n_rollers; ++r) {
         const RollerDef *const roller = &def->rollers[r];
-        if (!friction_given(setup, roller->s))
+        if (!friction_is_given(setup, roller->s))
             friction_take(&roller->friction, wedge_of(roller), bearing_friction(setup, lightest, r), roller->name,
                           rough);
     }
     for (int k = 0; k < def->n_surfaces; ++k) {
         const SurfaceDef *const surface = &def->surfaces[k];
-        if (!surface_along_route(surface) && !friction_given(setup, NAN))
+        if (!surface_along_route(surface) && !friction_is_given(setup, NAN))
             friction_take(&surface->friction, 1, INFINITY, surface->name, rough);
     }
     /* friction from rest is named where that alone is too large */

@@ -6,18 +6,109 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "theory/assumed.h"
+#include "theory/solved.h"
 
 static const double SPARE = 1.001;             /* by which a bend is made wider than it must be */
 static const double FARTHEST = 1000;           /* times as wide: no bend is made wider */
 static const double STEP = 0.85, LEAST = 0.02; /* of friction, which is looked for down to that share */
 
+/* ---------------------------------------------------------------------------------------------------------- ducts */
+
+static const double WIDEST = 8, DUCT_STEP = 1.005; /* times the diameter: how far, and in which steps it is looked */
+
+static int is_duct_limit(hawser_limit_kind kind)
+{
+    return kind == HAWSER_LIMIT_JAM_RATIO || kind == HAWSER_LIMIT_CLEARANCE || kind == HAWSER_LIMIT_FILL ||
+           kind == HAWSER_LIMIT_WEIGHT_CORRECTION;
+}
+
+/* Whether a duct's own limits hold with that inside diameter. */
+static int duct_holds(const SceneDef *def, const SurfaceDef *duct, double diameter)
+{
+    SurfaceDef other = *duct;
+    DuctLoad load;
+    Finding finding[LIMIT_KINDS];
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    int holds = 1;
+    other.bore = diameter / 2;
+    if (bundle_in(def, &other, &load, NULL)) return 0;
+    for (int k = 0; k < LIMIT_KINDS; ++k) finding[k] = (Finding){.absent = 1};
+    limits_duct(&def->limits, bundle_cables_in(def, duct), duct->name, &load, finding);
+    const int n = limits_judge(&def->limits, bundle_diameter(def), bundle_pulled(def), finding, limit);
+    for (int i = 0; i < n; ++i) holds &= !is_duct_limit(limit[i].kind) || !limit[i].judged || limit[i].ok;
+    return holds;
+}
+
+/* The diameter at which that changes, between two: on the side of `holds`. */
+static double duct_end(const SceneDef *def, const SurfaceDef *duct, double holds, double fails)
+{
+    for (int i = 0; i < 40; ++i) {
+        const double middle = (holds + fails) / 2;
+        *(duct_holds(def, duct, middle) ? &holds : &fails) = middle;
+    }
+    return holds;
+}
+
+int mend_duct(const SceneDef *def, int surface, MendDuct *out)
+{
+    const SurfaceDef *const duct = &def->surfaces[surface];
+    const double now = 2 * (duct->bore > 0 ? duct->bore : duct->shape.radius), narrowest = bundle_diameter(def);
+    double wide = WIDEST * now, narrow = now;
+    *out = (MendDuct){surface, now, NAN, INFINITY};
+    if (duct_holds(def, duct, wide)) { /* down from where it is certain: a little wider it may not hold again */
+        while (wide > now && duct_holds(def, duct, wide / DUCT_STEP)) wide /= DUCT_STEP;
+        out->least = duct_end(def, duct, wide, wide / DUCT_STEP);
+        return 1;
+    }
+    while (narrow > narrowest && !duct_holds(def, duct, narrow)) narrow /= DUCT_STEP;
+    if (!(narrow > narrowest)) return 0;
+    out->most = duct_end(def, duct, narrow, narrow * DUCT_STEP);
+    while (narrow > narrowest && duct_holds(def, duct, narrow)) narrow /= DUCT_STEP;
+    out->least = duct_end(def, duct, narrow * DUCT_STEP, narrow);
+    return 1;
+}
+
+/* Up to three digits. */
+static double round_up(double x)
+{
+    const double step = pow(10, floor(log10(x)) - 2);
+    return ceil(x / step - 1e-9) * step;
+}
+
+/* Finds other diameters for the ducts that need them, and puts them into a copy of the definition.
+ */
+static hawser_status ducts_change(const Setup *setup, Mend *out, SceneDef *def, hawser_error *err)
+{
+    const hawser_status status = scene_def_copy(setup->def, def, err);
+    for (int i = 0; i < def->n_surfaces && !status && out->n_ducts < MEND_DUCTS_MAX; ++i) {
+        SurfaceDef *const duct = &def->surfaces[i];
+        MendDuct *const m = &out->duct[out->n_ducts];
+        const double now = 2 * (duct->bore > 0 ? duct->bore : duct->shape.radius);
+        if (duct->shape.kind != SURFACE_DUCT || duct_holds(setup->def, duct, now)) continue;
+        if (!mend_duct(setup->def, i, m)) continue;
+        out->n_ducts++;
+        duct->bore = (m->least > m->now ? round_up(m->least) : m->most) / 2;
+    }
+    return status;
+}
+
+/* ---------------------------------------------------------------------------------------------------------- bends */
+
+/* The case as it is, and with each of what is assumed at its upper end: what mends them all is sure. */
+enum { ENDS_MAX = 1 + ASSUMED_KINDS };
+
 /* A pull with other radii and friction. */
 typedef struct Trial {
-    const Setup *setup;
-    const Calculator *base;
+    int n; /* of the ends that are asked: the first alone, or all */
+    const Setup *setup[ENDS_MAX];
+    const Calculator *base[ENDS_MAX];
+    int friction_end[ENDS_MAX]; /* friction itself is assumed there: where it is changed it is known */
     int way;
     double *radii;   /* [pieces] factors */
     double friction; /* factor */
+    int n_limits;    /* of the first when it was looked at last */
+    hawser_limit limit[HAWSER_LIMITS_MAX];
     hawser_status status;
     hawser_error *err;
 } Trial;
@@ -42,12 +133,14 @@ int calculator_is_safe(const Setup *setup, const Calculator *c, int way, char st
     return c->n_limits > 0 && !*still;
 }
 
+static int is_asked(const Trial *t, int end) { return end == 0 || t->friction == 1 || !t->friction_end[end]; }
+
 /* Solves it; 0 if that cannot be done, or there is no memory. */
-static int solve(Trial *t, Calculator *c)
+static int solve(Trial *t, int end, Calculator *c)
 {
     const Variation by = {.way = t->way, .friction = t->friction, .radius = 1, .bend = -1, .radii = t->radii};
     hawser_error local;
-    const hawser_status status = calculator_vary(t->setup, t->base, &by, c, &local);
+    const hawser_status status = calculator_vary(t->setup[end], t->base[end], &by, c, &local);
     if (status == HAWSER_ERR_MEMORY) {
         t->status = status;
         if (t->err) *t->err = local;
@@ -62,13 +155,6 @@ static double allowed_of(const Calculator *c, int way, hawser_limit_kind kind)
         if (l->judged && l->kind == kind) return l->limit;
     }
     return NAN;
-}
-
-/* Up to three digits. */
-static double round_up(double x)
-{
-    const double step = pow(10, floor(log10(x)) - 2);
-    return ceil(x / step - 1e-9) * step;
 }
 
 /* By how much the bend of pieces p to `to` must be wider: its T/R at speed and from rest, and its radius. */
@@ -86,61 +172,70 @@ static double bend_needs(const Calculator *c, int way, int p, int to)
     return needs;
 }
 
-/* A radius that is no piece's own: it rounds all changes of slope between listed pieces (route.transition_radius). */
-static int is_transition(const Route *route, int p)
-{
-    int listed = 0;
-    for (int k = 0; k < route->n; ++k) listed |= route->piece[k].listed > 0;
-    return listed && !route->piece[p].listed && route->piece[p].kind != ROUTE_STRAIGHT;
-}
-
 static void bend_widen(const Trial *t, const Calculator *c, int p, int to, double needs)
 {
-    const Route *const route = t->base->route;
+    const Route *const route = t->base[0]->route;
     const double radius = round_up(needs * c->route->piece[p].radius);
-    const int shared = is_transition(route, p);
+    const int shared = route_rounds_slope(route, p);
     for (int k = 0; k < route->n; ++k) {
-        if (shared ? !is_transition(route, k) : k < p || k > to) continue;
+        if (shared ? !route_rounds_slope(route, k) : k < p || k > to) continue;
         t->radii[k] = fmax(t->radii[k], shared ? radius / route->piece[k].radius : radius / route->piece[p].radius);
     }
 }
 
 static void radii_reset(const Trial *t)
 {
-    for (int k = 0; k < t->base->route->n; ++k) t->radii[k] = 1;
+    for (int k = 0; k < t->base[0]->route->n; ++k) t->radii[k] = 1;
+}
+
+/* Widens what is too tight at one of the ends. Returns 0 if that cannot be computed or a bend would be too wide;
+ * *tight: something was. */
+static int widen(Trial *t, int end, int *tight)
+{
+    const Route *const route = t->base[0]->route;
+    Calculator c;
+    int far = 0;
+    const int solved = solve(t, end, &c);
+    for (int p = 0, to; solved && p < route->n; p = to + 1) {
+        to = route_turn_end(t->setup[0]->route, p);
+        const double needs = route->piece[p].kind == ROUTE_STRAIGHT ? 1 : bend_needs(&c, t->way, p, to);
+        if (!(needs > 1)) continue;
+        *tight = 1;
+        far |= needs * t->radii[p] > FARTHEST;
+        if (!far) bend_widen(t, &c, p, to, needs);
+    }
+    calculator_free(&c);
+    return solved && !far;
 }
 
 /* Widens from what is there, bend by bend, until none is too tight; 0: it does not end. A wider bend has more friction
  * of weight, so that the bends behind it may need more. */
 static int radii_find(Trial *t)
 {
-    const Route *const route = t->base->route;
-    for (int round = 0; round < 20 + 2 * route->n; ++round) {
-        Calculator c;
-        int tight = 0, far = 0;
-        const int solved = solve(t, &c);
-        for (int p = 0, to; solved && p < route->n; p = to + 1) {
-            to = route_turn_end(t->setup->route, p);
-            const double needs = route->piece[p].kind == ROUTE_STRAIGHT ? 1 : bend_needs(&c, t->way, p, to);
-            if (!(needs > 1)) continue;
-            tight = 1;
-            far |= needs * t->radii[p] > FARTHEST;
-            if (!far) bend_widen(t, &c, p, to, needs);
-        }
-        calculator_free(&c);
-        if (!solved || far) return 0;
+    for (int round = 0; round < 20 + 2 * t->base[0]->route->n; ++round) {
+        int tight = 0;
+        for (int end = 0; end < t->n; ++end)
+            if (is_asked(t, end) && !widen(t, end, &tight)) return 0;
         if (!tight) return 1;
     }
     return 0;
 }
 
-/* Whether it is safe as it stands. */
+/* Whether it is safe as it stands; of the last end that it is not at, what is not kept. */
 static int is_safe(Trial *t, char still[MEND_STILL_MAX])
 {
-    Calculator c;
-    const int solved = solve(t, &c), safe = solved && calculator_is_safe(t->setup, &c, t->way, still);
-    if (!solved) snprintf(still, MEND_STILL_MAX, "%s", "pull");
-    calculator_free(&c);
+    int safe = 1;
+    *still = 0;
+    for (int end = t->n - 1; end >= 0 && safe; --end) {
+        Calculator c;
+        if (!is_asked(t, end)) continue;
+        safe = solve(t, end, &c);
+        if (!safe) snprintf(still, MEND_STILL_MAX, "%s", "pull");
+        safe = safe && calculator_is_safe(t->setup[end], &c, t->way, still);
+        t->n_limits = c.n_limits;
+        memcpy(t->limit, c.limit[t->way], sizeof t->limit);
+        calculator_free(&c);
+    }
     return safe;
 }
 
@@ -171,7 +266,7 @@ static int friction_find(Trial *t, double now)
 
 static void mend_say(const Trial *t, Mend *out)
 {
-    const Route *const route = t->base->route;
+    const Route *const route = t->base[0]->route;
     for (int p = 0; p < route->n && out->n < MEND_BENDS_MAX; ++p) {
         if (!(t->radii[p] > 1)) continue;
         out->bend[out->n++] = (MendBend){p, route->piece[p].radius, t->radii[p] * route->piece[p].radius};
@@ -179,27 +274,76 @@ static void mend_say(const Trial *t, Mend *out)
     if (t->friction < 1) out->friction = t->friction * out->now;
 }
 
+/* Radii alone; where these are not enough with less friction. Returns whether it is safe then. */
+static int all_find(Trial *t, Mend *out)
+{
+    t->friction = 1;
+    radii_reset(t);
+    if (radii_find(t) && is_safe(t, out->still)) return 1;
+    if (!(out->now > 0) || !friction_find(t, out->now)) return 0;
+    *out->still = 0;
+    return 1;
+}
+
+/* With what is assumed at its ends, or, where nothing mends that, as it was taken; else what radii alone do. */
+static hawser_status find(Trial *t, Mend *out)
+{
+    const int ends = t->n;
+    out->safe = all_find(t, out);
+    t->n = 1;
+    if (!out->safe && ends > 1) out->safe = all_find(t, out);
+    if (!out->safe) {
+        t->friction = 1;
+        radii_reset(t);
+        if (!radii_find(t)) radii_reset(t);
+        is_safe(t, out->still);
+    }
+    mend_say(t, out);
+    if (!out->safe || t->status) return t->status;
+    const Variation by = {.way = t->way, .friction = t->friction, .radius = 1, .bend = -1, .radii = t->radii};
+    t->status = assumed_judge_varied(t->setup[0], &by, t->n_limits, t->limit, t->err);
+    out->conditional = limits_only_if(t->n_limits, t->limit, out->word, sizeof out->word);
+    return t->status;
+}
+
+/* The case with other ducts, and that at the ends of what is assumed. */
+static hawser_status ends_make(const Setup *setup, Trial *t, Mend *out, Solved end[ENDS_MAX])
+{
+    Assumed all[ASSUMED_KINDS];
+    SceneDef def;
+    const int n = assumed_list(setup, all);
+    hawser_status status = HAWSER_OK;
+    t->n = 0;
+    for (int k = -1; k < n && !status; ++k) {
+        if (k >= 0 && !(all[k].high > all[k].value)) continue;
+        out->n_ducts = 0;
+        status = ducts_change(setup, out, &def, t->err);
+        if (status) break;
+        if (k >= 0) assumed_set(&def, &all[k], all[k].high);
+        t->friction_end[t->n] = k >= 0 && all[k].kind == ASSUMED_FRICTION;
+        t->setup[t->n] = &end[t->n].setup;
+        t->base[t->n] = &end[t->n].c;
+        status = solved_make(&def, &setup->company, 0, &end[t->n], t->err);
+        t->n++;
+        if (k >= 0 && status == HAWSER_ERR_INPUT) { /* nothing can be said of that end */
+            solved_free(&end[--t->n]);
+            status = HAWSER_OK;
+        }
+    }
+    return status;
+}
+
 hawser_status mend_find(const Setup *setup, const Calculator *base, int way, Mend *out, hawser_error *err)
 {
-    Trial t = {.setup = setup, .base = base, .way = way, .friction = 1, .err = err};
+    Trial t = {.way = way, .friction = 1, .err = err};
     *out = (Mend){.way = way, .now = base->mu_largest, .friction = NAN};
     if (base->n_limits == 0 || calculator_is_safe(setup, base, way, out->still)) return HAWSER_OK;
+    Solved *const end = calloc(ENDS_MAX, sizeof *end);
     t.radii = malloc(((size_t)base->route->n + 1) * sizeof *t.radii);
-    if (!t.radii) return error_memory(err);
-    radii_reset(&t);
-    const int found = radii_find(&t);
-    out->safe = found && is_safe(&t, out->still);
-    if (!out->safe && out->now > 0) {
-        out->safe = friction_find(&t, out->now);
-        if (out->safe) *out->still = 0;
-    }
-    if (!out->safe) { /* what radii alone do, and what they do not */
-        t.friction = 1;
-        radii_reset(&t);
-        if (!radii_find(&t)) radii_reset(&t);
-        is_safe(&t, out->still);
-    }
-    mend_say(&t, out);
+    hawser_status status = end && t.radii ? ends_make(setup, &t, out, end) : error_memory(err);
+    if (!status) status = find(&t, out);
+    for (int k = 0; end && k < t.n; ++k) solved_free(&end[k]);
+    free(end);
     free(t.radii);
-    return t.status;
+    return status;
 }

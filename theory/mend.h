@@ -1,11 +1,12 @@
-/* What would make a pull safe, computed again with all limits: radii of the bends that are too tight, together, and
- * less friction where that is not enough. docs/model.md, "The planner's calculation", (PN12). */
+/* What would make a pull safe, computed again with all limits: ducts in which the cables jam or have no room, radii of
+ * the bends that are too tight, all together, and less friction where that is not enough. docs/model.md, "The planner's
+ * calculation", (PN12). */
 #ifndef HAWSER_THEORY_MEND_H
 #define HAWSER_THEORY_MEND_H
 
 #include "theory/calculator.h"
 
-enum { MEND_BENDS_MAX = 64, MEND_STILL_MAX = 160 };
+enum { MEND_BENDS_MAX = 64, MEND_DUCTS_MAX = 8, MEND_STILL_MAX = 160 };
 
 /* A bend with another radius. */
 typedef struct MendBend {
@@ -13,17 +14,29 @@ typedef struct MendBend {
     double now, radius; /* m; rounded up to three digits */
 } MendBend;
 
+/* Inside diameters, m, with which a duct's limits hold: from one on, or, where no wide one does, those next below its
+ * own. */
+typedef struct MendDuct {
+    int surface; /* of the definition */
+    double now, least, most;
+} MendDuct;
+
 typedef struct Mend {
     int way;
-    int safe; /* with all of it every limit and condition holds, at the values that were taken */
-    int n;
+    int safe;        /* with all of it every limit and condition holds, at the values that were taken */
+    char word[96];   /* and with what is assumed at its ends: "SAFE", "SAFE ONLY IF ..." */
+    int conditional; /* the second */
+    int n, n_ducts;
     MendBend bend[MEND_BENDS_MAX];
-    double now, friction;       /* the largest coefficient, rounded down; friction NAN: it stays as it is */
-    char still[MEND_STILL_MAX]; /* what is not kept all the same: limits and conditions, by name */
+    MendDuct duct[MEND_DUCTS_MAX]; /* computed with the end that is nearer */
+    double now, friction;          /* the largest coefficient, rounded down; friction NAN: it stays as it is */
+    char still[MEND_STILL_MAX];    /* what is not kept all the same: limits and conditions, by name */
 } Mend;
 
 /* Of a way that is not safe; n of 0 and friction NAN where neither helps. Errors: MEMORY. */
 hawser_status mend_find(const Setup *setup, const Calculator *base, int way, Mend *out, hawser_error *err);
+/* Of a duct whose limits do not hold. 0: no diameter from the cable's up to eight times as wide does. */
+int mend_duct(const SceneDef *def, int surface, MendDuct *out);
 /* Whether all limits and conditions of one way hold at the values that were taken (ranges of what is assumed are not
  * looked at); otherwise what is not kept, by name. */
 int calculator_is_safe(const Setup *setup, const Calculator *c, int way, char still[MEND_STILL_MAX]);

@@ -56,12 +56,14 @@ typedef struct hawser_limit {
     double error; /* of `value`, in its unit: what it may be off by through the numbers of a run; 0: exact, or nobody
                    * knows */
     double worst; /* `value` at the unfavourable end of the usual range of one value that the case does not give */
-    const char *assumed; /* which: "friction", "friction at rest", "back tension"; NULL: none changes it, and what
-                          * follows says nothing */
+    const char *assumed; /* which: "friction", "friction at rest", "back tension", "radius at changes of slope"; NULL:
+                          * none changes it, and what follows says nothing */
     /* Up to which friction (1), down to which, up to which friction at rest (1) and back tension (N) the limits of a
-     * pull hold that this value breaks, each with the others as they were taken; NAN: this limit holds throughout its
-     * usual range. */
+     * pull hold that this value breaks, all of them at once; NAN: this limit holds throughout its usual range. */
     double friction_most, friction_least, rest_most, back_most;
+    double slope_radius_least; /* m, from which radius of changes of slope on it holds, where the case gives none and
+                                * the one taken broke it: `value` is with this radius, `worst` with that one; NAN: no
+                                * matter */
     hawser_limit_kind kind;
 } hawser_limit;
 

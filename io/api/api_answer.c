@@ -6,8 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "theory/assumed.h"
-
 enum { OPEN_MAX = 400, INDENT = 17, WIDE_ENOUGH = 40 };
 
 /* Adds so many bytes of a text, as far as there is room. */
@@ -55,15 +53,15 @@ void answer_verdict(Answer *a, const char *verdict) { add_sentence(a, verdict, 0
 /* Whether a limit depends on it. */
 static int matters(const Assumed *one, int n, const hawser_limit *limit)
 {
-    int found = one->kind != ASSUMED_UNKNOWN;
+    int found = one->kind != ASSUMED_UNKNOWN && one->kind != ASSUMED_RADIUS;
     for (int i = 0; i < n; ++i) found |= limit[i].assumed && !strcmp(limit[i].assumed, one->name);
     return found;
 }
 
-void answer_assumed(Answer *a, const SceneDef *def, int n, const hawser_limit *limit)
+void answer_assumed(Answer *a, const Setup *setup, int n, const hawser_limit *limit)
 {
     Assumed all[ASSUMED_KINDS];
-    const int count = n > 0 ? assumed_list(def, all) : 0;
+    const int count = n > 0 ? assumed_list(setup, all) : 0;
     for (int k = 0; k < count; ++k) {
         const Assumed *const one = &all[k];
         char value[HAWSER_SHOWN_MAX], low[HAWSER_SHOWN_MAX], high[HAWSER_SHOWN_MAX];
@@ -104,6 +102,10 @@ static void say_margin(const hawser_limit *l, hawser_units units, char *text, si
         snprintf(text, size, "allowed %s", allowed);
         return;
     }
+    if (over && share >= 1000) {
+        snprintf(text, size, "allowed %s: %.3g times as much", allowed, share / 100 + 1);
+        return;
+    }
     snprintf(text, size, "allowed %s: %.3g %% %s", allowed, share,
              !over                 ? "left"
              : l->value > l->limit ? "over"
@@ -121,8 +123,9 @@ static const hawser_limit *limit_of(int n, const hawser_limit *limit, hawser_lim
 /* Limits that a checked remedy of the calculation (Mend) is about. */
 static int is_mended(const hawser_limit *l)
 {
-    static const hawser_limit_kind kinds[] = {HAWSER_LIMIT_PULL,     HAWSER_LIMIT_RESTART,     HAWSER_LIMIT_ATTACHMENT,
-                                              HAWSER_LIMIT_SIDEWALL, HAWSER_LIMIT_BEND_RADIUS, HAWSER_LIMIT_WINCH};
+    static const hawser_limit_kind kinds[] = {HAWSER_LIMIT_PULL,      HAWSER_LIMIT_RESTART,     HAWSER_LIMIT_ATTACHMENT,
+                                              HAWSER_LIMIT_SIDEWALL,  HAWSER_LIMIT_BEND_RADIUS, HAWSER_LIMIT_WINCH,
+                                              HAWSER_LIMIT_JAM_RATIO, HAWSER_LIMIT_CLEARANCE,   HAWSER_LIMIT_FILL};
     int mended = 0;
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; ++k) mended |= l->kind == kinds[k];
     return mended;
@@ -144,15 +147,15 @@ static void limit_lines(Answer *a, const Setup *setup, const char *word, const h
     strcpy(said, remedy);
 }
 
-/* Names of those that are not judged, and how to see why, where that is not printed anyway. */
-static void open_line(Answer *a, int n, const hawser_limit *limit, const char *how)
+/* Names of those that are not judged, and how to see why. */
+static void open_line(Answer *a, int n, const hawser_limit *limit)
 {
     char names[OPEN_MAX] = "";
     for (int i = 0; i < n; ++i) {
         const size_t used = strlen(names);
         if (!limit[i].judged) snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", limit[i].name);
     }
-    if (*names) answer_line(a, "not judged", "%s%s", names, how);
+    if (*names) answer_line(a, "not judged", "%s (--tables limits)", names);
 }
 
 static void limits_say(Answer *a, const Setup *setup, int n, const hawser_limit *limit, int together)
@@ -168,7 +171,7 @@ static void limits_say(Answer *a, const Setup *setup, int n, const hawser_limit 
             limit_lines(a, setup, "broken", &limit[i], together, said);
     }
     if (n == 0) answer_line(a, "remedy", "say what is allowed in the case's section 'limits'");
-    open_line(a, n, limit, together ? " (--tables limits)" : "");
+    open_line(a, n, limit);
 }
 
 void answer_limits(Answer *a, const Setup *setup, int n, const hawser_limit *limit)
@@ -230,50 +233,24 @@ static void way_line(Answer *a, const Setup *setup, const Calculator *c, int k)
 
 enum { MEND_SHOWN = 6 };
 
-/* "a radius of 7.86 m in 'b2' (route.pieces.3.radius, now 3 m)", or of a change of slope. */
-static void bend_say(const Setup *setup, const MendBend *b, const char *would, hawser_units units, char *text,
-                     size_t size)
-{
-    char radius[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX], key[40];
-    const RoutePiece *const piece = &setup->route->piece[b->piece];
-    mend_key(setup, b->piece, key);
-    show_bound(b->radius, 1, "m", units, radius);
-    hawser_show(b->now, "m", units, now);
-    if (!piece->listed && *key)
-        snprintf(text, size, "a radius of %s at changes of slope%s (%s, now %s)", radius, would, key, now);
-    else if (*piece->name)
-        snprintf(text, size, "a radius of %s in '%s'%s (%s%snow %s)", radius, piece->name, would, key, *key ? ", " : "",
-                 now);
-    else
-        snprintf(text, size, "a radius of %s there%s (%s%snow %s)", radius, would, key, *key ? ", " : "", now);
-}
-
-/* The remedy that was computed again, or what no radius and no friction mends. */
+/* What would do together, or what no duct, radius and friction mends. */
 static void mend_lines(Answer *a, const Setup *setup, const Mend *m)
 {
-    char text[1600] = "", one[256];
-    const int alone = m->safe && m->n == 1 && !(m->friction > 0);
-    int shared = 0, n = 0;
-    for (int i = 0; i < m->n; ++i) {
-        const int slope = !setup->route->piece[m->bend[i].piece].listed;
-        bend_say(setup, &m->bend[i], alone ? " would do" : "", a->units, one, sizeof one);
-        if ((slope && strstr(one, "transition_radius") && shared++) || n++ >= MEND_SHOWN) continue;
-        snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s", n > 1 ? " and " : "", one);
+    char text[1600] = "", one[REMEDY_MAX];
+    Remedy part[MEND_PARTS_MAX];
+    const int n = mend_parts(setup, m, part);
+    for (int i = 0; i < n && i < MEND_SHOWN; ++i) {
+        remedy_say(&part[i], a->units, one);
+        snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s", i ? " and " : "", one);
     }
     if (n > MEND_SHOWN)
-        snprintf(text + strlen(text), sizeof text - strlen(text), " and %d more bends (table remedies)",
-                 n - MEND_SHOWN);
-    if (m->friction > 0)
-        snprintf(text + strlen(text), sizeof text - strlen(text), "%sfriction of at most %.2g, now %.3g,",
-                 *text ? " with " : "", m->friction, m->now);
-    Assumed assumed[ASSUMED_KINDS];
-    const char *const but = assumed_list(setup->def, assumed) > 0 ? " with what is assumed" : "";
+        snprintf(text + strlen(text), sizeof text - strlen(text), " and %d more (--tables remedies)", n - MEND_SHOWN);
     if (m->safe)
-        answer_line(a, "remedy", "%s%s: computed again, all limits hold%s", text, alone ? "" : " would do", but);
+        answer_line(a, "remedy", "%s would do: computed again, %s", text, m->word);
     else if (*text)
         answer_line(a, "remedy", "%s would help, but then is still broken: %s", text, m->still);
     else if (*m->still)
-        answer_line(a, "remedy", "no radius and no friction makes this safe: still broken is %s", m->still);
+        answer_line(a, "remedy", "no duct, radius or friction makes this safe: still broken is %s", m->still);
 }
 
 /* Less friction, a shorter pull, machines: what would keep the limits of this way, by the same calculation. */
@@ -293,7 +270,8 @@ static void inverse_lines(Answer *a, const Setup *setup, const Inverse *inverse,
                         b->now, but, b->stays);
         if (b->way != way || b->end != SEARCH_FOUND || !(b->value < b->now)) continue;
         const Mend *const m = &inverse->mend[way];
-        const int told = m->safe && m->n == 0; /* the same friction, rounded */
+        if (m->safe && *b->stays) continue;
+        const int told = m->safe && m->n + m->n_ducts == 0; /* the same friction, rounded */
         if (b->kind == INVERSE_FRICTION && !told)
             answer_line(a, "remedy", "friction of at most %.3g, now %.3g, would keep all limits%s%s",
                         floor(1e3 * b->value) / 1e3, b->now, but, b->stays);
@@ -315,7 +293,10 @@ static void together_line(Answer *a, const Setup *setup, const Calculator *c)
     char found[HAWSER_SHOWN_MAX], broken[OPEN_MAX] = "";
     Assumed list[ASSUMED_KINDS];
     hawser_error err;
-    if (c->n_limits == 0 || assumed_list(setup->def, list) < 2) return;
+    const int n = c->n_limits > 0 ? assumed_list(setup, list) : 0;
+    int ranges = 0;
+    for (int i = 0; i < n; ++i) ranges += list[i].high > list[i].value;
+    if (ranges < 2) return;
     if (assumed_together(setup, c, PLAN_FORWARD, all, &err)) return;
     const hawser_limit *const pull = limit_of(c->n_limits, all, HAWSER_LIMIT_PULL);
     for (int i = 0; i < c->n_limits; ++i) {
@@ -332,7 +313,7 @@ void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inv
                    const char verdict[][HAWSER_VERDICT_MAX])
 {
     answer_unusual(a, setup->def, setup->route);
-    answer_assumed(a, setup->def, c->n_limits, c->limit[PLAN_FORWARD]);
+    answer_assumed(a, setup, c->n_limits, c->limit[PLAN_FORWARD]);
     const int forward = calculator_holds(c, PLAN_FORWARD), backward = calculator_holds(c, PLAN_BACKWARD);
     answer_verdict(a, verdict[PLAN_FORWARD]);
     way_line(a, setup, c, PLAN_FORWARD);
@@ -340,7 +321,11 @@ void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inv
     if (!forward && c->n_limits > 0) mend_lines(a, setup, &inverse->mend[PLAN_FORWARD]);
     if (!forward) inverse_lines(a, setup, inverse, PLAN_FORWARD);
     together_line(a, setup, c);
-    if (!forward && backward && c->n_limits > 0) answer_line(a, "remedy", "pulled from the other end all limits hold");
+    if (!forward && backward && c->n_limits > 0) {
+        char word[HAWSER_VERDICT_MAX];
+        limits_only_if(c->n_limits, c->limit[PLAN_BACKWARD], word, sizeof word);
+        answer_line(a, "remedy", "pulled from the other end: %s", word);
+    }
     way_line(a, setup, c, PLAN_BACKWARD);
     answer_line(a, "", "%s", verdict[PLAN_BACKWARD]);
 }
@@ -432,8 +417,8 @@ static void theory_lines(Answer *a, const hawser_sim *s, int n, const hawser_lim
     Calculator c;
     Mend mend = {.n = 0};
     if (!calculator_build(setup, &s->expected, 1, &c, NULL) && !mend_find(setup, &c, PLAN_FORWARD, &mend, NULL) &&
-        mend.n + (mend.friction > 0) > 1) {
-        answer_line(a, "by theory", "of all bends together:");
+        mend.n + mend.n_ducts + (mend.friction > 0) > 1) {
+        answer_line(a, "by theory", "of all together:");
         mend_lines(a, setup, &mend);
     }
     calculator_free(&c);
@@ -457,7 +442,7 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
         if (broken > 0) snprintf(verdict + strlen(verdict), 64, "; besides, %d of the limits would be broken", broken);
     }
     answer_unusual(&a, &s->stage.scene.def, &s->stage.scene.route);
-    answer_assumed(&a, &s->stage.scene.def, n, limit);
+    answer_assumed(&a, &s->stage.scene.setup, n, limit);
     answer_verdict(&a, verdict);
     if (failed) trust_lines(&a, &sum);
     place_lines(&a, &sum);

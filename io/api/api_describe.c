@@ -156,6 +156,7 @@ typedef struct Description {
     int n_odd;
     char grades[480]; /* what bends to the side do to the route's grade, in words */
     char advice[160]; /* what the lengths of the segments are worth, in words */
+    double largest;   /* N, of a winch */
 } Description;
 
 /* What the places ask for, and whether they get it. */
@@ -302,8 +303,8 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"tail_tension_N", "tail tension at the end", "N", cell_number(profile_value(&def->tail.tension, end))},
         {"friction", "friction coefficient", "", cell_number(def->friction.mu_d)},
         {"cables", "cables pulled together", "", cell_number(several ? several : def->bundle.shape.cables)},
-        {"paper_total_N", "winch force, paper's formulas", "N", cell_number(s->paper_total_N)},
-        {"reference_total_N", "winch force, reference", "N", cell_number(s->reference_total_N)},
+        {"largest_force_N", "largest winch force by theory", "N", cell_number(d->largest)},
+        {"reference_total_N", "of the run, by theory", "N", cell_number(s->reference_total_N)},
         {"analysis", "analysis", "", cell_text(analyses[def->analysis.kind])},
         {"duration_s", placed ? "the winch has pulled for" : "to be simulated", "s", cell_number(end)},
         {"steady_from_s", "steady window from", "s", cell_number(def->output.steady_from)},
@@ -366,6 +367,18 @@ static hawser_status gather(Description *d, hawser_error *err)
     return HAWSER_OK;
 }
 
+/* N, what the headline of theory says: the largest force of any winch, pulled forward; NAN: theory cannot say. */
+static double largest_force(const Sim *sim)
+{
+    const Setup *const setup = &sim->stage.scene.setup;
+    Calculator c;
+    if (setup->def->rod.present) return NAN;
+    const hawser_status status = calculator_build(setup, &sim->expected, 1, &c, NULL);
+    const double force = status ? NAN : c.heads[PLAN_FORWARD].peak.force;
+    calculator_free(&c);
+    return force;
+}
+
 /* Builds the simulation for its counts; its texts live as long as it does. */
 static hawser_status describe(const hawser_case *c, hawser_format format, char **text, hawser_error *err)
 {
@@ -376,6 +389,7 @@ static hawser_status describe(const hawser_case *c, hawser_format format, char *
     if (status) return case_name_error(c, status, err);
     hawser_sim_summary(sim, &d.summary);
     hawser_sim_surfaces(sim, &d.surfaces);
+    d.largest = largest_force(sim);
     d.wave = sim->stage.scene.bowed ? buckling_shown(&sim->stage.scene.pushed) : 0;
     status = gather(&d, err);
     if (!status) status = write_description(&d, d.def->title[0] ? d.def->title : c->name, format, text, err);

@@ -10,6 +10,7 @@
 #include "io/results/results.h"
 #include "io/yaml/yaml_tree.h"
 #include "sim/run/sim.h"
+#include "theory/assumed.h"
 #include "theory/inverse.h"
 
 /* Several threads may use one that none of them sets: the tree does not change then, and `def` changes once, from NULL
@@ -132,7 +133,7 @@ enum { ANSWER_WIDTH = 118, TERMINAL_WIDTH = 80 };
 
 /* What of the case is hardly ever so; what it does not give and its limits depend on, above the verdict. */
 void answer_unusual(Answer *a, const SceneDef *def, const Route *route);
-void answer_assumed(Answer *a, const SceneDef *def, int n, const hawser_limit *limit);
+void answer_assumed(Answer *a, const Setup *setup, int n, const hawser_limit *limit);
 void answer_verdict(Answer *a, const char *verdict);
 /* "  word   sentence", in as many lines as that takes. */
 void answer_line(Answer *a, const char *word, const char *format, ...) __attribute__((format(printf, 3, 4)));
@@ -150,7 +151,10 @@ hawser_status along_rows(hawser_sim *s, AlongRow **rows, int *n, hawser_error *e
 /* A value in three digits as it is shown, rounded up where at least so much is asked for and down where at most. */
 const char *show_bound(double value, int least, const char *unit, hawser_units units, char *text);
 /* The key of a bend's radius, "route.pieces.3.radius"; empty where it is not one of the case's. */
-void mend_key(const Setup *setup, int piece, char key[40]);
+void mend_key(const Setup *setup, int piece, char key[ASSUMED_KEY_MAX]);
+/* What a mended pull needs, in the order in which it is said; codes "do_...". Returns how many there are. */
+enum { MEND_PARTS_MAX = MEND_BENDS_MAX + MEND_DUCTS_MAX + 1 };
+int mend_parts(const Setup *setup, const Mend *m, Remedy part[MEND_PARTS_MAX]);
 /* What would make a broken limit hold, from its own figures and the scene's, without its sentence; the tension is taken
  * to stay as it is. 0: nothing can be told. */
 int remedy_find(const Setup *setup, const hawser_limit *broken, Remedy *r);

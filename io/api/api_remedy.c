@@ -34,14 +34,14 @@ static int bend_at(const Route *route, const char *where)
     return found;
 }
 
-/* The duct of that name; NULL if there is none. */
-static const SurfaceDef *duct_called(const SceneDef *def, const char *name)
+/* The duct of that name; -1 if there is none. */
+static int duct_called(const SceneDef *def, const char *name)
 {
     for (int i = 0; i < def->n_surfaces; ++i) {
         const SurfaceDef *const s = &def->surfaces[i];
-        if (s->shape.kind == SURFACE_DUCT && !strcmp(s->name, name)) return s;
+        if (s->shape.kind == SURFACE_DUCT && !strcmp(s->name, name)) return i;
     }
-    return NULL;
+    return -1;
 }
 
 static double largest_friction(const FrictionLaw *law) { return fmax(law->mu_s, law->mu_d); }
@@ -75,48 +75,19 @@ static void sidewall_remedy(const Setup *setup, const hawser_limit *l, Remedy *r
     mend_key(setup, p, r->key);
 }
 
-static int has_clearance(const SceneDef *def, const SurfaceDef *now, double clearance, double diameter)
-{
-    SurfaceDef duct = *now;
-    DuctLoad load;
-    duct.bore = diameter / 2;
-    return !bundle_in(def, &duct, &load, NULL) && load.clearance >= clearance;
-}
-
-/* m, the inside diameter above `now` from which on the uppermost cable has that clearance: it falls where a triangle
- * becomes a cradle, so that the search comes down from where it is certain. */
-static double diameter_for(const SceneDef *def, const SurfaceDef *duct, double clearance, double now)
-{
-    double wide = 8 * now + clearance, narrow = wide;
-    while (narrow > now && has_clearance(def, duct, clearance, narrow)) wide = narrow, narrow /= 1.005;
-    for (int i = 0; i < 40; ++i) {
-        const double middle = (narrow + wide) / 2;
-        *(has_clearance(def, duct, clearance, middle) ? &wide : &narrow) = middle;
-    }
-    return wide;
-}
-
-/* Jamming goes by D/d and is forbidden between two of its values; clearance goes by D, by
- * more than D where cables lie in a triangle; fill by (d/D)^2. */
+/* All limits of the duct together, so that what mends one does not break another. */
 static void duct_remedy(const Setup *setup, const hawser_limit *l, Remedy *r)
 {
-    const SurfaceDef *const duct = duct_called(setup->def, l->where);
-    if (!duct) return;
-    const double D = 2 * (duct->bore > 0 ? duct->bore : duct->shape.radius);
-    DuctLoad load;
+    const int i = duct_called(setup->def, l->where);
+    MendDuct found;
+    if (i < 0 || !mend_duct(setup->def, i, &found)) return;
+    r->code = found.least > found.now ? "wider_duct" : "narrower_duct";
     r->unit = "m";
-    r->now = D;
-    r->least = D * sqrt(l->value / l->limit);
-    snprintf(r->where, sizeof r->where, "%s", duct->name);
-    if (l->kind == HAWSER_LIMIT_CLEARANCE) r->least = diameter_for(setup->def, duct, l->limit, D);
-    if (l->kind == HAWSER_LIMIT_JAM_RATIO) {
-        const int triangle = !bundle_in(setup->def, duct, &load, NULL) && load.layout == DUCT_TRIANGLE;
-        const JamBand band = limits_jam_band(&setup->def->limits, triangle);
-        r->least = D * band.to / l->value;
-        r->most = D * band.from / l->value;
-    }
-    r->code = isinf(r->least) ? "narrower_duct" : "wider_duct";
-    if (isinf(r->least)) r->least = NAN;
+    r->now = found.now;
+    r->least = found.least;
+    r->most = isinf(found.most) ? NAN : found.most;
+    snprintf(r->where, sizeof r->where, "%s", setup->def->surfaces[i].name);
+    surface_key(setup->def, i, "radius", r->key);
 }
 
 /* Remedies that are the limit itself, or what is missing to it, and the keys that would do it. */
@@ -191,6 +162,7 @@ int remedy_find(const Setup *setup, const hawser_limit *broken, Remedy *r)
     case HAWSER_LIMIT_JAM_RATIO:
     case HAWSER_LIMIT_CLEARANCE:
     case HAWSER_LIMIT_FILL:
+    case HAWSER_LIMIT_WEIGHT_CORRECTION:
         duct_remedy(setup, l, r);
         break;
     case HAWSER_LIMIT_ROLLER_STEADY:
@@ -209,6 +181,67 @@ int remedy_find(const Setup *setup, const hawser_limit *broken, Remedy *r)
     return r->code != NULL;
 }
 
+/* ------------------------------------------------------------------------------- what was computed again together */
+
+static Remedy part_of(const char *code, const char *where, double now)
+{
+    Remedy r = {.code = code, .limit = "", .unit = "m", .now = now, .least = NAN, .most = NAN, .share = NAN};
+    snprintf(r.where, sizeof r.where, "%s", where);
+    return r;
+}
+
+static Remedy duct_part(const Setup *setup, const MendDuct *duct)
+{
+    const int wider = duct->least > duct->now;
+    Remedy r =
+        part_of(wider ? "do_wider_duct" : "do_narrower_duct", setup->def->surfaces[duct->surface].name, duct->now);
+    r.least = duct->least;
+    r.most = isinf(duct->most) ? NAN : duct->most;
+    surface_key(setup->def, duct->surface, "radius", r.key);
+    return r;
+}
+
+/* All changes of slope have one radius between them. */
+static Remedy bend_part(const Setup *setup, const MendBend *bend)
+{
+    const RoutePiece *const piece = &setup->route->piece[bend->piece];
+    char key[sizeof(Remedy){0}.key];
+    mend_key(setup, bend->piece, key);
+    Remedy r = part_of(!piece->listed && *key ? "do_slopes" : "do_radius", piece->name, bend->now);
+    r.least = bend->radius;
+    memcpy(r.key, key, sizeof r.key);
+    return r;
+}
+
+/* The largest stands for all. */
+static Remedy friction_part(const Setup *setup, const Mend *m)
+{
+    FrictionUsed used[2];
+    const int n = frictions_used(setup, 2, used);
+    Remedy r = part_of(n > 1 ? "do_frictions" : "do_friction", "", m->now);
+    r.unit = "1";
+    r.most = m->friction;
+    if (n == 1) snprintf(r.key, sizeof r.key, "%.30s.mu", used[0].key);
+    Assumed all[ASSUMED_KINDS];
+    const int open = assumed_list(setup, all);
+    for (int k = 0; k < open; ++k)
+        if (all[k].kind == ASSUMED_REST) snprintf(r.also, sizeof r.also, "%.2g", m->friction * all[k].high / all[k].low);
+    return r;
+}
+
+int mend_parts(const Setup *setup, const Mend *m, Remedy part[MEND_PARTS_MAX])
+{
+    int n = 0, slopes = 0;
+    for (int i = 0; i < m->n_ducts; ++i) part[n++] = duct_part(setup, &m->duct[i]);
+    for (int i = 0; i < m->n; ++i) {
+        part[n] = bend_part(setup, &m->bend[i]);
+        if (!strcmp(part[n].code, "do_slopes") && slopes++) continue;
+        ++n;
+    }
+    if (m->friction > 0) part[n++] = friction_part(setup, m);
+    return n;
+}
+
 /* ------------------------------------------------------------------------------------------------------- sentences */
 
 /* Of each code. {NAME} is a value; what stands in [...] goes where one of its values is not there, or becomes what
@@ -219,11 +252,21 @@ static const struct RemedySentence {
     {"radius",
      "a radius of {least}[ in '{where}'| there] would do ([{key}, ]now {now}), or {percent} % less tension there"},
     {"less_tension", "{percent} % less tension there, or what presses less"},
-    {"less_pull", "{least} less pull: conveyors, a pit, a lubricant, or the other direction"},
+    {"less_pull", "{least} less pull: conveyors, a pit, or a lubricant"},
     {"less_push", "{least} less push ({key}), a narrower duct, or guides and carriers closer together"},
     {"rope_strength", "a rope that breaks at {least} ({key}), or less pull"},
-    {"wider_duct", "an inside diameter of at least {least}[ or at most {most}] in '{where}' would do (now {now})"},
-    {"narrower_duct", "an inside diameter of at most {most} in '{where}' would do (now {now})"},
+    {"wider_duct",
+     "an inside diameter of at least {least} in '{where}' would keep its limits (now {now}, twice {key})"},
+    {"narrower_duct",
+     "an inside diameter of at most {most} and at least {least} in '{where}' would keep its limits (now {now}, twice "
+     "{key})"},
+    {"do_wider_duct", "an inside diameter of at least {least} in '{where}' (now {now}, twice {key})"},
+    {"do_narrower_duct",
+     "an inside diameter of at most {most} and at least {least} in '{where}' (now {now}, twice {key})"},
+    {"do_radius", "a radius of {least}[ in '{where}'| there] ([{key}, ]now {now})"},
+    {"do_slopes", "a radius of {least} at changes of slope ({key}, now {now})"},
+    {"do_friction", "friction of at most {most}[, at rest {also},] ({key}, now {now})"},
+    {"do_frictions", "friction of at most {most}[, at rest {also},] where it is {now}, elsewhere in proportion,"},
     {"more_rollers",
      "rollers there at {share} of their spacing, or rated {least} times as high[, or a softer start ({also})]"},
     {"brake", "a brake of {least} more where the pull begins ({key})[, or less feed ({also})]"},

@@ -6,7 +6,6 @@
 #include "io/results/results_file.h"
 #include "sim/cost.h"
 #include "sim/run/commands.h"
-#include "theory/assumed.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -228,7 +227,7 @@ hawser_status sim_summary_text(const hawser_sim *s, const OutDir *dir, char **te
     labels.overload = overload;
     labels.n_remedies = remedies_find(scene, labels.n_limits, limit, remedy);
     labels.remedy = remedy;
-    labels.n_assumed = labels.n_limits > 0 ? assumed_list(&scene->def, assumed) : 0;
+    labels.n_assumed = labels.n_limits > 0 ? assumed_list(&scene->setup, assumed) : 0;
     labels.assumed = assumed;
     status = summary_json(&summary, &labels, text, err);
     free(overload);

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "io/api/api_handles.h"
-#include "theory/assumed.h"
 
 /* ------------------------------------------------------------------------------------- places of the head */
 
@@ -245,7 +244,7 @@ static int answers_add(const Setup *setup, const Inverse *inverse, TheoryTables 
 static int assumed_add(const Setup *setup, TheoryTables *t)
 {
     Assumed all[ASSUMED_KINDS];
-    const int n = assumed_list(setup->def, all);
+    const int n = assumed_list(setup, all);
     if (n == 0) return 1;
     Assumed *const row = theory_table_add(t, "assumed", "Not given, and assumed", assumed_columns, n);
     if (row) memcpy(row, all, (size_t)n * sizeof *row);
@@ -256,10 +255,12 @@ static int assumed_add(const Setup *setup, TheoryTables *t)
 
 /* One change of a remedy: all of a direction's belong together and were computed as one. */
 typedef struct RemedyRow {
-    const char *direction, *what, *place, *unit, *still, *holds;
-    char key[40];
+    const char *direction, *what, *place, *unit, *still, *holds, *verdict;
+    char key[ASSUMED_KEY_MAX];
     double now, value;
 } RemedyRow;
+
+enum { FRICTIONS_MAX = 16 };
 
 static const Column remedy_column[] = {
     {COLUMN("direction", TEXT, RemedyRow, direction), .label = "direction"},
@@ -270,18 +271,20 @@ static const Column remedy_column[] = {
     {COLUMN("value", NUMBER, RemedyRow, value), .label = "needed", .decimals = -1, .unit_by = "unit"},
     {COLUMN("unit", TEXT, RemedyRow, unit), .label = "unit"},
     {COLUMN("holds", TEXT, RemedyRow, holds), .label = "all limits hold"},
+    {COLUMN("verdict_code", TEXT, RemedyRow, verdict), .label = "then"},
     {COLUMN("still", TEXT, RemedyRow, still), .label = "still broken"},
 };
 static const Columns remedy_columns = COLUMNS(RemedyRow, remedy_column);
 
-void mend_key(const Setup *setup, int piece, char key[40])
+void mend_key(const Setup *setup, int piece, char key[ASSUMED_KEY_MAX])
 {
     const Route *const route = setup->route;
     int listed = 0;
     for (int k = 0; k < route->n; ++k) listed |= route->piece[k].listed > 0;
     *key = 0;
-    if (route->piece[piece].listed) snprintf(key, 40, "route.pieces.%d.radius", route->piece[piece].listed - 1);
-    if (!route->piece[piece].listed && listed) snprintf(key, 40, "route.transition_radius");
+    if (route->piece[piece].listed)
+        snprintf(key, ASSUMED_KEY_MAX, "route.pieces.%d.radius", route->piece[piece].listed - 1);
+    if (!route->piece[piece].listed && listed) snprintf(key, ASSUMED_KEY_MAX, "route.transition_radius");
 }
 
 static RemedyRow remedy_row(const Mend *m, const char *what, double now, double value)
@@ -292,41 +295,59 @@ static RemedyRow remedy_row(const Mend *m, const char *what, double now, double 
                        .unit = "1",
                        .still = m->still,
                        .holds = m->safe ? "yes" : "NO",
+                       .verdict = hawser_word_code(!m->safe         ? HAWSER_NOT_SAFE
+                                                   : m->conditional ? HAWSER_SAFE_ONLY_IF
+                                                                    : HAWSER_SAFE),
                        .now = now,
                        .value = value};
 }
 
-/* Of the case's one coefficient, in motion and from rest; without a key where there are several. */
-static int friction_rows(const Setup *setup, const Calculator *c, const Mend *m, RemedyRow *row)
+/* Of each section that gives one, in motion and, where that is given apart, from rest. Returns how many. */
+static int friction_rows(const Setup *setup, const Mend *m, RemedyRow *row)
 {
-    const SceneDef *const def = setup->def;
-    const FrictionLaw *const law = &def->friction;
-    const int one =
-        c->mu_least == c->mu_largest && c->mu_largest == law->mu_d && law->mu_d > 0 && def->theory.n_friction == 0;
-    const int apart = one && !def->friction_known.rest_assumed;
-    row[0] = remedy_row(m, "friction", m->now, m->friction);
-    if (one) snprintf(row[0].key, sizeof row->key, "friction.mu%s", apart ? "_d" : "");
-    if (!apart) return 1;
-    row[1] = remedy_row(m, "friction", law->mu_s, m->friction * law->mu_s / law->mu_d);
-    snprintf(row[1].key, sizeof row->key, "friction.mu_s");
-    return 2;
+    FrictionUsed used[FRICTIONS_MAX];
+    const int sections = frictions_used(setup, FRICTIONS_MAX, used);
+    const double share = m->friction / m->now;
+    int n = 0;
+    for (int i = 0; i < sections; ++i) {
+        const FrictionUsed *const f = &used[i];
+        const char *const moving = f->rest_assumed || !strncmp(f->key, "theory", 6) ? "" : "_d";
+        row[n] = remedy_row(m, "friction", f->moving, share * f->moving);
+        snprintf(row[n++].key, sizeof row->key, "%.40s.mu%s", f->key, moving);
+        if (f->rest_assumed) continue;
+        row[n] = remedy_row(m, "friction", f->rest, share * f->rest);
+        snprintf(row[n++].key, sizeof row->key, "%.40s.mu_s", f->key);
+    }
+    return n;
 }
 
-static int remedies_add(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *t)
+static RemedyRow duct_row(const Setup *setup, const Mend *m, const MendDuct *duct)
+{
+    RemedyRow row =
+        remedy_row(m, "duct radius", duct->now / 2, (duct->least > duct->now ? duct->least : duct->most) / 2);
+    row.place = setup->def->surfaces[duct->surface].name;
+    row.unit = "m";
+    surface_key(setup->def, duct->surface, "radius", row.key);
+    return row;
+}
+
+static int remedies_add(const Setup *setup, const Inverse *inverse, TheoryTables *t)
 {
     int n = 0;
-    RemedyRow *const row = theory_table_add(t, "remedies", "What would do, computed again with all limits",
-                                            remedy_columns, PLAN_WAYS * (MEND_BENDS_MAX + 3));
+    RemedyRow *const row =
+        theory_table_add(t, "remedies", "What would do, computed again with all limits", remedy_columns,
+                         PLAN_WAYS * (MEND_BENDS_MAX + MEND_DUCTS_MAX + 2 * FRICTIONS_MAX + 1));
     for (int k = 0; row && k < PLAN_WAYS; ++k) {
         const Mend *const m = &inverse->mend[k];
         const int before = n;
+        for (int i = 0; i < m->n_ducts; ++i) row[n++] = duct_row(setup, m, &m->duct[i]);
         for (int i = 0; i < m->n; ++i, ++n) {
             row[n] = remedy_row(m, "radius", m->bend[i].now, m->bend[i].radius);
             row[n].place = setup->route->piece[m->bend[i].piece].name;
             row[n].unit = "m";
             mend_key(setup, m->bend[i].piece, row[n].key);
         }
-        if (m->friction > 0) n += friction_rows(setup, c, m, &row[n]);
+        if (m->friction > 0) n += friction_rows(setup, m, &row[n]);
         if (*m->still && n == before) row[n++] = remedy_row(m, "none", NAN, NAN);
     }
     if (row) t->table[t->n - 1].n = n;
@@ -405,5 +426,5 @@ static int notes_add(const Setup *setup, const Calculator *c, TheoryTables *t)
 int theory_planner_add(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *t)
 {
     return heads_add(c, t) && sections_add(setup, c, t) && brakes_add(c, t) && answers_add(setup, inverse, t) &&
-           assumed_add(setup, t) && remedies_add(setup, c, inverse, t) && notes_add(setup, c, t);
+           assumed_add(setup, t) && remedies_add(setup, inverse, t) && notes_add(setup, c, t);
 }

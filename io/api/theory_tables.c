@@ -278,6 +278,7 @@ static const Column limit_column[] = {
     {COLUMN("friction_least", NUMBER, LimitRow, limit.friction_least), .label = "from", .decimals = 3},
     {COLUMN("friction_at_rest_most", NUMBER, LimitRow, limit.rest_most), .label = "at rest to", .decimals = 3},
     {COLUMN("back_tension_most_N", NUMBER, LimitRow, limit.back_most), .label = "back tension to, N", .decimals = 0},
+    {COLUMN("slope_radius_least_m", NUMBER, LimitRow, limit.slope_radius_least), .label = "slopes from, m"},
     {COLUMN("source", CHARS, LimitRow, limit.source), .label = "allowed by"},
 };
 static const Columns limit_columns = COLUMNS(LimitRow, limit_column);

@@ -97,6 +97,28 @@ hawser_status case_frictions_read(CaseReader *r, const CaseNode *node)
     return status ? status : cable_friction_read(r, case_node_key(case_node_key(r->root, "contact"), "cable_friction"));
 }
 
+/* Where the case says nothing of its friction and something of that of rollers and floors, the most of theirs is the
+ * case's: that is what the cable runs on wherever there is no duct and no tray. */
+hawser_status case_frictions_settle(CaseReader *r, const CaseNode *node)
+{
+    SceneDef *const def = r->def;
+    (void)node;
+    if (def->friction_known.source != FRICTION_UNKNOWN) return HAWSER_OK;
+    const FrictionKnown *found = NULL;
+    for (int i = 0; i < def->n_rollers + def->n_surfaces; ++i) {
+        const SurfaceDef *const s = i < def->n_rollers ? NULL : &def->surfaces[i - def->n_rollers];
+        const FrictionLaw *const law = s ? &s->friction : &def->rollers[i].friction;
+        const FrictionKnown *const known = s ? &s->friction_known : &def->rollers[i].friction_known;
+        if ((s && surface_along_route(s)) || known->source == FRICTION_UNKNOWN) continue;
+        if (found && law->mu_d < def->friction.mu_d) continue;
+        def->friction.mu_d = law->mu_d;
+        def->friction.mu_s = law->mu_s;
+        found = known;
+    }
+    if (found) def->friction_known = *found;
+    return HAWSER_OK;
+}
+
 /* Where v_d was not given the message points at the section, since there is no line of its own. */
 hawser_status case_speeds_check(const CaseReader *r, const CaseNode *node, double v_s, double *v_d)
 {
@@ -139,9 +161,10 @@ FrictionKnown case_friction_known(const CaseReader *r, const CaseNode *node, con
     const CaseNode *const both = case_node_key(node, "mu"), *const rest = case_node_key(node, "mu_s"),
                           *const own = case_node_key(node, "mu_d"), *const moving = own ? own : both;
     FrictionKnown known = *base;
+    known.own = moving || rest;
     if (moving) {
         const LibraryEntry *const entry = moving->entry;
-        known = (FrictionKnown){.source = FRICTION_GIVEN};
+        known = (FrictionKnown){.source = FRICTION_GIVEN, .own = 1};
         if (entry && range_read(r, entry, moving->key, &known.low, &known.high)) known.source = FRICTION_TYPICAL;
         if (entry) snprintf(known.of, sizeof known.of, "%.63s", entry->name);
     }

@@ -68,6 +68,7 @@ hawser_status case_lead_in_read(CaseReader *r, const CaseNode *node);
 hawser_status case_contact_read(CaseReader *r, const CaseNode *node);
 /* The case's own friction law, and then that of cable on cable. */
 hawser_status case_frictions_read(CaseReader *r, const CaseNode *node);
+hawser_status case_frictions_settle(CaseReader *r, const CaseNode *node);
 /* A friction law; what is not given is the base's. */
 /* Where the coefficient in motion of a section `friction` is from; `base`: of what it leaves out. */
 FrictionKnown case_friction_known(const CaseReader *r, const CaseNode *node, const FrictionKnown *base);

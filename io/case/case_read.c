@@ -145,6 +145,7 @@ static const struct {
     {"rollers", case_rollers_read},
     {"surfaces", case_surfaces_read},
     {"obstacles", case_obstacles_read},
+    {"friction", case_frictions_settle},
     {"medium", case_medium_read},
     {"launch", case_launch_read},
     {"jams", case_jams_read},

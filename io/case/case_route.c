@@ -536,6 +536,7 @@ static hawser_status form_check(const CaseReader *r, const CaseNode *node)
 static hawser_status transition_read(const CaseReader *r, RouteRecord *in)
 {
     const CaseNode *const limit = case_node_key(case_node_key(r->root, "limits"), "bend_radius");
+    r->def->slopes_open = isnan(in->transition);
     if (!isnan(in->transition)) return HAWSER_OK;
     in->transition = 20 * case_largest_diameter(r->def);
     return limit ? case_number_read(r, limit, case_key_of(&case_limits, "bend_radius"), &in->transition) : HAWSER_OK;

@@ -156,7 +156,7 @@ SECTION(case_theory_wear, "theory.wear.N", wear_keys);
 static const CaseKey pit_keys[] = {
     {"name", KEY_TEXT, .fallback = "", AT(TheoryPlaceDef, name)},
     {"at", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, LONG), AT(TheoryPlaceDef, at)},
-    {"back", KEY_NUMBER, DIM_FORCE, .fallback = "0 N", FROM(0, STRONG), AT(TheoryPlaceDef, force)},
+    {"back", KEY_NUMBER, DIM_FORCE, .otherwise = "0 N, assumed", FROM(0, STRONG), AT(TheoryPlaceDef, force)},
 };
 SECTION(case_theory_pit, "theory.pits.N", pit_keys);
 
@@ -202,6 +202,8 @@ static hawser_status place_item(const CaseReader *r, const CaseNode *node, const
     TheoryPlaceDef *const place = item;
     const hawser_status status = case_section_read(r, node, section, place);
     if (status) return status;
+    place->open = isnan(place->force);
+    if (place->open) place->force = 0;
     if (!*place->name) snprintf(place->name, sizeof place->name, "%.6g m", place->at);
     if (place->at < r->route.length) return HAWSER_OK;
     return case_value_error(r->err, case_node_key(node, "at"),

@@ -127,7 +127,7 @@ static int draw_tension(const Folder *folder, hawser_units units, Text *out)
     const int fine = folder->route.columns > 0;
     const Drawn drawn[N] = {
         {&folder->stations, "s_m", "peak_N", "simulated, peak", SVG_PALE, 0},
-        {fine ? &folder->route : &folder->stations, "s_m", "paper_N", "paper's formulas", SVG_THIRD, 0},
+        {fine ? &folder->route : &folder->stations, "s_m", "paper_N", "piece formulas (eq. 3-10)", SVG_THIRD, 0},
         {fine ? &folder->route : &folder->stations, "s_m", fine ? "run_N" : "reference_N", "reference theory",
          SVG_SECOND, 0},
         {&folder->stations, "s_m", "mean_N", "simulated, mean", SVG_FIRST, 1}};

@@ -184,6 +184,7 @@ static const Column limit_column[] = {
     {COLUMN("friction_least", NUMBER, hawser_limit, friction_least)},
     {COLUMN("friction_at_rest_most", NUMBER, hawser_limit, rest_most)},
     {COLUMN("back_tension_most_N", NUMBER, hawser_limit, back_most)},
+    {COLUMN("slope_radius_least_m", NUMBER, hawser_limit, slope_radius_least)},
 };
 static const Columns limit_columns = COLUMNS(hawser_limit, limit_column);
 
@@ -193,7 +194,7 @@ static const Column assumed_column[] = {
     {COLUMN("low", NUMBER, Assumed, low), .label = "usually from", .decimals = -1, .unit_by = "unit"},
     {COLUMN("high", NUMBER, Assumed, high), .label = "to", .decimals = -1, .unit_by = "unit"},
     {COLUMN("unit", TEXT, Assumed, unit), .label = "unit"},
-    {COLUMN("key", TEXT, Assumed, key), .label = "give"},
+    {COLUMN("key", CHARS, Assumed, key), .label = "give"},
     {COLUMN("source", CHARS, Assumed, source), .label = "range of"},
 };
 const Columns assumed_columns = COLUMNS(Assumed, assumed_column);

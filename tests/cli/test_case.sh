@@ -3,7 +3,7 @@ hawser=$1 source=$2
 . "$source/tests/cli/common.sh"
 
 run_hawser 0 check pull.yaml
-says out "A short pull" "segments" "20" "rollers" "length of the route" "winch force, reference" "Cable and rope" "row"
+says out "A short pull" "segments" "20" "rollers" "length of the route" "largest winch force by theory" "784.8 N" "Cable and rope" "row"
 silent err
 run_hawser 0 check pull.yaml --format json
 says out '"segments": 20' '"route_length_m": 20.0' '"chain": ['

@@ -56,7 +56,7 @@ static void words(void **state)
         double value, limit;
         const char *said;
     } row[] = {
-        {"pull", "N", 15200, 10000, "5.2 kN less pull: conveyors, a pit, a lubricant"},
+        {"pull", "N", 15200, 10000, "5.2 kN less pull: conveyors, a pit, or a lubricant"},
         {"winch", "N", 15200, 10000, "5.2 kN less"},
         {"rope", "N", 15000, 10000, "a rope that breaks at 75 kN (limits.rope_strength)"},
         {"bend_radius", "m", 1.5, 2, "a radius of at least 2 m there"},
@@ -75,31 +75,31 @@ static void words(void **state)
     check_has(remedy(scene, "pull", "N", 4448.2216 * 2, 4448.2216, "", HAWSER_US), "1000 lbf less pull");
 }
 
-/* The duct that is named does what it is named for, and one that is 1 % worse does not. */
+/* The duct that is named keeps all limits of a duct, from there on, and one that is 1 % narrower does not. Once each
+ * limit had a remedy of its own, of which two broke another: 64.7 mm and 69.6 mm, in which three cables jam. */
 static void ducts(void **state)
 {
     const Scene *const scene = *state;
+    static const hawser_limit_kind kinds[] = {HAWSER_LIMIT_CLEARANCE, HAWSER_LIMIT_FILL, HAWSER_LIMIT_JAM_RATIO};
     DuctDef def = {.duct_diameter = 63.5e-3, .cable_diameter = 25.4e-3, .cables = 3};
-    DuctLoad now, then;
-    double least, most;
-    assert_int_equal(duct_load(&def, &now, NULL), HAWSER_OK);
-
-    const char *said = remedy(scene, "clearance", "m", now.clearance, 6.35e-3, "d", HAWSER_SI);
-    assert_int_equal(sscanf(said, "an inside diameter of at least %lf mm in 'd' would do (now 63.5 mm)", &least), 1);
-    def.duct_diameter = 1e-3 * least;
+    DuctLoad then;
+    double least;
+    for (int k = 0; k < 3; k++) {
+        const char *const said = remedy(scene, limits_name(kinds[k]), "1", 1, 2, "d", HAWSER_SI);
+        assert_int_equal(sscanf(said, "an inside diameter of at least %lf mm in 'd' would keep its limits", &least), 1);
+        check_has(said, "now 63.5 mm, twice surfaces.ducts.0.radius");
+        check_between(1.05 * least / 25.4, 3.2, 3.21); /* the end of the band in which they jam binds */
+    }
+    for (int k = 0; k < 20; k++) {
+        def.duct_diameter = 1e-3 * least * (1 + 0.05 * k);
+        assert_int_equal(duct_load(&def, &then, NULL), HAWSER_OK);
+        check_at_least(then.clearance, 6.35e-3);
+        check_at_most(then.fill, 0.4);
+        check_at_least(then.jam_ratio, 3.2);
+    }
+    def.duct_diameter = 0.99e-3 * least;
     assert_int_equal(duct_load(&def, &then, NULL), HAWSER_OK);
-    check_between(then.clearance, 6.35e-3, 6.7e-3);
-
-    said = remedy(scene, "fill", "1", now.fill, 0.4, "d", HAWSER_SI);
-    assert_int_equal(sscanf(said, "an inside diameter of at least %lf mm", &least), 1);
-    def.duct_diameter = 1e-3 * least;
-    assert_int_equal(duct_load(&def, &then, NULL), HAWSER_OK);
-    check_between(then.fill, 0.396, 0.4);
-
-    said = remedy(scene, "jam_ratio", "1", now.jam_ratio, 2.6, "d", HAWSER_SI);
-    assert_int_equal(sscanf(said, "an inside diameter of at least %lf mm or at most %lf mm", &least, &most), 2);
-    check_between(1.05 * least / 25.4, 3.2, 3.21);
-    check_between(1.05 * most / 25.4, 2.58, 2.6);
+    check_between(then.jam_ratio, 2.6, 3.2);
     assert_string_equal(remedy(scene, "fill", "1", 0.5, 0.4, "no such duct", HAWSER_SI), "");
 }
 
@@ -191,7 +191,7 @@ static void answers(void **state)
     hawser_text_free(text);
     assert_int_equal(hawser_case_theory(c, HAWSER_TABLE_US, &text, NULL), HAWSER_OK);
     check_has(text, " lbf at the winch");
-    check_has(text, " in in 'd' would do");
+    check_has(text, " in in 'd' (now 2.5 in, twice surfaces.ducts.0.radius)");
     hawser_text_free(text);
     hawser_case_free(c);
 

@@ -366,15 +366,26 @@ static void an_invented_bend_is_named(void **state)
     (void)state;
     char text[8][64];
     const char *set[9];
-    json_t *answer = theory_of(slope, NULL);
-    verdict_has(answer, "NOT SAFE");
-    remedy_settings(answer, text, set, 8);
+    json_t *answer = theory_of(slope, NULL); /* was NOT SAFE: sidewall by 125 % */
+    double radius;
+    const char *const asked =
+        strstr(json_string_value(json_object_get(answer, "verdict_forward")), "SAFE ONLY IF radius at changes of slope >= ");
+    assert_non_null(asked);
+    assert_int_equal(sscanf(asked, "SAFE ONLY IF radius at changes of slope >= %lf m (sidewall)", &radius), 1);
+    check_share(radius, 3.61, 0.01);
     json_decref(answer);
-    assert_string_equal(set[0], "route.transition_radius");
-    assert_null(set[2]);
-    answer = theory_of(slope, set);
-    verdict_has(answer, "SAFE: all");
-    json_decref(answer);
+    for (int k = 0; k < 2; k++) { /* with it the pull is safe, with less it is not */
+        char given[40];
+        snprintf(given, sizeof given, "%.4f m", radius * (k ? 0.99 : 1.001));
+        answer = theory_of(slope, (const char *const[]){"route.transition_radius", given, NULL});
+        verdict_has(answer, k ? "NOT SAFE: 1 of" : "SAFE: all");
+        if (k) {
+            remedy_settings(answer, text, set, 8);
+            assert_string_equal(set[0], "route.transition_radius");
+            assert_null(set[2]);
+        }
+        json_decref(answer);
+    }
 }
 
 /* Where bends and pull are too much, radii and friction are computed together. */

@@ -18,6 +18,7 @@ export interface LimitRow {
   friction_least: Value;
   friction_at_rest_most: Value;
   back_tension_most_N: Value;
+  slope_radius_least_m: Value;
 }
 
 export interface Trust {

@@ -35,7 +35,7 @@ function theoryCurves(run: RunData): Curve[] {
     add('theory, the whole route full of cable', 'third', forward, null);
   }
   add('theory, pulled the other way', 'backward', theory?.backward_N, null);
-  add('paper’s formulas', 'paper', theory?.paper_N, 'paper_N');
+  add('piece formulas (eq. 3-10)', 'paper', theory?.paper_N, 'paper_N');
   return curves;
 }
 

@@ -32,7 +32,6 @@ function keyRows(runs: RunData[]): Row[] {
     row('Pull, steady mean', 'N', (run) => run.summary.pull_force?.steady_mean_N),
     row('Pull, peak', 'N', (run) => run.summary.pull_force?.peak_N),
     row('Pull by the reference theory', 'N', (run) => run.summary.theory?.reference_total_N),
-    row('Pull by the paper’s formulas', 'N', (run) => run.summary.theory?.paper_total_N),
     row('Largest roller load', 'N', (run) => largestOf(run, 'peak_N')),
     row('Speed, steady mean', 'm/s', (run) => run.summary.speed?.steady_m_per_s),
     row('Settled after', 's', (run) => run.summary.speed?.settle_time_s),

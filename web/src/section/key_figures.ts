@@ -73,11 +73,6 @@ export function keyFiguresSection(context: Context): HTMLElement {
       withError(pull?.peak_N, pull?.peak_error?.total_N, 'N', units),
     ),
     fact('Pull by the reference theory', show(reference, 'N', units), difference(pull?.steady_mean_N, reference)),
-    fact(
-      'Pull by the paper’s formulas',
-      show(theory?.paper_total_N, 'N', units),
-      difference(pull?.steady_mean_N, theory?.paper_total_N),
-    ),
     fact('Largest tension anywhere', show(largest, 'N', units), 'rope included'),
     atPlace(context, 'sidewall'),
     atPlace(context, 'bend_radius'),
