@@ -467,17 +467,27 @@ static hawser_status chains_json(const Document *all, int n, const ChainRow row[
     return *text ? HAWSER_OK : error_memory(err);
 }
 
-/* For people: the table, and each one's own behind it. */
-static hawser_status chains_print(char *table, int n, char *const own[], char **text, hawser_error *err)
+/* For people: the table, and each one's own behind it, once where it is that of several. */
+static hawser_status chains_print(char *table, int n, const ChainRow row[], char *const own[], char **text,
+                                  hawser_error *err)
 {
     size_t size = strlen(table) + 1;
-    for (int k = 0; k < n; ++k) size += strlen(own[k]) + 1;
+    const char *body[STRANDS_MAX]; /* behind the name */
+    for (int k = 0; k < n; ++k) {
+        size += strlen(own[k]) + 4;
+        body[k] = own[k] + strlen(row[k].name);
+    }
     char *const all = malloc(size), *at = all;
     if (!all) return error_memory(err);
     at = stpcpy(at, table);
     for (int k = 0; k < n; ++k) {
-        *at++ = '\n';
-        at = stpcpy(at, own[k]);
+        int first = 0;
+        while (strcmp(body[first], body[k]) != 0) ++first;
+        if (first < k) continue;
+        at = stpcpy(stpcpy(at, "\n"), row[k].name);
+        for (int j = k + 1; j < n; ++j)
+            if (!strcmp(body[j], body[k])) at = stpcpy(stpcpy(at, ", "), row[j].name);
+        at = stpcpy(at, body[k]);
     }
     *text = all;
     return HAWSER_OK;
@@ -501,7 +511,7 @@ static hawser_status chains_write(const hawser_case *c, Theory *const t[], hawse
         status = chains_json(&all, n, row, own, text, err);
     } else if (!status) {
         status = document_write(&all, format, &table, err);
-        if (!status) status = chains_print(table, n, own, text, err);
+        if (!status) status = chains_print(table, n, row, own, text, err);
     }
     free(table);
     for (int k = 0; k < n; ++k) free(own[k]);
