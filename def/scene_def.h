@@ -151,6 +151,7 @@ typedef struct JamDef {
 
 typedef struct SceneDef {
     char title[256];
+    int format;   /* of its case */
     Vec3 gravity; /* m/s2 */
     BushingFrame frame;
 

@@ -21,11 +21,11 @@ _hawser() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     COMPREPLY=()
     if [[ $COMP_CWORD -eq 1 ]]; then
-        _hawser_offer 'run check theory validate library route report plot study compare fmu help --help --version'
+        _hawser_offer 'run check theory validate library route report plot study compare fmu upgrade help --help --version'
         return
     fi
     case ${COMP_WORDS[1]} in
-    help) _hawser_offer 'run check theory validate library route report plot study compare fmu' ;;
+    help) _hawser_offer 'run check theory validate library route report plot study compare fmu upgrade' ;;
     run)
         case $previous in
         -o|--output|--resume) _hawser_offer 'folders' ;;
@@ -121,6 +121,12 @@ _hawser() {
         --fmi) _hawser_offer '2 3' ;;
         --set) _hawser_offer '' ;;
         *) _hawser_word '--output --fmi --set --quiet --help --version' '*.yaml' ;;
+        esac
+        ;;
+    upgrade)
+        case $previous in
+        -o|--output) _hawser_offer 'files' ;;
+        *) _hawser_word '--output --quiet --help --version' '*.yaml' ;;
         esac
         ;;
     esac

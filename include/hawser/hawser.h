@@ -42,6 +42,11 @@ hawser_status hawser_case_copy(const hawser_case *c, hawser_case **out, hawser_e
  * name the key, but no line. *text as above. Errors: MEMORY; of unpack INPUT, too. */
 hawser_status hawser_case_pack(const hawser_case *c, char **text, hawser_error *err);
 hawser_status hawser_case_unpack(const char *text, hawser_case **out, hawser_error *err);
+/* Rewrites a case file in today's words, into the file `to` (NULL: in its place, if anything changes): keys that it
+ * calls by other names by their own, and the number of the format; all else, comments too, stays as it is. *changes: in
+ * how many places. Errors: INPUT (the file cannot be read, is no case's, a value cannot be rewritten), OUTPUT, MEMORY.
+ */
+hawser_status hawser_case_upgrade(const char *path, const char *to, int *changes, hawser_error *err);
 /* Interprets and checks everything that can be checked without running. */
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err);
 void hawser_case_free(hawser_case *c);

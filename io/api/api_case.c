@@ -2,10 +2,13 @@
  * first needed. Settings change the tree, and what was read is read again. */
 #include "core/base/error.h"
 #include "io/api/api_handles.h"
+#include "io/case/case_parts.h"
 #include "io/case/case_read.h"
 #include "io/report/text.h"
 
+#include <errno.h>
 #include <jansson.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -102,6 +105,32 @@ hawser_status hawser_case_unpack(const char *text, hawser_case **out, hawser_err
     hawser_status status = case_tree_unpack(text, &tree, &name, err);
     if (!status) status = wrap_tree(tree, name, out, err);
     free(name);
+    return status;
+}
+
+static hawser_status text_replace(const char *path, const char *text, hawser_error *err)
+{
+    char folder[OUT_PATH_MAX];
+    const char *const slash = strrchr(path, '/');
+    const size_t n = slash ? (size_t)(slash - path) : 0;
+    if (n >= sizeof folder) return out_error(path, ENAMETOOLONG, err);
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(n > 0 ? n : 1) : 1, slash ? path : ".");
+    return out_whole(folder, slash ? slash + 1 : path, text, err);
+}
+
+hawser_status hawser_case_upgrade(const char *path, const char *to, int *changes, hawser_error *err)
+{
+    char *old = NULL, *text = NULL;
+    size_t size;
+    if (!path || !changes) return error_argument(err, !path ? "path" : "changes");
+    *changes = 0;
+    hawser_status status = case_file_read(path, &old, &size, err);
+    if (!status && strlen(old) != size)
+        status = error_set(err, HAWSER_ERR_INPUT, "%.300s: no text: it has a NUL character", path);
+    if (!status) status = case_upgrade(old, path, &text, changes, err);
+    if (!status && (to || *changes > 0)) status = text_replace(to ? to : path, text, err);
+    free(old);
+    free(text);
     return status;
 }
 

@@ -225,7 +225,8 @@ static Remedy friction_part(const Setup *setup, const Mend *m)
     Assumed all[ASSUMED_KINDS];
     const int open = assumed_list(setup, all);
     for (int k = 0; k < open; ++k)
-        if (all[k].kind == ASSUMED_REST) snprintf(r.also, sizeof r.also, "%.2g", m->friction * all[k].high / all[k].low);
+        if (all[k].kind == ASSUMED_REST)
+            snprintf(r.also, sizeof r.also, "%.2g", m->friction * all[k].high / all[k].low);
     return r;
 }
 

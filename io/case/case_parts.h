@@ -26,6 +26,16 @@ extern const CaseSection case_top, case_cable, case_bending, case_chain_piece, c
 /* A copy of the tree with the keys' own names where it has others that people type (diameter of a duct); NULL: it has
  * none. Errors: INPUT (both names), MEMORY. */
 hawser_status case_synonyms(const CaseTree *tree, CaseTree **plain, hawser_error *err);
+/* Another name of a key in the items of a list; the i-th, NULL: there are no more. */
+typedef struct Synonym {
+    const char *section, *list, *other, *key;
+    int half; /* the value is twice that of the key */
+} Synonym;
+const Synonym *case_synonym(int i);
+enum { CASE_FORMAT = 1 }; /* of cases, that is read and written */
+/* The text of a case with keys by their own names and its format; the rest, comments too, as it is. *out: malloc'ed.
+ * *changes: in how many places. Errors: INPUT (as case_tree_parse; a value that cannot be rewritten), MEMORY. */
+hawser_status case_upgrade(const char *text, const char *name, char **out, int *changes, hawser_error *err);
 
 hawser_status case_cables_read(CaseReader *r, const CaseNode *node);
 /* A cable's table of bending and the rigidity that is its first slope; node: the cable's map. */

@@ -18,6 +18,7 @@ static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
 /* The whole case: its title, and the sections below. */
 static const CaseKey top_keys[] = {
     {"title", KEY_TEXT, .fallback = "", AT(SceneDef, title)},
+    {"format", KEY_INTEGER, .fallback = "1", FROM(1, CASE_FORMAT), AT(SceneDef, format)},
     {"include", KEY_ANY, .otherwise = "none", .form = "a file, or a list of files"},
     {"gravity", KEY_ANY, .otherwise = "9.81 m/s2", .form = "an acceleration downward, or [x, y, z]", FROM(0, 1e3),
      .dimension = DIM_ACCELERATION},

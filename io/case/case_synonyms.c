@@ -6,11 +6,6 @@
 #include "core/base/error.h"
 #include "io/case/case_parts.h"
 
-typedef struct Synonym {
-    const char *section, *list, *other, *key;
-    int half; /* the value is twice that of the key */
-} Synonym;
-
 static const Synonym synonyms[] = {
     {"surfaces", "ducts", "diameter", "radius", 1},        {"surfaces", "ducts", "inner diameter", "radius", 1},
     {"surfaces", "ducts", "inner_diameter", "radius", 1},  {"surfaces", "ducts", "inside diameter", "radius", 1},
@@ -18,6 +13,8 @@ static const Synonym synonyms[] = {
     {"route", "pieces", "length", "straight", 0},          {"route", "pieces", "turn", "plane", 0},
 };
 enum { SYNONYMS = sizeof synonyms / sizeof *synonyms };
+
+const Synonym *case_synonym(int i) { return i < SYNONYMS ? &synonyms[i] : NULL; }
 
 /* Gives a node of the tree its key's own name. */
 static hawser_status rename_node(const Units *units, const Synonym *s, CaseNode *node, hawser_error *err)

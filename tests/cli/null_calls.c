@@ -62,6 +62,9 @@ static void cases(void)
     REFUSED("path", hawser_case_spares, c, NULL);
     error = (hawser_error){.status = HAWSER_OK};
     assert_int_equal(hawser_case_check(NULL, &error), HAWSER_ERR_INPUT);
+    int changes;
+    REFUSED("path", hawser_case_upgrade, NULL, "to.yaml", &changes);
+    REFUSED("changes", hawser_case_upgrade, "case.yaml", "to.yaml", NULL);
     REFUSED("c", hawser_case_describe, NULL, HAWSER_JSON, &text);
     REFUSED("text", hawser_case_describe, c, HAWSER_JSON, NULL);
     REFUSED("c", hawser_case_theory, NULL, HAWSER_JSON, &text);

@@ -368,8 +368,8 @@ static void an_invented_bend_is_named(void **state)
     const char *set[9];
     json_t *answer = theory_of(slope, NULL); /* was NOT SAFE: sidewall by 125 % */
     double radius;
-    const char *const asked =
-        strstr(json_string_value(json_object_get(answer, "verdict_forward")), "SAFE ONLY IF radius at changes of slope >= ");
+    const char *const asked = strstr(json_string_value(json_object_get(answer, "verdict_forward")),
+                                     "SAFE ONLY IF radius at changes of slope >= ");
     assert_non_null(asked);
     assert_int_equal(sscanf(asked, "SAFE ONLY IF radius at changes of slope >= %lf m (sidewall)", &radius), 1);
     check_share(radius, 3.61, 0.01);
