@@ -62,7 +62,8 @@ static hawser_status old_office_read(SurveyInput *in)
 /* Which is the file of the shapes and which their index, both have the same sign, the name alone says. */
 static const char shape_sign[] = {0, 0, 0x27, 0x0A};
 static int is_shape(const char *head) { return !memcmp(head, shape_sign, sizeof shape_sign); }
-static int is_json(const char *head) { return *head == '{'; }
+/* A feature a line may stand behind a record separator. */
+static int is_json(const char *head) { return *head == '{' || (*head == 0x1E && head[1] == '{'); }
 static int is_xml(const char *head) { return *head == '<'; }
 static int is_table(const char *head) { return *head != 0; }
 
