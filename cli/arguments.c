@@ -46,6 +46,7 @@ enum {
     OPTION_PAGE = 'g',
     OPTION_FMI = 'M',
     OPTION_TABLES = 'Q',
+    OPTION_PICTURE = 'D',
     KNOWN_MAX = 20
 };
 
@@ -77,6 +78,7 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"join", required_argument, NULL, OPTION_JOIN},
                                             {"sheet", required_argument, NULL, OPTION_SHEET},
                                             {"ignore", required_argument, NULL, OPTION_IGNORE},
+                                            {"picture", required_argument, NULL, OPTION_PICTURE},
                                             {"json", no_argument, NULL, OPTION_JSON},
                                             {"jobs", required_argument, NULL, OPTION_JOBS},
                                             {"fresh", no_argument, NULL, OPTION_FRESH},
@@ -403,6 +405,9 @@ static int take_option(const Command *command, int letter, Arguments *args)
         return ARGUMENTS_GO_ON;
     case OPTION_TABLES:
         args->tables = optarg;
+        return ARGUMENTS_GO_ON;
+    case OPTION_PICTURE:
+        args->picture = optarg;
         return ARGUMENTS_GO_ON;
     case OPTION_CREW:
         args->crew = optarg;

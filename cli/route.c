@@ -2,13 +2,14 @@
 #include "cli/commands.h"
 
 #include <stdio.h>
+#include <string.h>
 
 static const char help[] =
     "Usage: hawser route FILE [options]\n"
     "\n"
     "Says which routes FILE holds: a drawing (DXF), a model (LandXML, IFC), a table (CSV, TSV, .xlsx, .ods)\n"
-    "or a map (GeoJSON, GPX, KML, KMZ); how long they are, where they begin and end, how well straights, arcs and\n"
-    "clothoids fit them, and what was not read. docs/case-format.md says how a case takes one.\n"
+    "or a map (GeoJSON, GPX, KML, KMZ, shapefile); how long they are, where they begin and end, how well straights,\n"
+    "arcs and clothoids fit them, and what was not read. docs/case-format.md says how a case takes one.\n"
     "\n"
     "      --name NAME         only lines of this name\n"
     "      --layer LAYER       only lines on this layer of a drawing\n"
@@ -23,6 +24,8 @@ static const char help[] =
     "      --ignore NAMES      columns of a table that are not used, with commas between\n"
     "      --radius LENGTH     corners of lines of points get this radius; without it such lines are fitted\n"
     "  -o, --output FILE       writes the line as it would be built: .yaml (of a case), .csv, .dxf, .geojson\n"
+    "      --picture FILE      a page (.html) with plan and profile: what would be built, in grey what is left out,\n"
+    "                          bends with their radii, start, end and direction\n"
     "      --json              JSON, with lengths in m whatever the file's unit is\n"
     "      --format FORMAT     table (default), json or csv\n"
     "  -h, --help              this text\n"
@@ -33,11 +36,17 @@ static const char help[] =
 
 static int route(const Arguments *args)
 {
+    const size_t size = args->picture ? strlen(args->picture) : 0;
+    if (args->picture && (size < 6 || strcmp(args->picture + size - 5, ".html") != 0)) {
+        complain("--picture %s: must end in .html, as in --picture route.html", args->picture);
+        return EXIT_USAGE;
+    }
     hawser_error err = {HAWSER_OK, ""};
     hawser_routes *r = NULL;
     char *text = NULL;
     hawser_status status = hawser_routes_read(args->case_path, &args->route, &r, &err);
     if (!status && args->dir) status = hawser_routes_write(r, -1, args->dir, &err);
+    if (!status && args->picture) status = hawser_routes_write(r, -1, args->picture, &err);
     if (!status) status = hawser_routes_describe(r, args->format, &text, &err);
     if (!status) fputs(text, stdout);
     hawser_text_free(text);
@@ -45,5 +54,5 @@ static int route(const Arguments *args)
     return finish_stdout(exit_status(status, &err));
 }
 
-const Command command_route = {"route", "which routes a drawing, a model, a table or a map holds", "fonLUrabpdRJjzZ/",
+const Command command_route = {"route", "which routes a drawing, a model, a table or a map holds", "fonLUrabpdRJjzZD/",
                                help, route};

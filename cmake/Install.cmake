@@ -10,6 +10,9 @@ endforeach()
 # What the folders link outside the project. A new library belongs here too, and its licence in NOTICE: tests/install builds
 # a consumer of the static library from nothing but this list.
 set(HAWSER_PRIVATE_PACKAGES yaml-0.1 expat jansson hdf5-serial zlib nlopt libzip) # known to pkg-config
+if(HAWSER_SHAPELIB)
+    list(APPEND HAWSER_PRIVATE_PACKAGES shapelib)
+endif()
 set(HAWSER_PRIVATE_LIBRARIES ${KLU_LIBRARY} ${AMD_LIBRARY} ${COLAMD_LIBRARY} ${BTF_LIBRARY}
                              ${SUITESPARSECONFIG_LIBRARY} ${METIS_LIBRARY})
 list(TRANSFORM HAWSER_PRIVATE_LIBRARIES REPLACE "^.*/lib([^/]*)[.](so|a)$" "-l\\1")
@@ -32,7 +35,7 @@ target_link_options(hawser_shared PRIVATE -Wl,--version-script=${PROJECT_SOURCE_
                                           $<$<CONFIG:Release>:-Wl,-z,defs>)
 target_link_libraries(hawser_shared PRIVATE
     SUNDIALS::cvode SUNDIALS::nvecserial PkgConfig::YAML PkgConfig::EXPAT PkgConfig::JANSSON PkgConfig::HDF5 PkgConfig::ZLIB
-    PkgConfig::NLOPT PkgConfig::LIBZIP hawser_klu Threads::Threads m)
+    PkgConfig::NLOPT PkgConfig::LIBZIP ${HAWSER_SHAPELIB} hawser_klu Threads::Threads m)
 target_include_directories(hawser_shared INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
 # The static library is one object in which everything but hawser_* has become local: a program that links it may have

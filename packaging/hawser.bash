@@ -77,10 +77,10 @@ _hawser() {
         case $previous in
         --name|--layer|--from|--to|--tolerance|--join|--sheet|--radius) _hawser_offer '' ;;
         --units) _hawser_offer 'mm m ft' ;;
-        --profile|-o|--output) _hawser_offer 'files' ;;
+        --profile|-o|--output|--picture) _hawser_offer 'files' ;;
         --ignore) _hawser_offer 'all facts pieces limits heads sections' ;;
         --format) _hawser_offer 'table json csv' ;;
-        *) _hawser_word '--name --layer --units --profile --reverse --from --to --tolerance --join --sheet --ignore --radius --output --json --format --help --version' '*' ;;
+        *) _hawser_word '--name --layer --units --profile --reverse --from --to --tolerance --join --sheet --ignore --radius --output --picture --json --format --help --version' '*' ;;
         esac
         ;;
     report)

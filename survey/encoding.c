@@ -1,6 +1,6 @@
 #include "survey/encoding.h"
 
-#include <iconv.h>
+#include <errno.h>
 #include <stdint.h>
 #include <string.h>
 #include <strings.h>
@@ -34,4 +34,33 @@ int encoding_find(void *data, const XML_Char *name, XML_Encoding *info)
     for (int i = 0; i < 128; ++i)
         if (info->map[i] != i) return XML_STATUS_ERROR;    /* not of ASCII's kind */
     return known > 192 ? XML_STATUS_OK : XML_STATUS_ERROR; /* of several bytes a character */
+}
+
+int encoding_is_utf8(const char *text)
+{
+    const unsigned char *t = (const unsigned char *)text;
+    while (*t) {
+        const int more = *t < 0x80                 ? 0
+                         : *t >= 0xC2 && *t < 0xE0 ? 1
+                         : (*t & 0xF0) == 0xE0     ? 2
+                         : *t >= 0xF0 && *t < 0xF5 ? 3
+                                                   : -1;
+        if (more < 0) return 0;
+        ++t;
+        for (int i = 0; i < more; ++i, ++t) {
+            if ((*t & 0xC0) != 0x80) return 0;
+        }
+    }
+    return 1;
+}
+
+int encoding_convert(iconv_t page, char *to, size_t size, const char *text)
+{
+    char *in = (char *)(size_t)text, *out = to;
+    size_t left = strlen(text), room = size - 1;
+    if (page == (iconv_t)-1) return 0;
+    iconv(page, NULL, NULL, NULL, NULL);
+    const size_t wrong = iconv(page, &in, &left, &out, &room);
+    *out = 0;
+    return wrong != (size_t)-1 || errno == E2BIG;
 }

@@ -82,6 +82,8 @@ hawser_status dxf_read(SurveyInput *in);
  * height, projected about the first place of the file. */
 hawser_status tracks_read(SurveyInput *in);
 hawser_status geojson_read(SurveyInput *in);
+/* Shapefiles: lines and points, with the .dbf and .prj beside them; degrees as in other maps. */
+hawser_status shape_read(SurveyInput *in);
 /* CSV and TSV with names over the columns: survey/table/table.h. */
 hawser_status table_read(SurveyInput *in);
 /* One sheet of a workbook (.xlsx, .ods) by the rules of tables; lines in messages are the sheet's rows. Or the first

@@ -1,6 +1,6 @@
-/* Routes out of files: drawings (DXF), models (LandXML, IFC), tables (CSV, spreadsheets), maps (GeoJSON, GPX, KML).
- * Part of hawser/hawser.h, which includes it. docs/routes.md says what is read of each. Lengths in m; x east, y north,
- * z up, in the file's own system of coordinates. */
+/* Routes out of files: drawings (DXF), models (LandXML, IFC), tables (CSV, spreadsheets), maps (GeoJSON, GPX, KML,
+ * shapefiles). Part of hawser/hawser.h, which includes it. docs/routes.md says what is read of each. Lengths in m; x
+ * east, y north, z up, in the file's own system of coordinates. */
 #ifndef HAWSER_ROUTE_H
 #define HAWSER_ROUTE_H
 
@@ -79,7 +79,8 @@ void hawser_route_bends_free(hawser_route_bend *bends);
 hawser_status hawser_routes_length(hawser_routes *r, int i, double *length_m, hawser_error *err);
 hawser_status hawser_routes_at(hawser_routes *r, int i, double s_m, hawser_route_place *out, hawser_error *err);
 /* Writes the line as it would be built: a table (.csv), a drawing (.dxf), a map (.geojson) or the section `route` of a
- * case (.yaml). i < 0: the one that is meant, as in a case. Errors: INPUT (several could be meant, an ending that is
+ * case (.yaml). i < 0: the one that is meant, as in a case. A page (.html) shows it in plan and profile, what is left
+ * out in grey; i < 0: every line. Errors: INPUT (several could be meant, an ending that is
  * none of these), OUTPUT, MEMORY. */
 hawser_status hawser_routes_write(const hawser_routes *r, int i, const char *path, hawser_error *err);
 

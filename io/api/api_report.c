@@ -25,19 +25,6 @@ static void locale_back(locale_t plain, locale_t before)
     freelocale(plain);
 }
 
-/* All of a text under a path: beside it first, so that what stands there is whole at any time. */
-static hawser_status file_write(const char *path, const char *text, hawser_error *err)
-{
-    char dir[OUT_PATH_MAX];
-    const char *const slash = strrchr(path, '/'), *const name = slash ? slash + 1 : path;
-    const size_t n = slash == path ? 1 : slash ? (size_t)(slash - path) : 1;
-    if (!*name) return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': it names no file", path);
-    if (n >= sizeof dir) return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': the name is too long", path);
-    memcpy(dir, slash ? path : ".", n);
-    dir[n] = 0;
-    return out_whole(dir, name, text, err);
-}
-
 /* The chains that are pulled together with a folder's, which are in folders of their names within it, behind it; as
  * many as a page shows. *n: how many there are then. Errors: as folder_read. */
 static hawser_status chains_read(Folder *folder, size_t *n, char **dir, hawser_error *err)
@@ -81,7 +68,7 @@ static hawser_status report_make(const char *const *dirs, size_t n, const char *
     if (!status) status = data_write(n, folder, &data, err);
     if (!status) status = page_write(n, folder, &data, &page, err);
     text_clear(&data);
-    if (!status) status = file_write(path, page.at, err);
+    if (!status) status = out_file(path, page.at, err);
     text_clear(&page);
     file_marks_free(&files);
     for (size_t i = 0; i < n; i++) folder_clear(&folder[i]);

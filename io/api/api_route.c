@@ -2,19 +2,24 @@
 #include "hawser/hawser.h"
 
 #include <jansson.h>
+#include <locale.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "core/base/error.h"
 #include "io/alignment/line.h"
 #include "io/api/api_handles.h"
+#include "io/report/route_page.h"
+#include "io/results/results_file.h"
 #include "io/yaml/units.h"
 #include "survey/write/write.h"
 
 /* More lines than these are a whole drawing, of which nobody wants each as a route, and a line of more pieces takes
  * minutes to fit: they are used once asked for. Each line of JSON has what the whole file's ignored things are, but not
  * a million times. */
+enum { PLACES_LEAST = 400, PLACES_MOST = 20000, LEFT_MOST = 200000 }; /* of a page: points of a line, in grey */
 enum { USED_AT_ONCE = 32, IGNORED_WITH_EACH = 1000, PIECES_AT_ONCE = LINE_PIECES_MOST, DIGITS = 13 };
 
 static const double DEGREES = 180 / 3.14159265358979323846;
@@ -582,15 +587,146 @@ hawser_status hawser_routes_at(hawser_routes *r, int i, double s_m, hawser_route
     return HAWSER_OK;
 }
 
+/* --------------------------------------------------------------------------------------------------------- a page */
+
+/* Places along a line as it would be built, and the middles of its bends. Errors: MEMORY. */
+static hawser_status page_line(const hawser_routes *r, int i, RoutePageLine *out, hawser_error *err)
+{
+    RouteRow *row = &r->row[i];
+    hawser_error why;
+    *out = (RoutePageLine){.figures = &row->figures, .problem = row->figures.problem};
+    if (!row->use) out->problem = "not tried: choose it by its name or layer";
+    if (out->problem) return HAWSER_OK;
+    out->way = row->use->way.text;
+    out->found = row->use->line.bends;
+    const hawser_status status = row_build(r, i, &row, &why);
+    if (status == HAWSER_ERR_MEMORY) return error_memory(err);
+    if (status) {
+        if (!row->figures.problem) row->use->problem = why;
+        out->problem = row->use->problem.message;
+        return HAWSER_OK;
+    }
+    const Alignment *const a = &row->use->line.line;
+    const Route *const route = &row->use->route;
+    const int n = (int)fmin(PLACES_MOST, PLACES_LEAST + 20.0 * row->figures.pieces);
+    out->n_bends = bends_list(row, NULL);
+    out->x = calloc(4 * (size_t)n, sizeof *out->x);
+    out->bend = calloc((size_t)out->n_bends + 1, sizeof *out->bend);
+    out->bend_x = calloc(2 * (size_t)out->n_bends + 1, sizeof *out->bend_x);
+    if (!out->x || !out->bend || !out->bend_x) return error_memory(err);
+    out->n = n;
+    out->y = out->x + n;
+    out->z = out->y + n;
+    out->station = out->z + n;
+    for (int k = 0; k < n; ++k) {
+        const Vec3 at = route_at(route, route->length * k / (n - 1)).position;
+        out->x[k] = at.x;
+        out->y[k] = at.y;
+        out->z[k] = at.z;
+        out->station[k] = k ? out->station[k - 1] + hypot(at.x - out->x[k - 1], at.y - out->y[k - 1]) : a->station;
+    }
+    bends_list(row, out->bend);
+    out->bend_y = out->bend_x + out->n_bends;
+    for (int k = 0; k < out->n_bends; ++k) {
+        const double s = out->bend[k].station_m + out->bend[k].length_m / 2 - row->figures.station_m;
+        const Vec3 at = a->n_plan ? alignment_at(a, s).at : route_at(route, s).position;
+        out->bend_x[k] = at.x;
+        out->bend_y[k] = at.y;
+    }
+    return HAWSER_OK;
+}
+
+static void left_add(RoutePage *page, double x, double y)
+{
+    page->left_x[page->n_left] = x;
+    page->left_y[page->n_left++] = y;
+}
+
+/* Lines of the file as they are in it, up to LEFT_MOST points, and its points. Errors: MEMORY. */
+static hawser_status page_left(const Survey *s, RoutePage *page, hawser_error *err)
+{
+    enum { CHORDS = 40 }; /* of an element that is no straight */
+    const size_t marks = (size_t)(s->n_marks < LEFT_MOST ? s->n_marks : LEFT_MOST);
+    page->left_x = malloc((size_t)LEFT_MOST * sizeof(double));
+    page->left_y = malloc((size_t)LEFT_MOST * sizeof(double));
+    page->mark_x = malloc((marks + 1) * sizeof(double));
+    page->mark_y = malloc((marks + 1) * sizeof(double));
+    if (!page->left_x || !page->left_y || !page->mark_x || !page->mark_y) return error_memory(err);
+    for (int i = 0; i < s->n; ++i) {
+        const Alignment *const a = &s->alignment[i];
+        if (page->n_left + a->n_points + (CHORDS + 2L) * a->n_plan + 2 > LEFT_MOST) {
+            page->n_more++;
+            continue;
+        }
+        for (int k = 0; k < a->n_points; ++k) left_add(page, a->point[k].x, a->point[k].y);
+        for (int k = 0; k < a->n_plan; ++k) {
+            const PlanElement *const e = &a->plan[k];
+            const int chords = e->k0 == 0 && e->k1 == 0 ? 1 : CHORDS;
+            for (int c = 0; c <= chords; ++c) {
+                const PlanElement at = plan_at(e, e->length * c / chords);
+                left_add(page, at.x, at.y);
+            }
+        }
+        left_add(page, NAN, NAN);
+    }
+    for (size_t i = 0; i < marks; ++i) {
+        page->mark_x[page->n_marks] = s->mark[i].at.x;
+        page->mark_y[page->n_marks++] = s->mark[i].at.y;
+    }
+    return HAWSER_OK;
+}
+
+/* Errors: MEMORY. */
+static hawser_status page_fill(const hawser_routes *r, int only, RoutePage *page, hawser_error *err)
+{
+    LinePick all = r->options.line;
+    Survey whole = {0};
+    hawser_status status = HAWSER_OK;
+    const int most = only >= 0 ? 1 : r->survey.n < USED_AT_ONCE ? r->survey.n : USED_AT_ONCE;
+    page->line = calloc((size_t)most + 1, sizeof *page->line);
+    page->ignored = calloc((size_t)r->survey.n_ignored + 1, sizeof *page->ignored);
+    if (!page->line || !page->ignored) return error_memory(err);
+    for (; page->n < most && !status; page->n++)
+        status = page_line(r, only >= 0 ? only : page->n, &page->line[page->n], err);
+    for (; page->n_ignored < r->survey.n_ignored; page->n_ignored++)
+        page->ignored[page->n_ignored] = r->survey.ignored[page->n_ignored].what;
+    all.name = all.layer = NULL;
+    const int chosen = r->options.line.name || r->options.line.layer;
+    if (!status && chosen) status = lines_read(&all, &whole, err);
+    if (!status) status = page_left(chosen ? &whole : &r->survey, page, err);
+    survey_clear(&whole);
+    return status;
+}
+
+static hawser_status page_save(const hawser_routes *r, int only, const char *path, hawser_error *err)
+{
+    RoutePage page = {.path = r->path, .unit = *r->survey.unit ? r->survey.unit : "m", .system = r->survey.system};
+    Text text = {0};
+    const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (!plain) return error_memory(err);
+    const locale_t before = uselocale(plain);
+    hawser_status status = page_fill(r, only, &page, err);
+    if (!status) route_page_write(&page, &text);
+    if (!status && text.failed) status = error_memory(err);
+    if (!status) status = out_file(path, text.at, err);
+    uselocale(before);
+    freelocale(plain);
+    text_clear(&text);
+    route_page_clear(&page);
+    return status;
+}
+
 hawser_status hawser_routes_write(const hawser_routes *r, int i, const char *path, hawser_error *err)
 {
     if (!r || !path) return error_argument(err, r ? "path" : "r");
     const int format = write_format(path);
     const Alignment *meant = NULL;
     RouteRow *row = NULL;
-    if (format < 0) {
+    const size_t size = strlen(path);
+    const int page = size > 5 && !strcasecmp(path + size - 5, ".html");
+    if (format < 0 && !page) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "%.300s: the ending says what is written: .csv, .dxf, .geojson or .yaml", path);
+                         "%.300s: the ending says what is written: .csv, .dxf, .geojson, .yaml or .html", path);
     }
     FileMarks files = {0};
     hawser_status status = file_marks_add(&files, r->path, err);
@@ -598,8 +734,10 @@ hawser_status hawser_routes_write(const hawser_routes *r, int i, const char *pat
     if (!status) status = file_marks_spare(&files, path, err);
     file_marks_free(&files);
     if (status) return status;
+    if (page && i < 0) return page_save(r, -1, path, err);
     status = i < 0 ? line_choose(&r->options.line, &r->survey, &meant, err) : HAWSER_OK;
     if (!status) status = row_good(r, i < 0 ? (int)(meant - r->survey.alignment) : i, &row, err);
+    if (!status && page) return page_save(r, i, path, err);
     if (!status) status = alignment_write(&row->use->line.line, r->survey.system, (WriteFormat)format, path, err);
     return status;
 }

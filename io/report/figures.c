@@ -307,17 +307,11 @@ static void places_mark(Svg *svg, const Folder *folder, const Axis *x, const Axi
 /* Axes of the route from above, both to one scale. */
 static void plan_axes(const Curve *plan, Axis *x, Axis *y)
 {
-    enum { LEAST = 90, MOST = 420 };
-    double x0, x1, y0, y1;
-    range_of(1, plan, 1, &x0, &x1);
-    range_of(1, plan, 0, &y0, &y1);
-    const double wide = WIDTH - LEFT - RIGHT;
-    const double metre =
-        fmin(wide / fmax(1.08 * (x1 - x0), 1e-9), MOST / fmax(1.16 * (y1 - y0), 1e-9)); /* pixels of one */
-    const double height = fmax(LEAST, fmin(MOST, metre * 1.16 * (y1 - y0)));
-    const double half_x = wide / metre / 2, half_y = height / metre / 2;
-    *x = (Axis){(x0 + x1) / 2 - half_x, (x0 + x1) / 2 + half_x, LEFT, wide, x->label};
-    *y = (Axis){(y0 + y1) / 2 - half_y, (y0 + y1) / 2 + half_y, TOP + height, -height, y->label};
+    enum { MOST = 420 };
+    double range_x[2], range_y[2];
+    range_of(1, plan, 1, &range_x[0], &range_x[1]);
+    range_of(1, plan, 0, &range_y[0], &range_y[1]);
+    axes_to_scale(LEFT, WIDTH - LEFT - RIGHT, TOP, MOST, range_x, range_y, x, y);
 }
 
 static void plan_draw(Svg *svg, const Axis *x, const Axis *y, const Curve *plan)

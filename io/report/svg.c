@@ -6,7 +6,7 @@
 
 enum { TICKS_MOST = 8 };
 
-static const char *const style_name[SVG_STYLES] = {"a", "b", "c", "d", "pale", "limit"};
+static const char *const style_name[SVG_STYLES] = {"a", "b", "c", "d", "pale", "limit", "grey"};
 
 static const char css[] =
     "<style>text{font:13px system-ui,-apple-system,'Segoe "
@@ -15,9 +15,11 @@ static const char css[] =
     ".shade{fill:#f3f5f8}.line{fill:none;stroke-width:2;stroke-linejoin:round;stroke-linecap:round}.bar,.dot{stroke:"
     "none}"
     ".line.a{stroke:#0072b2}.line.b{stroke:#d55e00}.line.c{stroke:#007a5a;stroke-dasharray:7 4}"
-    ".line.d{stroke:#8e5ea2}.line.pale{stroke:#7fb8d8;stroke-width:1.5}.line.limit{stroke:#b3261e;stroke-dasharray:2 4}"
+    ".line.d{stroke:#8e5ea2}.line.pale{stroke:#7fb8d8;stroke-width:1.5}.line.limit{stroke:#b3261e;stroke-dasharray:2 "
+    "4}.line.grey{stroke:#9aa4af;stroke-width:1.5}"
     ".line.event{stroke:#6e7781;stroke-width:1;stroke-dasharray:3 3}"
-    ".a{fill:#0072b2}.b{fill:#d55e00}.c{fill:#007a5a}.d{fill:#8e5ea2}.pale{fill:#a6cee3}.limit{fill:#b3261e}.line{fill:"
+    ".a{fill:#0072b2}.b{fill:#d55e00}.c{fill:#007a5a}.d{fill:#8e5ea2}.pale{fill:#a6cee3}.limit{fill:#b3261e}.grey{fill:"
+    "#9aa4af}.line{fill:"
     "none}"
     "@media(prefers-color-scheme:dark){text{fill:#e6edf3}.small{fill:#adbac7}.page{fill:#0d1117}.grid{stroke:#262c36}"
     ".edge{stroke:#768390}.shade{fill:#161c26}.line.a{stroke:#58a6e0}.line.b{stroke:#ff9a5c}.line.c{stroke:#3fc49a}"
@@ -58,6 +60,18 @@ void axis_fit(Axis *axis, double from, double to)
     const double room = 0.06 * (to - from);
     axis->from = from < 0 || from > 0 ? from - room : from;
     axis->to = to < 0 || to > 0 ? to + room : to;
+}
+
+void axes_to_scale(double left, double wide, double top, double most, const double range_x[2], const double range_y[2],
+                   Axis *x, Axis *y)
+{
+    const double least = 90, dx = range_x[1] - range_x[0], dy = range_y[1] - range_y[0];
+    const double metre = fmin(wide / fmax(1.08 * dx, 1e-9), most / fmax(1.16 * dy, 1e-9)); /* pixels of one */
+    const double height = fmax(least, fmin(most, metre * 1.16 * dy));
+    const double half_x = wide / metre / 2, half_y = height / metre / 2, mx = range_x[0] + dx / 2,
+                 my = range_y[0] + dy / 2;
+    *x = (Axis){mx - half_x, mx + half_x, left, wide, x->label};
+    *y = (Axis){my - half_y, my + half_y, top + height, -height, y->label};
 }
 
 /* 1, 2 or 5 times a power of ten: the least that gives few enough steps. */
@@ -165,6 +179,23 @@ void svg_marks(Svg *svg, const Axis *x, const Axis *y, int n, const double *xs, 
         text_print(&svg->out, "<circle class=\"dot %s\" cx=\"%.1f\" cy=\"%.1f\" r=\"3\"/>\n", style_name[style],
                    axis_pixel(x, xs[i]), axis_pixel(y, ys[i]));
     }
+}
+
+void svg_words(Svg *svg, double x, double y, const char *words)
+{
+    text_print(&svg->out, "<text class=\"small\" x=\"%.1f\" y=\"%.1f\">", x, y);
+    text_html(&svg->out, words, 60);
+    text_add(&svg->out, "</text>\n");
+}
+
+void svg_arrow(Svg *svg, const Axis *x, const Axis *y, double u, double v, double dx, double dy, SvgStyle style)
+{
+    const double px = axis_pixel(x, u), py = axis_pixel(y, v), size = hypot(dx, dy), back = 7, aside = 5;
+    if (!(size > 0)) return;
+    const double tx = dx / size, ty = -dy / size; /* pixels count down */
+    text_print(&svg->out, "<path class=\"%s\" d=\"M%.1f %.1fL%.1f %.1fL%.1f %.1fz\"/>\n", style_name[style],
+               px + back * tx, py + back * ty, px - back * tx - aside * ty, py - back * ty + aside * tx,
+               px - back * tx + aside * ty, py - back * ty - aside * tx);
 }
 
 void svg_bars(Svg *svg, const Axis *x, const Axis *y, int n, const double *xs, const double *ys, double width,

@@ -7,7 +7,16 @@
 #include "io/report/text.h"
 
 /* How a thing looks: colours that also those can tell apart who do not see red and green alike. */
-typedef enum SvgStyle { SVG_FIRST, SVG_SECOND, SVG_THIRD, SVG_FOURTH, SVG_PALE, SVG_LIMIT, SVG_STYLES } SvgStyle;
+typedef enum SvgStyle {
+    SVG_FIRST,
+    SVG_SECOND,
+    SVG_THIRD,
+    SVG_FOURTH,
+    SVG_PALE,
+    SVG_LIMIT,
+    SVG_GREY,
+    SVG_STYLES
+} SvgStyle;
 
 typedef struct Axis {
     double from, to;   /* values at both ends */
@@ -26,6 +35,10 @@ void svg_end(Svg *svg);
 double axis_pixel(const Axis *axis, double value);
 /* The least range that holds from..to, with a little room at the ends that are not 0. */
 void axis_fit(Axis *axis, double from, double to);
+/* Axes of a plan, which ranges in x and y fill as far as one scale for both allows: `wide` pixels from `left`, at most
+ * `most` high below `top`. */
+void axes_to_scale(double left, double wide, double top, double most, const double range_x[2], const double range_y[2],
+                   Axis *x, Axis *y);
 /* A frame with grid, numbers and labels. */
 void svg_frame(Svg *svg, const Axis *x, const Axis *y);
 /* Lines break where a value is not finite; more points than pixels are thinned to the least and largest of each pixel.
@@ -33,6 +46,10 @@ void svg_frame(Svg *svg, const Axis *x, const Axis *y);
 void svg_line(Svg *svg, const Axis *x, const Axis *y, int n, const double *xs, const double *ys, SvgStyle style);
 /* A small circle at each point. */
 void svg_marks(Svg *svg, const Axis *x, const Axis *y, int n, const double *xs, const double *ys, SvgStyle style);
+/* Small words that begin at a place in pixels. */
+void svg_words(Svg *svg, double x, double y, const char *words);
+/* An arrow's head at a point, which shows where (dx, dy) goes; nothing of no length. */
+void svg_arrow(Svg *svg, const Axis *x, const Axis *y, double u, double v, double dx, double dy, SvgStyle style);
 /* Bars from 0, `width` in pixels, moved aside by `shift`. */
 void svg_bars(Svg *svg, const Axis *x, const Axis *y, int n, const double *xs, const double *ys, double width,
               double shift, SvgStyle style);

@@ -413,6 +413,18 @@ hawser_status out_whole(const char *dir, const char *name, const char *text, haw
     return status;
 }
 
+hawser_status out_file(const char *path, const char *text, hawser_error *err)
+{
+    char dir[OUT_PATH_MAX];
+    const char *const slash = strrchr(path, '/'), *const name = slash ? slash + 1 : path;
+    const size_t n = slash == path ? 1 : slash ? (size_t)(slash - path) : 1;
+    if (!*name) return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': it names no file", path);
+    if (n >= sizeof dir) return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': the name is too long", path);
+    memcpy(dir, slash ? path : ".", n);
+    dir[n] = 0;
+    return out_whole(dir, name, text, err);
+}
+
 hawser_status out_bytes_in(const OutDir *dir, const char *name, const void *bytes, size_t size, hawser_error *err)
 {
     OutFile out;

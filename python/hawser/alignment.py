@@ -102,7 +102,7 @@ def routes(path: str | os.PathLike[str], *, name: str | None = None, layer: str 
            profile: str | os.PathLike[str] | None = None, reverse: bool = False, from_m: float = math.nan,
            to_m: float = math.nan, tolerance_m: float | None = None, radius_m: float = math.nan,
            join_m: float | None = None, sheet: str | None = None, ignore: list[str] | None = None) -> list[Route]:
-    """The routes that a file holds (DXF, LandXML, IFC, tables, spreadsheets, GeoJSON, KML, GPX).
+    """The routes that a file holds (DXF, LandXML, IFC, tables, spreadsheets, GeoJSON, KML, GPX, shapefiles).
 
     name, layer:  only lines of this name, on this layer
     units:        the file's unit of length, in place of what it says: "mm", "ft"

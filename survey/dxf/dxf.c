@@ -9,49 +9,20 @@
 #include <strings.h>
 
 #include "core/base/error.h"
+#include "survey/encoding.h"
 
 enum { NUMBERS_MOST = 1 << 26 };
-
-/* Whether bytes are UTF-8, as drawings since 2007 are. */
-static int is_utf8(const unsigned char *t)
-{
-    while (*t) {
-        const int more = *t < 0x80                 ? 0
-                         : *t >= 0xC2 && *t < 0xE0 ? 1
-                         : (*t & 0xF0) == 0xE0     ? 2
-                         : *t >= 0xF0 && *t < 0xF5 ? 3
-                                                   : -1;
-        if (more < 0) return 0;
-        ++t;
-        for (int i = 0; i < more; ++i, ++t) {
-            if ((*t & 0xC0) != 0x80) return 0;
-        }
-    }
-    return 1;
-}
 
 /* The character of "\U+00FC", as drawings before 2007 write what their code page has not; 0: no such. */
 static unsigned escape_of(const char *t) { return strncmp(t, "\\U+", 3) ? 0 : input_hex(t + 3, 4); }
 
-/* Bytes of the drawing's code page as UTF-8. 0: the page is not known, or these are none of its characters. */
-static int page_convert(iconv_t page, char *to, size_t size, const char *text)
-{
-    char *in = (char *)(size_t)text, *out = to;
-    size_t left = strlen(text), room = size - 1;
-    if (page == (iconv_t)-1) return 0;
-    iconv(page, NULL, NULL, NULL, NULL);
-    const size_t wrong = iconv(page, &in, &left, &out, &room);
-    *out = 0;
-    return wrong != (size_t)-1 || errno == E2BIG;
-}
-
 /* A name or layer as UTF-8; older drawings have bytes of a code page, taken for Latin-1 where it is not known. */
 static void text_set(const DxfStream *s, char *to, size_t size, const char *text)
 {
-    const int utf8 = is_utf8((const unsigned char *)text);
+    const int utf8 = encoding_is_utf8(text);
     char converted[4 * SURVEY_NAME_MAX];
     size_t n = 0;
-    if (!utf8 && page_convert(s->page, converted, sizeof converted, text)) {
+    if (!utf8 && encoding_convert(s->page, converted, sizeof converted, text)) {
         text_set(s, to, size, converted);
         return;
     }

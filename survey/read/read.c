@@ -59,7 +59,11 @@ static hawser_status old_office_read(SurveyInput *in)
 {
     return input_error(in, "an .xls workbook, or one with a password, which cannot be read: save it as .xlsx without");
 }
-static int is_json(const char *head) { return *head == '{'; }
+/* Which is the file of the shapes and which their index, both have the same sign, the name alone says. */
+static const char shape_sign[] = {0, 0, 0x27, 0x0A};
+static int is_shape(const char *head) { return !memcmp(head, shape_sign, sizeof shape_sign); }
+/* A feature a line may stand behind a record separator. */
+static int is_json(const char *head) { return *head == '{' || (*head == 0x1E && head[1] == '{'); }
 static int is_xml(const char *head) { return *head == '<'; }
 static int is_table(const char *head) { return *head != 0; }
 
@@ -67,10 +71,10 @@ static int is_table(const char *head) { return *head != 0; }
 static const struct {
     int (*is)(const char *head);
     Reader read;
-} readers[] = {
-    {is_archive, sheet_read}, {is_old_office, old_office_read}, {is_dxf, dxf_read},      {is_dwg, dwg_read},
-    {is_step, ifc_read},      {is_tracks, tracks_read},         {is_json, geojson_read}, {is_xml, landxml_read},
-    {is_table, table_read}};
+} readers[] = {{is_shape, shape_read},   {is_archive, sheet_read}, {is_old_office, old_office_read},
+               {is_dxf, dxf_read},       {is_dwg, dwg_read},       {is_step, ifc_read},
+               {is_tracks, tracks_read}, {is_json, geojson_read},  {is_xml, landxml_read},
+               {is_table, table_read}};
 
 static int is_table_of(Reader read) { return read == table_read || read == sheet_read; }
 
@@ -87,7 +91,7 @@ static void head_of(SurveyInput *in, char head[HEAD_SIZE], int *wide)
     text[n] = 0;
     const char *from = text + (strncmp(text, "\xEF\xBB\xBF", 3) ? 0 : 3);
     from += strspn(from, " \t\r\n");
-    snprintf(head, HEAD_SIZE, "%s", from);
+    memcpy(head, from, (size_t)(text + n - from) + 1);
     input_seek(in, 0);
 }
 
@@ -218,7 +222,7 @@ hawser_status survey_read(const char *path, const SurveyOptions *options, Survey
     hawser_status status = input_open(&in, path, options, out, err ? err : &why);
     if (!status) head_of(&in, head, &wide);
     if (!status && wide && !is_xml(head)) status = wide_decode(&in);
-    if (!status && !*head) status = input_error(&in, "the file is empty");
+    if (!status && !*head && !is_shape(head)) status = input_error(&in, "the file is empty");
     for (size_t i = 0; !status && i < sizeof readers / sizeof *readers; ++i) {
         if (!readers[i].is(head)) continue;
         if (options->sheet && !is_archive(head))

@@ -4,7 +4,7 @@
 
 #include "survey/input.h"
 
-/* Reads a file by what it begins with, whatever its name: DXF, LandXML, IFC, GPX, KML, KMZ, GeoJSON, a spreadsheet, or
+/* Reads a file by what it begins with, whatever its name: DXF, LandXML, IFC, GPX, KML, KMZ, GeoJSON, shapefiles, a spreadsheet, or
  * a table. Alignments without a name get the file's. Errors: INPUT ("path:line: reason"), MEMORY; then nothing is left
  * allocated. survey_clear frees the rest. */
 hawser_status survey_read(const char *path, const SurveyOptions *options, Survey *out, hawser_error *err);

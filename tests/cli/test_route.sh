@@ -34,6 +34,13 @@ says out '"length_m": 132.0276' '"pieces": 7'
 run_hawser 0 check again-case.yaml
 says out "132.0"
 
+# a page of it, whose name says so
+run_hawser 0 route tunnel.dxf --layer centre --profile tunnel-profile.csv --picture tunnel.html
+exists tunnel.html
+grep -q 'R 20 m, 63.0' "$work/tunnel.html" && grep -q 'line grey' "$work/tunnel.html"
+run_hawser 2 route tunnel.dxf --picture tunnel.csv
+says err "must end in .html"
+
 # a gap of a drawing is said, and closed by --join
 printf '%s\n' 0 SECTION 2 ENTITIES 0 LINE 8 C 10 0 20 0 11 10 21 0 0 LINE 8 C 10 10.3 20 0 11 20 21 0 0 ENDSEC 0 EOF >"$work/gap.dxf"
 run_hawser 0 route gap.dxf --json

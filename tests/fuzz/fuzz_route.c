@@ -1,6 +1,6 @@
 /* Files of routes: any bytes as a file, read by whichever reader takes them; its lines are joined, and a small one is
- * fitted and written. With HAWSER_FUZZ_READER=csv, landxml, ifc, dxf, gpx or geojson other readers' files are passed
- * over, so that each can have its time. */
+ * fitted and written. With HAWSER_FUZZ_READER=csv, landxml, ifc, dxf, gpx, geojson or shape other readers' files are
+ * passed over, so that each can have its time. */
 #define _GNU_SOURCE /* memfd_create, memmem */
 #include <math.h>
 #include <stdio.h>
@@ -73,6 +73,7 @@ static const char *reader_of(const char *text, size_t size)
         return (memmem(from, n < 400 ? n : 400, "<gpx", 4) || memmem(from, n < 400 ? n : 400, "<kml", 4)) ? "gpx"
                                                                                                           : "landxml";
     if (n && *from == '{') return "geojson";
+    if (n > 4 && !memcmp(from, "\0\0\x27\x0A", 4)) return "shape";
     if (n > 12 && !memcmp(from, "ISO-10303-21", 12)) return "ifc";
     if (n > 18 && !memcmp(from, "AutoCAD Binary DXF", 18)) return "dxf";
     if (n > 3 && (!memcmp(from, "0\n", 2) || !memcmp(from, "0\r", 2) || !memcmp(from, "999", 3))) return "dxf";

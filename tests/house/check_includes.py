@@ -20,6 +20,7 @@ LIBRARIES = [
     (r"zlib\.h$", r"io/report/"),
     (r"nlopt\.h$", r"study/maths/"),
     (r"zip\.h$", r"fmi/archive/|survey/table/"),
+    (r"shapefil\.h$", r"survey/map/"),
     (r"mpi\.h$", r"mpi/"),
 ]
 

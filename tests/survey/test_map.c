@@ -106,6 +106,12 @@ static void geojson(void **state)
     check_close(s.mark[0].at.z, 7, 1e-12);
     assert_int_equal(s.n_ignored, 1);
     survey_clear(&s);
+    assert_string_equal(read_text("\x1E{\"type\":\"LineString\",\"coordinates\":[[10,60],[10,60.001]]}\n\x1E"
+                                  "{\"type\":\"LineString\",\"coordinates\":[[10,60],[10,60.002]]}\n",
+                                  &s),
+                        "");
+    assert_int_equal(s.n, 2);
+    survey_clear(&s);
     assert_string_equal(
         read_text("{\"type\":\"LineString\",\"coordinates_in\":\"m\",\"coordinates\":[[0,0],[3000,4000]]}", &s), "");
     check_close(alignment_measure(&s.alignment[0]).length, 5000, 1e-9);
