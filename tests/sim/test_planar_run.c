@@ -12,9 +12,8 @@ typedef struct Pulled {
     double tension[FIXTURE_SEGMENTS + 1], place[3 * FIXTURE_SEGMENTS], load[32];
 } Pulled;
 
-/* rollers: how many of the scene's there are; 0: all. */
-static void pull_over(Pulled *out, PlanarChoice planar, ContactGeometry geometry, int threads, double accuracy,
-                      double reach, int rollers)
+static void pull_at_reach(Pulled *out, PlanarChoice planar, ContactGeometry geometry, int threads, double accuracy,
+                          double reach)
 {
     SceneDef def;
     Sim *s = NULL;
@@ -23,11 +22,10 @@ static void pull_over(Pulled *out, PlanarChoice planar, ContactGeometry geometry
     fixture_planar(&def, &(FixtureChoice){.geometry = geometry, .heading = 37 * M_PI / 180, .accuracy = accuracy});
     def.solver.planar = planar;
     def.contact_reach = reach;
-    if (rollers) def.n_rollers = rollers;
     if (sim_new(&def, threads, &s, &err)) fail_msg("%s", err.message);
     scene_def_clear(&def);
     assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
-    assert_true(relaxation.reached || rollers);
+    assert_true(relaxation.reached);
     hawser_sim_record(s);
     for (int k = 1; k <= 60; ++k) {
         if (sim_advance(s, k * 0.05, 0, &err)) fail_msg("%s", err.message);
@@ -42,12 +40,6 @@ static void pull_over(Pulled *out, PlanarChoice planar, ContactGeometry geometry
     hawser_sim_summary(s, &out->summary);
     assert_int_equal(out->summary.planar, planar != PLANAR_OFF);
     sim_free(s);
-}
-
-static void pull_at_reach(Pulled *out, PlanarChoice planar, ContactGeometry geometry, int threads, double accuracy,
-                          double reach)
-{
-    pull_over(out, planar, geometry, threads, accuracy, reach, 0);
 }
 
 /* With candidates that are renewed on the way. */
@@ -101,17 +93,6 @@ static void test_threads(void **state)
 }
 
 /* Which pairs are looked at does not change a bit: few, renewed again and again, or all of them, once. */
-static void test_reach_of_one_roller(void **state)
-{
-    (void)state;
-    Pulled few, all;
-    pull_over(&few, PLANAR_ON, GEOMETRY_SMOOTH, 1, 1e-3, 0.1, 1);
-    pull_over(&all, PLANAR_ON, GEOMETRY_SMOOTH, 1, 1e-3, 1e6, 1);
-    check_above(few.summary.contact_refreshes, 1);
-    assert_memory_equal(few.tension, all.tension, sizeof few.tension);
-    assert_memory_equal(few.place, all.place, sizeof few.place);
-}
-
 static void test_reach(void **state)
 {
     (void)state;
@@ -326,6 +307,5 @@ static void test_rows_come_and_go(void **state)
 }
 
 TEST_FILE(test_planar_run, cmocka_unit_test(test_agreement), cmocka_unit_test(test_threads),
-          cmocka_unit_test(test_reach), cmocka_unit_test(test_reach_of_one_roller), cmocka_unit_test(test_rows),
-          cmocka_unit_test(test_conservation), cmocka_unit_test(test_long_chain_threads),
-          cmocka_unit_test(test_rows_come_and_go))
+          cmocka_unit_test(test_reach), cmocka_unit_test(test_rows), cmocka_unit_test(test_conservation),
+          cmocka_unit_test(test_long_chain_threads), cmocka_unit_test(test_rows_come_and_go))
