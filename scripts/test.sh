@@ -25,8 +25,9 @@ quick | default | full)
     ;;
 esac
 
-# A leak or an overflow must end the test that has it; leak reports name the place.
-ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1
+# A leak or an overflow must end the test that has it; leak reports name the place. Freed blocks are kept until 32 MB more are freed: with
+# the usual 256 MB the tests spend a third of their time on fresh pages.
+ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1:quarantine_size_mb=32
 UBSAN_OPTIONS=print_stacktrace=1
 export ASAN_OPTIONS UBSAN_OPTIONS
 

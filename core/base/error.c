@@ -96,6 +96,9 @@ hawser_status(error_argument)(hawser_error *err, const char *argument)
 
 int memory_room(size_t bytes)
 {
+#ifdef __SANITIZE_ADDRESS__ /* marks every byte of the block twice, which was half the time of tests that read HDF5 */
+    if (bytes < (size_t)1 << 30) return 1;
+#endif
     void *volatile block = malloc(bytes); /* volatile: or the compiler leaves both calls out */
     const int found = block != NULL;
     free(block);

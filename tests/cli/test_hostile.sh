@@ -14,21 +14,24 @@ untouched() {
 }
 
 # symbolic links in place of files; each of these replaced what it leads to, with status 0
+cp -r "$work/good" "$work/linked"
 for name in report.html.part report.html tension.svg.part tension.svg; do
-    cp -r "$work/good" "$work/linked"
     precious "$name"
-    ln -s "../victims/$name" "$work/linked/$name"
-    run_hawser 0 report linked --quiet
-    run_hawser 0 plot linked --quiet
-    untouched
-    rm -r "$work/linked"
+    ln -sf "../victims/$name" "$work/linked/$name"
 done
-for name in series.csv stations.csv rollers.csv inputs.csv route.csv results.xdmf results.h5 summary.json summary.json.part results.h5.part; do
+run_hawser 0 report linked --quiet
+run_hawser 0 plot linked --quiet
+untouched
+rm -r "$work/linked"
+# the summary by itself: without it the others are not those of a run
+for names in summary.json \
+    "series.csv stations.csv rollers.csv inputs.csv route.csv results.xdmf results.h5 summary.json.part results.h5.part"; do
     cp -r "$work/good" "$work/linked"
     sed -i 's/"finished"/"stopped"/' "$work/linked/summary.json" # nothing is kept of it
-    rm -f "$work/linked/$name"
-    precious "$name"
-    ln -s "../victims/$name" "$work/linked/$name"
+    for name in $names; do
+        precious "$name"
+        ln -sf "../victims/$name" "$work/linked/$name"
+    done
     # shellcheck disable=SC2086
     run_hawser 0 run pull.yaml -o linked $short
     untouched
@@ -124,8 +127,9 @@ what="hawser report --pdf without a browser"
 mkdir "$work/here"
 printf '#!/bin/sh\ntouch "%s/was-run"\n' "$work" >"$work/here/chromium"
 chmod +x "$work/here/chromium"
+# An empty path becomes the system's, whose browser ends at once when it may open no more than 32 files.
 for path in "" . ":" "here:."; do
-    (cd "$work/here" && PATH=$path "$hawser" report ../good --pdf >/dev/null 2>&1)
+    (ulimit -n 32 && cd "$work/here" && PATH=$path "$hawser" report ../good --pdf >/dev/null 2>&1)
 done
 [ ! -e "$work/was-run" ] || fail "a browser of the current folder was run"
 for name in libnlopt.so.0 libyaml-0.so.2 libhdf5_serial.so.103; do echo none >"$work/here/$name"; done

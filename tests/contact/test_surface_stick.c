@@ -216,6 +216,42 @@ static void test_renumbered(void **state)
     surfaces_free(&s);
 }
 
+/* What a checkpoint keeps of the points that stick: of every face. */
+static void test_kept(void **state)
+{
+    (void)state;
+    uint64_t seed = 8;
+    SurfaceScene s;
+    SurfacePairs read;
+    scene_make(&s, SURFACE_V, 0.01, &seed);
+    surface_accept(&s.model, &s.chain, &s.kin, 0.02, &s.pairs);
+    for (int b = 0; b < s.pairs.stick.n_beds; ++b) {
+        for (int q = 0; q < SURFACE_POINTS; ++q) {
+            for (int e = 0; e <= N; ++e) vec_store(s.pairs.stick.bed[b].lean[q], e, fixture_vector(&seed, 1));
+        }
+    }
+    Checkpoint c = checkpoint_new(0);
+    surface_pairs_checkpoint(&c, &s.pairs, s.model.n_patches, N);
+    c = checkpoint_new(c.size);
+    surface_pairs_checkpoint(&c, &s.pairs, s.model.n_patches, N);
+    surface_pairs_init(&read, 0, N + 1);
+    assert_true(surface_pairs_sticks(&read, &s.model, N));
+    Checkpoint back = checkpoint_over(c.bytes, c.size, NULL);
+    surface_pairs_checkpoint(&back, &read, s.model.n_patches, N);
+    assert_int_equal(back.status, HAWSER_OK);
+    check_equal(read.stick.since, s.pairs.stick.since);
+    for (int b = 0; b < s.pairs.stick.n_beds; ++b) {
+        for (int q = 0; q < SURFACE_POINTS; ++q) {
+            for (int k = 0; k < 3; ++k) {
+                assert_memory_equal(read.stick.bed[b].lean[q][k], s.pairs.stick.bed[b].lean[q][k], N * sizeof(double));
+            }
+        }
+    }
+    checkpoint_free(&c);
+    surface_pairs_free(&read);
+    surfaces_free(&s);
+}
+
 /* (GR12): what is remembered lies in the surface and is no longer than d_s: a lean out of the plane is laid into it. */
 static void test_lean_is_laid_flat(void **state)
 {
@@ -251,4 +287,4 @@ static void test_lean_is_laid_flat(void **state)
 
 TEST_FILE(test_surface_stick, cmocka_unit_test(test_which_stick), cmocka_unit_test(test_derivatives),
           cmocka_unit_test(test_steps), cmocka_unit_test(test_holds), cmocka_unit_test(test_renumbered),
-          cmocka_unit_test(test_lean_is_laid_flat))
+          cmocka_unit_test(test_kept), cmocka_unit_test(test_lean_is_laid_flat))

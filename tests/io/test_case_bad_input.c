@@ -2,6 +2,7 @@
  * out of range, with garbage behind it. Each must be refused with file, line and key. */
 #include "tests/io/case_fixture.h"
 
+#include "core/base/checkpoint.h"
 #include "io/case/case_parts.h"
 #include "io/yaml/yaml_tree.h"
 
@@ -10,6 +11,7 @@ enum { TEXT_MAX = 16384, VALUE_MAX = 64, KEYS_MAX = 1200 };
 /* The keys that were met in some text, and how many mistakes were made. */
 typedef struct Coverage {
     const CaseKey *met[KEYS_MAX];
+    uint64_t path[KEYS_MAX]; /* of each: a hash of where it stands */
     int n, mistakes;
 } Coverage;
 
@@ -280,10 +282,13 @@ static void spoil(const char *text, const CaseNode *node, const CaseKey *key, Co
     Site site = {.text = text, .node = node, .key = key};
     case_path(node, NULL, site.path);
     check_below(coverage->n, KEYS_MAX);
+    const uint64_t path = checkpoint_hash(site.path, strlen(site.path));
+    int again = 0; /* the same place in a text before this one */
+    for (int i = 0; i < coverage->n; i++) again |= coverage->met[i] == key && coverage->path[i] == path;
+    coverage->path[coverage->n] = path;
     coverage->met[coverage->n++] = key;
-    misspelt(&site, coverage);
     missing(&site, coverage);
-    wrong_value(&site, coverage);
+    if (!again) misspelt(&site, coverage), wrong_value(&site, coverage);
     spoil_all(text, node, coverage);
 }
 

@@ -245,6 +245,34 @@ static void results_h5_may_be_anything(void **state)
     json_decref(all);
 }
 
+/* Reel and winch stand where the case puts them. */
+static void machines_are_drawn(void **state)
+{
+    (void)state;
+    hawser_case *c = NULL;
+    hawser_sim *s = NULL;
+    hawser_error err = {0};
+    if (hawser_case_parse(data_text("reel-payout"), "reel.yaml", &c, &err)) fail_msg("%s", err.message);
+    if (hawser_case_set(c, "run.duration", "20 ms", &err)) fail_msg("%s", err.message);
+    if (hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
+    assert_int_equal(hawser_sim_run(s, scratch_folder(), NULL, NULL, &err), HAWSER_OK);
+    hawser_sim_free(s);
+    hawser_case_free(c);
+    json_t *const all = report_on(scratch_folder()), *const drawn = json_object_get(first_run(all), "geometry");
+    const json_t *const reel = json_object_get(drawn, "reel"), *const winch = json_object_get(drawn, "winch");
+    static const struct {
+        const char *key;
+        double m;
+    } size[] = {{"radius_m", 1}, {"barrel_radius_m", 0.6}, {"width_m", 1}};
+    for (size_t k = 0; k < sizeof size / sizeof *size; ++k) {
+        check_close(json_number_value(json_object_get(reel, size[k].key)), size[k].m, 1e-12);
+    }
+    const json_t *const centre = json_object_get(reel, "center_m"), *const way = json_object_get(winch, "direction");
+    check_close(json_number_value(json_array_get(centre, 0)), -6, 1e-9);
+    check_close(json_number_value(json_array_get(way, 0)), 1, 1e-12);
+    json_decref(all);
+}
+
 static void folders_without_results_are_errors(void **state)
 {
     (void)state;
@@ -341,4 +369,4 @@ static void figures_are_drawn(void **state)
 TEST_FILE(test_report_page, TEST(figures_are_the_results), TEST(inputs_are_listed), TEST(hostile_titles_do_no_harm),
           TEST(the_policy_is_strict), TEST(a_run_that_was_stopped_has_a_page), TEST(missing_files_are_notes),
           TEST(results_h5_may_be_anything), TEST(folders_without_results_are_errors), TEST(runs_are_compared),
-          TEST(locales_change_nothing), TEST(figures_are_drawn))
+          TEST(locales_change_nothing), TEST(figures_are_drawn), TEST(machines_are_drawn))

@@ -83,6 +83,8 @@ static void units_by_keys(void **state)
     assert_string_equal(hawser_show_figure(&(hawser_figure){"surface_m_per_s", 0.1}, HAWSER_US, text),
                         "surface 19.69 ft/min");
     assert_string_equal(hawser_show_figure(&(hawser_figure){"at_limit", 0.5}, HAWSER_US, text), "at limit 0.5");
+    assert_string_equal(hawser_show_figure(NULL, HAWSER_SI, text), "");
+    assert_string_equal(hawser_show_figure(&(hawser_figure){"at_limit", 0.5}, HAWSER_SI, NULL), "");
 }
 
 static void sentences(void **state)

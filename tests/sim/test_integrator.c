@@ -239,6 +239,8 @@ static double iterations(double accuracy)
     state_shake(r->y, N, 0.01, 0.1, 0.3, 0.5, &seed);
     if (run_from(r, 0.2, &err)) fail_msg("%s", err.message);
     integrator_stats(r->integrator, &stats);
+    check_at_least(stats.factor, 0); /* times add up */
+    check_at_least(stats.solve, 0);
     rig_free(r);
     print_message("accuracy %.0e: %.2f iterations a step\n", accuracy,
                   (double)stats.newton_iters / (double)stats.steps);

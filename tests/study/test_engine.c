@@ -193,6 +193,22 @@ static void files_of_variants(void **state)
     expect_changed("types", "second.yaml", heavy, light);
 }
 
+/* A list among the files of the workers is not written over. */
+static void what_is_read_stays(void **state)
+{
+    (void)state;
+    static const char list[] = "friction.mu\n0.2\n0.3\n";
+    hawser_error err;
+    const hawser_study_options options = {.jobs = 1};
+    scratch_write("list.csv", list);
+    study_compute("fidelity: theory\nlist: {file: list.csv}\n", "own", 1);
+    scratch_write("own/workers/list.csv", list);
+    hawser_study *const s = study_open(study_write("fidelity: theory\nlist: {file: own/workers/list.csv}\n"));
+    assert_int_equal(hawser_study_run(s, scratch_path("own"), &options, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "own/workers/list.csv', which is read");
+    hawser_study_free(s);
+}
+
 /* What cannot be a case, what takes too long: rows with a reason, and the others are as ever. */
 static void rows_with_reasons(void **state)
 {
@@ -401,5 +417,5 @@ static void ranks_alike(void **state)
 TEST_FILE_IN(test_engine, scratch_make, scratch_remove, cmocka_unit_test(workers_alike),
              cmocka_unit_test(killed_and_resumed), cmocka_unit_test(damaged_files), cmocka_unit_test(longer_and_other),
              cmocka_unit_test(files_of_variants), cmocka_unit_test(rows_with_reasons),
-             cmocka_unit_test(too_much_memory), cmocka_unit_test(workers_that_die), cmocka_unit_test(stopped),
-             cmocka_unit_test(ranks_alike))
+             cmocka_unit_test(what_is_read_stays), cmocka_unit_test(too_much_memory),
+             cmocka_unit_test(workers_that_die), cmocka_unit_test(stopped), cmocka_unit_test(ranks_alike))

@@ -156,6 +156,23 @@ static void crs_of_other_names(void **state)
     survey_clear(&s);
 }
 
+/* Elements within elements: 64 of them, and no more. */
+static void depth(void **state)
+{
+    (void)state;
+    char text[1024] = "<gpx>";
+    for (int k = 1; k < 64; ++k) strcat(text, "<a>");
+    for (int deeper = 0; deeper < 2; ++deeper) {
+        char whole[2048];
+        snprintf(whole, sizeof whole, "%s%s%s", text, deeper ? "<b>" : "", deeper ? "</b>" : "");
+        for (int k = 1; k < 64; ++k) strcat(whole, "</a>");
+        strcat(whole, "</gpx>");
+        if (deeper) bad(whole, "<b>: elements more than 64 deep");
+        Survey s;
+        if (!deeper) assert_null(strstr(read_text(whole, &s), "deep"));
+    }
+}
+
 /* A prefix of its own, comments longer than a page and a DOCTYPE before the outermost element; a mark of the order of
  * bytes before JSON. */
 static void what_stands_before(void **state)
@@ -337,4 +354,4 @@ static void kml_that_leaves_open(void **state)
 TEST_FILE(test_map, cmocka_unit_test(kml), cmocka_unit_test(kml_tracks_and_parts),
           cmocka_unit_test(kml_that_leaves_open), cmocka_unit_test(projection), cmocka_unit_test(gpx),
           cmocka_unit_test(geojson), cmocka_unit_test(crs_of_other_names), cmocka_unit_test(what_stands_before),
-          cmocka_unit_test(what_is_wrong), cmocka_unit_test(encodings))
+          cmocka_unit_test(what_is_wrong), cmocka_unit_test(depth), cmocka_unit_test(encodings))
