@@ -74,7 +74,7 @@ static void add_broken(Line *line, const hawser_limit *l, int first)
     if (share < TIMES)
         add(line, "by %.3g %%", 100 * fabs(share - 1));
     else
-        add(line, "by %.3g times", share);
+        add(line, "%.0f times too large", share);
     add(line, "%s%s", *l->where ? " at " : "", l->where);
 }
 

@@ -163,12 +163,15 @@ static int open_pit(const TheoryDef *theory)
     return -1;
 }
 
+/* What is said of the back tension is of each cable where the pull begins (BU10), of all together at a pit. */
+static double back_parts(const SceneDef *def) { return start_is_open(def) ? bundle_tails(&def->bundle) : 1; }
+
 /* N: a reel that is braked by hand, or the paper's, whichever is more. */
 static double back_most(const SceneDef *def)
 {
     double mass = 0;
     for (int k = 0; k < scene_def_eye(def); ++k) mass = fmax(mass, def->cables[def->pieces[k].cable].mass);
-    return fmax(BACK_MOST, REEL_LENGTH * mass * v3_norm(def->gravity));
+    return fmax(BACK_MOST, REEL_LENGTH * mass * v3_norm(def->gravity) / back_parts(def));
 }
 
 /* A friction's line; what follows its key in the case. */
@@ -242,7 +245,7 @@ static void friction_set(SceneDef *def, const Assumed *a, double x)
 /* Where the pull begins and where it is begun anew, of all cables together. */
 static void back_set(SceneDef *def, double x)
 {
-    const double all = x * bundle_tails(&def->bundle);
+    const double all = x * back_parts(def);
     if (start_is_open(def)) def->tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = all};
     for (int i = 0; i < def->theory.n_pits; ++i)
         if (def->theory.pits[i].open) def->theory.pits[i].force = all;
@@ -649,7 +652,9 @@ hawser_status assumed_judge_varied(const Setup *setup, const Variation *by, int 
         const int is_friction = all[k].kind == ASSUMED_FRICTION || all[k].kind == ASSUMED_UNKNOWN;
         if (all[k].kind != ASSUMED_RADIUS && !(is_friction && by->friction != 1)) all[kept++] = all[k];
     }
-    return kept > 0 && n > 0 ? own_judge(&t, by, kept, all) : HAWSER_OK;
+    const hawser_status status = kept > 0 && n > 0 ? own_judge(&t, by, kept, all) : HAWSER_OK;
+    for (int i = 0; i < n; ++i) limit[i].rest_most *= by->friction; /* of the friction as it is then */
+    return status;
 }
 
 hawser_status assumed_together(const Setup *setup, const Calculator *base, int way, hawser_limit out[HAWSER_LIMITS_MAX],

@@ -88,7 +88,8 @@ static hawser_status ducts_change(const Setup *setup, Mend *out, SceneDef *def, 
         if (duct->shape.kind != SURFACE_DUCT || duct_holds(setup->def, duct, now)) continue;
         if (!mend_duct(setup->def, i, m)) continue;
         out->n_ducts++;
-        duct->bore = (m->least > m->now ? round_up(m->least) : m->most) / 2;
+        m->taken = m->least > m->now ? round_up(m->least) : m->most;
+        duct->bore = m->taken / 2;
     }
     return status;
 }
@@ -290,7 +291,7 @@ static hawser_status find(Trial *t, Mend *out)
 {
     const int ends = t->n;
     out->safe = all_find(t, out);
-    t->n = 1;
+    t->n = 1; /* all were made, and are freed by who made them */
     if (!out->safe && ends > 1) out->safe = all_find(t, out);
     if (!out->safe) {
         t->friction = 1;
@@ -299,10 +300,17 @@ static hawser_status find(Trial *t, Mend *out)
         is_safe(t, out->still);
     }
     mend_say(t, out);
+    t->n = ends;
     if (!out->safe || t->status) return t->status;
     const Variation by = {.way = t->way, .friction = t->friction, .radius = 1, .bend = -1, .radii = t->radii};
     t->status = assumed_judge_varied(t->setup[0], &by, t->n_limits, t->limit, t->err);
     out->conditional = limits_only_if(t->n_limits, t->limit, out->word, sizeof out->word);
+    for (int i = 0; i < t->n_limits; ++i) {
+        const hawser_limit *const l = &t->limit[i];
+        if (l->judged || !limits_essential(l->kind)) continue;
+        snprintf(out->word, sizeof out->word, "NOT JUDGED, since the friction is not given");
+        out->unjudged = 1;
+    }
     return t->status;
 }
 

@@ -19,6 +19,7 @@ typedef struct MendBend {
 typedef struct MendDuct {
     int surface; /* of the definition */
     double now, least, most;
+    double taken; /* of a mended pull: with which it was computed */
 } MendDuct;
 
 typedef struct Mend {
@@ -26,6 +27,7 @@ typedef struct Mend {
     int safe;        /* with all of it every limit and condition holds, at the values that were taken */
     char word[96];   /* and with what is assumed at its ends: "SAFE", "SAFE ONLY IF ..." */
     int conditional; /* the second */
+    int unjudged;    /* or neither: nothing is known of the friction */
     int n, n_ducts;
     MendBend bend[MEND_BENDS_MAX];
     MendDuct duct[MEND_DUCTS_MAX]; /* computed with the end that is nearer */

@@ -50,22 +50,13 @@ void answer_line(Answer *a, const char *word, const char *format, ...)
 
 void answer_verdict(Answer *a, const char *verdict) { add_sentence(a, verdict, 0, 2); }
 
-/* Whether a limit depends on it. */
-static int matters(const Assumed *one, int n, const hawser_limit *limit)
-{
-    int found = one->kind != ASSUMED_UNKNOWN && one->kind != ASSUMED_RADIUS;
-    for (int i = 0; i < n; ++i) found |= limit[i].assumed && !strcmp(limit[i].assumed, one->name);
-    return found;
-}
-
-void answer_assumed(Answer *a, const Setup *setup, int n, const hawser_limit *limit)
+void answer_assumed(Answer *a, const Setup *setup, int n)
 {
     Assumed all[ASSUMED_KINDS];
     const int count = n > 0 ? assumed_list(setup, all) : 0;
     for (int k = 0; k < count; ++k) {
         const Assumed *const one = &all[k];
         char value[HAWSER_SHOWN_MAX], low[HAWSER_SHOWN_MAX], high[HAWSER_SHOWN_MAX];
-        if (!matters(one, n, limit)) continue;
         hawser_show(one->value, one->unit, a->units, value);
         if (isnan(one->high))
             answer_line(a, "assumed", "%s %s: not given (%s)", one->name, value, one->key);
@@ -77,14 +68,22 @@ void answer_assumed(Answer *a, const Setup *setup, int n, const hawser_limit *li
     }
 }
 
+/* Without a power of ten. */
+static const char *plain(double value, char text[32])
+{
+    snprintf(text, 32, fabs(value) < 1e4 ? "%.4g" : "%.0f", value);
+    return text;
+}
+
 void answer_unusual(Answer *a, const SceneDef *def, const Route *route)
 {
+    char value[32], least[32], most[32];
     PlausibleRow row[PLAUSIBLE_ROWS];
     const int n = plausible_find(def, route, row);
     for (int i = 0; i < n; ++i)
-        answer_line(a, "unusual", "%s of %c%s%c: %.4g%s%s, usually %.4g to %.4g: is the unit right?", row[i].what,
-                    NAME_BEGINS, row[i].of, NAME_ENDS, row[i].value, *row[i].unit ? " " : "", row[i].unit, row[i].least,
-                    row[i].most);
+        answer_line(a, "unusual", "%s of %c%s%c: %s%s%s, usually %s to %s: is the unit right?", row[i].what,
+                    NAME_BEGINS, row[i].of, NAME_ENDS, plain(row[i].value, value), *row[i].unit ? " " : "", row[i].unit,
+                    plain(row[i].least, least), plain(row[i].most, most));
 }
 
 /* ------------------------------------------------------------------------------------------------------ limits */
@@ -103,7 +102,7 @@ static void say_margin(const hawser_limit *l, hawser_units units, char *text, si
         return;
     }
     if (over && share >= 1000) {
-        snprintf(text, size, "allowed %s: %.3g times as much", allowed, share / 100 + 1);
+        snprintf(text, size, "allowed %s: %.0f times as much", allowed, share / 100 + 1);
         return;
     }
     snprintf(text, size, "allowed %s: %.3g %% %s", allowed, share,
@@ -313,7 +312,7 @@ void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inv
                    const char verdict[][HAWSER_VERDICT_MAX])
 {
     answer_unusual(a, setup->def, setup->route);
-    answer_assumed(a, setup, c->n_limits, c->limit[PLAN_FORWARD]);
+    answer_assumed(a, setup, c->n_limits);
     const int forward = calculator_holds(c, PLAN_FORWARD), backward = calculator_holds(c, PLAN_BACKWARD);
     answer_verdict(a, verdict[PLAN_FORWARD]);
     way_line(a, setup, c, PLAN_FORWARD);
@@ -442,7 +441,7 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
         if (broken > 0) snprintf(verdict + strlen(verdict), 64, "; besides, %d of the limits would be broken", broken);
     }
     answer_unusual(&a, &s->stage.scene.def, &s->stage.scene.route);
-    answer_assumed(&a, &s->stage.scene.setup, n, limit);
+    answer_assumed(&a, &s->stage.scene.setup, n);
     answer_verdict(&a, verdict);
     if (failed) trust_lines(&a, &sum);
     place_lines(&a, &sum);

@@ -90,7 +90,7 @@ typedef struct TheoryWish {
  * hawser_case_theory. */
 hawser_status case_theory_values(hawser_case *c, const TheoryWish *wish, struct json_t **out, hawser_error *err);
 
-enum { THEORY_TABLES_MAX = 16, THEORY_PIECES = 0 };
+enum { THEORY_TABLES_MAX = 17, THEORY_PIECES = 0 };
 
 /* The calculator's results, for `hawser theory`. */
 typedef struct TheoryTables {
@@ -101,6 +101,9 @@ typedef struct TheoryTables {
 
 /* The table `limits` alone, of the first `ways` directions. Returns 0 without memory. */
 int theory_limits_add(const Calculator *c, int ways, TheoryTables *t);
+/* The conditions under which one way of theory is worth judging. */
+enum { THEORY_CONDITIONS = CALCULATOR_KNOWN + 2 };
+void theory_conditions(const Calculator *c, int way, hawser_condition held[THEORY_CONDITIONS]);
 /* The texts are the calculator's, the answers' and the scene's, which must stay. Errors: MEMORY. */
 hawser_status theory_tables_make(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *out,
                                  hawser_error *err);
@@ -133,7 +136,7 @@ enum { ANSWER_WIDTH = 118, TERMINAL_WIDTH = 80 };
 
 /* What of the case is hardly ever so; what it does not give and its limits depend on, above the verdict. */
 void answer_unusual(Answer *a, const SceneDef *def, const Route *route);
-void answer_assumed(Answer *a, const Setup *setup, int n, const hawser_limit *limit);
+void answer_assumed(Answer *a, const Setup *setup, int n);
 void answer_verdict(Answer *a, const char *verdict);
 /* "  word   sentence", in as many lines as that takes. */
 void answer_line(Answer *a, const char *word, const char *format, ...) __attribute__((format(printf, 3, 4)));

@@ -221,7 +221,9 @@ static Remedy friction_part(const Setup *setup, const Mend *m)
     Remedy r = part_of(n > 1 ? "do_frictions" : "do_friction", "", m->now);
     r.unit = "1";
     r.most = m->friction;
-    if (n == 1) snprintf(r.key, sizeof r.key, "%.30s.mu", used[0].key);
+    const int apart = n > 0 && !used[0].rest_assumed;
+    if (n == 1) snprintf(r.key, sizeof r.key, "%.30s.mu%s", used[0].key, apart ? "_d, mu_s" : "");
+    if (apart) snprintf(r.also, sizeof r.also, "%.2g", floor(1e3 * m->friction / m->now * used[0].rest) / 1e3);
     Assumed all[ASSUMED_KINDS];
     const int open = assumed_list(setup, all);
     for (int k = 0; k < open; ++k)
@@ -266,8 +268,8 @@ static const struct RemedySentence {
      "an inside diameter of at most {most} and at least {least} in '{where}' (now {now}, twice {key})"},
     {"do_radius", "a radius of {least}[ in '{where}'| there] ([{key}, ]now {now})"},
     {"do_slopes", "a radius of {least} at changes of slope ({key}, now {now})"},
-    {"do_friction", "friction of at most {most}[, at rest {also},] ({key}, now {now})"},
-    {"do_frictions", "friction of at most {most}[, at rest {also},] where it is {now}, elsewhere in proportion,"},
+    {"do_friction", "friction of at most {most}[ and at rest {also}] ({key}, now {now})"},
+    {"do_frictions", "friction of at most {most}[ and at rest {also}] where it is {now}, elsewhere in proportion,"},
     {"more_rollers",
      "rollers there at {share} of their spacing, or rated {least} times as high[, or a softer start ({also})]"},
     {"brake", "a brake of {least} more where the pull begins ({key})[, or less feed ({also})]"},

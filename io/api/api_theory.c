@@ -281,11 +281,11 @@ static void page_make(Theory *t, const char *title, int forward_only, Page *page
     fill_terms(t);
     for (int k = 0; k < (forward_only ? 1 : PLAN_WAYS); k++) {
         const Calculator *const c = &t->calculator;
-        hawser_condition held[CALCULATOR_KNOWN + 2] = {[CALCULATOR_KNOWN] = c->pulled[k], c->limp[k]};
-        memcpy(held, c->known, sizeof c->known);
+        hawser_condition held[THEORY_CONDITIONS];
+        theory_conditions(c, k, held);
         t->word[k] = hawser_verdict_word(
-            verdict_say(CALCULATOR_KNOWN + 2, held, c->n_limits, c->limit[k], 1, t->verdict[k], sizeof t->verdict[k]));
-        verdict_say(CALCULATOR_KNOWN + 2, held, c->n_limits, c->limit[k], 0, t->shown[k], sizeof t->shown[k]);
+            verdict_say(THEORY_CONDITIONS, held, c->n_limits, c->limit[k], 1, t->verdict[k], sizeof t->verdict[k]));
+        verdict_say(THEORY_CONDITIONS, held, c->n_limits, c->limit[k], 0, t->shown[k], sizeof t->shown[k]);
     }
     for (int i = 0; i < t->tables.n; i++) table[n++] = t->tables.table[i];
     table[n++] = (Table){"stations", "Tension along the route, full of cable, pulled forward",

@@ -296,6 +296,7 @@ static RemedyRow remedy_row(const Mend *m, const char *what, double now, double 
                        .still = m->still,
                        .holds = m->safe ? "yes" : "NO",
                        .verdict = hawser_word_code(!m->safe         ? HAWSER_NOT_SAFE
+                                                   : m->unjudged    ? HAWSER_NOT_JUDGED
                                                    : m->conditional ? HAWSER_SAFE_ONLY_IF
                                                                     : HAWSER_SAFE),
                        .now = now,
@@ -323,8 +324,7 @@ static int friction_rows(const Setup *setup, const Mend *m, RemedyRow *row)
 
 static RemedyRow duct_row(const Setup *setup, const Mend *m, const MendDuct *duct)
 {
-    RemedyRow row =
-        remedy_row(m, "duct radius", duct->now / 2, (duct->least > duct->now ? duct->least : duct->most) / 2);
+    RemedyRow row = remedy_row(m, "duct radius", duct->now / 2, duct->taken / 2);
     row.place = setup->def->surfaces[duct->surface].name;
     row.unit = "m";
     surface_key(setup->def, duct->surface, "radius", row.key);

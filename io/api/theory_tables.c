@@ -293,6 +293,48 @@ int theory_limits_add(const Calculator *c, int ways, TheoryTables *t)
     return row != NULL;
 }
 
+/* A condition under which theory is worth judging. */
+typedef struct TrustRow {
+    const char *direction;
+    hawser_condition held;
+} TrustRow;
+
+static const char *trust_holds(const void *row) { return ((const TrustRow *)row)->held.holds ? "yes" : "NO"; }
+
+static const Column trust_column[] = {
+    {COLUMN("direction", TEXT, TrustRow, direction), .label = "direction"},
+    {COLUMN("name", TEXT, TrustRow, held.name), .label = "condition"},
+    {COLUMN("value", NUMBER, TrustRow, held.value), .label = "found", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("allowed", NUMBER, TrustRow, held.allowed), .label = "allowed", .decimals = -1, .unit_by = "unit"},
+    {COLUMN("unit", TEXT, TrustRow, held.unit), .label = "unit"},
+    {.key = "holds", .text = trust_holds, .label = "holds"},
+    {COLUMN("remedy", CHARS, TrustRow, held.remedy), .label = "what is wrong"},
+};
+static const Columns trust_columns = COLUMNS(TrustRow, trust_column);
+
+void theory_conditions(const Calculator *c, int way, hawser_condition held[THEORY_CONDITIONS])
+{
+    memcpy(held, c->known, sizeof c->known);
+    held[CALCULATOR_KNOWN] = c->pulled[way];
+    held[CALCULATOR_KNOWN + 1] = c->limp[way];
+}
+
+/* A remedy says what is wrong: of one that holds there is none. */
+static int trust_add(const Calculator *c, TheoryTables *t)
+{
+    TrustRow *const row =
+        theory_table_add(t, "trust", "Whether it is worth judging", trust_columns, PLAN_WAYS * THEORY_CONDITIONS);
+    for (int k = 0; row && k < PLAN_WAYS; ++k) {
+        hawser_condition held[THEORY_CONDITIONS];
+        theory_conditions(c, k, held);
+        for (int i = 0; i < THEORY_CONDITIONS; ++i) {
+            row[k * THEORY_CONDITIONS + i] = (TrustRow){theory_ways[k], held[i]};
+            if (held[i].holds) *row[k * THEORY_CONDITIONS + i].held.remedy = 0;
+        }
+    }
+    return row != NULL;
+}
+
 hawser_status theory_tables_make(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *out,
                                  hawser_error *err)
 {
@@ -300,7 +342,7 @@ hawser_status theory_tables_make(const Setup *setup, const Calculator *c, const 
     const int fine = pieces_add(setup, c, out) && ways_add(c, out) && ducts_add(setup, c, out) &&
                      pushes_add(setup, c, out) && compressed_add(setup, c, out) &&
                      theory_planner_add(setup, c, inverse, out) && theory_limits_add(c, PLAN_WAYS, out) &&
-                     notes_add(setup, c, out);
+                     trust_add(c, out) && notes_add(setup, c, out);
     if (fine && out->table[out->n - 1].n == 0) free(out->rows[--out->n]); /* no closed form was refused */
     if (fine) return HAWSER_OK;
     theory_tables_free(out);

@@ -58,6 +58,19 @@ static const yaml_node_t *value_of(Edits *e, const yaml_node_t *map, const char 
     return pair ? yaml_document_get_node(&e->document, pair->value) : NULL;
 }
 
+/* A scalar that stands in one line, in the quotes that it has. 0: it does not, or only another name of it does. */
+static int scalar_edit(Edits *e, const yaml_node_t *node, const char *by, hawser_status *status)
+{
+    const char *const quote = node->data.scalar.style == YAML_DOUBLE_QUOTED_SCALAR_STYLE   ? "\""
+                              : node->data.scalar.style == YAML_SINGLE_QUOTED_SCALAR_STYLE ? "'"
+                                                                                           : "";
+    char quoted[96];
+    if (node->type != YAML_SCALAR_NODE || node->start_mark.line != node->end_mark.line) return 0;
+    snprintf(quoted, sizeof quoted, "%s%s%s", quote, by, quote);
+    *status = edit_add(e, byte_at(e->text, node->start_mark.index), byte_at(e->text, node->end_mark.index), quoted);
+    return 1;
+}
+
 /* One key of one item. */
 static hawser_status item_edit(Edits *e, const Synonym *s, const yaml_node_pair_t *pair)
 {
@@ -65,15 +78,16 @@ static hawser_status item_edit(Edits *e, const Synonym *s, const yaml_node_pair_
                                                                                         yaml_document_get_node(
                                                                                             &e->document, pair->value);
     char half[64];
-    hawser_status status =
-        edit_add(e, byte_at(e->text, key->start_mark.index), byte_at(e->text, key->end_mark.index), s->key);
-    if (status || !s->half) return status;
-    if (value->type != YAML_SCALAR_NODE || value->start_mark.index < key->end_mark.index ||
-        !units_half(e->units, (const char *)value->data.scalar.value, half, sizeof half))
-        return error_set(e->err, HAWSER_ERR_INPUT,
-                         "%s:%d: '%s' cannot be rewritten: expected a length that stands there", e->name,
-                         (int)key->start_mark.line + 1, s->other);
-    return edit_add(e, byte_at(e->text, value->start_mark.index), byte_at(e->text, value->end_mark.index), half);
+    hawser_status status = HAWSER_OK;
+    int fits = scalar_edit(e, key, s->key, &status);
+    if (!status && fits && s->half)
+        fits = value->type == YAML_SCALAR_NODE && value->start_mark.index >= key->end_mark.index &&
+               units_half(e->units, (const char *)value->data.scalar.value, half, sizeof half) &&
+               scalar_edit(e, value, half, &status);
+    if (!status && !fits)
+        status = error_set(e->err, HAWSER_ERR_INPUT, "%s:%d: '%s' cannot be rewritten: expected a %s that stands there",
+                           e->name, (int)key->start_mark.line + 1, s->other, s->half ? "length" : "value");
+    return status;
 }
 
 static hawser_status synonym_edit(Edits *e, const Synonym *s)
@@ -117,6 +131,7 @@ static char *edited(const Edits *e)
     char *const out = malloc(strlen(e->text) + (size_t)e->n * sizeof e->edit->by + 1), *at = out;
     size_t from = 0;
     for (int i = 0; out && i < e->n; ++i) {
+        if (e->edit[i].from < from) continue; /* an item that stands for several is found several times */
         memcpy(at, e->text + from, e->edit[i].from - from);
         at = stpcpy(at + (e->edit[i].from - from), e->edit[i].by);
         from = e->edit[i].to;
@@ -153,6 +168,12 @@ hawser_status case_upgrade(const char *text, const char *name, char **out, int *
             status = edits_find(&e);
             if (!status) *out = edited(&e);
             if (!status && !*out) status = error_memory(err);
+            if (!status) status = case_tree_parse(*out, name, &tree, err); /* it still is a case */
+            if (!status) case_tree_free(tree);
+            if (status) {
+                free(*out);
+                *out = NULL;
+            }
             yaml_document_delete(&e.document);
         } else {
             status = error_memory(err);

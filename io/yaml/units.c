@@ -367,7 +367,10 @@ int units_half(const Units *units, const char *text, char *out, size_t size)
     char why[UNITS_WHY_MAX];
     double value;
     if (!number_read(units, text, &value, &unit, why)) return 0;
-    return snprintf(out, size, "%.17g %s", value / 2, unit) < (int)size;
+    char half[40];
+    snprintf(half, sizeof half, "%.15g", value / 2);
+    if (strtod(half, NULL) != value / 2) snprintf(half, sizeof half, "%.17g", value / 2);
+    return snprintf(out, size, "%s%s%s", half, *unit ? " " : "", unit) < (int)size;
 }
 
 /* A unit of scale 0 does not exist, so a factor of 0 can mean an error. */

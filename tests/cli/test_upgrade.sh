@@ -36,19 +36,31 @@ cmp "$work/a.csv" "$work/b.csv" || fail "the rewritten case is another one"
 # a case that is JSON, with a byte order mark
 printf '\357\273\277{"cables": {"c": {"d": "50 mm", "mass": "10 kg/m"}}, "route": {"pieces": [{"length": "40 m"}]}}\n' >"$work/flow.yaml"
 run_hawser 0 upgrade flow.yaml
-grep -q '{format: 1, "cables"' "$work/flow.yaml" && grep -q '{straight: "40 m"}' "$work/flow.yaml" || fail "$what: not rewritten"
+grep -q '{format: 1, "cables"' "$work/flow.yaml" && grep -q '{"straight": "40 m"}' "$work/flow.yaml" || fail "$what: not rewritten"
 run_hawser 0 theory flow.yaml
 
 # what cannot be done, and what is newer
+cp "$work/old.yaml" "$work/today.yaml"
 printf 'd: &d 100 mm\nsurfaces: {ducts: [{diameter: *d}]}\n' >"$work/alias.yaml"
 run_hawser 2 upgrade alias.yaml
 says err "alias.yaml:2: 'diameter' cannot be rewritten"
+# an item that stands twice, quotes, a text of several lines
+printf 'cables: {c: {d: 50 mm, mass: 10 kg/m}}\nroute: {pieces: [&s {"length":"200 m"}, *s]}\nsurfaces: {ducts: [{"diameter":"160 mm"}]}\n' >"$work/twice.yaml"
+run_hawser 0 upgrade twice.yaml
+grep -q '&s {"straight":"200 m"}, \*s' "$work/twice.yaml" && grep -q '{"radius":"80 mm"}' "$work/twice.yaml" || fail "$what: not rewritten"
+run_hawser 0 theory twice.yaml
+printf 'surfaces:\n  ducts:\n    - diameter: >-\n        160 mm\nfriction: {mu: 0.3}\n' >"$work/folded.yaml"
+cp "$work/folded.yaml" "$work/kept.yaml"
+run_hawser 2 upgrade folded.yaml
+says err "folded.yaml:3: 'diameter' cannot be rewritten"
+cmp "$work/folded.yaml" "$work/kept.yaml" || fail "$what: the case has changed"
+
 printf 'cables: [\n' >"$work/broken.yaml"
 run_hawser 2 upgrade broken.yaml
 says err "broken.yaml:2"
 run_hawser 2 upgrade none.yaml
 run_hawser 2 theory new.yaml --set format=2
 says err "'format': value '2' is out of range: must be at least 1, at most 1"
-run_hawser 4 upgrade kept.yaml -o kept.yaml/out.yaml
+run_hawser 4 upgrade today.yaml -o today.yaml/out.yaml
 says err "cannot write"
 finish

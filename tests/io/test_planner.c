@@ -390,7 +390,65 @@ static void headline_is_the_largest_winch(void **state)
     hawser_case_free(c);
 }
 
-TEST_FILE(test_planner, cmocka_unit_test(what_is_needed), cmocka_unit_test(one_force_and_right_names),
+/* The shipped example: the first line said 9.765 kN, 15.84 from rest, of the last section; the first one's winch needs
+ * more. */
+static void headline_of_the_example(void **state)
+{
+    (void)state;
+    hawser_case *c = NULL;
+    char *out = NULL;
+    assert_int_equal(hawser_case_load(HAWSER_SOURCE_DIR "/cases/theory/planner.yaml", &c, NULL), HAWSER_OK);
+    assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &out, NULL), HAWSER_OK);
+    json_t *o = json_loads(out, 0, NULL);
+    hawser_text_free(out);
+    check_share(number(o, "largest_force_N"), 16700.8, 1e-4);
+    check_share(number(o, "largest_restart_N"), 25537.9, 1e-4);
+    check_share(number(o, "reference_total_N"), 9765.2, 1e-4); /* the last section's winch */
+    json_decref(o);
+    assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &out, NULL), HAWSER_OK);
+    check_has(out, "pull           16.7 kN at the winch (joint pit, the head at 420 m), 25.54 kN");
+    hawser_text_free(out);
+    assert_int_equal(hawser_case_describe(c, HAWSER_JSON, &out, NULL), HAWSER_OK); /* said 25.2 kN */
+    o = json_loads(out, 0, NULL);
+    check_share(number(o, "largest_force_N"), 16700.8, 1e-4);
+    json_decref(o);
+    hawser_text_free(out);
+    hawser_case_free(c);
+}
+
+/* Values outside every usual range are questioned above the verdict; kg/km given as kg/m made 18 169 kN without a word.
+ */
+static void unusual_values_are_questioned(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *key, *value, *says;
+    } row[] = {
+        {"cables.power.mass", "9000 kg/m",
+         "  unusual        mass over cross-section of power: 1414711 kg/m3, usually 500 to 12000: is the unit right?"},
+        {"cables.power.d", "900 mm", "  unusual        diameter of power: 900 mm"},
+        {"friction", "{mu: 3}", "  unusual        friction coefficient of friction: 3"},
+        {"surfaces", "{ducts: [{name: D, radius: 180 mm}]}", "  unusual        inside diameter over the cable's of"},
+        {"limits.conductor", "{material: copper, area: 9000 mm2}", "  unusual        conductors over the cable's"},
+        {"route.pieces.0.straight", "5e5 m", "  unusual        length of the route of route"}};
+    static const char text[] = "cables: {power: {d: 90 mm, mass: 10 kg/m}}\nroute: {pieces: [{straight: 500 m}]}\n"
+                               "friction: {mu: 0.3}\nlimits: {pull: 10 kN}\n";
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+        hawser_case *c = NULL;
+        char *out = NULL;
+        assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
+        assert_int_equal(hawser_case_set(c, row[k].key, row[k].value, NULL), HAWSER_OK);
+        assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &out, NULL), HAWSER_OK);
+        check_has(out, row[k].says);
+        const char *const verdict = strstr(out, "SAFE"), *const judged = strstr(out, "NOT JUDGED");
+        assert_true(strstr(out, "unusual") < (verdict && (!judged || verdict < judged) ? verdict : judged));
+        hawser_text_free(out);
+        hawser_case_free(c);
+    }
+}
+
+TEST_FILE(test_planner, cmocka_unit_test(headline_of_the_example), cmocka_unit_test(unusual_values_are_questioned),
+          cmocka_unit_test(what_is_needed), cmocka_unit_test(one_force_and_right_names),
           cmocka_unit_test(friction_from_to), cmocka_unit_test(a_straight_the_other_way_round),
           cmocka_unit_test(put_back), cmocka_unit_test(machines_put_back), cmocka_unit_test(what_stays_broken),
           cmocka_unit_test(by_sections), cmocka_unit_test(down_a_shaft), cmocka_unit_test(trip_setting),
