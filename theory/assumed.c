@@ -452,6 +452,14 @@ typedef struct Rounding {
     Effect with;        /* what was found last with the rest as it was taken */
 } Rounding;
 
+/* Whether a wider radius has mended a limit: one that theory knows, and that it moves. */
+static int radius_mends(const hawser_limit *l, const Effect *effect, int i)
+{
+    const double value = effect->value[i];
+    const int at_least = l->kind == HAWSER_LIMIT_BEND_RADIUS;
+    return effect->holds[i] && value != l->value && (at_least ? value >= l->limit : value <= l->limit);
+}
+
 /* Whether all limits hold with the rest as it was taken, and those that are broken at the ends of that too; *fits: the
  * route has room for them. */
 static hawser_status slopes_hold(Rounding *r, double factor, int *fits, int *holds)
@@ -470,7 +478,7 @@ static hawser_status slopes_hold(Rounding *r, double factor, int *fits, int *hol
         if (!a) r->with = effect[r->way];
         for (int i = 0; i < t->n && *holds; ++i) {
             const hawser_limit *const l = &t->limit[r->way][i];
-            *holds = !l->judged || effect[r->way].holds[i] || (a && l->ok);
+            *holds = !l->judged || (l->ok ? a || effect[r->way].holds[i] : radius_mends(l, &effect[r->way], i));
         }
     }
     return HAWSER_OK;
@@ -640,11 +648,11 @@ hawser_status assumed_judge(const Setup *setup, const Calculator *base, int ways
     return status;
 }
 
-hawser_status assumed_judge_varied(const Setup *setup, const Variation *by, int n, hawser_limit *limit,
+hawser_status assumed_judge_varied(const Setup *setup, const Variation *by, int bounds, int n, hawser_limit *limit,
                                    hawser_error *err)
 {
     hawser_limit *const both[PLAN_WAYS] = {limit, limit};
-    const Trial t = {setup, NULL, NULL, by->way, by->way + 1, 1, n, both, err};
+    const Trial t = {setup, NULL, NULL, by->way, by->way + 1, bounds, n, both, err};
     Assumed all[ASSUMED_KINDS];
     const int count = assumed_list(setup, all);
     int kept = 0;

@@ -55,9 +55,8 @@ void assumed_set(SceneDef *def, const Assumed *a, double x);
 hawser_status assumed_judge(const Setup *setup, const Calculator *base, int ways, int bounds, int n,
                             hawser_limit *const limit[], hawser_error *err);
 
-/* The same, with bounds, of the limits limit[n] of one way of a case that is changed (`by`); friction that changes is
- * known then. */
-hawser_status assumed_judge_varied(const Setup *setup, const Variation *by, int n, hawser_limit *limit,
+/* The same of the limits limit[n] of one way of a case that is changed (`by`); friction that changes is known then. */
+hawser_status assumed_judge_varied(const Setup *setup, const Variation *by, int bounds, int n, hawser_limit *limit,
                                    hawser_error *err);
 
 /* Computes all limits of a way, and whether they hold, with all that is assumed at its upper end. Errors: as above. */

@@ -249,10 +249,10 @@ static int safe_with(Trial *t, double friction)
     return radii_find(t) && is_safe(t, still);
 }
 
-/* The largest friction that does, rounded down, with the radii that it needs; 0: none. */
-static int friction_find(Trial *t, double now)
+/* The largest friction that does, at most `from` times as much, rounded down, with the radii that it needs; 0: none. */
+static int friction_find(Trial *t, double now, double from)
 {
-    double high = 1, low = STEP;
+    double high = fmin(1, from / STEP), low = from;
     while (low > LEAST && !t->status && !safe_with(t, low)) high = low, low *= STEP;
     if (low <= LEAST || t->status) return 0;
     for (int i = 0; i < 10; ++i) {
@@ -275,25 +275,50 @@ static void mend_say(const Trial *t, Mend *out)
     if (t->friction < 1) out->friction = t->friction * out->now;
 }
 
-/* Radii alone; where these are not enough with less friction. Returns whether it is safe then. */
-static int all_find(Trial *t, Mend *out)
+/* Radii alone; where these are not enough with less friction, at most `from` times as much. Returns whether it is safe
+ * then. */
+static int all_find(Trial *t, Mend *out, double from)
 {
     t->friction = 1;
     radii_reset(t);
-    if (radii_find(t) && is_safe(t, out->still)) return 1;
-    if (!(out->now > 0) || !friction_find(t, out->now)) return 0;
+    if (from >= STEP && radii_find(t) && is_safe(t, out->still)) return 1;
+    if (!(out->now > 0) || !friction_find(t, out->now, from)) return 0;
     *out->still = 0;
     return 1;
 }
 
-/* With what is assumed at its ends, or, where nothing mends that, as it was taken; else what radii alone do. */
+/* What mends the case as it was taken, and then, from there on, with what is assumed at its ends; where nothing mends
+ * those, the first. */
+static int ends_find(Trial *t, Mend *out, int ends)
+{
+    const size_t size = (size_t)t->base[0]->route->n * sizeof *t->radii;
+    t->n = 1;
+    if (!all_find(t, out, STEP)) return 0;
+    if (ends == 1) return 1;
+    const double friction = t->friction;
+    double *const radii = malloc(size + 1);
+    if (!radii) {
+        t->status = error_memory(t->err);
+        return 0;
+    }
+    memcpy(radii, t->radii, size);
+    t->n = ends;
+    if (!all_find(t, out, fmin(STEP, friction))) {
+        t->n = 1;
+        t->friction = friction;
+        memcpy(t->radii, radii, size);
+        is_safe(t, out->still);
+    }
+    free(radii);
+    return 1;
+}
+
 static hawser_status find(Trial *t, Mend *out)
 {
     const int ends = t->n;
-    out->safe = all_find(t, out);
-    t->n = 1; /* all were made, and are freed by who made them */
-    if (!out->safe && ends > 1) out->safe = all_find(t, out);
-    if (!out->safe) {
+    out->safe = ends_find(t, out, ends);
+    t->n = 1;
+    if (!out->safe) { /* what radii alone do, and what they do not */
         t->friction = 1;
         radii_reset(t);
         if (!radii_find(t)) radii_reset(t);
@@ -303,7 +328,8 @@ static hawser_status find(Trial *t, Mend *out)
     t->n = ends;
     if (!out->safe || t->status) return t->status;
     const Variation by = {.way = t->way, .friction = t->friction, .radius = 1, .bend = -1, .radii = t->radii};
-    t->status = assumed_judge_varied(t->setup[0], &by, t->n_limits, t->limit, t->err);
+    const int bounds = t->way == PLAN_FORWARD; /* of the other way the word alone is said */
+    t->status = assumed_judge_varied(t->setup[0], &by, bounds, t->n_limits, t->limit, t->err);
     out->conditional = limits_only_if(t->n_limits, t->limit, out->word, sizeof out->word);
     for (int i = 0; i < t->n_limits; ++i) {
         const hawser_limit *const l = &t->limit[i];

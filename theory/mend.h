@@ -25,7 +25,7 @@ typedef struct MendDuct {
 typedef struct Mend {
     int way;
     int safe;        /* with all of it every limit and condition holds, at the values that were taken */
-    char word[96];   /* and with what is assumed at its ends: "SAFE", "SAFE ONLY IF ..." */
+    char word[96];   /* and with what is assumed at its ends: "SAFE", "SAFE ONLY IF ..."; backward without bounds */
     int conditional; /* the second */
     int unjudged;    /* or neither: nothing is known of the friction */
     int n, n_ducts;

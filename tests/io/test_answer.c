@@ -259,6 +259,39 @@ static void the_margin_is_the_cables(void **state)
     hawser_case_free(c);
 }
 
+/* A run's limits with a change of slope that nobody gave a radius: one that theory has broken there asks for a radius;
+ * one that theory does not know, or that no radius moves, stays broken. */
+static void what_a_radius_mends(void **state)
+{
+    (void)state;
+    static const char slope[] = "cables: {power: {d: 80 mm, mass: 9 kg/m}}\n"
+                                "route: {pieces: [{straight: 400 m}, {straight: 100 m, slope: -4 deg}]}\n"
+                                "surfaces: {ducts: [{radius: 70 mm}]}\nfriction: {mu_s: 0.3, mu_d: 0.3}\n"
+                                "theory: {reel: 1 mm}\nlimits: {pull: 20 kN, sidewall: 3 kN/m}\n";
+    for (int k = 0; k < 3; k++) {
+        static const hawser_limit_kind kinds[] = {HAWSER_LIMIT_SIDEWALL, HAWSER_LIMIT_ROLLER_PEAK, HAWSER_LIMIT_FILL};
+        hawser_limit limit = {.kind = kinds[k],
+                              .name = limits_name(kinds[k]),
+                              .value = 6800,
+                              .limit = 3000,
+                              .margin = -1,
+                              .judged = 1,
+                              .slope_radius_least = NAN};
+        hawser_limit *const all = &limit;
+        SceneDef def;
+        Setup setup;
+        expect_good(slope, NULL, NULL, &def);
+        assert_int_equal(setup_make(&def, &setup, NULL), HAWSER_OK);
+        assert_int_equal(assumed_judge(&setup, NULL, 1, 1, 1, &all, NULL), HAWSER_OK);
+        assert_int_equal(limit.ok, k == 0);
+        if (k == 0) check_between(limit.slope_radius_least, 3.5, 3.8); /* 1.6 m times 6800/3000 */
+        if (k > 0) check_equal(limit.value, 6800);
+        setup_free(&setup);
+        scene_def_clear(&def);
+    }
+}
+
 TEST_FILE_IN(test_answer, answer_setup, answer_teardown, cmocka_unit_test(words), cmocka_unit_test(sentences),
              cmocka_unit_test(ducts), cmocka_unit_test(bends), cmocka_unit_test(a_listed_bend),
-             cmocka_unit_test(answers), cmocka_unit_test(the_margin_is_the_cables))
+             cmocka_unit_test(answers), cmocka_unit_test(what_a_radius_mends),
+             cmocka_unit_test(the_margin_is_the_cables))
