@@ -76,8 +76,7 @@ static double round_up(double x)
     return ceil(x / step - 1e-9) * step;
 }
 
-/* Finds other diameters for the ducts that need them, and puts them into a copy of the definition.
- */
+/* Finds other diameters for the ducts that need them, and puts them into a copy of the definition. */
 static hawser_status ducts_change(const Setup *setup, Mend *out, SceneDef *def, hawser_error *err)
 {
     const hawser_status status = scene_def_copy(setup->def, def, err);

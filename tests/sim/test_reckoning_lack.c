@@ -100,7 +100,7 @@ static void inverted(const Scene *scene)
     Inverse out;
     hawser_error err = {0};
     if (calculator_build(&scene->setup, &(Expected){.largest_start = 500}, 0, &base, &err)) fail_msg("%s", err.message);
-    for (int k = 0; k < 20000; k += k < 60 ? 1 : k / 2) {
+    for (int k = 0; k < 20000; k += k < 60 ? 1 : k / 4) {
         err = (hawser_error){0};
         lack_after(k);
         const hawser_status status = inverse_find(&scene->setup, &base, &out, &err);
