@@ -301,7 +301,16 @@ static const hawser_limit *limit_of(const Calculator *c, int way, hawser_limit_k
     return NULL;
 }
 
-/* The limits of a way with another value. */
+/* The limit that the bending stiffness, which theory leaves out, might break; NULL: none. */
+static const hawser_limit *doubted(const Setup *setup, const Calculator *c, int way)
+{
+    const hawser_limit *least;
+    limits_left(c, way, &least);
+    return stiffened_judge(setup, c, way).holds ? NULL : least;
+}
+
+/* The limits of a way with another value: with that, and not already as it was taken, the stiffness makes one that
+ * theory alone judges doubtful. */
 typedef struct Effect {
     int holds[HAWSER_LIMITS_MAX];
     double value[HAWSER_LIMITS_MAX];
@@ -330,11 +339,14 @@ static hawser_status effect_of(const Trial *t, int count, const Assumed *a, cons
     }
     status = solve(t, &def, &other);
     for (int way = t->first; way < t->ways && !status; ++way) {
+        const hawser_limit *const stiff =
+            doubted(t->setup, t->base, way) ? NULL : doubted(&other.whole.setup, other.c, way);
         for (int i = 0; i < t->n; ++i) {
             const hawser_limit *const l = &t->limit[way][i], *const was = limit_of(t->base, way, l->kind),
                                       *const is = limit_of(other.c, way, l->kind);
             effect[way].value[i] = l->value;
             effect[way].holds[i] = !was || !is || limit_holds(l, was, is, scales, &effect[way].value[i]);
+            if (is && is == stiff && l->value == was->value) effect[way].holds[i] = 0;
         }
     }
     both_free(&other);

@@ -308,7 +308,7 @@ hawser_status inverse_find(const Setup *setup, const Calculator *base, Inverse *
     memset(out, 0, sizeof *out);
     for (q.way = 0; q.way < PLAN_WAYS && !q.status; ++q.way) {
         if (!calculator_worst(base, q.way)) continue;
-        q.status = mend_find(setup, base, q.way, &out->mend[q.way], err);
+        q.status = mend_find(setup, base, q.way, 0, NULL, &out->mend[q.way], err);
         q.bend = critical_bend(base, q.way);
         for (int k = 0; k < INVERSE_KINDS && !q.status; ++k) {
             q.kind = (InverseKind)k;

@@ -105,6 +105,8 @@ typedef struct Trial {
     const Calculator *base[ENDS_MAX];
     int friction_end[ENDS_MAX]; /* friction itself is assumed there: where it is changed it is known */
     int way;
+    int of_run;                  /* a run's limits stand for theory's */
+    double factor[LIMIT_KINDS];  /* by which a run's limit is theory's; NAN: it has none of that kind */
     double *radii;   /* [pieces] factors */
     double friction; /* factor */
     int n_limits;    /* of the first when it was looked at last */
@@ -119,8 +121,11 @@ static void add_name(char still[MEND_STILL_MAX], const char *name)
     if (n + strlen(name) + 3 < MEND_STILL_MAX) snprintf(still + n, MEND_STILL_MAX - n, "%s%s", n ? ", " : "", name);
 }
 
-int calculator_is_safe(const Setup *setup, const Calculator *c, int way, char still[MEND_STILL_MAX])
+/* Whether all limits and conditions hold at the values that were taken (ranges of what is assumed are not looked at);
+ * otherwise what is not kept, by name. A run has the stiffness in its figures. */
+static int is_kept(const Trial *t, const Setup *setup, const Calculator *c, char still[MEND_STILL_MAX])
 {
+    const int way = t->way;
     *still = 0;
     for (int i = 0; i < c->n_limits; ++i) {
         const hawser_limit *const l = &c->limit[way][i];
@@ -129,11 +134,47 @@ int calculator_is_safe(const Setup *setup, const Calculator *c, int way, char st
     for (int i = 0; i < CALCULATOR_KNOWN; ++i)
         if (!c->known[i].holds) add_name(still, c->known[i].name);
     if (!c->pulled[way].holds) add_name(still, "pulled");
-    if (!stiffened_judge(setup, c, way).holds) add_name(still, "stiffness");
+    if (!t->of_run && !stiffened_judge(setup, c, way).holds) add_name(still, "stiffness");
     return c->n_limits > 0 && !*still;
 }
 
 static int is_asked(const Trial *t, int end) { return end == 0 || t->friction == 1 || !t->friction_end[end]; }
+
+static const double RUN_SPARE = 1.5; /* of a run's error bound: that of another run is another */
+
+static double value_of(const Calculator *c, int way, hawser_limit_kind kind)
+{
+    for (int i = 0; i < c->n_limits; ++i)
+        if (c->limit[way][i].kind == kind) return c->limit[way][i].value;
+    return NAN;
+}
+
+/* Finds by which factors a run's limits are theory's. */
+static void factors_find(Trial *t, const Calculator *base, int n_run, const hawser_limit *run)
+{
+    for (int k = 0; k < LIMIT_KINDS; ++k) t->factor[k] = t->of_run ? NAN : 1;
+    for (int i = 0; i < n_run; ++i) {
+        const hawser_limit *const l = &run[i];
+        const double theory = value_of(base, t->way, l->kind), error = l->error > 0 ? RUN_SPARE * l->error : 0;
+        const double sure = l->kind == HAWSER_LIMIT_BEND_RADIUS ? l->value - error : l->value + error;
+        const int own = l->kind == HAWSER_LIMIT_RUN_AWAY || l->value == theory;
+        t->factor[l->kind] = !own && theory > 0 && sure > 0 ? sure / theory : 1;
+    }
+}
+
+/* Theory's limits as a run's. */
+static void as_run(const Trial *t, Calculator *c)
+{
+    for (int i = 0; i < c->n_limits; ++i) {
+        hawser_limit *const l = &c->limit[t->way][i];
+        const double factor = t->factor[l->kind];
+        if (isnan(factor)) l->judged = 0;
+        if (!l->judged || factor == 1) continue;
+        l->value *= factor;
+        l->margin = l->kind == HAWSER_LIMIT_BEND_RADIUS ? 1 - l->limit / l->value : 1 - l->value / l->limit;
+        l->ok = l->margin >= 0;
+    }
+}
 
 /* Solves it; 0 if that cannot be done, or there is no memory. */
 static int solve(Trial *t, int end, Calculator *c)
@@ -145,23 +186,25 @@ static int solve(Trial *t, int end, Calculator *c)
         t->status = status;
         if (t->err) *t->err = local;
     }
+    if (!status) as_run(t, c);
     return !status;
 }
 
-static double allowed_of(const Calculator *c, int way, hawser_limit_kind kind)
+/* What is allowed of theory's value. */
+static double allowed_of(const Trial *t, const Calculator *c, hawser_limit_kind kind)
 {
     for (int i = 0; i < c->n_limits; ++i) {
-        const hawser_limit *const l = &c->limit[way][i];
-        if (l->judged && l->kind == kind) return l->limit;
+        const hawser_limit *const l = &c->limit[t->way][i];
+        if (l->judged && l->kind == kind) return l->limit / t->factor[kind];
     }
     return NAN;
 }
 
 /* By how much the bend of pieces p to `to` must be wider: its T/R at speed and from rest, and its radius. */
-static double bend_needs(const Calculator *c, int way, int p, int to)
+static double bend_needs(const Trial *t, const Calculator *c, int p, int to)
 {
-    const PlanWay *const w = &c->plan.way[way];
-    const double most = allowed_of(c, way, HAWSER_LIMIT_SIDEWALL), least = allowed_of(c, way, HAWSER_LIMIT_BEND_RADIUS);
+    const PlanWay *const w = &c->plan.way[t->way];
+    const double most = allowed_of(t, c, HAWSER_LIMIT_SIDEWALL), least = allowed_of(t, c, HAWSER_LIMIT_BEND_RADIUS);
     double pressure = 0, needs = 1;
     for (int k = p; k <= to; ++k) {
         pressure = fmax(pressure, w->piece[k].sidewall);
@@ -198,7 +241,7 @@ static int widen(Trial *t, int end, int *tight)
     const int solved = solve(t, end, &c);
     for (int p = 0, to; solved && p < route->n; p = to + 1) {
         to = route_turn_end(t->setup[0]->route, p);
-        const double needs = route->piece[p].kind == ROUTE_STRAIGHT ? 1 : bend_needs(&c, t->way, p, to);
+        const double needs = route->piece[p].kind == ROUTE_STRAIGHT ? 1 : bend_needs(t, &c, p, to);
         if (!(needs > 1)) continue;
         *tight = 1;
         far |= needs * t->radii[p] > FARTHEST;
@@ -231,7 +274,7 @@ static int is_safe(Trial *t, char still[MEND_STILL_MAX])
         if (!is_asked(t, end)) continue;
         safe = solve(t, end, &c);
         if (!safe) snprintf(still, MEND_STILL_MAX, "%s", "pull");
-        safe = safe && calculator_is_safe(t->setup[end], &c, t->way, still);
+        safe = safe && is_kept(t, t->setup[end], &c, still);
         t->n_limits = c.n_limits;
         memcpy(t->limit, c.limit[t->way], sizeof t->limit);
         calculator_free(&c);
@@ -366,11 +409,13 @@ static hawser_status ends_make(const Setup *setup, Trial *t, Mend *out, Solved e
     return status;
 }
 
-hawser_status mend_find(const Setup *setup, const Calculator *base, int way, Mend *out, hawser_error *err)
+hawser_status mend_find(const Setup *setup, const Calculator *base, int way, int n_run, const hawser_limit *run,
+                        Mend *out, hawser_error *err)
 {
-    Trial t = {.way = way, .friction = 1, .err = err};
+    Trial t = {.way = way, .of_run = run != NULL, .friction = 1, .err = err};
     *out = (Mend){.way = way, .now = base->mu_largest, .friction = NAN};
-    if (base->n_limits == 0 || calculator_is_safe(setup, base, way, out->still)) return HAWSER_OK;
+    if (base->n_limits == 0 || (!run && is_kept(&t, setup, base, out->still))) return HAWSER_OK;
+    factors_find(&t, base, n_run, run);
     Solved *const end = calloc(ENDS_MAX, sizeof *end);
     t.radii = malloc(((size_t)base->route->n + 1) * sizeof *t.radii);
     hawser_status status = end && t.radii ? ends_make(setup, &t, out, end) : error_memory(err);

@@ -35,12 +35,11 @@ typedef struct Mend {
     char still[MEND_STILL_MAX];    /* what is not kept all the same: limits and conditions, by name */
 } Mend;
 
-/* Of a way that is not safe; n of 0 and friction NAN where neither helps. Errors: MEMORY. */
-hawser_status mend_find(const Setup *setup, const Calculator *base, int way, Mend *out, hawser_error *err);
+/* Of a way that is not safe; n of 0 and friction NAN where neither helps. run[n_run]: a run's limits, which stand for
+ * theory's then: each is taken to change by the factor by which theory's does; NULL: there are none. Errors: MEMORY. */
+hawser_status mend_find(const Setup *setup, const Calculator *base, int way, int n_run, const hawser_limit *run,
+                        Mend *out, hawser_error *err);
 /* Of a duct whose limits do not hold. 0: no diameter from the cable's up to eight times as wide does. */
 int mend_duct(const SceneDef *def, int surface, MendDuct *out);
-/* Whether all limits and conditions of one way hold at the values that were taken (ranges of what is assumed are not
- * looked at); otherwise what is not kept, by name. */
-int calculator_is_safe(const Setup *setup, const Calculator *c, int way, char still[MEND_STILL_MAX]);
 
 #endif

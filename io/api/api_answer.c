@@ -119,17 +119,6 @@ static const hawser_limit *limit_of(int n, const hawser_limit *limit, hawser_lim
     return NULL;
 }
 
-/* Limits that a checked remedy of the calculation (Mend) is about. */
-static int is_mended(const hawser_limit *l)
-{
-    static const hawser_limit_kind kinds[] = {HAWSER_LIMIT_PULL,      HAWSER_LIMIT_RESTART,     HAWSER_LIMIT_ATTACHMENT,
-                                              HAWSER_LIMIT_SIDEWALL,  HAWSER_LIMIT_BEND_RADIUS, HAWSER_LIMIT_WINCH,
-                                              HAWSER_LIMIT_JAM_RATIO, HAWSER_LIMIT_CLEARANCE,   HAWSER_LIMIT_FILL};
-    int mended = 0;
-    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; ++k) mended |= l->kind == kinds[k];
-    return mended;
-}
-
 /* What was found at its worst place, and what to do if that is too much, unless that was `said` just before or is to
  * be said for all together. */
 static void limit_lines(Answer *a, const Setup *setup, const char *word, const hawser_limit *l, int together,
@@ -140,7 +129,7 @@ static void limit_lines(Answer *a, const Setup *setup, const char *word, const h
     say_margin(l, a->units, margin, sizeof margin);
     answer_line(a, word, "%s %s%s%s; %s", l->name, hawser_show(l->value, l->unit, a->units, found),
                 *l->where ? " at " : "", place_mark(l->where, where, sizeof where), margin);
-    if (l->ok || (together && is_mended(l))) return;
+    if (l->ok || (together && limit_is_mended(l))) return;
     if (remedy_find(setup, l, &r)) remedy_say(&r, a->units, remedy);
     if (*remedy && strcmp(remedy, said) != 0) answer_line(a, "remedy", "%s", remedy);
     strcpy(said, remedy);
@@ -171,11 +160,6 @@ static void limits_say(Answer *a, const Setup *setup, int n, const hawser_limit 
     }
     if (n == 0) answer_line(a, "remedy", "say what is allowed in the case's section 'limits'");
     open_line(a, n, limit);
-}
-
-void answer_limits(Answer *a, const Setup *setup, int n, const hawser_limit *limit)
-{
-    limits_say(a, setup, n, limit, 0);
 }
 
 /* ------------------------------------------------------------------------------------------ of the calculation */
@@ -233,7 +217,7 @@ static void way_line(Answer *a, const Setup *setup, const Calculator *c, int k)
 enum { MEND_SHOWN = 6 };
 
 /* What would do together, or what no duct, radius and friction mends. */
-static void mend_lines(Answer *a, const Setup *setup, const Mend *m)
+static void mend_lines(Answer *a, const Setup *setup, const Mend *m, const char *how)
 {
     char text[1600] = "", one[REMEDY_MAX];
     Remedy part[MEND_PARTS_MAX];
@@ -245,7 +229,7 @@ static void mend_lines(Answer *a, const Setup *setup, const Mend *m)
     if (n > MEND_SHOWN)
         snprintf(text + strlen(text), sizeof text - strlen(text), " and %d more (--tables remedies)", n - MEND_SHOWN);
     if (m->safe)
-        answer_line(a, "remedy", "%s would do: computed again, %s", text, m->word);
+        answer_line(a, "remedy", "%s would do; %s: %s", text, how, m->word);
     else if (*text)
         answer_line(a, "remedy", "%s would help, but then is still broken: %s", text, m->still);
     else if (*m->still)
@@ -317,7 +301,7 @@ void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inv
     answer_verdict(a, verdict[PLAN_FORWARD]);
     way_line(a, setup, c, PLAN_FORWARD);
     limits_say(a, setup, c->n_limits, c->limit[PLAN_FORWARD], 1);
-    if (!forward && c->n_limits > 0) mend_lines(a, setup, &inverse->mend[PLAN_FORWARD]);
+    if (!forward && c->n_limits > 0) mend_lines(a, setup, &inverse->mend[PLAN_FORWARD], "computed again");
     if (!forward) inverse_lines(a, setup, inverse, PLAN_FORWARD);
     together_line(a, setup, c);
     if (!forward && backward && c->n_limits > 0) {
@@ -405,22 +389,14 @@ static void trust_lines(Answer *a, const hawser_summary *s)
     if (!failed) answer_line(a, "trust", "the figures are to be trusted: all %d conditions hold", s->n_conditions);
 }
 
-/* A run's remedy is of its one worst bend. Where theory has several bends too tight, or friction too, what it computes
- * of all together is said as well. */
-static void theory_lines(Answer *a, const hawser_sim *s, int n, const hawser_limit *limit)
+/* What theory knows is mended together, the rest limit by limit. */
+static void run_limits_say(Answer *a, const hawser_sim *s, int n, const hawser_limit *limit)
 {
     const Setup *const setup = &s->stage.scene.setup;
-    int broken = 0;
-    for (int i = 0; i < n; ++i) broken |= limit[i].judged && !limit[i].ok && is_mended(&limit[i]);
-    if (!broken) return;
-    Calculator c;
-    Mend mend = {.n = 0};
-    if (!calculator_build(setup, &s->expected, 1, &c, NULL) && !mend_find(setup, &c, PLAN_FORWARD, &mend, NULL) &&
-        mend.n + mend.n_ducts + (mend.friction > 0) > 1) {
-        answer_line(a, "by theory", "of all together:");
-        mend_lines(a, setup, &mend);
-    }
-    calculator_free(&c);
+    Mend mend;
+    const int together = mend_run(s, n, limit, &mend);
+    limits_say(a, setup, n, limit, together);
+    if (together) mend_lines(a, setup, &mend, "computed by theory with this run's figures");
 }
 
 /* A rod is not pulled, and nothing is allowed of it: there is only whether its figures are to be trusted. */
@@ -448,8 +424,7 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
     if (!sum.rod) {
         pull_line(&a, &sum, n, limit);
         if (n > 0) reached_line(&a, s);
-        if (n > 0 || !failed) answer_limits(&a, &s->stage.scene.setup, n, limit);
-        if (n > 0) theory_lines(&a, s, n, limit);
+        if (n > 0 || !failed) run_limits_say(&a, s, n, limit);
     }
     if (!failed) trust_lines(&a, &sum);
     if (sum.passes) answer_line(&a, "passes", "%s: %s", sum.passes->why, sum.passes->says);

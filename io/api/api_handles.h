@@ -140,9 +140,6 @@ void answer_assumed(Answer *a, const Setup *setup, int n);
 void answer_verdict(Answer *a, const char *verdict);
 /* "  word   sentence", in as many lines as that takes. */
 void answer_line(Answer *a, const char *word, const char *format, ...) __attribute__((format(printf, 3, 4)));
-/* The worst of the limits, what to do about each that is broken, and which are not judged. */
-void answer_limits(Answer *a, const Setup *setup, int n, const hawser_limit *limit);
-
 /* All of it for the calculation, each way of pulling with its verdict. */
 void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
                    const char verdict[][HAWSER_VERDICT_MAX]);
@@ -158,6 +155,11 @@ void mend_key(const Setup *setup, int piece, char key[ASSUMED_KEY_MAX]);
 /* What a mended pull needs, in the order in which it is said; codes "do_...". Returns how many there are. */
 enum { MEND_PARTS_MAX = MEND_BENDS_MAX + MEND_DUCTS_MAX + 1 };
 int mend_parts(const Setup *setup, const Mend *m, Remedy part[MEND_PARTS_MAX]);
+/* Whether it is one of the limits that a mended pull is about. */
+int limit_is_mended(const hawser_limit *l);
+/* What would keep a run's limits limit[n] together, of which one that theory knows is broken, by theory with the run's
+ * figures. 0: none is, or nothing does. */
+int mend_run(const hawser_sim *s, int n, const hawser_limit *limit, Mend *out);
 /* What would make a broken limit hold, from its own figures and the scene's, without its sentence; the tension is taken
  * to stay as it is. 0: nothing can be told. */
 int remedy_find(const Setup *setup, const hawser_limit *broken, Remedy *r);

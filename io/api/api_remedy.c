@@ -185,7 +185,7 @@ int remedy_find(const Setup *setup, const hawser_limit *broken, Remedy *r)
 
 static Remedy part_of(const char *code, const char *where, double now)
 {
-    Remedy r = {.code = code, .limit = "", .unit = "m", .now = now, .least = NAN, .most = NAN, .share = NAN};
+    Remedy r = {.code = code, .limit = "all", .unit = "m", .now = now, .least = NAN, .most = NAN, .share = NAN};
     snprintf(r.where, sizeof r.where, "%s", where);
     return r;
 }
@@ -245,6 +245,29 @@ int mend_parts(const Setup *setup, const Mend *m, Remedy part[MEND_PARTS_MAX])
     return n;
 }
 
+int limit_is_mended(const hawser_limit *l)
+{
+    static const hawser_limit_kind kinds[] = {HAWSER_LIMIT_PULL,      HAWSER_LIMIT_RESTART,     HAWSER_LIMIT_ATTACHMENT,
+                                              HAWSER_LIMIT_SIDEWALL,  HAWSER_LIMIT_BEND_RADIUS, HAWSER_LIMIT_WINCH,
+                                              HAWSER_LIMIT_JAM_RATIO, HAWSER_LIMIT_CLEARANCE,   HAWSER_LIMIT_FILL};
+    int mended = 0;
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; ++k) mended |= l->kind == kinds[k];
+    return mended;
+}
+
+int mend_run(const hawser_sim *s, int n, const hawser_limit *limit, Mend *out)
+{
+    int broken = 0;
+    for (int i = 0; i < n; ++i) broken |= limit[i].judged && !limit[i].ok && limit_is_mended(&limit[i]);
+    if (!broken) return 0;
+    const Setup *const setup = &s->stage.scene.setup;
+    Calculator c;
+    const int found = !calculator_build(setup, &s->expected, 1, &c, NULL) &&
+                      !mend_find(setup, &c, PLAN_FORWARD, n, limit, out, NULL) && out->safe;
+    calculator_free(&c);
+    return found;
+}
+
 /* ------------------------------------------------------------------------------------------------------- sentences */
 
 /* Of each code. {NAME} is a value; what stands in [...] goes where one of its values is not there, or becomes what
@@ -253,7 +276,8 @@ static const struct RemedySentence {
     const char *code, *text;
 } sentence[] = {
     {"radius",
-     "a radius of {least}[ in '{where}'| there] would do ([{key}, ]now {now}), or {percent} % less tension there"},
+     "a radius of {least}[ in '{where}'| there] would keep this limit ([{key}, ]now {now}), or {percent} % less tension "
+     "there"},
     {"less_tension", "{percent} % less tension there, or what presses less"},
     {"less_pull", "{least} less pull: conveyors, a pit, or a lubricant"},
     {"less_push", "{least} less push ({key}), a narrower duct, or guides and carriers closer together"},

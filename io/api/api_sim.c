@@ -168,13 +168,18 @@ int hawser_sim_assumptions(const hawser_sim *s, const hawser_assumption **out)
     return s->stage.scene.def.n_assumptions;
 }
 
-/* What would make each broken limit hold, each sentence once. Returns how many. */
-static int remedies_find(const Scene *scene, int n, const hawser_limit *limit, Remedy remedy[])
+/* What would make the broken limits hold, each sentence once. Returns how many. */
+static int remedies_find(const hawser_sim *s, int n, const hawser_limit *limit, Remedy remedy[])
 {
-    int found = 0;
+    const Setup *const setup = &s->stage.scene.setup;
+    Mend mend;
+    const int together = mend_run(s, n, limit, &mend);
+    int found = together ? mend_parts(setup, &mend, remedy) : 0;
+    for (int i = 0; i < found; i++) remedy_say(&remedy[i], HAWSER_SI, remedy[i].text);
     for (int i = 0; i < n; i++) {
         Remedy *const r = &remedy[found];
-        if (!limit[i].judged || limit[i].ok || !remedy_find(&scene->setup, &limit[i], r)) continue;
+        if (!limit[i].judged || limit[i].ok || (together && limit_is_mended(&limit[i]))) continue;
+        if (!remedy_find(setup, &limit[i], r)) continue;
         remedy_say(r, HAWSER_SI, r->text);
         int fresh = 1;
         for (int k = 0; k < found; k++) fresh &= strcmp(remedy[k].text, r->text) != 0;
@@ -222,10 +227,10 @@ hawser_status sim_summary_text(const hawser_sim *s, const OutDir *dir, char **te
                                   : NAN};
     peaks_theory_free(&theory);
     if (labels.n_overloads < 0) return error_memory(err);
-    Remedy remedy[HAWSER_LIMITS_MAX];
+    Remedy remedy[MEND_PARTS_MAX + HAWSER_LIMITS_MAX];
     Assumed assumed[ASSUMED_KINDS];
     labels.overload = overload;
-    labels.n_remedies = remedies_find(scene, labels.n_limits, limit, remedy);
+    labels.n_remedies = remedies_find(s, labels.n_limits, limit, remedy);
     labels.remedy = remedy;
     labels.n_assumed = labels.n_limits > 0 ? assumed_list(&scene->setup, assumed) : 0;
     labels.assumed = assumed;

@@ -25,7 +25,7 @@ export interface Summary {
   message?: string;
   verdict?: string;
   /** Of format 1: sentences. */
-  remedies?: ({ remedy: string; text: string } | string)[];
+  remedies?: ({ remedy: string; limit?: string; text: string } | string)[];
   analysis?: string;
   /** Of several chains that are pulled together, in the first one's summary: its own name, the others', and "all". */
   chains?: { name: string }[];

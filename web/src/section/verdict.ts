@@ -77,11 +77,20 @@ function tightest(context: Context): HTMLElement[] {
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
-/** The remedies as the program words them: of the run, or of each limit. */
+/** The remedies as the program words them: what keeps several limits together in one sentence, of the run, or of each
+ * limit. */
 function brokenRemedies(context: Context): HTMLElement[] {
-  const sentences = (context.run.summary.remedies ?? []).map((remedy) =>
-    typeof remedy === 'string' ? remedy : remedy.text,
+  const remedies = context.run.summary.remedies ?? [];
+  const together = remedies.flatMap((remedy) =>
+    typeof remedy !== 'string' && remedy.limit === 'all' ? [remedy.text] : [],
   );
+  const sentences = remedies.flatMap((remedy) =>
+    typeof remedy === 'string' ? [remedy] : remedy.limit === 'all' ? [] : [remedy.text],
+  );
+  if (together.length > 0)
+    sentences.unshift(
+      `${together.join(' and ')} would do, computed by theory with this run's figures: run the case again with it`,
+    );
   if (sentences.length > 0)
     return sentences.map((sentence) => el('p', {}, named(`${capital(sentenceText(sentence, context.units))}.`)));
   const broken = judged(context.run).filter((limit) => limit.ok === false);
