@@ -11,7 +11,7 @@ typedef struct FrictionKnown {
     double low, high; /* FRICTION_TYPICAL: between which the coefficient in motion usually lies */
     char of[64];      /* FRICTION_TYPICAL: of what */
     int rest_assumed; /* one coefficient stands for motion and rest */
-    int own;          /* given for this one alone, not for the whole case */
+    char key[40];     /* of the section that gives it, or would: "surfaces.ducts.0.friction"; empty: "friction" */
 } FrictionKnown;
 
 #endif

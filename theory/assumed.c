@@ -40,7 +40,9 @@ static int surface_list(const SurfaceDef *s)
 
 static Law law_of(FrictionLaw *law, const FrictionKnown *known)
 {
-    return (Law){&law->mu_d, &law->mu_s, *known, "friction"};
+    Law out = {&law->mu_d, &law->mu_s, *known, "friction"};
+    if (*known->key) memcpy(out.key, known->key, sizeof known->key);
+    return out;
 }
 
 void surface_key(const SceneDef *def, int i, const char *of, char key[ASSUMED_KEY_MAX])
@@ -50,14 +52,6 @@ void surface_key(const SceneDef *def, int i, const char *of, char key[ASSUMED_KE
     int place = 0;
     for (int k = 0; k < i; ++k) place += surface_list(&def->surfaces[k]) == list;
     snprintf(key, ASSUMED_KEY_MAX, "surfaces.%s.%d.%s", lists[list], place, of);
-}
-
-static Law law_of_surface(SceneDef *def, int i)
-{
-    SurfaceDef *const s = &def->surfaces[i];
-    Law law = law_of(&s->friction, &s->friction_known);
-    if (s->friction_known.own) surface_key(def, i, "friction", law.key);
-    return law;
 }
 
 static Law law_of_stretch(TheoryDef *theory, int i)
@@ -72,7 +66,7 @@ static Law law_of_stretch(TheoryDef *theory, int i)
 static int law_at(SceneDef *def, int i, Law *out)
 {
     if (i-- == 0) return *out = law_of(&def->friction, &def->friction_known), 1;
-    if (i < def->n_surfaces) return *out = law_of_surface(def, i), 1;
+    if (i < def->n_surfaces) return *out = law_of(&def->surfaces[i].friction, &def->surfaces[i].friction_known), 1;
     i -= def->n_surfaces;
     if (i < def->theory.n_friction) return *out = law_of_stretch(&def->theory, i), 1;
     i -= def->theory.n_friction;
@@ -102,18 +96,23 @@ static int is_of(AssumedKind kind, const FrictionKnown *known)
     return known->source == (kind == ASSUMED_FRICTION ? FRICTION_TYPICAL : FRICTION_UNKNOWN);
 }
 
-/* Finds the largest friction that is assumed in that way; NULL: none is. */
-static const Law *largest(const Setup *setup, AssumedKind kind, Law *out)
+enum { KEYS_MAX = 16 };
+
+/* Finds the largest friction that is assumed in that way. Returns how many sections give one; 0: none is. */
+static int largest(const Setup *setup, AssumedKind kind, Law *out)
 {
     SceneDef *const own = (SceneDef *)(size_t)setup->def; /* read alone */
-    const Law *found = NULL;
+    char key[KEYS_MAX][ASSUMED_KEY_MAX];
     Law law;
+    int n = 0;
     for (int i = 0; law_at(own, i, &law); ++i) {
-        if (!is_of(kind, &law.known) || !is_used(setup, i) || (found && *law.moving <= *out->moving)) continue;
-        *out = law;
-        found = out;
+        if (!is_of(kind, &law.known) || !is_used(setup, i)) continue;
+        if (n == 0 || *law.moving > *out->moving) *out = law;
+        int fresh = n < KEYS_MAX;
+        for (int k = 0; k < n && fresh; ++k) fresh = strcmp(key[k], law.key) != 0;
+        if (fresh) memcpy(key[n++], law.key, sizeof law.key);
     }
-    return found;
+    return n;
 }
 
 int frictions_used(const Setup *setup, int most, FrictionUsed out[])
@@ -175,9 +174,10 @@ static double back_most(const SceneDef *def)
 }
 
 /* A friction's line; what follows its key in the case. */
-static Assumed friction_line(const Law *law, AssumedKind kind, const char *name, const char *key)
+static Assumed friction_line(const Law *law, int sections, AssumedKind kind, const char *name, const char *key)
 {
     Assumed a = {.kind = kind, .name = name, .unit = "1", .value = *law->moving, .low = NAN, .high = NAN};
+    a.more = sections - 1;
     snprintf(a.key, sizeof a.key, "%.40s.%s", law->key, key);
     return a;
 }
@@ -188,7 +188,7 @@ int assumed_list(const Setup *setup, Assumed out[ASSUMED_KINDS])
     const int pit = open_pit(&def->theory);
     const double radius = open_radius(setup);
     Law law;
-    int n = 0;
+    int n = 0, sections;
     if (isfinite(radius)) {
         out[n] = (Assumed){.kind = ASSUMED_RADIUS,
                            .name = RADIUS_NAME,
@@ -199,18 +199,18 @@ int assumed_list(const Setup *setup, Assumed out[ASSUMED_KINDS])
                            .key = "route.transition_radius"};
         snprintf(out[n++].source, sizeof out->source, "20 diameters, or limits.bend_radius");
     }
-    if (largest(setup, ASSUMED_FRICTION, &law)) {
-        out[n] = friction_line(&law, ASSUMED_FRICTION, "friction", "mu");
+    if ((sections = largest(setup, ASSUMED_FRICTION, &law))) {
+        out[n] = friction_line(&law, sections, ASSUMED_FRICTION, "friction", "mu");
         out[n].low = law.known.low;
         out[n].high = law.known.high;
         snprintf(out[n++].source, sizeof out->source, "%s", law.known.of);
     }
-    if (largest(setup, ASSUMED_UNKNOWN, &law)) {
-        out[n] = friction_line(&law, ASSUMED_UNKNOWN, "friction", "mu");
+    if ((sections = largest(setup, ASSUMED_UNKNOWN, &law))) {
+        out[n] = friction_line(&law, sections, ASSUMED_UNKNOWN, "friction", "mu");
         snprintf(out[n++].source, sizeof out->source, "not given");
     }
-    if (largest(setup, ASSUMED_REST, &law) && *law.moving > 0) {
-        out[n] = friction_line(&law, ASSUMED_REST, "friction at rest", "mu_s");
+    if ((sections = largest(setup, ASSUMED_REST, &law)) && *law.moving > 0) {
+        out[n] = friction_line(&law, sections, ASSUMED_REST, "friction at rest", "mu_s");
         out[n].value = *law.rest;
         out[n].low = *law.moving;
         out[n].high = REST_MOST * *law.moving;

@@ -21,6 +21,7 @@ typedef struct Assumed {
     AssumedKind kind;
     const char *name, *unit;
     double value, low, high;   /* taken; its usual range. NAN: no range is known */
+    int more;                  /* other keys that give it elsewhere */
     char key[ASSUMED_KEY_MAX]; /* of the case, to give it */
     char source[96];
 } Assumed;

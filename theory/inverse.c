@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "theory/assumed.h"
 #include "theory/plan_pull.h"
 
 /* How far a search goes: a thousand times as much, or as little. */
@@ -13,6 +14,7 @@ static const double FARTHEST = 1000;
 typedef struct Question {
     const Setup *setup;
     const Calculator *base;
+    const Ends *ends;
     InverseKind kind;
     int way, bend;                    /* bend: the piece that INVERSE_BEND is about */
     int untouched[HAWSER_LIMITS_MAX]; /* by limit: the question does not change its value */
@@ -31,11 +33,12 @@ static Variation variation_of(const Question *q, double x)
     return v;
 }
 
-/* The varied calculator, whether it could be solved. Friction may grow past what can be computed. */
-static int varied(Question *q, const Variation *by, Calculator *c)
+/* The varied calculator at an end, whether it could be solved. Friction may grow past what can be computed. */
+static int varied(Question *q, int end, const Variation *by, Calculator *c)
 {
     hawser_error local;
-    const hawser_status status = calculator_vary(q->setup, q->base, by, c, &local);
+    const Solved *const at = &q->ends->at[end];
+    const hawser_status status = calculator_vary(end ? &at->setup : q->setup, end ? &at->c : q->base, by, c, &local);
     if (status == HAWSER_ERR_MEMORY) {
         q->status = status;
         if (q->err) *q->err = local;
@@ -55,7 +58,7 @@ static void touched_find(Question *q)
     for (int k = 0; k < 2; ++k) {
         Calculator c;
         const Variation by = variation_of(q, k ? 2 : 0.5);
-        const int solved = varied(q, &by, &c);
+        const int solved = varied(q, 0, &by, &c);
         for (int i = 0; i < q->base->n_limits; ++i) {
             const double now = q->base->limit[q->way][i].value;
             if (!solved || fabs(c.limit[q->way][i].value - now) > 1e-12 * fabs(now)) q->untouched[i] = 0;
@@ -110,24 +113,40 @@ static void enough_find(Question *q)
     q->enough = judged == 2 ? (1 + 1e-6) * most : 0;
 }
 
+/* Whether all holds there; of friction and length, of which the most is asked, also at the ends of what is assumed,
+ * where SAFE stops. *end: the first at which it does not. */
+static int holds_at(Question *q, const Variation *by, int *end)
+{
+    const int most = q->kind == INVERSE_FRICTION || q->kind == INVERSE_LENGTH,
+              ends = most && !by->n_machines ? q->ends->n : 1;
+    int holds = 1;
+    for (int k = 0; k < ends && holds; ++k) {
+        Calculator c;
+        if (by->friction != 1 && q->ends->of_friction[k]) continue;
+        holds = varied(q, k, by, &c) && keeps(q, &c);
+        calculator_free(&c);
+        *end = k;
+    }
+    return holds;
+}
+
 static int question_holds(void *what, double x)
 {
     Question *const q = what;
-    Calculator c;
-    if (q->status) return 0;
+    int end;
     Variation by = variation_of(q, x);
     by.enough = q->enough;
-    const int holds = varied(q, &by, &c) && keeps(q, &c);
-    calculator_free(&c);
-    return holds;
+    return !q->status && holds_at(q, &by, &end);
 }
 
 /* What is broken most there, and where. */
 static void binding_find(Question *q, const Variation *by, char binds[24], char where[80])
 {
     Calculator c;
+    int end = 0;
     *binds = *where = 0;
-    if (!varied(q, by, &c)) {
+    holds_at(q, by, &end);
+    if (!varied(q, end, by, &c)) {
         snprintf(binds, 24, "%s", "pull");
     } else if (!c.pulled[q->way].holds) {
         const Pushed worst = c.pushed[q->way];
@@ -206,7 +225,7 @@ static InverseAnswer answer_find(Question *q)
     if (bound.end == SEARCH_FOUND) a.value = bound.value * a.now;
     Calculator c;
     const Variation at = variation_of(q, bound.end == SEARCH_NOWHERE ? 1 : bound.value);
-    if (varied(q, &at, &c)) stays_find(q, &c, a.stays);
+    if (varied(q, 0, &at, &c)) stays_find(q, &c, a.stays);
     calculator_free(&c);
     if (bound.end == SEARCH_EVERYWHERE || q->status) return a;
     const Variation beyond = variation_of(q, bound.fails);
@@ -277,7 +296,7 @@ static void machines_place(Question *q, double push, int early, InverseMachines 
     for (int n = 0; n <= INVERSE_MACHINES_MAX; ++n) {
         Calculator c;
         by.n_machines = n;
-        const int solved = varied(q, &by, &c), holds = solved && keeps(q, &c);
+        const int solved = varied(q, 0, &by, &c), holds = solved && keeps(q, &c);
         if (holds) m->n = n;
         if (holds) takes_find(&c, m, push);
         if (holds) stays_find(q, &c, m->stays);
@@ -301,25 +320,36 @@ static void machines_find(Question *q, double push, InverseMachines *out)
 
 /* ------------------------------------------------------------------------------------------------ all of it */
 
+/* Of the way q->way. */
+static hawser_status way_find(Question *q, Inverse *out)
+{
+    const double push = q->setup->def->theory.machine_push;
+    q->status = mend_find(q->setup, q->base, q->ends, q->way, 0, NULL, &out->mend[q->way], q->err);
+    q->bend = critical_bend(q->base, q->way);
+    for (int k = 0; k < INVERSE_KINDS && !q->status; ++k) {
+        q->kind = (InverseKind)k;
+        if ((k == INVERSE_RADIUS || k == INVERSE_BEND) && q->bend < 0) continue;
+        out->answer[out->n++] = answer_find(q);
+    }
+    if (isnan(push) || q->status) return q->status;
+    out->asked = 1;
+    q->kind = INVERSE_FRICTION; /* machines change what friction does */
+    touched_find(q);
+    machines_find(q, push, &out->machines[q->way]);
+    return q->status;
+}
+
 hawser_status inverse_find(const Setup *setup, const Calculator *base, Inverse *out, hawser_error *err)
 {
-    const double push = setup->def->theory.machine_push;
     Question q = {.setup = setup, .base = base, .err = err};
+    Ends *ends = NULL;
     memset(out, 0, sizeof *out);
     for (q.way = 0; q.way < PLAN_WAYS && !q.status; ++q.way) {
         if (!calculator_worst(base, q.way)) continue;
-        q.status = mend_find(setup, base, q.way, 0, NULL, &out->mend[q.way], err);
-        q.bend = critical_bend(base, q.way);
-        for (int k = 0; k < INVERSE_KINDS && !q.status; ++k) {
-            q.kind = (InverseKind)k;
-            if ((k == INVERSE_RADIUS || k == INVERSE_BEND) && q.bend < 0) continue;
-            out->answer[out->n++] = answer_find(&q);
-        }
-        if (isnan(push) || q.status) continue;
-        out->asked = 1;
-        q.kind = INVERSE_FRICTION; /* machines change what friction does */
-        touched_find(&q);
-        machines_find(&q, push, &out->machines[q.way]);
+        if (!ends) q.status = ends_make(setup, setup->def, &ends, err);
+        q.ends = ends;
+        if (!q.status) q.status = way_find(&q, out);
     }
+    ends_free(ends);
     return q.status;
 }

@@ -95,21 +95,17 @@ static hawser_status ducts_change(const Setup *setup, Mend *out, SceneDef *def, 
 
 /* ---------------------------------------------------------------------------------------------------------- bends */
 
-/* The case as it is, and with each of what is assumed at its upper end: what mends them all is sure. */
-enum { ENDS_MAX = 1 + ASSUMED_KINDS };
-
 /* A pull with other radii and friction. */
 typedef struct Trial {
+    const Ends *ends;
+    const Route *route;
     int n; /* of the ends that are asked: the first alone, or all */
-    const Setup *setup[ENDS_MAX];
-    const Calculator *base[ENDS_MAX];
-    int friction_end[ENDS_MAX]; /* friction itself is assumed there: where it is changed it is known */
     int way;
-    int of_run;                  /* a run's limits stand for theory's */
-    double factor[LIMIT_KINDS];  /* by which a run's limit is theory's; NAN: it has none of that kind */
-    double *radii;   /* [pieces] factors */
-    double friction; /* factor */
-    int n_limits;    /* of the first when it was looked at last */
+    int of_run;                 /* a run's limits stand for theory's */
+    double factor[LIMIT_KINDS]; /* by which a run's limit is theory's; NAN: it has none of that kind */
+    double *radii;              /* [pieces] factors */
+    double friction;            /* factor */
+    int n_limits;               /* of the first when it was looked at last */
     hawser_limit limit[HAWSER_LIMITS_MAX];
     hawser_status status;
     hawser_error *err;
@@ -138,7 +134,7 @@ static int is_kept(const Trial *t, const Setup *setup, const Calculator *c, char
     return c->n_limits > 0 && !*still;
 }
 
-static int is_asked(const Trial *t, int end) { return end == 0 || t->friction == 1 || !t->friction_end[end]; }
+static int is_asked(const Trial *t, int end) { return end == 0 || t->friction == 1 || !t->ends->of_friction[end]; }
 
 static const double RUN_SPARE = 1.5; /* of a run's error bound: that of another run is another */
 
@@ -181,7 +177,8 @@ static int solve(Trial *t, int end, Calculator *c)
 {
     const Variation by = {.way = t->way, .friction = t->friction, .radius = 1, .bend = -1, .radii = t->radii};
     hawser_error local;
-    const hawser_status status = calculator_vary(t->setup[end], t->base[end], &by, c, &local);
+    const Solved *const at = &t->ends->at[end];
+    const hawser_status status = calculator_vary(&at->setup, &at->c, &by, c, &local);
     if (status == HAWSER_ERR_MEMORY) {
         t->status = status;
         if (t->err) *t->err = local;
@@ -217,7 +214,7 @@ static double bend_needs(const Trial *t, const Calculator *c, int p, int to)
 
 static void bend_widen(const Trial *t, const Calculator *c, int p, int to, double needs)
 {
-    const Route *const route = t->base[0]->route;
+    const Route *const route = t->route;
     const double radius = round_up(needs * c->route->piece[p].radius);
     const int shared = route_rounds_slope(route, p);
     for (int k = 0; k < route->n; ++k) {
@@ -228,19 +225,19 @@ static void bend_widen(const Trial *t, const Calculator *c, int p, int to, doubl
 
 static void radii_reset(const Trial *t)
 {
-    for (int k = 0; k < t->base[0]->route->n; ++k) t->radii[k] = 1;
+    for (int k = 0; k < t->route->n; ++k) t->radii[k] = 1;
 }
 
 /* Widens what is too tight at one of the ends. Returns 0 if that cannot be computed or a bend would be too wide;
  * *tight: something was. */
 static int widen(Trial *t, int end, int *tight)
 {
-    const Route *const route = t->base[0]->route;
+    const Route *const route = t->route;
     Calculator c;
     int far = 0;
     const int solved = solve(t, end, &c);
     for (int p = 0, to; solved && p < route->n; p = to + 1) {
-        to = route_turn_end(t->setup[0]->route, p);
+        to = route_turn_end(route, p);
         const double needs = route->piece[p].kind == ROUTE_STRAIGHT ? 1 : bend_needs(t, &c, p, to);
         if (!(needs > 1)) continue;
         *tight = 1;
@@ -255,7 +252,7 @@ static int widen(Trial *t, int end, int *tight)
  * of weight, so that the bends behind it may need more. */
 static int radii_find(Trial *t)
 {
-    for (int round = 0; round < 20 + 2 * t->base[0]->route->n; ++round) {
+    for (int round = 0; round < 20 + 2 * t->route->n; ++round) {
         int tight = 0;
         for (int end = 0; end < t->n; ++end)
             if (is_asked(t, end) && !widen(t, end, &tight)) return 0;
@@ -274,7 +271,7 @@ static int is_safe(Trial *t, char still[MEND_STILL_MAX])
         if (!is_asked(t, end)) continue;
         safe = solve(t, end, &c);
         if (!safe) snprintf(still, MEND_STILL_MAX, "%s", "pull");
-        safe = safe && is_kept(t, t->setup[end], &c, still);
+        safe = safe && is_kept(t, &t->ends->at[end].setup, &c, still);
         t->n_limits = c.n_limits;
         memcpy(t->limit, c.limit[t->way], sizeof t->limit);
         calculator_free(&c);
@@ -309,7 +306,7 @@ static int friction_find(Trial *t, double now, double from)
 
 static void mend_say(const Trial *t, Mend *out)
 {
-    const Route *const route = t->base[0]->route;
+    const Route *const route = t->route;
     for (int p = 0; p < route->n && out->n < MEND_BENDS_MAX; ++p) {
         if (!(t->radii[p] > 1)) continue;
         out->bend[out->n++] = (MendBend){p, route->piece[p].radius, t->radii[p] * route->piece[p].radius};
@@ -333,7 +330,7 @@ static int all_find(Trial *t, Mend *out, double from)
  * those, the first. */
 static int ends_find(Trial *t, Mend *out, int ends)
 {
-    const size_t size = (size_t)t->base[0]->route->n * sizeof *t->radii;
+    const size_t size = (size_t)t->route->n * sizeof *t->radii;
     t->n = 1;
     if (!all_find(t, out, STEP)) return 0;
     if (ends == 1) return 1;
@@ -371,7 +368,7 @@ static hawser_status find(Trial *t, Mend *out)
     if (!out->safe || t->status) return t->status;
     const Variation by = {.way = t->way, .friction = t->friction, .radius = 1, .bend = -1, .radii = t->radii};
     const int bounds = t->way == PLAN_FORWARD; /* of the other way the word alone is said */
-    t->status = assumed_judge_varied(t->setup[0], &by, bounds, t->n_limits, t->limit, t->err);
+    t->status = assumed_judge_varied(&t->ends->at[0].setup, &by, bounds, t->n_limits, t->limit, t->err);
     out->conditional = limits_only_if(t->n_limits, t->limit, out->word, sizeof out->word);
     for (int i = 0; i < t->n_limits; ++i) {
         const hawser_limit *const l = &t->limit[i];
@@ -382,46 +379,24 @@ static hawser_status find(Trial *t, Mend *out)
     return t->status;
 }
 
-/* The case with other ducts, and that at the ends of what is assumed. */
-static hawser_status ends_make(const Setup *setup, Trial *t, Mend *out, Solved end[ENDS_MAX])
+hawser_status mend_find(const Setup *setup, const Calculator *base, const Ends *ends, int way, int n_run,
+                        const hawser_limit *run, Mend *out, hawser_error *err)
 {
-    Assumed all[ASSUMED_KINDS];
+    Trial t = {.route = base->route, .way = way, .of_run = run != NULL, .friction = 1, .err = err};
     SceneDef def;
-    const int n = assumed_list(setup, all);
-    hawser_status status = HAWSER_OK;
-    t->n = 0;
-    for (int k = -1; k < n && !status; ++k) {
-        if (k >= 0 && !(all[k].high > all[k].value)) continue;
-        out->n_ducts = 0;
-        status = ducts_change(setup, out, &def, t->err);
-        if (status) break;
-        if (k >= 0) assumed_set(&def, &all[k], all[k].high);
-        t->friction_end[t->n] = k >= 0 && all[k].kind == ASSUMED_FRICTION;
-        t->setup[t->n] = &end[t->n].setup;
-        t->base[t->n] = &end[t->n].c;
-        status = solved_make(&def, &setup->company, 0, &end[t->n], t->err);
-        t->n++;
-        if (k >= 0 && status == HAWSER_ERR_INPUT) { /* nothing can be said of that end */
-            solved_free(&end[--t->n]);
-            status = HAWSER_OK;
-        }
-    }
-    return status;
-}
-
-hawser_status mend_find(const Setup *setup, const Calculator *base, int way, int n_run, const hawser_limit *run,
-                        Mend *out, hawser_error *err)
-{
-    Trial t = {.way = way, .of_run = run != NULL, .friction = 1, .err = err};
+    Ends *own = NULL;
     *out = (Mend){.way = way, .now = base->mu_largest, .friction = NAN};
     if (base->n_limits == 0 || (!run && is_kept(&t, setup, base, out->still))) return HAWSER_OK;
     factors_find(&t, base, n_run, run);
-    Solved *const end = calloc(ENDS_MAX, sizeof *end);
+    hawser_status status = ducts_change(setup, out, &def, err);
+    if (status) return status;
+    if (out->n_ducts > 0 || !ends) status = ends_make(setup, &def, &own, err);
+    scene_def_clear(&def);
+    t.ends = own ? own : ends;
+    t.n = t.ends ? t.ends->n : 0;
     t.radii = malloc(((size_t)base->route->n + 1) * sizeof *t.radii);
-    hawser_status status = end && t.radii ? ends_make(setup, &t, out, end) : error_memory(err);
-    if (!status) status = find(&t, out);
-    for (int k = 0; end && k < t.n; ++k) solved_free(&end[k]);
-    free(end);
+    if (!status) status = t.radii ? find(&t, out) : error_memory(err);
+    ends_free(own);
     free(t.radii);
     return status;
 }

@@ -4,7 +4,7 @@
 #ifndef HAWSER_THEORY_MEND_H
 #define HAWSER_THEORY_MEND_H
 
-#include "theory/calculator.h"
+#include "theory/ends.h"
 
 enum { MEND_BENDS_MAX = 64, MEND_DUCTS_MAX = 8, MEND_STILL_MAX = 160 };
 
@@ -36,9 +36,10 @@ typedef struct Mend {
 } Mend;
 
 /* Of a way that is not safe; n of 0 and friction NAN where neither helps. run[n_run]: a run's limits, which stand for
- * theory's then: each is taken to change by the factor by which theory's does; NULL: there are none. Errors: MEMORY. */
-hawser_status mend_find(const Setup *setup, const Calculator *base, int way, int n_run, const hawser_limit *run,
-                        Mend *out, hawser_error *err);
+ * theory's then: each is taken to change by the factor by which theory's does; NULL: there are none. ends: of the case,
+ * NULL: it makes its own. Errors: MEMORY. */
+hawser_status mend_find(const Setup *setup, const Calculator *base, const Ends *ends, int way, int n_run,
+                        const hawser_limit *run, Mend *out, hawser_error *err);
 /* Of a duct whose limits do not hold. 0: no diameter from the cable's up to eight times as wide does. */
 int mend_duct(const SceneDef *def, int surface, MendDuct *out);
 

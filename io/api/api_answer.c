@@ -56,15 +56,16 @@ void answer_assumed(Answer *a, const Setup *setup, int n)
     const int count = n > 0 ? assumed_list(setup, all) : 0;
     for (int k = 0; k < count; ++k) {
         const Assumed *const one = &all[k];
-        char value[HAWSER_SHOWN_MAX], low[HAWSER_SHOWN_MAX], high[HAWSER_SHOWN_MAX];
+        char value[HAWSER_SHOWN_MAX], low[HAWSER_SHOWN_MAX], high[HAWSER_SHOWN_MAX], more[32] = "";
+        if (one->more > 0) snprintf(more, sizeof more, " and %d more", one->more);
         hawser_show(one->value, one->unit, a->units, value);
         if (isnan(one->high))
-            answer_line(a, "assumed", "%s %s: not given (%s)", one->name, value, one->key);
+            answer_line(a, "assumed", "%s %s: not given (%s%s)", one->name, value, one->key, more);
         else
-            answer_line(a, "assumed", "%s %s, usually %s to %s (%s)", one->name, value,
+            answer_line(a, "assumed", "%s %s, usually %s to %s (%s%s)", one->name, value,
                         hawser_show(one->low, one->unit, a->units, low),
                         hawser_show(one->high, one->unit, a->units, high),
-                        one->kind == ASSUMED_FRICTION ? one->source : one->key);
+                        one->kind == ASSUMED_FRICTION ? one->source : one->key, more);
     }
 }
 
@@ -146,18 +147,22 @@ static void open_line(Answer *a, int n, const hawser_limit *limit)
     if (*names) answer_line(a, "not judged", "%s (--tables limits)", names);
 }
 
+enum { BROKEN_SHOWN = 3 }; /* beside the worst */
+
 static void limits_say(Answer *a, const Setup *setup, int n, const hawser_limit *limit, int together)
 {
     const hawser_limit *worst = NULL;
+    int broken = 0;
     char said[REMEDY_MAX] = "";
     for (int i = 0; i < n; ++i) {
         if (limit[i].judged && (!worst || limit[i].margin < worst->margin)) worst = &limit[i];
     }
     if (worst) limit_lines(a, setup, "worst", worst, together, said);
     for (int i = 0; i < n; ++i) {
-        if (limit[i].judged && !limit[i].ok && &limit[i] != worst)
-            limit_lines(a, setup, "broken", &limit[i], together, said);
+        if (!limit[i].judged || limit[i].ok || &limit[i] == worst) continue;
+        if (broken++ < BROKEN_SHOWN) limit_lines(a, setup, "broken", &limit[i], together, said);
     }
+    if (broken > BROKEN_SHOWN) answer_line(a, "broken", "and %d more (--tables limits)", broken - BROKEN_SHOWN);
     if (n == 0) answer_line(a, "remedy", "say what is allowed in the case's section 'limits'");
     open_line(a, n, limit);
 }
@@ -233,13 +238,23 @@ static void mend_lines(Answer *a, const Setup *setup, const Mend *m, const char 
     else if (*text)
         answer_line(a, "remedy", "%s would help, but then is still broken: %s", text, m->still);
     else if (*m->still)
-        answer_line(a, "remedy", "no duct, radius or friction makes this safe: still broken is %s", m->still);
+        answer_line(a, "remedy", "no duct, radius or lower friction makes this safe: still broken is %s", m->still);
+}
+
+/* How many of what is assumed have a range above what was taken. */
+static int open_ranges(const Setup *setup)
+{
+    Assumed list[ASSUMED_KINDS];
+    const int n = assumed_list(setup, list);
+    int ranges = 0;
+    for (int i = 0; i < n; ++i) ranges += list[i].high > list[i].value;
+    return ranges;
 }
 
 /* Less friction, a shorter pull, machines: what would keep the limits of this way, by the same calculation. */
 static void inverse_lines(Answer *a, const Setup *setup, const Inverse *inverse, int way)
 {
-    char shown[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX];
+    char shown[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX], text[REMEDY_MAX];
     const InverseMachines *const machines = &inverse->machines[way];
     for (int i = 0; i < inverse->n; ++i) {
         const InverseAnswer *const b = &inverse->answer[i];
@@ -255,18 +270,21 @@ static void inverse_lines(Answer *a, const Setup *setup, const Inverse *inverse,
         const Mend *const m = &inverse->mend[way];
         if (m->safe && *b->stays) continue;
         const int told = m->safe && m->n + m->n_ducts == 0; /* the same friction, rounded */
-        if (b->kind == INVERSE_FRICTION && !told)
-            answer_line(a, "remedy", "friction of at most %.3g, now %.3g, would keep all limits%s%s",
-                        floor(1e3 * b->value) / 1e3, b->now, but, b->stays);
+        if (b->kind == INVERSE_FRICTION && !told) {
+            const Remedy r = friction_part(setup, b->now, b->value, 1);
+            remedy_say(&r, a->units, text);
+            answer_line(a, "remedy", "%s would keep all limits%s%s", text, but, b->stays);
+        }
         if (b->kind == INVERSE_LENGTH)
             answer_line(a, "remedy", "a pull of at most %s, now %s, would keep all limits%s%s",
                         show_bound(b->value, 0, "m", a->units, shown), hawser_show(b->now, "m", a->units, now), but,
                         b->stays);
     }
     if (inverse->asked && machines->n > 0)
-        answer_line(a, "remedy", "%d machine%s of %s, the first at %s, would keep all limits%s%s", machines->n,
+        answer_line(a, "remedy", "%d machine%s of %s, the first at %s, would keep all limits%s%s%s", machines->n,
                     machines->n > 1 ? "s" : "", hawser_show(setup->def->theory.machine_push, "N", a->units, shown),
-                    hawser_show(machines->at[0], "m", a->units, now), *machines->stays ? " but " : "", machines->stays);
+                    hawser_show(machines->at[0], "m", a->units, now), open_ranges(setup) ? " with what is assumed" : "",
+                    *machines->stays ? " but " : "", machines->stays);
 }
 
 /* With all that is assumed at its upper end. */
@@ -274,12 +292,8 @@ static void together_line(Answer *a, const Setup *setup, const Calculator *c)
 {
     hawser_limit all[HAWSER_LIMITS_MAX];
     char found[HAWSER_SHOWN_MAX], broken[OPEN_MAX] = "";
-    Assumed list[ASSUMED_KINDS];
     hawser_error err;
-    const int n = c->n_limits > 0 ? assumed_list(setup, list) : 0;
-    int ranges = 0;
-    for (int i = 0; i < n; ++i) ranges += list[i].high > list[i].value;
-    if (ranges < 2) return;
+    if (c->n_limits == 0 || open_ranges(setup) < 2) return;
     if (assumed_together(setup, c, PLAN_FORWARD, all, &err)) return;
     const hawser_limit *const pull = limit_of(c->n_limits, all, HAWSER_LIMIT_PULL);
     for (int i = 0; i < c->n_limits; ++i) {

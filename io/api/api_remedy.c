@@ -177,6 +177,8 @@ int remedy_find(const Setup *setup, const hawser_limit *broken, Remedy *r)
         break;
     default:
         simple_remedy(l, r);
+        if (l->kind == HAWSER_LIMIT_BUCKLING && setup->def->theory.feed > 0)
+            snprintf(r->key, sizeof r->key, "theory.feed");
     }
     return r->code != NULL;
 }
@@ -195,7 +197,7 @@ static Remedy duct_part(const Setup *setup, const MendDuct *duct)
     const int wider = duct->least > duct->now;
     Remedy r =
         part_of(wider ? "do_wider_duct" : "do_narrower_duct", setup->def->surfaces[duct->surface].name, duct->now);
-    r.least = duct->least;
+    r.least = wider ? duct->taken : duct->least;
     r.most = isinf(duct->most) ? NAN : duct->most;
     surface_key(setup->def, duct->surface, "radius", r.key);
     return r;
@@ -213,22 +215,20 @@ static Remedy bend_part(const Setup *setup, const MendBend *bend)
     return r;
 }
 
-/* The largest stands for all. */
-static Remedy friction_part(const Setup *setup, const Mend *m)
+Remedy friction_part(const Setup *setup, double now, double most, int sure)
 {
     FrictionUsed used[2];
-    const int n = frictions_used(setup, 2, used);
-    Remedy r = part_of(n > 1 ? "do_frictions" : "do_friction", "", m->now);
+    const int n = frictions_used(setup, 2, used), apart = n > 0 && !used[0].rest_assumed;
+    Remedy r = part_of(n > 1 ? "do_frictions" : "do_friction", "", now);
     r.unit = "1";
-    r.most = m->friction;
-    const int apart = n > 0 && !used[0].rest_assumed;
+    r.most = most;
     if (n == 1) snprintf(r.key, sizeof r.key, "%.30s.mu%s", used[0].key, apart ? "_d, mu_s" : "");
-    if (apart) snprintf(r.also, sizeof r.also, "%.2g", floor(1e3 * m->friction / m->now * used[0].rest) / 1e3);
+    if (apart) snprintf(r.also, sizeof r.also, "%.3g", floor(1e3 * most / now * used[0].rest + 1e-9) / 1e3);
     Assumed all[ASSUMED_KINDS];
-    const int open = assumed_list(setup, all);
+    const int open = sure ? assumed_list(setup, all) : 0;
     for (int k = 0; k < open; ++k)
         if (all[k].kind == ASSUMED_REST)
-            snprintf(r.also, sizeof r.also, "%.2g", m->friction * all[k].high / all[k].low);
+            snprintf(r.also, sizeof r.also, "%.3g", floor(1e3 * most * all[k].high / all[k].low + 1e-9) / 1e3);
     return r;
 }
 
@@ -241,7 +241,7 @@ int mend_parts(const Setup *setup, const Mend *m, Remedy part[MEND_PARTS_MAX])
         if (!strcmp(part[n].code, "do_slopes") && slopes++) continue;
         ++n;
     }
-    if (m->friction > 0) part[n++] = friction_part(setup, m);
+    if (m->friction > 0) part[n++] = friction_part(setup, m->now, m->friction, !m->conditional);
     return n;
 }
 
@@ -263,7 +263,7 @@ int mend_run(const hawser_sim *s, int n, const hawser_limit *limit, Mend *out)
     const Setup *const setup = &s->stage.scene.setup;
     Calculator c;
     const int found = !calculator_build(setup, &s->expected, 1, &c, NULL) &&
-                      !mend_find(setup, &c, PLAN_FORWARD, n, limit, out, NULL) && out->safe;
+                      !mend_find(setup, &c, NULL, PLAN_FORWARD, n, limit, out, NULL) && out->safe;
     calculator_free(&c);
     return found;
 }
@@ -275,9 +275,9 @@ int mend_run(const hawser_sim *s, int n, const hawser_limit *limit, Mend *out)
 static const struct RemedySentence {
     const char *code, *text;
 } sentence[] = {
-    {"radius",
-     "a radius of {least}[ in '{where}'| there] would keep this limit ([{key}, ]now {now}), or {percent} % less tension "
-     "there"},
+    {"radius", "a radius of {least}[ in '{where}'| there] would keep this limit ([{key}, ]now {now}), or {percent} % "
+               "less tension "
+               "there"},
     {"less_tension", "{percent} % less tension there, or what presses less"},
     {"less_pull", "{least} less pull: conveyors, a pit, or a lubricant"},
     {"less_push", "{least} less push ({key}), a narrower duct, or guides and carriers closer together"},

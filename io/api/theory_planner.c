@@ -402,15 +402,13 @@ static int notes_add(const Setup *setup, const Calculator *c, TheoryTables *t)
                  "the cold stay cold inside. Friction and stiffness are those of the case",
                  theory->temperature);
     }
-    if (theory->feed > 0) {
+    if (theory->feed > 0 && isnan(theory->bears)) {
         const double pushed = fmax(c->pulled[PLAN_FORWARD].value, c->pulled[PLAN_BACKWARD].value);
-        snprintf(row[n++].text, sizeof row->text,
-                 isnan(theory->bears) ? "the cable is pushed with up to %.4g kN; what it bears is not known "
-                                        "('theory.bears'), and that is not judged. Buckling in the duct is not in this "
-                                        "calculation"
-                                      : "the cable is pushed with up to %.4g kN. Buckling in the duct is not in this "
-                                        "calculation",
-                 pushed / 1e3);
+        snprintf(
+            row[n++].text, sizeof row->text,
+            "the cable is pushed with up to %.4g kN; what its layers bear is not known ('theory.bears'), and that is "
+            "not judged (buckling is, by its limit)",
+            pushed / 1e3);
     }
     if (theory->n_wear > 0) {
         snprintf(row[n++].text, sizeof row->text, "friction changes with the length %s",

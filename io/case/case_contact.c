@@ -161,13 +161,13 @@ FrictionKnown case_friction_known(const CaseReader *r, const CaseNode *node, con
     const CaseNode *const both = case_node_key(node, "mu"), *const rest = case_node_key(node, "mu_s"),
                           *const own = case_node_key(node, "mu_d"), *const moving = own ? own : both;
     FrictionKnown known = *base;
-    known.own = moving || rest;
     if (moving) {
         const LibraryEntry *const entry = moving->entry;
-        known = (FrictionKnown){.source = FRICTION_GIVEN, .own = 1};
+        known = (FrictionKnown){.source = FRICTION_GIVEN};
         if (entry && range_read(r, entry, moving->key, &known.low, &known.high)) known.source = FRICTION_TYPICAL;
         if (entry) snprintf(known.of, sizeof known.of, "%.63s", entry->name);
     }
+    if (moving || rest) case_node_path(node, known.key, sizeof known.key);
     known.rest_assumed = !rest && (both || base->rest_assumed);
     return known;
 }

@@ -15,7 +15,7 @@ typedef struct Edit {
 } Edit;
 
 typedef struct Edits {
-    const char *text, *name; /* borrowed */
+    const char *mark, *text, *name; /* borrowed; mark: of the byte order, or nothing, before the text */
     yaml_document_t document;
     Units *units;
     int n;
@@ -110,13 +110,16 @@ static hawser_status format_edit(Edits *e)
     const yaml_node_t *const root = yaml_document_get_root_node(&e->document), *const first = yaml_document_get_node(
                                                                                    &e->document,
                                                                                    root->data.mapping.pairs.start->key);
+    const char *const newline = strchr(e->text, '\n'), *const end = newline && newline > e->text && newline[-1] == '\r'
+                                                                        ? "\r\n"
+                                                                        : "\n";
     char line[96];
     if (pair_of(e, root, "format")) return HAWSER_OK;
     const size_t at = byte_at(e->text, first->start_mark.index);
     if (root->data.mapping.style == YAML_FLOW_MAPPING_STYLE)
         snprintf(line, sizeof line, "format: %d, ", CASE_FORMAT);
     else
-        snprintf(line, sizeof line, "format: %d\n%*s", CASE_FORMAT, (int)(first->start_mark.column % 40), "");
+        snprintf(line, sizeof line, "format: %d%s%*s", CASE_FORMAT, end, (int)(first->start_mark.column % 40), "");
     return edit_add(e, at, at, line);
 }
 
@@ -128,8 +131,10 @@ static int compare_edits(const void *a, const void *b)
 
 static char *edited(const Edits *e)
 {
-    char *const out = malloc(strlen(e->text) + (size_t)e->n * sizeof e->edit->by + 1), *at = out;
+    const size_t mark = (size_t)(e->text - e->mark);
+    char *const out = malloc(strlen(e->mark) + (size_t)e->n * sizeof e->edit->by + 1), *at = out ? out + mark : NULL;
     size_t from = 0;
+    if (out) memcpy(out, e->mark, mark);
     for (int i = 0; out && i < e->n; ++i) {
         if (e->edit[i].from < from) continue; /* an item that stands for several is found several times */
         memcpy(at, e->text + from, e->edit[i].from - from);
@@ -154,15 +159,14 @@ hawser_status case_upgrade(const char *text, const char *name, char **out, int *
 {
     CaseTree *tree = NULL;
     yaml_parser_t parser;
-    Edits e = {.text = text, .name = name, .units = units_new(), .err = err};
+    Edits e = {.mark = text, .text = text, .name = name, .units = units_new(), .err = err};
     *out = NULL;
     hawser_status status = e.units ? case_tree_parse(text, name, &tree, err) : error_memory(err); /* it is sound */
     case_tree_free(tree);
     if (!status && !yaml_parser_initialize(&parser)) status = error_memory(err);
     if (!status) {
         yaml_parser_set_encoding(&parser, YAML_UTF8_ENCODING);
-        const size_t mark = strncmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
-        e.text += mark;
+        if (strncmp(text, "\xef\xbb\xbf", 3) == 0) e.text += 3;
         yaml_parser_set_input_string(&parser, (const unsigned char *)e.text, strlen(e.text));
         if (yaml_parser_load(&parser, &e.document)) {
             status = edits_find(&e);

@@ -1,6 +1,7 @@
 #include "io/yaml/yaml_tree.h"
 
 #include <assert.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -94,6 +95,18 @@ const CaseNode *case_node_key(const CaseNode *node, const char *key)
     const CaseNode *child = node->first;
     while (child && strcmp(child->key, key) != 0) child = child->next;
     return child;
+}
+
+void case_node_path(const CaseNode *node, char *path, size_t size)
+{
+    *path = 0;
+    if (!node || !node->parent) return;
+    case_node_path(node->parent, path, size);
+    const size_t n = strlen(path);
+    if (node->key)
+        snprintf(path + n, size - n, "%s%s", n ? "." : "", node->key);
+    else
+        snprintf(path + n, size - n, "%s%d", n ? "." : "", node->index);
 }
 
 /* From the first on; readers that need all items walk along `next` instead. */

@@ -28,6 +28,9 @@ typedef struct CaseNode {
 const CaseNode *case_node_key(const CaseNode *node, const char *key);
 const CaseNode *case_node_item(const CaseNode *node, int index);
 
+/* Where it stands, by keys and places: "surfaces.ducts.0.friction"; cut where there is no more room. */
+void case_node_path(const CaseNode *node, char *path, size_t size);
+
 /* A node without parent or children; NULL if there is no memory. */
 CaseNode *node_new(NodeKind kind, const char *origin, int line);
 /* Frees a node and all below it; NULL-safe; returns NULL. */

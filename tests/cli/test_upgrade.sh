@@ -37,7 +37,11 @@ cmp "$work/a.csv" "$work/b.csv" || fail "the rewritten case is another one"
 printf '\357\273\277{"cables": {"c": {"d": "50 mm", "mass": "10 kg/m"}}, "route": {"pieces": [{"length": "40 m"}]}}\n' >"$work/flow.yaml"
 run_hawser 0 upgrade flow.yaml
 grep -q '{format: 1, "cables"' "$work/flow.yaml" && grep -q '{"straight": "40 m"}' "$work/flow.yaml" || fail "$what: not rewritten"
+[ "$(head -c 3 "$work/flow.yaml" | od -An -tx1 | tr -d ' ')" = efbbbf ] || fail "$what: the byte order mark is gone"
 run_hawser 0 theory flow.yaml
+printf 'cables: {c: {d: 50 mm, mass: 10 kg/m}}\r\nroute: {pieces: [{length: 40 m}]}\r\n' >"$work/crlf.yaml"
+run_hawser 0 upgrade crlf.yaml
+[ "$(grep -c "$(printf '\r')\$" "$work/crlf.yaml")" = 3 ] || fail "$what: the ends of lines have changed"
 
 # what cannot be done, and what is newer
 cp "$work/old.yaml" "$work/today.yaml"

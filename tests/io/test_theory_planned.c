@@ -93,9 +93,11 @@ static void limits_that_break_farther_on(void **state)
     json_t *all = theory_of(CABLE DUCT "route: {slope: -10 deg, pieces: [{straight: 100 m}]}\n"
                                        "drive: {tail: {tension: 5 kN}}\nlimits: {pull: 6 kN, sidewall: 3 kN/m}\n",
                             (const char *const[]){"surfaces.ducts.0.friction.mu", "0.05", NULL});
-    /* 5 kN + w L (mu cos - sin) = 6 kN */
+    /* 5 kN + w L (mu cos - sin) = 6 kN, from rest, of which nothing is given: 1.5 times; at speed alone (0.2798) the
+     * answer was SAFE ONLY IF */
     const double slope = M_PI / 18;
-    check_share(answer_to(all, "largest friction", "value"), (1000 / (10 * G * 100) + sin(slope)) / cos(slope), 1e-6);
+    check_share(answer_to(all, "largest friction", "value"), (1000 / (10 * G * 100) + sin(slope)) / cos(slope) / 1.5,
+                1e-6);
     json_decref(all);
     all = theory_of(CABLE DUCT "route: {pieces: [{straight: 10 m}, {bend: 90 deg, radius: 15 m, plane: left}]}\n"
                                "limits: {pull: 60 kN, sidewall: 30 kN/m, bend_radius: 3 m}\n",
@@ -111,7 +113,7 @@ static void more_friction_holds(void **state)
     json_t *const all = theory_of(CABLE DUCT "route: {slope: -15 deg, pieces: [{straight: 100 m}]}\n"
                                              "limits: {pull: 8 kN, sidewall: 3 kN/m}\n",
                                   (const char *const[]){"surfaces.ducts.0.friction.mu", "0.2", NULL});
-    const double slope = M_PI / 12, most = (8000 / (10 * G * 100) + sin(slope)) / cos(slope);
+    const double slope = M_PI / 12, most = (8000 / (10 * G * 100) + sin(slope)) / cos(slope) / 1.5;
     check_share(answer_to(all, "largest friction", "value"), most, 1e-6);
     json_t *row;
     size_t i;
@@ -172,7 +174,7 @@ static void the_cables_friction(void **state)
     json_t *const all =
         theory_of(CABLE DUCT "route: {pieces: [{straight: 100 m}]}\nlimits: {pull: 6 kN, sidewall: 3 kN/m}\n",
                   (const char *const[]){"theory.rope_mu", "0.6", NULL});
-    check_share(answer_to(all, "largest friction", "value"), 6000 / (10 * G * 100), 1e-6);
+    check_share(answer_to(all, "largest friction", "value"), 6000 / (10 * G * 100) / 1.5, 1e-6);
     check_equal(answer_to(all, "largest friction", "now"), 0.3);
     json_decref(all);
 }
