@@ -146,7 +146,7 @@ static double value_of(const Calculator *c, int way, hawser_limit_kind kind)
 }
 
 /* Finds by which factors a run's limits are theory's. */
-static void factors_find(Trial *t, const Calculator *base, int n_run, const hawser_limit *run)
+static void factors_find(Trial *t, const Calculator *base, int n_run, const hawser_limit *run, Mend *out)
 {
     for (int k = 0; k < LIMIT_KINDS; ++k) t->factor[k] = t->of_run ? NAN : 1;
     for (int i = 0; i < n_run; ++i) {
@@ -154,6 +154,7 @@ static void factors_find(Trial *t, const Calculator *base, int n_run, const haws
         const double theory = value_of(base, t->way, l->kind), error = l->error > 0 ? RUN_SPARE * l->error : 0;
         const double sure = l->kind == HAWSER_LIMIT_BEND_RADIUS ? l->value - error : l->value + error;
         const int own = l->kind == HAWSER_LIMIT_RUN_AWAY || l->value == theory;
+        if (l->judged && !l->ok && isnan(theory)) out->beside |= 1U << l->kind;
         t->factor[l->kind] = !own && theory > 0 && sure > 0 ? sure / theory : 1;
     }
 }
@@ -387,7 +388,7 @@ hawser_status mend_find(const Setup *setup, const Calculator *base, const Ends *
     Ends *own = NULL;
     *out = (Mend){.way = way, .now = base->mu_largest, .friction = NAN};
     if (base->n_limits == 0 || (!run && is_kept(&t, setup, base, out->still))) return HAWSER_OK;
-    factors_find(&t, base, n_run, run);
+    factors_find(&t, base, n_run, run, out);
     hawser_status status = ducts_change(setup, out, &def, err);
     if (status) return status;
     if (out->n_ducts > 0 || !ends) status = ends_make(setup, &def, &own, err);

@@ -27,6 +27,7 @@ typedef struct Mend {
     int safe;        /* with all of it every limit and condition holds, at the values that were taken */
     char word[96];   /* and with what is assumed at its ends: "SAFE", "SAFE ONLY IF ..."; backward without bounds */
     int conditional; /* the second */
+    unsigned beside; /* 1 << kind: limits that are broken in a run and that theory does not know */
     int unjudged;    /* or neither: nothing is known of the friction */
     int n, n_ducts;
     MendBend bend[MEND_BENDS_MAX];

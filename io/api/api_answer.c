@@ -120,9 +120,15 @@ static const hawser_limit *limit_of(int n, const hawser_limit *limit, hawser_lim
     return NULL;
 }
 
-/* What was found at its worst place, and what to do if that is too much, unless that was `said` just before or is to
- * be said for all together. */
-static void limit_lines(Answer *a, const Setup *setup, const char *word, const hawser_limit *l, int together,
+/* Whether what is said for all together is about that limit, too. */
+static int is_told(const Mend *mend, const hawser_limit *l)
+{
+    return mend && (mend->safe ? !(mend->beside & 1U << l->kind) : limit_is_mended(l));
+}
+
+/* What was found at its worst place, and what to do if that is too much, unless that was `said` just before, or is said
+ * for all together. */
+static void limit_lines(Answer *a, const Setup *setup, const char *word, const hawser_limit *l, const Mend *mend,
                         char said[REMEDY_MAX])
 {
     char found[HAWSER_SHOWN_MAX], margin[128], remedy[REMEDY_MAX] = "", where[sizeof l->where + 2];
@@ -130,7 +136,7 @@ static void limit_lines(Answer *a, const Setup *setup, const char *word, const h
     say_margin(l, a->units, margin, sizeof margin);
     answer_line(a, word, "%s %s%s%s; %s", l->name, hawser_show(l->value, l->unit, a->units, found),
                 *l->where ? " at " : "", place_mark(l->where, where, sizeof where), margin);
-    if (l->ok || (together && limit_is_mended(l))) return;
+    if (l->ok || is_told(mend, l)) return;
     if (remedy_find(setup, l, &r)) remedy_say(&r, a->units, remedy);
     if (*remedy && strcmp(remedy, said) != 0) answer_line(a, "remedy", "%s", remedy);
     strcpy(said, remedy);
@@ -149,7 +155,7 @@ static void open_line(Answer *a, int n, const hawser_limit *limit)
 
 enum { BROKEN_SHOWN = 3 }; /* beside the worst */
 
-static void limits_say(Answer *a, const Setup *setup, int n, const hawser_limit *limit, int together)
+static void limits_say(Answer *a, const Setup *setup, int n, const hawser_limit *limit, const Mend *mend)
 {
     const hawser_limit *worst = NULL;
     int broken = 0;
@@ -157,10 +163,10 @@ static void limits_say(Answer *a, const Setup *setup, int n, const hawser_limit 
     for (int i = 0; i < n; ++i) {
         if (limit[i].judged && (!worst || limit[i].margin < worst->margin)) worst = &limit[i];
     }
-    if (worst) limit_lines(a, setup, "worst", worst, together, said);
+    if (worst) limit_lines(a, setup, "worst", worst, mend, said);
     for (int i = 0; i < n; ++i) {
         if (!limit[i].judged || limit[i].ok || &limit[i] == worst) continue;
-        if (broken++ < BROKEN_SHOWN) limit_lines(a, setup, "broken", &limit[i], together, said);
+        if (broken++ < BROKEN_SHOWN) limit_lines(a, setup, "broken", &limit[i], mend, said);
     }
     if (broken > BROKEN_SHOWN) answer_line(a, "broken", "and %d more (--tables limits)", broken - BROKEN_SHOWN);
     if (n == 0) answer_line(a, "remedy", "say what is allowed in the case's section 'limits'");
@@ -234,7 +240,8 @@ static void mend_lines(Answer *a, const Setup *setup, const Mend *m, const char 
     if (n > MEND_SHOWN)
         snprintf(text + strlen(text), sizeof text - strlen(text), " and %d more (--tables remedies)", n - MEND_SHOWN);
     if (m->safe)
-        answer_line(a, "remedy", "%s would do; %s: %s", text, how, m->word);
+        answer_line(a, "remedy", "%s would do%s; %s: %s", text, m->beside ? " for all but what is named above" : "",
+                    how, m->word);
     else if (*text)
         answer_line(a, "remedy", "%s would help, but then is still broken: %s", text, m->still);
     else if (*m->still)
@@ -314,7 +321,7 @@ void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inv
     const int forward = calculator_holds(c, PLAN_FORWARD), backward = calculator_holds(c, PLAN_BACKWARD);
     answer_verdict(a, verdict[PLAN_FORWARD]);
     way_line(a, setup, c, PLAN_FORWARD);
-    limits_say(a, setup, c->n_limits, c->limit[PLAN_FORWARD], 1);
+    limits_say(a, setup, c->n_limits, c->limit[PLAN_FORWARD], &inverse->mend[PLAN_FORWARD]);
     if (!forward && c->n_limits > 0) mend_lines(a, setup, &inverse->mend[PLAN_FORWARD], "computed again");
     if (!forward) inverse_lines(a, setup, inverse, PLAN_FORWARD);
     together_line(a, setup, c);
@@ -409,7 +416,7 @@ static void run_limits_say(Answer *a, const hawser_sim *s, int n, const hawser_l
     const Setup *const setup = &s->stage.scene.setup;
     Mend mend;
     const int together = mend_run(s, n, limit, &mend);
-    limits_say(a, setup, n, limit, together);
+    limits_say(a, setup, n, limit, together ? &mend : NULL);
     if (together) mend_lines(a, setup, &mend, "computed by theory with this run's figures");
 }
 

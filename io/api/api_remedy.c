@@ -223,12 +223,11 @@ Remedy friction_part(const Setup *setup, double now, double most, int sure)
     r.unit = "1";
     r.most = most;
     if (n == 1) snprintf(r.key, sizeof r.key, "%.30s.mu%s", used[0].key, apart ? "_d, mu_s" : "");
-    if (apart) snprintf(r.also, sizeof r.also, "%.3g", floor(1e3 * most / now * used[0].rest + 1e-9) / 1e3);
+    if (apart) show_bound(most / now * used[0].rest, 0, "1", HAWSER_SI, r.also);
     Assumed all[ASSUMED_KINDS];
     const int open = sure ? assumed_list(setup, all) : 0;
     for (int k = 0; k < open; ++k)
-        if (all[k].kind == ASSUMED_REST)
-            snprintf(r.also, sizeof r.also, "%.3g", floor(1e3 * most * all[k].high / all[k].low + 1e-9) / 1e3);
+        if (all[k].kind == ASSUMED_REST) show_bound(most * all[k].high / all[k].low, 0, "1", HAWSER_SI, r.also);
     return r;
 }
 

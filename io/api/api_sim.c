@@ -178,7 +178,7 @@ static int remedies_find(const hawser_sim *s, int n, const hawser_limit *limit, 
     for (int i = 0; i < found; i++) remedy_say(&remedy[i], HAWSER_SI, remedy[i].text);
     for (int i = 0; i < n; i++) {
         Remedy *const r = &remedy[found];
-        if (!limit[i].judged || limit[i].ok || (together && limit_is_mended(&limit[i]))) continue;
+        if (!limit[i].judged || limit[i].ok || (together && !(mend.beside & 1U << limit[i].kind))) continue;
         if (!remedy_find(setup, &limit[i], r)) continue;
         remedy_say(r, HAWSER_SI, r->text);
         int fresh = 1;

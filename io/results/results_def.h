@@ -55,7 +55,7 @@ typedef struct Remedy {
     double share;          /* 1, of what there is */
     char where[64];        /* a bend or duct by its name */
     char key[48];          /* of the case */
-    char also[40];         /* a key that may be changed in place of it */
+    char also[48];         /* a key that may be changed in place of it */
     char text[REMEDY_MAX]; /* the sentence, in SI units */
 } Remedy;
 
