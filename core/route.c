@@ -143,14 +143,24 @@ double route_turn(const Route *route, double s)
 
 double route_way(const RoutePoint *at, Vec3 p) { return fmax(1 - v3_dot(v3_sub(p, at->position), at->curvature), 0.1); }
 
+/* Whether a step of Newton's iteration leaves less than 1e-10 m: on one piece it leaves the curvature times its square.
+ */
+static int foot_found(const RoutePoint *before, const RoutePoint *there, double step)
+{
+    const double bend2 = fmax(v3_dot(before->curvature, before->curvature), v3_dot(there->curvature, there->curvature));
+    if (before->piece != there->piece) return !(fabs(step) > 1e-8);
+    return !(step * step * step * step * bend2 > 1e-20);
+}
+
 double route_foot(const Route *route, Vec3 p, double s, RoutePoint *at)
 {
     RoutePoint there = route_at(route, s);
-    for (int it = 0; it < 8; ++it) {
+    for (int it = 0, found = 0; it < 8 && !found; ++it) {
+        const RoutePoint before = there;
         const double step = v3_dot(v3_sub(p, there.position), there.tangent) / route_way(&there, p);
         s += step;
         there = route_at(route, s);
-        if (!(fabs(step) > 1e-8)) break; /* m; what is left is of the order of its square */
+        found = foot_found(&before, &there, step);
     }
     if (at) *at = there;
     return s;

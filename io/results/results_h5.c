@@ -18,6 +18,7 @@
 
 #define STATES_FILE "results.h5"
 enum { FRAMES_NAME = 32, TIME_CHUNK = 256 };
+enum { CONVERSION = 64 << 10 }; /* bytes in which HDF5 turns doubles into floats: its 1 MB is cleared at each write */
 /* Bytes of states from which on they are compressed. */
 static const double deflate_above = 32e6;
 /* HDF5 does not survive an allocation that fails: it reads through NULL, or ends the program. So it is asked before
@@ -359,8 +360,10 @@ static int append_row(H5File *h, int k, const hawser_sample *sample)
     if (H5Dset_extent(h->set[k], dims) < 0) return 0;
     const hid_t there = H5Dget_space(h->set[k]), here = H5Screate_simple(rank, count, NULL);
     H5Sselect_hyperslab(there, H5S_SELECT_SET, start, NULL, count, NULL);
-    const int ok =
-        H5Dwrite(h->set[k], H5T_NATIVE_DOUBLE, here, there, H5P_DEFAULT, sample_at(&sample_column[k], sample)) >= 0;
+    const hid_t how = H5Pcreate(H5P_DATASET_XFER);
+    H5Pset_buffer(how, CONVERSION, NULL, NULL);
+    const int ok = H5Dwrite(h->set[k], H5T_NATIVE_DOUBLE, here, there, how, sample_at(&sample_column[k], sample)) >= 0;
+    H5Pclose(how);
     H5Sclose(here);
     H5Sclose(there);
     return ok;
