@@ -56,6 +56,17 @@ static const char library_help[] =
     "The files are in share/hawser/library beside the program, or where the environment's HAWSER_LIBRARY says.\n"
     "Exit status: 0 done; 2 there is no such kind or name, or no catalogue.\n";
 
+static const char schema_help[] = "Usage: hawser schema [options]\n"
+                                  "\n"
+                                  "Prints what a case may hold as a JSON Schema (draft 2020-12): every key with its "
+                                  "kind, quantity, range, default and\n"
+                                  "choices. Editors complete and check a case by it; docs/case-format.md says how.\n"
+                                  "\n"
+                                  "  -h, --help              this text\n"
+                                  "  -V, --version           the version\n"
+                                  "\n"
+                                  "Exit status: 0 done; 4 it cannot be written; 5 no memory.\n";
+
 typedef hawser_status (*Describe)(hawser_case *c, hawser_format format, char **text, hawser_error *err);
 
 /* Loads the case, asks the library for its text and prints that. */
@@ -150,6 +161,19 @@ static int library(const Arguments *args)
     return finish_stdout(exit_status(status, &err));
 }
 
+static int schema(const Arguments *args)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    char *text = NULL;
+    (void)args;
+    const hawser_status status = hawser_case_schema(&text, &err);
+    if (!status) puts(text);
+    hawser_text_free(text);
+    return finish_stdout(exit_status(status, &err));
+}
+
+const Command command_schema = {"schema", "what a case may hold, as a JSON Schema for editors", "-", schema_help,
+                                schema};
 const Command command_library = {"library", "lists cables, ropes, rollers, ducts and friction by name", "fu+",
                                  library_help, library};
 const Command command_check = {"check", "checks a case and prints what would be built", "sfu", check_help, check};

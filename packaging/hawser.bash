@@ -21,11 +21,11 @@ _hawser() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     COMPREPLY=()
     if [[ $COMP_CWORD -eq 1 ]]; then
-        _hawser_offer 'run check theory validate library route report plot study compare fmu upgrade help --help --version'
+        _hawser_offer 'run check theory validate library route report plot study compare fmu upgrade schema help --help --version'
         return
     fi
     case ${COMP_WORDS[1]} in
-    help) _hawser_offer 'run check theory validate library route report plot study compare fmu upgrade' ;;
+    help) _hawser_offer 'run check theory validate library route report plot study compare fmu upgrade schema' ;;
     run)
         case $previous in
         -o|--output|--resume) _hawser_offer 'folders' ;;
@@ -127,6 +127,11 @@ _hawser() {
         case $previous in
         -o|--output) _hawser_offer 'files' ;;
         *) _hawser_word '--output --quiet --help --version' '*.yaml' ;;
+        esac
+        ;;
+    schema)
+        case $previous in
+        *) _hawser_word '--help --version' '' ;;
         esac
         ;;
     esac

@@ -47,6 +47,9 @@ hawser_status hawser_case_unpack(const char *text, hawser_case **out, hawser_err
  * how many places. Errors: INPUT (the file cannot be read, is no case's, a value cannot be rewritten), OUTPUT, MEMORY.
  */
 hawser_status hawser_case_upgrade(const char *path, const char *to, int *changes, hawser_error *err);
+/* What a case may hold, as a JSON Schema (draft 2020-12): every key with its kind, quantity, range, default and
+ * choices, for editors, forms and other programs. *text as above. Errors: MEMORY. */
+hawser_status hawser_case_schema(char **text, hawser_error *err);
 /* Interprets and checks everything that can be checked without running. */
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err);
 void hawser_case_free(hawser_case *c);

@@ -134,6 +134,15 @@ hawser_status hawser_case_upgrade(const char *path, const char *to, int *changes
     return status;
 }
 
+hawser_status hawser_case_schema(char **text, hawser_error *err)
+{
+    if (!text) return error_argument(err, "text");
+    Units *const units = units_new();
+    *text = units ? case_schema_json(units, &case_top) : NULL;
+    units_free(units);
+    return *text ? HAWSER_OK : error_memory(err);
+}
+
 static SceneDef *def_free(SceneDef *def)
 {
     if (def) scene_def_clear(def);

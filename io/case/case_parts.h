@@ -32,6 +32,8 @@ typedef struct Synonym {
     int half; /* the value is twice that of the key */
 } Synonym;
 const Synonym *case_synonym(int i);
+/* The tables below `top` as a JSON Schema, malloc'ed; NULL: there is no memory. */
+char *case_schema_json(const Units *units, const CaseSection *top);
 enum { CASE_FORMAT = 1 }; /* of cases, that is read and written */
 /* The text of a case with keys by their own names and its format; the rest, comments too, as it is. *out: malloc'ed.
  * *changes: in how many places. Errors: INPUT (as case_tree_parse; a value that cannot be rewritten), MEMORY. */

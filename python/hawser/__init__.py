@@ -11,7 +11,7 @@ from hawser._callbacks import Event, Progress, Segment
 from hawser.alignment import Route, routes
 from hawser.calculation import Theory
 from hawser.case import Case, theory
-from hawser.catalogue import library
+from hawser.catalogue import library, schema
 from hawser.certificate import Certificate, certify
 from hawser.errors import CaseError, Error, MissingError, OutputError, RunError, Stopped
 from hawser.looking import Geometry
@@ -22,4 +22,4 @@ from hawser.studies import Study, study
 
 __all__ = ["Case", "CaseError", "Certificate", "Error", "Event", "Figure", "Geometry", "MissingError", "OutputError", "Progress", "Relaxation", "Result", "Route",
            "RunError", "Sample", "Segment", "Simulation", "Stopped", "Study", "Theory", "Verdict", "__version__", "certify", "compare",
-           "library", "resume", "routes", "run", "study", "theory"]
+           "library", "resume", "routes", "run", "schema", "study", "theory"]

@@ -1,7 +1,8 @@
-"""The shipped catalogue of cables, ropes, rollers, ducts and friction (docs/library.md)."""
+"""The shipped catalogue of cables, ropes, rollers, ducts and friction (docs/library.md), and what a case may hold."""
 from __future__ import annotations
 
 import json
+from typing import Any
 
 import pandas as pd
 
@@ -20,3 +21,10 @@ def library(kind: str | None = None, pattern: str | None = None) -> pd.DataFrame
     wanted = [ffi.NULL if word is None else c_text(word, "the catalogue") for word in (kind, pattern)]
     check(lib.hawser_library(*wanted, lib.HAWSER_JSON, text, error), error)
     return frame_of(json.loads(taken(text))["entries"])
+
+
+def schema() -> dict[str, Any]:
+    """What a case may hold, as a JSON Schema (draft 2020-12): keys, kinds, choices, ranges in SI, defaults."""
+    error, text = ffi.new("hawser_error *"), ffi.new("char **")
+    check(lib.hawser_case_schema(text, error), error)
+    return json.loads(taken(text))

@@ -63,6 +63,7 @@ static void cases(void)
     error = (hawser_error){.status = HAWSER_OK};
     assert_int_equal(hawser_case_check(NULL, &error), HAWSER_ERR_INPUT);
     int changes;
+    REFUSED("text", hawser_case_schema, NULL);
     REFUSED("path", hawser_case_upgrade, NULL, "to.yaml", &changes);
     REFUSED("changes", hawser_case_upgrade, "case.yaml", "to.yaml", NULL);
     REFUSED("c", hawser_case_describe, NULL, HAWSER_JSON, &text);

@@ -18,7 +18,7 @@ run() {
 }
 
 # The library and the program need these and nothing else of the tree.
-(cd "$source_dir" && tar cf - CMakeLists.txt LICENSE NOTICE CHANGELOG.md cmake include core survey contact linsolve theory sim validate io study fmi mpi \
+(cd "$source_dir" && tar cf - CMakeLists.txt LICENSE NOTICE CHANGELOG.md cmake include core def survey contact linsolve theory sim validate io study fmi mpi \
     cli web/dist cases/capstan.yaml) | (cd "$work" && tar xf -)
 unset CMAKE_GENERATOR CMAKE_BUILD_TYPE CMAKE_C_COMPILER_LAUNCHER
 cd "$work"

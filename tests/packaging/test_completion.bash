@@ -32,5 +32,5 @@ completes "pull.yaml" hawser check pu
 completes "results" hawser run -o re
 completes "notes.txt pull.yaml results" hawser route ""
 completes "rollers ropes" hawser library r
-completes "study" hawser help s
+completes "study" hawser help st
 exit $((failures > 0))

@@ -51,6 +51,7 @@ def test_the_catalogue(program):
     assert len(whole) == len(json.loads(said)["entries"]) > 100
     cables = hawser.library("cables", "630")
     assert set(cables["kind"]) == {"cables"} and cables["name"].str.contains("630").all()
+    assert hawser.schema() == json.loads(subprocess.run([program, "schema"], capture_output=True, check=True).stdout)
     with pytest.raises(hawser.CaseError, match="no such kind|cables"):
         hawser.library("no such kind")
 
