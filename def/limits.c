@@ -78,6 +78,8 @@ static double margin_at_least(double value, double limit)
     return value * (1 + MOST) > limit ? 1 - limit / value : limit > 0 ? -MOST : 1;
 }
 
+static const double ROUNDING = 1e-12; /* of a margin: exactly what is allowed holds */
+
 /* (LI4). A value that is not known is not judged, and neither is one whose limit is not. */
 static void judge(const LimitsDef *def, hawser_limit_kind kind, double diameter, int cables, const Finding *f,
                   hawser_limit *out)
@@ -105,6 +107,7 @@ static void judge(const LimitsDef *def, hawser_limit_kind kind, double diameter,
     out->margin = limits_at_least(def, kind, f) ? margin_at_least(out->value, out->limit) : 1 - out->value / out->limit;
     if (kind == HAWSER_LIMIT_RUN_AWAY)
         out->margin = f->value > 0 ? -f->value / fmax(f->value, f->rating) : 1; /* (LI12) */
+    if (fabs(out->margin) < ROUNDING) out->margin = 0;
     out->ok = out->margin >= 0;
 }
 
@@ -151,7 +154,14 @@ void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctL
 double limits_reach(const hawser_limit *l)
 {
     if (!(l->limit > 0)) return 0;
-    return l->ok && l->value > l->limit ? l->limit / (l->value - l->error) : (l->value + l->error) / l->limit;
+    const int least = l->ok == (l->value > l->limit);
+    return least ? l->limit / (l->value - l->error) : (l->value + l->error) / l->limit;
+}
+
+/* Whether a broken limit might hold, within the error bar of its figure. */
+static int might_hold(const hawser_limit *l)
+{
+    return l->error > 0 && l->limit > 0 && fabs(l->value - l->limit) <= l->error;
 }
 
 const hawser_limit *limits_undecided(int n, const hawser_limit *limit)
@@ -160,7 +170,7 @@ const hawser_limit *limits_undecided(int n, const hawser_limit *limit)
     double most = 1;
     for (int i = 0; i < n; i++) {
         const hawser_limit *const l = &limit[i];
-        if (l->judged && !l->ok) return NULL;
+        if (l->judged && !l->ok && !might_hold(l)) return NULL;
         const double reach = l->judged ? limits_reach(l) : 0;
         if (!(l->error > 0 && reach > most)) continue;
         worst = l;

@@ -313,7 +313,7 @@ static Press route_press(const Gates *g, const Drawn *drawn)
 
 static void press_say(const Gates *g, const Press *press, hawser_condition *out)
 {
-    const char *const end = "give 'guide: inside' there, or leave out 'run' and 'drive'";
+    const char *const end = "give 'guide: inside' there";
     const char *const what = g->rope ? "rope" : "cable";
     out->holds = 0;
     out->unit = "N";

@@ -226,7 +226,8 @@ int assumed_list(const Setup *setup, Assumed out[ASSUMED_KINDS])
 
 /* ------------------------------------------------------------------------------------------------ other values */
 
-/* Friction in motion that becomes x of the largest one's; those with ranges go by the same part of theirs. */
+/* Friction in motion that becomes x of the largest one's; those with ranges go by the same part of theirs. Friction at
+ * rest that is given stays, but is never below. */
 static void friction_set(SceneDef *def, const Assumed *a, double x)
 {
     Law law;
@@ -236,8 +237,10 @@ static void friction_set(SceneDef *def, const Assumed *a, double x)
         const double was = *law.moving;
         double mu = a->kind == ASSUMED_REST ? was : was * x / a->value;
         if (a->kind == ASSUMED_FRICTION) mu = was + part * ((x < a->value ? law.known.low : law.known.high) - was);
-        const double at_rest = a->kind == ASSUMED_REST ? x / a->low : was > 0 ? *law.rest / was : 1;
-        *law.rest = mu * at_rest;
+        if (law.known.rest_assumed)
+            *law.rest = a->kind == ASSUMED_REST ? mu * x / a->low : mu;
+        else
+            *law.rest = fmax(*law.rest, mu);
         *law.moving = mu;
     }
 }

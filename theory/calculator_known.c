@@ -47,10 +47,9 @@ static hawser_status supported_by(const Setup *setup, const Calculator *c, hawse
                  "that of a guessed %g; give what carries it, or friction.mu",
                  setup->def->friction.mu_d);
     } else if (hangs) {
-        snprintf(
-            out.remedy, sizeof out.remedy,
-            "nothing carries the cable (no rollers, ducts, trays or floor), and the case says how it is run: it "
-            "would fall; give what carries it, or leave out 'run' and 'drive' to calculate with friction.mu alone");
+        snprintf(out.remedy, sizeof out.remedy,
+                 "nothing carries the cable (no rollers, ducts, trays or floor), and the case says how it is run: it "
+                 "would fall; give what carries it");
     }
     *result = out;
     if (hangs) return HAWSER_OK;

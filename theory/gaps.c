@@ -82,7 +82,7 @@ static hawser_status way_judge(const Setup *setup, const Calculator *c, int way,
         out->holds = sag <= SAG;
         snprintf(out->remedy, sizeof out->remedy,
                  "nothing carries the cable between %.1f and %.1f m, where it would be %.3g m off the route, or fall: "
-                 "give what carries it, or leave out 'run' and 'drive'",
+                 "give what carries it",
                  from, to, sag * (to - from));
     }
     pull_clear(&pull);

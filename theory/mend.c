@@ -9,7 +9,8 @@
 #include "theory/assumed.h"
 #include "theory/solved.h"
 
-static const double SPARE = 1.001;             /* by which a bend is made wider than it must be */
+/* By which a bend is made wider than it must be; more of it where stiffness leaves too little. */
+static const double SPARES[] = {1.001, 1.05, 1.15, 1.4};
 static const double FARTHEST = 1000;           /* times as wide: no bend is made wider */
 static const double STEP = 0.85, LEAST = 0.02; /* of friction, which is looked for down to that share */
 
@@ -54,11 +55,18 @@ int mend_duct(const SceneDef *def, int surface, MendDuct *out)
 {
     const SurfaceDef *const duct = &def->surfaces[surface];
     const double now = 2 * (duct->bore > 0 ? duct->bore : duct->shape.radius), narrowest = bundle_diameter(def);
-    double wide = WIDEST * now, narrow = now;
+    double wide = WIDEST * now, narrow = now, next = now;
     *out = (MendDuct){surface, now, NAN, INFINITY};
     if (duct_holds(def, duct, wide)) { /* down from where it is certain: a little wider it may not hold again */
         while (wide > now && duct_holds(def, duct, wide / DUCT_STEP)) wide /= DUCT_STEP;
         out->least = duct_end(def, duct, wide, wide / DUCT_STEP);
+        return 1;
+    }
+    while (next < wide && !duct_holds(def, duct, next)) next *= DUCT_STEP;
+    if (next < wide) { /* a layout that is given may have no place in wide ones */
+        out->least = duct_end(def, duct, next, next / DUCT_STEP);
+        while (duct_holds(def, duct, next)) next *= DUCT_STEP;
+        out->most = duct_end(def, duct, next / DUCT_STEP, next);
         return 1;
     }
     while (narrow > narrowest && !duct_holds(def, duct, narrow)) narrow /= DUCT_STEP;
@@ -87,7 +95,7 @@ static hawser_status ducts_change(const Setup *setup, Mend *out, SceneDef *def, 
         if (duct->shape.kind != SURFACE_DUCT || duct_holds(setup->def, duct, now)) continue;
         if (!mend_duct(setup->def, i, m)) continue;
         out->n_ducts++;
-        m->taken = m->least > m->now ? round_up(m->least) : m->most;
+        m->taken = m->least > m->now ? fmin(round_up(m->least), m->most) : m->most;
         duct->bore = m->taken / 2;
     }
     return status;
@@ -103,6 +111,8 @@ typedef struct Trial {
     int way;
     int of_run;                 /* a run's limits stand for theory's */
     double factor[LIMIT_KINDS]; /* by which a run's limit is theory's; NAN: it has none of that kind */
+    double more[LIMIT_KINDS];   /* and by how much it is more */
+    double spare;               /* of SPARES */
     double *radii;              /* [pieces] factors */
     double friction;            /* factor */
     int n_limits;               /* of the first when it was looked at last */
@@ -125,7 +135,7 @@ static int is_kept(const Trial *t, const Setup *setup, const Calculator *c, char
     *still = 0;
     for (int i = 0; i < c->n_limits; ++i) {
         const hawser_limit *const l = &c->limit[way][i];
-        if (l->judged ? !l->ok : limits_essential(l->kind)) add_name(still, l->name);
+        if (l->judged && !l->ok) add_name(still, l->name);
     }
     for (int i = 0; i < CALCULATOR_KNOWN; ++i)
         if (!c->known[i].holds) add_name(still, c->known[i].name);
@@ -136,7 +146,8 @@ static int is_kept(const Trial *t, const Setup *setup, const Calculator *c, char
 
 static int is_asked(const Trial *t, int end) { return end == 0 || t->friction == 1 || !t->ends->of_friction[end]; }
 
-static const double RUN_SPARE = 1.5; /* of a run's error bound: that of another run is another */
+/* A run that is changed is another one: so much of its error bound, or of its figure, is taken off. */
+static const double RUN_SPARE = 1.5, RUN_LEAST = 0.05;
 
 static double value_of(const Calculator *c, int way, hawser_limit_kind kind)
 {
@@ -148,18 +159,25 @@ static double value_of(const Calculator *c, int way, hawser_limit_kind kind)
 /* Finds by which factors a run's limits are theory's. */
 static void factors_find(Trial *t, const Calculator *base, int n_run, const hawser_limit *run, Mend *out)
 {
-    for (int k = 0; k < LIMIT_KINDS; ++k) t->factor[k] = t->of_run ? NAN : 1;
+    for (int k = 0; k < LIMIT_KINDS; ++k) {
+        t->factor[k] = t->of_run ? NAN : 1;
+        t->more[k] = 0;
+    }
     for (int i = 0; i < n_run; ++i) {
         const hawser_limit *const l = &run[i];
-        const double theory = value_of(base, t->way, l->kind), error = l->error > 0 ? RUN_SPARE * l->error : 0;
-        const double sure = l->kind == HAWSER_LIMIT_BEND_RADIUS ? l->value - error : l->value + error;
+        const double theory = value_of(base, t->way, l->kind);
+        const double spare = fmax(RUN_SPARE * fmax(l->error, 0), RUN_LEAST * l->value);
+        const double sure = l->kind == HAWSER_LIMIT_BEND_RADIUS ? l->value - spare : l->value + spare;
         const int own = l->kind == HAWSER_LIMIT_RUN_AWAY || l->value == theory;
         if (l->judged && !l->ok && isnan(theory)) out->beside |= 1U << l->kind;
-        t->factor[l->kind] = !own && theory > 0 && sure > 0 ? sure / theory : 1;
+        t->factor[l->kind] = 1;
+        if (own || !(theory > 0) || !(sure > 0)) continue;
+        t->factor[l->kind] = sure / theory;
+        t->more[l->kind] = sure - theory;
     }
 }
 
-/* Theory's limits as a run's. */
+/* Theory's limits as a run's: what a run has more may go with the pull, or stay. */
 static void as_run(const Trial *t, Calculator *c)
 {
     for (int i = 0; i < c->n_limits; ++i) {
@@ -167,7 +185,8 @@ static void as_run(const Trial *t, Calculator *c)
         const double factor = t->factor[l->kind];
         if (isnan(factor)) l->judged = 0;
         if (!l->judged || factor == 1) continue;
-        l->value *= factor;
+        const double product = l->value * factor, sum = l->value + t->more[l->kind]; /* the worse of both */
+        l->value = l->kind == HAWSER_LIMIT_BEND_RADIUS ? fmin(product, sum) : fmax(product, sum);
         l->margin = l->kind == HAWSER_LIMIT_BEND_RADIUS ? 1 - l->limit / l->value : 1 - l->value / l->limit;
         l->ok = l->margin >= 0;
     }
@@ -193,7 +212,9 @@ static double allowed_of(const Trial *t, const Calculator *c, hawser_limit_kind 
 {
     for (int i = 0; i < c->n_limits; ++i) {
         const hawser_limit *const l = &c->limit[t->way][i];
-        if (l->judged && l->kind == kind) return l->limit / t->factor[kind];
+        if (l->judged && l->kind == kind)
+            return kind == HAWSER_LIMIT_BEND_RADIUS ? fmax(l->limit / t->factor[kind], l->limit - t->more[kind])
+                                                    : fmin(l->limit / t->factor[kind], l->limit - t->more[kind]);
     }
     return NAN;
 }
@@ -209,7 +230,7 @@ static double bend_needs(const Trial *t, const Calculator *c, int p, int to)
         if (k == w->restart_sidewall_piece) pressure = fmax(pressure, w->restart_sidewall);
         if (c->route->piece[k].radius < least) needs = fmax(needs, least / c->route->piece[k].radius);
     }
-    if (pressure > most) needs = fmax(needs, SPARE * pressure / most);
+    if (pressure > most) needs = fmax(needs, t->spare * pressure / most);
     return needs;
 }
 
@@ -280,28 +301,36 @@ static int is_safe(Trial *t, char still[MEND_STILL_MAX])
     return safe;
 }
 
-/* With that friction and the radii that it needs. */
-static int safe_with(Trial *t, double friction)
+/* With that friction and the radii that it needs, wider where these alone leave no room for the stiffness. */
+static int safe_with(Trial *t, double friction, char still[MEND_STILL_MAX])
 {
-    char still[MEND_STILL_MAX];
+    int safe = 0;
+    *still = 0;
     t->friction = friction;
-    radii_reset(t);
-    return radii_find(t) && is_safe(t, still);
+    for (size_t k = 0; k < sizeof SPARES / sizeof *SPARES && !safe; ++k) {
+        t->spare = SPARES[k];
+        radii_reset(t);
+        safe = radii_find(t) && is_safe(t, still);
+        if (strcmp(still, "stiffness") != 0) break;
+    }
+    t->spare = SPARES[0];
+    return safe;
 }
 
 /* The largest friction that does, at most `from` times as much, rounded down, with the radii that it needs; 0: none. */
 static int friction_find(Trial *t, double now, double from)
 {
+    char still[MEND_STILL_MAX];
     double high = fmin(1, from / STEP), low = from;
-    while (low > LEAST && !t->status && !safe_with(t, low)) high = low, low *= STEP;
+    while (low > LEAST && !t->status && !safe_with(t, low, still)) high = low, low *= STEP;
     if (low <= LEAST || t->status) return 0;
     for (int i = 0; i < 10; ++i) {
         const double middle = (low + high) / 2;
-        *(safe_with(t, middle) ? &low : &high) = middle;
+        *(safe_with(t, middle, still) ? &low : &high) = middle;
     }
     const double step = pow(10, floor(log10(low * now)) - 1); /* two digits */
     for (double x = floor(low * now / step + 1e-9) * step; x > LEAST * now; x -= step)
-        if (safe_with(t, x / now)) return 1;
+        if (safe_with(t, x / now, still)) return 1;
     return 0;
 }
 
@@ -319,9 +348,7 @@ static void mend_say(const Trial *t, Mend *out)
  * then. */
 static int all_find(Trial *t, Mend *out, double from)
 {
-    t->friction = 1;
-    radii_reset(t);
-    if (from >= STEP && radii_find(t) && is_safe(t, out->still)) return 1;
+    if (from >= STEP && safe_with(t, 1, out->still)) return 1;
     if (!(out->now > 0) || !friction_find(t, out->now, from)) return 0;
     *out->still = 0;
     return 1;
@@ -374,7 +401,7 @@ static hawser_status find(Trial *t, Mend *out)
     for (int i = 0; i < t->n_limits; ++i) {
         const hawser_limit *const l = &t->limit[i];
         if (l->judged || !limits_essential(l->kind)) continue;
-        snprintf(out->word, sizeof out->word, "NOT JUDGED, since the friction is not given");
+        snprintf(out->word, sizeof out->word, "NOT JUDGED: %.40s", l->name);
         out->unjudged = 1;
     }
     return t->status;
@@ -383,7 +410,7 @@ static hawser_status find(Trial *t, Mend *out)
 hawser_status mend_find(const Setup *setup, const Calculator *base, const Ends *ends, int way, int n_run,
                         const hawser_limit *run, Mend *out, hawser_error *err)
 {
-    Trial t = {.route = base->route, .way = way, .of_run = run != NULL, .friction = 1, .err = err};
+    Trial t = {.route = base->route, .way = way, .of_run = run != NULL, .friction = 1, .spare = SPARES[0], .err = err};
     SceneDef def;
     Ends *own = NULL;
     *out = (Mend){.way = way, .now = base->mu_largest, .friction = NAN};

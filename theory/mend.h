@@ -14,8 +14,8 @@ typedef struct MendBend {
     double now, radius; /* m; rounded up to three digits */
 } MendBend;
 
-/* Inside diameters, m, with which a duct's limits hold: from one on, or, where no wide one does, those next below its
- * own. */
+/* Inside diameters, m, with which a duct's limits hold: from one on, or, where no wide one does, those next above its
+ * own, or else next below. */
 typedef struct MendDuct {
     int surface; /* of the definition */
     double now, least, most;
@@ -28,7 +28,7 @@ typedef struct Mend {
     char word[96];   /* and with what is assumed at its ends: "SAFE", "SAFE ONLY IF ..."; backward without bounds */
     int conditional; /* the second */
     unsigned beside; /* 1 << kind: limits that are broken in a run and that theory does not know */
-    int unjudged;    /* or neither: nothing is known of the friction */
+    int unjudged;    /* or neither: of the friction, or of what is allowed, nothing is known */
     int n, n_ducts;
     MendBend bend[MEND_BENDS_MAX];
     MendDuct duct[MEND_DUCTS_MAX]; /* computed with the end that is nearer */

@@ -191,17 +191,22 @@ static const char *largest_place(const Answer *a, const Setup *setup, const Calc
     return text;
 }
 
-/* "; allowed 18.9 kN: 75.6 % left": what is allowed of the cable, whose tension stands before it where it is not the
- * winch's force. */
-static void pull_margin(const Answer *a, int n, const hawser_limit *limit, const char *force, char text[MARGIN_MAX])
+/* "; allowed 18.9 kN: 75.6 % left": what is allowed of the cable, at speed or from rest, whichever leaves less; its
+ * tension stands before it where that is not the winch's force. */
+static void pull_margin(const Answer *a, int n, const hawser_limit *limit, const char *force, const char *at_rest,
+                        char text[MARGIN_MAX])
 {
-    const hawser_limit *const l = limit_of(n, limit, HAWSER_LIMIT_PULL);
+    const hawser_limit *const speed = limit_of(n, limit, HAWSER_LIMIT_PULL), *const rest = limit_of(
+                                                                                 n, limit, HAWSER_LIMIT_RESTART);
+    const int resting = speed && rest && at_rest && rest->judged && rest->margin < speed->margin - 1e-4;
+    const hawser_limit *const l = resting ? rest : speed;
     char own[HAWSER_SHOWN_MAX];
     *text = 0;
     if (!l || !l->judged) return;
     hawser_show(l->value, "N", a->units, own);
-    snprintf(text, MARGIN_MAX, "; %s%s%s", strcmp(own, force) ? "in the cable " : "", strcmp(own, force) ? own : "",
-             strcmp(own, force) ? ", " : "");
+    if (resting) force = at_rest;
+    snprintf(text, MARGIN_MAX, "; %s%s%s%s", strcmp(own, force) ? "in the cable " : "", strcmp(own, force) ? own : "",
+             strcmp(own, force) ? ", " : "", resting ? "from rest " : "");
     say_margin(l, a->units, text + strlen(text), MARGIN_MAX - strlen(text));
 }
 
@@ -218,14 +223,16 @@ static void way_line(Answer *a, const Setup *setup, const Calculator *c, int k)
                     hawser_show(c->brake[k].brake, "N", a->units, restart));
         return;
     }
-    pull_margin(a, c->n_limits, c->limit[k], hawser_show(heads->peak.force, "N", a->units, force), margin);
+    hawser_show(heads->peak.force, "N", a->units, force);
+    hawser_show(heads->restart_peak.restart, "N", a->units, restart);
+    pull_margin(a, c->n_limits, c->limit[k], force, restart, margin);
     largest_place(a, setup, c, k, heads->peak.head, at);
     largest_place(a, setup, c, k, heads->restart_peak.head, then);
-    answer_line(a, word, "%s at the winch%s, %s from rest%s%s", force, at,
-                hawser_show(heads->restart_peak.restart, "N", a->units, restart), strcmp(at, then) ? then : "", margin);
+    answer_line(a, word, "%s at the winch%s, %s from rest%s%s", force, at, restart, strcmp(at, then) ? then : "",
+                margin);
 }
 
-enum { MEND_SHOWN = 6 };
+enum { MEND_SHOWN = 4 };
 
 /* What would do together, or what no duct, radius and friction mends. */
 static void mend_lines(Answer *a, const Setup *setup, const Mend *m, const char *how)
@@ -259,39 +266,44 @@ static int open_ranges(const Setup *setup)
 }
 
 /* Less friction, a shorter pull, machines: what would keep the limits of this way, by the same calculation. */
-static void inverse_lines(Answer *a, const Setup *setup, const Inverse *inverse, int way)
+static void inverse_lines(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse, int way)
 {
     char shown[HAWSER_SHOWN_MAX], now[HAWSER_SHOWN_MAX], text[REMEDY_MAX];
     const InverseMachines *const machines = &inverse->machines[way];
+    int unknown = 0;
+    for (int i = 0; i < c->n_limits; ++i)
+        unknown |= !c->limit[way][i].judged && limits_essential(c->limit[way][i].kind);
+    const char *const limits = unknown ? "limits that can be judged" : "limits";
     for (int i = 0; i < inverse->n; ++i) {
         const InverseAnswer *const b = &inverse->answer[i];
         const char *const but = *b->stays ? " but " : "";
         const double least = ceil(1e3 * b->from) / 1e3, most = floor(1e3 * b->value) / 1e3; /* rounded inward */
         if (b->way == way && b->end == SEARCH_EVERYWHERE && !isnan(least))
-            answer_line(a, "remedy", "friction of at least %.3g, now %.3g, would keep all limits%s%s", least, b->now,
-                        but, b->stays);
+            answer_line(a, "remedy", "friction of at least %.3g, now %.3g, would keep all %s%s%s", least, b->now,
+                        limits, but, b->stays);
         if (b->way == way && b->end == SEARCH_FOUND && least <= most)
-            answer_line(a, "remedy", "friction of %.3g to %.3g, now %.3g, would keep all limits%s%s", least, most,
-                        b->now, but, b->stays);
+            answer_line(a, "remedy", "friction of %.3g to %.3g, now %.3g, would keep all %s%s%s", least, most, b->now,
+                        limits, but, b->stays);
         if (b->way != way || b->end != SEARCH_FOUND || !(b->value < b->now)) continue;
         const Mend *const m = &inverse->mend[way];
         if (m->safe && *b->stays) continue;
         const int told = m->safe && m->n + m->n_ducts == 0; /* the same friction, rounded */
         if (b->kind == INVERSE_FRICTION && !told) {
-            const Remedy r = friction_part(setup, b->now, b->value, 1);
+            const Remedy r = friction_part(setup, b->now, b->value);
             remedy_say(&r, a->units, text);
-            answer_line(a, "remedy", "%s would keep all limits%s%s", text, but, b->stays);
+            answer_line(a, "remedy", "%s would keep all %s%s%s", text, limits, but, b->stays);
         }
         if (b->kind == INVERSE_LENGTH)
-            answer_line(a, "remedy", "a pull of at most %s, now %s, would keep all limits%s%s",
-                        show_bound(b->value, 0, "m", a->units, shown), hawser_show(b->now, "m", a->units, now), but,
-                        b->stays);
+            answer_line(a, "remedy", "a pull of at most %s, now %s, would keep all %s%s%s",
+                        show_bound(b->value, 0, "m", a->units, shown), hawser_show(b->now, "m", a->units, now), limits,
+                        but, b->stays);
     }
     if (inverse->asked && machines->n > 0)
-        answer_line(a, "remedy", "%d machine%s of %s, the first at %s, would keep all limits%s%s%s", machines->n,
+        answer_line(a, "remedy", "%d machine%s of %s, the first at %s, would keep all %s%s%s%s", machines->n,
                     machines->n > 1 ? "s" : "", hawser_show(setup->def->theory.machine_push, "N", a->units, shown),
-                    hawser_show(machines->at[0], "m", a->units, now), open_ranges(setup) ? " with what is assumed" : "",
-                    *machines->stays ? " but " : "", machines->stays);
+                    hawser_show(machines->at[0], "m", a->units, now), limits,
+                    open_ranges(setup) ? " with what is assumed" : "", *machines->stays ? " but " : "",
+                    machines->stays);
 }
 
 /* With all that is assumed at its upper end. */
@@ -318,18 +330,16 @@ void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inv
 {
     answer_unusual(a, setup->def, setup->route);
     answer_assumed(a, setup, c->n_limits);
-    const int forward = calculator_holds(c, PLAN_FORWARD), backward = calculator_holds(c, PLAN_BACKWARD);
+    const char *const other = verdict[PLAN_BACKWARD];
+    const int forward = calculator_holds(c, PLAN_FORWARD);
     answer_verdict(a, verdict[PLAN_FORWARD]);
     way_line(a, setup, c, PLAN_FORWARD);
     limits_say(a, setup, c->n_limits, c->limit[PLAN_FORWARD], &inverse->mend[PLAN_FORWARD]);
     if (!forward && c->n_limits > 0) mend_lines(a, setup, &inverse->mend[PLAN_FORWARD], "computed again");
-    if (!forward) inverse_lines(a, setup, inverse, PLAN_FORWARD);
+    if (!forward) inverse_lines(a, setup, c, inverse, PLAN_FORWARD);
     together_line(a, setup, c);
-    if (!forward && backward && c->n_limits > 0) {
-        char word[HAWSER_VERDICT_MAX];
-        limits_only_if(c->n_limits, c->limit[PLAN_BACKWARD], word, sizeof word);
-        answer_line(a, "remedy", "pulled from the other end: %s", word);
-    }
+    if (!forward && !strncmp(other, "SAFE", 4))
+        answer_line(a, "remedy", "pulled from the other end: %.*s", (int)strcspn(other, ":"), other);
     way_line(a, setup, c, PLAN_BACKWARD);
     answer_line(a, "", "%s", verdict[PLAN_BACKWARD]);
 }
@@ -350,7 +360,7 @@ static const char *say_bar(const hawser_error_bar *bar, double figure, char text
 static void pull_line(Answer *a, const hawser_summary *s, int n, const hawser_limit *limit)
 {
     char mean[HAWSER_SHOWN_MAX], peak[HAWSER_SHOWN_MAX], bar[32], peak_bar[32], margin[MARGIN_MAX];
-    pull_margin(a, n, limit, hawser_show(s->pull_peak_N, "N", a->units, peak), margin);
+    pull_margin(a, n, limit, hawser_show(s->pull_peak_N, "N", a->units, peak), NULL, margin);
     say_bar(&s->pull_peak_error, s->pull_peak_N, peak_bar);
     if (!(s->pull_peak_N > 0)) {
         answer_line(a, "pull", "nothing was pulled: there is no winch, or its rope stayed slack");
@@ -417,7 +427,7 @@ static void run_limits_say(Answer *a, const hawser_sim *s, int n, const hawser_l
     Mend mend;
     const int together = mend_run(s, n, limit, &mend);
     limits_say(a, setup, n, limit, together ? &mend : NULL);
-    if (together) mend_lines(a, setup, &mend, "computed by theory with this run's figures");
+    if (together) mend_lines(a, setup, &mend, "by theory with this run's figures, to be run again");
 }
 
 /* A rod is not pulled, and nothing is allowed of it: there is only whether its figures are to be trusted. */
@@ -445,6 +455,9 @@ const char *hawser_sim_answer(hawser_sim *s, hawser_units units, char *text, siz
     if (!sum.rod) {
         pull_line(&a, &sum, n, limit);
         if (n > 0) reached_line(&a, s);
+        if (s->stage.scene.def.theory.n_pits > 0)
+            answer_line(&a, "pits",
+                        "a run is one pull: it does not begin anew at theory.pits, which hawser theory does");
         if (n > 0 || !failed) run_limits_say(&a, s, n, limit);
     }
     if (!failed) trust_lines(&a, &sum);

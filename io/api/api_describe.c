@@ -154,9 +154,9 @@ typedef struct Description {
     int n_demands;
     PlausibleRow odd[PLAUSIBLE_ROWS]; /* [n_odd] */
     int n_odd;
-    char grades[480]; /* what bends to the side do to the route's grade, in words */
-    char advice[160]; /* what the lengths of the segments are worth, in words */
-    double largest;   /* N, of a winch */
+    char grades[480];  /* what bends to the side do to the route's grade, in words */
+    char advice[160];  /* what the lengths of the segments are worth, in words */
+    HeadForce largest; /* of a winch, at speed and from rest */
 } Description;
 
 /* What the places ask for, and whether they get it. */
@@ -303,7 +303,8 @@ static hawser_status write_description(Description *d, const char *title, hawser
         {"tail_tension_N", "tail tension at the end", "N", cell_number(profile_value(&def->tail.tension, end))},
         {"friction", "friction coefficient", "", cell_number(def->friction.mu_d)},
         {"cables", "cables pulled together", "", cell_number(several ? several : def->bundle.shape.cables)},
-        {"largest_force_N", "largest winch force by theory", "N", cell_number(d->largest)},
+        {"largest_force_N", "largest winch force by theory", "N", cell_number(d->largest.force)},
+        {"largest_restart_N", "from rest", "N", cell_number(d->largest.restart)},
         {"reference_total_N", "of the run, by theory", "N", cell_number(s->reference_total_N)},
         {"analysis", "analysis", "", cell_text(analyses[def->analysis.kind])},
         {"duration_s", placed ? "the winch has pulled for" : "to be simulated", "s", cell_number(end)},
@@ -367,16 +368,18 @@ static hawser_status gather(Description *d, hawser_error *err)
     return HAWSER_OK;
 }
 
-/* N, what the headline of theory says: the largest force of any winch, pulled forward; NAN: theory cannot say. */
-static double largest_force(const Sim *sim)
+/* What the headline of theory says: the largest force of any winch, pulled forward; NAN: theory cannot say. */
+static HeadForce largest_force(const Sim *sim)
 {
+    const HeadForce unknown = {.force = NAN, .restart = NAN};
     const Setup *const setup = &sim->stage.scene.setup;
     Calculator c;
-    if (setup->def->rod.present) return NAN;
+    if (setup->def->rod.present) return unknown;
     const hawser_status status = calculator_build(setup, &sim->expected, 1, &c, NULL);
-    const double force = status ? NAN : c.heads[PLAN_FORWARD].peak.force;
+    HeadForce largest = status ? unknown : c.heads[PLAN_FORWARD].peak;
+    if (!status) largest.restart = c.heads[PLAN_FORWARD].restart_peak.restart;
     calculator_free(&c);
-    return force;
+    return largest;
 }
 
 /* Builds the simulation for its counts; its texts live as long as it does. */

@@ -152,9 +152,8 @@ hawser_status along_rows(hawser_sim *s, AlongRow **rows, int *n, hawser_error *e
 const char *show_bound(double value, int least, const char *unit, hawser_units units, char *text);
 /* The key of a bend's radius, "route.pieces.3.radius"; empty where it is not one of the case's. */
 void mend_key(const Setup *setup, int piece, char key[ASSUMED_KEY_MAX]);
-/* Less friction, of which the largest stands for all, and that at rest where it is another, or where it is assumed and
- * all of its range does (sure). */
-Remedy friction_part(const Setup *setup, double now, double most, int sure);
+/* Less friction, of which the largest stands for all, and that at rest where it is given apart. */
+Remedy friction_part(const Setup *setup, double now, double most);
 /* What a mended pull needs, in the order in which it is said; codes "do_...". Returns how many there are. */
 enum { MEND_PARTS_MAX = MEND_BENDS_MAX + MEND_DUCTS_MAX + 1 };
 int mend_parts(const Setup *setup, const Mend *m, Remedy part[MEND_PARTS_MAX]);

@@ -215,19 +215,19 @@ static Remedy bend_part(const Setup *setup, const MendBend *bend)
     return r;
 }
 
-Remedy friction_part(const Setup *setup, double now, double most, int sure)
+Remedy friction_part(const Setup *setup, double now, double most)
 {
-    FrictionUsed used[2];
-    const int n = frictions_used(setup, 2, used), apart = n > 0 && !used[0].rest_assumed;
+    FrictionUsed used[16];
+    const int n = frictions_used(setup, 16, used);
+    int top = 0;
+    for (int i = 1; i < n; ++i)
+        if (used[i].moving > used[top].moving) top = i;
+    const int apart = n > 0 && !used[top].rest_assumed;
     Remedy r = part_of(n > 1 ? "do_frictions" : "do_friction", "", now);
     r.unit = "1";
     r.most = most;
-    if (n == 1) snprintf(r.key, sizeof r.key, "%.30s.mu%s", used[0].key, apart ? "_d, mu_s" : "");
-    if (apart) show_bound(most / now * used[0].rest, 0, "1", HAWSER_SI, r.also);
-    Assumed all[ASSUMED_KINDS];
-    const int open = sure ? assumed_list(setup, all) : 0;
-    for (int k = 0; k < open; ++k)
-        if (all[k].kind == ASSUMED_REST) show_bound(most * all[k].high / all[k].low, 0, "1", HAWSER_SI, r.also);
+    if (n == 1) snprintf(r.key, sizeof r.key, "%.40s.mu%s", used[0].key, apart ? "_d" : "");
+    if (apart) show_bound(most / now * used[top].rest, 0, "1", HAWSER_SI, r.also);
     return r;
 }
 
@@ -240,7 +240,7 @@ int mend_parts(const Setup *setup, const Mend *m, Remedy part[MEND_PARTS_MAX])
         if (!strcmp(part[n].code, "do_slopes") && slopes++) continue;
         ++n;
     }
-    if (m->friction > 0) part[n++] = friction_part(setup, m->now, m->friction, !m->conditional);
+    if (m->friction > 0) part[n++] = friction_part(setup, m->now, m->friction);
     return n;
 }
 
@@ -281,12 +281,13 @@ static const struct RemedySentence {
     {"less_pull", "{least} less pull: conveyors, a pit, or a lubricant"},
     {"less_push", "{least} less push ({key}), a narrower duct, or guides and carriers closer together"},
     {"rope_strength", "a rope that breaks at {least} ({key}), or less pull"},
-    {"wider_duct",
-     "an inside diameter of at least {least} in '{where}' would keep its limits (now {now}, twice {key})"},
+    {"wider_duct", "an inside diameter of at least {least}[ and at most {most}] in '{where}' would keep its limits "
+                   "(now {now}, twice {key})"},
     {"narrower_duct",
      "an inside diameter of at most {most} and at least {least} in '{where}' would keep its limits (now {now}, twice "
      "{key})"},
-    {"do_wider_duct", "an inside diameter of at least {least} in '{where}' (now {now}, twice {key})"},
+    {"do_wider_duct",
+     "an inside diameter of at least {least}[ and at most {most}] in '{where}' (now {now}, twice {key})"},
     {"do_narrower_duct",
      "an inside diameter of at most {most} and at least {least} in '{where}' (now {now}, twice {key})"},
     {"do_radius", "a radius of {least}[ in '{where}'| there] ([{key}, ]now {now})"},

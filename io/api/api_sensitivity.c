@@ -182,8 +182,8 @@ static hawser_status changes_write(const Changes *x, const char *title, hawser_f
              one_sided ? "one-sided, where a machine takes just what arrives: for less tension there" : "two-sided",
              x->setup.n_pushers > 0 ? "; pushes are held as they are, also where they go by friction or tension" : "");
     const Fact fact[] = {
-        {"forward_total_N", "winch force, pulled forward", "N", cell_number(way[PLAN_FORWARD].force)},
-        {"backward_total_N", "winch force, pulled backward", "N", cell_number(way[PLAN_BACKWARD].force)},
+        {"forward_total_N", "winch force at the end, forward", "N", cell_number(way[PLAN_FORWARD].force)},
+        {"backward_total_N", "winch force at the end, backward", "N", cell_number(way[PLAN_BACKWARD].force)},
         {"values", "values", "", cell_text(values)},
     };
     const Table table[] = {

@@ -88,7 +88,7 @@ hawser_status case_idle_check(const CaseReader *r, const CaseNode *node, int n, 
             all &= case_node_key(node, rule[i].beside[k]) != NULL;
             snprintf(given + used, sizeof given - used, "%s'%s'", k ? " and " : "", rule[i].beside[k]);
         }
-        if (all)
+        if (all && !idle->entry) /* what a catalogue has may be said otherwise */
             return case_key_error(r->err, idle, NULL, "says nothing beside %s: leave it out, or change these", given);
     }
     return HAWSER_OK;

@@ -270,7 +270,7 @@ static void a_runs_remedies(void **state)
                                                          "44.2 m", "chain.0.length", "43 m", key[0], text[0], key[1],
                                                          text[1], key[2], text[2], NULL},
                                    NULL, NULL);
-    check_between(after, 300, 400);
+    check_between(after, 250, 400);
 }
 
 /* A key of the case that a remedy names is one that makes that bend wider: bends between slopes are not listed. */

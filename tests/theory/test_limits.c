@@ -461,7 +461,8 @@ static void ducts(void **state)
     check_close(out[1].limit, 0.31, 0);
 }
 
-/* A margin that is smaller than the error of what was found is none; where a limit is broken nothing is open. */
+/* A margin that is smaller than the error of what was found is none; where a limit is broken whatever the error nothing
+ * is open. */
 static void undecided(void **state)
 {
     (void)state;
@@ -477,7 +478,10 @@ static void undecided(void **state)
     const hawser_limit nothing = {.judged = 1, .ok = 1, .limit = 0, .error = 1};
     assert_null(limits_undecided(1, &nothing)); /* no share of nothing */
     l[0].ok = 0;
+    l[0].value = 112;
     assert_null(limits_undecided(3, l));
+    l[0].value = 105; /* that it is broken is open, too: it was NOT SAFE */
+    assert_ptr_equal(limits_undecided(3, l), &l[0]);
 }
 
 /* The verdict of a run: reasons not to trust it come first, the first in words and the others by number. */
