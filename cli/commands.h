@@ -64,6 +64,9 @@ void report_assumptions(const hawser_sim *s, hawser_units units);
 /* Writes the page about results to `path`; with `pdf` also what a browser prints of it, beside it as NAME.pdf. Prints
  * both paths unless `quiet`. *err says what went wrong; a browser that is missing or fails is OUTPUT. */
 hawser_status page_make(const char *const *folders, size_t n, const char *path, int pdf, int quiet, hawser_error *err);
+/* The same of what `write` makes a page of. */
+typedef hawser_status (*PageWrite)(void *what, const char *path, hawser_error *err);
+hawser_status page_make_of(PageWrite write, void *what, const char *path, int pdf, int quiet, hawser_error *err);
 /* Prints a page to a file by an installed Chromium. Errors: OUTPUT (none is there, it fails, it takes too long). */
 hawser_status pdf_print(const char *page, const char *pdf, hawser_error *err);
 

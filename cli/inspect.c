@@ -29,6 +29,11 @@ static const char theory_help[] =
     "\n"
     "      --tables NAMES      prints tables too, by name with commas between: facts, pieces, directions, ducts,\n"
     "                          heads, sections, answers, limits, stations, assumed ...; or all\n"
+    "      --report            writes the calculation as a page to be handed on: answer, figures, tables, one bend by "
+    "hand\n"
+    "      --pdf               prints that page too, by an installed Chromium; implies --report\n"
+    "  -o, --output FILE       where the page goes (default: CASE's name with -calculation.html)\n"
+    "  -q, --quiet             prints nothing but errors\n"
     "      --strict            the exit status says whether the pull is safe\n"
     "      --sensitivities     prints instead what forces and tensions change by with friction, weight, the tension\n"
     "                          at the start and pushes\n"
@@ -110,6 +115,12 @@ static int write_crew(const Arguments *args)
 /* The two commands differ in what they ask the library for. */
 static int check(const Arguments *args) { return print_case(args, hawser_case_describe); }
 
+static int held_status(const Arguments *args, hawser_word word)
+{
+    if (!args->strict || word == HAWSER_SAFE) return 0;
+    return word == HAWSER_NOT_TRUSTED ? EXIT_NOT_TRUSTED : EXIT_NOT_HELD;
+}
+
 static int print_theory(const Arguments *args)
 {
     const hawser_theory_options options = {args->tables, terminal_width()};
@@ -122,16 +133,42 @@ static int print_theory(const Arguments *args)
     if (!status) print_answer(text);
     hawser_text_free(text);
     hawser_case_free(c);
-    const int held = !args->strict || word == HAWSER_SAFE ? 0
-                     : word == HAWSER_NOT_TRUSTED         ? EXIT_NOT_TRUSTED
-                                                          : EXIT_NOT_HELD;
-    return finish_stdout(status ? exit_status(status, &err) : held);
+    return finish_stdout(status ? exit_status(status, &err) : held_status(args, word));
+}
+
+/* The case whose calculation is written. */
+typedef struct Sheet {
+    hawser_case *c;
+    hawser_units units;
+    hawser_word word;
+} Sheet;
+
+static hawser_status sheet_write(void *what, const char *path, hawser_error *err)
+{
+    Sheet *const sheet = what;
+    return hawser_case_calculation(sheet->c, sheet->units, path, &sheet->word, err);
+}
+
+/* "NAME-calculation.html" of "some/where/NAME.yaml". */
+static int write_calculation(const Arguments *args)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    Sheet sheet = {.units = args->format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI};
+    char path[512];
+    const char *const slash = strrchr(args->case_path, '/'), *const name = slash ? slash + 1 : args->case_path,
+                      *const dot = strrchr(name, '.');
+    snprintf(path, sizeof path, "%.*s-calculation.html", dot ? (int)(dot - name) : (int)strlen(name), name);
+    hawser_status status = load_case(args, &sheet.c, &err);
+    if (!status) status = page_make_of(sheet_write, &sheet, args->dir ? args->dir : path, args->pdf, args->quiet, &err);
+    hawser_case_free(sheet.c);
+    return finish_stdout(status ? exit_status(status, &err) : held_status(args, sheet.word));
 }
 
 static int theory(const Arguments *args)
 {
     const int status = args->crew ? write_crew(args) : 0;
     if (status) return status;
+    if (args->report) return write_calculation(args);
     return args->sensitivities ? print_case(args, hawser_case_sensitivities) : print_theory(args);
 }
 
@@ -178,6 +215,6 @@ const Command command_library = {"library", "lists cables, ropes, rollers, ducts
                                  library_help, library};
 const Command command_check = {"check", "checks a case and prints what would be built", "sfu", check_help, check};
 const Command command_theory = {"theory", "the pulling calculation alone: verdict, forces, limits; in milliseconds",
-                                "sfuWiQS", theory_help, theory};
+                                "sfuWiQSeoPq", theory_help, theory};
 const Command command_validate = {"validate", "runs scenes of which the result is known", "fuFx-", validate_help,
                                   validate};

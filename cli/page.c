@@ -47,23 +47,40 @@ static int study_is_in(const char *folder)
     return access(path, F_OK) == 0;
 }
 
-static hawser_status page_write(const char *const *folders, size_t n, const char *path, int quiet, hawser_error *err)
+/* What a page is of. */
+typedef struct Folders {
+    const char *const *folder; /* [n] */
+    size_t n;
+} Folders;
+
+static hawser_status folders_write(void *what, const char *path, hawser_error *err)
 {
-    const int study = n == 1 && study_is_in(folders[0]);
-    const hawser_status status =
-        study ? hawser_study_report(folders[0], path, err) : hawser_report_write(folders, n, path, err);
+    const Folders *const f = what;
+    const int study = f->n == 1 && study_is_in(f->folder[0]);
+    return study ? hawser_study_report(f->folder[0], path, err) : hawser_report_write(f->folder, f->n, path, err);
+}
+
+static hawser_status page_write(PageWrite write, void *what, const char *path, int quiet, hawser_error *err)
+{
+    const hawser_status status = write(what, path, err);
     if (!status && !quiet) tell("Report: %s", path);
     return status;
 }
 
-/* A browser prints only what is named as a page, and never over the page. */
 hawser_status page_make(const char *const *folders, size_t n, const char *path, int pdf, int quiet, hawser_error *err)
 {
-    if (!pdf && !ends_in(path, ".pdf")) return page_write(folders, n, path, quiet, err);
+    Folders what = {folders, n};
+    return page_make_of(folders_write, &what, path, pdf, quiet, err);
+}
+
+/* A browser prints only what is named as a page, and never over the page. */
+hawser_status page_make_of(PageWrite write, void *what, const char *path, int pdf, int quiet, hawser_error *err)
+{
+    if (!pdf && !ends_in(path, ".pdf")) return page_write(write, what, path, quiet, err);
     char *const page = name_ending(path, ".html"), *const printed = name_ending(path, ".pdf");
     hawser_status status = page && printed ? HAWSER_OK : HAWSER_ERR_MEMORY;
     if (status) *err = (hawser_error){HAWSER_ERR_MEMORY, "out of memory"};
-    if (!status) status = page_write(folders, n, page, quiet, err);
+    if (!status) status = page_write(write, what, page, quiet, err);
     interrupt_watch(); /* the browser does not outlive us */
     fflush(stdout);
     if (!status) status = pdf_print(page, printed, err);

@@ -149,8 +149,14 @@ typedef struct JamDef {
     double friction; /* coefficient with which the cable drags over a roller that stands; NAN: the usual */
 } JamDef;
 
+/* What stands in the head and the foot of a calculation that is handed on. */
+typedef struct JobDef {
+    char client[96], project[96], drawing[64], author[64], checker[64], revision[32], date[32];
+} JobDef;
+
 typedef struct SceneDef {
     char title[256];
+    JobDef job;
     int format;   /* of its case */
     Vec3 gravity; /* m/s2 */
     BushingFrame frame;
@@ -167,7 +173,7 @@ typedef struct SceneDef {
     Vec3 route_start;
     double route_heading, route_slope;
     int slopes_open; /* no radius is given for changes of slope */
-    double head_at; /* m along the route where the cable's front (the eye before the last rope piece) is at t = 0 */
+    double head_at;  /* m along the route where the cable's front (the eye before the last rope piece) is at t = 0 */
     LeadInDef lead_in;
 
     ContactGeometry geometry;

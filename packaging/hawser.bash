@@ -51,11 +51,11 @@ _hawser() {
     theory)
         case $previous in
         --tables) _hawser_offer 'all facts pieces limits heads sections' ;;
-        --crew) _hawser_offer 'files' ;;
+        -o|--output|--crew) _hawser_offer 'files' ;;
         --set) _hawser_offer '' ;;
         --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--tables --strict --sensitivities --crew --set --format --units --help --version' '*.yaml' ;;
+        *) _hawser_word '--tables --report --pdf --output --quiet --strict --sensitivities --crew --set --format --units --help --version' '*.yaml' ;;
         esac
         ;;
     validate)

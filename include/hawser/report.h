@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 
+#include "hawser/limits.h"
 #include "hawser/shown.h"
 #include "hawser/status.h"
 
@@ -32,6 +33,12 @@ hawser_status hawser_results_check(const char *folder, hawser_error *err);
 /* Whether a file may be written without harm to the case: INPUT if `path` leads to one that the case is read from
  * (itself, what it includes, its route, its drawing). Runs and whatever else the library writes look themselves. */
 hawser_status hawser_case_spares(hawser_case *c, const char *path, hawser_error *err);
+
+/* Writes the calculation of one chain as a page (HTML) that can be handed on and printed: answer, plan, profile,
+ * tension and T/R along the route, ducts, tables, one straight and one bend worked out; head and foot from the case's
+ * section `job`. word: as above, or NULL. Errors: as hawser_case_theory, OUTPUT. */
+hawser_status hawser_case_calculation(struct hawser_case *c, hawser_units units, const char *path, hawser_word *word,
+                                      hawser_error *err);
 
 #ifdef __cplusplus
 }

@@ -5,8 +5,11 @@
 #include "theory/cannot.h"
 #include "theory/expected.h"
 #include "theory/paper.h"
+#include "theory/plan_pull.h"
 
+#include "io/report/calculation.h"
 #include <jansson.h>
+#include <locale.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -265,7 +268,7 @@ static int drop_backward(int n, Fact fact[FACTS_MAX])
 typedef struct Page {
     Document doc;
     Fact fact[FACTS_MAX];
-    Table table[3 + THEORY_TABLES_MAX];
+    Table table[4 + THEORY_TABLES_MAX];
     RunRow run;
 } Page;
 
@@ -670,6 +673,149 @@ hawser_status hawser_case_theory_shown(hawser_case *c, hawser_format format, con
 hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **text, hawser_error *err)
 {
     return hawser_case_theory_shown(c, format, &(hawser_theory_options){.tables = "all"}, text, NULL, err);
+}
+
+/* A piece of the route, for the page alone. */
+typedef struct PieceLine {
+    const char *name;
+    double from, to, radius, angle, slope, mu, mu_rest; /* m, m, m, degrees, degrees, 1, 1 */
+    struct {
+        double in, out, rest, sidewall;
+    } way[PLAN_WAYS];
+} PieceLine;
+
+#define WAY_COLUMNS(key, words, k)                                                                                     \
+    {COLUMN(key "_start_N", NUMBER, PieceLine, way[k].in), .label = words ": in, N", .decimals = 1},                   \
+        {COLUMN(key "_end_N", NUMBER, PieceLine, way[k].out), .label = "out, N", .decimals = 1},                       \
+        {COLUMN(key "_rest_N", NUMBER, PieceLine, way[k].rest), .label = "out from rest, N", .decimals = 1},           \
+    {                                                                                                                  \
+        COLUMN(key "_sidewall_N_per_m", NUMBER, PieceLine, way[k].sidewall), .label = "T/R, N/m", .decimals = 1        \
+    }
+static const Column line_column[] = {
+    {COLUMN("name", TEXT, PieceLine, name), .label = "piece"},
+    {COLUMN("from_m", NUMBER, PieceLine, from), .label = "from, m", .decimals = 2},
+    {COLUMN("to_m", NUMBER, PieceLine, to), .label = "to, m", .decimals = 2},
+    {COLUMN("angle_deg", NUMBER, PieceLine, angle), .label = "angle, deg", .decimals = 1},
+    {COLUMN("radius_m", NUMBER, PieceLine, radius), .label = "R, m", .decimals = 2},
+    {COLUMN("slope_deg", NUMBER, PieceLine, slope), .label = "slope, deg", .decimals = 1},
+    {COLUMN("mu", NUMBER, PieceLine, mu), .label = "friction", .decimals = 3},
+    {COLUMN("mu_rest", NUMBER, PieceLine, mu_rest), .label = "at rest", .decimals = 3},
+    WAY_COLUMNS("forward", "forward", PLAN_FORWARD),
+    WAY_COLUMNS("back", "back", PLAN_BACKWARD)};
+
+/* line [pieces], of one way. Errors: as plan_pull. */
+static hawser_status lines_fill(const Theory *t, int way, PieceLine *line, hawser_error *err)
+{
+    const Calculator *const c = &t->calculator;
+    const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};
+    Pull rest;
+    const hawser_status status = plan_pull(&c->def, &c->plan.duct, &from_rest, &rest, err);
+    for (int p = 0; p < c->plan.n && !status; p++, line++) {
+        const RoutePiece *const piece = &c->route->piece[p];
+        const PlanPiece *const moving = &c->plan.way[way].piece[p];
+        const PullStretch *const at = stretch_at(c->def.n_stretches, c->def.stretch, piece->s0 + piece->length / 2);
+        const int bend = piece->kind != ROUTE_STRAIGHT;
+        line->name = piece->name;
+        line->from = piece->s0;
+        line->to = piece->s0 + piece->length;
+        line->radius = bend ? piece->radius : NAN;
+        line->angle = bend ? piece->angle * 180 / M_PI : NAN;
+        line->slope = route_slope(c->route, piece->s0) * 180 / M_PI;
+        line->mu = at->mu;
+        line->mu_rest = fmax(at->mu, at->mu_static);
+        line->way[way].in = moving->t_in;
+        line->way[way].out = moving->t_out;
+        line->way[way].rest = pull_at(&rest, way == PLAN_FORWARD ? line->to : line->from).tension;
+        line->way[way].sidewall = moving->sidewall;
+    }
+    if (!status) pull_clear(&rest);
+    return status;
+}
+
+/* Tables of the page, in their order; the others stand behind "all values". */
+static const char *const page_tables[] = {"lines",    "sections", "limits",  "remedies", "answers",
+                                          "machines", "brakes",   "assumed", "notes"};
+
+static int is_on_page(const char *key)
+{
+    int found = 0;
+    for (size_t k = 0; k < sizeof page_tables / sizeof *page_tables; k++) found |= !strcmp(key, page_tables[k]);
+    return found;
+}
+
+/* The document's tables as parts of a page: those that are shown, or the others behind the facts. */
+static hawser_status page_part(const Page *page, int shown, hawser_units units, char **text, hawser_error *err)
+{
+    Document part = page->doc;
+    Table table[sizeof page->table / sizeof *page->table];
+    int n = 0;
+    for (size_t i = 0; shown && i < sizeof page_tables / sizeof *page_tables; i++)
+        for (int k = 0; k < page->doc.n_tables; k++)
+            if (!strcmp(page->table[k].key, page_tables[i])) table[n++] = page->table[k];
+    for (int k = 0; !shown && k < page->doc.n_tables; k++)
+        if (!is_on_page(page->table[k].key)) table[n++] = page->table[k];
+    part.n_tables = n;
+    part.table = table;
+    if (shown) part.n_facts = 0;
+    return document_html(&part, units, text, err);
+}
+
+static hawser_status write_page(Theory *t, const hawser_case *c, hawser_units units, const char *path,
+                                hawser_error *err)
+{
+    Page page;
+    Text out = {0};
+    char *tables = NULL, *more = NULL;
+    fill_places(t);
+    few_places(t);
+    page_make(t, title_of(c), 0, &page);
+    Answer answer = {t->answer, sizeof t->answer, 0, units, 0};
+    answer_theory(&answer, &t->setup, &t->calculator, &t->inverse, (const char(*)[HAWSER_VERDICT_MAX])t->shown);
+    const int pieces = t->calculator.plan.n;
+    PieceLine *const line = calloc((size_t)pieces + 1, sizeof *line);
+    page.table[page.doc.n_tables++] =
+        (Table){"lines", "The route piece by piece, full of cable (friction with the weight correction of ducts)",
+                COLUMNS(PieceLine, line_column), pieces, line};
+    hawser_status status = line ? lines_fill(t, PLAN_FORWARD, line, err) : error_memory(err);
+    if (!status) status = lines_fill(t, PLAN_BACKWARD, line, err);
+    if (!status) status = page_part(&page, 1, units, &tables, err);
+    if (!status) status = page_part(&page, 0, units, &more, err);
+    const Calculation sheet = {.title = title_of(c),
+                               .file = c->name,
+                               .code = hawser_word_code(t->word[PLAN_FORWARD]),
+                               .verdict = t->shown[PLAN_FORWARD],
+                               .answer = t->answer,
+                               .tables = tables,
+                               .more = more,
+                               .setup = &t->setup,
+                               .c = &t->calculator,
+                               .units = units};
+    if (!status) calculation_write(&sheet, &out);
+    if (!status && out.failed) status = error_memory(err);
+    if (!status) status = out_file(path, out.at, err);
+    text_clear(&out);
+    free(line);
+    free(tables);
+    free(more);
+    return status;
+}
+
+hawser_status hawser_case_calculation(hawser_case *c, hawser_units units, const char *path, hawser_word *word,
+                                      hawser_error *err)
+{
+    const TheoryWish all = {0};
+    Theory *t;
+    if (!c || !path) return error_argument(err, c ? "path" : "c");
+    const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (!plain) return error_memory(err);
+    hawser_status status = theory_new(c, &all, &t, err);
+    const locale_t before = uselocale(plain);
+    if (!status) status = write_page(t, c, units, path, err);
+    uselocale(before);
+    freelocale(plain);
+    if (!status && word) *word = t->word[PLAN_FORWARD];
+    theory_free(t);
+    return status;
 }
 
 hawser_status case_theory_values(hawser_case *c, const TheoryWish *wish, json_t **out, hawser_error *err)

@@ -15,9 +15,22 @@ static const char *const passes_choices[] = {"auto", "1", "2", "3", NULL};
 static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
 static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
 
+/* Whose calculation it is. */
+static const CaseKey job_keys[] = {
+    {"client", KEY_TEXT, .fallback = "", AT(JobDef, client)},
+    {"project", KEY_TEXT, .fallback = "", AT(JobDef, project)},
+    {"drawing", KEY_TEXT, .fallback = "", AT(JobDef, drawing)},
+    {"author", KEY_TEXT, .fallback = "", AT(JobDef, author)},
+    {"checker", KEY_TEXT, .fallback = "", AT(JobDef, checker)},
+    {"revision", KEY_TEXT, .fallback = "", AT(JobDef, revision)},
+    {"date", KEY_TEXT, .fallback = "", AT(JobDef, date)},
+};
+static SECTION(case_job, "job", job_keys);
+
 /* The whole case: its title, and the sections below. */
 static const CaseKey top_keys[] = {
     {"title", KEY_TEXT, .fallback = "", AT(SceneDef, title)},
+    {"job", KEY_SECTION, .otherwise = "nothing", .section = &case_job, AT(SceneDef, job)},
     {"format", KEY_INTEGER, .fallback = "1", FROM(1, CASE_FORMAT), AT(SceneDef, format)},
     {"include", KEY_ANY, .otherwise = "none", .form = "a file, or a list of files"},
     {"gravity", KEY_ANY, .otherwise = "9.81 m/s2", .form = "an acceleration downward, or [x, y, z]", FROM(0, 1e3),

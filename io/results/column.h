@@ -145,6 +145,11 @@ char *json_dumped(const struct json_t *o, size_t flags);
 struct json_t *document_json(const Document *doc, const char *const *wanted);
 /* A document as text for people. */
 void document_print(FILE *f, const Document *doc, hawser_units units);
+/* Its facts and tables as parts of a page, each table below a heading of the second order. Returns whether it could be
+ * written. */
+int document_print_html(FILE *f, const Document *doc, int units);
+/* The same as a text, malloc'ed. Errors: MEMORY. */
+hawser_status document_html(const Document *doc, hawser_units units, char **text, hawser_error *err);
 /* The text in a format; malloc'ed. Errors: MEMORY. */
 hawser_status document_write(const Document *doc, hawser_format format, char **text, hawser_error *err);
 

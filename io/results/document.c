@@ -195,7 +195,7 @@ static char *json_document(const Document *doc)
 }
 
 /* The same content in each form; CSV can hold one table only. 0 without memory. */
-static int print_document(FILE *f, const Document *doc, hawser_format format)
+static int print_document(FILE *f, const Document *doc, int format)
 {
     if (format == HAWSER_CSV) {
         if (doc->csv) print_csv_table(f, doc->csv);
@@ -212,7 +212,8 @@ static int print_document(FILE *f, const Document *doc, hawser_format format)
 }
 
 /* Written under the "C" locale, so that a program with decimal commas gets valid CSV and JSON too. */
-hawser_status document_write(const Document *doc, hawser_format format, char **text, hawser_error *err)
+static hawser_status print_whole(int (*print)(FILE *f, const Document *doc, int how), const Document *doc, int how,
+                                 char **text, hawser_error *err)
 {
     Growing g = {0};
     const locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
@@ -220,11 +221,21 @@ hawser_status document_write(const Document *doc, hawser_format format, char **t
     g.bad = !f;
     if (f) {
         const locale_t before = uselocale(c);
-        const int whole = print_document(f, doc, format);
+        const int whole = print(f, doc, how);
         uselocale(before);
         g.bad |= fclose(f) || !whole;
     }
     if (c) freelocale(c);
     *text = growing_end(&g);
     return *text ? HAWSER_OK : error_memory(err);
+}
+
+hawser_status document_write(const Document *doc, hawser_format format, char **text, hawser_error *err)
+{
+    return print_whole(print_document, doc, (int)format, text, err);
+}
+
+hawser_status document_html(const Document *doc, hawser_units units, char **text, hawser_error *err)
+{
+    return print_whole(document_print_html, doc, (int)units, text, err);
 }

@@ -269,23 +269,27 @@ static void print_table(FILE *f, const Table *t, hawser_units units)
     }
 }
 
-/* Label, value, unit: the key's, which may go on in words, "m along the route". */
-static void print_fact(FILE *f, const Fact *fact, int width, hawser_units units)
+enum { FACT_MAX = 2048 };
+
+/* Value and unit: the key's, which may go on in words, "m along the route". `text` has FACT_MAX bytes. */
+static const char *say_fact(const Fact *fact, hawser_units units, char *text)
 {
-    char text[2048];
+    char digits[HAWSER_SHOWN_MAX];
     const char *const unit = unit_of_key(fact->key);
     const size_t n = strncmp(fact->unit, unit, strlen(unit)) ? 0 : strlen(unit);
     const Scale scale = scale_of(n ? unit : "", fact->cell.value, units);
+    if (fact->cell.text) return hawser_show_text(fact->cell.text, units, text, FACT_MAX);
+    if (!isfinite(fact->cell.value)) return "-";
+    snprintf(text, FACT_MAX, "%s%s%s%s%s", say_digits(fact->cell.value * scale.factor, DIGITS, digits),
+             *scale.unit ? " " : "", scale.unit, !n && *fact->unit ? " " : "", fact->unit + n);
+    return text;
+}
+
+static void print_fact(FILE *f, const Fact *fact, int width, hawser_units units)
+{
+    char text[FACT_MAX];
     fprintf(f, "  %-*s  ", width, fact->label);
-    if (fact->cell.text) {
-        print_wrapped(f, hawser_show_text(fact->cell.text, units, text, sizeof text), width + 4, PAGE - width - 4);
-    } else if (isfinite(fact->cell.value)) {
-        const char *const number = say_digits(fact->cell.value * scale.factor, DIGITS, text);
-        fprintf(f, "%s%s%s%s%s", number, *scale.unit ? " " : "", scale.unit, !n && *fact->unit ? " " : "",
-                fact->unit + n);
-    } else {
-        fputc('-', f);
-    }
+    print_wrapped(f, say_fact(fact, units, text), width + 4, PAGE - width - 4);
     fputc('\n', f);
 }
 
@@ -308,4 +312,60 @@ void document_print(FILE *f, const Document *doc, hawser_units units)
     if (doc->answer) fprintf(f, "\n%s%s", doc->answer, doc->n_facts > 0 ? "\n" : "");
     print_facts(f, doc, units);
     for (int i = 0; i < doc->n_tables; i++) print_table(f, &doc->table[i], units);
+}
+
+/* -------------------------------------------------------------------------------------------------- parts of a page */
+
+static void print_escaped(FILE *f, const char *text, int length)
+{
+    for (int i = 0; i < length && text[i]; ++i) {
+        const char *const by = text[i] == '<' ? "&lt;" : text[i] == '>' ? "&gt;" : text[i] == '&' ? "&amp;" : NULL;
+        if (by) fputs(by, f);
+        if (!by) fputc(text[i], f);
+    }
+}
+
+/* Numbers in classless cells to the right, words in cells of class "w". */
+static void print_html_table(FILE *f, const Table *t, hawser_units units)
+{
+    Page page = {.table = t, .units = units};
+    char text[CELL_MAX];
+    for (int c = 0; c < t->columns.n; ++c) add_column(&page, &t->columns.column[c]);
+    const char *const heading = hawser_show_text(t->heading, units, text, sizeof text);
+    fputs("<h2>", f);
+    print_escaped(f, heading, CELL_MAX);
+    fputs("</h2>\n<div class=\"wide\"><table><thead><tr>", f);
+    for (int c = 0; c < page.n; ++c) {
+        const Shape *const s = &page.shape[c];
+        fputs(s->left ? "<th class=\"w\">" : "<th>", f);
+        print_escaped(f, s->column->label, s->label);
+        if (*s->scale.unit) fprintf(f, "<br><small>%s</small>", s->scale.unit);
+    }
+    fputs("</tr></thead><tbody>\n", f);
+    for (int r = 0; r < t->n; ++r) {
+        fputs("<tr>", f);
+        for (int c = 0; c < page.n; ++c) {
+            fputs(page.shape[c].left ? "<td class=\"w\">" : "<td>", f);
+            print_escaped(f, say_cell(&page, &page.shape[c], r, text), CELL_MAX);
+        }
+        fputs("</tr>\n", f);
+    }
+    fputs("</tbody></table></div>\n", f);
+}
+
+int document_print_html(FILE *f, const Document *doc, int units)
+{
+    char text[FACT_MAX];
+    if (doc->n_facts > 0) fputs("<dl>\n", f);
+    for (int i = 0; i < doc->n_facts; ++i) {
+        if (!doc->fact[i].label) continue;
+        fputs("<dt>", f);
+        print_escaped(f, doc->fact[i].label, FACT_MAX);
+        fputs("</dt><dd>", f);
+        print_escaped(f, say_fact(&doc->fact[i], (hawser_units)units, text), FACT_MAX);
+        fputs("</dd>\n", f);
+    }
+    if (doc->n_facts > 0) fputs("</dl>\n", f);
+    for (int i = 0; i < doc->n_tables; ++i) print_html_table(f, &doc->table[i], (hawser_units)units);
+    return !ferror(f);
 }

@@ -232,6 +232,12 @@ class Case:
         return Theory(json.loads(self._text(lib.hawser_case_theory, lib.HAWSER_JSON)),
                       self._text(lib.hawser_case_theory, lib.HAWSER_TABLE))
 
+    def calculation(self, path: str | os.PathLike[str]) -> pathlib.Path:
+        """Writes the pulling calculation as a page (HTML) that can be handed on and printed (docs/report.md)."""
+        error = ffi.new("hawser_error *")
+        check(lib.hawser_case_calculation(self._c, lib.HAWSER_SI, c_path(path), ffi.NULL, error), error)
+        return pathlib.Path(path)
+
     def sensitivities(self, *keys: str) -> Theory:
         """Derivatives of figures, with all tables under their names: without keys those of the pulling calculation; by dotted keys those
         of a run, which this computes; with "all" those of the position that the run ends at, by every number of the case."""

@@ -245,6 +245,7 @@ static void others(void)
     REFUSED("certificate", hawser_certificate_write, NULL, "x");
     REFUSED("dir", hawser_certificate_write, &nothing, NULL);
     hawser_certificate_free(NULL);
+    REFUSED("c", hawser_case_calculation, NULL, HAWSER_SI, "x.html", NULL);
     REFUSED("folders", hawser_report_write, NULL, 1, "x.html");
     REFUSED("folders", hawser_report_write, folder, 2, "x.html");
     REFUSED("path", hawser_report_write, folder, 1, NULL);

@@ -10,6 +10,17 @@ silent out
 exists r2/report.html
 [ "$(grep -c '<script' "$work/r2/report.html")" = "$(grep -c '<script' "$work/r/report.html")" ] || fail "$what: a title made a script"
 
+# the calculation as a page, without a run
+run_hawser 0 theory pull.yaml --report
+says out "Report: pull-calculation.html"
+exists pull-calculation.html
+run_hawser 0 theory pull.yaml --report -q -o sheet.html --units us
+silent out
+exists sheet.html
+run_hawser 1 theory pull.yaml --report --strict -q
+run_hawser 4 theory pull.yaml --report -o nowhere/sheet.html
+says err "cannot write 'nowhere'"
+
 # one folder, with a slash or without; several; where it goes
 rm "$work/r/report.html"
 run_hawser 0 report r/

@@ -1,0 +1,89 @@
+/* The page of the calculation: what stands in it is what theory says, whatever the case is called, and its sums worked
+ * out by hand come to the same. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "hawser/hawser.h"
+#include "tests/support/check.h"
+#include "tests/support/scratch.h"
+
+#define EVIL "</style></title><script>alert(1)</script> & \\\"quoted\\\" \\\\ end"
+
+static const char text[] = "title: \"" EVIL "\"\n"
+                           "job: {client: C & Co, project: \"" EVIL
+                           "\", drawing: K-17, author: A, checker: B, revision: '2', date: 2026-11-29}\n"
+                           "cables: {c: {d: 50 mm, mass: 4 kg/m}}\nbundle: {cables: 3}\n"
+                           "route: {pieces: [{name: <in>, straight: 100 m}, {name: b, bend: 60 deg, radius: 3 m, "
+                           "plane: left}, {straight: 40 m}]}\n"
+                           "surfaces: {ducts: [{name: D1, radius: 70 mm, friction: {mu_d: 0.3, mu_s: 0.4}}]}\n"
+                           "drive: {tail: {tension: 100 N}}\nlimits: {pull: 20 kN, sidewall: 3 kN/m}\n";
+
+/* The whole page of the case; free it. */
+static char *page_of(hawser_units units, hawser_word *word)
+{
+    hawser_case *c = NULL;
+    hawser_error err = {0};
+    const char *const path = scratch_path("calculation.html");
+    if (hawser_case_parse(text, "case.yaml", &c, &err)) fail_msg("%s", err.message);
+    if (hawser_case_calculation(c, units, path, word, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    return file_text(path);
+}
+
+static void whole_page(void **state)
+{
+    (void)state;
+    hawser_word word = HAWSER_NOT_JUDGED;
+    char *const page = page_of(HAWSER_SI, &word);
+    assert_int_equal(word, HAWSER_NOT_SAFE); /* the cables would jam */
+    check_has(page, "<p class=\"verdict not_safe\">NOT SAFE</p>");
+    check_has(page, "Content-Security-Policy");
+    assert_null(strstr(page, "<script"));
+    check_has(page, "&lt;in&gt;");
+    check_has(page, "C &#38; Co");
+    check_has(page, "K-17");
+    const char *const style_end = strstr(page, "</style>"), *const body = strstr(page, "<body>");
+    assert_true(style_end && body && style_end < body);
+    assert_null(strstr(style_end + 1, "</style>")); /* no text of the case ends it */
+    check_has(page, ">Plan, to scale<");
+    check_has(page, ">Profile<");
+    check_has(page, "aria-label=\"cross-section\"");
+    check_has(page, "D1: inside 0.14 m, 3 \xC3\x97 50 mm");
+    static const char *const tables[] = {"The route piece by piece", "Limits", "What would do", "All values"};
+    for (size_t k = 0; k < sizeof tables / sizeof *tables; ++k) check_has(page, tables[k]);
+    assert_null(strstr(page, "nan"));
+    free(page);
+}
+
+/* Its own result behind the sum, and that of the table. */
+static void by_hand(void **state)
+{
+    (void)state;
+    char *const page = page_of(HAWSER_SI, NULL);
+    const char *at = strstr(page, "To be followed by hand");
+    int found = 0;
+    assert_non_null(at);
+    while ((at = strstr(at, " = <b>"))) {
+        double sum = NAN, table = NAN;
+        assert_int_equal(sscanf(at, " = <b>%lf N</b>; the table of pieces has %lf N", &sum, &table), 2);
+        check_close(sum, table, 0.051);
+        ++found;
+        ++at;
+    }
+    assert_int_equal(found, 2);
+    free(page);
+}
+
+static void american(void **state)
+{
+    (void)state;
+    char *const page = page_of(HAWSER_US, NULL);
+    check_has(page, "D1: inside 5.512 in, 3 \xC3\x97 1.969 in");
+    check_has(page, "along the route, ft");
+    free(page);
+}
+
+TEST_FILE_IN(test_calculation, scratch_make, scratch_remove, cmocka_unit_test(whole_page), cmocka_unit_test(by_hand),
+             cmocka_unit_test(american))
