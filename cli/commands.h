@@ -45,8 +45,8 @@ void progress_end(Progress *p);
  * what only prints has nothing to leave in order. */
 void interrupt_end(void);
 /* From now on SIGINT, SIGTERM and SIGHUP ask for an orderly end, and standard output or error that nobody reads any
- * more is a write that fails. If interrupt_wanted is not called within half a second of the signal, the program ends.
- */
+ * more is a write that fails. If interrupt_wanted is not called within half a second of processor time after the
+ * signal, or 20 s, the program ends. */
 void interrupt_watch(void);
 int interrupt_wanted(void);
 

@@ -121,16 +121,21 @@ static int is_close_only(const json_t *conditions)
     return close && !other;
 }
 
-/* Verdict and margins of one answer. An answer close to a limit counts by what was found: left out, it would bend how
- * often that limit is broken. A cable that runs away by theory breaks that limit, whatever its figures are
- * worth.
- */
+/* What an answer close to a limit counts as: by what was found, with what was assumed. */
+static int close_verdict(const json_t *answer)
+{
+    if (essential_missing(json_object_get(answer, "limits"))) return VERDICT_NOT_JUDGED;
+    return json_array_size(json_object_get(answer, "assumed")) > 0 ? VERDICT_SAFE_ONLY_IF : VERDICT_SAFE;
+}
+
+/* Verdict and margins of one answer. An answer close to a limit is not left out, which would bend how often that limit
+ * is broken. A cable that runs away by theory breaks that limit, whatever its figures are worth. */
 static void judge(const json_t *answer, const char *verdict, int theory, Row *row)
 {
     row->verdict = verdict_of(json_string_value(json_object_get(answer, verdict)));
     margins_take(json_object_get(answer, "limits"), row);
     if (row->verdict == VERDICT_NOT_TRUSTED && is_close_only(json_object_get(answer, "trust")))
-        row->verdict = essential_missing(json_object_get(answer, "limits")) ? VERDICT_NOT_JUDGED : VERDICT_SAFE;
+        row->verdict = close_verdict(answer);
     if (theory && row->margin[HAWSER_LIMIT_RUN_AWAY] < 0 && row->verdict == VERDICT_NOT_TRUSTED) {
         row->verdict = VERDICT_NOT_SAFE;
         row->limited_by = HAWSER_LIMIT_RUN_AWAY;

@@ -365,9 +365,37 @@ static void test_foot_at_nodes(void **state)
     scene_free(&s);
 }
 
-TEST_FILE(test_contact_line, cmocka_unit_test(test_foot_at_nodes), cmocka_unit_test(test_straight),
-          cmocka_unit_test(test_slope), cmocka_unit_test(test_bent), cmocka_unit_test(test_sheared),
-          cmocka_unit_test(test_ends), cmocka_unit_test(test_rim), cmocka_unit_test(test_eye_climbs),
-          cmocka_unit_test(test_linear_radius_doubles), cmocka_unit_test(test_node_above_roller),
-          cmocka_unit_test(test_hits_hold_the_nearest), cmocka_unit_test(test_arc_is_bezier),
-          cmocka_unit_test(test_capsules_double_at_joints))
+/* A foot is where the line runs at right angles to what points at it; sharply bent, and seen from near its centre of
+ * curvature, Newton's method would leave the element. */
+static void test_foot_where_bent(void **state)
+{
+    (void)state;
+    enum { SEGMENTS = 4 };
+    TestScene s;
+    int feet = 0;
+    double worst = 0;
+    scene_new(&s, GEOMETRY_SMOOTH, SEGMENTS, 0.5);
+    line_bend(&s, 1, 0);
+    for (int k = 0; k < 40 * 40; ++k) {
+        const Vec3 p = v3(-0.5 + 0.05 * (k % 40), 0.01, -0.2 + 0.05 * (k / 40));
+        for (int e = 1; e < SEGMENTS; ++e) {
+            int inside;
+            if (!(line_slope(&s.chain, &s.kin, e - 1, p) < 0 && line_slope(&s.chain, &s.kin, e, p) >= 0)) continue;
+            const LineSpot at = line_spot(&s.chain, &s.kin, e, line_foot(&s.chain, &s.kin, e, p, &inside));
+            assert_true(inside);
+            worst = larger_of(worst, fabs(v3_dot(v3_sub(at.p, p), at.p1)));
+            ++feet;
+        }
+    }
+    print_message("%d feet\n", feet);
+    check_at_least(feet, 100);
+    check_at_most(worst, 1e-12);
+    scene_free(&s);
+}
+
+TEST_FILE(test_contact_line, cmocka_unit_test(test_foot_where_bent), cmocka_unit_test(test_foot_at_nodes),
+          cmocka_unit_test(test_straight), cmocka_unit_test(test_slope), cmocka_unit_test(test_bent),
+          cmocka_unit_test(test_sheared), cmocka_unit_test(test_ends), cmocka_unit_test(test_rim),
+          cmocka_unit_test(test_eye_climbs), cmocka_unit_test(test_linear_radius_doubles),
+          cmocka_unit_test(test_node_above_roller), cmocka_unit_test(test_hits_hold_the_nearest),
+          cmocka_unit_test(test_arc_is_bezier), cmocka_unit_test(test_capsules_double_at_joints))

@@ -315,7 +315,7 @@ static void test_run_into_folder(void **state)
 static void test_stop(void **state)
 {
     const Fixture *f = *state;
-    hawser_sim *s = make_sim(NULL, NULL);
+    hawser_sim *s = make_sim("solver.relax", "false"); /* who relaxes for long is stopped there */
     Watch w = {.stop_at = 1};
     hawser_error err = {HAWSER_OK, ""};
     assert_int_equal(hawser_sim_run(s, f->dir, watch, &w, &err), HAWSER_STOPPED);

@@ -460,9 +460,49 @@ static void unusual_values_are_questioned(void **state)
     }
 }
 
-TEST_FILE(test_planner, cmocka_unit_test(headline_of_the_example), cmocka_unit_test(unusual_values_are_questioned),
-          cmocka_unit_test(what_is_needed), cmocka_unit_test(one_force_and_right_names),
-          cmocka_unit_test(friction_from_to), cmocka_unit_test(a_straight_the_other_way_round),
-          cmocka_unit_test(put_back), cmocka_unit_test(machines_put_back), cmocka_unit_test(what_stays_broken),
-          cmocka_unit_test(by_sections), cmocka_unit_test(down_a_shaft), cmocka_unit_test(trip_setting),
-          cmocka_unit_test(notes), cmocka_unit_test(wrong_lists), cmocka_unit_test(headline_is_the_largest_winch))
+/* What theory changes by along the route, `--sensitivities`: on the level before any bend tension grows by mu w a
+ * metre, and the force on the supports is that of tension and weight at right angles to each other. */
+static void changes_along_the_route(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables: {power: {d: 90 mm, mass: 20 kg/m}}\nfriction: {mu: 0.2}\ndrive: {tail: {tension: 3 kN}}\n"
+        "route: {pieces: [{straight: 20 m}, {bend: 60 deg, radius: 8 m, plane: left}]}\n"
+        "output: {stations: [{name: middle, at: 7 m}]}\n";
+    static const char *const by[][2] = {{"tension_by_start", "support_by_start_per_m"},
+                                        {"tension_by_friction_N", "support_by_friction_N_per_m"},
+                                        {"tension_by_weight_m", "support_by_weight"}};
+    const double w = 20 * 9.81, mu = 0.2, reach[] = {7, 20, 20};
+    hawser_case *c = NULL;
+    hawser_error err;
+    char *out = NULL;
+    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
+    if (hawser_case_sensitivities(c, HAWSER_JSON, &out, &err)) fail_msg("%s", err.message);
+    json_t *const o = json_loads(out, 0, NULL);
+    assert_int_equal(json_array_size(json_object_get(o, "along")), 3); /* the station, two ends of pieces */
+    for (size_t i = 0; i < 3; i++) {
+        json_t *const at = row(o, "along", i);
+        const double k = i < 2 ? 0 : 1 / 8., t = number(at, "tension_N"), q = hypot(k * t, w);
+        double change[3];
+        for (int d = 0; d < 3; d++) {
+            change[d] = number(at, by[d][0]);
+            check_close(number(at, by[d][1]), (k * k * t * change[d] + (d == 2 ? w : 0)) / q,
+                        1e-9 * fmax(1, fabs(change[d])));
+        }
+        if (i == 2) continue;
+        check_share(change[0], 1, 1e-12);
+        check_share(change[1], w * reach[i], 1e-12);
+        check_share(change[2], mu * reach[i], 1e-12);
+    }
+    json_decref(o);
+    hawser_text_free(out);
+    hawser_case_free(c);
+}
+
+TEST_FILE(test_planner, cmocka_unit_test(changes_along_the_route), cmocka_unit_test(headline_of_the_example),
+          cmocka_unit_test(unusual_values_are_questioned), cmocka_unit_test(what_is_needed),
+          cmocka_unit_test(one_force_and_right_names), cmocka_unit_test(friction_from_to),
+          cmocka_unit_test(a_straight_the_other_way_round), cmocka_unit_test(put_back),
+          cmocka_unit_test(machines_put_back), cmocka_unit_test(what_stays_broken), cmocka_unit_test(by_sections),
+          cmocka_unit_test(down_a_shaft), cmocka_unit_test(trip_setting), cmocka_unit_test(notes),
+          cmocka_unit_test(wrong_lists), cmocka_unit_test(headline_is_the_largest_winch))

@@ -368,7 +368,39 @@ static void test_bearing(void **state)
     }
 }
 
-TEST_FILE(test_moving_rollers, cmocka_unit_test(test_bearing), cmocka_unit_test(test_slows_down),
-          cmocka_unit_test(test_cable_drives_roller), cmocka_unit_test(test_deflection),
-          cmocka_unit_test(test_frequencies), cmocka_unit_test(test_gyroscope), cmocka_unit_test(test_at_rest_as_fixed),
-          cmocka_unit_test(test_threads), cmocka_unit_test(test_objectivity))
+/* Whose error is the largest: any component of any mount, and any spin, is the one to be named, with its weighted
+ * square. */
+static void test_worst(void **state)
+{
+    (void)state;
+    SceneDef def;
+    fixture_pull(&def, &(FixtureChoice){0});
+    for (int k = 0; k < def.n_rollers; ++k) {
+        roller_mount(&def.rollers[k]);
+        roller_spin(&def.rollers[k]);
+    }
+    Rig *const r = rig_new(&def);
+    const Equipment *const q = r->scene.equipment;
+    const int size = q->spins + STATE_SIZE * q->mounts;
+    double *const error = calloc(2 * (size_t)size, sizeof *error), *const weight = error + size, largest;
+    for (int i = 0; i < size; ++i) {
+        error[i] = 1e-3;
+        weight[i] = 2;
+    }
+    for (int k = 0; k < q->n; ++k) {
+        for (int c = -1; c < STATE_SIZE; ++c) {
+            const int at = c < 0 ? q->item[k].spin : equipment_at(q, c, q->item[k].mount);
+            error[at] = 3;
+            assert_int_equal(equipment_worst(q, error, weight, &largest), k);
+            check_share(largest, 4 * (9 + STATE_SIZE * 1e-6), 1e-12);
+            error[at] = 1e-3;
+        }
+    }
+    free(error);
+    rig_free(r);
+}
+
+TEST_FILE(test_moving_rollers, cmocka_unit_test(test_worst), cmocka_unit_test(test_bearing),
+          cmocka_unit_test(test_slows_down), cmocka_unit_test(test_cable_drives_roller),
+          cmocka_unit_test(test_deflection), cmocka_unit_test(test_frequencies), cmocka_unit_test(test_gyroscope),
+          cmocka_unit_test(test_at_rest_as_fixed), cmocka_unit_test(test_threads), cmocka_unit_test(test_objectivity))
