@@ -166,6 +166,10 @@ static int write_calculation(const Arguments *args)
 
 static int theory(const Arguments *args)
 {
+    if (!args->report && (args->dir || args->quiet)) {
+        complain("theory: -o and -q are of --report, which is not given");
+        return EXIT_USAGE;
+    }
     const int status = args->crew ? write_crew(args) : 0;
     if (status) return status;
     if (args->report) return write_calculation(args);

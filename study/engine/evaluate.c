@@ -121,9 +121,10 @@ static int is_close_only(const json_t *conditions)
     return close && !other;
 }
 
-/* What an answer close to a limit counts as: by what was found, with what was assumed. */
-static int close_verdict(const json_t *answer)
+/* What an answer close to a limit counts as: by what was found, with what was assumed. least: its smallest margin. */
+static int close_verdict(const json_t *answer, double least)
 {
+    if (least < 0) return VERDICT_NOT_SAFE;
     if (essential_missing(json_object_get(answer, "limits"))) return VERDICT_NOT_JUDGED;
     return json_array_size(json_object_get(answer, "assumed")) > 0 ? VERDICT_SAFE_ONLY_IF : VERDICT_SAFE;
 }
@@ -135,7 +136,7 @@ static void judge(const json_t *answer, const char *verdict, int theory, Row *ro
     row->verdict = verdict_of(json_string_value(json_object_get(answer, verdict)));
     margins_take(json_object_get(answer, "limits"), row);
     if (row->verdict == VERDICT_NOT_TRUSTED && is_close_only(json_object_get(answer, "trust")))
-        row->verdict = close_verdict(answer);
+        row->verdict = close_verdict(answer, row->limited_by < 0 ? NAN : row->margin[row->limited_by]);
     if (theory && row->margin[HAWSER_LIMIT_RUN_AWAY] < 0 && row->verdict == VERDICT_NOT_TRUSTED) {
         row->verdict = VERDICT_NOT_SAFE;
         row->limited_by = HAWSER_LIMIT_RUN_AWAY;

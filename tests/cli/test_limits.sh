@@ -52,9 +52,10 @@ says out "SAFE: all 8 limits hold" "allowed 56 kN" "rated 160 kN, 1.6 times the 
 run_hawser 1 run --strict -o example "$source/cases/limits.yaml" --tables limits
 says out "NOT SAFE: 1 of 12 limits broken: sidewall" "from 4.606 kN, needed, to 18.9 kN, allowed; advised 6.908"
 # what would do does, by theory and in the run: the radius that the answer names makes the bend hold, 3 % less does not
+# (of a run, which leaves 5 % more, 10 % less)
 named() { tr -s ' \n' ' ' <"$work/out" | sed -n 's/.* remedy a radius of \([0-9.]*\) m in .bend.[ would do]* (route.pieces.1.radius, now 7 m).*/\1/p'; }
 radius=$(named)
-less=$(awk "BEGIN {print 0.97 * ${radius:-0}}")
+less=$(awk "BEGIN {print 0.9 * ${radius:-0}}")
 run_hawser 0 run --strict -o wider "$source/cases/limits.yaml" --set route.pieces.1.radius="$radius m"
 run_hawser 1 run --strict -o wider "$source/cases/limits.yaml" --set route.pieces.1.radius="$less m"
 run_hawser 0 theory "$source/cases/limits.yaml"

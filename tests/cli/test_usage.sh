@@ -50,7 +50,7 @@ says err "unknown option '-x'"
 run_hawser 2 check pull.yaml --threads 2
 says err "unknown option '--threads'"
 run_hawser 2 theory pull.yaml -o somewhere
-says err "unknown option '-o'"
+says err "theory: -o and -q are of --report"
 for option in -o --output --set --threads --linear-solver; do
     run_hawser 2 run pull.yaml $option
     says err "$option needs a value"
