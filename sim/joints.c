@@ -126,6 +126,52 @@ hawser_status joints_bow(Scene *scene, double curvature, double wave_number, haw
     return HAWSER_OK;
 }
 
+void joint_even(Bushing *b)
+{
+    for (int c = SHEAR_Y; c <= SHEAR_Z; ++c) {
+        b->stiffness[c] = b->stiffness[AXIAL];
+        b->damping[c] = b->damping[AXIAL];
+        b->preload[c] = 0;
+    }
+}
+
+/* From a segment's centre to its end that lies at ghost i. */
+static Vec3 end_arm(const Chain *chain, const Kinematics *kin, int i, int segment)
+{
+    return v3_scale(i < 0 ? -chain->half[segment] : chain->half[segment], v3_load(kin->a, segment));
+}
+
+void slide_ghost(const Chain *chain, Kinematics *kin, int i, int segment, int n, const Vec3 *axis)
+{
+    const Vec3 arm = end_arm(chain, kin, i, segment), place = v3_load(kin->p, i), velocity = v3_load(kin->v, i);
+    const Vec3 away = v3_sub(v3_add(v3_load(kin->p, segment), arm), place);
+    const Vec3 speed = v3_sub(v3_add(v3_load(kin->v, segment), v3_cross(v3_load(kin->w, segment), arm)), velocity);
+    Vec3 moved = place, moves = velocity;
+    for (int k = 0; k < n; ++k) {
+        moved = v3_axpy(moved, v3_dot(away, axis[k]), axis[k]);
+        moves = v3_axpy(moves, v3_dot(speed, axis[k]), axis[k]);
+    }
+    v3_store(kin->p, i, moved);
+    v3_store(kin->v, i, moves);
+}
+
+void slide_blocks(const Chain *chain, const Kinematics *kin, int i, int segment, int n, const Vec3 *axis, BlockChain *k,
+                  BlockChain *d)
+{
+    const int joint = i < 0 ? 0 : i;
+    const Vec3 arm = end_arm(chain, kin, i, segment);
+    const size_t at = 36 * (size_t)segment;
+    for (int c = 0; n > 0 && c < 6; ++c) {
+        const Vec3 e = v3_axis(c % 3), way = c < 3 ? e : v3_cross(e, arm);
+        Vec3 free_way = V3_ZERO;
+        for (int f = 0; f < n; ++f) free_way = v3_axpy(free_way, v3_dot(way, axis[f]), axis[f]);
+        const Vec3 spring = v3_scale(chain->stiffness[AXIAL][joint], free_way);
+        const Vec3 damper = v3_scale(chain->damping[AXIAL][joint], free_way);
+        block6_add(k->diag + at, c, spring, v3_cross(arm, spring));
+        block6_add(d->diag + at, c, damper, v3_cross(arm, damper));
+    }
+}
+
 /* First loading of joint j, 1 <= j <= n (HY2). */
 static LoadingCurve joint_curve(const Scene *scene, int j)
 {
