@@ -1,4 +1,5 @@
 /* Cables that are pushed in straight ducts: a whole run against theory, and theory against its closed form. */
+#include "tests/io/example_fixture.h"
 #include "tests/io/pushed_fixture.h"
 
 /* By `auto`, against the theory of the way up to where its front came: within 5 %, and trusted. Segments of 0.5 m, as
@@ -105,5 +106,19 @@ static void an_end_that_has_caught(void **state)
     hawser_case_free(c);
 }
 
-TEST_FILE(long_pushed, cmocka_unit_test(a_run_is_as_theory), cmocka_unit_test(random_pushes),
-          cmocka_unit_test(an_end_that_has_caught))
+/* 1e9 N at the tail of cases/duct-bends.yaml: steps of 8e-12 s for ever are an end that says where. */
+static void more_than_a_duct_stands(void **state)
+{
+    (void)state;
+    hawser_sim *sim = NULL;
+    hawser_error err = {0};
+    assert_int_equal(example_open("duct-bends", (const char *const[]){"drive.tail.tension", "1e9 N", NULL}, &sim, &err),
+                     HAWSER_OK);
+    assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, &err), HAWSER_ERR_RUN);
+    check_has(err.message, "the run crawls");
+    check_has(err.message, "on 'duct'");
+    hawser_sim_free(sim);
+}
+
+TEST_FILE(long_pushed, cmocka_unit_test(more_than_a_duct_stands), cmocka_unit_test(a_run_is_as_theory),
+          cmocka_unit_test(random_pushes), cmocka_unit_test(an_end_that_has_caught))

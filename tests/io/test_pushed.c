@@ -165,6 +165,74 @@ static void a_head_before_a_bend(void **state)
     }
 }
 
+/* Bars that stand under a straight, leaning, or a floor that falls to the side: SAFE in theory, 24 m off the route in a
+ * run, unless it is taut (T30a). */
+static void what_falls_to_the_side(void **state)
+{
+    (void)state;
+    static const char part[] = "cables: {p: {d: 80 mm, mass: 14 kg/m, EI: 500, EA: 60 MN, GA: 20 MN, GJ: 500}}\n"
+                               "chain: [{cable: p, length: 30 m}]\nroute: {head_at: 32 m, pieces: [{straight: 40 m}]}\n"
+                               "friction: {mu: 0.2}\nlimits: {pull: 100 kN, sidewall: 3 kN/m}\nrun: {duration: 3 s}\n"
+                               "drive: {winch: {speed: 0.1 m/s, to: 1 s}, tail: {tension: 300 N, ramp: none}}\n";
+    char rollers[8000], text[9000];
+    int used = snprintf(rollers, sizeof rollers, "rollers: {list: [");
+    for (int i = 0; i < 27; ++i)
+        used += snprintf(rollers + used, sizeof rollers - (size_t)used,
+                         "%s{centre: [%g, 0, -0.1], axis: [0, %.6f, %.6f], radius: 60 mm, width: 800 mm, name: R%d}",
+                         i ? ", " : "", 1.5 * i, cos(5 * M_PI / 180), sin(5 * M_PI / 180), i);
+    snprintf(rollers + used, sizeof rollers - (size_t)used, "]}\n");
+    static const char floor_text[] = "surfaces: {planes: [{point: [0 m, 0 m, -40.2 mm], normal: [0, 0.1, 1]}]}\n";
+    for (int k = 0; k < 3; ++k) {
+        snprintf(text, sizeof text, "%s%s", part, k < 2 ? rollers : floor_text);
+        json_t *const all =
+            theory_of(text, (const char *const[]){"drive.tail.tension", k == 1 ? "60 kN" : "300 N", NULL});
+        if (k == 1) {
+            verdict_has(all, "SAFE");
+        } else {
+            verdict_has(all, "NOT TRUSTED: what carries the cable from");
+            verdict_has(all, k ? "falls to the side by 5.7 degrees" : "falls to the side by 5 degrees");
+        }
+        json_decref(all);
+    }
+}
+
+/* What check and a run refuse with status 2: a chain of which 28 m lie behind the route's start (theory has them on a
+ * drum; the run fell), a rope that ends before a bend, and a roller that is none. */
+static void what_cannot_begin(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *key, *value, *says;
+    } row[] = {
+        {"chain.0.length", "430 m", "key 'chain': it is longer than its way: 28 m lie behind the route's start"},
+        {"route", "{head_at: 380 m, pieces: [{straight: 412 m}, {bend: 15 deg, radius: 10 m, plane: left}]}",
+         "key 'chain': the rope ends at 390 m, and the route turns by 15 degrees ahead of it"},
+    };
+    for (size_t k = 0; k < sizeof row / sizeof *row; ++k) {
+        static const char roped[] = "[{cable: p, length: 378 m}, {cable: r, length: 10 m}]";
+        const char *const setting[] = {
+            row[k].key, row[k].value, k ? "chain" : NULL,
+            roped,      "cables.r",   "{d: 16 mm, mass: 1 kg/m, EI: 20, EA: 8 MN, GA: 3 MN, GJ: 20}",
+            NULL};
+        char *answer = NULL;
+        hawser_error err = {0};
+        hawser_sim *sim = NULL;
+        hawser_case *const c = case_with(DUCT, setting);
+        assert_int_equal(hawser_case_describe(c, HAWSER_JSON, &answer, &err), HAWSER_ERR_INPUT);
+        assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_ERR_INPUT);
+        check_has(err.message, row[k].says);
+        hawser_case_free(c);
+    }
+    hawser_error err = {0};
+    hawser_case *const c = case_with(ROLLERS, NULL);
+    assert_int_equal(hawser_case_set(c, "rollers.along.0.radius", "1000 m", &err), HAWSER_OK);
+    hawser_sim *sim = NULL; /* half a minute a second of it, and more */
+    assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_ERR_INPUT);
+    check_has(err.message,
+              "key 'rollers.along.0.radius': value '1000 m' is out of range: must be above 0 m, at most 100 m");
+    hawser_case_free(c);
+}
+
 /* A route that crosses itself at one level was SAFE in theory; 200 mm above itself it is as good as any. */
 static void a_route_through_itself(void **state)
 {
@@ -187,4 +255,5 @@ static void a_route_through_itself(void **state)
 
 TEST_FILE(test_pushed, cmocka_unit_test(segments_show_the_waves), cmocka_unit_test(nothing_unstable_is_trusted),
           cmocka_unit_test(it_coils), cmocka_unit_test(it_stays_straight), cmocka_unit_test(on_rollers),
-          cmocka_unit_test(a_head_before_a_bend), cmocka_unit_test(a_route_through_itself))
+          cmocka_unit_test(a_head_before_a_bend), cmocka_unit_test(what_falls_to_the_side),
+          cmocka_unit_test(what_cannot_begin), cmocka_unit_test(a_route_through_itself))
