@@ -209,6 +209,9 @@ hawser_status findings_of_push(const Setup *setup, const Route *route, const Pul
     int n;
     *f = (Finding){.absent = 1};
     if (!pushes) return HAWSER_OK;
+    /* a row of either way and of every variation, which are compared row by row: the last ones were lost without it */
+    *f = (Finding){.rating = INFINITY};
+    snprintf(f->why, sizeof f->why, "nothing pushes it by more than a metre of it weighs");
     const hawser_status status = buckling_find(setup, route, pull, &n, &row, err);
     const Buckling *const worst = status ? NULL : buckling_worst(n, row);
     if (worst && worst->critical < INFINITY) {

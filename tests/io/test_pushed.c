@@ -63,6 +63,19 @@ static void on_rollers(void **state)
     json_decref(all);
 }
 
+/* Pushed one way alone, it has one limit more that way, and lost its last one there: SAFE in a duct of 110 mm that it
+ * fills by 83 % (allowed: 53 %). */
+static void the_last_limit_is_judged(void **state)
+{
+    (void)state;
+    json_t *const all =
+        theory_of(DUCT, (const char *const[]){"surfaces.ducts.0.radius", "55 mm", "conveyors.0.limit", "4 kN", NULL});
+    verdict_has(all, "NOT SAFE: ");
+    verdict_has(all, "fill by 55.9 %");
+    check_share(number_of(limit_row(all, "fill"), "value"), 1 / 1.21, 1e-9);
+    json_decref(all);
+}
+
 /* What is asked of a run of a shorter piece, before it moves; NULL name: nothing. */
 static hawser_condition asked_of(const char *const *settings, const char *name, hawser_summary *sum)
 {
@@ -254,6 +267,7 @@ static void a_route_through_itself(void **state)
 }
 
 TEST_FILE(test_pushed, cmocka_unit_test(segments_show_the_waves), cmocka_unit_test(nothing_unstable_is_trusted),
-          cmocka_unit_test(it_coils), cmocka_unit_test(it_stays_straight), cmocka_unit_test(on_rollers),
-          cmocka_unit_test(a_head_before_a_bend), cmocka_unit_test(what_falls_to_the_side),
-          cmocka_unit_test(what_cannot_begin), cmocka_unit_test(a_route_through_itself))
+          cmocka_unit_test(it_coils), cmocka_unit_test(it_stays_straight), cmocka_unit_test(the_last_limit_is_judged),
+          cmocka_unit_test(on_rollers), cmocka_unit_test(a_head_before_a_bend),
+          cmocka_unit_test(what_falls_to_the_side), cmocka_unit_test(what_cannot_begin),
+          cmocka_unit_test(a_route_through_itself))
