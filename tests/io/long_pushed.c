@@ -16,6 +16,30 @@ static void a_run_is_as_theory(void **state)
     hawser_sim_free(sim);
 }
 
+/* Half, 0.8, 1.2 and 1.5 times the load of snaking: against converged runs (bench/pushes.py) within 5 %, and those
+ * against theory within 10 %. */
+static void pushes_of_four_sizes(void **state)
+{
+    (void)state;
+    static const struct {
+        double share, converged; /* N */
+    } row[] = {{0.5, 13447}, {0.8, 11846}, {1.2, 9850}, {1.5, 8700}};
+    const double w = 22 * 9.81, load = 2 * sqrt(1000 * w / 0.03);
+    for (size_t k = 0; k < sizeof row / sizeof *row; ++k) {
+        char limit[40];
+        hawser_summary sum;
+        snprintf(limit, sizeof limit, "%.17g", row[k].share * load + 0.2 * w * 22);
+        hawser_sim *const sim = run_of(DUCT, (const char *const[]){"conveyors.0.limit", limit, "conveyors.0.clamp",
+                                                                   "120 kN", "run.steady_from", "40 s", NULL});
+        hawser_sim_summary(sim, &sum);
+        print_message("%g: %.5g N, theory %.5g N\n", row[k].share, sum.pull_mean_N, sum.reference_total_N);
+        check_share(sum.pull_mean_N, row[k].converged, 0.05);
+        check_share(sum.reference_total_N, row[k].converged, 0.1);
+        for (int i = 0; i < sum.n_conditions; ++i) assert_true(sum.conditions[i].holds);
+        hawser_sim_free(sim);
+    }
+}
+
 /* N/N0 by (BK6), written anew from the formula. */
 static double wall(double x)
 {
@@ -121,4 +145,5 @@ static void more_than_a_duct_stands(void **state)
 }
 
 TEST_FILE(long_pushed, cmocka_unit_test(more_than_a_duct_stands), cmocka_unit_test(a_run_is_as_theory),
-          cmocka_unit_test(random_pushes), cmocka_unit_test(an_end_that_has_caught))
+          cmocka_unit_test(pushes_of_four_sizes), cmocka_unit_test(random_pushes),
+          cmocka_unit_test(an_end_that_has_caught))
