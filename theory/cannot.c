@@ -85,10 +85,19 @@ static hawser_status rollers_check(const Setup *s, hawser_error *err)
     return HAWSER_OK;
 }
 
+static hawser_status crossing_check(const Setup *s, hawser_error *err)
+{
+    Crossing found;
+    if (!s->def->winch.present) return HAWSER_OK;
+    const hawser_status status = crossing_find(s, &found, err);
+    return status || !*found.says ? status : error_set(err, HAWSER_ERR_INPUT, "key 'route': %s", found.says);
+}
+
 hawser_status cannot_be_pulled(const Setup *setup, int moves, hawser_error *err)
 {
     if (setup->def->rod.present) return HAWSER_OK;
     hawser_status status = moves ? head_check(setup, err) : HAWSER_OK;
     if (!status && moves) status = tail_check(setup, err);
+    if (!status && moves) status = crossing_check(setup, err);
     return status ? status : rollers_check(setup, err);
 }
