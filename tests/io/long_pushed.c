@@ -87,7 +87,7 @@ static void random_pushes(void **state)
         json_t *const all = theory_of(
             DUCT, (const char *const[]){"cables.p.mass", text[0], "cables.p.EI", text[1], "surfaces.ducts.0.radius",
                                         text[2], "friction.mu", text[3], "conveyors.0.limit", text[4],
-                                        "conveyors.0.clamp", "1 MN", "limits", "{pull: 1 MN}", NULL});
+                                        "conveyors.0.clamp", "1 MN", "limits", "{pull: 1 MN, fill: 1}", NULL});
         json_t *const row = json_array_get(json_object_get(all, "compression"), 0);
         json_t *const judged = limit_row(all, "buckling");
         print_message("%2d: %.4g N on %.4g N, winch %.6g N\n", k, left, load, rubs * (420 - ends));
@@ -103,8 +103,9 @@ static void random_pushes(void **state)
     check_between(broken, 40, 95);
 }
 
-/* A rope's end that has caught on a roller: 5e-11 s a step for ever is an end that says where. */
-static void an_end_that_has_caught(void **state)
+/* A rope's end between guides: on an axial grip that turned with half of its turn it caught on one, with steps of 5e-11
+ * s for ever, 2 MN. It comes through, and the pull is theory's within 5 %. */
+static void an_end_between_guides(void **state)
 {
     (void)state;
     static const char text[] =
@@ -123,9 +124,12 @@ static void an_end_that_has_caught(void **state)
     hawser_error err;
     assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
     assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
-    assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, &err), HAWSER_ERR_RUN);
-    check_has(err.message, "the run crawls");
-    check_has(err.message, "worst at segment 83 of 84");
+    assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, &err), HAWSER_OK);
+    hawser_summary sum;
+    hawser_sim_summary(sim, &sum);
+    check_share(sum.pull_mean_N, sum.reference_total_N, 0.05);
+    check_below(sum.pull_peak_N, 2500);
+    for (int i = 0; i < sum.n_conditions; ++i) assert_true(sum.conditions[i].holds);
     hawser_sim_free(sim);
     hawser_case_free(c);
 }
@@ -146,4 +150,4 @@ static void more_than_a_duct_stands(void **state)
 
 TEST_FILE(long_pushed, cmocka_unit_test(more_than_a_duct_stands), cmocka_unit_test(a_run_is_as_theory),
           cmocka_unit_test(pushes_of_four_sizes), cmocka_unit_test(random_pushes),
-          cmocka_unit_test(an_end_that_has_caught))
+          cmocka_unit_test(an_end_between_guides))
