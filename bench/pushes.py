@@ -208,8 +208,9 @@ def report_random(rows):
              f"{starts} more break the pull that is allowed as they start, where the belts have not come to their force yet, which theory does not count.")
     beyond = [row for row in rows if row["ended"] == "right" and row["theory_N"]]
     if beyond:
-        off = sorted(abs(row["run"]["theory"] - row["run"]["mean"]) / max(abs(row["run"]["mean"]), row["floor"]) for row in beyond)
-        text += f" Theory of the way up to where the front came is off by {100 * off[len(off) // 2]:.1f} % in the median, {100 * off[-1]:.0f} % at most."
+        off = sorted(abs(row["run"]["theory"] - row["run"]["mean"]) / (abs(row["run"]["mean"]) + row["pushed"]) for row in beyond)
+        text += (f" Theory of the way up to where the front came is off by {100 * off[len(off) // 2]:.1f} % in the median, {100 * off[-1]:.0f} % "
+                 "at most, of pull and push together.")
     return text + "".join(f"\n- {line}" for line in misses(rows))
 
 
@@ -239,7 +240,7 @@ def main():
         if args.rows:
             with open(args.rows, "a", encoding="utf-8") as file:
                 file.write(json.dumps(known[name]) + "\n")
-    rows = [judge({**known[name], "allowed": case["limits"]["pull"]}) for name, case in jobs if name in known]
+    rows = [judge({**known[name], "allowed": case["limits"]["pull"], "pushed": case["conveyors"][0]["limit"]}) for name, case in jobs if name in known]
     parts = {"five": report_five([row for row in rows if row["name"] in SHARES]) if args.five else None,
              "random": report_random([row for row in rows if row["name"] not in SHARES]) if args.scenes else None}
     for name, text in parts.items():

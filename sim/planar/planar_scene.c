@@ -293,17 +293,39 @@ static void tail_blocks(const PlanarTail *tail, PlanarBlocks *k)
     k->diag[8][0] += cross(swing, tail->force);
 }
 
-/* (RD22) in the plane: the ways of the end by x, z and the angle, across the pull. */
+/* (RD22) in the plane: what the end's ways by x, z and the angle across the pull are too much. */
 static void head_blocks(const PlanarScene *ps, const PlanarKinematics *kin, PlanarBlocks *k, PlanarBlocks *d)
 {
     const int n = ps->chain.n, i = n - 1;
-    const double *const u = ps->winch_direction, half = ps->chain.half[i];
-    const double way[3] = {-u[1], u[0], half * (u[1] * kin->a[1][i] + u[0] * kin->a[0][i])};
-    for (int column = 0; ps->winch_slides && column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
-            k->diag[3 * column + row][i] += ps->chain.stiffness[0][n] * way[row] * way[column];
-            d->diag[3 * column + row][i] += ps->chain.damping[0][n] * way[row] * way[column];
+    const double *const u = ps->winch_direction, across[2] = {-u[1], u[0]};
+    const double stiffness = ps->chain.stiffness[0][n], damping = ps->chain.damping[0][n], share = 1 - ps->chain.share;
+    const double spin = kin->w[i], frame = share * spin, half = ps->chain.half[i];
+    const double arm[2] = {half * kin->a[0][i], half * kin->a[1][i]};
+    if (!ps->winch_slides) return;
+    double gap[2], rate[2];
+    for (int c = 0; c < 2; ++c) gap[c] = kin->p[c][n] - kin->p[c][i] - arm[c];
+    for (int c = 0; c < 2; ++c) { /* (PL5) */
+        const double turned = c == 0 ? -(spin * arm[1] + frame * gap[1]) : spin * arm[0] + frame * gap[0];
+        rate[c] = kin->v[c][n] - kin->v[c][i] - turned;
+    }
+    for (int column = 0; column < 3; ++column) {
+        const double way = column < 2 ? across[column] : cross(arm, across); /* (J r) . e = r x e */
+        const double swing = column < 2 ? 0 : -spin * dot(arm, across);
+        double spring[2], damped[2], damper[2], free_way[2];
+        for (int c = 0; c < 2; ++c) {
+            const double turned = c == 0 ? -way * across[1] : way * across[0];
+            free_way[c] = way * across[c];
+            damped[c] = damping * (swing * across[c] - frame * turned);
+            spring[c] = stiffness * free_way[c] + damped[c];
+            damper[c] = damping * free_way[c];
         }
+        const double couple = cross(gap, damped) + damping * cross(free_way, rate);
+        for (int row = 0; row < 2; ++row) {
+            k->diag[3 * column + row][i] += spring[row];
+            d->diag[3 * column + row][i] += damper[row];
+        }
+        k->diag[3 * column + 2][i] += cross(arm, spring) + share * couple;
+        d->diag[3 * column + 2][i] += cross(arm, damper) + share * cross(gap, damper);
     }
 }
 
