@@ -50,7 +50,7 @@ static inline int pull_scene(SceneDef *def, int segments, int rollers)
     const double tail = 2.5 + 2 * ceil(pull_stretch(segments) / 2), row = 0.5 * segments + tail + 6.5;
     const int count = rollers < 0 ? (int)floor(row / 2 + 1e-9) + 1 : rollers > 0 ? rollers : 1;
     if (!straight_row(def, segments, count, rollers < 0 || count == 1 ? 2 : row / (count - 1), tail)) return 0;
-    def->winch.axial_only = 0; /* at 2 MN the head of a long cable would turn away from a grip along its line alone */
+    def->winch.axial_only = 0; /* as a rope that runs on in the air holds it */
     if (rollers == 0) {
         def->gravity = v3(0, 0, 0);
         def->n_rollers = 0;

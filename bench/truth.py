@@ -164,7 +164,8 @@ def launch(program, case, seconds):
     pull = summary["pull_force"]
     run.update(segments=summary["segments"], steps=summary["steps"], mean=pull["steady_mean_N"], peak=pull["peak_N"],
                theory=summary["theory"]["reference_total_N"], failing={c["name"]: c["value"] for c in summary["trust"] if not c["holds"]},
-               conditions={c["name"]: c["value"] for c in summary["trust"]}, verdict=summary["verdict"], bars=bars(pull))
+               conditions={c["name"]: c["value"] for c in summary["trust"]}, verdict=summary["verdict"], bars=bars(pull),
+               broken=[limit["name"] for limit in summary.get("limits") or [] if limit["ok"] is False])
     passes = summary.get("passes")
     if passes:
         shown = passes["pass"][-1 if passes["outcome"] == "replaced" else 0]

@@ -60,7 +60,7 @@ def result_table(rows):
         error = f"{number(r['error'], 2)} {of}".strip() if r["error"] else "-"
         limit = f"{number(r['tolerance'], 3)} {of}".strip() if r["tolerance"] else "-"
         yield (f"| {r['case']} | {r['quantity']}{', ' + unit if unit else ''} | {number(r['expected'])} | "
-               f"{number(r['found'])} | {error} | {limit} | {r['verdict']} | {r['source']} |")
+               f"{number(r['found'])} | {error} | {limit} | {r['verdict'].lstrip(chr(39))} | {r['source']} |")
 
 
 def refinements(rows):

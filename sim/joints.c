@@ -126,6 +126,72 @@ hawser_status joints_bow(Scene *scene, double curvature, double wave_number, haw
     return HAWSER_OK;
 }
 
+void joint_even(Bushing *b)
+{
+    for (int c = SHEAR_Y; c <= SHEAR_Z; ++c) {
+        b->stiffness[c] = b->stiffness[AXIAL];
+        b->damping[c] = b->damping[AXIAL];
+        b->preload[c] = 0;
+    }
+}
+
+/* From a segment's centre to its end that lies at ghost i. */
+static Vec3 end_arm(const Chain *chain, const Kinematics *kin, int i, int segment)
+{
+    return v3_scale(i < 0 ? -chain->half[segment] : chain->half[segment], v3_load(kin->a, segment));
+}
+
+void slide_ghost(const Chain *chain, Kinematics *kin, int i, int segment, int n, const Vec3 *axis)
+{
+    const Vec3 arm = end_arm(chain, kin, i, segment), place = v3_load(kin->p, i), velocity = v3_load(kin->v, i);
+    const Vec3 away = v3_sub(v3_add(v3_load(kin->p, segment), arm), place);
+    const Vec3 speed = v3_sub(v3_add(v3_load(kin->v, segment), v3_cross(v3_load(kin->w, segment), arm)), velocity);
+    Vec3 moved = place, moves = velocity;
+    for (int k = 0; k < n; ++k) {
+        moved = v3_axpy(moved, v3_dot(away, axis[k]), axis[k]);
+        moves = v3_axpy(moves, v3_dot(speed, axis[k]), axis[k]);
+    }
+    v3_store(kin->p, i, moved);
+    v3_store(kin->v, i, moves);
+}
+
+void slide_blocks(const Chain *chain, const Kinematics *kin, int i, int segment, int n, const Vec3 *axis, BlockChain *k,
+                  BlockChain *d)
+{
+    if (n == 0) return;
+    const int joint = i < 0 ? 0 : i, symmetric = chain->frame == FRAME_SYMMETRIC;
+    const double stiffness = chain->stiffness[AXIAL][joint], damping = chain->damping[AXIAL][joint];
+    const Vec3 arm = end_arm(chain, kin, i, segment), spin = v3_load(kin->w, segment), ground = v3_load(kin->w, i);
+    const Vec3 gap = v3_sub(v3_load(kin->p, i), v3_add(v3_load(kin->p, segment), arm));
+    const Quat q = {kin->q[0][segment], kin->q[1][segment], kin->q[2][segment], kin->q[3][segment]},
+               ghost = {kin->q[0][i], kin->q[1][i], kin->q[2][i], kin->q[3][i]};
+    const Vec3 turn = quat_log(quat_mul(ghost, quat_conj(q))); /* of the ghost against the segment */
+    const double angle = v3_norm(turn), half_turn = angle > 1e-4 ? tan(angle / 4) / (2 * angle) : 0.125;
+    const double h = symmetric ? half_turn : 0, share = symmetric ? 0.5 : i < 0; /* of d x f, on the segment (B9) */
+    const Vec3 mean = v3_axpy(v3_scale(0.5, v3_add(spin, ground)), -h, v3_cross(turn, v3_sub(ground, spin)));
+    const Vec3 frame = symmetric ? mean : i < 0 ? spin : ground; /* its angular velocity (B6) */
+    const Vec3 leaves = v3_sub(v3_load(kin->v, i), v3_add(v3_load(kin->v, segment), v3_cross(spin, arm)));
+    const Vec3 rate = v3_sub(leaves, v3_cross(frame, gap));
+    const size_t at = 36 * (size_t)segment;
+    for (int c = 0; c < 6; ++c) {
+        const Vec3 e = v3_axis(c % 3), way = c < 3 ? e : v3_cross(e, arm),
+                   swing = c < 3 ? V3_ZERO : v3_cross(spin, way);
+        Vec3 free_way = V3_ZERO, free_swing = V3_ZERO;
+        for (int f = 0; f < n; ++f) {
+            free_way = v3_axpy(free_way, v3_dot(way, axis[f]), axis[f]);
+            free_swing = v3_axpy(free_swing, v3_dot(swing, axis[f]), axis[f]);
+        }
+        const Vec3 damped = v3_scale(damping, v3_sub(free_swing, v3_cross(frame, free_way)));
+        const Vec3 damper = v3_scale(damping, free_way), spring = v3_axpy(damped, stiffness, free_way);
+        const Vec3 by_place = v3_add(v3_cross(gap, damped), v3_cross(free_way, v3_scale(damping, rate)));
+        const Vec3 by_speed = v3_cross(gap, damper);
+        const Vec3 couple_k = v3_axpy(v3_scale(share, by_place), h, v3_cross(by_place, turn));
+        const Vec3 couple_d = v3_axpy(v3_scale(share, by_speed), h, v3_cross(by_speed, turn));
+        block6_add(k->diag + at, c, spring, v3_add(v3_cross(arm, spring), couple_k));
+        block6_add(d->diag + at, c, damper, v3_add(v3_cross(arm, damper), couple_d));
+    }
+}
+
 /* First loading of joint j, 1 <= j <= n (HY2). */
 static LoadingCurve joint_curve(const Scene *scene, int j)
 {

@@ -17,6 +17,15 @@ Bushing joints_clamp(const Scene *scene, int segment);
 /* Components from..to-1 of joint j. */
 void joint_set(Chain *chain, int j, const Bushing *b, int from, int to);
 
+/* The axial spring in all three directions: its force is K d whatever the bushing's frame. */
+void joint_even(Bushing *b);
+/* An end of `segment` that slides in the n directions of axis, which belong to the ground: ghost i goes along with it,
+ * so that an even joint between them has no force there, whatever way the end has turned (RD21). */
+void slide_ghost(const Chain *chain, Kinematics *kin, int i, int segment, int n, const Vec3 *axis);
+/* What that takes back of the blocks that the joint would have if the ghost stood still (RD22). */
+void slide_blocks(const Chain *chain, const Kinematics *kin, int i, int segment, int n, const Vec3 *axis, BlockChain *k,
+                  BlockChain *d);
+
 /* The joints between the scene's segments: two half-springs in series (B15). */
 void joints_springs(Scene *scene);
 /* Where a joint has sliders, its elastic bending springs keep only what the curve's last piece has (HY4). Errors:

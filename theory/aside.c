@@ -25,6 +25,7 @@ typedef struct Gate {
     double bears[SIDES];     /* N to the side for each that weighs on it; 0: it ends there */
     double free;             /* m, as far as the cable is followed to a side where nothing is */
     double span;             /* m of cable that weigh on it */
+    double falls;            /* tangent: to the left, of what carries without a groove; below 0: to the right */
     int carries;
 } Gate;
 
@@ -91,6 +92,7 @@ static void carrier_take(const Gates *g, const RollerDef *roller, Vec3 at, Gate 
             gate_narrow(gate, side, half + toward * middle - g->cable, 0);
         }
     }
+    if (!(flank > 0)) gate->falls = tan(lean);
     gate->carries = 1;
 }
 
@@ -142,6 +144,7 @@ static void surfaces_take(Gates *g)
             const double half = surface_along_route(on) ? on->shape.width / 2 - g->cable : FREE;
             gate_narrow(gate, side, bears > 0 ? 0 : half, bears);
         }
+        if (on->shape.kind == SURFACE_PLANE) gate->falls = to_the_left(gate, on->shape.normal) / on->shape.normal.z;
         gate->carries = 1;
     }
 }
@@ -285,6 +288,66 @@ static void way_press(const Gates *g, const Drawn *drawn, int first, int last, P
     press_take(g, drawn, before, apex, b, worst);
 }
 
+/* ------------------------------------------------------------------------------------------ what falls to the side */
+
+/* Where what carries the cable falls to the side by more than LEANS, and nothing holds it on the low side. */
+typedef struct Shed {
+    double from, to, falls, slides, room; /* m along the route; tangent; m to the side, and as far as it may go */
+} Shed;
+
+/* Whether something keeps the cable from going that way at a gate. */
+static int gate_holds(const Gate *gate, int low) { return gate->bears[low] > LEANS && !isinf(gate->room[low]); }
+
+/* Gates first..last-1, which lean one way, on a length from..to at whose ends the cable is held (T30a). */
+static void shed_take(const Gates *g, const Drawn *drawn, int first, int last, double from, double to, Shed *worst)
+{
+    const int low = g->gate[first].falls > 0 ? LEFT : RIGHT;
+    double falls = 0, tension = 0, room = FREE;
+    for (int i = first; i < last; ++i) {
+        falls += fabs(g->gate[i].falls) / (last - first);
+        tension += fmax(0, drawn_at(drawn, g->gate[i].s)) / (last - first);
+        room = fmin(room, g->gate[i].room[low]);
+    }
+    const double begins = g->gate[first].s, ends = g->gate[last - 1].s, leans = ends - begins;
+    const double slides = g->weight * falls * leans * (to - from - leans / 2) / (4 * fmax(tension, 1));
+    if (slides - room > worst->slides - worst->room) *worst = (Shed){begins, ends, falls, slides, room};
+}
+
+/* The same of all that lean between two places at which the cable is held to both sides. */
+static void sheds_take(const Gates *g, const Drawn *drawn, int gate, int last, double from, double to, Shed *worst)
+{
+    for (int i = gate; i < last;) {
+        const double falls = g->gate[i].falls;
+        const int low = falls > 0 ? LEFT : RIGHT;
+        if (gate_holds(&g->gate[i], low)) from = g->gate[i].s;
+        int end = i;
+        while (fabs(falls) > LEANS && end < last && g->gate[end].falls * falls > 0 &&
+               fabs(g->gate[end].falls) > LEANS && !gate_holds(&g->gate[end], low))
+            ++end;
+        if (end == i) {
+            ++i;
+            continue;
+        }
+        int held = end;
+        while (held < last && !gate_holds(&g->gate[held], low)) ++held;
+        shed_take(g, drawn, i, end, from, held < last ? g->gate[held].s : to, worst);
+        i = end;
+    }
+}
+
+static void shed_say(const Shed *shed, hawser_condition *out)
+{
+    out->holds = 0;
+    out->unit = "m";
+    out->value = shed->slides;
+    out->allowed = shed->room;
+    snprintf(
+        out->remedy, sizeof out->remedy,
+        "what carries the cable from %.1f m to %.1f m falls to the side by %.2g degrees, and nothing holds it there: "
+        "moving, it slides off; give guides, or lay it level",
+        shed->from, shed->to, atan(shed->falls) * 180 / M_PI);
+}
+
 /* ------------------------------------------------------------------------------------------------------- the route */
 
 static Point route_point(const Route *route, double s)
@@ -293,7 +356,7 @@ static Point route_point(const Route *route, double s)
     return (Point){p.x, p.y, -1, LEFT};
 }
 
-static Press route_press(const Gates *g, const Drawn *drawn)
+static Press route_press(const Gates *g, const Drawn *drawn, Shed *shed)
 {
     const Route *const route = g->c->route;
     Press worst = {0};
@@ -304,6 +367,7 @@ static Press route_press(const Gates *g, const Drawn *drawn)
         to = held ? held->to : INFINITY;
         int last = gate;
         while (last < g->n && g->gate[last].s < from) ++last;
+        if (from > s && shed) sheds_take(g, drawn, gate, last, s, from, shed);
         if (from > s) way_press(g, drawn, gate, last, route_point(route, s), route_point(route, from), &worst);
         for (gate = last; gate < g->n && g->gate[gate].s <= to; ++gate) {
         }
@@ -338,17 +402,17 @@ static void worst_take(Press press, Press *worst)
 }
 
 /* By the pull at speed, and from rest where that is more. */
-static hawser_status cable_take(const Gates *g, int way, Press *worst, hawser_error *err)
+static hawser_status cable_take(const Gates *g, int way, Press *worst, Shed *shed, hawser_error *err)
 {
     const Calculator *const c = g->c;
     const PlanWay *const plan = &c->plan.way[way];
-    worst_take(route_press(g, &(Drawn){.pull = &plan->pull}), worst);
+    worst_take(route_press(g, &(Drawn){.pull = &plan->pull}, shed), worst);
     if (!(plan->restart_max > plan->pull.max_tension * (1 + 1e-9))) return HAWSER_OK;
     const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};
     Pull rest;
     const hawser_status status = plan_pull(&c->def, &c->plan.duct, &from_rest, &rest, err);
     if (status) return status;
-    worst_take(route_press(g, &(Drawn){.pull = &rest}), worst);
+    worst_take(route_press(g, &(Drawn){.pull = &rest}, NULL), worst);
     pull_clear(&rest);
     return HAWSER_OK;
 }
@@ -362,14 +426,14 @@ static hawser_status rope_take(const Gates *g, int way, Press *worst, hawser_err
         RopeSeries rope;
         const hawser_status status = plan_rope(&c->def, &c->plan.duct, way, restart, begins, apart, &rope, err);
         if (status) return status;
-        worst_take(route_press(g, &(Drawn){.rope = &rope}), worst);
+        worst_take(route_press(g, &(Drawn){.rope = &rope}, NULL), worst);
         plan_rope_free(&rope);
     }
     return HAWSER_OK;
 }
 
 /* What it presses with at worst, beyond what is borne there, either way. */
-static hawser_status worst_press(Gates *g, int flanks, Press *worst, hawser_error *err)
+static hawser_status worst_press(Gates *g, int flanks, Press *worst, Shed *shed, hawser_error *err)
 {
     const Calculator *const c = g->c;
     const double begins = g->rope ? fmax(0, g->setup->front) : 0;
@@ -381,7 +445,7 @@ static hawser_status worst_press(Gates *g, int flanks, Press *worst, hawser_erro
         if (c->def.skip[k]) continue;
         g->from = k == PLAN_BACKWARD ? 0 : begins;
         g->to = c->route->length - (k == PLAN_BACKWARD ? begins : 0);
-        status = g->rope ? rope_take(g, k, worst, err) : cable_take(g, k, worst, err);
+        status = g->rope ? rope_take(g, k, worst, err) : cable_take(g, k, worst, shed, err);
     }
     free(g->gate);
     return status;
@@ -391,9 +455,11 @@ static hawser_status worst_press(Gates *g, int flanks, Press *worst, hawser_erro
 static hawser_status ask_aside(Gates *g, hawser_condition *out, hawser_error *err)
 {
     Press worst, guided;
-    hawser_status status = worst_press(g, 1, &worst, err);
-    if (status || !(worst.force > worst.borne)) return status;
-    status = worst_press(g, 0, &guided, err);
+    Shed shed = {0};
+    hawser_status status = worst_press(g, 1, &worst, &shed, err);
+    if (!status && shed.slides > shed.room) shed_say(&shed, out);
+    if (status || !out->holds || !(worst.force > worst.borne)) return status;
+    status = worst_press(g, 0, &guided, NULL, err);
     if (!status && guided.force > guided.borne) press_say(g, worst.borne > 0 ? &worst : &guided, out);
     return status;
 }

@@ -35,15 +35,38 @@ static double straight_from(const Route *route)
 static hawser_status head_check(const Setup *s, hawser_error *err)
 {
     const SceneDef *const def = s->def;
-    const double front = fmin(fmax(s->front, 0), s->route->length), turn = turn_from(s->route, front);
-    if (!def->winch.present || s->has_rope || def->strand.present || def->winch.take_in || turn <= TURNED)
-        return HAWSER_OK;
+    const double end = fmin(fmax(s->head, 0), s->route->length), turn = turn_from(s->route, end);
+    if (!def->winch.present || def->strand.present || def->winch.take_in || turn <= TURNED) return HAWSER_OK;
+    const double needed = ceil(100 * straight_from(s->route)) / 100, degrees = turn * 180 / M_PI;
+    if (s->has_rope)
+        return error_set(
+            err, HAWSER_ERR_INPUT,
+            "key 'chain': the rope ends at %.4g m, and the route turns by %.3g degrees ahead of it: the "
+            "winch would pull along the route's end, through the wall; make the rope %.4g m longer or more",
+            end, degrees, needed - end);
     return error_set(
         err, HAWSER_ERR_INPUT,
         "key 'route.head_at': the cable's head is at %.4g m and has no rope, and the route turns by %.3g "
         "degrees ahead of it: the winch would pull along the route's end, through the wall; give 'chain' a "
         "rope, or put the head at %.4g m or beyond",
-        front, turn * 180 / M_PI, ceil(100 * straight_from(s->route)) / 100);
+        end, degrees, needed);
+}
+
+/* m of cable behind the start of its route that nothing has to carry. */
+static const double BEHIND = 2;
+
+/* Cable behind the start that lies on nothing, unless something placed by coordinates may be there. */
+static hawser_status tail_check(const Setup *s, hawser_error *err)
+{
+    const SceneDef *const def = s->def;
+    int elsewhere = def->strand.present || def->drum.present || def->medium.density > 0 || s->supports.n_planes > 0;
+    for (int i = 0; i < def->n_rollers; ++i) elsewhere |= !isfinite(def->rollers[i].s);
+    const int carried = s->supports.n_rollers + s->supports.n_lengths > 0; /* else it falls on the route too */
+    if (elsewhere || !carried || s->lead_in || !(-s->tail > BEHIND)) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "key 'chain': it is longer than its way: %.4g m lie behind the route's start, where nothing "
+                     "carries them; give 'lead_in' or a reel that pays out, or a larger 'route.head_at'",
+                     -s->tail);
 }
 
 /* Carriers of rows that lie along the cable, so that it has an edge to lie on, or nothing. */
@@ -62,9 +85,19 @@ static hawser_status rollers_check(const Setup *s, hawser_error *err)
     return HAWSER_OK;
 }
 
+static hawser_status crossing_check(const Setup *s, hawser_error *err)
+{
+    Crossing found;
+    if (!s->def->winch.present) return HAWSER_OK;
+    const hawser_status status = crossing_find(s, &found, err);
+    return status || !*found.says ? status : error_set(err, HAWSER_ERR_INPUT, "key 'route': %s", found.says);
+}
+
 hawser_status cannot_be_pulled(const Setup *setup, int moves, hawser_error *err)
 {
     if (setup->def->rod.present) return HAWSER_OK;
     hawser_status status = moves ? head_check(setup, err) : HAWSER_OK;
+    if (!status && moves) status = tail_check(setup, err);
+    if (!status && moves) status = crossing_check(setup, err);
     return status ? status : rollers_check(setup, err);
 }

@@ -5,6 +5,14 @@
 
 #include "theory/setup.h"
 
+/* Where a route crosses itself at one level with cable in both places. */
+typedef struct Crossing {
+    double overlap; /* share of the diameter by which the cable lies inside itself */
+    char says[200]; /* empty: nowhere */
+} Crossing;
+/* Errors: MEMORY. */
+hawser_status crossing_find(const Setup *setup, Crossing *out, hawser_error *err);
+
 /* Errors: INPUT, with the place and the key to change; MEMORY. Of a case that says how it is run; a rod has no pull.
  * moves: it is to be run as it stands; theory alone has a rope ahead of the cable that the case leaves out. */
 hawser_status cannot_be_pulled(const Setup *setup, int moves, hawser_error *err);

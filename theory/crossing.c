@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "theory/calculator.h"
+#include "theory/cannot.h"
 
 /* Cable diameters along the route, within which the cable is beside itself anyway. */
 static const double APART = 10;
@@ -83,13 +84,14 @@ static int stretches_meet(Search *f, const Stretch *p, const Stretch *q)
     return stretches_meet(f, p, &first) || stretches_meet(f, p, &second);
 }
 
-hawser_status crossing_judge(const Setup *setup, hawser_condition *result, hawser_error *err)
+hawser_status crossing_find(const Setup *setup, Crossing *out, hawser_error *err)
 {
     const SceneDef *const def = setup->def;
     const Route *const route = setup->route;
     /* ends a tenth of their way apart: a curve that turns by t has ends at least cos(t/2) of its length apart */
     Search f = {
         .route = route, .thick = bundle_diameter(def), .chain = setup->head - setup->tail, .turn = 2 * acos(1 / APART)};
+    out->says[0] = '\0';
     if (!(f.thick > 0) || def->strand.present || def->drum.present || def->analysis.inside) return HAWSER_OK;
     double *const turned = malloc(((size_t)route->n + 1) * sizeof *turned);
     if (!turned) return error_memory(err);
@@ -98,12 +100,22 @@ hawser_status crossing_judge(const Setup *setup, hawser_condition *result, hawse
     f.turned = turned;
     const Stretch whole = stretch_of(&f, 0, route->length);
     if (stretches_meet(&f, &whole, &whole)) {
-        *result = theory_condition(HAWSER_CONDITION_OVERLAP, 1 - f.away / f.thick, 0);
-        snprintf(result->remedy, sizeof result->remedy,
+        out->overlap = 1 - f.away / f.thick;
+        snprintf(out->says, sizeof out->says,
                  "the route crosses itself at one level, at %.4g m and at %.4g m, where the cable would lie inside "
                  "itself: lead one way over the other, by %.3g mm at least",
                  f.a, f.b, 1e3 * f.thick);
     }
     free(turned);
+    return HAWSER_OK;
+}
+
+hawser_status crossing_judge(const Setup *setup, hawser_condition *result, hawser_error *err)
+{
+    Crossing found;
+    const hawser_status status = crossing_find(setup, &found, err);
+    if (status || !*found.says) return status;
+    *result = theory_condition(HAWSER_CONDITION_OVERLAP, found.overlap, 0);
+    snprintf(result->remedy, sizeof result->remedy, "%s", found.says);
     return HAWSER_OK;
 }

@@ -200,15 +200,21 @@ static double pushed_as_far(int n, const Buckling *row)
     return length;
 }
 
+Finding findings_no_push(const Setup *setup)
+{
+    Finding f = {.rating = INFINITY, .absent = !(setup->n_pushers > 0 || setup->def->theory.feed > 0)};
+    snprintf(f.why, sizeof f.why, "nothing pushes it by more than a metre of it weighs");
+    return f;
+}
+
 hawser_status findings_of_push(const Setup *setup, const Route *route, const Pull *pull, Finding finding[LIMIT_KINDS],
                                hawser_error *err)
 {
     Finding *const f = &finding[HAWSER_LIMIT_BUCKLING], *const away = &finding[HAWSER_LIMIT_RUN_AWAY];
-    const int pushes = setup->n_pushers > 0 || setup->def->theory.feed > 0;
     Buckling *row;
     int n;
-    *f = (Finding){.absent = 1};
-    if (!pushes) return HAWSER_OK;
+    *f = findings_no_push(setup);
+    if (f->absent) return HAWSER_OK;
     const hawser_status status = buckling_find(setup, route, pull, &n, &row, err);
     const Buckling *const worst = status ? NULL : buckling_worst(n, row);
     if (worst && worst->critical < INFINITY) {
@@ -368,7 +374,7 @@ hawser_status findings_of_run(const Setup *setup, const Expected *e, Finding fin
     free(alone.step);
     if (!setup->def->winch.present) away->absent = 1;
     Pull pull;
-    finding[HAWSER_LIMIT_BUCKLING] = (Finding){.absent = 1};
+    finding[HAWSER_LIMIT_BUCKLING] = findings_no_push(setup);
     if (!expected_weighs(setup->def) || expected_pull(setup, e, PULL_REFERENCE, &pull, NULL)) return HAWSER_OK;
     const hawser_status found = findings_of_push(setup, setup->route, &pull, finding, err);
     pull_clear(&pull);

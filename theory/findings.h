@@ -28,6 +28,9 @@ struct Braked {
  * With it what the winch then needs, in words. (LI12) */
 void findings_run_away(const Braked *b, Finding *finding);
 
+/* The limit `buckling` of a cable that nothing pushes enough. It is there wherever something may push, either way and
+ * in every variation and moment: rows are compared one by one, and the last ones were lost without it. */
+Finding findings_no_push(const Setup *setup);
 /* Of a pull in which machines push the cable, HAWSER_LIMIT_BUCKLING, and what HAWSER_LIMIT_RUN_AWAY says of a push that
  * is meant; both as they are where nothing does. Errors: MEMORY. (LI14) */
 hawser_status findings_of_push(const Setup *setup, const Route *route, const Pull *pull, Finding finding[LIMIT_KINDS],

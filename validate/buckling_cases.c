@@ -1,5 +1,5 @@
 /* A rod that lies in a duct and is pressed: when it begins to snake, and the helix that it ends in.
- * docs/model/85-validation.md (VA15)-(VA17). */
+ * docs/model/85-validation.md (VA15)-(VA17a). */
 #include <math.h>
 #include <stdlib.h>
 
@@ -97,13 +97,13 @@ static hawser_status snaking_run(const void *setup, ValidationLog *log, hawser_e
 
 /* ------------------------------------------------------------------------------------------------- a helix */
 
-enum { TURNS = 6 };
+enum { TURNS = 6, LONG_TURNS = 16 };
 
 /* Without weight, bent from straight into a helix of wave number k (1/m) along the duct's wall; pinned there at the
  * tail, and free at the head, which is pressed. */
-static hawser_status helix_start(double force, double k, int n, Stage *stage, hawser_error *err)
+static hawser_status helix_start(double force, double k, int turns, int n, Stage *stage, hawser_error *err)
 {
-    const double dx = TURNS * 2 * M_PI / (k * n), chord = hypot(dx, 2 * ROOM * sin(k * dx / 2));
+    const double dx = turns * 2 * M_PI / (k * n), chord = hypot(dx, 2 * ROOM * sin(k * dx / 2));
     SceneDef def;
     const hawser_status status = rod_start(&def, build_cable(MASS, 2 * RADIUS, 1e9, EI), n * chord, n, 1, err);
     if (status) return status;
@@ -126,10 +126,10 @@ static hawser_status helix_start(double force, double k, int n, Stage *stage, ha
     return motion_start(&def, stage, err);
 }
 
-/* Wave number of the middle third, 1/m: `about` tells how often it turns. */
-static double wave_found(const Stage *stage, int n, double about)
+/* Wave number between segments i and j, 1/m: `about` tells how often it turns. */
+static double wave_between(const Stage *stage, int i, int j, double about)
 {
-    const Vec3 a = motion_get(stage, STATE_P, n / 3), b = motion_get(stage, STATE_P, 2 * n / 3);
+    const Vec3 a = motion_get(stage, STATE_P, i), b = motion_get(stage, STATE_P, j);
     const double from = atan2(a.y, ROOM - a.z), to = atan2(b.y, ROOM - b.z), run = b.x - a.x;
     return (to - from + 2 * M_PI * round((about * run - (to - from)) / (2 * M_PI))) / run;
 }
@@ -144,10 +144,10 @@ static hawser_status helix_run(const void *setup, ValidationLog *log, hawser_err
     double h[MESHES], error[MESHES], found = NAN;
     for (int m = 0; m < MESHES; ++m) {
         Stage stage;
-        hawser_status status = helix_start(FORCE, 12 * k / 13, N[m], &stage, err);
+        hawser_status status = helix_start(FORCE, 12 * k / 13, TURNS, N[m], &stage, err);
         if (status) return status;
         status = motion_advance(&stage, REST, err);
-        found = status ? NAN : wave_found(&stage, N[m], k);
+        found = status ? NAN : wave_between(&stage, N[m] / 3, 2 * N[m] / 3, k);
         stage_free(&stage);
         if (status) return status;
         h[m] = 1.0 / N[m];
@@ -158,10 +158,56 @@ static hawser_status helix_run(const void *setup, ValidationLog *log, hawser_err
     return HAWSER_OK;
 }
 
+/* N/m: the mean of the wall's force on segments i..j-1. */
+static double wall_between(Stage *stage, int i, int j)
+{
+    Workspace *const ws = &stage->ws;
+    double force = 0, run = 0;
+    dynamics_look(&stage->scene, ws, stage->t, stage->y);
+    for (int k = i; k < j; ++k) {
+        force += v3_norm(v3_add(v3_load(ws->loads[0].f, k), v3_load(ws->loads[1].f, k)));
+        run += 2 * stage->scene.chain.half[k];
+    }
+    return force / run;
+}
+
+/* The middle half of sixteen turns, whose pitch began 2 % too long: what the wall carries by the wave number that is
+ * there (VA17a), and that number itself. The head may spin, the tail may not: the rod takes up no twist. */
+static hawser_status wall_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    static const int N[MESHES] = {160, 320, 640};
+    static const double FORCE = 2000, REST = 60; /* N; s */
+    const double k = sqrt(FORCE / (2 * EI));
+    double h[MESHES], error[MESHES], found = NAN, wall = NAN, expected = NAN;
+    for (int m = 0; m < MESHES; ++m) {
+        Stage stage;
+        hawser_status status = helix_start(FORCE, 50 * k / 51, LONG_TURNS, N[m], &stage, err);
+        if (status) return status;
+        status = motion_advance(&stage, REST, err);
+        if (!status) {
+            found = wave_between(&stage, N[m] / 4, 3 * N[m] / 4, k);
+            wall = wall_between(&stage, N[m] / 4, 3 * N[m] / 4);
+            expected = ROOM * (FORCE * found * found - EI * pow(found, 4));
+        }
+        stage_free(&stage);
+        if (status) return status;
+        h[m] = 1.0 / N[m];
+        error[m] = wall / expected - 1;
+    }
+    log_share(log, "wall's force by the wave number found", "N/m", expected, wall, 1);
+    log_share(log, "wall's force by r F^2/4EI", "N/m", ROOM * FORCE * FORCE / (4 * EI), wall, 1);
+    log_share(log, "pitch", "m", 2 * M_PI / k, 2 * M_PI / found, 5);
+    order_log(log, MESHES, h, error, "segment length", 2, 0.3);
+    return HAWSER_OK;
+}
+
 static const ValidationCase cases[] = {
     {"snaking-in-duct", "a pressed rod in a duct begins to snake", "Paslay and Bogy 1964, Dawson 1984: 2 sqrt(EI w/r)",
      1, NULL, snaking_run},
     {"helix-in-duct", "a rod without weight winds itself up in a duct", "Lubinski 1962: F = 8 pi^2 EI/p^2, (VA17)", 1,
      NULL, helix_run},
+    {"helix-on-wall", "what a duct carries of a rod that is wound up", "r (F q^2 - EI q^4), (VA17a)", 1, NULL,
+     wall_run},
 };
 const ValidationGroup buckling_group = VALIDATION_GROUP(cases);

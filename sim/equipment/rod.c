@@ -134,11 +134,7 @@ static void end_join(Scene *scene, int j, int segment, const RodEndDef *end)
     Bushing held = joints_clamp(scene, segment);
     const int alike = end->pivot || slides(end);
     if (slides(end)) held.preload[AXIAL] = 0; /* it may have no direction that is held */
-    for (int c = SHEAR_Y; alike && c <= SHEAR_Z; ++c) {
-        held.stiffness[c] = held.stiffness[AXIAL];
-        held.damping[c] = held.damping[AXIAL];
-        held.preload[c] = 0;
-    }
+    if (alike) joint_even(&held);
     for (int c = 0; c < COMPONENTS; ++c) {
         if (end->held[c] || (alike && c <= SHEAR_Z)) joint_set(&scene->chain, j, &held, c, c + 1);
     }
@@ -210,30 +206,12 @@ static int free_axes(const RodEndDef *def, const Kinematics *kin, int i, Vec3 *a
     return n;
 }
 
-/* From a segment's centre to its end that lies at ground body i. */
-static Vec3 end_arm(const Scene *scene, const Kinematics *kin, int i, int segment)
-{
-    const double half = scene->chain.half[segment];
-    return v3_scale(i < 0 ? -half : half, v3_load(kin->a, segment));
-}
-
-/* A ground body that lets its end slide goes along with it: the spring between them then pulls in the other directions
- * alone, whatever way the end has turned (RD21). */
+/* A ground body that lets its end slide goes along with it (RD21). */
 static void ghost_follow(const Scene *scene, const RodEndDef *def, int i, int segment, Kinematics *kin)
 {
     Vec3 axis[3];
     const int n = free_axes(def, kin, i, axis);
-    if (n == 0) return;
-    const Vec3 arm = end_arm(scene, kin, i, segment), place = v3_load(kin->p, i), velocity = v3_load(kin->v, i);
-    const Vec3 away = v3_sub(v3_add(v3_load(kin->p, segment), arm), place);
-    const Vec3 speed = v3_sub(v3_add(v3_load(kin->v, segment), v3_cross(v3_load(kin->w, segment), arm)), velocity);
-    Vec3 moved = place, moves = velocity;
-    for (int k = 0; k < n; ++k) {
-        moved = v3_axpy(moved, v3_dot(away, axis[k]), axis[k]);
-        moves = v3_axpy(moves, v3_dot(speed, axis[k]), axis[k]);
-    }
-    v3_store(kin->p, i, moved);
-    v3_store(kin->v, i, moves);
+    if (n > 0) slide_ghost(&scene->chain, kin, i, segment, n, axis);
 }
 
 /* One ground body into index i of kin. */
@@ -289,24 +267,12 @@ static void rod_loads(const Room *room, const Moment *m, int part)
     }
 }
 
-/* What the ground body's way takes back of the blocks that the spring would have if it stood still (RD22). */
-static void slide_blocks(const Scene *scene, const RodEndDef *def, const Kinematics *kin, int i, int segment,
-                         BlockChain *k, BlockChain *d)
+/* (RD22) */
+static void end_blocks(const Scene *scene, const RodEndDef *def, const Kinematics *kin, int i, int segment,
+                       BlockChain *k, BlockChain *d)
 {
     Vec3 axis[3];
-    const Chain *const chain = &scene->chain;
-    const int n = free_axes(def, kin, i, axis), joint = i < 0 ? 0 : i;
-    const Vec3 arm = end_arm(scene, kin, i, segment);
-    const size_t at = 36 * (size_t)segment;
-    for (int c = 0; n > 0 && c < 6; ++c) {
-        const Vec3 e = v3_axis(c % 3), way = c < 3 ? e : v3_cross(e, arm);
-        Vec3 free_way = V3_ZERO;
-        for (int f = 0; f < n; ++f) free_way = v3_axpy(free_way, v3_dot(way, axis[f]), axis[f]);
-        const Vec3 spring = v3_scale(chain->stiffness[AXIAL][joint], free_way);
-        const Vec3 damper = v3_scale(chain->damping[AXIAL][joint], free_way);
-        block6_add(k->diag + at, c, spring, v3_cross(arm, spring));
-        block6_add(d->diag + at, c, damper, v3_cross(arm, damper));
-    }
+    slide_blocks(&scene->chain, kin, i, segment, free_axes(def, kin, i, axis), axis, k, d);
 }
 
 /* Only rotations matter: a dead force keeps its direction while its arm turns, a follower turns as a whole (RD6). */
@@ -314,8 +280,8 @@ static void rod_blocks(const Room *room, const Moment *m, BlockChain *k, BlockCh
 {
     const Rod *const rod = room->self;
     const Kinematics *const kin = &m->ws->kin;
-    slide_blocks(m->scene, rod->end[ROD_TAIL].def, kin, -1, 0, k, d);
-    slide_blocks(m->scene, rod->end[ROD_HEAD].def, kin, m->scene->chain.n, m->scene->chain.n - 1, k, d);
+    end_blocks(m->scene, rod->end[ROD_TAIL].def, kin, -1, 0, k, d);
+    end_blocks(m->scene, rod->end[ROD_HEAD].def, kin, m->scene->chain.n, m->scene->chain.n - 1, k, d);
     for (int l = 0; l < rod->n_loads; ++l) {
         const RodLoad *const load = &rod->load[l];
         const RodWrench w = rod_wrench(load, kin, m->t);

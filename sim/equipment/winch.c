@@ -34,6 +34,16 @@ void winch_take_in(Winch *w, double t, Vec3 drift, Vec3 spin)
     w->take_in.spin = spin;
 }
 
+int winch_free_axes(const Winch *w, const WinchDef *def, Vec3 axis[2])
+{
+    if (w->mode != WINCH_SPEED || !def->axial_only || w->take_in.present) return 0;
+    const Vec3 u = w->direction, a = v3(fabs(u.x), fabs(u.y), fabs(u.z));
+    const Vec3 least = v3_axis(a.x <= a.y && a.x <= a.z ? 0 : a.y <= a.z ? 1 : 2);
+    axis[0] = v3_unit(v3_cross(u, least));
+    axis[1] = v3_cross(u, axis[0]);
+    return 2;
+}
+
 /* The ghost at the chain's head (segment n). That of a set tension stays where it is: it holds no more than the head's
  * attitude. A segment that was taken in keeps its own motion for a moment (RL16). */
 static void winch_ghost(const Room *room, const Scene *scene, double t, Kinematics *kin)
@@ -60,6 +70,9 @@ static void winch_ghost(const Room *room, const Scene *scene, double t, Kinemati
     v3_store(kin->w, n, spin);
     v3_store(kin->a, n, axis);
     for (int c = 0; c < 4; ++c) kin->q[c][n] = attitude[c];
+    Vec3 free_axis[2];
+    const int free_axes = winch_free_axes(w, &scene->def.winch, free_axis);
+    if (free_axes > 0) slide_ghost(&scene->chain, kin, n, n - 1, free_axes, free_axis); /* (WI1a) */
 }
 
 /* Corners of its motion or force, and the ends of its phases. */
@@ -179,8 +192,11 @@ static void winch_loads(const Room *room, const Moment *m, int part)
 static void winch_blocks(const Room *room, const Moment *m, BlockChain *k, BlockChain *d)
 {
     const Winch *const w = room->self;
+    const int n = m->scene->chain.n;
+    Vec3 axis[2];
+    slide_blocks(&m->scene->chain, &m->ws->kin, n, n - 1, winch_free_axes(w, &m->scene->def.winch, axis), axis, k, d);
     if (w->mode != WINCH_TENSION) return;
-    const size_t last = 36 * (size_t)(m->scene->chain.n - 1);
+    const size_t last = 36 * (size_t)(n - 1);
     const HeadEnd e = head_end(w, &m->scene->chain, &m->ws->kin);
     const HeadLaw law = head_law(w, &e, m->t);
     const Vec3 f = head_force(w, &law, &e);
@@ -314,9 +330,12 @@ static void winch_join(Room *room, Scene *scene)
 {
     Winch *const w = room->self;
     const int n = scene->chain.n, clamp = !scene->def.winch.axial_only;
-    const Bushing b = joints_clamp(scene, n - 1);
+    Bushing b = joints_clamp(scene, n - 1);
     if (w->mode != WINCH_TENSION) {
-        joint_set(&scene->chain, n, &b, 0, clamp ? COMPONENTS : 1);
+        Vec3 axis[2];
+        const int slides = winch_free_axes(w, &scene->def.winch, axis) > 0;
+        if (slides) joint_even(&b);
+        joint_set(&scene->chain, n, &b, 0, clamp ? COMPONENTS : slides ? TORSION : SHEAR_Y);
         return;
     }
     if (clamp) joint_set(&scene->chain, n, &b, TORSION, COMPONENTS);

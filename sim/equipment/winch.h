@@ -80,6 +80,10 @@ double winch_place(const Scene *scene);
 /* A segment that moved on by itself with this drift (m/s) and spin (rad/s) becomes the ghost at time t. */
 void winch_take_in(Winch *w, double t, Vec3 drift, Vec3 spin);
 
+/* A set speed with grip `axial` holds the head's end along the pull and lets it slide across it: the two directions
+ * into axis; returns how many there are, 0 of any other. */
+int winch_free_axes(const Winch *w, const WinchDef *def, Vec3 axis[2]);
+
 /* A winch with a speed profile: functions of time alone. */
 double winch_speed(const Winch *w, double t);
 double winch_travel(const Winch *w, double t);

@@ -179,7 +179,8 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
                 hawser_limit *out)
 {
     const SceneDef *const def = &scene->def;
-    Finding f[LIMIT_KINDS] = {[HAWSER_LIMIT_RESTART] = {.absent = 1}, [HAWSER_LIMIT_BUCKLING] = {.absent = 1}};
+    Finding f[LIMIT_KINDS] = {
+        [HAWSER_LIMIT_RESTART] = {.absent = 1}, [HAWSER_LIMIT_BUCKLING] = findings_no_push(&scene->setup)};
     if (!peaks->present) return 0;
     if (peaks->recorded > 0) {
         f[HAWSER_LIMIT_PULL] = finding_at(&scene->route, peaks->tension.value, peaks->tension.at);

@@ -73,6 +73,8 @@ static void winch_set(PlanarScene *ps)
     pair_set(&ps->plane, v3_sub(w->origin, ps->plane.origin), ps->winch_origin);
     pair_set(&ps->plane, w->direction, ps->winch_direction);
     ps->winch_angle = atan2(ps->winch_direction[1], ps->winch_direction[0]);
+    Vec3 axis[2];
+    ps->winch_slides = w->present && winch_free_axes(w, &ps->scene->def.winch, axis) > 0;
 }
 
 static void rollers_set(PlanarScene *ps)
@@ -113,6 +115,23 @@ void planar_scene_unwind(PlanarScene *ps, double last_angle)
     ps->winch_angle += 2 * M_PI * nearbyint((last_angle - ps->winch_angle) / (2 * M_PI));
 }
 
+/* The ghost goes along with the head's end across the pull (WI1a). */
+static void head_slides(const PlanarScene *ps, PlanarKinematics *kin)
+{
+    const int n = ps->chain.n, i = n - 1;
+    const double across[2] = {-ps->winch_direction[1], ps->winch_direction[0]}, half = ps->chain.half[i];
+    double away = 0, speed = 0;
+    for (int c = 0; c < 2; ++c) {
+        const double turned = c == 0 ? -kin->a[1][i] : kin->a[0][i];
+        away += across[c] * (kin->p[c][i] + half * kin->a[c][i] - kin->p[c][n]);
+        speed += across[c] * (kin->v[c][i] + half * kin->w[i] * turned - kin->v[c][n]);
+    }
+    for (int c = 0; c < 2; ++c) {
+        kin->p[c][n] += away * across[c];
+        kin->v[c][n] += speed * across[c];
+    }
+}
+
 void planar_scene_ghosts(const PlanarScene *ps, double t, PlanarKinematics *kin)
 {
     const Winch *const w = ps->scene->winch;
@@ -128,6 +147,7 @@ void planar_scene_ghosts(const PlanarScene *ps, double t, PlanarKinematics *kin)
     kin->h[0][n] = cos(ps->winch_angle / 2);
     kin->h[1][n] = sin(ps->winch_angle / 2);
     kin->w[n] = 0;
+    if (ps->winch_slides) head_slides(ps, kin);
 }
 
 /* --------------------------------------------------------------------------------------------------- loads */
@@ -273,6 +293,42 @@ static void tail_blocks(const PlanarTail *tail, PlanarBlocks *k)
     k->diag[8][0] += cross(swing, tail->force);
 }
 
+/* (RD22) in the plane: what the end's ways by x, z and the angle across the pull are too much. */
+static void head_blocks(const PlanarScene *ps, const PlanarKinematics *kin, PlanarBlocks *k, PlanarBlocks *d)
+{
+    const int n = ps->chain.n, i = n - 1;
+    const double *const u = ps->winch_direction, across[2] = {-u[1], u[0]};
+    const double stiffness = ps->chain.stiffness[0][n], damping = ps->chain.damping[0][n], share = 1 - ps->chain.share;
+    const double spin = kin->w[i], frame = share * spin, half = ps->chain.half[i];
+    const double arm[2] = {half * kin->a[0][i], half * kin->a[1][i]};
+    if (!ps->winch_slides) return;
+    double gap[2], rate[2];
+    for (int c = 0; c < 2; ++c) gap[c] = kin->p[c][n] - kin->p[c][i] - arm[c];
+    for (int c = 0; c < 2; ++c) { /* (PL5) */
+        const double turned = c == 0 ? -(spin * arm[1] + frame * gap[1]) : spin * arm[0] + frame * gap[0];
+        rate[c] = kin->v[c][n] - kin->v[c][i] - turned;
+    }
+    for (int column = 0; column < 3; ++column) {
+        const double way = column < 2 ? across[column] : cross(arm, across); /* (J r) . e = r x e */
+        const double swing = column < 2 ? 0 : -spin * dot(arm, across);
+        double spring[2], damped[2], damper[2], free_way[2];
+        for (int c = 0; c < 2; ++c) {
+            const double turned = c == 0 ? -way * across[1] : way * across[0];
+            free_way[c] = way * across[c];
+            damped[c] = damping * (swing * across[c] - frame * turned);
+            spring[c] = stiffness * free_way[c] + damped[c];
+            damper[c] = damping * free_way[c];
+        }
+        const double couple = cross(gap, damped) + damping * cross(free_way, rate);
+        for (int row = 0; row < 2; ++row) {
+            k->diag[3 * column + row][i] += spring[row];
+            d->diag[3 * column + row][i] += damper[row];
+        }
+        k->diag[3 * column + 2][i] += cross(arm, spring) + share * couple;
+        d->diag[3 * column + 2][i] += cross(arm, damper) + share * cross(gap, damper);
+    }
+}
+
 void planar_applied_blocks(const PlanarScene *ps, const PlanarKinematics *kin, double t, double friction,
                            double tail_at, PlanarBlocks *k, PlanarBlocks *d)
 {
@@ -280,4 +336,5 @@ void planar_applied_blocks(const PlanarScene *ps, const PlanarKinematics *kin, d
     lead_in_blocks(ps, kin, k, d);
     tail_blocks(&tail, k);
     drag_blocks(ps, kin, friction, k, d);
+    head_blocks(ps, kin, k, d);
 }

@@ -24,7 +24,8 @@ typedef struct PlanarScene {
     PlanarChain chain;
     PlanarWeight weight;
     double winch_origin[2], winch_direction[2], winch_angle; /* m, unit, rad */
-    PlanarRoller *roller;                                    /* [rollers] */
+    int winch_slides;     /* it lets the head's end slide across its direction (WI1a) */
+    PlanarRoller *roller; /* [rollers] */
 } PlanarScene;
 
 /* 0 if there is no memory (then nothing is allocated). */

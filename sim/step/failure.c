@@ -7,8 +7,8 @@
 #include "core/base/error.h"
 #include "sim/equipment/winch.h"
 
-/* What is known of scenes whose steps become too small at segment i. The head of a limp cable does not keep its
- * direction on an axial grip: the pull follows it. A limp cable on a roller as bent as itself has no point that is
+/* What is known of scenes whose steps become too small at segment i. Nothing keeps the attitude of a limp cable's
+ * head on an axial grip. A limp cable on a roller as bent as itself has no point that is
  * nearest, see (C6): said where a roller may take the cable over more than two segments. */
 static const char *hint_for(const Scene *scene, int i)
 {

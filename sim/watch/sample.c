@@ -125,6 +125,9 @@ static void tension_take(SampleBuffers *b, const Scene *scene, const Workspace *
         if (turns_freely(scene, j)) tension[j] = turned_tension(scene, ws, j);
     if (!scene->rod->present) tension[0] = s->tail_tension;
     if (scene->winch->mode == WINCH_TENSION || ws->led.present) tension[n] = s->winch_force; /* no bushing carries it */
+    Vec3 axis[2];
+    if (winch_free_axes(scene->winch, &scene->def.winch, axis) > 0)
+        tension[n] = s->winch_force * v3_dot(scene->winch->direction, v3_load(ws->kin.a, n - 1));
     s->max_tension_joint = first;
     for (int j = 1; j <= n; ++j) {
         if (tension[j] > b->tension[s->max_tension_joint]) s->max_tension_joint = first + j;

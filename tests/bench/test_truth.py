@@ -1,4 +1,4 @@
-"""bench/truth.py: scenes that repeat, how a scene is judged, error bars; and whole runs, of a false program and of hawser itself."""
+"""bench/truth.py and pushes.py: scenes that repeat, how a scene is judged, error bars; and whole runs, of a false program and of hawser itself."""
 import json
 import math
 import os
@@ -10,6 +10,7 @@ import unittest
 ROOT = sys.argv.pop(1)
 BUILD = sys.argv.pop(1)
 sys.path.insert(0, os.path.join(ROOT, "bench"))
+import pushes  # noqa: E402
 import truth  # noqa: E402
 import truth_scenes  # noqa: E402
 
@@ -37,6 +38,29 @@ def judged(mean, fine, finest, failing=(), floor=1.0, peaks=None):
     row = {"run": runs[0], "oracles": {"fine": runs[1], "finest": runs[2]}, "floor": floor}
     truth.judge(row)
     return row["ended"], row["trusted"]
+
+
+class Pushes(unittest.TestCase):
+    def test_a_number_is_a_push_that_theory_takes(self):
+        for number in range(20):
+            case = pushes.draw(number)
+            self.assertEqual(json.dumps(case, allow_nan=False), json.dumps(pushes.draw(number)))
+            self.assertIsNotNone(pushes.theory(os.path.join(BUILD, "cli/hawser"), case)[1])
+
+    def test_the_wall_and_the_length(self):
+        self.assertEqual(pushes.wall(0.5), 1)
+        self.assertEqual(pushes.wall(9), 9)
+        self.assertAlmostEqual(pushes.used_up(0.9, 1, 0.5), 1.8)
+
+    def test_what_must_not_be(self):
+        run = {"status": 0, "mean": 100.0, "peak": 120.0, "failing": {}, "theory": 100.0, "broken": []}
+        row = {"title": "t", "theory": "SAFE: all", "theory_N": 100.0, "run": dict(run), "fine": {**run, "broken": ["push", "alpha"]},
+               "floor": 1, "allowed": 200}
+        self.assertEqual(len(pushes.misses([pushes.judge(row)])), 1)
+        self.assertEqual(pushes.misses([pushes.judge({**row, "fine": {**run, "broken": ["alpha"]}})]), [])
+        self.assertEqual(pushes.misses([pushes.judge({**row, "fine": {**run, "broken": ["pull"]}})]), [])
+        off = {**row, "fine": {**run, "mean": 110.0}, "finest": {**run, "mean": 110.0}}
+        self.assertEqual(len(pushes.misses([pushes.judge(off)])), 1)
 
 
 class Scenes(unittest.TestCase):

@@ -184,17 +184,16 @@ static void a_swing_that_steps_take(void **state)
     }
 }
 
-/* A tip that meets a roller (EB26): 548 N +- 208 N and 708 N +- 160 N with segments of half the length, 774 N of a
- * quarter. Joints that hit a duct's bend in the steady window: 88.5 kN, 75.8 kN on halves. The first was trusted with
- * 7.7 %, the second with 6.2 %. */
+/* Joints that hit a duct's bend in the steady window (EB26): 88.5 kN, 75.8 kN on halves, trusted with 6.2 %. A tip that
+ * hung and met a roller: 548, 708 and 774 N with segments of a half and a quarter, while the grip turned with half of
+ * the head's turn; 410, 393, 388 and 386 N along its line. */
 static void blows_that_the_mesh_makes(void **state)
 {
     (void)state;
     hawser_sim *const tip = run_of(data_text("trust-tip"), twice), *const mouth =
                                                                        run_of(data_text("trust-mouth"), once);
     const hawser_summary a = summary_of(tip), b = summary_of(mouth);
-    assert_false(condition_of(&a, "numerical_peak")->holds);
-    check_at_most(774 - a.pull_peak_N, a.pull_peak_error.total);
+    check_share(a.pull_peak_N, 386, 0.06);
     assert_false(condition_of(&b, "numerical_peak")->holds);
     check_at_most(b.pull_peak_N - 75.8e3, b.pull_peak_error.total);
     hawser_sim_free(tip);
@@ -611,23 +610,17 @@ static void a_bar_that_does_not_fall(void **state)
     }
 }
 
-/* The tip of above in three passes: 548, 708 and 781 N, of which the third said +- 74 N; 689, 625 and 598 N on finer
- * ones still. A mean of 1271, 1305, 1332 and 1345 N, of which the second said +- 11 N. */
+/* A mean of 1271, 1305, 1332 and 1345 N, of which the second said +- 11 N. */
 static void passes_that_are_not_there_yet(void **state)
 {
     (void)state;
-    hawser_sim *const tip = run_of(data_text("trust-tip"), NULL),
-                      *const slow = run_of(data_text("trust-slowly"), twice),
-                      *const third = run_of(data_text("trust-slowly"), NULL);
-    const hawser_summary a = summary_of(tip), b = summary_of(slow), c = summary_of(third);
-    assert_int_equal(a.passes->n, 3);
-    assert_false(condition_of(&a, "numerical_peak")->holds);
-    check_at_most(a.pull_peak_N - 598, a.pull_peak_error.total);
+    hawser_sim *const slow = run_of(data_text("trust-slowly"), twice), *const third =
+                                                                           run_of(data_text("trust-slowly"), NULL);
+    const hawser_summary b = summary_of(slow), c = summary_of(third);
     assert_false(condition_of(&b, "numerical_error")->holds);
     check_at_most(0.8 * (1345 - b.pull_mean_N), b.pull_mean_error.total); /* errors fall by less than a half */
     assert_int_equal(c.passes->n, 3);
     check_at_most(fabs(1345 - c.pull_mean_N), 0.01 * 1345);
-    hawser_sim_free(tip);
     hawser_sim_free(slow);
     hawser_sim_free(third);
 }

@@ -63,6 +63,19 @@ static void on_rollers(void **state)
     json_decref(all);
 }
 
+/* Pushed one way alone, it has one limit more that way, and lost its last one there: SAFE in a duct of 110 mm that it
+ * fills by 83 % (allowed: 53 %). */
+static void the_last_limit_is_judged(void **state)
+{
+    (void)state;
+    json_t *const all =
+        theory_of(DUCT, (const char *const[]){"surfaces.ducts.0.radius", "55 mm", "conveyors.0.limit", "4 kN", NULL});
+    verdict_has(all, "NOT SAFE: ");
+    verdict_has(all, "fill by 55.9 %");
+    check_share(number_of(limit_row(all, "fill"), "value"), 1 / 1.21, 1e-9);
+    json_decref(all);
+}
+
 /* What is asked of a run of a shorter piece, before it moves; NULL name: nothing. */
 static hawser_condition asked_of(const char *const *settings, const char *name, hawser_summary *sum)
 {
@@ -129,6 +142,39 @@ static void nothing_unstable_is_trusted(void **state)
     assert_null(c.name); /* 0.57 of it: as before */
 }
 
+/* Below 0.7 of the load nothing is bent, and results are those without an imperfection, to the last bit; above it they
+ * are not. */
+static void below_it_nothing_is_bent(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2; ++k) {
+        double pull[2], below[2];
+        for (int bent = 0; bent < 2; ++bent) {
+            const char *const setting[] = {"chain.0.length",
+                                           "60 m",
+                                           "route.head_at",
+                                           "62 m",
+                                           "conveyors.0.limit",
+                                           k ? "6 kN" : "4 kN",
+                                           "drive.winch.to",
+                                           "1 s",
+                                           "chain.0.segment",
+                                           "0.25 m",
+                                           "solver.imperfection",
+                                           bent ? "0.001" : "0",
+                                           NULL};
+            hawser_sim *const sim = sim_of(DUCT, setting);
+            assert_int_equal(hawser_sim_advance(sim, 1.5, 0, NULL), HAWSER_OK);
+            const hawser_sample *const now = hawser_sim_sample(sim);
+            pull[bent] = now->winch_force;
+            below[bent] = now->position[3 * 120 + 1];
+            hawser_sim_free(sim);
+        }
+        print_message("%.17g N, %.17g N; %g m aside\n", pull[0], pull[1], below[1]);
+        assert_int_equal(pull[0] == pull[1] && below[0] == below[1], !k);
+    }
+}
+
 /* Without a rope the winch pulls along the route's end, round a bend through the wall: refused before it starts (runs
  * blamed max_step), but where the route turns by 5 degrees in all, to whatever side; theory has a rope ahead of the
  * cable, which the case leaves out. */
@@ -165,6 +211,74 @@ static void a_head_before_a_bend(void **state)
     }
 }
 
+/* Bars that stand under a straight, leaning, or a floor that falls to the side: SAFE in theory, 24 m off the route in a
+ * run, unless it is taut (T30a). */
+static void what_falls_to_the_side(void **state)
+{
+    (void)state;
+    static const char part[] = "cables: {p: {d: 80 mm, mass: 14 kg/m, EI: 500, EA: 60 MN, GA: 20 MN, GJ: 500}}\n"
+                               "chain: [{cable: p, length: 30 m}]\nroute: {head_at: 32 m, pieces: [{straight: 40 m}]}\n"
+                               "friction: {mu: 0.2}\nlimits: {pull: 100 kN, sidewall: 3 kN/m}\nrun: {duration: 3 s}\n"
+                               "drive: {winch: {speed: 0.1 m/s, to: 1 s}, tail: {tension: 300 N, ramp: none}}\n";
+    char rollers[8000], text[9000];
+    int used = snprintf(rollers, sizeof rollers, "rollers: {list: [");
+    for (int i = 0; i < 27; ++i)
+        used += snprintf(rollers + used, sizeof rollers - (size_t)used,
+                         "%s{centre: [%g, 0, -0.1], axis: [0, %.6f, %.6f], radius: 60 mm, width: 800 mm, name: R%d}",
+                         i ? ", " : "", 1.5 * i, cos(5 * M_PI / 180), sin(5 * M_PI / 180), i);
+    snprintf(rollers + used, sizeof rollers - (size_t)used, "]}\n");
+    static const char floor_text[] = "surfaces: {planes: [{point: [0 m, 0 m, -40.2 mm], normal: [0, 0.1, 1]}]}\n";
+    for (int k = 0; k < 3; ++k) {
+        snprintf(text, sizeof text, "%s%s", part, k < 2 ? rollers : floor_text);
+        json_t *const all =
+            theory_of(text, (const char *const[]){"drive.tail.tension", k == 1 ? "60 kN" : "300 N", NULL});
+        if (k == 1) {
+            verdict_has(all, "SAFE");
+        } else {
+            verdict_has(all, "NOT TRUSTED: what carries the cable from");
+            verdict_has(all, k ? "falls to the side by 5.7 degrees" : "falls to the side by 5 degrees");
+        }
+        json_decref(all);
+    }
+}
+
+/* What check and a run refuse with status 2: a chain of which 28 m lie behind the route's start (theory has them on a
+ * drum; the run fell), a rope that ends before a bend, and a roller that is none. */
+static void what_cannot_begin(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *key, *value, *says;
+    } row[] = {
+        {"chain.0.length", "430 m", "key 'chain': it is longer than its way: 28 m lie behind the route's start"},
+        {"route", "{head_at: 380 m, pieces: [{straight: 412 m}, {bend: 15 deg, radius: 10 m, plane: left}]}",
+         "key 'chain': the rope ends at 390 m, and the route turns by 15 degrees ahead of it"},
+    };
+    for (size_t k = 0; k < sizeof row / sizeof *row; ++k) {
+        static const char roped[] = "[{cable: p, length: 378 m}, {cable: r, length: 10 m}]";
+        const char *const setting[] = {
+            row[k].key, row[k].value, k ? "chain" : NULL,
+            roped,      "cables.r",   "{d: 16 mm, mass: 1 kg/m, EI: 20, EA: 8 MN, GA: 3 MN, GJ: 20}",
+            NULL};
+        char *answer = NULL;
+        hawser_error err = {0};
+        hawser_sim *sim = NULL;
+        hawser_case *const c = case_with(DUCT, setting);
+        assert_int_equal(hawser_case_describe(c, HAWSER_JSON, &answer, &err), HAWSER_ERR_INPUT);
+        assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_ERR_INPUT);
+        check_has(err.message, row[k].says);
+        hawser_case_free(c);
+    }
+    hawser_error err = {0};
+    hawser_case *const c = case_with(ROLLERS, NULL);
+    assert_int_equal(hawser_case_set(c, "rollers.along.0.radius", "1000 m", &err), HAWSER_OK);
+    hawser_sim *sim = NULL; /* half a minute a second of it, and more */
+    assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_ERR_INPUT);
+    check_has(err.message,
+              "key 'rollers.along.0.radius': value '1000 m' is out of range: must be above 0 m, at most 100 m");
+    hawser_case_free(c);
+}
+
 /* A route that crosses itself at one level was SAFE in theory; 200 mm above itself it is as good as any. */
 static void a_route_through_itself(void **state)
 {
@@ -177,6 +291,13 @@ static void a_route_through_itself(void **state)
                  k ? "0.4 deg" : "0 deg");
         json_t *const all = theory_of(DUCT, (const char *const[]){"route", route, NULL});
         const char *const verdict = json_string_value(json_object_get(all, "verdict_forward"));
+        hawser_error err = {0};
+        hawser_sim *sim = NULL; /* check and a run refuse it: a run found an overlap of 0.998 */
+        hawser_case *const c = case_with(DUCT, (const char *const[]){"route", route, NULL});
+        assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), k ? HAWSER_OK : HAWSER_ERR_INPUT);
+        if (!k) check_has(err.message, "key 'route': the route crosses itself at one level");
+        hawser_sim_free(sim);
+        hawser_case_free(c);
         if (!k)
             check_has(verdict, "NOT TRUSTED: the route crosses itself at one level, at 319 m and at 359.3 m");
         else
@@ -186,5 +307,7 @@ static void a_route_through_itself(void **state)
 }
 
 TEST_FILE(test_pushed, cmocka_unit_test(segments_show_the_waves), cmocka_unit_test(nothing_unstable_is_trusted),
-          cmocka_unit_test(it_coils), cmocka_unit_test(it_stays_straight), cmocka_unit_test(on_rollers),
-          cmocka_unit_test(a_head_before_a_bend), cmocka_unit_test(a_route_through_itself))
+          cmocka_unit_test(it_coils), cmocka_unit_test(it_stays_straight), cmocka_unit_test(the_last_limit_is_judged),
+          cmocka_unit_test(below_it_nothing_is_bent), cmocka_unit_test(on_rollers),
+          cmocka_unit_test(a_head_before_a_bend), cmocka_unit_test(what_falls_to_the_side),
+          cmocka_unit_test(what_cannot_begin), cmocka_unit_test(a_route_through_itself))

@@ -90,7 +90,7 @@ static void where_legs_cross(void **state)
         "friction: {mu: 0.1, v_s: 1 mm/s}\nsurfaces: {planes: [{point: [0, 0, -40 mm], normal: [0, 0, 1]}]}\n"
         "rollers: {along: {guide: inside, spacing: 500 mm, gap: 5 mm}}\n"
         "drive: {winch: {tension: {force: 6 kN, to: 3 s, speed_limit: 0.2 m/s}}, tail: {tension: 1 kN, ramp: none}}\n"
-        "run: {duration: 130 s, steady_from: 120 s}\n";
+        "run: {duration: 130 s, steady_from: 120 s, overlap: ignore}\n";
     double pull[2];
     for (int k = 0; k < 2; k++) {
         char script[100 * 45] = "[";

@@ -126,7 +126,7 @@ static void test_pulls_like_adams(void **state)
 }
 
 /* No tension that is not there: the largest pull of the start is the same (a matrix that has become a poor one would
- * show as a peak of a multiple). */
+ * show as a peak of a multiple). 929.3 N at accuracy 1e-5; at the default one the steps decide by up to 1.5 %. */
 static void test_starts_like_adams(void **state)
 {
     (void)state;
@@ -150,6 +150,8 @@ static void test_starts_like_adams(void **state)
                                         "3 s",
                                         "friction.law",
                                         k == 0 ? "adams" : "stick",
+                                        "solver.accuracy",
+                                        "3e-4",
                                         NULL};
         hawser_sim *sim = example_sim("straight", settings);
         hawser_summary summary;
@@ -161,6 +163,7 @@ static void test_starts_like_adams(void **state)
     }
     print_message("largest pull: %.1f N, %.1f N\n", peak[0], peak[1]);
     check_share(peak[1], peak[0], 3e-3);
+    check_share(peak[0], 929.3, 3e-3);
 }
 
 /* Pulled, halted, pulled again: breaking away takes mu_s. */

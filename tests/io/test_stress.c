@@ -42,14 +42,15 @@ static void test_joint_turned(void **state)
     }
 }
 
-/* A limp cable's head droops on an axial grip, and the pull with it. */
+/* An axial grip pulls along its line: a limp cable's head drooped there by more than 30 degrees, and the pull with it.
+ */
 static void test_head_turned(void **state)
 {
     (void)state;
     for (int limp = 0; limp < 2; ++limp) {
         const char *const settings[] = {"cables.a.EI", limp ? "500 N m2" : "16.4 kN m2", NULL};
         hawser_sim *const sim = run_of(data_text("stress-limp-head"), settings);
-        assert_int_equal(says(sim, "the head is turned"), limp);
+        assert_int_equal(says(sim, "the head is turned"), 0);
         hawser_sim_free(sim);
     }
 }

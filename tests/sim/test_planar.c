@@ -36,6 +36,7 @@ static Rig *rig_ahead(ContactGeometry geometry, BushingFrame frame, int soft, do
                                           .start = {3, -2, 1},
                                           .ahead = ahead});
     def.solver.linear.kind = LIN_BLOCK;
+    def.winch.axial_only = seed / 2 % 2; /* (WI1a) */
     fixture_build(&def, &r->scene);
     r->seed = seed;
     assert_true(workspace_alloc(&r->ws, &r->scene, NULL) && workspace_alloc(&r->planar_ws, &r->scene, NULL));

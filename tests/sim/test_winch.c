@@ -1,4 +1,6 @@
 /* The winch by itself: motion by a profile, a set tension with its derivatives, and the trips as a machine. */
+#include "core/bushing.h"
+#include "sim/dynamics.h"
 #include "sim/equipment/rooms.h"
 #include "sim/equipment/winch.h"
 #include "tests/support/scene.h"
@@ -328,6 +330,101 @@ static void test_on_the_line(void **state)
     head_free(&h);
 }
 
-TEST_FILE(test_winch, cmocka_unit_test(test_profile), cmocka_unit_test(test_trip_and_restart),
-          cmocka_unit_test(test_trip_on_the_ramp), cmocka_unit_test(test_trip_for_good), cmocka_unit_test(test_hold),
-          cmocka_unit_test(test_tension_law), cmocka_unit_test(test_blocks), cmocka_unit_test(test_on_the_line))
+/* What the head's joint does to the last segment of y: force, and moment about its centre. */
+static void grip_wrench(const Scene *scene, Workspace *ws, const double *y, double out[6])
+{
+    const int n = scene->chain.n;
+    dynamics_kinematics(scene, ws, 0, y);
+    bushing_kernels()->loads(&scene->chain, &ws->kin, n / LANES * LANES, n + 1, &ws->joints);
+    v3_put(out, v3_load(ws->joints.force, n));
+    v3_put(out + 3, v3_load(ws->joints.torque_a, n));
+}
+
+/* The last segment of y moved or turned by e along column c of K, or its speeds of D. */
+static void grip_nudge(double *y, int n, int c, double e)
+{
+    const int i = n - 1;
+    if (c < 3 || c >= 6) {
+        y[(c < 3 ? STATE_P + c : STATE_V + c - 6) * n + i] += e;
+        return;
+    }
+    const Quat q = quat_mul(quat_exp(v3_scale(e, v3_axis(c - 3))), state_attitude(y, n, i));
+    const double parts[4] = {q.w, q.x, q.y, q.z};
+    for (int k = 0; k < 4; ++k) y[(STATE_Q + k) * n + i] = parts[k];
+}
+
+/* Its derivatives, those of the joint and (RD22), against central differences; returns the worst share of the largest.
+ */
+static double grip_blocks_off(const Scene *scene, Workspace *ws, double *y)
+{
+    const int n = scene->chain.n, i = n - 1;
+    const Room room = {.kind = &WINCH_ROOM, .present = 1, .self = scene->winch};
+    double worst = 0, largest = 0;
+    BlockChain k, d;
+    assert_true(block_chain_alloc(&k, n, 6) && block_chain_alloc(&d, n, 6));
+    dynamics_kinematics(scene, ws, 0, y);
+    bushing_blocks(&scene->chain, &ws->kin, n / LANES * LANES, n + 1, &k, &d);
+    WINCH_ROOM.blocks(&room, &(Moment){scene, ws, 0, 1}, &k, &d);
+    for (int c = 0; c < 12; ++c) {
+        const double e = 1e-6;
+        double plus[6], minus[6];
+        grip_nudge(y, n, c, e);
+        grip_wrench(scene, ws, y, plus);
+        grip_nudge(y, n, c, -2 * e);
+        grip_wrench(scene, ws, y, minus);
+        grip_nudge(y, n, c, e);
+        for (int row = 0; row < 6; ++row) {
+            const double fd = (plus[row] - minus[row]) / (2 * e);
+            worst = larger_of(worst, fabs(fd - (c < 6 ? k.diag : d.diag)[36 * i + 6 * (c % 6) + row]));
+            largest = larger_of(largest, fabs(fd));
+        }
+    }
+    block_chain_free(&k);
+    block_chain_free(&d);
+    return worst / largest;
+}
+
+/* (WI1a): an axial grip pulls along its line with no moment, whatever way the head has turned, rolled and moved aside;
+ * halfway between ghost and segment it pulled with half of the turn, and to the other side beyond half a roll. */
+static void test_axial_grip(void **state)
+{
+    (void)state;
+    static const double roll[] = {0, 1, 3.1, M_PI, 3.2, 5};
+    SceneDef def;
+    Scene scene;
+    Workspace ws;
+    fixture_pull(&def, &(FixtureChoice){0});
+    def.winch.axial_only = 1;
+    fixture_build(&def, &scene);
+    assert_true(workspace_alloc(&ws, &scene, NULL));
+    const int n = scene.chain.n, i = n - 1;
+    double *const y = calloc((size_t)(STATE_SIZE * n), sizeof *y), first = NAN;
+    assert_non_null(y);
+    scene_initial_chain(&scene, y);
+    const Quat laid = state_attitude(y, n, i), turned = quat_mul(quat_exp(v3(0.1, 0.3, -0.4)), laid);
+    const Vec3 u = scene.winch->direction, axis = quat_rotate(turned, v3(1, 0, 0));
+    for (int c = 0; c < 3; ++c) y[c * n + i] += (const double[]){0.004, 0.02, -0.03}[c];
+    for (size_t k = 0; k < sizeof roll / sizeof *roll; ++k) {
+        const Quat q = quat_mul(quat_exp(v3_scale(roll[k], axis)), turned);
+        const double parts[4] = {q.w, q.x, q.y, q.z};
+        for (int c = 0; c < 4; ++c) y[(3 + c) * n + i] = parts[c];
+        dynamics_kinematics(&scene, &ws, 0, y);
+        bushing_kernels()->loads(&scene.chain, &ws.kin, n / LANES * LANES, n + 1, &ws.joints);
+        const Vec3 force = v3_load(ws.joints.force, n), arm = v3_scale(scene.chain.half[i], axis);
+        const double pull = v3_dot(force, u);
+        if (k == 0) first = pull;
+        check_above(fabs(pull), 1e3);
+        check_share(pull, first, 1e-9);
+        check_below(v3_norm(v3_cross(force, u)), 1e-9 * fabs(pull));
+        check_below(v3_norm(v3_sub(v3_load(ws.joints.torque_a, n), v3_cross(arm, force))), 1e-9 * fabs(pull));
+    }
+    check_below(grip_blocks_off(&scene, &ws, y), 1e-6);
+    free(y);
+    workspace_free(&ws);
+    scene_clear(&scene);
+}
+
+TEST_FILE(test_winch, cmocka_unit_test(test_axial_grip), cmocka_unit_test(test_profile),
+          cmocka_unit_test(test_trip_and_restart), cmocka_unit_test(test_trip_on_the_ramp),
+          cmocka_unit_test(test_trip_for_good), cmocka_unit_test(test_hold), cmocka_unit_test(test_tension_law),
+          cmocka_unit_test(test_blocks), cmocka_unit_test(test_on_the_line))

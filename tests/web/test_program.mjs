@@ -33,6 +33,22 @@ const table = (results, name) => parseCsv(readFileSync(join(results, name), 'utf
 /** Three significant digits of a number, as the page shows them in its unit. */
 const near = (text, value) => Math.abs(Number(text) - value) <= 5e-4 * Math.abs(value);
 
+test('a cable that is pushed: the push along the route, and what it is allowed', async () => {
+  const results = simulate(
+    'conveyors',
+    'pushed',
+    'run.duration=3 s',
+    'run.steady_from=2 s',
+    'limits={push: 10 kN}',
+    'conveyors=[{name: c, from: 20 m, to: 24 m, clamp: 20 kN, mu: 0.3, factor: 1.05, limit: 3 kN}]',
+  );
+  const { page: view, heard, close } = await openFile(page(results));
+  const figure = view.locator('#figure-push');
+  assert.match(await figure.innerText(), /Push along the route/);
+  assert.deepEqual(heard, []);
+  await close();
+});
+
 test('a pull whose bend is too tight: what the page says is what the files say', async () => {
   const results = simulate('limits', 'limits');
   const summary = JSON.parse(readFileSync(join(results, 'summary.json'), 'utf8'));

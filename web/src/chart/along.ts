@@ -78,6 +78,38 @@ export function tensionFigure(run: RunData): FigureSpec | null {
   };
 }
 
+/** What a tension below 0 pushes with. */
+const pushOf = (y: Value[]): Value[] => y.map((value) => (value === null ? null : Math.max(0, -value)));
+
+/** Push along the route, of cables that a machine pushes: beside the load at which they leave their straight line. */
+export function pushFigure(run: RunData): FigureSpec | null {
+  const buckling = limitNamed(run, 'buckling');
+  const tension = buckling?.value ? tensionFigure(run) : null;
+  if (!tension) return null;
+  const shown = tension.curves.filter((curve) => ['envelope', 'simulated', 'theory'].includes(curve.role));
+  const curves = shown
+    .filter((curve) => curve.label !== 'simulated, largest')
+    .map((curve) => ({
+      ...curve,
+      y: pushOf(curve.y),
+      label: curve.label.replace('least', 'largest of the run'),
+      quiet: false,
+    }));
+  if (!curves.some((curve) => curve.y.some((value) => (value ?? 0) > 0))) return null;
+  return {
+    id: 'push',
+    title: 'Push along the route',
+    caption:
+      'What a machine pushes the cable with, where its tension is below 0. Beyond the allowed push it snakes or coils in a duct, or bows between carriers and guides.' +
+      (buckling?.where ? ` It is nearest to that at ${buckling.where}.` : ''),
+    ...ALONG,
+    yLabel: 'push',
+    yUnit: 'N',
+    curves,
+    levels: levels(run, 'buckling', 'push'),
+  };
+}
+
 /** T/R of the reference theory, of the whole route full of cable. */
 function theoryPressure(run: RunData): Curve | null {
   const theory = run.theory_along;

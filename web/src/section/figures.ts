@@ -1,5 +1,5 @@
 // Sections that are figures alone: along the route, and over time.
-import { curvatureFigure, profileFigure, sidewallFigure, tensionFigure } from '../chart/along';
+import { curvatureFigure, profileFigure, pushFigure, sidewallFigure, tensionFigure } from '../chart/along';
 import { forceFigure, headFigure, speedFigure } from '../chart/over_time';
 import type { Context, Section } from '../context';
 import { planDrawing } from '../plan/plan';
@@ -14,6 +14,8 @@ export const alongSection: Section = (context) => {
   parts.push(
     tension ? context.figure(tension) : note(`There is no tension along the route in these results. ${OLDER}`),
   );
+  const push = pushFigure(run);
+  if (push) parts.push(context.figure(push));
   const sidewall = sidewallFigure(run);
   parts.push(
     sidewall
