@@ -235,7 +235,7 @@ static void way_line(Answer *a, const Setup *setup, const Calculator *c, int k)
 enum { MEND_SHOWN = 4 };
 
 /* What would do together, or what no duct, radius and friction mends. */
-static void mend_lines(Answer *a, const Setup *setup, const Mend *m, const char *how)
+static void mend_lines(Answer *a, const Setup *setup, const Mend *m, int of_run)
 {
     char text[1600] = "", one[REMEDY_MAX];
     Remedy part[MEND_PARTS_MAX];
@@ -246,9 +246,12 @@ static void mend_lines(Answer *a, const Setup *setup, const Mend *m, const char 
     }
     if (n > MEND_SHOWN)
         snprintf(text + strlen(text), sizeof text - strlen(text), " and %d more (--tables remedies)", n - MEND_SHOWN);
-    if (m->safe)
-        answer_line(a, "remedy", "%s would do%s; %s: %s", text, m->beside ? " for all but what is named above" : "",
-                    how, m->word);
+    const char *const but = m->beside ? " for all but what is named above" : "";
+    if (m->safe && of_run)
+        answer_line(a, "remedy", "%s would do%s, by theory with this run's figures (%s): run the case again with it",
+                    text, but, m->word);
+    else if (m->safe)
+        answer_line(a, "remedy", "%s would do%s; computed again: %s", text, but, m->word);
     else if (*text)
         answer_line(a, "remedy", "%s would help, but then is still broken: %s", text, m->still);
     else if (*m->still)
@@ -335,7 +338,7 @@ void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inv
     answer_verdict(a, verdict[PLAN_FORWARD]);
     way_line(a, setup, c, PLAN_FORWARD);
     limits_say(a, setup, c->n_limits, c->limit[PLAN_FORWARD], &inverse->mend[PLAN_FORWARD]);
-    if (!forward && c->n_limits > 0) mend_lines(a, setup, &inverse->mend[PLAN_FORWARD], "computed again");
+    if (!forward && c->n_limits > 0) mend_lines(a, setup, &inverse->mend[PLAN_FORWARD], 0);
     if (!forward) inverse_lines(a, setup, c, inverse, PLAN_FORWARD);
     together_line(a, setup, c);
     if (!forward && !strncmp(other, "SAFE", 4))
@@ -427,7 +430,7 @@ static void run_limits_say(Answer *a, const hawser_sim *s, int n, const hawser_l
     Mend mend;
     const int together = mend_run(s, n, limit, &mend);
     limits_say(a, setup, n, limit, together ? &mend : NULL);
-    if (together) mend_lines(a, setup, &mend, "by theory with this run's figures, to be run again");
+    if (together) mend_lines(a, setup, &mend, 1);
 }
 
 /* A rod is not pulled, and nothing is allowed of it: there is only whether its figures are to be trusted. */
