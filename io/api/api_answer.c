@@ -153,22 +153,28 @@ static void open_line(Answer *a, int n, const hawser_limit *limit)
     if (*names) answer_line(a, "not judged", "%s (--tables limits)", names);
 }
 
-enum { BROKEN_SHOWN = 3 }; /* beside the worst */
+enum { BROKEN_SHOWN = 3, BROKEN_BRIEF = 1 }; /* beside the worst */
 
 static void limits_say(Answer *a, const Setup *setup, int n, const hawser_limit *limit, const Mend *mend)
 {
     const hawser_limit *worst = NULL;
+    const int shown = a->brief ? BROKEN_BRIEF : BROKEN_SHOWN;
     int broken = 0;
-    char said[REMEDY_MAX] = "";
+    char said[REMEDY_MAX] = "", more[OPEN_MAX] = "";
     for (int i = 0; i < n; ++i) {
         if (limit[i].judged && (!worst || limit[i].margin < worst->margin)) worst = &limit[i];
     }
     if (worst) limit_lines(a, setup, "worst", worst, mend, said);
     for (int i = 0; i < n; ++i) {
         if (!limit[i].judged || limit[i].ok || &limit[i] == worst) continue;
-        if (broken++ < BROKEN_SHOWN) limit_lines(a, setup, "broken", &limit[i], mend, said);
+        if (broken++ < shown) {
+            limit_lines(a, setup, "broken", &limit[i], mend, said);
+        } else {
+            const size_t used = strlen(more);
+            snprintf(more + used, sizeof more - used, "%s%s", used ? ", " : "", limit[i].name);
+        }
     }
-    if (broken > BROKEN_SHOWN) answer_line(a, "broken", "and %d more (--tables limits)", broken - BROKEN_SHOWN);
+    if (*more) answer_line(a, "broken", "%s, too (--tables limits)", more);
     if (n == 0) answer_line(a, "remedy", "say what is allowed in the case's section 'limits'");
     open_line(a, n, limit);
 }
@@ -232,20 +238,20 @@ static void way_line(Answer *a, const Setup *setup, const Calculator *c, int k)
                 margin);
 }
 
-enum { MEND_SHOWN = 4 };
+enum { MEND_SHOWN = 4, MEND_BRIEF = 2 };
 
 /* What would do together, or what no duct, radius and friction mends. */
 static void mend_lines(Answer *a, const Setup *setup, const Mend *m, int of_run)
 {
     char text[1600] = "", one[REMEDY_MAX];
     Remedy part[MEND_PARTS_MAX];
-    const int n = mend_parts(setup, m, part);
-    for (int i = 0; i < n && i < MEND_SHOWN; ++i) {
+    const int n = mend_parts(setup, m, part), shown = a->brief ? MEND_BRIEF : MEND_SHOWN;
+    for (int i = 0; i < n && i < shown; ++i) {
         remedy_say(&part[i], a->units, one);
         snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s", i ? " and " : "", one);
     }
-    if (n > MEND_SHOWN)
-        snprintf(text + strlen(text), sizeof text - strlen(text), " and %d more (--tables remedies)", n - MEND_SHOWN);
+    if (n > shown)
+        snprintf(text + strlen(text), sizeof text - strlen(text), " and %d more (--tables remedies)", n - shown);
     const char *const but = m->beside ? " for all but what is named above" : "";
     if (m->safe && of_run)
         answer_line(a, "remedy", "%s would do%s, by theory with this run's figures (%s): run the case again with it",
@@ -328,14 +334,23 @@ static void together_line(Answer *a, const Setup *setup, const Calculator *c)
                     hawser_show(pull->value, "N", a->units, found), broken);
 }
 
-void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
-                   const char verdict[][HAWSER_VERDICT_MAX])
+/* A verdict, of which a short answer says how many limits are broken, but not which: the lines below do. */
+static int verdict_length(const Answer *a, const char *verdict)
 {
+    const char *const broken = a->brief ? strstr(verdict, " limits broken: ") : NULL;
+    return broken ? (int)(broken + strlen(" limits broken") - verdict) : (int)strlen(verdict);
+}
+
+static void theory_say(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
+                       const char verdict[][HAWSER_VERDICT_MAX])
+{
+    char first[HAWSER_VERDICT_MAX];
     answer_unusual(a, setup->def, setup->route);
     answer_assumed(a, setup, c->n_limits);
     const char *const other = verdict[PLAN_BACKWARD];
     const int forward = calculator_holds(c, PLAN_FORWARD);
-    answer_verdict(a, verdict[PLAN_FORWARD]);
+    snprintf(first, sizeof first, "%.*s", verdict_length(a, verdict[PLAN_FORWARD]), verdict[PLAN_FORWARD]);
+    answer_verdict(a, first);
     way_line(a, setup, c, PLAN_FORWARD);
     limits_say(a, setup, c->n_limits, c->limit[PLAN_FORWARD], &inverse->mend[PLAN_FORWARD]);
     if (!forward && c->n_limits > 0) mend_lines(a, setup, &inverse->mend[PLAN_FORWARD], 0);
@@ -344,7 +359,22 @@ void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inv
     if (!forward && !strncmp(other, "SAFE", 4))
         answer_line(a, "remedy", "pulled from the other end: %.*s", (int)strcspn(other, ":"), other);
     way_line(a, setup, c, PLAN_BACKWARD);
-    answer_line(a, "", "%s", verdict[PLAN_BACKWARD]);
+    answer_line(a, "", "%.*s", verdict_length(a, other), other);
+}
+
+enum { LINES_MOST = 24 }; /* below the title */
+
+/* What takes more lines than a terminal's page is said again, shorter. */
+void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
+                   const char verdict[][HAWSER_VERDICT_MAX])
+{
+    int lines = 0;
+    theory_say(a, setup, c, inverse, verdict);
+    for (const char *at = a->text; (at = strchr(at, '\n')); ++at) ++lines;
+    if (lines <= LINES_MOST || a->width == 0) return;
+    a->brief = 1;
+    a->used = 0;
+    theory_say(a, setup, c, inverse, verdict);
 }
 
 /* -------------------------------------------------------------------------------------------------- of a run */

@@ -131,6 +131,7 @@ typedef struct Answer {
     size_t size, used;
     hawser_units units; /* of what is said; what is still in SI is turned into them */
     int width;          /* of a line, at most; 0: ANSWER_WIDTH */
+    int brief;          /* as short as can be */
 } Answer;
 enum { ANSWER_WIDTH = 118, TERMINAL_WIDTH = 80 };
 

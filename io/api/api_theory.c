@@ -356,7 +356,8 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
     fill_places(t);
     if (people) few_places(t);
     page_make(t, title, 0, &page);
-    Answer answer = {t->answer, sizeof t->answer, 0, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI, options->width};
+    Answer answer = {t->answer, sizeof t->answer, 0, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI, options->width,
+                     0};
     answer_theory(&answer, &t->setup, &t->calculator, &t->inverse, (const char(*)[HAWSER_VERDICT_MAX])t->shown);
     page.doc.answer = t->answer;
     const hawser_status status = page_choose(&page, options->tables, people, err);
@@ -769,7 +770,7 @@ static hawser_status write_page(Theory *t, const hawser_case *c, hawser_units un
     fill_places(t);
     few_places(t);
     page_make(t, title_of(c), 0, &page);
-    Answer answer = {t->answer, sizeof t->answer, 0, units, 0};
+    Answer answer = {t->answer, sizeof t->answer, 0, units, 0, 0};
     answer_theory(&answer, &t->setup, &t->calculator, &t->inverse, (const char(*)[HAWSER_VERDICT_MAX])t->shown);
     const int pieces = t->calculator.plan.n;
     PieceLine *const line = calloc((size_t)pieces + 1, sizeof *line);
