@@ -112,6 +112,7 @@ typedef struct Trial {
     int of_run;                 /* a run's limits stand for theory's */
     double factor[LIMIT_KINDS]; /* by which a run's limit is theory's; NAN: it has none of that kind */
     double more[LIMIT_KINDS];   /* and by how much it is more */
+    int searching;              /* for what is safe: what radii do alone does not matter */
     double spare;               /* of SPARES */
     double *radii;              /* [pieces] factors */
     double friction;            /* factor */
@@ -234,14 +235,23 @@ static double bend_needs(const Trial *t, const Calculator *c, int p, int to)
     return needs;
 }
 
-static void bend_widen(const Trial *t, const Calculator *c, int p, int to, double needs)
+double mend_radius_given(const SceneDef *def, const Route *route, int p)
+{
+    const RoutePieceDef *const piece = &def->route[p];
+    const double bend = fabs(piece->curvature[0]);
+    return piece->kind == ROUTE_CURVE && piece->upright && bend > 0 ? 1 / bend : route->piece[p].radius;
+}
+
+/* The radius is rounded as it is given in the case. */
+static void bend_widen(const Trial *t, int p, int to, double needs)
 {
     const Route *const route = t->route;
-    const double radius = round_up(needs * c->route->piece[p].radius);
+    const double given = mend_radius_given(&t->ends->at[0].def, route, p);
+    const double factor = round_up(needs * t->radii[p] * given) / given;
     const int shared = route_rounds_slope(route, p);
     for (int k = 0; k < route->n; ++k) {
         if (shared ? !route_rounds_slope(route, k) : k < p || k > to) continue;
-        t->radii[k] = fmax(t->radii[k], shared ? radius / route->piece[k].radius : radius / route->piece[p].radius);
+        t->radii[k] = fmax(t->radii[k], shared ? factor * route->piece[p].radius / route->piece[k].radius : factor);
     }
 }
 
@@ -250,21 +260,33 @@ static void radii_reset(const Trial *t)
     for (int k = 0; k < t->route->n; ++k) t->radii[k] = 1;
 }
 
-/* Widens what is too tight at one of the ends. Returns 0 if that cannot be computed or a bend would be too wide;
- * *tight: something was. */
+/* Whether the pull itself is more than a limit allows: a wider bend is longer, and takes nothing off. */
+static int is_overpulled(const Trial *t, const Calculator *c)
+{
+    static const unsigned kinds = 1U << HAWSER_LIMIT_PULL | 1U << HAWSER_LIMIT_RESTART | 1U << HAWSER_LIMIT_ATTACHMENT |
+                                  1U << HAWSER_LIMIT_ROPE | 1U << HAWSER_LIMIT_WINCH;
+    for (int i = 0; i < c->n_limits; ++i) {
+        const hawser_limit *const l = &c->limit[t->way][i];
+        if (l->judged && !l->ok && (kinds & 1U << l->kind)) return 1;
+    }
+    return 0;
+}
+
+/* Widens what is too tight at one of the ends. Returns 0 if that cannot be computed, a bend would be too wide, or
+ * safety is looked for and bends do not lead to it; *tight: something was. */
 static int widen(Trial *t, int end, int *tight)
 {
     const Route *const route = t->route;
     Calculator c;
     int far = 0;
-    const int solved = solve(t, end, &c);
+    const int solved = solve(t, end, &c) && !(t->searching && is_overpulled(t, &c));
     for (int p = 0, to; solved && p < route->n; p = to + 1) {
         to = route_turn_end(route, p);
         const double needs = route->piece[p].kind == ROUTE_STRAIGHT ? 1 : bend_needs(t, &c, p, to);
         if (!(needs > 1)) continue;
         *tight = 1;
         far |= needs * t->radii[p] > FARTHEST;
-        if (!far) bend_widen(t, &c, p, to, needs);
+        if (!far) bend_widen(t, p, to, needs);
     }
     calculator_free(&c);
     return solved && !far;
@@ -307,6 +329,7 @@ static int safe_with(Trial *t, double friction, char still[MEND_STILL_MAX])
     int safe = 0;
     *still = 0;
     t->friction = friction;
+    t->searching = 1;
     for (size_t k = 0; k < sizeof SPARES / sizeof *SPARES && !safe; ++k) {
         t->spare = SPARES[k];
         radii_reset(t);
@@ -314,6 +337,7 @@ static int safe_with(Trial *t, double friction, char still[MEND_STILL_MAX])
         if (strcmp(still, "stiffness") != 0) break;
     }
     t->spare = SPARES[0];
+    t->searching = 0;
     return safe;
 }
 
@@ -339,7 +363,8 @@ static void mend_say(const Trial *t, Mend *out)
     const Route *const route = t->route;
     for (int p = 0; p < route->n && out->n < MEND_BENDS_MAX; ++p) {
         if (!(t->radii[p] > 1)) continue;
-        out->bend[out->n++] = (MendBend){p, route->piece[p].radius, t->radii[p] * route->piece[p].radius};
+        const double given = mend_radius_given(&t->ends->at[0].def, route, p);
+        out->bend[out->n++] = (MendBend){p, given, t->radii[p] * given};
     }
     if (t->friction < 1) out->friction = t->friction * out->now;
 }

@@ -11,7 +11,7 @@ enum { MEND_BENDS_MAX = 64, MEND_DUCTS_MAX = 8, MEND_STILL_MAX = 160 };
 /* A bend with another radius. */
 typedef struct MendBend {
     int piece;          /* of the route */
-    double now, radius; /* m; rounded up to three digits */
+    double now, radius; /* m, as the case gives it; rounded up to three digits */
 } MendBend;
 
 /* Inside diameters, m, with which a duct's limits hold: from one on, or, where no wide one does, those next above its
@@ -37,10 +37,12 @@ typedef struct Mend {
 } Mend;
 
 /* Of a way that is not safe; n of 0 and friction NAN where neither helps. run[n_run]: a run's limits, which stand for
- * theory's then: each is taken to change by the factor by which theory's does; NULL: there are none. ends: of the case,
- * NULL: it makes its own. Errors: MEMORY. */
+ * theory's then: what each has more than theory's may go with the pull or stay, whichever is worse; NULL: there are
+ * none. ends: of the case; NULL: it makes its own. Errors: MEMORY. */
 hawser_status mend_find(const Setup *setup, const Calculator *base, const Ends *ends, int way, int n_run,
                         const hawser_limit *run, Mend *out, hawser_error *err);
+/* The radius of a bend as the case gives it, m: in plan, where it keeps its grade on a slope. */
+double mend_radius_given(const SceneDef *def, const Route *route, int piece);
 /* Of a duct whose limits do not hold. 0: no diameter from the cable's up to eight times as wide does. */
 int mend_duct(const SceneDef *def, int surface, MendDuct *out);
 

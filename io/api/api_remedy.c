@@ -69,8 +69,8 @@ static void sidewall_remedy(const Setup *setup, const hawser_limit *l, Remedy *r
     if (!(l->limit > k)) return;
     assert(bend);
     r->unit = "m";
-    r->now = bend->radius;
-    r->least = bend->radius * (l->value - k) / (l->limit - k);
+    r->now = mend_radius_given(setup->def, setup->route, p);
+    r->least = r->now * (l->value - k) / (l->limit - k);
     snprintf(r->where, sizeof r->where, "%s", bend->name);
     mend_key(setup, p, r->key);
 }
