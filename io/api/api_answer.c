@@ -334,39 +334,47 @@ static void together_line(Answer *a, const Setup *setup, const Calculator *c)
                     hawser_show(pull->value, "N", a->units, found), broken);
 }
 
-/* A verdict, of which a short answer says how many limits are broken, but not which: the lines below do. */
-static int verdict_length(const Answer *a, const char *verdict)
+/* A verdict, of which a short answer says how many limits are broken, but not which: the lines below it do. */
+static const char *verdict_shown(const Answer *a, const Calculator *c, int way, const TheoryVerdict *verdict,
+                                 char text[HAWSER_VERDICT_MAX])
 {
-    const char *const broken = a->brief ? strstr(verdict, " limits broken: ") : NULL;
-    return broken ? (int)(broken + strlen(" limits broken") - verdict) : (int)strlen(verdict);
+    int judged = 0, broken = 0;
+    if (!a->brief || verdict->word != HAWSER_NOT_SAFE) return verdict->shown;
+    for (int i = 0; i < c->n_limits; ++i) {
+        judged += c->limit[way][i].judged;
+        broken += c->limit[way][i].judged && !c->limit[way][i].ok;
+    }
+    snprintf(text, HAWSER_VERDICT_MAX, "NOT SAFE: %d of %d limits broken", broken, judged);
+    return text;
 }
 
 static void theory_say(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
-                       const char verdict[][HAWSER_VERDICT_MAX])
+                       const TheoryVerdict verdict[PLAN_WAYS])
 {
-    char first[HAWSER_VERDICT_MAX];
+    char text[HAWSER_VERDICT_MAX];
+    const hawser_word other = verdict[PLAN_BACKWARD].word;
     answer_unusual(a, setup->def, setup->route);
     answer_assumed(a, setup, c->n_limits);
-    const char *const other = verdict[PLAN_BACKWARD];
     const int forward = calculator_holds(c, PLAN_FORWARD);
-    snprintf(first, sizeof first, "%.*s", verdict_length(a, verdict[PLAN_FORWARD]), verdict[PLAN_FORWARD]);
-    answer_verdict(a, first);
+    answer_verdict(a, verdict_shown(a, c, PLAN_FORWARD, &verdict[PLAN_FORWARD], text));
     way_line(a, setup, c, PLAN_FORWARD);
     limits_say(a, setup, c->n_limits, c->limit[PLAN_FORWARD], &inverse->mend[PLAN_FORWARD]);
     if (!forward && c->n_limits > 0) mend_lines(a, setup, &inverse->mend[PLAN_FORWARD], 0);
     if (!forward) inverse_lines(a, setup, c, inverse, PLAN_FORWARD);
     together_line(a, setup, c);
-    if (!forward && !strncmp(other, "SAFE", 4))
-        answer_line(a, "remedy", "pulled from the other end: %.*s", (int)strcspn(other, ":"), other);
+    if (!forward && (other == HAWSER_SAFE || other == HAWSER_SAFE_ONLY_IF)) {
+        limits_only_if(c->n_limits, c->limit[PLAN_BACKWARD], text, sizeof text);
+        answer_line(a, "remedy", "pulled from the other end: %s", text);
+    }
     way_line(a, setup, c, PLAN_BACKWARD);
-    answer_line(a, "", "%.*s", verdict_length(a, other), other);
+    answer_line(a, "", "%s", verdict_shown(a, c, PLAN_BACKWARD, &verdict[PLAN_BACKWARD], text));
 }
 
 enum { LINES_MOST = 24 }; /* below the title */
 
 /* What takes more lines than a terminal's page is said again, shorter. */
 void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
-                   const char verdict[][HAWSER_VERDICT_MAX])
+                   const TheoryVerdict verdict[PLAN_WAYS])
 {
     int lines = 0;
     theory_say(a, setup, c, inverse, verdict);

@@ -141,9 +141,14 @@ void answer_assumed(Answer *a, const Setup *setup, int n);
 void answer_verdict(Answer *a, const char *verdict);
 /* "  word   sentence", in as many lines as that takes. */
 void answer_line(Answer *a, const char *word, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* Of one way of pulling; shown: without the names of what is not judged. */
+typedef struct TheoryVerdict {
+    hawser_word word;
+    char whole[HAWSER_VERDICT_MAX], shown[HAWSER_VERDICT_MAX];
+} TheoryVerdict;
 /* All of it for the calculation, each way of pulling with its verdict. */
 void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
-                   const char verdict[][HAWSER_VERDICT_MAX]);
+                   const TheoryVerdict verdict[PLAN_WAYS]);
 
 /* The rows of route.csv, malloc'ed; none for a scene without a route. Theory that cannot be computed there is NAN.
  * Errors: MEMORY; *rows is NULL then. */

@@ -69,8 +69,7 @@ typedef struct Theory {
     Calculator calculator;
     Inverse inverse;
     TheoryTables tables;
-    char verdict[PLAN_WAYS][HAWSER_VERDICT_MAX], shown[PLAN_WAYS][HAWSER_VERDICT_MAX]; /* shown: without what is open */
-    hawser_word word[PLAN_WAYS];
+    TheoryVerdict verdict[PLAN_WAYS];
     char answer[HAWSER_ANSWER_MAX];
     Term *term; /* [n_paper] */
 } Theory;
@@ -236,10 +235,10 @@ static int list_facts(const Theory *t, Fact fact[FACTS_MAX])
     fact[n++] = (Fact){"cables", "cables pulled together", "", cell_number(c->cables)};
     fact[n++] = (Fact){"better_direction", "less force when pulled", "", cell_text(theory_ways[c->plan.better])};
     fact[n++] = (Fact){"best_direction", "better by its limits", "", cell_text(best)};
-    fact[n++] = (Fact){"verdict_forward", NULL, "", cell_text(t->verdict[PLAN_FORWARD])};
-    fact[n++] = (Fact){"verdict_code", NULL, "", cell_text(hawser_word_code(t->word[PLAN_FORWARD]))};
-    fact[n++] = (Fact){"verdict_backward", NULL, "", cell_text(t->verdict[PLAN_BACKWARD])};
-    fact[n++] = (Fact){"verdict_code_backward", NULL, "", cell_text(hawser_word_code(t->word[PLAN_BACKWARD]))};
+    fact[n++] = (Fact){"verdict_forward", NULL, "", cell_text(t->verdict[PLAN_FORWARD].whole)};
+    fact[n++] = (Fact){"verdict_code", NULL, "", cell_text(hawser_word_code(t->verdict[PLAN_FORWARD].word))};
+    fact[n++] = (Fact){"verdict_backward", NULL, "", cell_text(t->verdict[PLAN_BACKWARD].whole)};
+    fact[n++] = (Fact){"verdict_code_backward", NULL, "", cell_text(hawser_word_code(t->verdict[PLAN_BACKWARD].word))};
     return n;
 }
 
@@ -286,9 +285,10 @@ static void page_make(Theory *t, const char *title, int forward_only, Page *page
         const Calculator *const c = &t->calculator;
         hawser_condition held[THEORY_CONDITIONS];
         theory_conditions(c, k, held);
-        t->word[k] = hawser_verdict_word(
-            verdict_say(THEORY_CONDITIONS, held, c->n_limits, c->limit[k], 1, t->verdict[k], sizeof t->verdict[k]));
-        verdict_say(THEORY_CONDITIONS, held, c->n_limits, c->limit[k], 0, t->shown[k], sizeof t->shown[k]);
+        TheoryVerdict *const v = &t->verdict[k];
+        v->word = hawser_verdict_word(
+            verdict_say(THEORY_CONDITIONS, held, c->n_limits, c->limit[k], 1, v->whole, sizeof v->whole));
+        verdict_say(THEORY_CONDITIONS, held, c->n_limits, c->limit[k], 0, v->shown, sizeof v->shown);
     }
     for (int i = 0; i < t->tables.n; i++) table[n++] = t->tables.table[i];
     table[n++] = (Table){"stations", "Tension along the route, full of cable, pulled forward",
@@ -358,7 +358,7 @@ static hawser_status write_theory(Theory *t, const char *title, hawser_format fo
     page_make(t, title, 0, &page);
     Answer answer = {t->answer, sizeof t->answer, 0, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI, options->width,
                      0};
-    answer_theory(&answer, &t->setup, &t->calculator, &t->inverse, (const char(*)[HAWSER_VERDICT_MAX])t->shown);
+    answer_theory(&answer, &t->setup, &t->calculator, &t->inverse, t->verdict);
     page.doc.answer = t->answer;
     const hawser_status status = page_choose(&page, options->tables, people, err);
     return status ? status : document_write(&page.doc, format, text, err);
@@ -643,7 +643,7 @@ static hawser_status chains_theory(const hawser_case *c, hawser_format format, c
     }
     if (!status) status = chains_write(c, t, format, options, text, err);
     for (int k = c->def->n_beside; !status && k >= 0; --k)
-        if (t[k]->word[PLAN_FORWARD] != HAWSER_SAFE) *word = t[k]->word[PLAN_FORWARD];
+        if (t[k]->verdict[PLAN_FORWARD].word != HAWSER_SAFE) *word = t[k]->verdict[PLAN_FORWARD].word;
     for (int k = 0; k <= c->def->n_beside; ++k) theory_free(t[k]);
     return status;
 }
@@ -664,7 +664,7 @@ hawser_status hawser_case_theory_shown(hawser_case *c, hawser_format format, con
     } else {
         status = theory_new(c, &all, &t, err);
         if (!status) status = write_theory(t, title_of(c), format, shown, text, err);
-        if (!status) own = t->word[PLAN_FORWARD];
+        if (!status) own = t->verdict[PLAN_FORWARD].word;
         theory_free(t);
     }
     if (word) *word = own;
@@ -771,7 +771,7 @@ static hawser_status write_page(Theory *t, const hawser_case *c, hawser_units un
     few_places(t);
     page_make(t, title_of(c), 0, &page);
     Answer answer = {t->answer, sizeof t->answer, 0, units, 0, 0};
-    answer_theory(&answer, &t->setup, &t->calculator, &t->inverse, (const char(*)[HAWSER_VERDICT_MAX])t->shown);
+    answer_theory(&answer, &t->setup, &t->calculator, &t->inverse, t->verdict);
     const int pieces = t->calculator.plan.n;
     PieceLine *const line = calloc((size_t)pieces + 1, sizeof *line);
     page.table[page.doc.n_tables++] =
@@ -783,8 +783,8 @@ static hawser_status write_page(Theory *t, const hawser_case *c, hawser_units un
     if (!status) status = page_part(&page, 0, units, &more, err);
     const Calculation sheet = {.title = title_of(c),
                                .file = c->name,
-                               .code = hawser_word_code(t->word[PLAN_FORWARD]),
-                               .verdict = t->shown[PLAN_FORWARD],
+                               .code = hawser_word_code(t->verdict[PLAN_FORWARD].word),
+                               .verdict = t->verdict[PLAN_FORWARD].shown,
                                .answer = t->answer,
                                .tables = tables,
                                .more = more,
@@ -814,7 +814,7 @@ hawser_status hawser_case_calculation(hawser_case *c, hawser_units units, const 
     if (!status) status = write_page(t, c, units, path, err);
     uselocale(before);
     freelocale(plain);
-    if (!status && word) *word = t->word[PLAN_FORWARD];
+    if (!status && word) *word = t->verdict[PLAN_FORWARD].word;
     theory_free(t);
     return status;
 }

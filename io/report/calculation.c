@@ -29,13 +29,6 @@ static const char style[] =
     "flex-wrap:wrap}@media print{body{max-width:none;margin:0;font-size:11px}table{font-size:9.5px}th,td{padding:1px "
     "4px}.wide{overflow:visible}pre{font-size:9.5px}details{display:none}}@page{size:A4;margin:16mm 14mm 18mm;";
 
-static void words_add(Text *out, const char *before, const char *words, const char *after)
-{
-    text_add(out, before);
-    text_html(out, words, 2000);
-    text_add(out, after);
-}
-
 /* A text of a style sheet, in its quotes: what could end it goes. */
 static void css_add(Text *out, const char *words)
 {
@@ -70,16 +63,16 @@ static void head_write(const Calculation *page, Text *out)
     css_add(out, job->client);
     text_add(out,
              "}@bottom-right{font:9px system-ui,sans-serif;content:counter(page) \" / \" counter(pages)}}</style>\n");
-    words_add(out, "<title>Pulling calculation: ", page->title, "</title></head><body>\n");
-    words_add(out, "<h1>Pulling calculation: ", page->title, "</h1>\n<dl class=\"job\">\n");
+    text_words(out, "<title>Pulling calculation: ", page->title, "</title></head><body>\n");
+    text_words(out, "<h1>Pulling calculation: ", page->title, "</h1>\n<dl class=\"job\">\n");
     for (size_t k = 0; k < sizeof job_rows / sizeof *job_rows; ++k) {
         const char *const value = (const char *)job + job_rows[k].at;
         if (!*value) continue;
-        words_add(out, "<dt>", job_rows[k].label, "</dt>");
-        words_add(out, "<dd>", value, "</dd>\n");
+        text_words(out, "<dt>", job_rows[k].label, "</dt>");
+        text_words(out, "<dd>", value, "</dd>\n");
     }
-    words_add(out, "<dt>Case</dt><dd>", page->file, "</dd>\n");
-    words_add(out, "<dt>Calculated by</dt><dd>hawser ", hawser_version(), "</dd>\n</dl>\n");
+    text_words(out, "<dt>Case</dt><dd>", page->file, "</dd>\n");
+    text_words(out, "<dt>Calculated by</dt><dd>hawser ", hawser_version(), "</dd>\n</dl>\n");
 }
 
 static void answer_write(const Calculation *page, Text *out)
@@ -87,10 +80,10 @@ static void answer_write(const Calculation *page, Text *out)
     char word[HAWSER_VERDICT_MAX];
     snprintf(word, sizeof word, "%.*s", (int)strcspn(page->verdict, ":"), page->verdict);
     text_print(out, "<p class=\"verdict %s\">", page->code);
-    words_add(out, "", word, "</p>\n<pre>");
+    text_words(out, "", word, "</p>\n<pre>");
     for (const char *line = page->answer; *line; line += strcspn(line, "\n"), line += *line == '\n') {
         snprintf(word, sizeof word, "%.*s", (int)strcspn(line, "\n"), line);
-        words_add(out, "", word, "\n");
+        text_words(out, "", word, "\n");
     }
     text_add(out, "</pre>\n");
 }
@@ -137,22 +130,6 @@ static int along_make(const Calculation *page, Along *a)
     return 1;
 }
 
-static void range_grow(double range[2], int n, const double *value)
-{
-    for (int i = 0; i < n; ++i) {
-        range[0] = fmin(range[0], value[i]);
-        range[1] = fmax(range[1], value[i]);
-    }
-}
-
-static void svg_done(Svg *svg, Text *out)
-{
-    svg_end(svg);
-    text_add(out, svg->out.at ? svg->out.at : "");
-    out->failed |= svg->out.failed;
-    text_clear(&svg->out);
-}
-
 static void label_of(const char *what, const Scale *scale, char text[64])
 {
     snprintf(text, 64, "%s, %s", what, scale->unit);
@@ -196,7 +173,7 @@ static void plan_draw(const Calculation *page, const Along *a, Text *out)
     svg_arrow(&svg, &x, &y, a->x[m], a->y[m], a->x[m + 1] - a->x[m], a->y[m + 1] - a->y[m], SVG_FIRST);
     svg_words(&svg, axis_pixel(&x, a->x[0]) + 8, axis_pixel(&y, a->y[0]) - 8, "start");
     svg_words(&svg, axis_pixel(&x, a->x[a->n - 1]) + 8, axis_pixel(&y, a->y[a->n - 1]) - 8, "end");
-    svg_done(&svg, out);
+    svg_into(&svg, out);
 }
 
 /* Along the route: one figure of so many lines, with what is allowed. */
@@ -222,7 +199,7 @@ static void figure_draw(const Along *a, const char *title, const char *what, con
     svg_frame(&svg, &x, &y);
     if (allowed >= y.from && allowed <= y.to) svg_level(&svg, &x, &y, allowed, "allowed", SVG_LIMIT);
     for (int k = 0; k < n; ++k) svg_line(&svg, &x, &y, a->n, a->s, line[k], k ? SVG_SECOND : SVG_FIRST);
-    svg_done(&svg, out);
+    svg_into(&svg, out);
 }
 
 static double allowed_of(const Calculator *c, hawser_limit_kind kind)
@@ -296,7 +273,7 @@ static void duct_draw(const Calculation *page, const CalculatorDuct *duct, Text 
     for (int i = 0; i < n; ++i)
         text_print(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"#8b949e55\"/>", middle + scale * place[i][0],
                    middle - scale * place[i][1], scale * d / 2);
-    words_add(out, "</svg><figcaption>", s->name, "");
+    text_words(out, "</svg><figcaption>", s->name, "");
     text_print(out, ": inside %s, %d \xC3\x97 %s, fill %.3g %%, clearance %s",
                hawser_show(2 * R, "m", page->units, inside), n, hawser_show(d, "m", page->units, cable),
                100 * duct->load.fill, hawser_show(duct->load.clearance, "m", page->units, room));
@@ -338,7 +315,7 @@ static void hand_piece(const Calculation *page, int p, Text *out)
     const PullStretch *const at = stretch_at(page->c->def.n_stretches, page->c->def.stretch, on->s0 + on->length / 2);
     const double T = piece->t_in, w = at->weight, mu = at->mu, R = on->radius, turn = on->angle,
                  slope = asin(fmax(-1, fmin(1, on->tangent.z)));
-    words_add(out, "<p><b>", on->name, "</b>");
+    text_words(out, "<p><b>", on->name, "</b>");
     text_print(out, ", from %.2f m on: T<sub>1</sub> = %.1f N, w = %.3f N/m, \xCE\xBC = %.4g", on->s0, T, w, mu);
     if (on->kind == ROUTE_STRAIGHT)
         text_print(out,

@@ -20,26 +20,10 @@ static const char head[] =
     "#8b949e55}td:first-child"
     ",th:first-child{text-align:left}svg{max-width:100%;height:auto}h2{font-size:16px}.bad{color:#b3261e}</style>\n";
 
-static void words_add(Text *out, const char *before, const char *words, const char *after)
-{
-    text_add(out, before);
-    text_html(out, words, 400);
-    text_add(out, after);
-}
-
 static SvgStyle style_of(int i) { return (SvgStyle)(i % STYLES); }
 
 /* -------------------------------------------------------------------------------------------------------------- plan
  */
-
-/* Least and largest of what is finite. */
-static void range_grow(double range[2], long n, const double *value)
-{
-    for (long i = 0; i < n; ++i) {
-        range[0] = fmin(range[0], value[i]);
-        range[1] = fmax(range[1], value[i]);
-    }
-}
 
 /* Start, end and, in the middle of its points, the direction. */
 static void ends_draw(Svg *svg, const Axis *x, const Axis *y, const RoutePageLine *l, SvgStyle style)
@@ -93,10 +77,7 @@ static void plan_draw(const RoutePage *page, Text *out)
         bends_draw(&svg, &x, &y, l, bends <= BENDS_NAMED);
         ends_draw(&svg, &x, &y, l, style_of(i));
     }
-    svg_end(&svg);
-    text_add(out, svg.out.at ? svg.out.at : "");
-    out->failed |= svg.out.failed;
-    text_clear(&svg.out);
+    svg_into(&svg, out);
 }
 
 /* Heights over the stations; a level route is not shown as mountains. */
@@ -116,10 +97,7 @@ static void profile_draw(const RoutePage *page, Text *out)
     svg_frame(&svg, &s, &z);
     for (int i = 0; i < page->n; ++i)
         svg_line(&svg, &s, &z, page->line[i].n, page->line[i].station, page->line[i].z, style_of(i));
-    svg_end(&svg);
-    text_add(out, svg.out.at ? svg.out.at : "");
-    out->failed |= svg.out.failed;
-    text_clear(&svg.out);
+    svg_into(&svg, out);
 }
 
 /* ------------------------------------------------------------------------------------------------------------ tables
@@ -131,8 +109,8 @@ static void lines_list(const RoutePage *page, Text *out)
                   "<th>deviation, m</tr>\n");
     for (int i = 0; i < page->n; ++i) {
         const hawser_route_figures *const f = page->line[i].figures;
-        words_add(out, "<tr><td>", f->name, "");
-        words_add(out, "<td>", f->layer, "");
+        text_words(out, "<tr><td>", f->name, "");
+        text_words(out, "<td>", f->layer, "");
         text_print(out, "<td>%.3f<td>%.3f<td>%d<td>", f->length_m, f->horizontal_length_m, f->pieces);
         if (isfinite(f->least_radius_m)) text_print(out, "%.2f", f->least_radius_m);
         text_print(out, "<td>%.4f</tr>\n", f->deviation_max_m);
@@ -140,10 +118,10 @@ static void lines_list(const RoutePage *page, Text *out)
     text_add(out, "</table>\n");
     for (int i = 0; i < page->n; ++i) {
         const RoutePageLine *const l = &page->line[i];
-        words_add(out, "<p><b>", l->figures->name, "</b>: ");
-        if (l->problem) words_add(out, "<span class=\"bad\">no route: ", l->problem, "</span>");
-        if (!l->problem && l->way) words_add(out, "", l->way, "");
-        if (l->found && *l->found) words_add(out, "; ", l->found, "");
+        text_words(out, "<p><b>", l->figures->name, "</b>: ");
+        if (l->problem) text_words(out, "<span class=\"bad\">no route: ", l->problem, "</span>");
+        if (!l->problem && l->way) text_words(out, "", l->way, "");
+        if (l->found && *l->found) text_words(out, "; ", l->found, "");
         text_add(out, "</p>\n");
     }
 }
@@ -157,7 +135,7 @@ static void bends_list(const RoutePage *page, Text *out)
     for (int i = 0; i < page->n; ++i) {
         const RoutePageLine *const l = &page->line[i];
         for (int k = 0; k < l->n_bends && listed < BENDS_LISTED; ++k, ++listed) {
-            words_add(out, "<tr><td>", l->figures->name, "");
+            text_words(out, "<tr><td>", l->figures->name, "");
             text_print(out, "<td>%.2f<td>%.2f<td>%.1f<td>%.2f</tr>\n", l->bend[k].station_m, l->bend[k].length_m,
                        l->bend[k].turn * DEGREES, l->bend[k].radius_m);
         }
@@ -168,16 +146,16 @@ static void bends_list(const RoutePage *page, Text *out)
 void route_page_write(const RoutePage *page, Text *out)
 {
     text_add(out, head);
-    words_add(out, "<title>Route of ", page->path, "</title></head><body>\n");
-    words_add(out, "<h1>Route of ", page->path, "</h1>\n");
-    words_add(out, "<p>Unit of length: ", page->unit, "; coordinates: ");
-    words_add(out, "", *page->system ? page->system : "not said", "</p>\n");
+    text_words(out, "<title>Route of ", page->path, "</title></head><body>\n");
+    text_words(out, "<h1>Route of ", page->path, "</h1>\n");
+    text_words(out, "<p>Unit of length: ", page->unit, "; coordinates: ");
+    text_words(out, "", *page->system ? page->system : "not said", "</p>\n");
     plan_draw(page, out);
     profile_draw(page, out);
     lines_list(page, out);
     bends_list(page, out);
     text_add(out, "<h2>Not read</h2>\n<ul>\n");
-    for (int i = 0; i < page->n_ignored; ++i) words_add(out, "<li>", page->ignored[i], "</li>\n");
+    for (int i = 0; i < page->n_ignored; ++i) text_words(out, "<li>", page->ignored[i], "</li>\n");
     if (page->n_more) text_print(out, "<li>%d further lines of the file are not drawn</li>\n", page->n_more);
     text_add(out,
              page->n_ignored || page->n_more ? "</ul>\n</body></html>\n" : "<li>nothing</li></ul>\n</body></html>\n");

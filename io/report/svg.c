@@ -44,6 +44,22 @@ void svg_begin(Svg *svg, double width, double height, const char *title)
 
 void svg_end(Svg *svg) { text_add(&svg->out, "</svg>\n"); }
 
+void svg_into(Svg *svg, Text *page)
+{
+    svg_end(svg);
+    text_add(page, svg->out.at ? svg->out.at : "");
+    page->failed |= svg->out.failed;
+    text_clear(&svg->out);
+}
+
+void range_grow(double range[2], long n, const double *value)
+{
+    for (long i = 0; i < n; ++i) {
+        range[0] = fmin(range[0], value[i]);
+        range[1] = fmax(range[1], value[i]);
+    }
+}
+
 double axis_pixel(const Axis *axis, double value)
 {
     return axis->at + axis->length * (value - axis->from) / (axis->to - axis->from);

@@ -32,6 +32,10 @@ typedef struct Svg {
 
 void svg_begin(Svg *svg, double width, double height, const char *title);
 void svg_end(Svg *svg);
+/* Ends it, moves it into a page and frees it. */
+void svg_into(Svg *svg, Text *page);
+/* Makes a range of least and largest hold what is finite of n values. */
+void range_grow(double range[2], long n, const double *value);
 double axis_pixel(const Axis *axis, double value);
 /* The least range that holds from..to, with a little room at the ends that are not 0. */
 void axis_fit(Axis *axis, double from, double to);

@@ -128,6 +128,13 @@ void text_html(Text *t, const char *words, size_t most)
     if (left > 0) text_add(t, "\xe2\x80\xa6");
 }
 
+void text_words(Text *t, const char *before, const char *words, const char *after)
+{
+    text_add(t, before);
+    text_html(t, words, 2000);
+    text_add(t, after);
+}
+
 void text_base64(Text *t, const unsigned char *bytes, size_t size)
 {
     static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

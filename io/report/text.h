@@ -26,6 +26,8 @@ void text_json(Text *t, const char *words);
 void text_json_whole(Text *t, const char *json, size_t size);
 /* Text of an element or of an attribute in quotes; at most `most` characters, then an ellipsis. */
 void text_html(Text *t, const char *words, size_t most);
+/* Strange words as HTML between two pieces of the page; at most 2000 characters. */
+void text_words(Text *t, const char *before, const char *words, const char *after);
 /* Bytes as base64 (RFC 4648, section 4). */
 void text_base64(Text *t, const unsigned char *bytes, size_t size);
 /* Frees it and leaves it empty. */

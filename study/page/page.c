@@ -118,14 +118,6 @@ static void range_widen(const Curve *c, int of_x, double *from, double *to)
     }
 }
 
-static void svg_take(Text *page, Svg *svg)
-{
-    svg_end(svg);
-    page->failed |= svg->out.failed;
-    if (svg->out.at) text_bytes(page, svg->out.at, svg->out.size);
-    text_clear(&svg->out);
-}
-
 void page_chart(Text *page, const Chart *chart)
 {
     Svg svg;
@@ -152,7 +144,7 @@ void page_chart(Text *page, const Chart *chart)
         if (c->words) svg_legend(&svg, c->words, c->style, !c->line);
     }
     if (isfinite(chart->level)) svg_level(&svg, &x, &y, chart->level, chart->level_words, SVG_LIMIT);
-    svg_take(page, &svg);
+    svg_into(&svg, page);
 }
 
 void page_bars(Text *page, const char *title, const char *x_label, int n, const Bar *bar, double zero)
@@ -199,5 +191,5 @@ void page_bars(Text *page, const char *title, const char *x_label, int n, const 
     text_print(&svg.out, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">", x.at + x.length / 2, y.at + 38);
     text_html(&svg.out, x_label, 100);
     text_add(&svg.out, "</text>\n");
-    svg_take(page, &svg);
+    svg_into(&svg, page);
 }
