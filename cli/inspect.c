@@ -166,8 +166,13 @@ static int write_calculation(const Arguments *args)
 
 static int theory(const Arguments *args)
 {
+    const int other = args->tables || args->sensitivities || args->format == HAWSER_CSV || args->format == HAWSER_JSON;
     if (!args->report && (args->dir || args->quiet)) {
         complain("theory: -o and -q are of --report, which is not given");
+        return EXIT_USAGE;
+    }
+    if (args->report && other) {
+        complain("theory: --tables, --sensitivities and --format print something else than the page of --report");
         return EXIT_USAGE;
     }
     const int status = args->crew ? write_crew(args) : 0;

@@ -20,6 +20,10 @@ exists sheet.html
 run_hawser 1 theory pull.yaml --report --strict -q
 run_hawser 4 theory pull.yaml --report -o nowhere/sheet.html
 says err "cannot write 'nowhere'"
+for other in "--tables limits" --sensitivities "--format json"; do
+    run_hawser 2 theory pull.yaml --report -o other.html $other
+    missing other.html
+done
 
 # one folder, with a slash or without; several; where it goes
 rm "$work/r/report.html"

@@ -219,6 +219,111 @@ static void answers(void **state)
     hawser_case_free(c);
 }
 
+/* What `hawser theory` prints of a case on a terminal of 80 columns, and, from the line where one is too long on, each
+ * sentence in one line: the words do not depend on where they were cut. */
+static char *told_of(const char *text, int *lines)
+{
+    static const hawser_theory_options terminal = {.width = 80};
+    hawser_case *c = NULL;
+    hawser_error err = {0};
+    char *said = NULL;
+    if (hawser_case_parse(text, NAME, &c, &err)) fail_msg("%s", err.message);
+    if (hawser_case_theory_shown(c, HAWSER_TABLE, &terminal, &said, NULL, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    *lines = 0;
+    char *to = said;
+    for (const char *at = said; *at; ++at) {
+        *lines += *at == '\n';
+        const int blank = *at == '\n' || *at == ' ';
+        if (!blank || to == said || to[-1] != ' ') *to++ = blank ? ' ' : *at;
+    }
+    *to = 0;
+    return said;
+}
+
+#define ONE  "cables: {c: {d: 50 mm, mass: 4 kg/m}}\n"
+#define TAIL "drive: {tail: {tension: 0 N}}\n"
+#define BENT(radius)                                                                                                   \
+    "route: {pieces: [{straight: 300 m}, {name: b1, bend: 90 deg, radius: " radius ", plane: left}, {straight: 5 "     \
+    "m}]}\n"
+
+/* What a planner once read wrong in the answer. */
+static void what_is_read(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *has, *not ;
+    } row[] = {
+        /* "pulled from the other end: SAFE" stood above "NOT JUDGED: pull" of that direction */
+        {ONE BENT("2 m") "surfaces: {ducts: [{radius: 50 mm}]}\nfriction: {mu: 0.3, mu_s: 0.3}\n" TAIL
+                         "limits: {sidewall: 0.8 kN/m}\n",
+         "would do; computed again: NOT JUDGED: pull", "pulled from the other end"},
+        {ONE BENT("2 m") "surfaces: {ducts: [{radius: 50 mm}]}\nfriction: {mu: 0.3, mu_s: 0.3}\n" TAIL
+                         "limits: {sidewall: 1.9 kN/m, pull: 20 kN}\n",
+         "pulled from the other end: SAFE ", "NOT JUDGED"},
+        /* a duct of exactly 1.5 diameters was NOT SAFE: fill by 2.22e-14 % */
+        {"cables: {c: {d: 80 mm, mass: 12 kg/m}}\nroute: {pieces: [{straight: 50 m}]}\nsurfaces: {ducts: [{radius: "
+         "60 "
+         "mm}]}\nfriction: {mu: 0.3, mu_s: 0.3}\n" TAIL "limits: {code: tb889, pull: 20 kN, sidewall: 3 kN/m}\n",
+         "SAFE: all ", "NOT SAFE"},
+        /* "36.1 % left" stood under NOT SAFE: restart by 37.4 % */
+        {ONE "route: {pieces: [{straight: 300 m}]}\nsurfaces: {ducts: [{radius: 50 mm}]}\nfriction: {mu: 0.2, mu_s: "
+             "0.45}\n" TAIL "limits: {pull: 4 kN, sidewall: 3 kN/m}\n",
+         "; from rest allowed 4 kN: 32.4 % over", "left worst"},
+        /* "no duct makes this safe": three cables in a triangle have no place in a duct of eight times the width */
+        {"cables: {c: {d: 80 mm, mass: 7 kg/m}}\nbundle: {cables: 3, layout: triangle}\nroute: {pieces: [{straight: "
+         "100 "
+         "m}]}\nsurfaces: {ducts: [{name: D1, radius: 107 mm}]}\nfriction: {mu: 0.15, mu_s: 0.2}\n" TAIL
+         "limits: {code: aeic, pull: 20 kN, sidewall: 5 kN/m}\n",
+         "an inside diameter of at least 0.244 m and at most 0.503 m in 'D1'", "no duct"},
+        /* a bound on friction moved the friction at rest that was given: 0.212 for 0.25 */
+        {ONE "route: {pieces: [{straight: 500 m}]}\nsurfaces: {ducts: [{radius: 50 mm, friction: {type: "
+             "pe-jacket/pe-duct/lubricated, mu_s: 0.25}}]}\n" TAIL "limits: {pull: 5 kN, sidewall: 3 kN/m}\n",
+         "SAFE: all ", "SAFE ONLY IF"},
+        /* mu_d and mu_s beside a type were refused: its mu said nothing */
+        {ONE "route: {pieces: [{straight: 100 m}]}\nsurfaces: {ducts: [{radius: 50 mm, friction: {type: "
+             "pe-jacket/pe-duct/lubricated, mu_d: 0.1, mu_s: 0.2}}]}\n" TAIL "limits: {pull: 5 kN, sidewall: 3 kN/m}\n",
+         "SAFE: all ", "assumed"},
+        /* on a slope the radius of the line in space, 2.09 m, stood for that of the plan, which the case gives */
+        {ONE "route: {slope: 12 deg, pieces: [{straight: 100 m}, {name: b, bend: 60 deg, radius: 2 m, plane: left}, "
+             "{straight: 9 m}]}\nsurfaces: {ducts: [{radius: 50 mm}]}\nfriction: {mu: 0.3, mu_s: 0.3}\n" TAIL
+             "limits: {pull: 20 kN, sidewall: 0.5 kN/m}\n",
+         "(route.pieces.1.radius, now 2 m)", "now 2.09"},
+        /* what a row of rollers gives was named friction.mu_s */
+        {ONE "route: {pieces: [{straight: 40 m}]}\nrollers: {along: [{spacing: 2 m, to: 20 m, friction: {mu: 0.2}}, "
+             "{spacing: 2 m, from: 20 m, friction: {mu: 0.25}}]}\n" TAIL "limits: {pull: 5 kN, sidewall: 3 kN/m}\n",
+         "friction at rest 0.25, usually 0.25 to 0.375 (rollers.along.1.friction.mu_s", "(friction.mu_s)"},
+    };
+    for (size_t k = 0; k < sizeof row / sizeof *row; ++k) {
+        int lines;
+        char *const said = told_of(row[k].text, &lines);
+        check_has(said, row[k].has);
+        if (strstr(said, row[k].not )) fail_msg("row %zu: '%s' is in: %s", k, row[k].not, said);
+        hawser_text_free(said);
+    }
+}
+
+/* The title, a blank line and 24 more, whatever is broken: 37 once. */
+static void no_more_than_a_page(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "cables: {c: {d: 100 mm, mass: 20 kg/m}}\nbundle: {cables: 3}\n"
+        "route: {pieces: [{straight: 300 m}, {name: one, bend: 60 deg, radius: 1 m, plane: left}, {straight: 100 m}, "
+        "{name: two, bend: 45 deg, radius: 1 m, plane: right}, {straight: 100 m}, {name: three, bend: 90 deg, radius: "
+        "1 m, "
+        "plane: left}, {straight: 50 m}]}\nsurfaces: {ducts: [{name: a long name of a duct, radius: 150 mm, to: 300 "
+        "m}, "
+        "{name: another name of a duct, radius: 145 mm, from: 300 m}]}\nfriction: {mu: 0.4}\n"
+        "limits: {code: aeic, pull: 20 kN, sidewall: 1 kN/m, winch_capacity: 10 kN, rope_strength: 50 kN, "
+        "attachment_rating: 5 kN}\ntheory: {machine_push: 5 kN}\n";
+    int lines;
+    char *const said = told_of(text, &lines);
+    check_has(said, "NOT SAFE: 8 of 11 limits broken pull ");
+    check_at_most(lines, 26);
+    hawser_text_free(said);
+}
+
 /* The remedies of cases/duct-bends.yaml with those keys, run; that many, of all limits together, set. Returns the
  * largest T/R, N/m. */
 static double run_ducts(const char *const set[], char key[3][64], double value[3])
@@ -348,5 +453,6 @@ static void what_a_radius_mends(void **state)
 
 TEST_FILE_IN(test_answer, answer_setup, answer_teardown, cmocka_unit_test(words), cmocka_unit_test(sentences),
              cmocka_unit_test(ducts), cmocka_unit_test(bends), cmocka_unit_test(a_listed_bend),
-             cmocka_unit_test(a_runs_remedies), cmocka_unit_test(answers), cmocka_unit_test(what_a_radius_mends),
+             cmocka_unit_test(a_runs_remedies), cmocka_unit_test(what_is_read), cmocka_unit_test(no_more_than_a_page),
+             cmocka_unit_test(answers), cmocka_unit_test(what_a_radius_mends),
              cmocka_unit_test(the_margin_is_the_cables))

@@ -193,7 +193,7 @@ static void blows_that_the_mesh_makes(void **state)
     hawser_sim *const tip = run_of(data_text("trust-tip"), twice), *const mouth =
                                                                        run_of(data_text("trust-mouth"), once);
     const hawser_summary a = summary_of(tip), b = summary_of(mouth);
-    check_share(a.pull_peak_N, 386, 0.06);
+    check_share(a.pull_peak_N, 386, 0.045); /* 401.8 N: its bar of 15.3 N misses 386 N by half a newton */
     assert_false(condition_of(&b, "numerical_peak")->holds);
     check_at_most(b.pull_peak_N - 75.8e3, b.pull_peak_error.total);
     hawser_sim_free(tip);
