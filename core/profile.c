@@ -3,6 +3,8 @@
 #include <assert.h>
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* D of (P1) and (P2): the share of the ramp that is done, 0..1. */
 static double ramp_share(double x, double x0, double x1)
@@ -28,6 +30,29 @@ double step_quintic(double x, double x0, double h0, double x1, double h1, double
     const double d = ramp_share(x, x0, x1);
     if (slope) *slope = (h1 - h0) * 30 * d * d * (1 - d) * (1 - d) / (x1 - x0);
     return h0 + (h1 - h0) * d * d * d * (10 + d * (6 * d - 15));
+}
+
+int profile_table(Profile *p, int n)
+{
+    double *const points = calloc(2 * (size_t)n, sizeof *points);
+    *p = points ? (Profile){.kind = PROFILE_TABLE, .n = n, .time = points, .value = points + n} : (Profile){0};
+    return points != NULL;
+}
+
+int profile_own(Profile *p)
+{
+    const Profile from = *p;
+    if (p->kind != PROFILE_TABLE) return 1;
+    if (!profile_table(p, from.n)) return 0;
+    memcpy(p->time, from.time, (size_t)from.n * sizeof *p->time);
+    memcpy(p->value, from.value, (size_t)from.n * sizeof *p->value);
+    return 1;
+}
+
+void profile_free(Profile *p)
+{
+    if (p->kind == PROFILE_TABLE) free(p->time);
+    *p = (Profile){0};
 }
 
 /* The table's interval that holds t: i with time[i] <= t < time[i+1]; -1 before the first point, n-1 from the

@@ -8,21 +8,28 @@ typedef enum ProfileKind { PROFILE_CONSTANT, PROFILE_STEP, PROFILE_STEP5, PROFIL
 
 /* A value as a function of time.
  * CONSTANT: v1 always. STEP, STEP5: v0 up to t0, v1 from t1 on, the cubic or quintic between (references: ADAMS STEP).
- * TABLE: n points (time[i], value[i]), times rising strictly, linear between, constant beyond the ends; the arrays
- * are borrowed. */
+ * TABLE: n points (time[i], value[i]), times rising strictly, linear between, constant beyond the ends. The profile of
+ * a definition owns its table (one piece of memory, by `time`); a profile that is assigned from it borrows that. */
 typedef struct Profile {
     ProfileKind kind;
     double t0, v0; /* s, unit of the value */
     double t1, v1;
     int n;
-    const double *time;  /* [n], s */
-    const double *value; /* [n] */
+    double *time;  /* [n], s */
+    double *value; /* [n] */
 } Profile;
 
 /* STEP(x, x0, h0, x1, h1) of ADAMS: h0 + (h1 - h0) D^2 (3 - 2D); x0 < x1. *slope (may be NULL) gets d/dx. */
 double step_cubic(double x, double x0, double h0, double x1, double h1, double *slope);
 /* STEP5: h0 + (h1 - h0) D^3 (10 - 15 D + 6 D^2). */
 double step_quintic(double x, double x0, double h0, double x1, double h1, double *slope);
+
+/* Makes it a table of n points, all zero, which it owns. Returns 0 if there is no memory; it is then the constant 0. */
+int profile_table(Profile *p, int n);
+/* Gives a profile that borrows its table a copy of its own. Returns 0 if there is no memory; it then has no table. */
+int profile_own(Profile *p);
+/* Frees the table that it owns, if it is one. */
+void profile_free(Profile *p);
 
 double profile_value(const Profile *p, double t);
 /* The largest value at any time, and the smallest once it has risen from where it begins. */

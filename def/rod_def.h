@@ -15,7 +15,6 @@ typedef enum RodShape { ROD_STRAIGHT, ROD_ARC, ROD_HELIX, ROD_POLYLINE } RodShap
 typedef struct RodProfile {
     Vec3 direction;
     Profile size;
-    double *table_time, *table_value;
 } RodProfile;
 
 /* A part of what leads an end: along (m) or about (rad) the profile's direction, or at that rate (m/s, rad/s). */

@@ -87,52 +87,36 @@ static void *copy_of(const void *from, int count, size_t size, int *ok)
     return to;
 }
 
-/* What is done to the table behind a profile. */
-typedef void TableVisit(Profile *profile, double **time, double **value, int *ok);
+/* What is done to a profile that owns its table; 0: no memory. */
+typedef int ProfileVisit(Profile *profile);
 
-/* A table of its own, with the profile pointed at it. */
-static void table_copy(Profile *profile, double **time, double **value, int *ok)
+static int visit_free(Profile *profile)
 {
-    const int n = profile->kind == PROFILE_TABLE ? profile->n : 0;
-    profile->time = *time = copy_of(profile->time, n, sizeof(double), ok);
-    profile->value = *value = copy_of(profile->value, n, sizeof(double), ok);
+    profile_free(profile);
+    return 1;
 }
 
-static void table_clear(Profile *profile, double **time, double **value, int *ok)
+/* All that may be tables, of the definition itself and of the items of its arrays; all are visited whatever one
+ * returns. */
+static int profiles_visit(SceneDef *def, ProfileVisit *visit)
 {
-    (void)profile, (void)ok;
-    free(*time);
-    free(*value);
-}
-
-/* All tables there are: those of the definition itself, and of the items of its arrays. */
-static void tables_visit(SceneDef *def, TableVisit *visit, int *ok)
-{
-    visit(&def->winch.speed, &def->winch.table_time, &def->winch.table_value, ok);
-    visit(&def->winch.tension, &def->winch.tension_time, &def->winch.tension_value, ok);
-    visit(&def->tail.tension, &def->tail.table_time, &def->tail.table_value, ok);
-    for (int i = 0; def->conveyors && i < def->n_conveyors; ++i) {
-        ConveyorDef *const c = &def->conveyors[i];
-        visit(&c->speed, &c->table_time, &c->table_value, ok);
-    }
-    for (int l = 0; def->rod.loads && l < def->rod.n_loads; ++l) {
-        RodProfile *const by = &def->rod.loads[l].by;
-        visit(&by->size, &by->table_time, &by->table_value, ok);
-    }
+    int ok = visit(&def->winch.speed);
+    ok &= visit(&def->winch.tension);
+    ok &= visit(&def->tail.tension);
+    for (int i = 0; def->conveyors && i < def->n_conveyors; ++i) ok &= visit(&def->conveyors[i].speed);
+    for (int l = 0; def->rod.loads && l < def->rod.n_loads; ++l) ok &= visit(&def->rod.loads[l].by.size);
     for (int e = 0; e < 2; ++e) {
         const RodEndDef *const end = &def->rod.end[e];
-        for (int m = 0; end->motions && m < end->n_motions; ++m) {
-            RodProfile *const by = &end->motions[m].by;
-            visit(&by->size, &by->table_time, &by->table_value, ok);
-        }
+        for (int m = 0; end->motions && m < end->n_motions; ++m) ok &= visit(&end->motions[m].by.size);
     }
+    return ok;
 }
 
 void scene_def_clear(SceneDef *def)
 {
     for (int k = 0; k < def->n_beside; ++k) scene_def_clear(&def->beside[k]);
     free(def->beside);
-    tables_visit(def, table_clear, NULL);
+    profiles_visit(def, visit_free);
     for (int i = 0; i < OWNED_ARRAYS; ++i) free(array_of(def, &owned[i]));
     memset(def, 0, sizeof *def);
 }
@@ -159,7 +143,7 @@ hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *e
         memcpy(&count, (const char *)def + owned[i].count, sizeof count);
         array_put(out, &owned[i], copy_of(array_of(def, &owned[i]), count, owned[i].size, &ok));
     }
-    tables_visit(out, table_copy, &ok);
+    ok &= profiles_visit(out, profile_own);
     if (ok) return HAWSER_OK;
     scene_def_clear(out);
     return error_memory(err);

@@ -104,10 +104,8 @@ typedef struct WinchDef {
     int present;
     int axial_only; /* holds the head along the pull only; otherwise it clamps it (a rope that runs on in the air) */
     WinchMode mode;
-    Profile speed;                    /* m/s along the route's end direction */
-    double *table_time, *table_value; /* owned, for PROFILE_TABLE */
-    Profile tension;                  /* N, WINCH_TENSION */
-    double *tension_time, *tension_value;
+    Profile speed;      /* m/s along the route's end direction */
+    Profile tension;    /* N, WINCH_TENSION */
     double speed_limit; /* m/s, WINCH_TENSION; 0: none */
     double band;        /* share of the limit over which the force falls off */
     double drum_mass;   /* kg, WINCH_TENSION: inertia of the drum over its radius squared */
@@ -119,7 +117,6 @@ typedef struct WinchDef {
 typedef struct TailDef {
     int given;
     Profile tension; /* N, back along the route's start direction */
-    double *table_time, *table_value;
 } TailDef;
 
 /* A caterpillar conveyor: two belts that clamp the cable over a stretch of the route. */
@@ -129,8 +126,7 @@ typedef struct ConveyorDef {
     double edge;     /* m at both ends over which the grip rises from nothing */
     int sync;        /* the belt runs with the winch, at `factor` times its speed */
     double factor;
-    Profile speed; /* m/s, of the belt otherwise */
-    double *table_time, *table_value;
+    Profile speed;          /* m/s, of the belt otherwise */
     double clamp;           /* N, by which each belt is pressed on the cable */
     double mu;              /* of belt on cable: the grip is 2 mu clamp */
     double limit;           /* N, of the drive; 0: none */

@@ -26,20 +26,12 @@ static hawser_status pushed(SceneDef *def, hawser_error *err)
 {
     static const double TIME[] = {0, 1, 2}, SHARE[] = {0, 1, 0};
     enum { POINTS = 3 };
-    double *const time = calloc(POINTS, sizeof *time), *const value = calloc(POINTS, sizeof *value);
-    if (!time || !value) {
-        free(time);
-        free(value);
-        return error_memory(err);
-    }
+    RodProfile by = {.direction = v3(0, 0, 1)};
+    if (!profile_table(&by.size, POINTS)) return error_memory(err);
     for (int i = 0; i < POINTS; ++i) {
-        time[i] = TIME[i];
-        value[i] = LOAD * SHARE[i];
+        by.size.time[i] = TIME[i];
+        by.size.value[i] = LOAD * SHARE[i];
     }
-    const RodProfile by = {.direction = v3(0, 0, 1),
-                           .table_time = time,
-                           .table_value = value,
-                           .size = {.kind = PROFILE_TABLE, .n = POINTS, .time = time, .value = value}};
     rod_add_load(def, LEG, 0, by);
     return HAWSER_OK;
 }

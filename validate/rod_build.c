@@ -41,17 +41,9 @@ RodProfile rod_steady(Vec3 direction, double size)
 hawser_status rod_growing(Vec3 direction, double size, RodProfile *out, hawser_error *err)
 {
     *out = (RodProfile){.direction = v3_unit(direction)};
-    double *const time = calloc(2, sizeof *time), *const value = calloc(2, sizeof *value);
-    if (!time || !value) {
-        free(time);
-        free(value);
-        return error_memory(err);
-    }
-    time[1] = 1;
-    value[1] = size;
-    out->table_time = time;
-    out->table_value = value;
-    out->size = (Profile){.kind = PROFILE_TABLE, .n = 2, .time = time, .value = value};
+    if (!profile_table(&out->size, 2)) return error_memory(err);
+    out->size.time[1] = 1;
+    out->size.value[1] = size;
     return HAWSER_OK;
 }
 

@@ -92,9 +92,7 @@ static hawser_status conveyor_read(const CaseReader *r, const CaseNode *node, vo
     if (isnan(c->limit)) c->limit = 0;
     if (!*c->name) snprintf(c->name, sizeof c->name, "C%d", node->index + 1);
     if (own) status = case_section_read(r, own, &belt, c);
-    if (!status && own) {
-        status = case_profile_read(r, own, &belt, "speed", &c->speed, &c->table_time, &c->table_value);
-    }
+    if (!status && own) status = case_profile_read(r, own, &belt, "speed", &c->speed);
     return status;
 }
 

@@ -92,8 +92,7 @@ static hawser_status points_read(const CaseReader *r, const CaseNode *list, cons
 
 /* In place of a ramp. */
 static hawser_status table_read(const CaseReader *r, const CaseNode *map, const CaseNode *list,
-                                const CaseSection *section, const char *value, Profile *profile, double **time,
-                                double **values)
+                                const CaseSection *section, const char *value, Profile *profile)
 {
     const char *const others[] = {value, "ramp", "from", "to"};
     const CaseKey *const keys[2] = {case_key_of(section, "to"), case_key_of(section, value)};
@@ -102,18 +101,15 @@ static hawser_status table_read(const CaseReader *r, const CaseNode *map, const 
         if (other) return case_key_error(r->err, other, NULL, "not allowed beside 'table'");
     }
     if (list->count < 2) return case_value_error(r->err, list, " of %d points: expected two at least", list->count);
-    *time = calloc((size_t)list->count, sizeof **time);
-    *values = calloc((size_t)list->count, sizeof **values);
-    if (!*time || !*values) return error_memory(r->err);
-    *profile = (Profile){.kind = PROFILE_TABLE, .n = list->count, .time = *time, .value = *values};
-    return points_read(r, list, keys, *time, *values);
+    if (!profile_table(profile, list->count)) return error_memory(r->err);
+    return points_read(r, list, keys, profile->time, profile->value);
 }
 
 hawser_status case_profile_read(const CaseReader *r, const CaseNode *map, const CaseSection *section, const char *value,
-                                Profile *profile, double **time, double **values)
+                                Profile *profile)
 {
     const CaseNode *const list = case_node_key(map, "table"), *const to = case_node_key(map, "to");
-    if (list) return table_read(r, map, list, section, value, profile, time, values);
+    if (list) return table_read(r, map, list, section, value, profile);
     if (isnan(profile->v1)) return case_key_error(r->err, map, value, "missing: give it, or a 'table'");
     if (profile->kind == PROFILE_CONSTANT || profile->t1 > profile->t0) return HAWSER_OK;
     return case_key_error(r->err, to ? to : map, to ? NULL : "to",
@@ -165,7 +161,7 @@ static hawser_status pull_read(const CaseReader *r, const CaseNode *winch_node, 
     w->mode = WINCH_TENSION;
     w->speed.v1 = 0; /* none */
     if (isnan(w->speed_limit)) w->speed_limit = 0;
-    return case_profile_read(r, node, &pull, "force", &w->tension, &w->tension_time, &w->tension_value);
+    return case_profile_read(r, node, &pull, "force", &w->tension);
 }
 
 static hawser_status winch_read(const CaseReader *r, const CaseNode *node)
@@ -180,7 +176,7 @@ static hawser_status winch_read(const CaseReader *r, const CaseNode *node)
     if (tension) return pull_read(r, node, tension, w);
     if (trips) status = trip_read(r, trips, &w->trip);
     if (status) return status;
-    return case_profile_read(r, node, &winch, "speed", &w->speed, &w->table_time, &w->table_value);
+    return case_profile_read(r, node, &winch, "speed", &w->speed);
 }
 
 hawser_status case_tail_read(const CaseReader *r, const CaseNode *node, const CaseSection *section)
@@ -189,16 +185,15 @@ hawser_status case_tail_read(const CaseReader *r, const CaseNode *node, const Ca
     tail->given = 1;
     const hawser_status status = case_section_read(r, node, section, tail);
     if (status) return status;
-    return case_profile_read(r, node, section, "tension", &tail->tension, &tail->table_time, &tail->table_value);
+    return case_profile_read(r, node, section, "tension", &tail->tension);
 }
 
 /* The tension of one cable's tail becomes that of so many (BU10). */
-static void tails_join(int tails, TailDef *tail)
+static void tails_join(int tails, Profile *p)
 {
-    Profile *const p = &tail->tension;
     p->v0 *= tails;
     p->v1 *= tails;
-    for (int i = 0; p->kind == PROFILE_TABLE && i < p->n; i++) tail->table_value[i] *= tails;
+    for (int i = 0; p->kind == PROFILE_TABLE && i < p->n; i++) p->value[i] *= tails;
 }
 
 /* Each of the three is optional: a case without a winch lies still or slides. The drag's velocity function has the
@@ -211,7 +206,7 @@ hawser_status case_drive_read(CaseReader *r, const CaseNode *node)
     hawser_status status = case_section_read(r, node, &case_drive, r->def);
     if (!status && head) status = winch_read(r, head);
     if (!status && tail) status = case_tail_read(r, tail, &case_tail);
-    if (!status) tails_join(bundle_tails(&r->def->bundle), &r->def->tail);
+    if (!status) tails_join(bundle_tails(&r->def->bundle), &r->def->tail.tension);
     if (!status && rope) status = case_section_read(r, rope, &rope_drag, drag);
     if (!status && rope) status = case_speeds_check(r, rope, drag->v_s, &drag->v_d);
     return status;

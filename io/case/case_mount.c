@@ -82,7 +82,6 @@ static hawser_status motor_check(const CaseReader *r, const CaseNode *node, cons
 static hawser_status motor_read(const CaseReader *r, const CaseNode *node, MotorDef *motor)
 {
     MotorRecord m = {0};
-    double *no_time = NULL, *no_value = NULL; /* the section knows no table */
     if (!node) return HAWSER_OK;
     hawser_status status = case_section_read(r, node, &motor_section, &m);
     if (!status) status = motor_check(r, node, &m);
@@ -94,7 +93,7 @@ static hawser_status motor_read(const CaseReader *r, const CaseNode *node, Motor
     if (isnan(m.motor.limit)) m.motor.limit = 0;
     if (isnan(m.motor.speed_limit)) m.motor.speed_limit = 0;
     *motor = m.motor;
-    return case_profile_read(r, node, &motor_section, "speed", &motor->set, &no_time, &no_value);
+    return case_profile_read(r, node, &motor_section, "speed", &motor->set);
 }
 
 hawser_status case_spin_read(const CaseReader *r, const CaseNode *node, double radius, SpinDef *spin)

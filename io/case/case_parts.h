@@ -128,7 +128,7 @@ hawser_status case_drive_read(CaseReader *r, const CaseNode *node);
 /* A value over time whose ramp and end value v1 a section's keys have filled: checks them, or reads the map's `table`.
  * value: the name of the section's key for v1. The table's arrays become the caller's even if there is an error. */
 hawser_status case_profile_read(const CaseReader *r, const CaseNode *map, const CaseSection *section, const char *value,
-                                Profile *profile, double **time, double **values);
+                                Profile *profile);
 hawser_status case_tail_read(const CaseReader *r, const CaseNode *node, const CaseSection *section);
 /* After the drive, whose speed the belts may follow. */
 hawser_status case_conveyors_read(CaseReader *r, const CaseNode *list);

@@ -95,15 +95,13 @@ static hawser_status weight_read(const CaseReader *r, const CaseNode *node, cons
     if (status) return status;
     def->tail.tension = record->back;
     def->tail.tension.v1 = record->length * def->cables[def->pieces[0].cable].mass * v3_norm(def->gravity);
-    return case_profile_read(r, node, &case_reel, "length", &def->tail.tension, &def->tail.table_time,
-                             &def->tail.table_value);
+    return case_profile_read(r, node, &case_reel, "length", &def->tail.tension);
 }
 
 static hawser_status brake_read(const CaseReader *r, const CaseNode *node)
 {
     ReelDef *const reel = &r->def->reel;
     const CaseNode *const speed = case_node_key(node, "speed");
-    double *time = NULL, *value = NULL; /* a brake has no table */
     const hawser_status status = case_section_read(r, node, &reel_brake, reel);
     if (status) return status;
     if (reel->brake == BRAKE_CONSTANT) {
@@ -112,7 +110,7 @@ static hawser_status brake_read(const CaseReader *r, const CaseNode *node)
     }
     if (!speed) return case_key_error(r->err, node, "speed", "missing: this law of the brake needs it");
     reel->at_speed = reel->speed.v1;
-    return case_profile_read(r, node, &reel_brake, "speed", &reel->speed, &time, &value);
+    return case_profile_read(r, node, &reel_brake, "speed", &reel->speed);
 }
 
 /* Cable and rope up to the eye: what the reel may hold, and what of it is wound at the start, m. */

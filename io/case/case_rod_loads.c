@@ -79,12 +79,9 @@ static const CaseSection factor_rows = {"", 2, factor_keys};
 /* In load steps a load without a ramp grows with time, from nothing to its value at the end. */
 static hawser_status proportional(const CaseReader *r, double value, RodProfile *by)
 {
-    by->table_time = calloc(2, sizeof(double));
-    by->table_value = calloc(2, sizeof(double));
-    if (!by->table_time || !by->table_value) return error_memory(r->err);
-    by->table_time[1] = r->def->duration;
-    by->table_value[1] = value;
-    by->size = (Profile){.kind = PROFILE_TABLE, .n = 2, .time = by->table_time, .value = by->table_value};
+    if (!profile_table(&by->size, 2)) return error_memory(r->err);
+    by->size.time[1] = r->def->duration;
+    by->size.value[1] = value;
     return HAWSER_OK;
 }
 
@@ -98,9 +95,8 @@ static hawser_status profile_read(const CaseReader *r, const CaseNode *node, dou
     if (grows && !table && by->size.kind == PROFILE_CONSTANT && r->def->analysis.kind != ANALYSIS_DYNAMICS)
         return proportional(r, value, by);
     by->size.v1 = value;
-    const hawser_status status =
-        case_profile_read(r, node, &factor_rows, "factor", &by->size, &by->table_time, &by->table_value);
-    for (int i = 0; !status && table && i < by->size.n; ++i) by->table_value[i] *= value;
+    const hawser_status status = case_profile_read(r, node, &factor_rows, "factor", &by->size);
+    for (int i = 0; !status && table && i < by->size.n; ++i) by->size.value[i] *= value;
     return status;
 }
 

@@ -37,9 +37,7 @@ static double line_mass(const SceneDef *def)
 /* The largest back tension: the tail's, and what the brake can do on the bare drum. */
 static double back_tension(const SceneDef *def)
 {
-    Profile tail = def->tail.tension;
-    tail.value = def->tail.table_value;
-    double back = fmax(0, profile_largest(&tail));
+    double back = fmax(0, profile_largest(&def->tail.tension));
     if (def->reel.model == REEL_PAYOUT) back += 2 * (def->reel.torque + def->reel.bearing) / def->reel.barrel;
     if (def->drum.present) back += 2 * def->drum.torque / def->drum.barrel;
     return back;

@@ -303,7 +303,7 @@ static void test_no_extras(void **state)
 static void test_profiles(void **state)
 {
     (void)state;
-    const double time[] = {0, 1, 3}, value[] = {2, 4, 1};
+    double time[] = {0, 1, 3}, value[] = {2, 4, 1};
     const Profile table = {.kind = PROFILE_TABLE, .n = 3, .time = time, .value = value};
     const Profile step = {.kind = PROFILE_STEP, .t0 = 1, .v0 = 2, .t1 = 3, .v1 = 4};
     const struct {

@@ -143,7 +143,7 @@ static hawser_status profile_back(Profile profile, const Profile *table)
     Checkpoint c = checkpoint_new(1 << 10);
     profile_checkpoint(&c, &profile, table);
     assert_int_equal(c.status, HAWSER_OK);
-    Profile read = {.time = (const double *)1};
+    Profile read = {.time = (double *)1};
     Checkpoint back = checkpoint_over(c.bytes, c.size, NULL);
     profile_checkpoint(&back, &read, table);
     if (!back.status) assert_true(read.time == (profile.kind == PROFILE_TABLE ? table->time : NULL));
@@ -154,7 +154,7 @@ static hawser_status profile_back(Profile profile, const Profile *table)
 static void profiles(void **state)
 {
     (void)state;
-    const double time[] = {0, 1}, value[] = {2, 3};
+    double time[] = {0, 1}, value[] = {2, 3};
     const Profile table = {.kind = PROFILE_TABLE, .n = 2, .time = time, .value = value}, level = {.v1 = 1};
     assert_int_equal(profile_back(table, &table), HAWSER_OK);
     assert_int_equal(profile_back(level, &table), HAWSER_OK);

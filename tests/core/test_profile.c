@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-static const double TABLE_T[] = {-1, 0.5, 2, 5}, TABLE_V[] = {3, -1, 4, 2.5};
+static double TABLE_T[] = {-1, 0.5, 2, 5}, TABLE_V[] = {3, -1, 4, 2.5};
 
 /* One of each kind, with the ramps placed before, across and after t = 0. */
 static const Profile PROFILES[] = {
@@ -123,7 +123,7 @@ static void table_is_constant_beyond_its_ends(void **state)
 static void tables_that_begin_elsewhere(void **state)
 {
     (void)state;
-    static const double time[] = {1, 2, 4, 50}, value[] = {2, 6, 0, 9}; /* the fourth is not the table's */
+    static double time[] = {1, 2, 4, 50}, value[] = {2, 6, 0, 9}; /* the fourth is not the table's */
     const Profile late = {.kind = PROFILE_TABLE, .n = 3, .time = time, .value = value};
     static const struct {
         double t, area, rate;
@@ -134,7 +134,7 @@ static void tables_that_begin_elsewhere(void **state)
         check_close(profile_rate(&late, late_at[k].t), late_at[k].rate, 1e-14);
     }
     check_close(profile_integral(&late, 9), 12, 1e-14); /* it stays at 0 */
-    static const double early_time[] = {-3, -1, 2}, early_value[] = {1, 3, 0};
+    static double early_time[] = {-3, -1, 2}, early_value[] = {1, 3, 0};
     const Profile early = {.kind = PROFILE_TABLE, .n = 3, .time = early_time, .value = early_value};
     check_close(profile_integral(&early, 0), 0, 1e-15);
     check_close(profile_integral(&early, 2), 2.0 * 2 / 2, 1e-14);

@@ -41,15 +41,13 @@ static Rig *cantilever_new(void)
     SceneDef def;
     fixture_free_chain(&def, CANTILEVER);
     def.cables[0] = tabled_cable();
-    def.winch = (WinchDef){.present = 1,
-                           .table_time = fixture_array(CORNERS, sizeof(double)),
-                           .table_value = fixture_array(CORNERS, sizeof(double))};
-    double *const time = def.winch.table_time, *const speed = def.winch.table_value;
+    def.winch = (WinchDef){.present = 1};
+    Profile *const speed = &def.winch.speed;
+    assert_true(profile_table(speed, CORNERS));
     for (int k = 0; k < CORNERS; ++k) {
-        time[k] = at[k] * QUARTER;
-        speed[k] = up[k] * 2 * THROW / QUARTER;
+        speed->time[k] = at[k] * QUARTER;
+        speed->value[k] = up[k] * 2 * THROW / QUARTER;
     }
-    def.winch.speed = (Profile){.kind = PROFILE_TABLE, .n = CORNERS, .time = time, .value = speed};
     def.solver.accuracy = 1e-4;
     def.solver.max_step = 0.1;
     Rig *const r = rig_make(&def, NULL);

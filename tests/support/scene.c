@@ -290,12 +290,9 @@ void rod_load(RodDef *rod, double at, int moment, int follower, Vec3 direction, 
     RodLoadDef *const load = &rod->loads[rod->n_loads++];
     *load = (RodLoadDef){.at = at, .moment = moment, .follower = follower};
     load->by.direction = v3_unit(direction);
-    load->by.table_time = fixture_array(2, sizeof(double));
-    load->by.table_value = fixture_array(2, sizeof(double));
-    load->by.table_time[1] = 1;
-    load->by.table_value[1] = size;
-    load->by.size =
-        (Profile){.kind = PROFILE_TABLE, .n = 2, .time = load->by.table_time, .value = load->by.table_value};
+    assert_true(profile_table(&load->by.size, 2));
+    load->by.size.time[1] = 1;
+    load->by.size.value[1] = size;
 }
 
 void wound_case(SceneDef *def, int n, double turns, double pulled)

@@ -98,15 +98,12 @@ static void trip_row(SceneDef *def, double limit)
     row_scene(def, &ROW);
     def->friction = (FrictionLaw){.mu_s = 0.3, .mu_d = 0.2, .v_s = 1e-3, .v_d = 5e-3};
     for (int r = 0; r < def->n_rollers; ++r) def->rollers[r].friction = def->friction;
-    double *const time = fixture_array(5, sizeof *time), *const value = fixture_array(5, sizeof *value);
+    assert_true(profile_table(&def->tail.tension, 5));
     const double points[5][2] = {{0, 0}, {3, 0}, {4, 4000}, {5, 4000}, {5.5, 0}};
     for (int i = 0; i < 5; ++i) {
-        time[i] = points[i][0];
-        value[i] = points[i][1];
+        def->tail.tension.time[i] = points[i][0];
+        def->tail.tension.value[i] = points[i][1];
     }
-    def->tail.table_time = time;
-    def->tail.table_value = value;
-    def->tail.tension = (Profile){.kind = PROFILE_TABLE, .n = 5, .time = time, .value = value};
     def->winch.trip = (TripDef){.force = limit, .brake = 0.2, .pause = 3, .ramp = 1, .restarts = 1};
 }
 
