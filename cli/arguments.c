@@ -47,6 +47,7 @@ enum {
     OPTION_FMI = 'M',
     OPTION_TABLES = 'Q',
     OPTION_PICTURE = 'D',
+    OPTION_XLSX = 'X',
     KNOWN_MAX = 20
 };
 
@@ -98,6 +99,7 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"page", required_argument, NULL, OPTION_PAGE},
                                             {"fmi", required_argument, NULL, OPTION_FMI},
                                             {"tables", required_argument, NULL, OPTION_TABLES},
+                                            {"xlsx", required_argument, NULL, OPTION_XLSX},
                                             {"help", no_argument, NULL, 'h'},
                                             {"version", no_argument, NULL, 'V'},
                                             {NULL, 0, NULL, 0}};
@@ -409,6 +411,9 @@ static int take_option(const Command *command, int letter, Arguments *args)
     case OPTION_PICTURE:
         args->picture = optarg;
         return ARGUMENTS_GO_ON;
+    case OPTION_XLSX:
+        args->workbook = optarg;
+        return ARGUMENTS_GO_ON;
     case OPTION_CREW:
         args->crew = optarg;
         return ARGUMENTS_GO_ON;
@@ -480,7 +485,8 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
         if (optind + 1 < argc)
             complain("%s takes one file; what is '%s'?", command->name, argv[optind + 1]);
         else
-            complain("%s needs a file, as in: hawser %s tunnel.dxf", command->name, command->name);
+            complain("%s needs a file, as in: hawser %s %s", command->name, command->name,
+                     strchr(command->options, OPTION_XLSX) ? "cases/jobs/ducts.yaml" : "tunnel.dxf");
     } else if (strchr(command->options, OPTION_JOBS) && optind + 1 >= argc) {
         complain("%s needs a study file, as in: hawser %s cases/studies/friction.yaml", command->name, command->name);
     } else if (optind + 1 < argc) {

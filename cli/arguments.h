@@ -53,6 +53,7 @@ typedef struct Arguments {
     hawser_compare_options compare; /* of the command compare */
     const char *resume;             /* folder of the run to go on with; NULL: a new one */
     const char *crew;               /* file for the list of equipment; NULL: none */
+    const char *workbook;           /* file for the tables of a job; NULL: none */
     const char *picture;            /* page of a route; NULL: none */
     hawser_route_options route;     /* of the command route; its texts are parts of the command line */
 } Arguments;

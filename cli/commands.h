@@ -4,8 +4,9 @@
 
 #include "cli/arguments.h"
 
-extern const Command command_run, command_check, command_upgrade, command_schema, command_theory, command_validate,
-    command_library, command_route, command_report, command_plot, command_study, command_compare, command_fmu;
+extern const Command command_run, command_check, command_upgrade, command_job, command_schema, command_theory,
+    command_validate, command_library, command_route, command_report, command_plot, command_study, command_compare,
+    command_fmu;
 
 /* The whole program behind `main`: the words of the command line, argv[0] the program's own name; some of them are cut
  * in two. Returns the exit status, which says how it ended: see run.c's help. Without any word the usage goes to
@@ -67,6 +68,11 @@ hawser_status page_make(const char *const *folders, size_t n, const char *path, 
 /* The same of what `write` makes a page of. */
 typedef hawser_status (*PageWrite)(void *what, const char *path, hawser_error *err);
 hawser_status page_make_of(PageWrite write, void *what, const char *path, int pdf, int quiet, hawser_error *err);
+/* Where a page about a case goes: what -o says, or "NAME-KIND.html" of "some/where/NAME.yaml". Returns it. */
+enum { PAGE_PATH = 512 };
+const char *page_path(const Arguments *args, const char *kind, char path[PAGE_PATH]);
+/* With --strict, what the exit status says of a verdict's word. */
+int held_status(const Arguments *args, hawser_word word);
 /* Prints a page to a file by an installed Chromium. Errors: OUTPUT (none is there, it fails, it takes too long). */
 hawser_status pdf_print(const char *page, const char *pdf, hawser_error *err);
 

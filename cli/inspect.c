@@ -115,12 +115,6 @@ static int write_crew(const Arguments *args)
 /* The two commands differ in what they ask the library for. */
 static int check(const Arguments *args) { return print_case(args, hawser_case_describe); }
 
-static int held_status(const Arguments *args, hawser_word word)
-{
-    if (!args->strict || word == HAWSER_SAFE) return 0;
-    return word == HAWSER_NOT_TRUSTED ? EXIT_NOT_TRUSTED : EXIT_NOT_HELD;
-}
-
 static int print_theory(const Arguments *args)
 {
     const hawser_theory_options options = {args->tables, terminal_width()};
@@ -149,17 +143,14 @@ static hawser_status sheet_write(void *what, const char *path, hawser_error *err
     return hawser_case_calculation(sheet->c, sheet->units, path, &sheet->word, err);
 }
 
-/* "NAME-calculation.html" of "some/where/NAME.yaml". */
 static int write_calculation(const Arguments *args)
 {
     hawser_error err = {HAWSER_OK, ""};
     Sheet sheet = {.units = args->format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI};
-    char path[512];
-    const char *const slash = strrchr(args->case_path, '/'), *const name = slash ? slash + 1 : args->case_path,
-                      *const dot = strrchr(name, '.');
-    snprintf(path, sizeof path, "%.*s-calculation.html", dot ? (int)(dot - name) : (int)strlen(name), name);
+    char path[PAGE_PATH];
     hawser_status status = load_case(args, &sheet.c, &err);
-    if (!status) status = page_make_of(sheet_write, &sheet, args->dir ? args->dir : path, args->pdf, args->quiet, &err);
+    if (!status)
+        status = page_make_of(sheet_write, &sheet, page_path(args, "calculation", path), args->pdf, args->quiet, &err);
     hawser_case_free(sheet.c);
     return finish_stdout(status ? exit_status(status, &err) : held_status(args, sheet.word));
 }

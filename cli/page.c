@@ -90,6 +90,20 @@ hawser_status page_make_of(PageWrite write, void *what, const char *path, int pd
     return status;
 }
 
+const char *page_path(const Arguments *args, const char *kind, char path[PAGE_PATH])
+{
+    const char *const slash = strrchr(args->case_path, '/'), *const name = slash ? slash + 1 : args->case_path,
+                      *const dot = strrchr(name, '.');
+    snprintf(path, PAGE_PATH, "%.*s-%s.html", dot ? (int)(dot - name) : (int)strlen(name), name, kind);
+    return args->dir ? args->dir : path;
+}
+
+int held_status(const Arguments *args, hawser_word word)
+{
+    if (!args->strict || word == HAWSER_SAFE) return 0;
+    return word == HAWSER_NOT_TRUSTED ? EXIT_NOT_TRUSTED : EXIT_NOT_HELD;
+}
+
 static int report(const Arguments *args)
 {
     hawser_error err = {HAWSER_OK, ""};

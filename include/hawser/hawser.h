@@ -258,6 +258,7 @@ const char *hawser_sim_title(const hawser_sim *s);
 #include "hawser/checkpoint.h"
 #include "hawser/control.h"
 #include "hawser/fmu.h"
+#include "hawser/job.h"
 #include "hawser/library.h"
 #include "hawser/limits.h"
 #include "hawser/query.h"

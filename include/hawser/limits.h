@@ -5,6 +5,8 @@
 
 #include <stddef.h>
 
+#include "hawser/shown.h"
+#include "hawser/status.h"
 #include "hawser/tables.h"
 
 #ifdef __cplusplus

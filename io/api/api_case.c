@@ -12,8 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A handle around a tree, which it takes over; name is copied. */
-static hawser_status wrap_tree(CaseTree *tree, const char *name, hawser_case **out, hawser_error *err)
+hawser_status case_wrap(CaseTree *tree, const char *name, hawser_case **out, hawser_error *err)
 {
     hawser_case *c = calloc(1, sizeof *c);
     if (c) c->name = strdup(name);
@@ -34,7 +33,7 @@ hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error
     if (!path || !out) return error_argument(err, path ? "out" : "path");
     *out = NULL;
     const hawser_status status = case_tree_load(path, &tree, err);
-    return status ? status : wrap_tree(tree, path, out, err);
+    return status ? status : case_wrap(tree, path, out, err);
 }
 
 /* As above, from memory. */
@@ -44,7 +43,7 @@ hawser_status hawser_case_parse(const char *text, const char *name, hawser_case 
     if (!text || !name || !out) return error_argument(err, !text ? "text" : !name ? "name" : "out");
     *out = NULL;
     const hawser_status status = case_tree_parse(text, name, &tree, err);
-    return status ? status : wrap_tree(tree, name, out, err);
+    return status ? status : case_wrap(tree, name, out, err);
 }
 
 /* Whether it is JSON, jansson says; YAML holds nearly all of JSON, so that the reader with its lines is the same. What
@@ -78,7 +77,7 @@ hawser_status hawser_case_copy(const hawser_case *c, hawser_case **out, hawser_e
     if (!c || !out) return error_argument(err, c ? "out" : "c");
     CaseTree *const tree = case_tree_copy(c->tree);
     *out = NULL;
-    return tree ? wrap_tree(tree, c->name, out, err) : error_memory(err);
+    return tree ? case_wrap(tree, c->name, out, err) : error_memory(err);
 }
 
 hawser_status hawser_case_get(const hawser_case *c, const char *key, char **text, hawser_error *err)
@@ -103,19 +102,9 @@ hawser_status hawser_case_unpack(const char *text, hawser_case **out, hawser_err
     if (!text || !out) return error_argument(err, text ? "out" : "text");
     *out = NULL;
     hawser_status status = case_tree_unpack(text, &tree, &name, err);
-    if (!status) status = wrap_tree(tree, name, out, err);
+    if (!status) status = case_wrap(tree, name, out, err);
     free(name);
     return status;
-}
-
-static hawser_status text_replace(const char *path, const char *text, hawser_error *err)
-{
-    char folder[OUT_PATH_MAX];
-    const char *const slash = strrchr(path, '/');
-    const size_t n = slash ? (size_t)(slash - path) : 0;
-    if (n >= sizeof folder) return out_error(path, ENAMETOOLONG, err);
-    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(n > 0 ? n : 1) : 1, slash ? path : ".");
-    return out_whole(folder, slash ? slash + 1 : path, text, err);
 }
 
 hawser_status hawser_case_upgrade(const char *path, const char *to, int *changes, hawser_error *err)
@@ -128,7 +117,7 @@ hawser_status hawser_case_upgrade(const char *path, const char *to, int *changes
     if (!status && strlen(old) != size)
         status = error_set(err, HAWSER_ERR_INPUT, "%.300s: no text: it has a NUL character", path);
     if (!status) status = case_upgrade(old, path, &text, changes, err);
-    if (!status && (to || *changes > 0)) status = text_replace(to ? to : path, text, err);
+    if (!status && (to || *changes > 0)) status = out_file(to ? to : path, text, strlen(text), err);
     free(old);
     free(text);
     return status;

@@ -6,6 +6,7 @@
 
 #include "core/base/checkpoint.h"
 #include "hawser/hawser.h"
+#include "io/report/text.h"
 #include "io/results/column.h"
 #include "io/results/results.h"
 #include "io/yaml/yaml_tree.h"
@@ -27,6 +28,8 @@ hawser_status error_inside(hawser_error *err);
 int is_inside(const hawser_sim *s);
 /* One of several chains is told to move by itself. */
 hawser_status error_led(hawser_error *err);
+/* A handle around a tree, which it takes over, also after an error; name is copied. Errors: MEMORY. */
+hawser_status case_wrap(CaseTree *tree, const char *name, hawser_case **out, hawser_error *err);
 /* Makes c->def point at what the case says now. Errors: INPUT, MEMORY. */
 hawser_status case_ensure_read(hawser_case *c, hawser_error *err);
 /* Of a case that was read: an error with the line of `chains` if it has several, of which `what` cannot be asked. */
@@ -89,6 +92,11 @@ typedef struct TheoryWish {
 /* What `hawser theory` says as JSON, without its words for people: a thousand a second. Errors: as
  * hawser_case_theory. */
 hawser_status case_theory_values(hawser_case *c, const TheoryWish *wish, struct json_t **out, hawser_error *err);
+
+/* The calculation of one chain as a part of a page, below its head (io/report/calculation.h). word: of the pull
+ * forward, or NULL. Errors: as hawser_case_theory. */
+hawser_status case_calculation_body(hawser_case *c, hawser_units units, Text *out, hawser_word *word,
+                                    hawser_error *err);
 
 enum { THEORY_TABLES_MAX = 17, THEORY_PIECES = 0 };
 

@@ -68,7 +68,7 @@ static hawser_status report_make(const char *const *dirs, size_t n, const char *
     if (!status) status = data_write(n, folder, &data, err);
     if (!status) status = page_write(n, folder, &data, &page, err);
     text_clear(&data);
-    if (!status) status = out_file(path, page.at, err);
+    if (!status) status = out_file(path, page.at, page.size, err);
     text_clear(&page);
     file_marks_free(&files);
     for (size_t i = 0; i < n; i++) folder_clear(&folder[i]);

@@ -708,7 +708,7 @@ static hawser_status page_save(const hawser_routes *r, int only, const char *pat
     hawser_status status = page_fill(r, only, &page, err);
     if (!status) route_page_write(&page, &text);
     if (!status && text.failed) status = error_memory(err);
-    if (!status) status = out_file(path, text.at, err);
+    if (!status) status = out_file(path, text.at, text.size, err);
     uselocale(before);
     freelocale(plain);
     text_clear(&text);

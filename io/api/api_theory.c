@@ -761,11 +761,9 @@ static hawser_status page_part(const Page *page, int shown, hawser_units units, 
     return document_html(&part, units, text, err);
 }
 
-static hawser_status write_page(Theory *t, const hawser_case *c, hawser_units units, const char *path,
-                                hawser_error *err)
+static hawser_status body_write(Theory *t, const hawser_case *c, hawser_units units, Text *out, hawser_error *err)
 {
     Page page;
-    Text out = {0};
     char *tables = NULL, *more = NULL;
     fill_places(t);
     few_places(t);
@@ -791,31 +789,41 @@ static hawser_status write_page(Theory *t, const hawser_case *c, hawser_units un
                                .setup = &t->setup,
                                .c = &t->calculator,
                                .units = units};
-    if (!status) calculation_write(&sheet, &out);
-    if (!status && out.failed) status = error_memory(err);
-    if (!status) status = out_file(path, out.at, err);
-    text_clear(&out);
+    if (!status) calculation_body(&sheet, out);
     free(line);
     free(tables);
     free(more);
     return status;
 }
 
-hawser_status hawser_case_calculation(hawser_case *c, hawser_units units, const char *path, hawser_word *word,
-                                      hawser_error *err)
+hawser_status case_calculation_body(hawser_case *c, hawser_units units, Text *out, hawser_word *word, hawser_error *err)
 {
     const TheoryWish all = {0};
     Theory *t;
-    if (!c || !path) return error_argument(err, c ? "path" : "c");
     const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (!plain) return error_memory(err);
     hawser_status status = theory_new(c, &all, &t, err);
     const locale_t before = uselocale(plain);
-    if (!status) status = write_page(t, c, units, path, err);
+    if (!status) status = body_write(t, c, units, out, err);
     uselocale(before);
     freelocale(plain);
     if (!status && word) *word = t->verdict[PLAN_FORWARD].word;
     theory_free(t);
+    return status;
+}
+
+hawser_status hawser_case_calculation(hawser_case *c, hawser_units units, const char *path, hawser_word *word,
+                                      hawser_error *err)
+{
+    Text out = {0};
+    if (!c || !path) return error_argument(err, c ? "path" : "c");
+    hawser_status status = case_ensure_read(c, err);
+    if (!status) calculation_head(&c->def->job, title_of(c), c->name, &out);
+    if (!status) status = case_calculation_body(c, units, &out, word, err);
+    calculation_end(&out);
+    if (!status && out.failed) status = error_memory(err);
+    if (!status) status = out_file(path, out.at, out.size, err);
+    text_clear(&out);
     return status;
 }
 

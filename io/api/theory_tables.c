@@ -271,6 +271,7 @@ static const Column limit_column[] = {
     {COLUMN("limit", NUMBER, LimitRow, limit.limit), .label = "allowed", .decimals = -1, .unit_by = "unit"},
     {COLUMN("unit", TEXT, LimitRow, limit.unit), .label = "unit"},
     {COLUMN("margin", NUMBER, LimitRow, limit.margin), .label = "margin", .decimals = 3},
+    {COLUMN("where", CHARS, LimitRow, limit.where), .label = "where"},
     {.key = "ok", .text = limit_holds, .label = "holds"},
     {COLUMN("worst", NUMBER, LimitRow, limit.worst), .label = "at worst", .decimals = -1, .unit_by = "unit"},
     {.key = "assumed", .text = limit_assumed, .label = "by"},

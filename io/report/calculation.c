@@ -48,30 +48,29 @@ static const struct {
                 {"Checked by", offsetof(JobDef, checker)}, {"Revision", offsetof(JobDef, revision)},
                 {"Date", offsetof(JobDef, date)}};
 
-static void head_write(const Calculation *page, Text *out)
+void calculation_head(const JobDef *job, const char *title, const char *file, Text *out)
 {
-    const JobDef *const job = &page->setup->def->job;
     text_add(out, "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta http-equiv="
                   "\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n<meta name="
                   "\"color-scheme\" content=\"light dark\">\n<style>");
     text_add(out, style);
     text_add(out, "@top-left{font:9px system-ui,sans-serif;content:");
-    css_add(out, *job->project ? job->project : page->title);
+    css_add(out, *job->project ? job->project : title);
     text_add(out, "}@top-right{font:9px system-ui,sans-serif;content:");
     css_add(out, job->drawing);
     text_add(out, "}@bottom-left{font:9px system-ui,sans-serif;content:");
     css_add(out, job->client);
     text_add(out,
              "}@bottom-right{font:9px system-ui,sans-serif;content:counter(page) \" / \" counter(pages)}}</style>\n");
-    text_words(out, "<title>Pulling calculation: ", page->title, "</title></head><body>\n");
-    text_words(out, "<h1>Pulling calculation: ", page->title, "</h1>\n<dl class=\"job\">\n");
+    text_words(out, "<title>Pulling calculation: ", title, "</title></head><body>\n");
+    text_words(out, "<h1>Pulling calculation: ", title, "</h1>\n<dl class=\"job\">\n");
     for (size_t k = 0; k < sizeof job_rows / sizeof *job_rows; ++k) {
         const char *const value = (const char *)job + job_rows[k].at;
         if (!*value) continue;
         text_words(out, "<dt>", job_rows[k].label, "</dt>");
         text_words(out, "<dd>", value, "</dd>\n");
     }
-    text_words(out, "<dt>Case</dt><dd>", page->file, "</dd>\n");
+    text_words(out, "<dt>Case</dt><dd>", file, "</dd>\n");
     text_words(out, "<dt>Calculated by</dt><dd>hawser ", hawser_version(), "</dd>\n</dl>\n");
 }
 
@@ -357,9 +356,8 @@ static void hand_write(const Calculation *page, Text *out)
     if (bend >= 0) hand_piece(page, bend, out);
 }
 
-void calculation_write(const Calculation *page, Text *out)
+void calculation_body(const Calculation *page, Text *out)
 {
-    head_write(page, out);
     answer_write(page, out);
     figures_write(page, out);
     ducts_write(page, out);
@@ -367,5 +365,7 @@ void calculation_write(const Calculation *page, Text *out)
     hand_write(page, out);
     text_add(out, "<details><summary>All values</summary>\n");
     text_add(out, page->more);
-    text_add(out, "</details>\n</body></html>\n");
+    text_add(out, "</details>\n");
 }
+
+void calculation_end(Text *out) { text_add(out, "</body></html>\n"); }

@@ -17,7 +17,10 @@ typedef struct Calculation {
     hawser_units units;
 } Calculation;
 
-/* The whole file. No memory is out->failed. */
-void calculation_write(const Calculation *page, Text *out);
+/* A page's head with its style, up to the first thing below title and job. No memory is out->failed, here and below. */
+void calculation_head(const JobDef *job, const char *title, const char *file, Text *out);
+/* What stands below the head of one calculation. */
+void calculation_body(const Calculation *page, Text *out);
+void calculation_end(Text *out);
 
 #endif

@@ -397,11 +397,19 @@ hawser_status out_named(OutFile *out, const OutDir *dir, hawser_status status, h
     return status ? status : out_sync_in(dir, ".", err);
 }
 
-hawser_status out_whole_in(const OutDir *dir, const char *name, const char *text, hawser_error *err)
+hawser_status out_bytes_in(const OutDir *dir, const char *name, const void *bytes, size_t size, hawser_error *err)
 {
     OutFile out;
-    const hawser_status status = out_open_late(&out, dir, name, err);
-    return status ? status : out_named(&out, dir, out_print(&out, err, "%s", text), err);
+    hawser_status status = out_open_late(&out, dir, name, err);
+    if (status) return status;
+    errno = 0;
+    if (fwrite(bytes, 1, size, out.f) != size) status = out_error(out.spot.path, errno, err);
+    return out_named(&out, dir, status, err);
+}
+
+hawser_status out_whole_in(const OutDir *dir, const char *name, const char *text, hawser_error *err)
+{
+    return out_bytes_in(dir, name, text, strlen(text), err);
 }
 
 hawser_status out_whole(const char *dir, const char *name, const char *text, hawser_error *err)
@@ -413,8 +421,9 @@ hawser_status out_whole(const char *dir, const char *name, const char *text, haw
     return status;
 }
 
-hawser_status out_file(const char *path, const char *text, hawser_error *err)
+hawser_status out_file(const char *path, const void *bytes, size_t size, hawser_error *err)
 {
+    OutDir folder;
     char dir[OUT_PATH_MAX];
     const char *const slash = strrchr(path, '/'), *const name = slash ? slash + 1 : path;
     const size_t n = slash == path ? 1 : slash ? (size_t)(slash - path) : 1;
@@ -422,15 +431,8 @@ hawser_status out_file(const char *path, const char *text, hawser_error *err)
     if (n >= sizeof dir) return error_set(err, HAWSER_ERR_OUTPUT, "cannot write '%.700s': the name is too long", path);
     memcpy(dir, slash ? path : ".", n);
     dir[n] = 0;
-    return out_whole(dir, name, text, err);
-}
-
-hawser_status out_bytes_in(const OutDir *dir, const char *name, const void *bytes, size_t size, hawser_error *err)
-{
-    OutFile out;
-    hawser_status status = out_open_late(&out, dir, name, err);
-    if (status) return status;
-    errno = 0;
-    if (fwrite(bytes, 1, size, out.f) != size) status = out_error(out.spot.path, errno, err);
-    return out_named(&out, dir, status, err);
+    hawser_status status = out_enter(&folder, dir, err);
+    if (!status) status = out_bytes_in(&folder, name, bytes, size, err);
+    out_leave(&folder);
+    return status;
 }

@@ -14,12 +14,13 @@ from hawser.case import Case, theory
 from hawser.catalogue import library, schema
 from hawser.certificate import Certificate, certify
 from hawser.errors import CaseError, Error, MissingError, OutputError, RunError, Stopped
+from hawser.jobs import Job, job
 from hawser.looking import Geometry
 from hawser.results import Figure, Result, Verdict, compare
 from hawser.sample import Sample
 from hawser.simulation import Relaxation, Simulation, resume, run
 from hawser.studies import Study, study
 
-__all__ = ["Case", "CaseError", "Certificate", "Error", "Event", "Figure", "Geometry", "MissingError", "OutputError", "Progress", "Relaxation", "Result", "Route",
+__all__ = ["Case", "CaseError", "Certificate", "Error", "Event", "Figure", "Geometry", "Job", "MissingError", "OutputError", "Progress", "Relaxation", "Result", "Route",
            "RunError", "Sample", "Segment", "Simulation", "Stopped", "Study", "Theory", "Verdict", "__version__", "certify", "compare",
-           "library", "resume", "routes", "run", "schema", "study", "theory"]
+           "job", "library", "resume", "routes", "run", "schema", "study", "theory"]

@@ -250,21 +250,19 @@ static void figures_add(Text *page, const Comparison *c, double *scratch)
 
 static hawser_status page_write_to(const Comparison *c, const char *results, const char *log, hawser_error *err)
 {
-    char answer[4096], title[NAME_BYTES], folder[OUT_PATH_MAX];
-    const char *const slash = strrchr(c->options.page, '/');
+    char answer[4096], title[NAME_BYTES];
     const Table table = {"agreement", "Agreement", COLUMNS(Agreement, agreement_columns), c->n_models, c->agreement};
     double *const scratch = malloc(((size_t)c->n_points * 4 + 1) * sizeof *scratch);
     Text page = {0};
     if (!scratch) return error_memory(err);
     snprintf(title, sizeof title, "%.70s against %.70s", log, results);
-    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - c->options.page) : 1, slash ? c->options.page : ".");
     page_begin(&page, title);
     page_lines(&page, answer_say(c, answer, sizeof answer));
     page_table(&page, &table);
     figures_add(&page, c, scratch);
     page_end(&page);
     const hawser_status status =
-        page.failed ? error_memory(err) : out_whole(folder, slash ? slash + 1 : c->options.page, page.at, err);
+        page.failed ? error_memory(err) : out_file(c->options.page, page.at, page.size, err);
     text_clear(&page);
     free(scratch);
     return status;

@@ -235,6 +235,7 @@ static void others(void)
     const hawser_certificate nothing = {.tolerance = 0.01};
     hawser_certificate *certificate;
     hawser_study *study;
+    hawser_job *job;
     char *text;
     int n;
     REFUSED("c", hawser_certify, NULL, s, NULL, &certificate);
@@ -245,6 +246,12 @@ static void others(void)
     REFUSED("certificate", hawser_certificate_write, NULL, "x");
     REFUSED("dir", hawser_certificate_write, &nothing, NULL);
     hawser_certificate_free(NULL);
+    REFUSED("path", hawser_job_load, NULL, &job);
+    REFUSED("out", hawser_job_load, "x.yaml", NULL);
+    REFUSED("job", hawser_job_answer, NULL, HAWSER_JSON, &text, NULL);
+    REFUSED("job", hawser_job_page, NULL, HAWSER_SI, "x.html");
+    REFUSED("job", hawser_job_workbook, NULL, "x.xlsx");
+    hawser_job_free(NULL);
     REFUSED("c", hawser_case_calculation, NULL, HAWSER_SI, "x.html", NULL);
     REFUSED("folders", hawser_report_write, NULL, 1, "x.html");
     REFUSED("folders", hawser_report_write, folder, 2, "x.html");

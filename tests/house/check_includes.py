@@ -19,7 +19,7 @@ LIBRARIES = [
     (r"hdf5\w*\.h$", r"io/|study/results/"),
     (r"zlib\.h$", r"io/report/"),
     (r"nlopt\.h$", r"study/maths/"),
-    (r"zip\.h$", r"fmi/archive/|survey/table/"),
+    (r"zip\.h$", r"fmi/archive/|survey/table/|io/results/"),
     (r"shapefil\.h$", r"survey/map/"),
     (r"mpi\.h$", r"mpi/"),
 ]

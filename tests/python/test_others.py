@@ -56,6 +56,18 @@ def test_the_catalogue(program):
         hawser.library("no such kind")
 
 
+def test_a_job(tmp_path, program):
+    path = ROOT / "cases" / "jobs" / "ducts.yaml"
+    job = hawser.job(path)
+    said = json.loads(subprocess.run([program, "job", path, "--format", "json"], capture_output=True, check=True).stdout)
+    assert job.data == said | {"title": job.data["title"]} and str(job.verdict) == "NOT SAFE"
+    assert list(job.pulls["name"]) == ["S1", "S2", "S3", "S4", "S5", "S6"] and len(job.reels) == 4 and len(job.bays) == 7
+    assert job.page(tmp_path / "job.html").stat().st_size > 100_000 and job.workbook(tmp_path / "job.xlsx").is_file()
+    assert "6 pulls: 5 SAFE, 1 NOT SAFE" in str(job)
+    with pytest.raises(hawser.OutputError):
+        job.page(tmp_path / "none" / "job.html")
+
+
 def test_a_measured_pull(tmp_path, program):
     """What the command says of the same, and what options change."""
     result = hawser.run(ROOT / "cases" / "huangjiahu.yaml", set={"run.duration": "12 s", "run.steady_from": "6 s"}, out=tmp_path / "pull")
