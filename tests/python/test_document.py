@@ -47,7 +47,7 @@ def test_what_the_document_names_is_there():
     for name in set(re.findall(r"\bhawser\.(\w+)", text)) - {"yaml"}:
         assert hasattr(hawser, name), name
     things = {**vars(hawser.Simulation), **vars(hawser.Simulation.__mro__[1]), **vars(hawser.Result), **vars(hawser.Verdict), **vars(hawser.Certificate),
-              **vars(hawser.Study), **vars(hawser.Theory)}
+              **vars(hawser.Study), **vars(hawser.Theory), **vars(hawser.Job)}
     for name in set(re.findall(r"`\.(\w+)", text)):
         assert name in things or name in ("facts", "certified", "result", "t", "segment"), name
 
