@@ -126,8 +126,8 @@ int limits_judge(const LimitsDef *def, double diameter, int cables, const Findin
                  hawser_limit *out);
 /* How much of what is allowed a figure uses with its error bar, 1. */
 double limits_reach(const hawser_limit *l);
-/* The limit that the error bar of its figure reaches farthest beyond; NULL: there is none, or a limit is broken whatever
- * its error. */
+/* The limit that the error bar of its figure reaches farthest beyond; NULL: there is none, or a limit is broken
+ * whatever its error. */
 const hawser_limit *limits_undecided(int n, const hawser_limit *limit);
 
 #endif

@@ -164,3 +164,9 @@ void scene_def_cut(const SceneDef *def, double *length)
         length += def->pieces[p].segments;
     }
 }
+
+double winch_def_largest_speed(const WinchDef *winch, double until)
+{
+    if (winch->mode == WINCH_TENSION) return winch->speed_limit > 0 ? winch->speed_limit : 0;
+    return profile_largest_until(&winch->speed, until);
+}

@@ -234,6 +234,8 @@ void scene_def_defaults(SceneDef *def); /* every default there is; docs/case-for
 void scene_def_clear(SceneDef *def);
 /* How many pieces of the chain are the cable, from the tail on; those behind them are the rope. */
 int scene_def_eye(const SceneDef *def);
+/* m/s, the largest speed that a winch is set to up to a time; of one that sets a tension its limit, 0: it has none. */
+double winch_def_largest_speed(const WinchDef *winch, double until);
 /* Segments of the whole chain, and the length of each from the tail on, m: length [segments]. */
 int scene_def_segments(const SceneDef *def);
 void scene_def_cut(const SceneDef *def, double *length);

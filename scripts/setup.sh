@@ -1,12 +1,13 @@
 #!/bin/sh
 # Installs the Debian packages that building, running and testing hawser needs and that are not there yet.
-# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz | --mutants | --coverage | --web | --deb | --python | --clusters]
+# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz | --mutants | --coverage | --web | --wasm | --deb | --python | --clusters]
 #   --lint      also what scripts/lint.sh needs
 #   --fuzz      also what scripts/fuzz.sh needs
 #   --mutants   also what scripts/mutants.py needs
 #   --coverage  also what scripts/coverage.sh needs
 #   --web       also what scripts/web.sh and the tests of the report's page need: Node, Chromium, and npm's packages in
 #               web/node_modules; goes on without them where they are not to be had
+#   --wasm      also what scripts/wasm.sh needs
 #   --deb       also what packaging/deb.sh needs
 #   --python    also what the Python package, its tests and its notebooks need; goes on without what is not to be had
 #   --clusters  also what `hawser study --mpi` is built with, and OpenMPI and Slurm for the tests of studies
@@ -24,6 +25,7 @@ coverage_packages="gcovr"
 python_packages="python3-dev python3-cffi python3-setuptools python3-wheel python3-pip python3-numpy python3-pandas python3-h5py
     python3-xarray python3-jsonschema python3-yaml python3-pytest python3-matplotlib python3-nbclient python3-nbformat python3-ipykernel mypy"
 cluster_packages="libopenmpi-dev openmpi-bin slurmctld slurmd slurm-client"
+wasm_packages="emscripten dpkg-dev"
 deb_packages="debhelper lintian fakeroot"
 peer_packages="libmujoco-dev libsimbody-dev"
 
@@ -36,13 +38,14 @@ case "${1-}" in
 --fuzz) packages="$packages $fuzz_packages" ;;
 --mutants) packages="$packages $mutants_packages" ;;
 --coverage) packages="$packages $coverage_packages" ;;
+--wasm) packages="$packages $wasm_packages" ;;
 --deb) packages="$packages $deb_packages" ;;
 --clusters) packages="$packages $cluster_packages" ;;
 --bench) peers=yes ;;
 --web) web=yes ;;
 --python) python=yes ;;
 *)
-    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz, --mutants, --coverage, --web, --deb, --python, --clusters)" >&2
+    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz, --mutants, --coverage, --web, --wasm, --deb, --python, --clusters)" >&2
     exit 2
     ;;
 esac

@@ -1,8 +1,8 @@
 /* What would be built from a case: what `hawser check` prints. */
 #include "core/base/error.h"
+#include "def/cost.h"
 #include "io/api/api_handles.h"
 #include "io/case/case_parts.h"
-#include "sim/cost.h"
 #include "theory/mesh.h"
 
 #include <math.h>

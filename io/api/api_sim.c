@@ -2,9 +2,9 @@
  * sim/run/sim.c. */
 #include "core/base/error.h"
 #include "core/base/team.h"
+#include "def/cost.h"
 #include "io/api/api_handles.h"
 #include "io/results/results_file.h"
-#include "sim/cost.h"
 #include "sim/run/commands.h"
 
 #include <math.h>

@@ -3,7 +3,6 @@
 
 #include "io/case/case_parts.h"
 #include "io/library/library.h"
-#include "sim/equipment/winch.h"
 
 static const char *const geometries[] = {"smooth", "cylinder", NULL};
 
@@ -85,9 +84,7 @@ static const double SPEED_SHARE = 0.1;
 hawser_status case_frictions_read(CaseReader *r, const CaseNode *node)
 {
     FrictionLaw usual = r->def->friction;
-    Winch winch;
-    winch_init(&winch, &r->def->winch);
-    const double speed = winch_largest_speed(&winch, r->def->duration);
+    const double speed = winch_def_largest_speed(&r->def->winch, r->def->duration);
     if (r->def->winch.present && speed > 0) usual.v_s = fmin(usual.v_s, SPEED_SHARE * speed);
     usual.v_d = 2 * usual.v_s;
     r->def->friction = usual;

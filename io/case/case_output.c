@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "def/cost.h"
 #include "io/case/case_parts.h"
-#include "sim/cost.h"
 #include "theory/paper.h"
 
 /* Both keys are needed. */

@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "def/cost.h"
 #include "io/case/case_parts.h"
-#include "sim/cost.h"
 
 static const char *const analyses[] = {"dynamics", "static", "modes", "positions", NULL};
 static const char *const stabilities[] = {"follow", "report", "ignore", NULL};

@@ -21,8 +21,9 @@ double winch_travel(const Winch *w, double t)
 
 double winch_largest_speed(const Winch *w, double until)
 {
-    if (w->mode == WINCH_TENSION) return isfinite(w->speed_limit) ? w->speed_limit : 0;
-    return profile_largest_until(&w->speed, until);
+    const WinchDef now = {
+        .mode = w->mode, .speed = w->speed, .speed_limit = isfinite(w->speed_limit) ? w->speed_limit : 0};
+    return winch_def_largest_speed(&now, until);
 }
 
 static const double FADE = 0.2; /* s, over which a taken segment's own motion dies out */

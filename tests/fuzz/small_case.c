@@ -2,8 +2,8 @@
 
 #include <stdlib.h>
 
+#include "def/cost.h"
 #include "io/api/api_handles.h"
-#include "sim/cost.h"
 #include "tests/fuzz/fuzz.h"
 
 enum { SEGMENTS = 60, PIECES = 60, ROLLERS = 300, SURFACES = 40, MACHINES = 20, STATIONS = 2000 };

@@ -35,8 +35,9 @@ export async function stop() {
   rmSync(folder, { recursive: true, force: true });
 }
 
-/** Opens a file from disk. What the page asks of a network or says in the console is in `heard`, which has to stay empty. */
-export async function openFile(path, options = {}) {
+/** Opens a file from disk and waits until it is there (`ready`). What the page asks of a network or says in the console is in `heard`, which has
+ * to stay empty. */
+export async function openFile(path, options = {}, ready = settled) {
   browser ??= await chromium.launch({ executablePath: CHROMIUM, args: ARGUMENTS });
   const context = await browser.newContext({
     viewport: { width: 1280, height: 900 },
@@ -47,12 +48,12 @@ export async function openFile(path, options = {}) {
   const heard = [];
   page.on('request', (request) => {
     const url = request.url();
-    if (url !== pathToFileURL(path).href && !/^(data|blob):/.test(url)) heard.push(`request of ${url}`);
+    if (url !== pathToFileURL(path).href && !/^(data|blob|about):/.test(url)) heard.push(`request of ${url}`);
   });
   page.on('console', (message) => ['error', 'warning'].includes(message.type()) && heard.push(message.text()));
   page.on('pageerror', (error) => heard.push(error.stack ?? error.message));
   await page.goto(pathToFileURL(path).href);
-  await settled(page);
+  await ready(page);
   return { page, heard, close: () => context.close() };
 }
 

@@ -1,6 +1,6 @@
 /* Every figure here was measured: maximum resident memory of runs with 20 to 25 000 segments and 5 to 5000 rollers, and
  * processor time of their steps on one core of a Xeon. */
-#include "sim/cost.h"
+#include "def/cost.h"
 
 #include <math.h>
 #include <stdio.h>

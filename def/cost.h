@@ -1,7 +1,7 @@
 /* What a run is going to cost, before anything of it is made: memory, disk and time. docs/reliability.md has how far
  * these are from what was measured. */
-#ifndef HAWSER_SIM_COST_H
-#define HAWSER_SIM_COST_H
+#ifndef HAWSER_DEF_COST_H
+#define HAWSER_DEF_COST_H
 
 #include "def/scene_def.h"
 

@@ -1,0 +1,56 @@
+// Makes dist/desk.html of src/desk and the engine that scripts/wasm.sh has built: one file, which needs no other and no network.
+// Usage: node desk.mjs ENGINE_DIR [FILE]     (default: dist/desk.html)
+import { build } from 'esbuild';
+import { createHash } from 'node:crypto';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { deflateRawSync } from 'node:zlib';
+
+const folder = process.argv[2];
+const libraries = [
+  'codemirror',
+  '@codemirror/state',
+  '@codemirror/view',
+  '@codemirror/lang-yaml',
+  '@codemirror/lint',
+  'yaml',
+];
+
+async function bundled(entry) {
+  const made = await build({
+    entryPoints: [entry],
+    write: false,
+    bundle: true,
+    minify: true,
+    format: 'iife',
+    target: 'es2022',
+    charset: 'ascii',
+    legalComments: 'none',
+    loader: { '.yaml': 'text' },
+    logLevel: 'warning',
+  });
+  return made.outputFiles[0].text;
+}
+
+function licence(name) {
+  const { version } = JSON.parse(readFileSync(`node_modules/${name}/package.json`, 'utf8'));
+  return `/*! ${name} ${version}\n\n${readFileSync(`node_modules/${name}/LICENSE`, 'utf8').trim()}\n*/`;
+}
+
+/** Nothing in an element ends it. */
+const safe = (script) => script.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
+
+const script = safe(`${libraries.map(licence).join('\n')}\n${await bundled('src/desk/main.ts')}`);
+const sum = createHash('sha256').update(script).digest('base64');
+const parts = {
+  POLICY: `default-src 'none'; script-src 'sha256-${sum}' blob: 'wasm-unsafe-eval'; worker-src blob:; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'`,
+  STYLE: readFileSync('src/desk/desk.css', 'utf8'),
+  ENGINE: deflateRawSync(readFileSync(`${folder}/hawser.wasm`), { level: 9 }).toString('base64'),
+  GLUE: safe(readFileSync(`${folder}/hawser.js`, 'utf8')),
+  WORKER: safe(await bundled('src/desk/worker.ts')),
+  SCRIPT: script,
+};
+const page = readFileSync('src/desk/desk.html.in', 'utf8').replace(
+  /(?<=content="|>)(POLICY|STYLE|ENGINE|GLUE|WORKER|SCRIPT)(?=["<])/g,
+  (_, part) => parts[part],
+);
+writeFileSync(process.argv[3] ?? 'dist/desk.html', page);

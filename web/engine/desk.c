@@ -1,0 +1,157 @@
+/* What the desk's page calls of the library. Each function takes texts and returns a text that the page frees: '=' and
+ * what was asked for, or '!' and the error as a JSON object with status, message, key, file and line. A case's own
+ * files are in the folder /case, where the page puts what the user has opened. */
+#include <jansson.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/random.h>
+#include <unistd.h>
+
+#include "hawser/hawser.h"
+
+/* Which emscripten's library declares and does not have. */
+ssize_t getrandom(void *to, size_t size, unsigned flags)
+{
+    (void)flags;
+    return size <= 256 && !getentropy(to, size) ? (ssize_t)size : -1;
+}
+
+static const char FOLDER[] = "/case", PAGE[] = "/page.html", ROUTE[] = "/route.yaml";
+
+/* Takes `text`, which may be NULL. */
+static char *answered(hawser_status status, char *text, const hawser_error *err)
+{
+    char *out = NULL;
+    if (!status && text && (out = malloc(strlen(text) + 2))) {
+        *out = '=';
+        strcpy(out + 1, text);
+    }
+    hawser_text_free(text);
+    if (out) return out;
+    json_t *const o = json_pack("{s:i, s:s%, s:s, s:s, s:i}", "status", (int)status, "message", err->message,
+                                strlen(err->message), "key", err->key, "file", err->file, "line", err->line);
+    char *const json = o ? json_dumps(o, 0) : NULL;
+    json_decref(o);
+    if (!json) return NULL;
+    if ((out = malloc(strlen(json) + 2))) {
+        *out = '!';
+        strcpy(out + 1, json);
+    }
+    free(json);
+    return out;
+}
+
+/* All of a file that the library has written, malloc'ed. */
+static char *file_taken(const char *path)
+{
+    FILE *const f = fopen(path, "rb");
+    char *text = NULL;
+    long n = -1;
+    if (f && !fseek(f, 0, SEEK_END)) n = ftell(f);
+    if (n >= 0 && !fseek(f, 0, SEEK_SET) && (text = malloc((size_t)n + 1))) {
+        if (fread(text, 1, (size_t)n, f) != (size_t)n) n = 0;
+        text[n] = 0;
+    }
+    if (f) fclose(f);
+    remove(path);
+    return text;
+}
+
+static hawser_status case_of(const char *text, hawser_case **c, hawser_error *err)
+{
+    hawser_status status = hawser_case_parse(text, "case.yaml", c, err);
+    return status ? status : hawser_case_folder(*c, FOLDER, err);
+}
+
+/* "OK", or what is wrong. */
+char *desk_check(const char *text)
+{
+    hawser_error err = {0};
+    hawser_case *c = NULL;
+    hawser_status status = case_of(text, &c, &err);
+    if (!status) status = hawser_case_check(c, &err);
+    hawser_case_free(c);
+    return answered(status, status ? NULL : strdup("OK"), &err);
+}
+
+/* The calculation as JSON; `tables`: which, with commas between. */
+char *desk_theory(const char *text, const char *tables)
+{
+    const hawser_theory_options options = {.tables = tables};
+    hawser_error err = {0};
+    hawser_case *c = NULL;
+    char *said = NULL;
+    hawser_status status = case_of(text, &c, &err);
+    if (!status) status = hawser_case_theory_shown(c, HAWSER_JSON, &options, &said, NULL, &err);
+    hawser_case_free(c);
+    return answered(status, said, &err);
+}
+
+/* The answer in words. us: not 0, in units of the United States. */
+char *desk_answer(const char *text, int us)
+{
+    const hawser_theory_options options = {.width = 100};
+    hawser_error err = {0};
+    hawser_case *c = NULL;
+    char *said = NULL;
+    hawser_status status = case_of(text, &c, &err);
+    if (!status) status = hawser_case_theory_shown(c, us ? HAWSER_TABLE_US : HAWSER_TABLE, &options, &said, NULL, &err);
+    hawser_case_free(c);
+    return answered(status, said, &err);
+}
+
+/* The page of the calculation. */
+char *desk_page(const char *text, int us)
+{
+    hawser_error err = {0};
+    hawser_case *c = NULL;
+    hawser_status status = case_of(text, &c, &err);
+    if (!status) status = hawser_case_calculation(c, us ? HAWSER_US : HAWSER_SI, PAGE, NULL, &err);
+    hawser_case_free(c);
+    return answered(status, status ? NULL : file_taken(PAGE), &err);
+}
+
+char *desk_schema(void)
+{
+    hawser_error err = {0};
+    char *text = NULL;
+    const hawser_status status = hawser_case_schema(&text, &err);
+    return answered(status, text, &err);
+}
+
+/* kind "": all. */
+char *desk_library(const char *kind)
+{
+    hawser_error err = {0};
+    char *text = NULL;
+    const hawser_status status = hawser_library(*kind ? kind : NULL, NULL, HAWSER_JSON, &text, &err);
+    return answered(status, text, &err);
+}
+
+/* The lines of a file in the folder, as JSON. */
+char *desk_route(const char *name)
+{
+    char path[300];
+    hawser_error err = {0};
+    hawser_routes *routes = NULL;
+    char *text = NULL;
+    snprintf(path, sizeof path, "%s/%s", FOLDER, name);
+    hawser_status status = hawser_routes_read(path, NULL, &routes, &err);
+    if (!status) status = hawser_routes_describe(routes, HAWSER_JSON, &text, &err);
+    hawser_routes_free(routes);
+    return answered(status, text, &err);
+}
+
+/* One of them as the pieces of a case. */
+char *desk_route_yaml(const char *name, int i)
+{
+    char path[300];
+    hawser_error err = {0};
+    hawser_routes *routes = NULL;
+    snprintf(path, sizeof path, "%s/%s", FOLDER, name);
+    hawser_status status = hawser_routes_read(path, NULL, &routes, &err);
+    if (!status) status = hawser_routes_write(routes, i, ROUTE, &err);
+    hawser_routes_free(routes);
+    return answered(status, status ? NULL : file_taken(ROUTE), &err);
+}

@@ -1,0 +1,48 @@
+/** Every value of the text outside the route's pieces as a field, by section. */
+import { isMap, isScalar, isSeq, type Node } from 'yaml';
+import { parsed, setValue, type Path } from './splice';
+import { field, type Editing } from './route';
+
+interface Leaf {
+  path: Path;
+  value: string;
+}
+
+function leaves(node: unknown, path: Path, out: Leaf[]): void {
+  if (isScalar(node)) out.push({ path, value: String(node.source ?? node.value ?? '') });
+  else if (isMap(node))
+    for (const pair of node.items) if (isScalar(pair.key)) leaves(pair.value, [...path, String(pair.key.value)], out);
+  if (isSeq(node)) (node.items as Node[]).forEach((item, i) => leaves(item, [...path, i], out));
+}
+
+const isPiece = (path: Path) => path[0] === 'route' && path[1] === 'pieces';
+
+export function valuesView(place: HTMLElement, editing: Editing): void {
+  const found: Leaf[] = [];
+  leaves(parsed(editing.text()).contents, [], found);
+  const sections = new Map<string, HTMLFieldSetElement>();
+  for (const { path, value } of found) {
+    if (isPiece(path)) continue;
+    const name = path.length > 1 ? String(path[0]) : 'case';
+    let section = sections.get(name);
+    if (!section) {
+      section = document.createElement('fieldset');
+      const legend = document.createElement('legend');
+      legend.textContent = name;
+      section.append(legend);
+      sections.set(name, section);
+    }
+    const label = document.createElement('label');
+    const words = (path.length > 1 ? path.slice(1) : path).join(' ');
+    const text = document.createElement('span');
+    text.textContent = words;
+    label.append(
+      text,
+      field(path.join('.'), value, '', (next) =>
+        editing.change(next ? setValue(editing.text(), path, next) : undefined, path.join('.')),
+      ),
+    );
+    section.append(label);
+  }
+  place.replaceChildren(...sections.values());
+}
