@@ -477,6 +477,7 @@ static int take_case(const Command *command, int argc, char **argv, Arguments *a
         return EXIT_USAGE;
     }
     if (args->resume) return take_resumed(argc, argv, args);
+    if (strchr(command->options, '?') && optind == argc) return ARGUMENTS_GO_ON;
     if (optind + 1 == argc && argv[optind][0]) {
         args->case_path = argv[optind];
         return ARGUMENTS_GO_ON;

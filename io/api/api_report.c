@@ -1,8 +1,12 @@
 /* Pages and figures of results: folders are read, and files are written. */
 #include "core/base/error.h"
+#include "core/base/file_marks.h"
 #include "hawser/hawser.h"
+#include "io/library/library.h"
 #include "io/report/report.h"
+#include "io/report/text.h"
 #include "io/results/results_file.h"
+#include "io/yaml/yaml_tree.h"
 
 #include <jansson.h>
 #include <locale.h>
@@ -178,5 +182,52 @@ hawser_status hawser_plot_write(const char *folder, const char *dir, size_t n, c
     const hawser_status status = plot_make(folder, dir, n, names, units, &count, err);
     locale_back(plain, before);
     if (drawn) *drawn = count;
+    return status;
+}
+
+/* The desk with a case's text in the place of its empty one. */
+static hawser_status desk_fill(const char *desk, const char *name, const char *text, const char *path,
+                               hawser_error *err)
+{
+    static const char place[] = "id=\"case\">";
+    const char *const at = strstr(desk, place), *const rest = at ? strstr(at, "</script>") : NULL;
+    Text page = {0};
+    if (!rest) return error_set(err, HAWSER_ERR_INPUT, "the desk beside the program is not this version's");
+    text_bytes(&page, desk, (size_t)(at - desk) + sizeof place - 1);
+    text_add(&page, "{\"name\":");
+    text_json(&page, name);
+    text_add(&page, ",\"text\":");
+    text_json(&page, text);
+    text_add(&page, "}");
+    text_add(&page, rest);
+    const hawser_status status = page.failed ? error_memory(err) : out_file(path, page.at, page.size, err);
+    text_clear(&page);
+    return status;
+}
+
+hawser_status hawser_desk_write(const char *case_path, const char *path, hawser_error *err)
+{
+    static const char place[] = "share/hawser/desk.html";
+    char *desk = NULL, *text = NULL;
+    size_t size = 0, length = 0;
+    FileMarks marks = {0};
+    if (!path) return error_argument(err, "path");
+    char *const shipped = shipped_find(place);
+    hawser_status status = HAWSER_OK;
+    if (!shipped) status = error_set(err, HAWSER_ERR_INPUT, "there is no %s beside the program", place);
+    if (!status) status = case_file_read(shipped, &desk, &size, err);
+    if (!status) status = file_marks_add(&marks, shipped, err);
+    if (!status && case_path) status = case_file_read(case_path, &text, &length, err);
+    if (!status && case_path) status = file_marks_add(&marks, case_path, err);
+    if (!status && text && strlen(text) != length)
+        status = error_set(err, HAWSER_ERR_INPUT, "%.300s: no text: it has a NUL character", case_path);
+    if (!status) status = file_marks_spare(&marks, path, err);
+    const char *const slash = case_path ? strrchr(case_path, '/') : NULL;
+    if (!status && text) status = desk_fill(desk, slash ? slash + 1 : case_path, text, path, err);
+    if (!status && !text) status = out_file(path, desk, size, err);
+    file_marks_free(&marks);
+    free(shipped);
+    free(desk);
+    free(text);
     return status;
 }

@@ -252,6 +252,7 @@ static void others(void)
     REFUSED("job", hawser_job_page, NULL, HAWSER_SI, "x.html");
     REFUSED("job", hawser_job_workbook, NULL, "x.xlsx");
     hawser_job_free(NULL);
+    REFUSED("path", hawser_desk_write, NULL, NULL);
     REFUSED("c", hawser_case_calculation, NULL, HAWSER_SI, "x.html", NULL);
     REFUSED("folders", hawser_report_write, NULL, 1, "x.html");
     REFUSED("folders", hawser_report_write, folder, 2, "x.html");

@@ -207,3 +207,21 @@ test('it can be used on a narrow screen', async () => {
   assert.ok(wide <= 390, `${wide} px wide`);
   await close();
 });
+
+test('hawser desk CASE has the case in it, whatever stands in its text, and writes over no case', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'hawser-desk-'));
+  const [file, page_file] = [join(folder, 'evil.yaml'), join(folder, 'desk.html')];
+  const text = `# </script><script>alert(1)</script> <!-- \u2028 ü\n${read('cases/limits.yaml')}`;
+  writeFileSync(file, text);
+  execFileSync(hawser, ['desk', file, '-q', '-o', page_file]);
+  const { page, heard, close } = await openFile(page_file, {}, settled);
+  assert.equal(await textOf(page), text);
+  assert.equal(await page.textContent('#name'), 'evil.yaml');
+  assert.equal(await page.textContent('#verdict'), 'NOT SAFE');
+  assert.deepEqual(heard, []);
+  await close();
+  assert.equal(spawnSync(hawser, ['desk', file, '-q', '-o', file]).status, 2);
+  assert.equal(readFileSync(file, 'utf8'), text);
+  assert.equal(spawnSync(hawser, ['desk', join(folder, 'none.yaml'), '-q', '-o', page_file]).status, 2);
+  rmSync(folder, { recursive: true });
+});

@@ -313,8 +313,9 @@ function draft(): { name: string; text: string } | undefined {
 
 async function start(): Promise<void> {
   wire();
-  const before = draft();
-  const first = before?.text ? before : { name: 'case.yaml', text: ductText };
+  const given = JSON.parse(text('case')) as { name: string; text: string } | null; // `hawser desk CASE` has put it there
+  const before = given ? undefined : draft();
+  const first = given ?? (before?.text ? before : { name: 'case.yaml', text: ductText });
   name = first.name;
   saved = before?.text ? '' : first.text;
   view.setState(state(first.text));
