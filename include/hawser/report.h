@@ -40,9 +40,9 @@ hawser_status hawser_case_spares(hawser_case *c, const char *path, hawser_error 
 hawser_status hawser_case_calculation(struct hawser_case *c, hawser_units units, const char *path, hawser_word *word,
                                       hawser_error *err);
 
-/* Writes the desk (docs/desk.md) to `path`, one HTML file for any browser, with the text of a case file in it; NULL: with
- * an example. Errors: INPUT (the case cannot be read as text; `path` leads to it; the desk is not beside the program),
- * OUTPUT, MEMORY. */
+/* Writes the desk (docs/desk.md) to `path`, one HTML file for any browser, with the text of a case file in it; NULL:
+ * with an example. Errors: INPUT (the case cannot be read as text; `path` leads to it; the desk is not beside the
+ * program), OUTPUT, MEMORY. */
 hawser_status hawser_desk_write(const char *case_path, const char *path, hawser_error *err);
 
 #ifdef __cplusplus

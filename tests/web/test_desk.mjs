@@ -211,7 +211,7 @@ test('it can be used on a narrow screen', async () => {
 test('hawser desk CASE has the case in it, whatever stands in its text, and writes over no case', async () => {
   const folder = mkdtempSync(join(tmpdir(), 'hawser-desk-'));
   const [file, page_file] = [join(folder, 'evil.yaml'), join(folder, 'desk.html')];
-  const text = `# </script><script>alert(1)</script> <!-- \u2028 ü\n${read('cases/limits.yaml')}`;
+  const text = `# </script><script>alert(1)</script> <!-- ü \u2028\n${read('cases/limits.yaml')}`;
   writeFileSync(file, text);
   execFileSync(hawser, ['desk', file, '-q', '-o', page_file]);
   const { page, heard, close } = await openFile(page_file, {}, settled);
