@@ -12,6 +12,7 @@ const libraries = [
   '@codemirror/view',
   '@codemirror/lang-yaml',
   '@codemirror/lint',
+  '@codemirror/autocomplete',
   'yaml',
 ];
 

@@ -225,3 +225,24 @@ test('hawser desk CASE has the case in it, whatever stands in its text, and writ
   assert.equal(spawnSync(hawser, ['desk', join(folder, 'none.yaml'), '-q', '-o', page_file]).status, 2);
   rmSync(folder, { recursive: true });
 });
+
+test('keys that may stand at the cursor are offered, with what they are', async () => {
+  const { page, close } = await desk();
+  await put(
+    page,
+    'cables: {c: {d: 80 mm, mass: 9 kg/m}}\nroute: {pieces: [{straight: 100 m}]}\nsurfaces:\n  ducts:\n    - radius: 70 mm\n      \n',
+  );
+  const offered = async (line) => {
+    await page.evaluate((n) => window.hawserDesk.cursor(n), line);
+    await page.keyboard.press('Control+Space');
+    await page.waitForSelector('.cm-tooltip-autocomplete li');
+    const labels = await page.locator('.cm-tooltip-autocomplete .cm-completionLabel').allTextContents();
+    await page.keyboard.press('Escape');
+    return labels;
+  };
+  const duct = await offered(6);
+  assert.ok(duct.includes('friction') && duct.includes('from') && !duct.includes('cables'), duct.join());
+  const top = await offered(7);
+  assert.ok(top.includes('limits') && top.includes('theory') && !top.includes('radius'), top.join());
+  await close();
+});

@@ -1,5 +1,6 @@
 /** The desk: a case's text on the left, what theory says of it on the right, always of the text as it stands. */
 import { basicSetup } from 'codemirror';
+import { autocompletion } from '@codemirror/autocomplete';
 import { EditorView } from '@codemirror/view';
 import { EditorState } from '@codemirror/state';
 import { yaml } from '@codemirror/lang-yaml';
@@ -11,6 +12,7 @@ import threeText from '../../../cases/three-in-a-duct.yaml';
 import rollersText from '../../../cases/huangjiahu.yaml';
 import limitsText from '../../../cases/limits.yaml';
 import { Engine, EngineError, inflated, workerOf, type Fault, type Theory } from './engine';
+import { completions, type Schema } from './complete';
 import { button, routeView, type Editing } from './route';
 import { pathOf, setValue, type Change } from './splice';
 import { valuesView } from './values';
@@ -37,6 +39,7 @@ let shown: 'text' | 'route' | 'values' = 'text';
 // ------------------------------------------------------------------------------------------------------------ the text
 
 let engine: Engine | undefined;
+let complete: ReturnType<typeof completions> | undefined; // once the engine has said what a case may hold
 let wanted = 0;
 let done = 0; // the last of them that was calculated
 let busy = false;
@@ -52,6 +55,7 @@ function state(doc: string): EditorState {
     extensions: [
       basicSetup,
       yaml(),
+      autocompletion({ override: [(context) => complete?.(context) ?? null] }),
       lintGutter(),
       EditorView.lineWrapping,
       EditorView.contentAttributes.of({ 'aria-label': 'The case as text' }),
@@ -325,6 +329,7 @@ async function start(): Promise<void> {
   engine = new Engine(workerOf(`${text('glue')}\n${text('worker')}`));
   await engine.start(await inflated(text('engine')));
   say('');
+  complete = completions(JSON.parse(await engine.call('schema')) as Schema);
   wanted++;
   await calculate();
 }
@@ -337,6 +342,10 @@ Object.assign(window, {
     open: (doc: string) => {
       view.setState(state(doc));
       ask();
+    },
+    cursor: (line: number) => {
+      view.dispatch({ selection: { anchor: view.state.doc.line(line).to } });
+      view.focus();
     },
     theory: (doc: string) => engine?.call('theory', doc, 'all'),
   },
