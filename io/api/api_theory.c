@@ -8,6 +8,7 @@
 #include "theory/plan_pull.h"
 
 #include "io/report/calculation.h"
+#include <assert.h>
 #include <jansson.h>
 #include <locale.h>
 #include <math.h>
@@ -304,29 +305,36 @@ static void page_make(Theory *t, const char *title, int forward_only, Page *page
     if (forward_only) page->doc.n_facts = drop_backward(page->doc.n_facts, page->fact);
 }
 
+/* The name behind the next comma; NULL: there is none. */
+static const char *name_next(const char *at)
+{
+    const char *const comma = strchr(at, ',');
+    return comma ? comma + 1 + strspn(comma + 1, " ") : NULL;
+}
+
 /* Whether a list of names with commas between has one. */
 static int is_named(const char *list, const char *name)
 {
     const size_t n = strlen(name);
-    for (const char *at = list; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL)
-        if (!strncmp(at, name, n) && (at[n] == ',' || !at[n])) return 1;
+    for (const char *at = list; at; at = name_next(at))
+        if (strcspn(at, ",") == n && !strncmp(at, name, n)) return 1;
     return 0;
 }
 
+/* All tables that a calculation may have, and what else may be asked for; one that this case has no rows for is left
+ * out. */
+static const char table_names[] =
+    "all, facts, pieces, directions, ducts, heads, sections, answers, machines, brakes, pushes, compression, assumed, "
+    "remedies, notes, limits, trust, refused, stations, terms, run";
+
 /* The first name of the list that is no table's. */
-static hawser_status names_check(const Page *page, const char *list, hawser_error *err)
+static hawser_status names_check(const char *list, hawser_error *err)
 {
-    char known[512] = "all, facts";
-    for (int k = 0; k < page->doc.n_tables; k++) {
-        const size_t used = strlen(known);
-        snprintf(known + used, sizeof known - used, ", %s", page->table[k].key);
-    }
-    for (const char *at = list; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL) {
+    for (const char *at = list; at; at = name_next(at)) {
         char name[64];
         snprintf(name, sizeof name, "%.*s", (int)strcspn(at, ","), at);
-        int found = !strcmp(name, "facts") || !strcmp(name, "all");
-        for (int k = 0; k < page->doc.n_tables; k++) found |= !strcmp(name, page->table[k].key);
-        if (!found) return error_set(err, HAWSER_ERR_INPUT, "no table '%s': there are %s", name, known);
+        if (!is_named(table_names, name))
+            return error_set(err, HAWSER_ERR_INPUT, "no table '%s': there are %s", name, table_names);
     }
     return HAWSER_OK;
 }
@@ -335,13 +343,15 @@ static hawser_status names_check(const Page *page, const char *list, hawser_erro
 static hawser_status page_choose(Page *page, const char *list, int people, hawser_error *err)
 {
     const char *const wanted = list ? list : people ? "sections" : "all";
-    const hawser_status status = list ? names_check(page, list, err) : HAWSER_OK;
+    const hawser_status status = list ? names_check(list, err) : HAWSER_OK;
     int n = 0;
     page->doc.csv = &page->table[THEORY_PIECES];
     if (status || is_named(wanted, "all")) return status;
     if (!is_named(wanted, "facts")) page->doc.n_facts = 0;
-    for (int k = 0; k < page->doc.n_tables; k++)
+    for (int k = 0; k < page->doc.n_tables; k++) {
+        assert(is_named(table_names, page->table[k].key));
         if (is_named(wanted, page->table[k].key)) page->table[n++] = page->table[k];
+    }
     page->doc.n_tables = n;
     page->doc.csv = n > 0 ? page->table : NULL;
     return HAWSER_OK;

@@ -86,5 +86,26 @@ static void american(void **state)
     free(page);
 }
 
+/* A table that a case has no rows for is left out; "no table 'remedies'" was an error for a pull that needs none. */
+static void tables_without_rows(void **state)
+{
+    (void)state;
+    static const char safe[] = "cables: {c: {d: 50 mm, mass: 4 kg/m}}\nroute: {pieces: [{straight: 10 m}]}\n"
+                               "surfaces: {ducts: [{radius: 70 mm, friction: {mu_d: 0.3, mu_s: 0.4}}]}\n"
+                               "drive: {tail: {tension: 100 N}}\nlimits: {pull: 20 kN, sidewall: 3 kN/m}\n";
+    const hawser_theory_options remedies = {.tables = "facts,remedies"}, unknown = {.tables = "facts,remedy"};
+    hawser_case *c = NULL;
+    hawser_error err = {0};
+    char *said = NULL;
+    assert_int_equal(hawser_case_parse(safe, "safe.yaml", &c, &err), HAWSER_OK);
+    assert_int_equal(hawser_case_theory_shown(c, HAWSER_JSON, &remedies, &said, NULL, &err), HAWSER_OK);
+    check_has(said, "\"verdict_code\": \"safe\"");
+    assert_null(strstr(said, "\"remedies\""));
+    hawser_text_free(said);
+    assert_int_equal(hawser_case_theory_shown(c, HAWSER_JSON, &unknown, &said, NULL, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "no table 'remedy': there are all, facts, pieces");
+    hawser_case_free(c);
+}
+
 TEST_FILE_IN(test_calculation, scratch_make, scratch_remove, cmocka_unit_test(whole_page), cmocka_unit_test(by_hand),
-             cmocka_unit_test(american))
+             cmocka_unit_test(american), cmocka_unit_test(tables_without_rows))

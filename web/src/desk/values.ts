@@ -33,7 +33,9 @@ export function valuesView(place: HTMLElement, editing: Editing): void {
       sections.set(name, section);
     }
     const label = document.createElement('label');
-    const words = (path.length > 1 ? path.slice(1) : path).join(' ');
+    const words = (path.length > 1 ? path.slice(1) : path)
+      .map((step) => (typeof step === 'number' ? step + 1 : step))
+      .join(' ');
     const text = document.createElement('span');
     text.textContent = words;
     label.append(
