@@ -246,3 +246,20 @@ test('keys that may stand at the cursor are offered, with what they are', async 
   assert.ok(top.includes('limits') && top.includes('theory') && !top.includes('radius'), top.join());
   await close();
 });
+
+test('nothing serious for those who hear it or use the keyboard alone (axe-core)', async () => {
+  for (const colorScheme of ['light', 'dark']) {
+    const { page, close } = await desk({ colorScheme });
+    await page.evaluate(readFileSync(join(ROOT, 'web/node_modules/axe-core/axe.min.js'), 'utf8'));
+    for (const tab of ['text', 'route', 'values']) {
+      await page.click(`#tab-${tab}`);
+      const found = await page.evaluate(() => window.axe.run(document, { iframes: false }));
+      const serious = found.violations.filter((one) => ['serious', 'critical'].includes(one.impact));
+      assert.deepEqual(
+        serious.map((one) => `${tab}, ${colorScheme}: ${one.id} ${one.nodes[0].html.slice(0, 120)}`),
+        [],
+      );
+    }
+    await close();
+  }
+});

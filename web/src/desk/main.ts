@@ -4,6 +4,8 @@ import { autocompletion } from '@codemirror/autocomplete';
 import { EditorView } from '@codemirror/view';
 import { EditorState } from '@codemirror/state';
 import { yaml } from '@codemirror/lang-yaml';
+import { HighlightStyle, syntaxHighlighting } from '@codemirror/language';
+import { tags } from '@lezer/highlight';
 import { lintGutter, setDiagnostics, type Diagnostic } from '@codemirror/lint';
 import ductText from '../../../docs/tutorial/duct.yaml';
 import tunnelText from '../../../docs/tutorial/tunnel.yaml';
@@ -44,6 +46,13 @@ let wanted = 0;
 let done = 0; // the last of them that was calculated
 let busy = false;
 
+/** The style sheet says which colours these are, by day and by night. */
+const colours = HighlightStyle.define([
+  { tag: tags.definition(tags.propertyName), color: 'var(--key)' },
+  { tag: tags.comment, color: 'var(--comment)' },
+  { tag: [tags.string, tags.content], color: 'var(--word)' },
+]);
+
 const view = new EditorView({
   parent: part('editor'),
   state: state(''),
@@ -55,6 +64,8 @@ function state(doc: string): EditorState {
     extensions: [
       basicSetup,
       yaml(),
+      syntaxHighlighting(colours),
+      EditorView.theme({}, { dark: matchMedia('(prefers-color-scheme: dark)').matches }),
       autocompletion({ override: [(context) => complete?.(context) ?? null] }),
       lintGutter(),
       EditorView.lineWrapping,
