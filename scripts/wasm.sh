@@ -67,6 +67,13 @@ fi
 
 emcmake cmake --preset wasm >"$work/build.log"
 cmake --build --preset wasm >>"$work/build.log"
+# What is inside, each under its own licence.
+for file in "$s"/libyaml-0.2.5/License "$s"/libexpat-R_2_5_0/COPYING "$s"/jansson-2.14/LICENSE "$s"/zlib-1.2.13*/LICENSE "$s"/libzip-1.7.3/LICENSE \
+    /usr/share/emscripten/system/lib/libc/musl/COPYRIGHT; do
+    echo "== $(basename "$(dirname "$file")")"
+    cat "$file"
+done >"$work/desk/licences.txt"
+echo "== emscripten 3.1.6: Copyright 2010-2022 Emscripten authors, under the Expat (MIT) licence, as jansson" >>"$work/desk/licences.txt"
 [ "${1-}" != --engine ] || exit 0
 cd web
 node desk.mjs "$work/desk"

@@ -6,20 +6,13 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { deflateRawSync } from 'node:zlib';
 
 const folder = process.argv[2];
-const libraries = [
-  'codemirror',
-  '@codemirror/state',
-  '@codemirror/view',
-  '@codemirror/lang-yaml',
-  '@codemirror/lint',
-  '@codemirror/autocomplete',
-  'yaml',
-];
+const libraries = new Set();
 
 async function bundled(entry) {
   const made = await build({
     entryPoints: [entry],
     write: false,
+    metafile: true,
     bundle: true,
     minify: true,
     format: 'iife',
@@ -29,6 +22,10 @@ async function bundled(entry) {
     loader: { '.yaml': 'text' },
     logLevel: 'warning',
   });
+  for (const input of Object.keys(made.metafile.inputs)) {
+    const found = /node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(input);
+    if (found) libraries.add(found[1]);
+  }
   return made.outputFiles[0].text;
 }
 
@@ -40,18 +37,20 @@ function licence(name) {
 /** Nothing in an element ends it. */
 const safe = (script) => script.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
 
-const script = safe(`${libraries.map(licence).join('\n')}\n${await bundled('src/desk/main.ts')}`);
+const main = await bundled('src/desk/main.ts');
+const script = safe(`${[...libraries].sort().map(licence).join('\n')}\n${main}`);
 const sum = createHash('sha256').update(script).digest('base64');
 const parts = {
   POLICY: `default-src 'none'; script-src 'sha256-${sum}' blob: 'wasm-unsafe-eval'; worker-src blob:; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'`,
   STYLE: readFileSync('src/desk/desk.css', 'utf8'),
   ENGINE: deflateRawSync(readFileSync(`${folder}/hawser.wasm`), { level: 9 }).toString('base64'),
   GLUE: safe(readFileSync(`${folder}/hawser.js`, 'utf8')),
+  LICENCES: safe(readFileSync(`${folder}/licences.txt`, 'utf8')),
   WORKER: safe(await bundled('src/desk/worker.ts')),
   SCRIPT: script,
 };
 const page = readFileSync('src/desk/desk.html.in', 'utf8').replace(
-  /(?<=content="|>)(POLICY|STYLE|ENGINE|GLUE|WORKER|SCRIPT)(?=["<])/g,
+  /(?<=content="|>)(POLICY|STYLE|ENGINE|GLUE|LICENCES|WORKER|SCRIPT)(?=["<])/g,
   (_, part) => parts[part],
 );
 writeFileSync(process.argv[3] ?? 'dist/desk.html', page);
