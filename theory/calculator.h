@@ -114,6 +114,9 @@ hawser_status aside_judge(const Setup *setup, const Calculator *c, hawser_condit
 /* Whether the route crosses itself within the cable's length, into a condition that holds: crossing.c. Errors: MEMORY.
  */
 hawser_status crossing_judge(const Setup *setup, hawser_condition *out, hawser_error *err);
+/* Whether limits hold, pulled forward, while belts that run ahead of the winch come to their force at the start (WI24),
+ * into a condition that holds: started.c. Errors: MEMORY. */
+hawser_status started_judge(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err);
 /* load [n_rollers]: N, what theory has each rated roller bear of this chain with what those bring that it draws, and
  * what all others do (SC18); 0 where it knows of none. */
 void calculator_rollers(const Setup *setup, const Calculator *c, int way, double *load);

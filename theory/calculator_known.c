@@ -415,7 +415,8 @@ static hawser_status drive_of(const Setup *setup, const Calculator *c, hawser_co
     const int way = c->def.skip[PLAN_FORWARD] ? PLAN_BACKWARD : PLAN_FORWARD;
     const double needed = fmax(c->plan.way[way].force, c->heads[way].peak.force), has = tension_set(setup);
     *out = drive_told(setup);
-    const hawser_status status = drive_shared(setup, c, way, out, err);
+    hawser_status status = drive_shared(setup, c, way, out, err);
+    if (!status && out->holds) status = started_judge(setup, c, out, err);
     if (status || !setup->def->winch.present || setup->def->winch.mode != WINCH_TENSION) return status;
     if (has >= needed * (1 - 1e-9))
         return out->holds && !isfinite(winch_def_limit(&setup->def->winch)) ? drive_unbounded(setup, c, way, out, err)

@@ -1,6 +1,7 @@
 #include "theory/cannot.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "core/base/error.h"
 
@@ -31,25 +32,31 @@ static double straight_from(const Route *route)
     return 0;
 }
 
-/* A winch pulls at the cable's end in the direction of the route's end: round a bend that is through the wall. */
-static hawser_status head_check(const Setup *s, hawser_error *err)
+const char *head_before_bend(const Setup *s, char says[CANNOT_SAYS])
 {
     const SceneDef *const def = s->def;
     const double end = fmin(fmax(s->head, 0), s->route->length), turn = turn_from(s->route, end);
-    if (!def->winch.present || def->strand.present || def->winch.take_in || turn <= TURNED) return HAWSER_OK;
+    if (!def->winch.present || def->strand.present || def->winch.take_in || turn <= TURNED) return NULL;
     const double needed = ceil(100 * straight_from(s->route)) / 100, degrees = turn * 180 / M_PI;
     if (s->has_rope)
-        return error_set(
-            err, HAWSER_ERR_INPUT,
-            "key 'chain': the rope ends at %.4g m, and the route turns by %.3g degrees ahead of it: the "
-            "winch would pull along the route's end, through the wall; make the rope %.4g m longer or more",
-            end, degrees, needed - end);
-    return error_set(
-        err, HAWSER_ERR_INPUT,
-        "key 'route.head_at': the cable's head is at %.4g m and has no rope, and the route turns by %.3g "
-        "degrees ahead of it: the winch would pull along the route's end, through the wall; give 'chain' a "
-        "rope, or put the head at %.4g m or beyond",
-        end, degrees, needed);
+        snprintf(says, CANNOT_SAYS,
+                 "the rope ends at %.4g m, and the route turns by %.3g degrees ahead of it: the winch would pull along "
+                 "the route's end, through the wall; make the rope %.4g m longer or more",
+                 end, degrees, needed - end);
+    else
+        snprintf(says, CANNOT_SAYS,
+                 "the cable's head is at %.4g m and has no rope, and the route turns by %.3g degrees ahead of it: the "
+                 "winch would pull along the route's end, through the wall; give 'chain' a rope, or put the head at "
+                 "%.4g m or beyond",
+                 end, degrees, needed);
+    return s->has_rope ? "chain" : "route.head_at";
+}
+
+static hawser_status head_check(const Setup *s, hawser_error *err)
+{
+    char says[CANNOT_SAYS];
+    const char *const key = head_before_bend(s, says);
+    return key ? error_set(err, HAWSER_ERR_INPUT, "key '%s': %s", key, says) : HAWSER_OK;
 }
 
 /* m of cable behind the start of its route that nothing has to carry. */

@@ -13,8 +13,14 @@ typedef struct Crossing {
 /* Errors: MEMORY. */
 hawser_status crossing_find(const Setup *setup, Crossing *out, hawser_error *err);
 
+enum { CANNOT_SAYS = 280 };
+/* A winch pulls at the cable's or the rope's end along the route's end: round a bend that is through the wall. Writes
+ * what is wrong; returns the key to change, NULL if the end is on the last straight, or all but. Theory has a rope
+ * there. */
+const char *head_before_bend(const Setup *setup, char says[CANNOT_SAYS]);
+
 /* Errors: INPUT, with the place and the key to change; MEMORY. Of a case that says how it is run; a rod has no pull.
- * moves: it is to be run as it stands; theory alone has a rope ahead of the cable that the case leaves out. */
+ * moves: it is to be run as it stands; theory has figures all the same, and conditions that fail. */
 hawser_status cannot_be_pulled(const Setup *setup, int moves, hawser_error *err);
 
 #endif

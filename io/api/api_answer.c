@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "theory/cannot.h"
+
 enum { OPEN_MAX = 400, INDENT = 17, WIDE_ENOUGH = 40 };
 
 /* Adds so many bytes of a text, as far as there is room. */
@@ -351,10 +353,12 @@ static const char *verdict_shown(const Answer *a, const Calculator *c, int way, 
 static void theory_say(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
                        const TheoryVerdict verdict[PLAN_WAYS])
 {
-    char text[HAWSER_VERDICT_MAX];
+    char text[HAWSER_VERDICT_MAX], says[CANNOT_SAYS];
     const hawser_word other = verdict[PLAN_BACKWARD].word;
     answer_unusual(a, setup->def, setup->route);
     answer_assumed(a, setup, c->n_limits);
+    if (setup->def->theory.simulated && head_before_bend(setup, says))
+        answer_line(a, "assumed", "a rope as far as the winch, without which nothing runs: %s", says);
     const int forward = calculator_holds(c, PLAN_FORWARD);
     answer_verdict(a, verdict_shown(a, c, PLAN_FORWARD, &verdict[PLAN_FORWARD], text));
     way_line(a, setup, c, PLAN_FORWARD);
