@@ -89,6 +89,7 @@ struct Scene {
     struct Rod *rod;             /* sim/equipment/rod.h: a chain without a route */
     struct Equipment *equipment; /* sim/equipment/moving_rollers.h */
     Profile tail;                /* N; nothing where a reel brings the back tension */
+    double tail_held;            /* N, what holds the tail before the start instead (BK11); NAN: nothing does */
     Drag drag;
     ContactRoller *rollers; /* owned by their room; the contact model borrows them */
     ContactModel contact;

@@ -244,6 +244,51 @@ hawser_status buckling_of_run(const Setup *setup, Buckling *out, hawser_error *e
     return status;
 }
 
+/* Takes all friction off a pull that begins with `tension`, N. */
+static void friction_off(Pull *pull, double tension)
+{
+    pull->start_tension = tension;
+    pull->min_tension = INFINITY;
+    for (int i = 0; i < pull->n; ++i) {
+        PullSpan *const span = &pull->span[i];
+        span->law.mu = 0;
+        span->t0 = tension;
+        span->extremes = (SpanExtremes){.max_tension = -INFINITY, .min_tension = INFINITY};
+        tension = span->t1 = span_integrate(&span->law, span->s0, tension, span->s1, &span->extremes);
+        pull->min_tension = fmin(pull->min_tension, span->extremes.min_tension);
+    }
+    pull->end_tension = tension;
+}
+
+hawser_status buckling_held_at_rest(const Setup *setup, double *hold, hawser_error *err)
+{
+    const SceneDef *const def = setup->def;
+    const double back = expected_back(setup, def->duration), now = profile_value(&def->tail.tension, 0);
+    Expected e = {0};
+    Pull pull = {0};
+    Buckling *row = NULL;
+    int n = 0;
+    hawser_error unused;
+    *hold = NAN;
+    const int rests = def->solver.relax && def->analysis.kind == ANALYSIS_DYNAMICS && !def->rod.present;
+    const int alone = !def->strand.present && def->reel.model == REEL_NONE && setup->n_pushers == 0;
+    if (!rests || !alone || !expected_weighs(def)) return HAWSER_OK;
+    hawser_status status = expected_at(setup, setup->front, back, &e, &unused);
+    if (!status) status = expected_pull(setup, &e, PULL_REFERENCE, &pull, &unused);
+    expected_free(&e);
+    if (status) return status == HAWSER_ERR_MEMORY ? error_memory(err) : HAWSER_OK;
+    if (!(-pull.min_tension > setup->cable_weight)) {
+        friction_off(&pull, pull.start_tension - back + now);
+        status = buckling_find(setup, setup->route, &pull, &n, &row, err);
+        const Buckling *const worst = buckling_worst(n, row);
+        if (worst && worst->push > BUCKLING_NEAR * worst->critical)
+            *hold = now - pull.min_tension + setup->cable_weight;
+    }
+    free(row);
+    pull_clear(&pull);
+    return status;
+}
+
 static int begins_bent(const SceneDef *def)
 {
     const int moves = def->analysis.kind == ANALYSIS_DYNAMICS && def->solver.motion == MOTION_DYNAMIC;

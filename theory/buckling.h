@@ -35,6 +35,9 @@ hawser_status buckling_of_run(const Setup *setup, Buckling *out, hawser_error *e
 /* The same of a case that is not built yet; where nothing pushes, nothing is computed. What a setup cannot be built of
  * pushes nothing here. Errors: MEMORY. */
 hawser_status buckling_of_case(const SceneDef *def, const Route *route, Buckling *out, hawser_error *err);
+/* N, with which the tail is held before the start, friction off, where a cable that friction holds while it is pulled
+ * would otherwise be pushed at rest beyond its critical load (BK11); NAN: with what the case gives. Errors: MEMORY. */
+hawser_status buckling_held_at_rest(const Setup *setup, double *hold, hawser_error *err);
 /* Whether a run with that begins bent (BK10). Of several chains and of positions nothing is: what is pushed there is
  * not trusted. */
 int buckling_bends(const SceneDef *def, const Buckling *of_run);

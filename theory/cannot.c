@@ -62,18 +62,52 @@ static hawser_status head_check(const Setup *s, hawser_error *err)
 /* m of cable behind the start of its route that nothing has to carry. */
 static const double BEHIND = 2;
 
-/* Cable behind the start that lies on nothing, unless something placed by coordinates may be there. */
-static hawser_status tail_check(const Setup *s, hawser_error *err)
+/* m of rope beyond the route's end that may be slack: as far as from there to a winch. */
+static const double AHEAD = 10;
+/* Weight over tension of a free length that sags by half of itself. */
+static const double SLACK = 4;
+
+/* Whether something placed by coordinates may carry cable beside the route, or it falls on the route too. */
+static int is_elsewhere(const Setup *s)
 {
     const SceneDef *const def = s->def;
     int elsewhere = def->strand.present || def->drum.present || def->medium.density > 0 || s->supports.n_planes > 0;
     for (int i = 0; i < def->n_rollers; ++i) elsewhere |= !isfinite(def->rollers[i].s);
-    const int carried = s->supports.n_rollers + s->supports.n_lengths > 0; /* else it falls on the route too */
-    if (elsewhere || !carried || s->lead_in || !(-s->tail > BEHIND)) return HAWSER_OK;
+    return elsewhere || s->supports.n_rollers + s->supports.n_lengths == 0;
+}
+
+/* Cable behind the start that lies on nothing. */
+static hawser_status tail_check(const Setup *s, hawser_error *err)
+{
+    if (is_elsewhere(s) || s->lead_in || !(-s->tail > BEHIND)) return HAWSER_OK;
     return error_set(err, HAWSER_ERR_INPUT,
                      "key 'chain': it is longer than its way: %.4g m lie behind the route's start, where nothing "
                      "carries them; give 'lead_in' or a reel that pays out, or a larger 'route.head_at'",
                      -s->tail);
+}
+
+/* N, that a rope's end is held with at rest, without friction: by the back tension and what hangs back from there. */
+static double held_at_end(const Setup *s)
+{
+    const Route *const route = s->route;
+    const double rise = route_at(route, route->length).position.z - route_at(route, fmax(s->tail, 0)).position.z;
+    return profile_value(&s->def->tail.tension, 0) + fmax(0, rise) * s->cable_weight;
+}
+
+/* Rope beyond the route's end that hangs to the winch, unless something placed by coordinates may be there: at rest it
+ * sags by w L^2/8H, and falls if that is more than half of its length. */
+static hawser_status rope_check(const Setup *s, hawser_error *err)
+{
+    const SceneDef *const def = s->def;
+    const double beyond = s->head - s->route->length;
+    if (!s->has_rope || !(beyond > AHEAD) || is_elsewhere(s) || def->winch.take_in) return HAWSER_OK;
+    const double weight = def->cables[def->pieces[def->n_pieces - 1].cable].mass * v3_norm(def->gravity) * beyond;
+    if (!(weight > SLACK * held_at_end(s))) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "key 'chain': the rope is longer than its way: %.4g m lie beyond the route's end, where nothing "
+                     "carries them and the back tension does not hold them; give 'drive.winch.take_in', a shorter rope "
+                     "or more route",
+                     beyond);
 }
 
 /* Carriers of rows that lie along the cable, so that it has an edge to lie on, or nothing. */
@@ -105,6 +139,7 @@ hawser_status cannot_be_pulled(const Setup *setup, int moves, hawser_error *err)
     if (setup->def->rod.present) return HAWSER_OK;
     hawser_status status = moves ? head_check(setup, err) : HAWSER_OK;
     if (!status && moves) status = tail_check(setup, err);
+    if (!status && moves) status = rope_check(setup, err);
     if (!status && moves) status = crossing_check(setup, err);
     return status ? status : rollers_check(setup, err);
 }

@@ -7,6 +7,7 @@
 #include "sim/equipment/rod.h"
 #include "sim/equipment/rooms.h"
 #include "sim/equipment/winch.h"
+#include "theory/buckling.h"
 
 /* ------------------------------------------------------------------------------------------ the tail's tension (F2) */
 
@@ -81,6 +82,20 @@ static hawser_status ends_build(Room *room, Scene *scene, hawser_error *err)
     scene->drag = (Drag){.force = d->force, .law = {.mu_s = 1, .mu_d = d->ratio, .v_s = d->v_s, .v_d = d->v_d}};
     drag_place(scene);
     room->present = 1;
+    return HAWSER_OK;
+}
+
+/* Where the cable hangs on friction while it is pulled, a brake holds it before the start, and is let go before the
+ * winch has moved enough for friction to hold it and the brake both (BK11). */
+static hawser_status ends_finish(Room *room, Scene *scene, hawser_error *err)
+{
+    (void)room;
+    const Profile *const speed = &scene->def.winch.speed;
+    const double starts = speed->kind == PROFILE_STEP || speed->kind == PROFILE_STEP5 ? speed->t1 : 1;
+    const hawser_status status = buckling_held_at_rest(&scene->setup, &scene->tail_held, err);
+    if (scene->tail.kind == PROFILE_TABLE) scene->tail_held = NAN; /* it says for itself when what is there */
+    if (status || isnan(scene->tail_held)) return status;
+    scene->tail = (Profile){.kind = PROFILE_STEP, .v0 = scene->tail_held, .t1 = starts / 4, .v1 = scene->tail.v1};
     return HAWSER_OK;
 }
 
@@ -185,6 +200,7 @@ static const char *ends_not_planar(const Room *room, const Scene *scene)
 
 const RoomKind ENDS_ROOM = {.name = "back tension and rope drag",
                             .build = ends_build,
+                            .finish = ends_finish,
                             .work_alloc = ends_work_alloc,
                             .carry = ends_carry,
                             .loads = ends_loads,

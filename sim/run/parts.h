@@ -61,6 +61,7 @@ typedef struct hawser_sim {
     Stray stray;
     Steadiness steadiness;
     Stall stall;
+    char held_says[200];  /* what holds the tail before the start; likewise */
     char grade_says[512]; /* which bend loses the grade; an event has it */
     Passing passing;
     hawser_condition *condition; /* [HAWSER_CONDITIONS_MAX] of the last summary; owned */

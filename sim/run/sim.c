@@ -62,6 +62,7 @@ static hawser_status parts_new(Sim *s, const SceneDef *def, hawser_error *err)
     if (!status && !scene->def.strand.present) status = sim_trip_set(s, err);
     if (!status) status = start_check(s, err);
     if (!status) status = start_grades(s, err);
+    if (!status) status = start_held(s, err);
     return status ? status : start_fit(s, err);
 }
 

@@ -15,6 +15,8 @@ Sim *sim_free(Sim *s);
 hawser_status start_check(Sim *s, hawser_error *err);
 /* Says in an event which bend loses the route's grade. Errors: MEMORY. */
 hawser_status start_grades(Sim *s, hawser_error *err);
+/* Likewise what holds the tail before the start where the case does not (BK11). */
+hawser_status start_held(Sim *s, hawser_error *err);
 /* A chain that is not to be relaxed, but whose chords lie inside of what the line would only touch, is moved out: by
  * the relaxation, which ends as soon as nothing is pressed by more than all loads together (E7). Errors: MEMORY. */
 hawser_status start_fit(Sim *s, hawser_error *err);

@@ -43,6 +43,18 @@ hawser_status start_grades(Sim *s, hawser_error *err)
     return sim_note(s, HAWSER_EVENT_NOTE, 0, s->grade_says, s->look.sample.winch_force, err);
 }
 
+hawser_status start_held(Sim *s, hawser_error *err)
+{
+    const Scene *const scene = &s->stage.scene;
+    if (isnan(scene->tail_held)) return HAWSER_OK;
+    snprintf(
+        s->held_says, sizeof s->held_says,
+        "friction holds the cable where it hangs: before the start a brake holds its tail with %.4g kN, and is let "
+        "go until %.3g s",
+        scene->tail_held / 1e3, scene->tail.t1);
+    return sim_note(s, HAWSER_EVENT_NOTE, 0, s->held_says, s->look.sample.winch_force, err);
+}
+
 /* Whether nothing is pressed by more than all loads together could ask for, by a look at the state of now. */
 static int fits(void *user)
 {

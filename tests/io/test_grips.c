@@ -108,5 +108,38 @@ static void a_head_that_rolls(void **state)
     check_below(moves.sum.steps, 20000);
 }
 
-TEST_FILE(test_grips, cmocka_unit_test(a_head_that_rolls), cmocka_unit_test(a_shared_pull),
-          cmocka_unit_test(belts_wait_for_the_cable), cmocka_unit_test(a_deep_groove), cmocka_unit_test(a_slow_winch))
+/* 12 kN hang in a shaft of 60 m, of which the back tension bears 10 and friction at the top the rest: rest was sought
+ * without friction, of a cable that is pushed up from below (BK11). A brake holds it until the winch starts. */
+static void a_shaft_begins_as_it_hangs(void **state)
+{
+    (void)state;
+    static const char *const setting[] = {"route.pieces.2.straight",
+                                          "60 m",
+                                          "chain.0.length",
+                                          "145.708 m",
+                                          "route.head_at",
+                                          "147.708 m",
+                                          "drive.tail.tension",
+                                          "10 kN",
+                                          "run.duration",
+                                          "9 s",
+                                          "run.steady_from",
+                                          "6 s",
+                                          NULL};
+    hawser_sim *const sim = sim_of(data_text("grip-shaft"), setting);
+    assert_int_equal(hawser_sim_relax(sim, NULL, NULL), HAWSER_OK);
+    hawser_summary begun;
+    hawser_sim_summary(sim, &begun);
+    assert_true(condition_of(&begun, "equilibrium")->holds);
+    const double low = 10e3 - 20 * 9.81 * 70; /* both bends are 5 m deep */
+    check_share(hawser_sim_sample(sim)->tail_tension, 10e3 - low + 20 * 9.81, 0.01);
+    hawser_sim_free(sim);
+    const Found r = run("grip-shaft", setting);
+    print_message("%.5g N, %.5g N by theory\n", r.sum.pull_mean_N, r.sum.reference_total_N);
+    check_share(r.sum.pull_mean_N, r.sum.reference_total_N, 0.05);
+    check_below(r.energy, 1e-3);
+}
+
+TEST_FILE(test_grips, cmocka_unit_test(a_shaft_begins_as_it_hangs), cmocka_unit_test(a_head_that_rolls),
+          cmocka_unit_test(a_shared_pull), cmocka_unit_test(belts_wait_for_the_cable), cmocka_unit_test(a_deep_groove),
+          cmocka_unit_test(a_slow_winch))
