@@ -58,6 +58,7 @@ typedef struct CaseSection {
 #define LONG       1e6
 #define STRONG     1e9
 #define STIFF      1e15
+#define TURNS      1e12 /* of bending: a solid bar of steel of 2 m has 2e11; with 1e15 a run stood still for ever */
 #define LATE       1e9
 #define DEGREES(a) ((a)*3.14159265358979323846 / 180)
 

@@ -347,14 +347,19 @@ static void what_cannot_begin(void **state)
         hawser_case_free(c);
     }
     a_rope_beyond_its_way();
-    hawser_error err = {0};
-    hawser_case *const c = case_with(ROLLERS, NULL);
-    assert_int_equal(hawser_case_set(c, "rollers.along.0.radius", "1000 m", &err), HAWSER_OK);
-    hawser_sim *sim = NULL; /* half a minute a second of it, and more */
-    assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_ERR_INPUT);
-    check_has(err.message,
-              "key 'rollers.along.0.radius': value '1000 m' is out of range: must be above 0 m, at most 100 m");
-    hawser_case_free(c);
+    static const struct {
+        const char *key, *value, *says;
+    } far[] = {{"rollers.along.0.radius", "1000 m", "1000 m' is out of range: must be above 0 m, at most 100 m"},
+               {"cables.p.EI", "1e15", "1e15' is out of range: must be above 0 N m2, at most 1e12 N m2"}};
+    for (size_t k = 0; k < sizeof far / sizeof *far; ++k) { /* half a minute a second of it, and more; for ever */
+        hawser_error err = {0};
+        hawser_case *const c = case_with(ROLLERS, NULL);
+        assert_int_equal(hawser_case_set(c, far[k].key, far[k].value, &err), HAWSER_OK);
+        hawser_sim *sim = NULL;
+        assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_ERR_INPUT);
+        check_has(err.message, far[k].says);
+        hawser_case_free(c);
+    }
 }
 
 /* A route that crosses itself at one level was SAFE in theory; 200 mm above itself it is as good as any. */
