@@ -3,6 +3,7 @@
 #include "hawser/hawser.h"
 
 #include <stdio.h>
+#include <string.h>
 
 static const char help[] =
     "Usage: hawser job JOB [options]\n"
@@ -47,6 +48,10 @@ static int job(const Arguments *args)
     char *text = NULL, path[PAGE_PATH];
     if (args->dir && !args->report) {
         complain("job: -o is of --report, which is not given");
+        return EXIT_USAGE;
+    }
+    if (args->workbook && args->dir && !strcmp(args->workbook, args->dir)) {
+        complain("job: --xlsx and -o name the same file");
         return EXIT_USAGE;
     }
     hawser_status status = hawser_job_load(args->case_path, &made, &err);

@@ -540,12 +540,15 @@ static hawser_status slopes_judge(Rounding *r, const Assumed *a, int *found)
     return status;
 }
 
-/* Whether a limit is broken as the case is: then no end of a range changes the word. */
+/* Whether every way a limit is broken as the case is: then no end of a range changes a word. */
 static int is_broken(const Trial *t)
 {
-    for (int i = 0; i < t->n; ++i)
-        if (t->limit[0][i].judged && !t->limit[0][i].ok) return 1;
-    return 0;
+    for (int way = t->first; way < t->ways; ++way) {
+        int broken = 0;
+        for (int i = 0; i < t->n; ++i) broken |= t->limit[way][i].judged && !t->limit[way][i].ok;
+        if (!broken) return 0;
+    }
+    return 1;
 }
 
 /* Bounds of several are each found with the others as they were taken. So that all may be at theirs at once, they go

@@ -133,7 +133,12 @@ int file_new_in(int at, const char *name, char part[FILE_PART_MAX])
 
 int file_name_in(int at, const char *part, int to, const char *name)
 {
+    struct stat there;
     assert(at >= 0 && to >= 0 && !strchr(part, '/') && !strchr(name, '/'));
+    if (!fstatat(to, name, &there, AT_SYMLINK_NOFOLLOW) && !S_ISREG(there.st_mode) && !S_ISLNK(there.st_mode)) {
+        errno = S_ISDIR(there.st_mode) ? EISDIR : ENOTBLK;
+        return 0;
+    }
     return !renameat(at, part, to, name);
 }
 

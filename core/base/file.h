@@ -23,7 +23,8 @@ int file_open_in(int at, const char *name, int flags);
 /* A new, empty file under a name that nobody can know before, "NAME.xxxxxxxxxxxxxxxx.part"; open for reading and
  * writing. It gets its name by file_name_in. -1 with errno. */
 int file_new_in(int at, const char *name, char part[FILE_PART_MAX]);
-/* Replaces what is called `name`, a link itself and not what it leads to. 0 with errno. */
+/* Replaces what is called `name`, a link itself and not what it leads to; a device, a FIFO or a folder stays. 0 with
+ * errno. */
 int file_name_in(int at, const char *part, int to, const char *name);
 /* Whether `entry` is a name that file_new_in has made for `name`. */
 int file_is_part(const char *entry, const char *name);

@@ -93,9 +93,9 @@ typedef struct TheoryWish {
  * hawser_case_theory. */
 hawser_status case_theory_values(hawser_case *c, const TheoryWish *wish, struct json_t **out, hawser_error *err);
 
-/* The calculation of one chain as a part of a page, below its head (io/report/calculation.h). word: of the pull
- * forward, or NULL. Errors: as hawser_case_theory. */
-hawser_status case_calculation_body(hawser_case *c, hawser_units units, Text *out, hawser_word *word,
+/* The calculation of one chain as a part of a page, below its head (io/report/calculation.h), under the verdict of a
+ * way of pulling. word: of that, or NULL. Errors: as hawser_case_theory. */
+hawser_status case_calculation_body(hawser_case *c, int way, hawser_units units, Text *out, hawser_word *word,
                                     hawser_error *err);
 
 enum { THEORY_TABLES_MAX = 17, THEORY_PIECES = 0 };

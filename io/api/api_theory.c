@@ -771,7 +771,8 @@ static hawser_status page_part(const Page *page, int shown, hawser_units units, 
     return document_html(&part, units, text, err);
 }
 
-static hawser_status body_write(Theory *t, const hawser_case *c, hawser_units units, Text *out, hawser_error *err)
+static hawser_status body_write(Theory *t, const hawser_case *c, int way, hawser_units units, Text *out,
+                                hawser_error *err)
 {
     Page page;
     char *tables = NULL, *more = NULL;
@@ -791,8 +792,8 @@ static hawser_status body_write(Theory *t, const hawser_case *c, hawser_units un
     if (!status) status = page_part(&page, 0, units, &more, err);
     const Calculation sheet = {.title = title_of(c),
                                .file = c->name,
-                               .code = hawser_word_code(t->verdict[PLAN_FORWARD].word),
-                               .verdict = t->verdict[PLAN_FORWARD].shown,
+                               .code = hawser_word_code(t->verdict[way].word),
+                               .verdict = t->verdict[way].shown,
                                .answer = t->answer,
                                .tables = tables,
                                .more = more,
@@ -806,7 +807,8 @@ static hawser_status body_write(Theory *t, const hawser_case *c, hawser_units un
     return status;
 }
 
-hawser_status case_calculation_body(hawser_case *c, hawser_units units, Text *out, hawser_word *word, hawser_error *err)
+hawser_status case_calculation_body(hawser_case *c, int way, hawser_units units, Text *out, hawser_word *word,
+                                    hawser_error *err)
 {
     const TheoryWish all = {0};
     Theory *t;
@@ -814,10 +816,10 @@ hawser_status case_calculation_body(hawser_case *c, hawser_units units, Text *ou
     if (!plain) return error_memory(err);
     hawser_status status = theory_new(c, &all, &t, err);
     const locale_t before = uselocale(plain);
-    if (!status) status = body_write(t, c, units, out, err);
+    if (!status) status = body_write(t, c, way, units, out, err);
     uselocale(before);
     freelocale(plain);
-    if (!status && word) *word = t->verdict[PLAN_FORWARD].word;
+    if (!status && word) *word = t->verdict[way].word;
     theory_free(t);
     return status;
 }
@@ -829,7 +831,7 @@ hawser_status hawser_case_calculation(hawser_case *c, hawser_units units, const 
     if (!c || !path) return error_argument(err, c ? "path" : "c");
     hawser_status status = case_ensure_read(c, err);
     if (!status) calculation_head(&c->def->job, title_of(c), c->name, &out);
-    if (!status) status = case_calculation_body(c, units, &out, word, err);
+    if (!status) status = case_calculation_body(c, PLAN_FORWARD, units, &out, word, err);
     calculation_end(&out);
     if (!status && out.failed) status = error_memory(err);
     if (!status) status = out_file(path, out.at, out.size, err);

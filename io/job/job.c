@@ -15,7 +15,21 @@
 #include "io/results/workbook.h"
 #include "io/schema/case_schema.h"
 
-enum { PULLS_MAX = 10000, REELS_MAX = 10000, SAID_MAX = 320, WORD_MAX = 128, PATH_MOST = 1024 };
+enum { PULLS_MAX = 10000, REELS_MAX = 10000, SAID_MAX = 320, PATH_MOST = 1024 };
+
+/* One length of cable that a pull needs: a cable alone, each of several, or several that are twisted together. */
+typedef struct Length {
+    const char *kind;      /* the case's */
+    double mass, diameter; /* kg/m, m */
+    int count;
+} Length;
+
+/* A stretch that a winch pulls in one go, up to a pit or the end. */
+typedef struct Section {
+    char ends_at[NAME_MAX_LENGTH]; /* "": the end */
+    double force, rest;            /* N */
+} Section;
+enum { SECTIONS_MAX = 64 };
 
 /* One pull: what the file says of it, its case, and what theory says in the direction that is taken. */
 typedef struct JobPull {
@@ -25,25 +39,33 @@ typedef struct JobPull {
     hawser_case *c;       /* owned */
     int way;
     hawser_word word;
-    double length, cable, mass, cables;          /* m, m of each cable with the allowance, kg/m of each, 1 */
-    double force, rest, other, margin, trip;     /* N, N, N the other way, 1, N */
-    char limit[32], at[96], by[96];              /* of the least margin and its place; what sets the trip */
-    char kind[NAME_MAX_LENGTH], verdict[24];     /* the cable; the word, as it is printed */
-    char winch[NAME_MAX_LENGTH], reel[WORD_MAX]; /* the bay of the winch; the reels */
+    double length, cable, mass, cables;      /* m, m of each length with the allowance, kg/m of all, 1 */
+    double force, rest, other, margin, trip; /* N, N, N the other way, 1, N */
+    char limit[32], at[96], by[96];          /* of the least margin and its place; what sets the trip */
+    char kind[NAME_MAX_LENGTH], verdict[24]; /* the cable; the word, as it is printed */
+    char winch[NAME_MAX_LENGTH];             /* the bay of the winch */
+    char *reel;                              /* the reels, owned; NULL: none */
+    int without;                             /* lengths that fit no reel */
+    int n_sections;
+    Section section[SECTIONS_MAX];
+    int n_lengths;
+    Length need[BUNDLE_KINDS_MAX];
 } JobPull;
 
 /* A reel, and what is taken from it. */
 typedef struct JobReel {
-    char name[NAME_MAX_LENGTH], kind[NAME_MAX_LENGTH], pulls[WORD_MAX];
+    char name[NAME_MAX_LENGTH];
     double length, tare;           /* m of cable on it as delivered, kg without cable */
-    double each;                   /* kg/m */
+    Length of;                     /* what is on it; kind NULL: nothing yet */
+    char *pulls;                   /* owned; NULL: none */
     double used, left, mass, lift; /* m, m, kg of cable as delivered, N with it */
 } JobReel;
 
 /* A place where sections meet. */
 typedef struct JobBay {
-    char name[NAME_MAX_LENGTH], reels[WORD_MAX], pulls[WORD_MAX];
-    double force, trip; /* N: the largest of the winches that stand there */
+    char name[2 * NAME_MAX_LENGTH + 4];
+    char *reels, *pulls; /* owned; NULL: none */
+    double force, trip;  /* N: the largest of the winches that stand there */
 } JobBay;
 
 struct hawser_job {
@@ -234,6 +256,37 @@ static void least_take(const json_t *limits, JobPull *pull)
     }
 }
 
+/* The stretches of the direction that is taken; without pits the whole is one. */
+static void sections_take(const json_t *sections, JobPull *pull)
+{
+    size_t i;
+    json_t *row;
+    json_array_foreach((json_t *)(size_t)sections, i, row)
+    {
+        if (strcmp(text_at(row, "direction"), theory_ways[pull->way]) != 0 || pull->n_sections == SECTIONS_MAX)
+            continue;
+        Section *const one = &pull->section[pull->n_sections++];
+        one->force = number_at(row, "force_N");
+        one->rest = number_at(row, "restart_N");
+        snprintf(one->ends_at, sizeof one->ends_at, "%s", text_at(row, "ends_at"));
+    }
+    if (pull->n_sections == 0) pull->section[pull->n_sections++] = (Section){.force = pull->force, .rest = pull->rest};
+    *pull->section[pull->n_sections - 1].ends_at = 0;
+}
+
+/* Twisted cables come as one; of others each has a length of its own. */
+static void lengths_take(const SceneDef *def, JobPull *pull)
+{
+    const BundleDef *const b = &def->bundle;
+    const CableDef *const whole = &def->cables[def->pieces[0].cable];
+    snprintf(pull->kind, sizeof pull->kind, "%s", whole->name);
+    if (bundle_tails(b) == 1) pull->need[pull->n_lengths++] = (Length){whole->name, whole->mass, whole->diameter, 1};
+    for (int k = 0; bundle_tails(b) > 1 && k < b->set.kinds; ++k) {
+        const CableDef *const one = &def->cables[b->member[k]];
+        pull->need[pull->n_lengths++] = (Length){one->name, one->mass, one->diameter, b->set.count[k]};
+    }
+}
+
 static void answer_take(const hawser_job *job, const json_t *answer, JobPull *pull)
 {
     const SceneDef *const def = pull->c->def;
@@ -245,20 +298,21 @@ static void answer_take(const hawser_job *job, const json_t *answer, JobPull *pu
     pull->cables = number_at(answer, "cables");
     pull->length = number_at(answer, "length_m");
     pull->cable = pull->length + job->allowance;
-    pull->mass = number_at(answer, "weight_N_per_m") / v3_norm(def->gravity) / pull->cables;
+    pull->mass = number_at(answer, "weight_N_per_m") / v3_norm(def->gravity);
     pull->force = force_at(answer, pull->way);
     pull->other = force_at(answer, other);
     pull->rest = number_at(answer, pull->way == PLAN_FORWARD ? "largest_restart_N" : "backward_largest_restart_N");
     pull->trip = number_at(way, "trip_N");
     snprintf(pull->by, sizeof pull->by, "%s", text_at(way, "trip_by"));
-    snprintf(pull->kind, sizeof pull->kind, "%s", def->cables[def->pieces[0].cable].name);
     snprintf(pull->winch, sizeof pull->winch, "%s", pull->way == PLAN_FORWARD ? pull->to : pull->from);
     least_take(json_object_get(answer, "limits"), pull);
+    sections_take(json_object_get(answer, "sections"), pull);
+    lengths_take(def, pull);
 }
 
 static hawser_status pull_calculate(const hawser_job *job, JobPull *pull, hawser_error *err)
 {
-    static const char *const tables[] = {"directions", "limits", NULL};
+    static const char *const tables[] = {"directions", "sections", "limits", NULL};
     const TheoryWish wish = {.table = tables, .no_inverse = 1};
     json_t *answer = NULL;
     hawser_status status = case_ensure_read(pull->c, err);
@@ -293,50 +347,65 @@ static hawser_status pull_read(const CaseReader *r, const CaseNode *node, hawser
     status = case_make(job, case_node_key(r->root, "common"), keys, pull, &found);
     if (!status) status = pull_calculate(job, pull, &found);
     char before[NAME_MAX_LENGTH + 16];
-    snprintf(before, sizeof before, "pull '%s': ", pull->name);
+    snprintf(before, sizeof before, "pull '%s'", pull->name);
     return status ? case_key_cause(r->err, node, NULL, before, &found) : HAWSER_OK;
 }
 
 /* ------------------------------------------------------------------------------------------------------------- reels
  */
 
-/* Adds a name to a list of names; dots where there is no more room. */
-static void list_add(char *list, const char *name)
+/* Adds a name to a list of names, once. Returns 0 without memory. */
+static int list_add(char **list, const char *name)
 {
-    const size_t used = strlen(list), need = strlen(name) + 2;
-    if (used + need + 5 < WORD_MAX) {
-        snprintf(list + used, WORD_MAX - used, "%s%s", used ? ", " : "", name);
-    } else if (used < 4 || strcmp(list + used - 3, "...") != 0) {
-        snprintf(list + used, WORD_MAX - used, ", ...");
-    }
+    const size_t used = *list ? strlen(*list) : 0, n = strlen(name);
+    if (used >= n && !strcmp(*list + used - n, name) && (used == n || (*list)[used - n - 1] == ' ')) return 1;
+    char *const more = realloc(*list, used + n + 3);
+    if (!more) return 0;
+    sprintf(more + used, "%s%s", used ? ", " : "", name);
+    *list = more;
+    return 1;
 }
 
-static int reel_has_room(const JobReel *reel, const JobPull *pull)
+static int reel_has_room(const JobReel *reel, const JobPull *pull, const Length *need)
 {
-    const int same = !strcmp(reel->kind, pull->kind) && fabs(reel->each - pull->mass) <= 1e-9 * pull->mass;
-    return (!*reel->kind || same) && reel->left >= pull->cable * (1 - 1e-12);
+    const Length *const of = &reel->of;
+    const int same = of->kind && !strcmp(of->kind, need->kind) && fabs(of->mass - need->mass) <= 1e-9 * need->mass &&
+                     fabs(of->diameter - need->diameter) <= 1e-9 * need->diameter;
+    return (!of->kind || same) && reel->left >= pull->cable * (1 - 1e-12);
 }
 
-static void reel_take(JobReel *reel, JobPull *pull)
+static int reel_take(JobReel *reel, JobPull *pull, const Length *need)
 {
-    snprintf(reel->kind, sizeof reel->kind, "%s", pull->kind);
-    reel->each = pull->mass;
+    reel->of = *need;
     reel->used += pull->cable;
     reel->left = reel->length - reel->used;
-    reel->mass = reel->length * pull->mass;
-    list_add(reel->pulls, pull->name);
-    list_add(pull->reel, reel->name);
+    reel->mass = reel->length * need->mass;
+    return list_add(&reel->pulls, pull->name) && list_add(&pull->reel, reel->name);
 }
 
 /* The reel that a pull names, or else the one on which the least would be left; NULL: there is none with room. */
-static JobReel *reel_for(hawser_job *job, const JobPull *pull)
+static JobReel *reel_for(hawser_job *job, const JobPull *pull, const Length *need)
 {
     JobReel *best = NULL;
     for (JobReel *reel = job->reel; reel < job->reel + job->n_reels; ++reel) {
-        if (*pull->on ? strcmp(reel->name, pull->on) != 0 : !reel_has_room(reel, pull)) continue;
+        if (*pull->on ? strcmp(reel->name, pull->on) != 0 : !reel_has_room(reel, pull, need)) continue;
         if (!best || reel->left < best->left) best = reel;
     }
-    return best && reel_has_room(best, pull) ? best : NULL;
+    return best && reel_has_room(best, pull, need) ? best : NULL;
+}
+
+/* Each length of a pull. Returns 0 without memory. */
+static int lengths_place(hawser_job *job, JobPull *pull)
+{
+    int ok = 1;
+    for (const Length *need = pull->need; need < pull->need + pull->n_lengths; ++need) {
+        for (int k = 0; k < need->count && ok; ++k) {
+            JobReel *const reel = reel_for(job, pull, need);
+            ok = reel ? reel_take(reel, pull, need) : list_add(&pull->reel, "none fits");
+            pull->without += !reel;
+        }
+    }
+    return ok;
 }
 
 static int longer_first(const void *a, const void *b)
@@ -369,17 +438,12 @@ static hawser_status reels_fill(const CaseReader *r, hawser_job *job)
     }
     for (int k = 0; k < job->n_reels; ++k) job->reel[k].left = job->reel[k].length;
     if (!status) qsort(order, (size_t)job->n_pulls, sizeof(JobPull *), longer_first);
-    for (int p = 0; !status && job->n_reels > 0 && p < job->n_pulls; ++p) {
-        for (int k = 0; k < (int)order[p]->cables; ++k) {
-            JobReel *const reel = reel_for(job, order[p]);
-            if (reel) reel_take(reel, order[p]);
-            if (!reel) list_add(order[p]->reel, "none fits");
-        }
-    }
+    for (int p = 0; !status && job->n_reels > 0 && p < job->n_pulls; ++p)
+        if (!lengths_place(job, order[p])) status = error_memory(r->err);
     for (int k = 0; !status && k < job->n_reels; ++k) {
         JobReel *const reel = &job->reel[k];
         reel->lift = (reel->mass + reel->tare) * UNIT_GRAVITY;
-        if (!*reel->kind) reel->mass = reel->lift = NAN;
+        if (!reel->of.kind) reel->mass = reel->lift = NAN;
     }
     free(order);
     return status;
@@ -398,24 +462,39 @@ static JobBay *bay_of(hawser_job *job, const char *name)
     return bay;
 }
 
+/* A winch of one stretch of a pull: at the pull's end, or in a pit on its way. Returns 0 without memory. */
+static int winch_stand(hawser_job *job, const JobPull *pull, int k)
+{
+    const Section *const one = &pull->section[k];
+    char name[2 * NAME_MAX_LENGTH + 4];
+    if (*one->ends_at)
+        snprintf(name, sizeof name, "%s (%s)", one->ends_at, pull->name);
+    else
+        snprintf(name, sizeof name, "%s", pull->winch);
+    if (!*name) return 1;
+    JobBay *const bay = bay_of(job, name);
+    bay->force = fmax(bay->force, fmax(one->force, one->rest));
+    if (pull->n_sections == 1) bay->trip = fmax(bay->trip, pull->trip);
+    return list_add(&bay->pulls, pull->name);
+}
+
 /* Where a winch or a reel has to stand. */
 static hawser_status bays_fill(hawser_job *job, hawser_error *err)
 {
-    job->bay = calloc(2 * (size_t)job->n_pulls + 1, sizeof *job->bay);
+    size_t most = 0;
+    int ok = 1;
+    for (int p = 0; p < job->n_pulls; ++p) most += 2 + (size_t)job->pull[p].n_sections;
+    job->bay = calloc(most, sizeof *job->bay);
     if (!job->bay) return error_memory(err);
-    for (const JobPull *pull = job->pull; pull < job->pull + job->n_pulls; ++pull) {
+    for (const JobPull *pull = job->pull; pull < job->pull + job->n_pulls && ok; ++pull) {
         const char *const start = pull->way == PLAN_FORWARD ? pull->from : pull->to;
         const char *const ends[] = {pull->from, pull->to};
         for (int k = 0; k < 2; ++k)
             if (*ends[k]) bay_of(job, ends[k]);
-        if (*start) list_add(bay_of(job, start)->reels, *pull->reel ? pull->reel : pull->name);
-        if (!*pull->winch) continue;
-        JobBay *const bay = bay_of(job, pull->winch);
-        list_add(bay->pulls, pull->name);
-        bay->force = fmax(bay->force, fmax(pull->force, pull->rest));
-        bay->trip = fmax(bay->trip, pull->trip);
+        if (*start) ok = list_add(&bay_of(job, start)->reels, pull->reel ? pull->reel : pull->name);
+        for (int k = 0; k < pull->n_sections && ok; ++k) ok = winch_stand(job, pull, k);
     }
-    return HAWSER_OK;
+    return ok ? HAWSER_OK : error_memory(err);
 }
 
 /* ----------------------------------------------------------------------------------------------------------- reading
@@ -439,6 +518,11 @@ static hawser_status job_fill(const CaseReader *r, hawser_job *job)
     for (const CaseNode *node = pulls->first; node && !status; node = node->next)
         status = pull_read(r, node, job, &job->pull[job->n_pulls++]);
     if (!status) status = case_list_read(r, reels, sizeof *job->reel, reel_read, &job->reel, &job->n_reels);
+    for (int k = 0; k < job->n_reels && !status; ++k)
+        for (int before = 0; before < k && !status; ++before)
+            if (!strcmp(job->reel[before].name, job->reel[k].name))
+                status = case_value_error(r->err, case_node_key(case_node_item(reels, k), "name"),
+                                          ": another reel has this name");
     if (!status) status = reels_fill(r, job);
     return status ? status : bays_fill(job, r->err);
 }
@@ -466,7 +550,15 @@ hawser_status hawser_job_load(const char *path, hawser_job **out, hawser_error *
 void hawser_job_free(hawser_job *job)
 {
     if (!job) return;
-    for (int p = 0; p < job->n_pulls; ++p) hawser_case_free(job->pull[p].c);
+    for (int p = 0; p < job->n_pulls; ++p) {
+        hawser_case_free(job->pull[p].c);
+        free(job->pull[p].reel);
+    }
+    for (int k = 0; k < job->n_reels; ++k) free(job->reel[k].pulls);
+    for (int k = 0; k < job->n_bays; ++k) {
+        free(job->bay[k].reels);
+        free(job->bay[k].pulls);
+    }
     free(job->pull);
     free(job->reel);
     free(job->bay);
@@ -480,6 +572,13 @@ void hawser_job_free(hawser_job *job)
 static const char *direction_text(const void *row) { return theory_ways[((const JobPull *)row)->way]; }
 static double margin_pct(const void *row) { return 100 * ((const JobPull *)row)->margin; }
 static const char *code_text(const void *row) { return hawser_word_code(((const JobPull *)row)->word); }
+
+static const char *words(const char *list) { return list ? list : ""; }
+static const char *pull_reels(const void *row) { return words(((const JobPull *)row)->reel); }
+static const char *reel_kind(const void *row) { return words(((const JobReel *)row)->of.kind); }
+static const char *reel_pulls(const void *row) { return words(((const JobReel *)row)->pulls); }
+static const char *bay_reels(const void *row) { return words(((const JobBay *)row)->reels); }
+static const char *bay_pulls(const void *row) { return words(((const JobBay *)row)->pulls); }
 
 static const Column pull_column[] = {
     {COLUMN("name", CHARS, JobPull, name), .label = "pull"},
@@ -495,7 +594,7 @@ static const Column pull_column[] = {
     {COLUMN("winch_at", CHARS, JobPull, winch), .label = "winch at", .group = 1},
     {COLUMN("trip_N", NUMBER, JobPull, trip), .label = "trip, N", .decimals = 0},
     {COLUMN("cable_m", NUMBER, JobPull, cable), .label = "cable, m", .decimals = 1},
-    {COLUMN("reel", CHARS, JobPull, reel), .label = "reel"},
+    {.key = "reel", .kind = COLUMN_TEXT, .text = pull_reels, .label = "reel"},
 };
 /* What programs are to have beside it. */
 static const Column pull_more[] = {
@@ -511,9 +610,9 @@ enum { SHOWN = sizeof pull_column / sizeof *pull_column, MORE = sizeof pull_more
 
 static const Column reel_column[] = {
     {COLUMN("name", CHARS, JobReel, name), .label = "reel"},
-    {COLUMN("cable", CHARS, JobReel, kind), .label = "cable"},
+    {.key = "cable", .kind = COLUMN_TEXT, .text = reel_kind, .label = "cable"},
     {COLUMN("length_m", NUMBER, JobReel, length), .label = "length, m", .decimals = 1},
-    {COLUMN("pulls", CHARS, JobReel, pulls), .label = "for pulls"},
+    {.key = "pulls", .kind = COLUMN_TEXT, .text = reel_pulls, .label = "for pulls"},
     {COLUMN("used_m", NUMBER, JobReel, used), .label = "used, m", .decimals = 1},
     {COLUMN("left_m", NUMBER, JobReel, left), .label = "left, m", .decimals = 1},
     {COLUMN("cable_kg", NUMBER, JobReel, mass), .label = "cable, kg", .decimals = 0},
@@ -522,8 +621,8 @@ static const Column reel_column[] = {
 };
 static const Column bay_column[] = {
     {COLUMN("name", CHARS, JobBay, name), .label = "bay"},
-    {COLUMN("reels", CHARS, JobBay, reels), .label = "reels here"},
-    {COLUMN("pulls", CHARS, JobBay, pulls), .label = "winch here for"},
+    {.key = "reels", .kind = COLUMN_TEXT, .text = bay_reels, .label = "reels here"},
+    {.key = "pulls", .kind = COLUMN_TEXT, .text = bay_pulls, .label = "winch here for"},
     {COLUMN("force_N", NUMBER, JobBay, force), .label = "winch, from rest, N", .decimals = 0},
     {COLUMN("trip_N", NUMBER, JobBay, trip), .label = "trip, largest, N", .decimals = 0},
 };
@@ -556,6 +655,11 @@ static void answer_make(const hawser_job *job, char text[SAID_MAX])
             used += snprintf(text + used, SAID_MAX - (size_t)used, "%s %d %s", before++ ? "," : "", n,
                              hawser_word_text((hawser_word)word));
     }
+    int without = 0;
+    for (int p = 0; p < job->n_pulls; ++p) without += job->pull[p].without;
+    if (without > 0)
+        used += snprintf(text + used, SAID_MAX - (size_t)used, "; %d %s no reel", without,
+                         without == 1 ? "length fits" : "lengths fit");
     snprintf(text + used, SAID_MAX - (size_t)used, "\n");
 }
 
@@ -566,8 +670,8 @@ static void document_make(const hawser_job *job, int shown, JobDocument *d)
     const JobPull *most = job->pull;
     for (const JobPull *p = job->pull; p < job->pull + job->n_pulls; ++p) {
         route += p->length;
-        cable += p->cable * p->cables;
-        if (p->force > most->force) most = p;
+        for (int k = 0; k < p->n_lengths; ++k) cable += p->cable * p->need[k].count;
+        if (fmax(p->force, p->rest) > fmax(most->force, most->rest)) most = p;
     }
     answer_make(job, d->answer);
     memcpy(d->all, pull_column, sizeof pull_column);
@@ -583,7 +687,8 @@ static void document_make(const hawser_job *job, int shown, JobDocument *d)
         d->table[n++] = (Table){"bays", "Joint bays and pits", COLUMNS(JobBay, bay_column), job->n_bays, job->bay};
     d->fact[0] = (Fact){"route_m", "routes together", "m", cell_number(route)};
     d->fact[1] = (Fact){"cable_m", "cable together, with the allowances", "m", cell_number(cable)};
-    d->fact[2] = (Fact){"largest_force_N", "largest force of a winch", "N", cell_number(most->force)};
+    d->fact[2] = (Fact){"largest_force_N", "largest force of a winch, from rest", "N",
+                        cell_number(fmax(most->force, most->rest))};
     d->fact[3] = (Fact){"largest_force_pull", "in the pull", "", cell_text(most->name)};
     d->doc = (Document){.title = *job->title ? job->title : job->tree->path,
                         .n_facts = 4,
@@ -638,8 +743,10 @@ static hawser_status pages_write(const hawser_job *job, hawser_units units, Text
         text_print(out, "<section id=\"pull-%d\" style=\"break-before:page\">\n", p + 1);
         text_words(out, "<h1>", pull->name, "</h1>\n");
         if (pull->way == PLAN_BACKWARD)
-            text_add(out, "<p>The job takes it <b>backward</b>; what follows says so where it is pulled back.</p>\n");
-        status = case_calculation_body(pull->c, units, out, NULL, err);
+            text_add(out,
+                     "<p>The job takes it <b>backward</b>, of which the verdict is; below that the answer begins with "
+                     "the way forward.</p>\n");
+        status = case_calculation_body(pull->c, pull->way, units, out, NULL, err);
         text_add(out, "</section>\n");
     }
     calculation_end(out);

@@ -137,11 +137,11 @@ hawser_status library_expand(const CaseTree *tree, CaseNode **root, Library **li
     if (!status && typed) status = library_ship(own, err);
     if (!status && typed && !(*root = node_clone(tree->root, NULL))) status = error_memory(err);
     if (!status && typed) status = types_merge(own, *root, err);
-    if (status || !typed) {
+    if (status) {
         *root = node_free(*root);
         library_free(own);
     } else {
-        *library = own;
+        *library = own; /* also of a case without a type: its files are the case's */
     }
     return status;
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "hawser/hawser.h"
 #include "tests/support/check.h"
@@ -139,6 +140,65 @@ static void reels(void **state)
     hawser_job_free(short_job);
 }
 
+/* The verdict of the way that is taken is theory's own, also where the other way is NOT SAFE: the bounds of what is
+ * assumed were not sought then, and the job said SAFE for SAFE ONLY IF. The page stands under the verdict of that way.
+ */
+static void verdict_of_the_way(void **state)
+{
+    (void)state;
+    hawser_word word;
+    hawser_error err = {0};
+    hawser_job *const job = loaded("pulls: [{name: a, case: \"" HAWSER_SOURCE_DIR "/docs/tutorial/duct.yaml\"}]\n");
+    json_t *const answer = answered(job, &word);
+    const json_t *const row = json_array_get(json_object_get(answer, "pulls"), 0);
+    assert_string_equal(text_of(row, "direction"), "backward");
+    assert_string_equal(text_of(row, "verdict_code"), "safe_if");
+    assert_int_equal(word, HAWSER_SAFE_ONLY_IF);
+    json_decref(answer);
+    assert_int_equal(hawser_job_page(job, HAWSER_SI, scratch_path("way.html"), &err), HAWSER_OK);
+    char *const page = file_text(scratch_path("way.html"));
+    check_has(page, "<p class=\"verdict safe_if\">SAFE ONLY IF");
+    free(page);
+    hawser_job_free(job);
+}
+
+/* Of cables that lie beside each other each kind has lengths of its own, with its own mass; the phases' were taken for
+ * 2.575 kg/m, the mean with the earth. Of a pull with a pit the winch of the first stretch stands in the pit. */
+static void several_cables_and_pits(void **state)
+{
+    (void)state;
+    hawser_job *const job =
+        loaded("common:\n  cables: {phase: {d: 30 mm, mass: 3.2 kg/m}, earth: {d: 12 mm, mass: 0.7 kg/m}}\n"
+               "  chain: [{cable: phase, length: 120 m}]\n"
+               "  surfaces: {ducts: [{radius: 80 mm, friction: {mu: 0.2}}]}\n  route: {pieces: [{straight: 100 m}]}\n"
+               "pulls:\n  - {name: three, bundle: {members: [{cable: phase, count: 3}, {cable: earth, count: 1}]}}\n"
+               "reels:\n  - {name: P1, length: 110 m}\n  - {name: P2, length: 220 m}\n  - {name: E, length: 500 m}\n");
+    json_t *const answer = answered(job, NULL), *const reels = json_object_get(answer, "reels");
+    static const struct {
+        const char *cable;
+        double used, mass;
+    } expected[] = {{"phase", 100, 110 * 3.2}, {"phase", 200, 220 * 3.2}, {"earth", 100, 500 * 0.7}};
+    for (size_t k = 0; k < 3; ++k) {
+        const json_t *const reel = json_array_get(reels, k);
+        assert_string_equal(text_of(reel, "cable"), expected[k].cable);
+        check_share(number_of(reel, "used_m"), expected[k].used, 1e-9);
+        check_share(number_of(reel, "cable_kg"), expected[k].mass, 1e-9);
+        assert_string_equal(text_of(reel, "pulls"), "three");
+    }
+    json_decref(answer);
+    hawser_job_free(job);
+    hawser_job *const pits = loaded("pulls: [{name: a, from: A, to: B, direction: forward, case: \"" HAWSER_SOURCE_DIR
+                                    "/cases/theory/planner.yaml\"}]\n");
+    json_t *const said = answered(pits, NULL), *const bays = json_object_get(said, "bays");
+    const json_t *const end = json_array_get(bays, 1), *const pit = json_array_get(bays, 2);
+    assert_string_equal(text_of(end, "name"), "B");
+    check_share(number_of(end, "force_N"), 15839.158, 1e-6); /* it was the pit's 25538 */
+    assert_string_equal(text_of(pit, "name"), "joint pit (a)");
+    check_share(number_of(pit, "force_N"), 25538.082, 1e-6);
+    json_decref(said);
+    hawser_job_free(pits);
+}
+
 static void wrong_jobs(void **state)
 {
     (void)state;
@@ -156,6 +216,8 @@ static void wrong_jobs(void **state)
         {"common: {" CABLE "}\npulls: [{name: A, on: R, " ROUTE "}]\n", "'pulls.0.on': value 'R': no reel"},
         {"common: {" CABLE "}\npulls: [{name: A, " ROUTE "}, {name: A, " ROUTE "}]\n", "another pull has this name"},
         {"common: {" CABLE "}\npulls: [{name: A, " ROUTE "}]\nreels: [{name: R}]\n", "'reels.0.length': missing"},
+        {"common: {" CABLE "}\npulls: [{name: A, " ROUTE "}]\nreels: [{name: R, length: 1}, {name: R, length: 2}]\n",
+         "'reels.1.name': value 'R': another reel has this name"},
     };
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; ++k) {
         hawser_job *job = (hawser_job *)1;
@@ -188,7 +250,19 @@ static void files(void **state)
         assert_int_equal(hawser_job_workbook(job, scratch_path(inputs[k]), &err), HAWSER_ERR_INPUT);
     }
     hawser_job_free(job);
+    /* nor a catalogue that it includes and takes nothing from, nor what is no file: both were replaced */
+    struct stat is;
+    const char *const catalogue = scratch_write("catalogue.yaml", "cables: {}\n");
+    hawser_job *const more =
+        loaded("common:\n  include: catalogue.yaml\n  " CABLE "\npulls:\n  - {name: A, " ROUTE "}\n");
+    assert_int_equal(hawser_job_workbook(more, catalogue, &err), HAWSER_ERR_INPUT);
+    const char *const fifo = scratch_path("fifo");
+    assert_int_equal(mkfifo(fifo, 0600), 0);
+    assert_int_equal(hawser_job_workbook(more, fifo, &err), HAWSER_ERR_OUTPUT);
+    assert_true(!lstat(fifo, &is) && S_ISFIFO(is.st_mode));
+    hawser_job_free(more);
 }
 
 TEST_FILE_IN(test_job, scratch_make, scratch_remove, cmocka_unit_test(as_cases), cmocka_unit_test(reels),
+             cmocka_unit_test(verdict_of_the_way), cmocka_unit_test(several_cables_and_pits),
              cmocka_unit_test(wrong_jobs), cmocka_unit_test(files))
