@@ -1,6 +1,7 @@
 /** The desk: a case's text on the left, what theory says of it on the right, always of the text as it stands. */
 import { basicSetup } from 'codemirror';
 import { autocompletion } from '@codemirror/autocomplete';
+import { redo, undo } from '@codemirror/commands';
 import { EditorView } from '@codemirror/view';
 import { EditorState } from '@codemirror/state';
 import { yaml } from '@codemirror/lang-yaml';
@@ -13,10 +14,10 @@ import plannerText from '../../../cases/theory/planner.yaml';
 import threeText from '../../../cases/three-in-a-duct.yaml';
 import rollersText from '../../../cases/huangjiahu.yaml';
 import limitsText from '../../../cases/limits.yaml';
-import { Engine, EngineError, inflated, workerOf, type Fault, type Theory } from './engine';
+import { Engine, EngineError, inflated, workerOf, type Fault, type Remedy, type Theory } from './engine';
 import { completions, type Schema } from './complete';
 import { button, routeView, type Editing } from './route';
-import { pathOf, setValue, type Change } from './splice';
+import { filesOf, pathOf, putSection, setValue, type Change } from './splice';
 import { valuesView } from './values';
 
 const EXAMPLES: [string, string][] = [
@@ -28,19 +29,23 @@ const EXAMPLES: [string, string][] = [
   ['The tunnel of the paper', rollersText],
 ];
 const DRAFT = 'hawser-desk-draft';
-const ROUTES = /\.(csv|tsv|xlsx|ods|dxf|xml|landxml|ifc|gpx|kml|kmz|geojson|geojsonl|json|shp)$/i;
+const ROUTES = /\.(csv|tsv|xlsx|ods|dxf|xml|landxml|ifc|gpx|kml|kmz|geojson|geojsonl|shp)$/i;
 
 const part = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
 const text = (id: string): string => part(id).textContent ?? '';
 
 let us = false;
 let saved = '';
+let eol = '\n'; // how the lines of the case's file end
+let given: { name: string; text: string } | null = null;
 let name = 'case.yaml';
-let shown: 'text' | 'route' | 'values' = 'text';
+const TABS = ['text', 'route', 'values'] as const;
+let shown: (typeof TABS)[number] = 'text';
 
 // ------------------------------------------------------------------------------------------------------------ the text
 
 let engine: Engine | undefined;
+let ready = false; // it can be called
 let complete: ReturnType<typeof completions> | undefined; // once the engine has said what a case may hold
 let wanted = 0;
 let done = 0; // the last of them that was calculated
@@ -81,45 +86,78 @@ function state(doc: string): EditorState {
 
 const current = (): string => view.state.doc.toString();
 
-function open(doc: string, as: string): void {
-  if (current() !== saved && !confirm('The case has changes that are not saved. Leave them?')) return;
+/** Another case on the desk. */
+function take(doc: string, as: string): void {
+  eol = doc.includes('\r\n') ? '\r\n' : '\n';
   name = as;
-  saved = doc;
   view.setState(state(doc));
-  keep();
+  saved = current();
+  title();
   views();
   ask();
 }
 
-function keep(): void {
+function open(doc: string, as: string): void {
+  if (current() !== saved && !confirm('The case has changes that are not saved. Leave them?')) return;
+  say('');
+  take(doc, as);
+  keep();
+}
+
+function title(): void {
   part('name').textContent = name + (current() === saved ? '' : ' *');
+}
+
+/** The draft of a case that `hawser desk CASE` has put into the page is another one than that of the desk. */
+const draftKey = (): string => (given ? `${DRAFT}:${given.name}` : DRAFT);
+
+function keep(): void {
+  title();
   try {
-    localStorage.setItem(DRAFT, JSON.stringify({ name, text: current() }));
+    localStorage.setItem(draftKey(), JSON.stringify({ name, text: current() }));
   } catch {
     // a browser that keeps nothing for pages from disk: there is no draft then
   }
 }
 
-/** One step that can be undone; the views follow. */
-function change(one: Change | undefined, what: string): void {
-  if (!one) {
-    say(`${what} cannot be changed here: change it in the text.`);
-    views();
-    return;
-  }
-  view.dispatch({ changes: one, userEvent: 'input.form' });
-  views();
+let pointing = false; // a button of the mouse is down: what it is on must stay until it is up
+let stale = false; // the views are to follow the text
+
+/** One step that can be undone; the views follow, when the focus is where it goes. */
+function change(one: Change | Change[] | undefined, what: string, rows = false): void {
+  say(one ? '' : `${what} cannot be changed here: change it in the text.`);
+  if (one) view.dispatch({ changes: one, userEvent: 'input.form' });
+  stale = true;
+  if (rows) views();
+  else setTimeout(follow);
+}
+
+function follow(): void {
+  if (stale && !pointing) views();
 }
 
 const editing: Editing = { text: current, change };
 
 function views(): void {
-  for (const tab of ['text', 'route', 'values'] as const) {
+  stale = false;
+  const focus = document.activeElement?.closest('.view') ? document.activeElement.getAttribute('aria-label') : null;
+  for (const tab of TABS) {
     part(tab === 'text' ? 'editor' : tab).hidden = shown !== tab;
     part(`tab-${tab}`).setAttribute('aria-selected', String(shown === tab));
+    part(`tab-${tab}`).tabIndex = shown === tab ? 0 : -1;
   }
   if (shown === 'route') routeView(part('route'), editing);
   if (shown === 'values') valuesView(part('values'), editing);
+  if (focus && shown !== 'text')
+    [...part(shown).querySelectorAll<HTMLElement>('[aria-label]')]
+      .find((one) => one.getAttribute('aria-label') === focus)
+      ?.focus();
+}
+
+function show(tab: (typeof TABS)[number]): void {
+  shown = tab;
+  views();
+  part(`tab-${tab}`).focus();
 }
 
 // ---------------------------------------------------------------------------------------------------------- the answer
@@ -131,17 +169,24 @@ function say(words: string): void {
 /** The newest text wins: while one is being calculated the others wait, and only the last of them is. */
 function ask(): void {
   const mine = ++wanted;
+  part('answer').setAttribute('aria-busy', 'true'); // what stands there is of the text before
+  part('remedies').replaceChildren();
+  settle(false);
   setTimeout(() => {
     if (mine === wanted && !busy) void calculate();
   }, 150);
 }
 
+/** Whether the calculation is that of the text as it stands, and may be handed on. */
+function settle(good: boolean): void {
+  for (const id of ['save-page', 'print']) part<HTMLButtonElement>(id).disabled = !good;
+}
+
 async function calculate(): Promise<void> {
-  if (!engine) return;
+  if (!engine || !ready) return;
   const mine = wanted;
   const doc = current();
   busy = true;
-  part('answer').setAttribute('aria-busy', 'true');
   try {
     const theory = await engine.theory(doc);
     if (mine === wanted) showAnswer(theory);
@@ -152,6 +197,7 @@ async function calculate(): Promise<void> {
     if (mine === wanted) {
       part<HTMLIFrameElement>('page').srcdoc = page;
       mark();
+      settle(true);
     }
   } catch (why) {
     if (mine === wanted) showFault(why);
@@ -176,30 +222,48 @@ function force(newtons: number): string {
 
 const word = (verdict: string): string => verdict.split(':')[0] ?? '';
 
+/** From the best verdict to the worst. */
+const RANKS = ['safe', 'safe_if', 'not_judged', 'not_trusted', 'not_safe'];
+
 function showAnswer(whole: Theory): void {
-  const chains = Object.values(whole.theory ?? { only: whole });
-  const theory = chains.find((one) => one.verdict_code !== 'safe') ?? chains[0] ?? whole;
+  const chains = Object.entries(whole.theory ?? { '': whole });
+  const rank = (one: Theory): number => RANKS.indexOf(one.verdict_code);
+  const [chain, theory] = chains.reduce((worst, one) => (rank(one[1]) > rank(worst[1]) ? one : worst));
   const chip = part('verdict');
   chip.textContent = word(theory.verdict_forward);
   chip.className = theory.verdict_code;
   const lines = [
+    ...(chain ? [`Of ${chains.length} chains the worst: ${chain}.`] : []),
     `Pulled forward ${force(theory.largest_force_N)} at the winch. ${theory.verdict_forward}`,
     `Pulled backward ${force(theory.backward_largest_force_N)}. ${word(theory.verdict_backward)}`,
   ];
   part('words').textContent = lines.join('\n');
   document.title = `${theory.title}: ${chip.textContent}`;
-  part('remedies').replaceChildren(...remedies(theory));
+  part('remedies').replaceChildren(...(chain ? [] : remedies(theory)));
 }
 
-/** What theory says would do, as far as it is a value of the text: a button writes it. */
+/** What theory says would do, as far as all of it are values of the text: a button writes it. What has no place of its own belongs to
+ * one remedy, whatever keys it changes. */
 function remedies(theory: Theory): (HTMLElement | string)[] {
+  const groups = new Map<string, Remedy[]>();
+  for (const one of theory.remedies ?? []) {
+    const key = `${one.remedy} ${one.where}`;
+    if (one.direction === 'forward') groups.set(key, [...(groups.get(key) ?? []), one]);
+  }
   const found: HTMLElement[] = [];
-  for (const { direction, key, value, unit, verdict_code } of theory.remedies ?? []) {
-    if (direction !== 'forward' || !key || value === null) continue;
-    const next = unit && unit !== '1' ? `${value} ${unit}` : String(value);
-    if (!setValue(current(), pathOf(key), next)) continue;
-    const title = `Writes it into the case, which is ${verdict_code.replaceAll('_', ' ')} then`;
-    found.push(button(`${key}: ${next}`, title, () => change(setValue(current(), pathOf(key), next), key)));
+  for (const group of groups.values()) {
+    const next = ({ value, unit }: Remedy) => (unit && unit !== '1' ? `${value} ${unit}` : String(value));
+    const changes = group.map((one) =>
+      one.key && one.value !== null ? setValue(current(), pathOf(one.key), next(one)) : undefined,
+    );
+    if (changes.some((one) => !one)) continue;
+    const words = group.map((one) => `${one.key}: ${next(one)}`).join(', ');
+    const then = group[0]?.verdict_code.replaceAll('_', ' ') ?? '';
+    const one = button(words, `Writes it into the case, which is ${then} then`, () =>
+      change(changes as Change[], words),
+    );
+    one.removeAttribute('aria-label'); // its words say it
+    found.push(one);
   }
   return found.length ? ['What would do: ', ...found] : [];
 }
@@ -211,6 +275,8 @@ function showFault(why: unknown): void {
   chip.className = 'fault';
   part('words').textContent = fault?.message.replace(/^case\.yaml:(\d+)/, 'line $1') ?? String(why);
   part('remedies').replaceChildren();
+  part<HTMLIFrameElement>('page').srcdoc = '';
+  document.title = 'hawser desk';
   mark(fault);
 }
 
@@ -235,39 +301,29 @@ function download(as: string, content: string, type: string): void {
 }
 
 async function openFile(file: File): Promise<void> {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const named = filesOf(current()).filter((path) => path.split('/').pop() === file.name);
+  if (named.length) {
+    for (const path of named) await engine?.put(path, bytes);
+    say(`${file.name}: the case names it.`);
+    ask();
+    return;
+  }
   if (!ROUTES.test(file.name)) {
-    open(await file.text(), file.name);
+    open(new TextDecoder().decode(bytes), file.name);
     return;
   }
-  await engine?.put(file.name, new Uint8Array(await file.arrayBuffer()));
-  if (current().includes(file.name)) {
-    ask(); // the case refers to it already
-    return;
-  }
+  await engine?.put(file.name, bytes);
   try {
     const lines = (await engine?.route(file.name)) ?? [];
     const good = lines.filter((line) => !line.problem);
     const only = good.length > 1 ? `, name: ${JSON.stringify(good[0]?.name ?? '')}` : '';
-    takeRoute(`route: {file: ${JSON.stringify(file.name)}${only}}`);
+    change(putSection(current(), 'route', `route: {file: ${JSON.stringify(file.name)}${only}}`), 'The route');
     const kinds = good.map((line) => `${line.name || 'a line'} (${line.length_m.toFixed(1)} m)`).join(', ');
     say(`${file.name}: ${kinds}. Keep the file beside the case: the case refers to it.`);
   } catch (why) {
     say(why instanceof EngineError ? why.fault.message : String(why));
   }
-}
-
-/** Puts the section in place of the one that is there. */
-function takeRoute(section: string): void {
-  const doc = current();
-  const begin = /^route:/m.exec(doc)?.index;
-  if (begin === undefined) {
-    change({ from: doc.length, to: doc.length, insert: `${doc.endsWith('\n') ? '' : '\n'}${section}\n` }, 'the route');
-    return;
-  }
-  const rest = doc.slice(begin + 6);
-  const next = /^[^\s#-]/m.exec(rest)?.index;
-  const end = next === undefined ? doc.length : begin + 6 + next;
-  change({ from: begin, to: end, insert: `${section}\n\n` }, 'the route');
 }
 
 // ---------------------------------------------------------------------------------------------------------- the screen
@@ -287,9 +343,9 @@ function wire(): void {
     input.value = '';
   });
   part('save').addEventListener('click', () => {
-    download(name, current(), 'text/yaml');
+    download(name, current().replaceAll('\n', eol), 'text/yaml');
     saved = current();
-    keep();
+    title();
   });
   part('save-page').addEventListener('click', () =>
     download(name.replace(/\.ya?ml$/, '') + '-calculation.html', part<HTMLIFrameElement>('page').srcdoc, 'text/html'),
@@ -299,20 +355,44 @@ function wire(): void {
     us = part<HTMLSelectElement>('units').value === 'us';
     ask();
   });
-  for (const tab of ['text', 'route', 'values'] as const)
-    part(`tab-${tab}`).addEventListener('click', () => {
-      shown = tab;
-      views();
-    });
+  for (const tab of TABS) part(`tab-${tab}`).addEventListener('click', () => show(tab));
+  part('tab-text').parentElement?.addEventListener('keydown', (event) => {
+    const step = { ArrowRight: 1, ArrowLeft: TABS.length - 1 }[event.key];
+    if (step) show(TABS[(TABS.indexOf(shown) + step) % TABS.length] ?? 'text');
+  });
   part('wipe').addEventListener('click', () => {
-    localStorage.removeItem(DRAFT);
-    say('The draft that this browser kept is gone.');
+    try {
+      localStorage.removeItem(draftKey());
+      say('The draft that this browser kept is gone.');
+    } catch {
+      say('This browser keeps no drafts.');
+    }
+  });
+  document.addEventListener('pointerdown', () => (pointing = true), true);
+  document.addEventListener('pointerup', () => {
+    pointing = false;
+    setTimeout(follow);
+  });
+  document.addEventListener('keydown', (event) => {
+    const place = event.target as HTMLElement;
+    const typing = place instanceof HTMLInputElement && place.value !== place.defaultValue;
+    if (!(event.ctrlKey || event.metaKey) || typing || place.closest('#editor')) return;
+    const back = event.key === 'z' && !event.shiftKey;
+    if (!back && event.key !== 'y' && event.key !== 'Z') return;
+    event.preventDefault();
+    (back ? undo : redo)(view);
+    views();
   });
   document.addEventListener('dragover', (event) => event.preventDefault());
-  document.addEventListener('drop', (event) => {
-    event.preventDefault();
-    for (const file of event.dataTransfer?.files ?? []) void openFile(file);
-  });
+  document.addEventListener(
+    'drop',
+    (event) => {
+      event.preventDefault();
+      event.stopPropagation(); // the editor would insert the file's text
+      for (const file of event.dataTransfer?.files ?? []) void openFile(file);
+    },
+    true,
+  );
   window.addEventListener('beforeunload', (event) => {
     if (current() !== saved) event.preventDefault();
   });
@@ -320,7 +400,7 @@ function wire(): void {
 
 function draft(): { name: string; text: string } | undefined {
   try {
-    return JSON.parse(localStorage.getItem(DRAFT) ?? 'null') ?? undefined;
+    return JSON.parse(localStorage.getItem(draftKey()) ?? 'null') ?? undefined;
   } catch {
     return undefined;
   }
@@ -328,21 +408,23 @@ function draft(): { name: string; text: string } | undefined {
 
 async function start(): Promise<void> {
   wire();
-  const given = JSON.parse(text('case')) as { name: string; text: string } | null; // `hawser desk CASE` has put it there
-  const before = given ? undefined : draft();
-  const first = given ?? (before?.text ? before : { name: 'case.yaml', text: ductText });
-  name = first.name;
-  saved = before?.text ? '' : first.text;
-  view.setState(state(first.text));
-  keep();
-  views();
+  given = JSON.parse(text('case')) as typeof given; // `hawser desk CASE` has put it there
+  const before = draft();
+  const first = given ?? { name: 'case.yaml', text: ductText };
+  take(first.text, first.name);
+  const later = before?.text && before.text !== current();
+  if (later && (!given || confirm(`This browser has a draft of ${first.name} that differs. Go on with it?`))) {
+    take(before.text, before.name);
+    saved = ''; // nobody has saved it
+    title();
+  }
   say('The engine is starting.');
   engine = new Engine(workerOf(`${text('glue')}\n${text('worker')}`));
   await engine.start(await inflated(text('engine')));
   say('');
+  ready = true;
   complete = completions(JSON.parse(await engine.call('schema')) as Schema);
-  wanted++;
-  await calculate();
+  ask();
 }
 
 /** For tests. */

@@ -3,6 +3,7 @@ import { isMap, isScalar, isSeq, type Node } from 'yaml';
 import { addItem, nodeAt, parsed, removeItem, removeKey, setValue, type Change, type Path } from './splice';
 
 const PIECES: Path = ['route', 'pieces'];
+const MOST = 400; // rows
 const COLUMNS = [
   { key: 'name', label: 'Name', hint: '' },
   { key: 'straight', label: 'Straight', hint: '50 m' },
@@ -14,7 +15,8 @@ const COLUMNS = [
 
 export interface Editing {
   text(): string;
-  change(change: Change | undefined, what: string): void;
+  /** rows: the table has other rows then, and is made anew at once. */
+  change(change: Change | undefined, what: string, rows?: boolean): void;
 }
 
 function cell(tag: 'td' | 'th', content: string | HTMLElement): HTMLTableCellElement {
@@ -28,6 +30,7 @@ export function button(label: string, title: string, action: () => void): HTMLBu
   one.type = 'button';
   one.textContent = label;
   one.title = title;
+  one.setAttribute('aria-label', title);
   one.addEventListener('click', action);
   return one;
 }
@@ -57,7 +60,7 @@ export function routeView(place: HTMLElement, editing: Editing): void {
   const head = table.createTHead().insertRow();
   for (const column of [...COLUMNS.map((c) => c.label), '']) head.append(cell('th', column));
   const body = table.createTBody();
-  (list.items as Node[]).forEach((item, i) => {
+  (list.items as Node[]).slice(0, MOST).forEach((item, i) => {
     const row = body.insertRow();
     for (const { key, label, hint } of COLUMNS) {
       const path: Path = [...PIECES, i, key];
@@ -77,14 +80,17 @@ export function routeView(place: HTMLElement, editing: Editing): void {
     }
     const tools = row.insertCell();
     tools.append(
-      button('+', 'Add a straight behind this piece', () =>
-        editing.change(addItem(editing.text(), PIECES, i, '{straight: 10 m}'), 'a piece'),
+      button('+', `Add a straight behind piece ${i + 1}`, () =>
+        editing.change(addItem(editing.text(), PIECES, i, '{straight: 10 m}'), 'a piece', true),
       ),
-      button('↷', 'Add a bend behind this piece', () =>
-        editing.change(addItem(editing.text(), PIECES, i, '{bend: 45 deg, radius: 8 m, plane: left}'), 'a piece'),
+      button('↷', `Add a bend behind piece ${i + 1}`, () =>
+        editing.change(addItem(editing.text(), PIECES, i, '{bend: 45 deg, radius: 8 m, plane: left}'), 'a piece', true),
       ),
-      button('−', 'Take this piece out', () => editing.change(removeItem(editing.text(), PIECES, i), 'a piece')),
+      button('−', `Take piece ${i + 1} out`, () =>
+        editing.change(removeItem(editing.text(), PIECES, i), 'a piece', true),
+      ),
     );
   });
-  place.replaceChildren(table);
+  const more = list.items.length - MOST;
+  place.replaceChildren(table, more > 0 ? `${more} more pieces: change them in the text.` : '');
 }

@@ -22,70 +22,112 @@ export function nodeAt(document: Document, path: Path): Node | undefined {
   return (document.getIn(path, true) as Node | null | undefined) ?? undefined;
 }
 
-/** A value as YAML writes it in a flow or a block: in quotes where it could be taken for something else. */
+/** A value as YAML writes it: in quotes where it could be taken for something else. */
 export function written(value: string): string {
-  return /^[\w.+\-/ %°·²*^()]+$/.test(value) && value.trim() === value && value ? value : JSON.stringify(value);
+  const plain = /^(-?[\d.]|[A-Za-z+°(])[\w.+\-/ %°·²*^()]*$/.test(value) && value.trim() === value;
+  return plain ? value : JSON.stringify(value);
 }
 
-/** Replaces a value that is there, or adds a key to the map above it; undefined: the text has neither. */
+type Data = Record<string | number, unknown>;
+
+/** The change, if the text then reads as it did but for what `edit` does to its data; undefined: it would break something. */
+function only(text: string, change: Change, edit: (data: Data) => void): Change | undefined {
+  const before = parsed(text).toJS() as Data;
+  const after = parsed(text.slice(0, change.from) + change.insert + text.slice(change.to));
+  edit(before);
+  return after.errors.length === 0 && JSON.stringify(after.toJS()) === JSON.stringify(before) ? change : undefined;
+}
+
+function dataAt(data: Data, path: Path): Data {
+  return path.reduce<Data>((at, step) => at[step] as Data, data);
+}
+
+/** What a scalar is read as. */
+const meant = (insert: string): unknown => parseDocument(insert).toJS() as unknown;
+
+/** Where a node's text ends, without blanks and comments behind it. */
+function endOf(text: string, node: Node): number {
+  const begin = node.range?.[0] ?? 0;
+  let end = text.slice(0, node.range?.[1] ?? 0).trimEnd().length;
+  for (;;) {
+    const line = text.lastIndexOf('\n', end - 1) + 1;
+    if (line <= begin || !/^\s*#/.test(text.slice(line, end))) return end;
+    end = text.slice(0, line).trimEnd().length;
+  }
+}
+
+function lineEnd(text: string, at: number): number {
+  const next = text.indexOf('\n', at);
+  return next < 0 ? text.length : next;
+}
+
+/** Replaces a value that is there, or adds a key to the map above it; undefined: the text has neither, or it cannot be cut there. */
 export function setValue(text: string, path: Path, value: string): Change | undefined {
   const document = parsed(text);
   const node = nodeAt(document, path);
   const insert = written(value);
-  if (node && isScalar(node) && node.range) return { from: node.range[0], to: node.range[1], insert };
-  if (node) return undefined;
   const key = path[path.length - 1];
+  if (key === undefined) return undefined;
+  const set = (data: Data): void => void (dataAt(data, path.slice(0, -1))[key] = meant(insert));
+  if (node && isScalar(node) && node.range) {
+    const [from, to] = node.range;
+    return only(text, { from, to, insert: text[from - 1] === ':' ? ` ${insert}` : insert }, set);
+  }
+  if (node) return undefined;
   const above = path.length > 1 ? nodeAt(document, path.slice(0, -1)) : (document.contents ?? undefined);
   if (!above || !isMap(above) || !above.range || typeof key !== 'string') return undefined;
   const last = above.items[above.items.length - 1];
   if (above.flow) {
-    const at = text.lastIndexOf('}', above.range[1]);
+    const at = text.lastIndexOf('}', above.range[1] - 1);
     const end = text.slice(0, at).trimEnd().length;
-    return { from: end, to: at, insert: `${last ? ', ' : ''}${key}: ${insert}` };
+    const comma = last && text[end - 1] !== ',' ? ', ' : last ? ' ' : '';
+    return only(text, { from: end, to: at, insert: `${comma}${key}: ${insert}` }, set);
   }
   const first = above.items[0]?.key as Node | undefined;
   if (!first?.range) return undefined;
   const column = first.range[0] - (text.lastIndexOf('\n', first.range[0] - 1) + 1);
-  const end = text.slice(0, above.range[1]).trimEnd().length;
-  return { from: end, to: end, insert: `\n${' '.repeat(column)}${key}: ${insert}` };
+  const end = lineEnd(text, endOf(text, above));
+  return only(text, { from: end, to: end, insert: `\n${' '.repeat(column)}${key}: ${insert}` }, set);
 }
 
-/** Takes a key out of a map, with what separates it from the next; undefined: it is not there. */
+/** Takes a key out of a map, with what separates it from the next; undefined: it is not there, or cannot be cut out. */
 export function removeKey(text: string, path: Path): Change | undefined {
   const map = nodeAt(parsed(text), path.slice(0, -1));
-  if (!map || !isMap(map)) return undefined;
-  const i = map.items.findIndex((pair) => isScalar(pair.key) && pair.key.value === path[path.length - 1]);
+  const key = path[path.length - 1];
+  if (!map || !isMap(map) || key === undefined) return undefined;
+  const i = map.items.findIndex((pair) => isScalar(pair.key) && pair.key.value === key);
   const own = map.items[i];
   const begin = (own?.key as Node | undefined)?.range?.[0];
   const end = ((own?.value ?? own?.key) as Node | undefined)?.range?.[1];
   if (begin === undefined || end === undefined) return undefined;
+  const taken = (data: Data): void => void delete dataAt(data, path.slice(0, -1))[key];
   if (!map.flow) {
     const line = text.lastIndexOf('\n', begin - 1) + 1;
-    const next = text.indexOf('\n', end - 1);
-    return i === 0 ? undefined : { from: line, to: next < 0 ? text.length : next + 1, insert: '' };
+    return only(text, { from: line, to: Math.min(lineEnd(text, end) + 1, text.length), insert: '' }, taken);
   }
   const after = map.items[i + 1]?.key as Node | undefined;
   const before = map.items[i - 1];
-  if (after?.range) return { from: begin, to: after.range[0], insert: '' };
+  if (after?.range) return only(text, { from: begin, to: after.range[0], insert: '' }, taken);
   const left = ((before?.value ?? before?.key) as Node | undefined)?.range?.[1];
-  return { from: left ?? begin, to: end, insert: '' };
+  return only(text, { from: left ?? begin, to: end, insert: '' }, taken);
 }
 
-/** Adds an item, one line of flow, behind the item `after` of a list (-1: at its end); undefined: there is no such list. */
+/** Adds an item, one line of flow, behind the item `after` of a list; undefined: there is no such list. */
 export function addItem(text: string, path: Path, after: number, item: string): Change | undefined {
   const list = nodeAt(parsed(text), path);
-  if (!list || !isSeq(list) || !list.range) return undefined;
-  const items = list.items as Node[];
-  const at = items[after < 0 ? items.length - 1 : after];
+  if (!list || !isSeq(list)) return undefined;
+  const at = (list.items as Node[])[after];
   if (!at?.range) return undefined;
-  if (list.flow) return { from: at.range[1], to: at.range[1], insert: `, ${item}` };
-  const dash = text.lastIndexOf('-', at.range[0]);
-  const column = dash - (text.lastIndexOf('\n', dash) + 1);
-  const end = text.slice(0, at.range[1]).trimEnd().length;
-  return { from: end, to: end, insert: `\n${' '.repeat(column)}- ${item}` };
+  const added = (data: Data): void =>
+    void (dataAt(data, path) as unknown as unknown[]).splice(after + 1, 0, meant(item));
+  if (list.flow) return only(text, { from: at.range[1], to: at.range[1], insert: `, ${item}` }, added);
+  const line = text.lastIndexOf('\n', at.range[0] - 1) + 1;
+  const column = /^( *)-/.exec(text.slice(line))?.[1];
+  const end = lineEnd(text, endOf(text, at));
+  return column === undefined ? undefined : only(text, { from: end, to: end, insert: `\n${column}- ${item}` }, added);
 }
 
-/** Takes an item out of a list; the last one stays. */
+/** Takes an item out of a list, comments around it stay; the last one stays. */
 export function removeItem(text: string, path: Path, i: number): Change | undefined {
   const list = nodeAt(parsed(text), path);
   if (!list || !isSeq(list)) return undefined;
@@ -93,15 +135,34 @@ export function removeItem(text: string, path: Path, i: number): Change | undefi
   const own = items[i];
   const next = items[i + 1];
   if (items.length < 2 || !own?.range) return undefined;
+  const taken = (data: Data): void => void (dataAt(data, path) as unknown as unknown[]).splice(i, 1);
   if (list.flow) {
     const before = items[i - 1];
-    return next?.range
-      ? { from: own.range[0], to: next.range[0], insert: '' }
-      : { from: before?.range?.[1] ?? own.range[0], to: own.range[1], insert: '' };
+    const [from, to] = next?.range ? [own.range[0], next.range[0]] : [before?.range?.[1] ?? own.range[0], own.range[1]];
+    return only(text, { from, to, insert: '' }, taken);
   }
-  const line = text.lastIndexOf('\n', text.lastIndexOf('-', own.range[0])) + 1;
-  const behind = next?.range
-    ? text.lastIndexOf('\n', text.lastIndexOf('-', next.range[0])) + 1
-    : text.slice(0, own.range[1]).trimEnd().length;
-  return next ? { from: line, to: behind, insert: '' } : { from: line - 1, to: behind, insert: '' };
+  const line = text.lastIndexOf('\n', own.range[0] - 1) + 1;
+  return only(text, { from: line, to: Math.min(lineEnd(text, endOf(text, own)) + 1, text.length), insert: '' }, taken);
+}
+
+/** Texts of the case that may be names of files: they are paths from where the case is. */
+export function filesOf(text: string): string[] {
+  const data = parsed(text).toJS() as Data | null;
+  const texts = (value: unknown): string[] =>
+    typeof value === 'string' ? [value] : value && typeof value === 'object' ? Object.values(value).flatMap(texts) : [];
+  return [data?.['route'], data?.['drawing'], data?.['include']].flatMap(texts);
+}
+
+/** Puts a section in place of the one that is there, or at the end; comments around it stay. */
+export function putSection(text: string, key: string, section: string): Change {
+  const top = parsed(text).contents;
+  const pair = isMap(top) ? top.items.find((one) => isScalar(one.key) && one.key.value === key) : undefined;
+  const from = (pair?.key as Node | undefined)?.range?.[0];
+  if (from === undefined)
+    return {
+      from: text.length,
+      to: text.length,
+      insert: `${text === '' || text.endsWith('\n') ? '' : '\n'}${section}\n`,
+    };
+  return { from, to: pair?.value ? endOf(text, pair.value as Node) : lineEnd(text, from), insert: section };
 }

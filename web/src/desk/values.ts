@@ -11,7 +11,8 @@ interface Leaf {
 function leaves(node: unknown, path: Path, out: Leaf[]): void {
   if (isScalar(node)) out.push({ path, value: String(node.source ?? node.value ?? '') });
   else if (isMap(node))
-    for (const pair of node.items) if (isScalar(pair.key)) leaves(pair.value, [...path, String(pair.key.value)], out);
+    for (const pair of node.items)
+      if (isScalar(pair.key)) leaves(pair.value, [...path, pair.key.value as string | number], out);
   if (isSeq(node)) (node.items as Node[]).forEach((item, i) => leaves(item, [...path, i], out));
 }
 

@@ -2,7 +2,7 @@
 import type { Fault, Reply, Request } from './engine';
 
 interface Module {
-  FS: { mkdir(path: string): void; writeFile(path: string, bytes: Uint8Array): void };
+  FS: { mkdir(path: string): void; mkdirTree(path: string): void; writeFile(path: string, bytes: Uint8Array): void };
   ENV: Record<string, string>;
   UTF8ToString(at: number): string;
   stringToUTF8(text: string, at: number, size: number): void;
@@ -44,7 +44,10 @@ async function answer(request: Request): Promise<Reply> {
   }
   if (!engine) return { id, fault: broken('the engine has not started') };
   if (request.file) {
-    engine.FS.writeFile(`/case/${request.file.name}`, request.file.bytes);
+    const path = new URL(request.file.name, 'file:///case/').pathname; // '../x.csv' is beside the folder
+    const place = decodeURIComponent(path);
+    engine.FS.mkdirTree(place.slice(0, place.lastIndexOf('/')) || '/');
+    engine.FS.writeFile(place, request.file.bytes);
     return { id };
   }
   const text = call(engine, request.call ?? '', request.args ?? []);
