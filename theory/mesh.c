@@ -14,7 +14,7 @@
  *   law              constants         what was run                                          extra pull
  *   (ME1) bend       3.4, 7.9          the table at the end of 12-mesh.md
  *   (ME10) surface   5                 likewise; without it stiff cables are rated 10 to 50 times too badly
- *   (ME2) duct       2.5, 2, 6         likewise
+ *   (ME2) duct       0.4, 1.45, 5, 3.5 400 bends drawn at random, 1.6 times what fits them (12-mesh.md)
  *   (ME3) jammed     0.16, 3, 13       45, 90, 180 deg, h = 0.5 m, room 1 mm                 802, 840, 1143 N
  *   (ME4) pairs      0.17, 0.12        segments that reach over more than one pair
  *   (ME12) corners   0.17              29 deg, R 13 m, EI 600, h = 125, 250, 350 mm          2, 12, 25 N (3, 12, 23)
@@ -29,16 +29,32 @@
 /* Height of the arc over a chord of length h. */
 static double sagitta(const MeshPlace *p, double h) { return h * h / (8 * p->radius); }
 
-/* In a duct: where the bend begins and ends rigid segments press against both sides, softly as their arc's height comes
- * near the room (ME2), by all of it that is too much beyond three times the room (ME3). */
-static double jam_error(const MeshPlace *p, double h)
+/* In a duct the cable goes from one wall to another where a bend begins and where it ends, and a chain has less room
+ * for that, by a share of its arcs' height: it leaves the walls for less of the way, by its weight (limp) or by its
+ * stiffness (ME2). */
+static double crossing_error(const MeshPlace *p, double h)
 {
-    const double arc = sagitta(p, h), ratio = arc / fmax(p->room, 1e-6), bent = p->bending_length / p->radius;
-    const double stiff = 2 * p->tension * bent * bent / (1 + bent); /* 2 EI/R^2 of a limp cable */
-    const double near = fmin(ratio * ratio / (1 + ratio), 6);
-    const double soft = p->mu * near * (2.5 * p->diameter * p->weight + stiff);
+    const double ratio = sagitta(p, h) / fmax(p->room, 1e-6), near = fmin(ratio, 3) / 3.5;
+    const double across = sqrt(6 * p->radius * fmax(p->room, 1e-6)); /* m, on which bending would bring it across */
+    double sum = 0;
+    for (int end = 0; end < 2; ++end) {
+        const double tension = end ? p->tension : p->tension_in;
+        const double limp = p->walls[end] * sqrt(p->room * p->weight / tension);
+        const double q = p->bending_length * sqrt(p->tension / tension) / across, q3 = q * q * q;
+        sum += 0.4 * limp + 1.45 * sqrt(p->room / p->radius) * q3 / (q3 + 5);
+    }
+    return p->mu * sum * ratio * (1 + near * near);
+}
+
+/* In a duct besides: where a chain turns by the angle h/R at a time it has less friction than round an arc (ME15); and
+ * beyond three times the room rigid segments press against both sides by all of their arcs that is too much (ME3). */
+static double duct_error(const MeshPlace *p, double h)
+{
+    const double arc = sagitta(p, h), ratio = arc / fmax(p->room, 1e-6), turn = h / p->radius;
+    const double chords = p->mu * p->length / p->radius * turn * turn * (1. / 6 + p->mu * p->mu / 4);
     const double depth = ratio > 3 ? 0.16 * arc * (ratio - 3) / (ratio + 13) : 0;
-    return (soft + 2 * p->mu * p->impact.k * h * pow(depth, p->impact.e)) / p->tension;
+    const double jammed = 2 * p->mu * p->impact.k * h * pow(depth, p->impact.e) / p->tension;
+    return crossing_error(p, h) + chords + jammed;
 }
 
 /* Between rollers on both sides: each pair bends a stiff chain by the height of its polygon's corners, as far as there
@@ -112,7 +128,7 @@ double mesh_error(const MeshPlace *p, double h)
     const int both = !isnan(p->room);
     const double askew = p->pairs > 0 ? askew_error(p, h) : 0;
     if (p->pitch > 0) return askew + bend_error(p, h) + roller_error(p, h) + (both ? pinch_error(p, h) : 0);
-    return bend_error(p, h) + (both ? jam_error(p, h) : 0);
+    return both ? duct_error(p, h) : bend_error(p, h);
 }
 
 double mesh_place_length(const MeshPlace *place, double error)
@@ -204,6 +220,7 @@ typedef struct Walk {
     const Route *route;
     double weight;  /* N/m, of the chain's first cable */
     double tension; /* N, at the end of the leg before */
+    double before;  /* N, where the bend begins */
 } Walk;
 
 static double friction_on(const Supports *map, const RoutePiece *leg)
@@ -352,6 +369,19 @@ static int goes_on(const Route *route, int leg)
     return v3_norm(jump) < 0.1 / fmin(a->radius, b->radius);
 }
 
+/* 1 - cos of the angle between what a duct holds the cable with in a straight, against its weight, and in a bend that
+ * begins or ends there, against the tension's pull to the inside too: 0 for the same wall, 2 for the other one (ME2).
+ */
+static double wall_changes(const Walk *w, double at, Vec3 curvature, double tension)
+{
+    const Vec3 g = v3_reject(w->def->gravity, route_at(w->route, at).tangent);
+    const double size = v3_norm(w->def->gravity), down = v3_norm(g);
+    if (!(down > 0)) return 0;
+    const Vec3 load = v3_axpy(v3_scale(tension, curvature), w->weight / size, g);
+    const double pressed = v3_norm(load);
+    return pressed > 0 ? 1 - v3_dot(load, g) / (pressed * down) : 0;
+}
+
 /* A bend with a piece of the chain in it: on a surface, on rollers, or else round one thing. */
 static MeshPlace place_make(const Walk *w, int piece, int leg, const RoutePiece *bend)
 {
@@ -365,6 +395,7 @@ static MeshPlace place_make(const Walk *w, int piece, int leg, const RoutePiece 
                    .length = bend->length,
                    .room = NAN,
                    .tension = w->tension,
+                   .tension_in = w->before,
                    .bending_length = sqrt(cable_def_moment(cable, 1 / bend->radius) * bend->radius / w->tension),
                    .diameter = cable->diameter,
                    .weight = cable->mass * v3_norm(def->gravity),
@@ -375,6 +406,10 @@ static MeshPlace place_make(const Walk *w, int piece, int leg, const RoutePiece 
         return p;
     }
     mesh_sides(w->map, bend, cable, &p);
+    for (int end = 0; end < 2 && p.surface; ++end) {
+        const double inside = bend->s0 + (end ? 1 - 1e-6 : 1e-6) * bend->length;
+        p.walls[end] = wall_changes(w, inside, route_at(w->route, inside).curvature, end ? w->tension : w->before);
+    }
     if (p.surface) return p;
     if (p.pitch > 0) p.turn = roller_turn(w, bend, &p);
     p.wrapped = p.pitch > 0 ? 0 : WRAPPED;
@@ -424,12 +459,13 @@ hawser_status mesh_find(const Supports *map, Mesh *out, hawser_error *err)
     if (def->drum.present) out->place[out->n++] = drum_place(def);
     for (int k = 0; k < def->n_pieces; ++k) {
         const double weight = def->cables[def->pieces[0].cable].mass * v3_norm(def->gravity);
-        Walk walk = {map, def, route, weight, fmax(tail_tension(def), fmax(weight, 1))};
+        Walk walk = {map, def, route, weight, fmax(tail_tension(def), fmax(weight, 1)), 0};
         double from, to;
         piece_way(def, route, k, &from, &to);
         for (int leg = 0; leg < route->n; ++leg) {
             RoutePiece bend = route->piece[leg];
             const int first = leg;
+            walk.before = walk.tension;
             walk_leg(&walk, &bend);
             for (; goes_on(route, leg); ++leg) {
                 const RoutePiece *const next = &route->piece[leg + 1];

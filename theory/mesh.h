@@ -20,6 +20,8 @@ typedef struct MeshPlace {
     double wrapped;        /* round one drum or wheel, and nothing else counts: share in (h/R)^2; 0: not so */
     double turn;           /* rad, by which it turns at one roller */
     double tension;        /* N, by the pulling theory at the bend's end */
+    double tension_in;     /* N, where it begins */
+    double walls[2];       /* by how much the cable changes walls there and there, 0 to 2 (ME2); 0 on rollers */
     double bending_length; /* m, sqrt(EI/T) */
     double diameter;       /* m, of the cable */
     double weight;         /* N/m */
@@ -42,7 +44,8 @@ void mesh_free(Mesh *mesh);
  * mu of a place. */
 void mesh_sides(const Supports *map, const RoutePiece *bend, const CableDef *cable, MeshPlace *p);
 
-/* Share of the tension there by which segments of length h (m) are expected to raise it (ME1)-(ME7), (ME10)-(ME13). */
+/* Share of the tension there by which segments of length h (m) are expected to raise it (ME1)-(ME7), (ME10)-(ME13),
+ * (ME15). */
 double mesh_error(const MeshPlace *place, double h);
 /* Share by which the sag between rollers `pitch` m apart comes out too small (ME9); bending_length as above. */
 double mesh_sag_error(double h, double pitch, double bending_length);

@@ -1,4 +1,4 @@
-"""bench/truth.py and pushes.py: scenes that repeat, how a scene is judged, error bars; and whole runs, of a false program and of hawser itself."""
+"""bench/truth.py, pushes.py and tight.py: scenes that repeat, how a scene is judged, error bars; and whole runs, of a false program and of hawser itself."""
 import json
 import math
 import os
@@ -11,6 +11,7 @@ ROOT = sys.argv.pop(1)
 BUILD = sys.argv.pop(1)
 sys.path.insert(0, os.path.join(ROOT, "bench"))
 import pushes  # noqa: E402
+import tight  # noqa: E402
 import truth  # noqa: E402
 import truth_scenes  # noqa: E402
 
@@ -61,6 +62,23 @@ class Pushes(unittest.TestCase):
         self.assertEqual(pushes.misses([pushes.judge({**row, "fine": {**run, "broken": ["pull"]}})]), [])
         off = {**row, "fine": {**run, "mean": 110.0}, "finest": {**run, "mean": 110.0}}
         self.assertEqual(len(pushes.misses([pushes.judge(off)])), 1)
+
+
+class Tight(unittest.TestCase):
+    def test_a_number_is_a_scene(self):
+        for number in range(100):
+            self.assertEqual(json.dumps(tight.draw(number), allow_nan=False), json.dumps(tight.draw(number)))
+        text = " ".join(json.dumps(tight.draw(number)) for number in range(100))
+        for key in ("auto", "left", "up", "down", "225 deg"):
+            self.assertTrue(key in text, key)
+
+    def test_bounds_are_held_against_the_finest_mesh(self):
+        off = {"number": 0, "title": "t", "run": {**run(1050.0), "bars": {"mean": 20.0}}, "oracles": [run(1001.0), run(1000.0)]}
+        row = tight.judge(off)
+        self.assertEqual((row["ended"], row["trusted"]), ("wrong", True))
+        self.assertEqual(tight.bounds([row])[0], ["mean, all", "1", "0.0 %", "0.4"])
+        self.assertEqual(len(tight.misses([row])), 4)
+        self.assertEqual(tight.judge({**off, "oracles": [run(1010.0), run(1000.0)]})["ended"], "no oracle")
 
 
 class Scenes(unittest.TestCase):
