@@ -80,6 +80,22 @@ static double margin_at_least(double value, double limit)
 
 static const double ROUNDING = 1e-12; /* of a margin: exactly what is allowed holds */
 
+/* A limit that holds at speed, and that a start from rest may break. */
+static void leave_open(hawser_limit *out, double start)
+{
+    out->judged = out->ok = 0;
+    out->margin = NAN;
+    snprintf(out->source, sizeof out->source,
+             LIMITS_AT_SPEED " a start from rest may need up to %.3g times as much, which positions do not have: "
+                             "'run.analysis: dynamics' has it",
+             start);
+}
+
+int limits_left_open(const hawser_limit *l)
+{
+    return !l->judged && !strncmp(l->source, LIMITS_AT_SPEED, strlen(LIMITS_AT_SPEED));
+}
+
 /* (LI4). A value that is not known is not judged, and neither is one whose limit is not. */
 static void judge(const LimitsDef *def, hawser_limit_kind kind, double diameter, int cables, const Finding *f,
                   hawser_limit *out)
@@ -109,6 +125,7 @@ static void judge(const LimitsDef *def, hawser_limit_kind kind, double diameter,
         out->margin = f->value > 0 ? -f->value / fmax(f->value, f->rating) : 1; /* (LI12) */
     if (fabs(out->margin) < ROUNDING) out->margin = 0;
     out->ok = out->margin >= 0;
+    if (out->ok && out->value * f->start > out->limit) leave_open(out, f->start); /* (LI16) */
 }
 
 /* How far a load's jam ratio is from the band in which cables jam, 1; below 0 within it. */

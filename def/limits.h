@@ -50,15 +50,16 @@ enum { LIMIT_KINDS = HAWSER_LIMIT_WEIGHT_CORRECTION + 1 };
 
 /* What a calculation or a simulation found. */
 typedef struct Finding {
-    int absent;     /* it says nothing about this limit, which is then not listed */
-    double value;   /* in the limit's unit; NAN: not known */
-    double error;   /* of value: the error bar of a run's figure; 0: it has none */
-    double rating;  /* N, of the roller found; the critical load; of the run-away the largest tension, which its margin
-                       is measured by */
-    int cables;     /* in the duct found */
-    int triangle;   /* and whether they are a triangle there */
-    double steady;  /* N, of a trip: the largest force that the winch needs by itself; NAN: the cable runs away */
-    double beyond;  /* N, of a trip: by what the winch pulls more than the cable's front, reckoned */
+    int absent;    /* it says nothing about this limit, which is then not listed */
+    double value;  /* in the limit's unit; NAN: not known */
+    double error;  /* of value: the error bar of a run's figure; 0: it has none */
+    double start;  /* of value, to so many times of which a start from rest may come that was not followed; 0: it was */
+    double rating; /* N, of the roller found; the critical load; of the run-away the largest tension, which its margin
+                      is measured by */
+    int cables;    /* in the duct found */
+    int triangle;  /* and whether they are a triangle there */
+    double steady; /* N, of a trip: the largest force that the winch needs by itself; NAN: the cable runs away */
+    double beyond; /* N, of a trip: by what the winch pulls more than the cable's front, reckoned */
     char where[80]; /* its place */
     char why[160];  /* why it is not known; of the run-away what is missing or pushes; of buckling what holds */
 } Finding;
@@ -72,6 +73,10 @@ hawser_limit_kind limits_kind(const char *name);
 int limits_only_if(int n, const hawser_limit *limit, char *text, size_t size);
 /* Whether nothing is known of a pull without that limit: it is not called safe where this one is not judged. */
 int limits_essential(hawser_limit_kind kind);
+/* How the source of a limit begins that a start may break, which was not followed; whether it is one: nothing is called
+ * safe beside it (LI16). */
+#define LIMITS_AT_SPEED "holds at speed, but"
+int limits_left_open(const hawser_limit *l);
 /* The jam ratios at which three cables may jam, in a triangle or not. */
 typedef struct JamBand {
     double from, to;

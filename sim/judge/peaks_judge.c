@@ -85,6 +85,63 @@ static void errors_of_tension(Finding f[LIMIT_KINDS], double share)
     }
 }
 
+/* The largest acceleration of the winch by its profile, m/s2; INFINITY: it jumps, or a table may. */
+static double largest_rate(const Profile *speed)
+{
+    enum { LOOKS = 200 };
+    double most = 0;
+    if (speed->kind != PROFILE_STEP && speed->kind != PROFILE_STEP5) return INFINITY;
+    for (int k = 0; k <= LOOKS; ++k)
+        most = fmax(most, fabs(profile_rate(speed, speed->t0 + (speed->t1 - speed->t0) * k / LOOKS)));
+    return most;
+}
+
+/* What a start from rest adds to the pull at most, N: of a chain that is drawn along, as waves that run through it do
+ * (LI16). */
+static double start_adds(const Scene *scene)
+{
+    const SceneDef *const def = &scene->def;
+    double mass = 0, wave = 0;
+    for (int k = 0; k < def->n_pieces; ++k) {
+        const CableDef *const cable = &def->cables[def->pieces[k].cable];
+        mass += cable->mass * def->pieces[k].length;
+        wave = fmax(wave, sqrt(cable->ea * cable->mass));
+    }
+    if (def->reel.model == REEL_PAYOUT) mass += def->reel.inertia / pow(def->reel.barrel / 2, 2);
+    const double jump = (def->n_pieces > 1 ? 2 : 1) * wave * scene->largest_speed;
+    return fmin(jump, 2 * mass * largest_rate(&def->winch.speed));
+}
+
+/* To how many times a pull of so many newtons at speed a start from rest may bring it: friction at rest, the chain's
+ * inertia, and what bends make of that (LI16). */
+static double start_share(const Scene *scene, double pull)
+{
+    const SceneDef *const def = &scene->def;
+    double turned = 0, mu = 0, rest = 1;
+    for (int p = 0; p < scene->route.n; ++p)
+        if (scene->route.piece[p].kind != ROUTE_STRAIGHT) turned += scene->route.piece[p].angle;
+    const int rollers = scene->contact.n_rollers;
+    for (int i = 0; i < rollers + 2 * def->n_surfaces; ++i) {
+        const FrictionLaw *const law =
+            i < rollers ? &scene->contact.roller[i].friction : &scene->surfaces.friction[i - rollers];
+        if (!(law->mu_d > 0)) continue;
+        mu = fmax(mu, law->mu_d);
+        rest = fmax(rest, law->mu_s / law->mu_d);
+    }
+    if (!(pull > 0)) return INFINITY;
+    return rest * exp((rest - 1) * mu * turned) + start_adds(scene) * exp(mu * turned) / pull;
+}
+
+/* Positions are at speed: what else a start makes of tensions and of loads. */
+static void starts_of_tension(const Scene *scene, double pull, Finding f[LIMIT_KINDS])
+{
+    static const hawser_limit_kind of_tension[] = {
+        HAWSER_LIMIT_PULL,  HAWSER_LIMIT_ATTACHMENT, HAWSER_LIMIT_SIDEWALL,    HAWSER_LIMIT_ROPE,
+        HAWSER_LIMIT_WINCH, HAWSER_LIMIT_ALPHA,      HAWSER_LIMIT_ROLLER_PEAK, HAWSER_LIMIT_CONTACT_PRESSURE};
+    const double share = start_share(scene, pull);
+    for (size_t k = 0; k < sizeof of_tension / sizeof *of_tension; ++k) f[of_tension[k]].start = share;
+}
+
 static Finding alpha_finding(const Peaks *peaks, const Scene *scene, const PeaksTheory *theory)
 {
     Overload *all;
@@ -195,6 +252,7 @@ int peaks_judge(const Peaks *peaks, const Stats *stats, const Scene *scene, cons
         f[HAWSER_LIMIT_PUSH] = push_finding(peaks);
         by_theory(peaks, stats, scene, expected, f);
         errors_of_tension(f, share);
+        if (def->analysis.kind == ANALYSIS_POSITIONS) starts_of_tension(scene, peaks->tension.value, f);
     } else {
         for (int k = 0; k < LIMIT_KINDS; ++k) {
             f[k].value = NAN;
