@@ -48,7 +48,8 @@ enum {
     OPTION_TABLES = 'Q',
     OPTION_PICTURE = 'D',
     OPTION_XLSX = 'X',
-    KNOWN_MAX = 20
+    OPTION_KEEP_GOING = 'E',
+    KNOWN_MAX = 22
 };
 
 /* Every option of every command; a command takes those whose letter is in its list, and help and version. */
@@ -63,6 +64,7 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"filter", required_argument, NULL, 'F'},
                                             {"crew", required_argument, NULL, OPTION_CREW},
                                             {"strict", no_argument, NULL, OPTION_STRICT},
+                                            {"keep-going", no_argument, NULL, OPTION_KEEP_GOING},
                                             {"certify", no_argument, NULL, OPTION_CERTIFY},
                                             {"tolerance", required_argument, NULL, OPTION_TOLERANCE},
                                             {"effort", required_argument, NULL, OPTION_EFFORT},
@@ -424,6 +426,9 @@ static int take_option(const Command *command, int letter, Arguments *args)
         return ARGUMENTS_GO_ON;
     case OPTION_STRICT:
         args->strict = 1;
+        return ARGUMENTS_GO_ON;
+    case OPTION_KEEP_GOING:
+        args->keep_going = 1;
         return ARGUMENTS_GO_ON;
     case OPTION_REPORT:
     case OPTION_PDF:

@@ -31,7 +31,8 @@ typedef struct Arguments {
     int n_words;
     int threads; /* 0: the case's choice */
     int quiet;
-    int strict; /* a broken limit is an error */
+    int strict;     /* a broken limit is an error */
+    int keep_going; /* though the cable has left what carries it */
     int certify;
     int sensitivities; /* of theory */
     char *sensitive;   /* keys of a run, with commas between; NULL: none */

@@ -18,6 +18,7 @@ static const char check_help[] =
     "\n"
     "Checks the case file CASE and prints what would be built: counts, masses, route lengths, "
     "theory.\n"
+    "A pull over rollers is brought to rest first: where the cable lies beside one of them it cannot be pulled.\n"
     "\n" SETTING FORMAT "\n"
     "Exit status: 0 the case is fine; 2 it is not.\n";
 

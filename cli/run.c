@@ -34,6 +34,9 @@ static const char help[] =
     "      --pdf               prints that page to DIR/report.pdf, by an installed Chromium; implies --report\n"
     "      --strict            a limit that is broken, or none that could be judged, is an error: status 1;\n"
     "                            figures that are not to be trusted: status 6; not certified: status 7\n"
+    "      --keep-going        goes on though the cable has left its rollers or its route, for those who want to "
+    "look;\n"
+    "                            without it such a run ends at once, with status 3\n"
     "      --format FORMAT     of what is printed: table (default), or json, which is what summary.json holds\n"
     "      --units UNITS       of what is printed: si (default: kN, m, mm2) or us (lbf, ft, kcmil); files are in SI\n"
     "      --tables NAMES      prints tables too, by name with commas between: bundle, machines, limits, rest,\n"
@@ -45,7 +48,8 @@ static const char help[] =
     "\n"
     "Exit status: 0 finished; 1 finished but not safe, 6 not to be trusted, 7 not certified (--strict alone); 2 the "
     "case\n"
-    "or the command line is wrong; 3 the integration failed; 4 results could not be written; 5 no memory; 130\n"
+    "or the command line is wrong; 3 the integration failed, or the cable came off what carries it; 4 results could "
+    "not be written; 5 no memory; 130\n"
     "interrupted (SIGINT, SIGTERM, SIGHUP). With 3 and 130, what was computed until then is in DIR.\n";
 
 /* Called by the library a few times a second: the place where a signal is noticed. */
@@ -73,6 +77,7 @@ hawser_status load_case(const Arguments *args, hawser_case **out, hawser_error *
     for (int i = 0; i < args->n_settings && !status; i++) {
         status = hawser_case_set(*out, args->settings[i].key, args->settings[i].value, err);
     }
+    if (!status && args->keep_going) status = hawser_case_set(*out, "run.keep_going", "true", err);
     return status;
 }
 
@@ -232,4 +237,4 @@ static int run(const Arguments *args)
     return run_into(&own);
 }
 
-const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvufSCTOePGIQ", help, run};
+const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvufSECTOePGIQ", help, run};

@@ -212,6 +212,7 @@ typedef struct SceneDef {
     SolverDef solver;
     OutputDef output;
     double duration;   /* s */
+    int keep_going;    /* though the cable has left what carries it: somebody wants to look */
     int duration_open; /* neither the case nor its winch says how long: it can be calculated, but not run */
 
     StrandDef strand; /* of several chains: this one, */

@@ -37,7 +37,7 @@ _hawser() {
         --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
         --tables) _hawser_offer 'all facts pieces limits heads sections' ;;
-        *) _hawser_word '--output --set --threads --linear-solver --resume --certify --tolerance --effort --sensitivities --report --pdf --strict --format --units --tables --verbose --quiet --help --version' '*.yaml' ;;
+        *) _hawser_word '--output --set --threads --linear-solver --resume --certify --tolerance --effort --sensitivities --report --pdf --strict --keep-going --format --units --tables --verbose --quiet --help --version' '*.yaml' ;;
         esac
         ;;
     check)

@@ -382,6 +382,27 @@ static HeadForce largest_force(const Sim *sim)
     return largest;
 }
 
+/* Segments of a chain that comes to rest within a second or so. */
+enum { RESTS_SOON = 4000 };
+
+/* Whether the cable of a pull lies on its rollers before anything moves: what a run ends with at once. Errors: INPUT.
+ */
+static hawser_status lies_check(Sim *sim, hawser_error *err)
+{
+    const Scene *const scene = &sim->stage.scene;
+    const SceneDef *const def = &scene->def;
+    if (def->analysis.kind != ANALYSIS_DYNAMICS || !def->solver.relax || !def->winch.present || def->keep_going)
+        return HAWSER_OK;
+    if (scene->contact.n_rollers == 0 || scene->total > RESTS_SOON || sim_chains(sim) > 1) return HAWSER_OK;
+    hawser_error found;
+    hawser_status status = hawser_sim_relax(sim, NULL, &found);
+    if (status == HAWSER_ERR_RUN) return HAWSER_OK; /* a run says that itself */
+    if (!status) sim_record_row(sim);
+    if (!status) status = place_check(sim, &found);
+    if (status) return error_set(err, status == HAWSER_ERR_RUN ? HAWSER_ERR_INPUT : status, "%s", found.message);
+    return HAWSER_OK;
+}
+
 /* Builds the simulation for its counts; its texts live as long as it does. */
 static hawser_status describe(const hawser_case *c, hawser_format format, char **text, hawser_error *err)
 {
@@ -395,6 +416,10 @@ static hawser_status describe(const hawser_case *c, hawser_format format, char *
     d.largest = largest_force(sim);
     d.wave = sim->stage.scene.bowed ? buckling_shown(&sim->stage.scene.pushed) : 0;
     status = gather(&d, err);
+    if (!status) {
+        status = lies_check(sim, err);
+        if (status) case_name_error(c, status, err);
+    }
     if (!status) status = write_description(&d, d.def->title[0] ? d.def->title : c->name, format, text, err);
     route_clear(&d.route);
     free(d.piece);

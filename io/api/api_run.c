@@ -207,6 +207,7 @@ static hawser_status run_on(Run *run, hawser_error *err)
         status = sim_blame_law(sim, sim_advance(sim, hawser_sim_end_time(sim), 1, err), err);
         sim->inside = 0;
         if (!status) status = write_due(run, err);
+        if (!status) status = place_check(sim, err);
         if (!status) status = keep_due(run, err);
         if (status) break; /* perhaps within a step: what is kept is from before it */
         status = tell_progress(run, 0, err);
@@ -225,6 +226,7 @@ static hawser_status run_steps(Run *run, int resumed, hawser_error *err)
     sim->stage.ws.stop = (StopCheck){.ask = ask_progress, .user = run};
     if (!resumed) status = run_relaxation(run, err);
     if (!status && !resumed) status = write_due(run, err);
+    if (!status && !resumed) status = place_check(sim, err);
     if (!status) status = run_on(run, err);
     sim->stage.ws.stop = (StopCheck){0};
     return status;

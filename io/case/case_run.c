@@ -35,6 +35,7 @@ static const CaseKey run_keys[] = {
      .section = &case_positions},
     {"steady_from", KEY_NUMBER, DIM_TIME, .otherwise = "half the duration", FROM(0, LATE),
      AT(SceneDef, output.steady_from)},
+    {"keep_going", KEY_FLAG, .fallback = "false", AT(SceneDef, keep_going)},
     {"checkpoint", KEY_NUMBER, DIM_TIME, .fallback = "60 s", FROM(0, LATE), AT(SceneDef, output.checkpoint)},
 };
 SECTION(case_run, "run", run_keys);

@@ -22,7 +22,6 @@ static const double STANDS = 0.999; /* of the largest speed, that the mean in th
 static const double DRIFT = 0.05;   /* of the mean pull, from the window's first half to its second */
 static const double PUSHED = 0.01;  /* of the largest pull, that the cable may push the winch with in the mean */
 static const double SHARED = 0.02;  /* of the pull, that so much may move from a belt to the winch */
-static const double EDGE = 0.7;     /* of half a roller's width, that the cable may lie off its middle at rest */
 static const double SPIKE = 0.2;    /* of the largest pull, above the rows beside it */
 static const double INSIDE = 0.25;  /* of both radii, that cables may lie inside each other */
 enum { LOOKS = 16 };                /* at the cable's place in a run */
@@ -519,7 +518,7 @@ static void add_places(List *list, const TrustFacts *f)
             start->name, 1e3 * misfit_segment(start));
     }
     if (f->passing->edge.share > 0 && scene->def.solver.relax && scene->winch->present) {
-        add(list, HAWSER_CONDITION_EDGE, f->passing->edge.share, EDGE,
+        add(list, HAWSER_CONDITION_EDGE, f->passing->edge.share, TRUST_EDGE,
             "the cable comes to rest %.3g m beside the middle of roller '%s', where it is chance whether it slips off: "
             "put guides there, or set solver.relax to false",
             f->passing->edge.across, f->passing->edge.name);

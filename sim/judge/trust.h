@@ -8,6 +8,9 @@
 #include "sim/watch/passing.h"
 #include "theory/mesh.h"
 
+/* Of half a roller's width, that the cable may lie off its middle at rest. */
+static const double TRUST_EDGE = 0.7;
+
 /* How far the cable has been from its route. */
 typedef struct Stray {
     double farthest, at; /* m; m along the route, where that was */

@@ -153,6 +153,11 @@ static hawser_status iterate_carefully(Relaxing *r, double aim, int limit, hawse
     return status;
 }
 
+/* An attempt that ends within so many tolerances goes on for so many times as long: long chains between guides creep.
+ */
+static const double NEAR = 100;
+enum { FURTHER = 4 };
+
 /* The continuation in the contacts' stiffness (E5): a light rope that falls onto stiff rollers overshoots by more than
  * Newton's method mends, so it lands on soft ones, which are then made stiffer and stiffer. */
 static hawser_status iterate_from_soft(Relaxing *r, hawser_relaxation *out, hawser_error *err)
@@ -168,7 +173,9 @@ static hawser_status iterate_from_soft(Relaxing *r, hawser_relaxation *out, haws
     }
     r->ops->soften(r->self, 1);
     r->soft = 0;
-    return status ? status : iterate_carefully(r, out->tolerance_N, last - out->iterations, out, err);
+    if (!status) status = iterate_carefully(r, out->tolerance_N, last - out->iterations, out, err);
+    if (status || out->reached || out->residual_N > NEAR * out->tolerance_N) return status;
+    return iterate_carefully(r, out->tolerance_N, FURTHER * r->def->relax_iterations, out, err);
 }
 
 /* Straight away; where that does not reach equilibrium, once more from the start and from soft contacts. */

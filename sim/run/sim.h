@@ -22,6 +22,10 @@ hawser_status start_held(Sim *s, hawser_error *err);
 hawser_status start_fit(Sim *s, hawser_error *err);
 #define START_MOVED_SAYS "the chain began inside of what it is pulled over, and was moved out"
 
+/* Whether the cable of a pull still lies on what carries it: at rest before time begins, and since. Errors: RUN, with
+ * the place and what would hold it, unless the case says to go on; INPUT never. */
+hawser_status place_check(Sim *s, hawser_error *err);
+
 /* Static equilibrium under the loads of t = 0, friction off; see hawser_sim_relax. */
 hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err);
 /* See hawser_sim_advance. */

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/state.h"
 #include "sim/equipment/rod.h"
+#include "sim/judge/trust.h"
 #include "sim/run/commands.h"
 #include "sim/run/sim.h"
 #include "sim/run/together.h"
@@ -142,4 +143,42 @@ hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
     s->relax_s += clock_now() - start;
     if (out) *out = s->relaxation;
     return status;
+}
+
+/* Half a roller's width over what the cable may lie off its middle. */
+static const double WIDER = 1 / TRUST_EDGE;
+
+static hawser_status off_roller(const Edge *e, hawser_error *err)
+{
+    char at[32] = "";
+    if (!isnan(e->at)) snprintf(at, sizeof at, " at %.4g m", e->at);
+    return error_set(
+        err, HAWSER_ERR_RUN,
+        "at rest the cable lies %.0f mm beside the middle of roller '%s'%s, which is %.0f mm wide: it is off it "
+        "before anything moves. Rollers of about %.0f mm or wider would hold it there, or guides beside it "
+        "('guide: both'); 'run.keep_going: true' goes on all the same",
+        1e3 * e->across, e->name, at, 2e3 * e->half, 10 * ceil(1e2 * 2 * e->across * WIDER));
+}
+
+hawser_status place_check(Sim *s, hawser_error *err)
+{
+    for (int k = 0; k < sim_chains(s); ++k) {
+        const Sim *const each = sim_chain(s, k);
+        const SceneDef *const def = &each->stage.scene.def;
+        const Stray *const stray = &each->stray;
+        const int pulled = def->winch.present || def->n_conveyors > 0;
+        if (def->keep_going || def->rod.present || !pulled || def->analysis.kind != ANALYSIS_DYNAMICS) continue;
+        if (def->solver.relax && each->passing.edge.share > 1 && !(each->stage.t > 0))
+            return off_roller(&each->passing.edge, err);
+        if (!(stray->farthest > SUPPORT_OFF_ROUTE)) continue;
+        char when[48] = "before anything moves";
+        if (each->stage.t > 0) snprintf(when, sizeof when, "at %.4g s", each->stage.t);
+        return error_set(
+            err, HAWSER_ERR_RUN,
+            "%s the cable is %.3g m off its route near %.4g m: it has come off what carries it, or nothing "
+            "guides it there: put guides or wider rollers there and ahead of it; 'run.keep_going: true' goes "
+            "on all the same",
+            when, stray->farthest, stray->at);
+    }
+    return HAWSER_OK;
 }

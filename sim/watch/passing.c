@@ -323,7 +323,11 @@ static Edge edge_look(const Scene *scene, const Kinematics *kin)
         const Crossing here = chain_crossing(chain, kin, longest, shape, 2 * shape->half_width);
         const double share = fabs(here.across) / shape->half_width;
         if (here.away > near_of(shape, cable) || !(share > worst.share)) continue;
-        worst = (Edge){.share = share, .across = fabs(here.across), .name = scene->def.rollers[r].name};
+        worst = (Edge){.share = share,
+                       .across = fabs(here.across),
+                       .half = shape->half_width,
+                       .at = scene->def.rollers[r].s,
+                       .name = scene->def.rollers[r].name};
     }
     return worst;
 }

@@ -29,6 +29,8 @@ typedef struct Misfit {
 typedef struct Edge {
     double share;  /* of the half of its width; 0: there is none */
     double across; /* m from its middle */
+    double half;   /* m, of its width */
+    double at;     /* m along the route; NAN: it was placed otherwise */
     const char *name;
 } Edge;
 

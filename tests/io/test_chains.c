@@ -414,6 +414,8 @@ static void test_fallen(void **state)
                                     "{place: [-1 m, 0 m]}",
                                     "solver.relax",
                                     "false",
+                                    "run.keep_going",
+                                    "true",
                                     NULL};
     hawser_sim *const s = run(load(FOLDER "chains.yaml", settings));
     hawser_summary sum;

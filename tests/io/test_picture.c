@@ -302,7 +302,7 @@ static void test_plane(void **state)
 /* Cable that lies wound has the curvature of its layer: the first here, 0.64 m. */
 static void test_wound(void **state)
 {
-    const char *const states[] = {"output.states", "500 ms", "run.duration", "500 ms", NULL};
+    const char *const states[] = {"output.states", "500 ms", "run.duration", "500 ms", "run.keep_going", "true", NULL};
     hawser_sim *const sim = sim_from("reel-payout.yaml", states);
     const char *const h5 = run_into(*state, sim);
     hsize_t dims[2];

@@ -254,6 +254,7 @@ static void machines_are_drawn(void **state)
     hawser_error err = {0};
     if (hawser_case_parse(data_text("reel-payout"), "reel.yaml", &c, &err)) fail_msg("%s", err.message);
     if (hawser_case_set(c, "run.duration", "20 ms", &err)) fail_msg("%s", err.message);
+    if (hawser_case_set(c, "run.keep_going", "true", &err)) fail_msg("%s", err.message);
     if (hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
     assert_int_equal(hawser_sim_run(s, scratch_folder(), NULL, NULL, &err), HAWSER_OK);
     hawser_sim_free(s);

@@ -150,6 +150,53 @@ static void the_example_in_a_duct(void **state)
     }
 }
 
+/* A cable that lies beside its rollers at rest was pulled for minutes, 88 m off its route in the end, and `check` had
+ * nothing to say of it. It ends before time begins now; on rollers of the width that the message names it holds. */
+static void it_lies_beside_its_rollers(void **state)
+{
+    (void)state;
+    const char *const text = data_text("trap-beside-its-rollers");
+    hawser_error err = {0};
+    hawser_summary sum;
+    hawser_sim *sim = sim_of(text, NULL);
+    assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, &err), HAWSER_ERR_RUN);
+    check_has(err.message, "beside the middle of roller 'R6' at 13.75 m, which is 210 mm wide");
+    check_has(err.message, "Rollers of about 440 mm or wider");
+    hawser_sim_summary(sim, &sum);
+    assert_int_equal(sum.steps, 0);
+    hawser_sim_free(sim);
+    char *said = NULL;
+    hawser_case *const c = case_with(text, NULL);
+    assert_int_equal(hawser_case_describe(c, HAWSER_TABLE, &said, &err), HAWSER_ERR_INPUT);
+    check_has(err.message, "beside the middle of roller 'R6'");
+    hawser_case_free(c);
+    sim = run_of(text, (const char *const[]){"run", "{duration: 100 ms, steady_from: 50 ms, keep_going: true}", NULL});
+    hawser_sim_summary(sim, &sum);
+    assert_false(condition_of(&sum, "edge")->holds);
+    hawser_sim_free(sim);
+    sim =
+        run_of(text, (const char *const[]){"rollers.along.0.width", "440 mm", "rollers.along.1.width", "440 mm", NULL});
+    hawser_sim_summary(sim, &sum);
+    for (int i = 0; i < sum.n_conditions; i++) assert_true(sum.conditions[i].holds);
+    check_share(sum.pull_mean_N, 6801, 0.01);
+    hawser_sim_free(sim);
+}
+
+/* What comes off later ends the run there. */
+static void it_comes_off_in_motion(void **state)
+{
+    (void)state;
+    hawser_error err = {0};
+    hawser_sim *const sim =
+        sim_of(data_text("trap-snaps-back"), (const char *const[]){"run.keep_going", "false", NULL});
+    assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, &err), HAWSER_ERR_RUN);
+    check_has(err.message, "m off its route near");
+    check_below(hawser_sim_time(sim), 1);
+    hawser_sim_free(sim);
+}
+
 TEST_FILE(test_traps, cmocka_unit_test(it_bends_over_rollers), cmocka_unit_test(it_jolts),
-          cmocka_unit_test(it_changes_walls), cmocka_unit_test(the_example_in_a_duct), cmocka_unit_test(it_snaps_taut),
-          cmocka_unit_test(it_leaves_its_rollers), cmocka_unit_test(it_snaps_back), cmocka_unit_test(it_crawls))
+          cmocka_unit_test(it_changes_walls), cmocka_unit_test(it_lies_beside_its_rollers),
+          cmocka_unit_test(it_comes_off_in_motion), cmocka_unit_test(the_example_in_a_duct),
+          cmocka_unit_test(it_snaps_taut), cmocka_unit_test(it_leaves_its_rollers), cmocka_unit_test(it_snaps_back),
+          cmocka_unit_test(it_crawls))

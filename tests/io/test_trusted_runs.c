@@ -82,9 +82,15 @@ static void what_else_fades(void **state)
                                           {"reel.back_tension", "{tension: 500 N}", "reel.v_s", "500 mm/s"}};
     hawser_summary sum;
     for (int k = 0; k < 3; k++) {
-        const char *const settings[] = {
-            "rollers.along", "{spacing: 2 m}", "run", "{duration: 1 s, steady_from: 500 ms}", reel[k][0], reel[k][1],
-            reel[k][2],      reel[k][3],       NULL};
+        const char *const settings[] = {"rollers.along",
+                                        "{spacing: 2 m}",
+                                        "run",
+                                        "{duration: 1 s, steady_from: 500 ms, keep_going: true}",
+                                        reel[k][0],
+                                        reel[k][1],
+                                        reel[k][2],
+                                        reel[k][3],
+                                        NULL};
         hawser_sim *const sim = run_of(data_text("reel-payout"), settings);
         const hawser_condition *const c = of_run(sim, &sum, "friction_speed");
         assert_non_null(c);
@@ -92,7 +98,7 @@ static void what_else_fades(void **state)
         if (k == 0) check_has(c->remedy, "set reel.v_s below 0.01");
         hawser_sim_free(sim);
     }
-    const char *const settings[] = {"rollers.along", spins, NULL};
+    const char *const settings[] = {"rollers.along", spins, "run.keep_going", "true", NULL};
     hawser_sim *const sim = run_of(data_text("limits"), settings);
     const hawser_condition *const c = of_run(sim, &sum, "friction_speed");
     assert_false(c->holds);
