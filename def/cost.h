@@ -14,6 +14,7 @@ typedef struct CostCounts {
     double duration;     /* s; NAN: not known */
     double step;         /* s, the longest that is allowed; 0: any */
     int planar;          /* solved in the plane */
+    int turns;           /* what is wound on a drum is simulated too */
     LinKind solver;
 } CostCounts;
 

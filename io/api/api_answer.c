@@ -391,13 +391,13 @@ void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inv
 
 /* -------------------------------------------------------------------------------------------------- of a run */
 
-/* " +- 0.38 %"; nothing where it is not known. Beyond the figure itself its size says nothing. */
+/* " +- 0.38 %"; nothing where it is not known. Beyond the figure itself it bounds nothing. */
 static const char *say_bar(const hawser_error_bar *bar, double figure, char text[32])
 {
     *text = 0;
     if (!(bar->total >= 0) || !(fabs(figure) > 0)) return text;
     if (bar->total < fabs(figure)) snprintf(text, 32, " +- %.2g %%", 100 * bar->total / fabs(figure));
-    if (bar->total >= fabs(figure)) snprintf(text, 32, " +- over 100 %%");
+    if (bar->total >= fabs(figure)) snprintf(text, 32, " (no error bound)");
     return text;
 }
 

@@ -263,6 +263,20 @@ static const Column bar_column[] = {
 };
 static const Columns bar_columns = COLUMNS(hawser_error_bar, bar_column);
 
+static void drop_senseless(hawser_error_bar *bar, double size)
+{
+    if (bar->total >= size) *bar = (hawser_error_bar){NAN, NAN, NAN, NAN};
+}
+
+/* An error bound as large as its figure bounds nothing. */
+static hawser_summary figures_bounded(const hawser_summary *s)
+{
+    hawser_summary out = *s;
+    drop_senseless(&out.pull_mean_error, fmax(fabs(s->pull_mean_N), s->pull_peak_N / 100));
+    drop_senseless(&out.pull_peak_error, fabs(s->pull_peak_N));
+    return out;
+}
+
 /* What a second pass was made for, and what each found. */
 static const Column pass_column[] = {
     {COLUMN("accuracy", NUMBER, hawser_pass, accuracy)},
@@ -550,7 +564,7 @@ static int machines_put(json_t *o, const hawser_summary *s)
 /* Ten digits: enough to compare runs, short enough to read. */
 hawser_status summary_json(const hawser_summary *s, const SummaryLabels *labels, char **text, hawser_error *err)
 {
-    Summary all = {.s = *s, .l = *labels, .version = hawser_version(), .format = RESULTS_FORMAT};
+    Summary all = {.s = figures_bounded(s), .l = *labels, .version = hawser_version(), .format = RESULTS_FORMAT};
     all.code = hawser_word_code(hawser_verdict_word(hawser_verdict(s->n_conditions, s->conditions, labels->n_limits,
                                                                    labels->limit, all.verdict, sizeof all.verdict)));
     json_t *o = json_row(&summary_columns, &all);

@@ -352,9 +352,9 @@ static void add_error(List *list, hawser_condition_kind kind, const char *figure
         of = "steps in time";
         remedy = "a smaller solver.accuracy and output.interval";
     }
-    char share[32] = "more than its own size";
-    if (bar->total < size) snprintf(share, sizeof share, "%.2g %%", 100 * bar->total / size);
-    add(list, kind, bar->total / size, allowed, "%s may be off by %s, mostly by %s: use %s", figure, share, of, remedy);
+    char share[48] = "has no error bound";
+    if (bar->total < size) snprintf(share, sizeof share, "may be off by %.2g %%", 100 * bar->total / size);
+    add(list, kind, fmin(bar->total / size, 1), allowed, "%s %s, mostly by %s: use %s", figure, share, of, remedy);
 }
 
 /* The error bars of the pull. */
