@@ -89,12 +89,15 @@ def text(case):
              f"mass: {case['mass']!r}, damping: {1e-3 * time!r}}}")
     route = "".join(f"    - {{straight: {p[1]!r}}}\n" if p[0] == "straight" else
                     f"    - {{bend: {p[1]!r} deg, radius: {p[2]!r}, plane: {p[3]}}}\n" for p in case["pieces"])
+    # a head without a rope must have its bends behind it
+    bent = max((sum(p[1] if p[0] == "straight" else math.radians(p[1]) * p[2] for p in case["pieces"][:k + 1])
+                for k, p in enumerate(case["pieces"]) if p[0] == "bend"), default=0)
     return f"""title: Random
 cables: {{c: {cable}, b: {cable}}}
 chain:
 {chain}route:
   slope: {case['slope']!r} deg
-  head_at: {case['length'] * 1.05!r}
+  head_at: {max(case['length'] * 1.05, bent)!r}
   pieces:
 {route}rollers: {{along: {{spacing: {case['spacing']!r}, radius: {0.06 * length!r}, width: {2 * length!r}}}}}
 contact: {{k: {case['k']!r}, c: {case['c']!r}, d: {1e-4 * length!r}, reach: {length!r}}}
@@ -102,7 +105,7 @@ friction: {{mu: {case['mu']!r}, v_s: {1e-3 * speed!r}, v_d: {2e-3 * speed!r}}}
 drive:
   winch: {{speed: {case['speed']!r}, to: {0.3 * case['duration']!r}}}
   tail: {{tension: {case['tension']!r}, to: {0.3 * case['duration']!r}}}
-run: {{duration: {case['duration']!r}, steady_from: {case['duration'] / 2!r}}}
+run: {{duration: {case['duration']!r}, steady_from: {case['duration'] / 2!r}, keep_going: true}}
 limits: {{pull: {case['rated']!r}, sidewall: {case['borne']!r}, bend_radius: {10 * case['diameter']!r}, winch_capacity: {2 * case['rated']!r},
   rope_strength: {6 * case['rated']!r}, attachment_rating: {3 * case['rated']!r}, speed: {case['speed'] * 1.5!r}}}
 solver: {{passes: 1, relax: no, accuracy: 1e-7}}
