@@ -450,7 +450,11 @@ static int take_option(const Command *command, int letter, Arguments *args)
 /* A run that is gone on with is in its folder: case, settings, and where its results are. */
 static int take_resumed(int argc, char **argv, Arguments *args)
 {
-    const char *const word = optind < argc ? argv[optind] : args->n_settings ? "--set" : args->dir ? "--output" : NULL;
+    const char *const word = optind < argc      ? argv[optind]
+                             : args->n_settings ? "--set"
+                             : args->keep_going ? "--keep-going"
+                             : args->dir        ? "--output"
+                                                : NULL;
     args->dir = args->resume;
     if (!word) return ARGUMENTS_GO_ON;
     complain("--resume goes on with the case and the settings of the run in '%s': '%s' cannot be given with it",
