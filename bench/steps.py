@@ -4,6 +4,7 @@
 One round runs every configuration once; rounds follow each other, so that a disturbance meets all configurations alike.
 The first round warms up and is not counted. Figures are medians over the rounds; ratios are taken within a round first.
 """
+import math
 import os
 import statistics
 import subprocess
@@ -275,7 +276,7 @@ def astray(rows, quick):
     for case in CASES:
         right = pick(whole, case=case, geometry="space", solver="auto")[0]["pull_mean_N"]
         for row in pick(whole, case=case, threads=1):
-            if not abs(row["pull_mean_N"] - right) <= max(AGREE * abs(right), row["pull_bar_N"] if quick else 0):
+            if not abs(row["pull_mean_N"] - right) <= max(AGREE * abs(right), (row["pull_bar_N"] or math.inf) if quick else 0):
                 found.append(f"{case} ({row['geometry']}) with {row['solver']}: {row['pull_mean_N']} N, not {right} N")
     return list(dict.fromkeys(found))
 

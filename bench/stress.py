@@ -27,8 +27,8 @@ EXPLOSION = 10  # steps per simulated second over the neighbour's, or under it
 COLUMNS = ["row", "value", "outcome", "status", "steps", "sim_time_s", "steps_per_sim_s", "newton_fails", "error_test_fails",
            "relaxed", "wall_s", "found", "message"]
 # What a message of status 2 or 3 must have: where, and what to do or what is allowed.
-SAYS_WHERE = re.compile(r"key '|t = |solver\.linear_solver|the linear solver")
-SAYS_WHAT = re.compile(r"try |must be|ends at|raise|expected|allowed|missing|needs|need|may help|takes? |can$|can\b|not |\?")
+SAYS_WHERE = re.compile(r"key '|t = |near \d|roller '|solver\.linear_solver|the linear solver")
+SAYS_WHAT = re.compile(r"try |give |put |lead |must be|ends at|raise|expected|allowed|missing|needs|need|may help|takes? |can$|can\b|not |\?")
 
 
 def not_finite(value, path=""):

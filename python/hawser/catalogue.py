@@ -27,4 +27,5 @@ def schema() -> dict[str, Any]:
     """What a case may hold, as a JSON Schema (draft 2020-12): keys, kinds, choices, ranges in SI, defaults."""
     error, text = ffi.new("hawser_error *"), ffi.new("char **")
     check(lib.hawser_case_schema(text, error), error)
-    return json.loads(taken(text))
+    read: dict[str, Any] = json.loads(taken(text))
+    return read
