@@ -162,12 +162,14 @@ static hawser_status files_move(const OutDir *to, const OutDir *from, int n, con
 /* An empty EARLIER with its mark, on the disk. */
 static hawser_status earlier_begin(const OutDir *dir, OutDir *earlier, hawser_error *err)
 {
+    static const char *const marks[] = {MOVING};
     OutSpot spot;
     OutFile mark;
     files_remove(dir, EARLIER, FOLDER_FILES, folder_files);
     hawser_status s = out_spot(&spot, dir, EARLIER, err);
     if (!s && !folder_make_in(dir->at, EARLIER)) s = out_error(spot.path, errno, err);
     if (!s && !out_within(earlier, dir, EARLIER)) s = out_error(spot.path, errno, err);
+    if (!s) out_sweep(earlier, 1, marks); /* a program that was killed while it made the mark has left a part of it */
     if (!s) s = out_open_in(&mark, earlier, MOVING, err);
     if (!s) s = out_close(&mark, err);
     if (!s) s = out_sync_in(earlier, ".", err);
