@@ -9,9 +9,7 @@ static const char help[] =
     "Usage: hawser job JOB [options]\n"
     "\n"
     "Calculates the pulls that the file JOB lists (docs/jobs.md), each in both directions, by theory. Prints a table\n"
-    "with verdict, direction, forces, the limit with the least margin, the trip setting and the reel of each pull, "
-    "the\n"
-    "reels and the joint bays.\n"
+    "with verdict, direction, forces, least margin, trip setting and reel of each pull, the reels and the joint bays.\n"
     "\n"
     "      --report            writes the tables and the calculation of every pull as one page\n"
     "      --pdf               prints that page too, by an installed Chromium; implies --report\n"
@@ -24,9 +22,8 @@ static const char help[] =
     "  -h, --help              this text\n"
     "  -V, --version           the version\n"
     "\n"
-    "Exit status: 0 done; 2 the job or a case is wrong; 4 a file cannot be written; 5 no memory; with --strict 1 a "
-    "pull\n"
-    "is not SAFE, 6 one is NOT TRUSTED and none is worse.\n";
+    "Exit status: 0 done; 2 the job or a case is wrong; 4 a file cannot be written; 5 no memory; with --strict\n"
+    "1 a pull is not SAFE, 6 one is NOT TRUSTED and none is worse.\n";
 
 /* The job whose page is written. */
 typedef struct Sheet {

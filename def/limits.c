@@ -84,16 +84,12 @@ static const double ROUNDING = 1e-12; /* of a margin: exactly what is allowed ho
 static void leave_open(hawser_limit *out, double start)
 {
     out->judged = out->ok = 0;
+    out->at_speed = 1;
     out->margin = NAN;
     snprintf(out->source, sizeof out->source,
-             LIMITS_AT_SPEED " a start from rest may need up to %.3g times as much, which positions do not have: "
-                             "'run.analysis: dynamics' has it",
+             "holds at speed, but a start from rest may need up to %.3g times as much, which positions do not have: "
+             "'run.analysis: dynamics' has it",
              start);
-}
-
-int limits_left_open(const hawser_limit *l)
-{
-    return !l->judged && !strncmp(l->source, LIMITS_AT_SPEED, strlen(LIMITS_AT_SPEED));
 }
 
 /* (LI4). A value that is not known is not judged, and neither is one whose limit is not. */

@@ -73,10 +73,6 @@ hawser_limit_kind limits_kind(const char *name);
 int limits_only_if(int n, const hawser_limit *limit, char *text, size_t size);
 /* Whether nothing is known of a pull without that limit: it is not called safe where this one is not judged. */
 int limits_essential(hawser_limit_kind kind);
-/* How the source of a limit begins that a start may break, which was not followed; whether it is one: nothing is called
- * safe beside it (LI16). */
-#define LIMITS_AT_SPEED "holds at speed, but"
-int limits_left_open(const hawser_limit *l);
 /* The jam ratios at which three cables may jam, in a triangle or not. */
 typedef struct JamBand {
     double from, to;

@@ -101,7 +101,7 @@ static Tally tally_of(int n, const hawser_limit *limit)
     Tally t = {0};
     for (int i = 0; i < n; i++) {
         const hawser_limit *const l = &limit[i];
-        if (!l->judged && !t.missing && (limits_essential(l->kind) || limits_left_open(l))) t.missing = l;
+        if (!l->judged && !t.missing && (limits_essential(l->kind) || l->at_speed)) t.missing = l;
         if (!l->judged) continue;
         t.judged++;
         t.broken += !l->ok;

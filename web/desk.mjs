@@ -4,6 +4,7 @@ import { build } from 'esbuild';
 import { createHash } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { deflateRawSync } from 'node:zlib';
+import { licence } from './licence.mjs';
 
 const folder = process.argv[2];
 const libraries = new Set();
@@ -27,11 +28,6 @@ async function bundled(entry) {
     if (found) libraries.add(found[1]);
   }
   return made.outputFiles[0].text;
-}
-
-function licence(name) {
-  const { version } = JSON.parse(readFileSync(`node_modules/${name}/package.json`, 'utf8'));
-  return `/*! ${name} ${version}\n\n${readFileSync(`node_modules/${name}/LICENSE`, 'utf8').trim()}\n*/`;
 }
 
 /** Nothing in an element ends it. */

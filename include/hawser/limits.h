@@ -67,6 +67,8 @@ typedef struct hawser_limit {
                                 * the one taken broke it: `value` is with this radius, `worst` with that one; NAN: no
                                 * matter */
     hawser_limit_kind kind;
+    int at_speed; /* it holds at speed, but a start from rest that was not followed may break it: it is not judged, and
+                   * nothing is called safe beside it (positions) */
 } hawser_limit;
 
 struct hawser_sim;

@@ -126,7 +126,8 @@ hawser_status case_obstacles_read(CaseReader *r, const CaseNode *list);
 
 hawser_status case_drive_read(CaseReader *r, const CaseNode *node);
 /* A value over time whose ramp and end value v1 a section's keys have filled: checks them, or reads the map's `table`.
- * value: the name of the section's key for v1. The table's arrays become the caller's even if there is an error. */
+ * value: the name of the section's key for v1. The profile owns what is read of the
+ * table, even if there is an error. */
 hawser_status case_profile_read(const CaseReader *r, const CaseNode *map, const CaseSection *section, const char *value,
                                 Profile *profile);
 hawser_status case_tail_read(const CaseReader *r, const CaseNode *node, const CaseSection *section);

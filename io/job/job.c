@@ -44,6 +44,7 @@ typedef struct JobPull {
     char limit[32], at[96], by[96];          /* of the least margin and its place; what sets the trip */
     char kind[NAME_MAX_LENGTH], verdict[24]; /* the cable; the word, as it is printed */
     char winch[NAME_MAX_LENGTH];             /* the bay of the winch */
+    char only_if[SAID_MAX];                  /* of SAFE ONLY IF: what it takes; "" */
     char *reel;                              /* the reels, owned; NULL: none */
     int without;                             /* lengths that fit no reel */
     int n_sections;
@@ -310,6 +311,23 @@ static void answer_take(const hawser_job *job, const json_t *answer, JobPull *pu
     lengths_take(def, pull);
 }
 
+/* Up to what the pull is safe, of the verdict's words: sought for those pulls alone that need it. */
+static hawser_status bounds_take(JobPull *pull, hawser_error *err)
+{
+    static const char *const tables[] = {"limits", NULL};
+    const TheoryWish wish = {.table = tables};
+    json_t *answer = NULL;
+    const hawser_status status = case_theory_values(pull->c, &wish, &answer, err);
+    if (!status) {
+        const char *const all = text_at(answer, pull->way == PLAN_FORWARD ? "verdict_forward" : "verdict_backward");
+        const char *const at = all + strlen(hawser_word_text(HAWSER_SAFE_ONLY_IF));
+        if (hawser_word_of(all) == HAWSER_SAFE_ONLY_IF)
+            snprintf(pull->only_if, sizeof pull->only_if, "%.*s", (int)strcspn(at + 1, ":"), at + 1);
+    }
+    json_decref(answer);
+    return status;
+}
+
 static hawser_status pull_calculate(const hawser_job *job, JobPull *pull, hawser_error *err)
 {
     static const char *const tables[] = {"directions", "sections", "limits", NULL};
@@ -320,7 +338,7 @@ static hawser_status pull_calculate(const hawser_job *job, JobPull *pull, hawser
     if (!status) status = case_theory_values(pull->c, &wish, &answer, err);
     if (!status) answer_take(job, answer, pull);
     json_decref(answer);
-    return status;
+    return !status && pull->word == HAWSER_SAFE_ONLY_IF ? bounds_take(pull, err) : status;
 }
 
 /* Errors name the pull with its place, and the place in its case. */
@@ -596,8 +614,9 @@ static const Column pull_column[] = {
     {COLUMN("cable_m", NUMBER, JobPull, cable), .label = "cable, m", .decimals = 1},
     {.key = "reel", .kind = COLUMN_TEXT, .text = pull_reels, .label = "reel"},
 };
-/* What programs are to have beside it. */
+/* What programs are to have beside it, the first of them people too where a pull has it. */
 static const Column pull_more[] = {
+    {COLUMN("only_if", CHARS, JobPull, only_if), .label = "safe only if", .group = 1},
     {.key = "verdict_code", .kind = COLUMN_TEXT, .text = code_text},
     {COLUMN("from", CHARS, JobPull, from)},
     {COLUMN("to", CHARS, JobPull, to)},
@@ -665,11 +684,12 @@ static void answer_make(const hawser_job *job, char text[SAID_MAX])
 
 static void document_make(const hawser_job *job, int shown, JobDocument *d)
 {
-    int n = 0;
+    int n = 0, bounded = 0;
     double route = 0, cable = 0;
     const JobPull *most = job->pull;
     for (const JobPull *p = job->pull; p < job->pull + job->n_pulls; ++p) {
         route += p->length;
+        bounded |= *p->only_if != 0;
         for (int k = 0; k < p->n_lengths; ++k) cable += p->cable * p->need[k].count;
         if (fmax(p->force, p->rest) > fmax(most->force, most->rest)) most = p;
     }
@@ -678,7 +698,7 @@ static void document_make(const hawser_job *job, int shown, JobDocument *d)
     memcpy(d->all + SHOWN, pull_more, sizeof pull_more);
     d->table[n++] = (Table){"pulls",
                             "Pulls, each in the direction that is taken",
-                            {d->all, SHOWN + (shown ? 0 : MORE), sizeof(JobPull)},
+                            {d->all, SHOWN + (shown ? bounded : MORE), sizeof(JobPull)},
                             job->n_pulls,
                             job->pull};
     if (job->n_reels > 0 || !shown)

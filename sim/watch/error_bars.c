@@ -19,6 +19,7 @@ static const double ENDS = 0.2;        /* of a segment, whose weight a clamp car
 static const double JERK = 0.03;       /* of what a peak stands above the mean (EB21) */
 static const double SHARPNESS = 1.0 / 8; /* of the second difference at a peak (EB4) */
 static const double TOLERANCES = 3;      /* of a step, that a peak may be off by */
+static const double BOWED = 0.01; /* of the pull, that a snaking or coiled cable may lie in several ways (EB34) */
 
 /* What friction lacks at a speed, of what is there (EB5). */
 static double friction_missing(const FrictionLaw *law, double speed)
@@ -30,6 +31,7 @@ static double friction_missing(const FrictionLaw *law, double speed)
     return there > 0 ? fabs(law->mu_d / there - 1) : 0;
 }
 
+/* What no finer mesh and no shorter step changes: friction's law over speed, and how a pushed cable lies. */
 static double friction_share(const Scene *scene)
 {
     double worst = 0;
@@ -37,7 +39,7 @@ static double friction_share(const Scene *scene)
         worst = fmax(worst, friction_missing(&scene->contact.roller[r].friction, scene->largest_speed));
     for (int k = 0; k < scene->def.n_surfaces; ++k)
         worst = fmax(worst, friction_missing(&scene->def.surfaces[k].friction, scene->largest_speed));
-    return worst;
+    return scene->bowed ? worst + BOWED : worst;
 }
 
 double held_sideways(const Scene *scene, int r)

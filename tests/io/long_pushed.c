@@ -40,22 +40,29 @@ static void pushes_of_five_sizes(void **state)
     }
 }
 
-/* With two bends of half a degree: 7.92 kN, NOT TRUSTED by its mesh. */
+/* With two bends of half a degree: 7.92 kN, NOT TRUSTED by its mesh. With both to the other side the cable lies in
+ * another way; the bounds, of 6.4 and 7.4 N for 72 N between the two, hold both now (EB34). */
 static void a_kinked_duct(void **state)
 {
     (void)state;
-    hawser_summary sum;
-    hawser_sim *const sim = run_of(
-        DUCT, (const char *const[]){"route",
-                                    "{head_at: 402 m, pieces: [{straight: 34 m}, {bend: 0.5 deg, radius: 500 m, "
-                                    "plane: left}, {straight: 20 m}, {bend: 0.5 deg, radius: 500 m, plane: right}, "
-                                    "{straight: 357.2734 m}]}",
-                                    "run.steady_from", "40 s", NULL});
-    hawser_sim_summary(sim, &sum);
-    print_message("%.5g N, theory %.5g N\n", sum.pull_mean_N, sum.reference_total_N);
-    check_share(sum.pull_mean_N, sum.reference_total_N, 0.05);
-    for (int i = 0; i < sum.n_conditions; ++i) assert_true(sum.conditions[i].holds);
-    hawser_sim_free(sim);
+    static const char *const turns[2][2] = {{"left", "right"}, {"right", "left"}};
+    hawser_summary sum[2];
+    for (int k = 0; k < 2; ++k) {
+        char route[256];
+        snprintf(route, sizeof route,
+                 "{head_at: 402 m, pieces: [{straight: 34 m}, {bend: 0.5 deg, radius: 500 m, plane: %s}, {straight: 20 "
+                 "m}, {bend: 0.5 deg, radius: 500 m, plane: %s}, {straight: 357.2734 m}]}",
+                 turns[k][0], turns[k][1]);
+        hawser_sim *const sim = run_of(DUCT, (const char *const[]){"route", route, "run.steady_from", "40 s", NULL});
+        hawser_sim_summary(sim, &sum[k]);
+        print_message("%.5g N +- %.3g, theory %.5g N\n", sum[k].pull_mean_N, sum[k].pull_mean_error.total,
+                      sum[k].reference_total_N);
+        check_share(sum[k].pull_mean_N, sum[k].reference_total_N, 0.05);
+        for (int i = 0; i < sum[k].n_conditions; ++i) assert_true(sum[k].conditions[i].holds);
+        hawser_sim_free(sim);
+    }
+    check_close(sum[0].pull_mean_N, sum[1].pull_mean_N, sum[0].pull_mean_error.total);
+    check_close(sum[0].pull_mean_N, sum[1].pull_mean_N, sum[1].pull_mean_error.total);
 }
 
 /* N/N0 by (BK6), written anew from the formula. */

@@ -154,6 +154,7 @@ static void verdict_of_the_way(void **state)
     assert_string_equal(text_of(row, "direction"), "backward");
     assert_string_equal(text_of(row, "verdict_code"), "safe_if");
     assert_int_equal(word, HAWSER_SAFE_ONLY_IF);
+    assert_string_equal(text_of(row, "only_if"), "friction at rest <= 0.334 (restart)");
     json_decref(answer);
     assert_int_equal(hawser_job_page(job, HAWSER_SI, scratch_path("way.html"), &err), HAWSER_OK);
     char *const page = file_text(scratch_path("way.html"));

@@ -17,7 +17,7 @@ ssize_t getrandom(void *to, size_t size, unsigned flags)
     return size <= 256 && !getentropy(to, size) ? (ssize_t)size : -1;
 }
 
-static const char FOLDER[] = "/case", PAGE[] = "/page.html", ROUTE[] = "/route.yaml";
+static const char FOLDER[] = "/case", PAGE[] = "/page.html";
 
 /* Takes `text`, which may be NULL. */
 static char *answered(hawser_status status, char *text, const hawser_error *err)
@@ -62,17 +62,6 @@ static hawser_status case_of(const char *text, hawser_case **c, hawser_error *er
 {
     hawser_status status = hawser_case_parse(text, "case.yaml", c, err);
     return status ? status : hawser_case_folder(*c, FOLDER, err);
-}
-
-/* "OK", or what is wrong. */
-char *desk_check(const char *text)
-{
-    hawser_error err = {0};
-    hawser_case *c = NULL;
-    hawser_status status = case_of(text, &c, &err);
-    if (!status) status = hawser_case_check(c, &err);
-    hawser_case_free(c);
-    return answered(status, status ? NULL : strdup("OK"), &err);
 }
 
 /* The calculation as JSON; `tables`: which, with commas between. */
@@ -120,15 +109,6 @@ char *desk_schema(void)
     return answered(status, text, &err);
 }
 
-/* kind "": all. */
-char *desk_library(const char *kind)
-{
-    hawser_error err = {0};
-    char *text = NULL;
-    const hawser_status status = hawser_library(*kind ? kind : NULL, NULL, HAWSER_JSON, &text, &err);
-    return answered(status, text, &err);
-}
-
 /* The lines of a file in the folder, as JSON. */
 char *desk_route(const char *name)
 {
@@ -141,17 +121,4 @@ char *desk_route(const char *name)
     if (!status) status = hawser_routes_describe(routes, HAWSER_JSON, &text, &err);
     hawser_routes_free(routes);
     return answered(status, text, &err);
-}
-
-/* One of them as the pieces of a case. */
-char *desk_route_yaml(const char *name, int i)
-{
-    char path[300];
-    hawser_error err = {0};
-    hawser_routes *routes = NULL;
-    snprintf(path, sizeof path, "%s/%s", FOLDER, name);
-    hawser_status status = hawser_routes_read(path, NULL, &routes, &err);
-    if (!status) status = hawser_routes_write(routes, i, ROUTE, &err);
-    hawser_routes_free(routes);
-    return answered(status, status ? NULL : file_taken(ROUTE), &err);
 }

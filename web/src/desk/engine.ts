@@ -15,17 +15,6 @@ export class EngineError extends Error {
   }
 }
 
-export interface Limit {
-  direction: string;
-  name: string;
-  value: number | null;
-  limit: number | null;
-  unit: string;
-  margin: number | null;
-  where: string;
-  ok: string;
-}
-
 export interface Remedy {
   direction: string;
   remedy: string;
@@ -47,7 +36,6 @@ export interface Theory {
   length_m: number;
   largest_force_N: number;
   backward_largest_force_N: number;
-  limits?: Limit[];
   remedies?: Remedy[];
   /** Of several chains that are pulled together, each under its name; nothing else stands beside it then. */
   theory?: Record<string, Theory>;
@@ -62,7 +50,7 @@ export interface RouteLine {
   problem?: string | null;
 }
 
-export type Call = 'theory' | 'answer' | 'page' | 'schema' | 'library' | 'route' | 'route_yaml' | 'check';
+export type Call = 'theory' | 'answer' | 'page' | 'schema' | 'route';
 
 /** What goes to the worker, and what comes back under the same number. */
 export interface Request {
@@ -134,10 +122,6 @@ export class Engine {
   async route(name: string): Promise<RouteLine[]> {
     const said = JSON.parse(await this.call('route', name)) as { alignments: RouteLine[] };
     return said.alignments;
-  }
-
-  routeYaml(name: string, line: number): Promise<string> {
-    return this.call('route_yaml', name, line);
   }
 }
 
