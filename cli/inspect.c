@@ -38,8 +38,10 @@ static const char theory_help[] =
     "      --strict            the exit status says whether the pull is safe\n"
     "      --sensitivities     prints instead what forces and tensions change by with friction, weight, the tension\n"
     "                          at the start and pushes\n"
-    "      --crew FILE         also writes what stands along the route, with loads, to FILE "
-    "(CSV)\n" SETTING FORMAT "\n"
+    "      --crew FILE         also writes the crew's sheet, one side of paper, to FILE (HTML, and PDF where it ends "
+    "in\n"
+    "                          .pdf); where FILE ends in .csv, what stands along the route, with loads\n" SETTING FORMAT
+    "\n"
     "Exit status: 0 done; 2 the case is wrong; with --strict 1 the pull is not SAFE, 6 it is NOT TRUSTED.\n";
 
 static const char validate_help[] =
@@ -90,7 +92,7 @@ static int print_case(const Arguments *args, Describe describe)
 }
 
 /* The list of equipment into a file. */
-static int write_crew(const Arguments *args)
+static int write_list(const Arguments *args)
 {
     hawser_error err = {HAWSER_OK, ""};
     hawser_case *c = NULL;
@@ -132,7 +134,10 @@ static int print_theory(const Arguments *args)
 }
 
 /* The case whose calculation is written. */
+typedef hawser_status (*SheetWrite)(hawser_case *c, hawser_units units, const char *path, hawser_word *word,
+                                    hawser_error *err);
 typedef struct Sheet {
+    SheetWrite write;
     hawser_case *c;
     hawser_units units;
     hawser_word word;
@@ -141,23 +146,31 @@ typedef struct Sheet {
 static hawser_status sheet_write(void *what, const char *path, hawser_error *err)
 {
     Sheet *const sheet = what;
-    return hawser_case_calculation(sheet->c, sheet->units, path, &sheet->word, err);
+    return sheet->write(sheet->c, sheet->units, path, &sheet->word, err);
 }
 
-static int write_calculation(const Arguments *args)
+static int write_page(const Arguments *args, SheetWrite write, const char *path)
 {
     hawser_error err = {HAWSER_OK, ""};
-    Sheet sheet = {.units = args->format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI};
-    char path[PAGE_PATH];
+    Sheet sheet = {.write = write, .units = args->format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI};
     hawser_status status = load_case(args, &sheet.c, &err);
-    if (!status)
-        status = page_make_of(sheet_write, &sheet, page_path(args, "calculation", path), args->pdf, args->quiet, &err);
+    if (!status) status = page_make_of(sheet_write, &sheet, path, args->pdf, args->quiet, &err);
     hawser_case_free(sheet.c);
-    return finish_stdout(status ? exit_status(status, &err) : held_status(args, sheet.word));
+    return status ? exit_status(status, &err) : held_status(args, sheet.word);
+}
+
+static int write_crew(const Arguments *args)
+{
+    const size_t n = strlen(args->crew);
+    if (n > 4 && !strcmp(args->crew + n - 4, ".csv")) return write_list(args);
+    Arguments lenient = *args; /* the verdict's status is that of what is printed */
+    lenient.strict = 0;
+    return write_page(&lenient, hawser_case_crew_sheet, args->crew);
 }
 
 static int theory(const Arguments *args)
 {
+    char path[PAGE_PATH];
     const int other = args->tables || args->sensitivities || args->format == HAWSER_CSV || args->format == HAWSER_JSON;
     if (!args->report && (args->dir || args->quiet)) {
         complain("theory: -o and -q are of --report, which is not given");
@@ -169,7 +182,8 @@ static int theory(const Arguments *args)
     }
     const int status = args->crew ? write_crew(args) : 0;
     if (status) return status;
-    if (args->report) return write_calculation(args);
+    if (args->report)
+        return finish_stdout(write_page(args, hawser_case_calculation, page_path(args, "calculation", path)));
     return args->sensitivities ? print_case(args, hawser_case_sensitivities) : print_theory(args);
 }
 

@@ -14,6 +14,9 @@ static const char help[] =
     "      --report            writes the tables and the calculation of every pull as one page\n"
     "      --pdf               prints that page too, by an installed Chromium; implies --report\n"
     "  -o, --output FILE       where the page goes (default: JOB's name with -job.html)\n"
+    "      --crew FILE         writes the crew's sheets, one side of paper for each pull (HTML, and PDF where FILE "
+    "ends in\n"
+    "                          .pdf)\n"
     "      --xlsx FILE         writes the tables as a workbook, in SI\n"
     "      --format FORMAT     table (default), json, or csv, which is the table of pulls\n"
     "      --units UNITS       of table and page: si (default) or us; json, csv and xlsx are in SI\n"
@@ -27,6 +30,7 @@ static const char help[] =
 
 /* The job whose page is written. */
 typedef struct Sheet {
+    hawser_status (*write)(const hawser_job *job, hawser_units units, const char *path, hawser_error *err);
     const hawser_job *job;
     hawser_units units;
 } Sheet;
@@ -34,7 +38,7 @@ typedef struct Sheet {
 static hawser_status sheet_write(void *what, const char *path, hawser_error *err)
 {
     const Sheet *const sheet = what;
-    return hawser_job_page(sheet->job, sheet->units, path, err);
+    return sheet->write(sheet->job, sheet->units, path, err);
 }
 
 static int job(const Arguments *args)
@@ -54,15 +58,17 @@ static int job(const Arguments *args)
     hawser_status status = hawser_job_load(args->case_path, &made, &err);
     if (!status) status = hawser_job_answer(made, args->format, &text, &word, &err);
     if (!status && !args->quiet) print_answer(text);
-    Sheet sheet = {made, args->format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI};
+    const hawser_units units = args->format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI;
+    Sheet page = {hawser_job_page, made, units}, crew = {hawser_job_crew_sheets, made, units};
     const int quiet = args->quiet || args->format == HAWSER_JSON || args->format == HAWSER_CSV;
     if (!status && args->workbook) status = hawser_job_workbook(made, args->workbook, &err);
     if (!status && args->workbook && !quiet) tell("Workbook: %s", args->workbook);
+    if (!status && args->crew) status = page_make_of(sheet_write, &crew, args->crew, 0, quiet, &err);
     if (!status && args->report)
-        status = page_make_of(sheet_write, &sheet, page_path(args, "job", path), args->pdf, quiet, &err);
+        status = page_make_of(sheet_write, &page, page_path(args, "job", path), args->pdf, quiet, &err);
     hawser_text_free(text);
     hawser_job_free(made);
     return finish_stdout(status ? exit_status(status, &err) : held_status(args, word));
 }
 
-const Command command_job = {"job", "many pulls in one table, page and workbook, by theory", "fuoePqS/X", help, job};
+const Command command_job = {"job", "many pulls in one table, page and workbook, by theory", "fuoePqS/XW", help, job};

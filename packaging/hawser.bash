@@ -136,10 +136,10 @@ _hawser() {
         ;;
     job)
         case $previous in
-        -o|--output|--xlsx) _hawser_offer 'files' ;;
+        -o|--output|--crew|--xlsx) _hawser_offer 'files' ;;
         --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--report --pdf --output --xlsx --format --units --quiet --strict --help --version' '*.yaml' ;;
+        *) _hawser_word '--report --pdf --output --crew --xlsx --format --units --quiet --strict --help --version' '*.yaml' ;;
         esac
         ;;
     desk)

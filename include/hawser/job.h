@@ -25,6 +25,8 @@ hawser_status hawser_job_answer(const hawser_job *job, hawser_format format, cha
 /* The same as one page (HTML), with the calculation of each pull behind it, each on a sheet of its own. Errors: INPUT
  * (`path` leads to a file that the job is read from), OUTPUT, MEMORY. */
 hawser_status hawser_job_page(const hawser_job *job, hawser_units units, const char *path, hawser_error *err);
+/* The crew's sheets of all pulls as one page, a side each (hawser_case_crew_sheet). Errors: as above. */
+hawser_status hawser_job_crew_sheets(const hawser_job *job, hawser_units units, const char *path, hawser_error *err);
 /* The tables as a workbook (.xlsx, Office Open XML, ECMA-376), a sheet each, in SI units. Errors: as above. */
 hawser_status hawser_job_workbook(const hawser_job *job, const char *path, hawser_error *err);
 

@@ -39,6 +39,10 @@ hawser_status hawser_case_spares(hawser_case *c, const char *path, hawser_error 
  * section `job`. word: as above, or NULL. Errors: as hawser_case_theory, OUTPUT. */
 hawser_status hawser_case_calculation(struct hawser_case *c, hawser_units units, const char *path, hawser_word *word,
                                       hawser_error *err);
+/* Writes the crew's sheet in the same way, for the pull forward: one side with the winch's force by the place of the
+ * cable's front, where it is set to stop, speeds, rope, where somebody has to stand, rollers that bear most. */
+hawser_status hawser_case_crew_sheet(struct hawser_case *c, hawser_units units, const char *path, hawser_word *word,
+                                     hawser_error *err);
 
 /* Writes the desk (docs/desk.md) to `path`, one HTML file for any browser, with the text of a case file in it; NULL:
  * with an example. Errors: INPUT (the case cannot be read as text; `path` leads to it; the desk is not beside the

@@ -10,41 +10,28 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* One piece of equipment; NAN: not known, or it has none. */
-typedef struct CrewRow {
-    int number; /* from 1, by station */
-    const char *kind;
-    char name[NAME_MAX_LENGTH];
-    double station; /* m along the route */
-    Vec3 at;        /* m, in the case's own coordinates: a roller's centre, else the line's place */
-    double tilt;    /* deg, of a roller's axis above the level */
-    double heading; /* deg from x toward y, of the pull across it */
-    double load;    /* N */
-    double rating;  /* N */
-    double margin;  /* of the rating, %: below 0 too much */
-} CrewRow;
-
 static const Column crew_column[] = {
-    {COLUMN("number", COUNT, CrewRow, number), .label = "no."},
-    {COLUMN("kind", TEXT, CrewRow, kind), .label = "kind"},
-    {COLUMN("name", CHARS, CrewRow, name), .label = "name"},
-    {COLUMN("station_m", NUMBER, CrewRow, station), .label = "station, m", .decimals = 3},
-    {COLUMN("x_m", NUMBER, CrewRow, at.x), .label = "x, m", .decimals = 3, .digits = 12},
-    {COLUMN("y_m", NUMBER, CrewRow, at.y), .label = "y, m", .decimals = 3, .digits = 12},
-    {COLUMN("z_m", NUMBER, CrewRow, at.z), .label = "z, m", .decimals = 3, .digits = 12},
-    {COLUMN("tilt_deg", NUMBER, CrewRow, tilt), .label = "tilt, deg", .decimals = 1},
-    {COLUMN("heading_deg", NUMBER, CrewRow, heading), .label = "heading, deg", .decimals = 1},
-    {COLUMN("load_N", NUMBER, CrewRow, load), .label = "load, N", .decimals = 0},
-    {COLUMN("rating_N", NUMBER, CrewRow, rating), .label = "rating, N", .decimals = 0},
-    {COLUMN("margin_pct", NUMBER, CrewRow, margin), .label = "margin, %", .decimals = 1},
+    {COLUMN("number", COUNT, Placed, number), .label = "no."},
+    {COLUMN("kind", TEXT, Placed, kind), .label = "kind"},
+    {COLUMN("name", CHARS, Placed, name), .label = "name"},
+    {COLUMN("station_m", NUMBER, Placed, station), .label = "station, m", .decimals = 3},
+    {COLUMN("x_m", NUMBER, Placed, at.x), .label = "x, m", .decimals = 3, .digits = 12},
+    {COLUMN("y_m", NUMBER, Placed, at.y), .label = "y, m", .decimals = 3, .digits = 12},
+    {COLUMN("z_m", NUMBER, Placed, at.z), .label = "z, m", .decimals = 3, .digits = 12},
+    {COLUMN("tilt_deg", NUMBER, Placed, tilt), .label = "tilt, deg", .decimals = 1},
+    {COLUMN("heading_deg", NUMBER, Placed, heading), .label = "heading, deg", .decimals = 1},
+    {COLUMN("load_N", NUMBER, Placed, load), .label = "load, N", .decimals = 0},
+    {COLUMN("rating_N", NUMBER, Placed, rating), .label = "rating, N", .decimals = 0},
+    {COLUMN("margin_pct", NUMBER, Placed, margin), .label = "margin, %", .decimals = 1},
 };
 
 /* The list while it is made. */
 typedef struct Crew {
     const Setup *setup;
     const Calculator *calculator;
+    int way;
     int n;
-    CrewRow *row;     /* [n] */
+    Placed *row;      /* [n] */
     Support *support; /* [rollers] in the order of their stations, as rows will be */
 } Crew;
 
@@ -59,11 +46,11 @@ static double heading_of(double x, double y)
 }
 
 /* The row of something that stands on the line itself. */
-static CrewRow *line_row(Crew *c, const char *kind, const char *name, double s)
+static Placed *line_row(Crew *c, const char *kind, const char *name, double s)
 {
     const RoutePoint at = route_at(c->setup->route, s);
-    CrewRow *const row = &c->row[c->n++];
-    *row = (CrewRow){.kind = kind, .station = s, .tilt = NAN, .load = NAN, .rating = NAN, .margin = NAN};
+    Placed *const row = &c->row[c->n++];
+    *row = (Placed){.kind = kind, .station = s, .tilt = NAN, .load = NAN, .rating = NAN, .margin = NAN};
     snprintf(row->name, sizeof row->name, "%.63s", name);
     row->at = v3_add(at.position, c->setup->def->route_origin);
     row->heading = heading_of(at.tangent.x, at.tangent.y);
@@ -86,7 +73,7 @@ static PlaceSide side_of(const Route *route, const RollerDef *roller, double s)
 static void roller_row(Crew *c, const RollerDef *roller, const Support *support)
 {
     static const char *const kinds[] = {"roller", "hold-down", "guide", "guide"};
-    CrewRow *const row = line_row(c, kinds[support->side], roller->name, support->s);
+    Placed *const row = line_row(c, kinds[support->side], roller->name, support->s);
     const RoutePoint at = route_at(c->setup->route, support->s);
     row->at = v3_add(roller->centre, c->setup->def->route_origin);
     row->tilt = asin(fmin(1, fabs(roller->axis.z))) / DEGREE;
@@ -121,7 +108,7 @@ static hawser_status rollers_list(Crew *c, hawser_error *err)
 {
     const SceneDef *const def = c->setup->def;
     const PlaceLine line = {.route = c->setup->route,
-                            .pull = &c->calculator->plan.way[PLAN_FORWARD].pull,
+                            .pull = &c->calculator->plan.way[c->way].pull,
                             .weight = c->setup->cable_weight,
                             .to = c->setup->route->length};
     RouteGrid grid = {0};
@@ -137,13 +124,13 @@ static hawser_status rollers_list(Crew *c, hawser_error *err)
 static void others_list(Crew *c)
 {
     const SceneDef *const def = c->setup->def;
-    const PlanWay *const way = &c->calculator->plan.way[PLAN_FORWARD];
+    const PlanWay *const way = &c->calculator->plan.way[c->way];
     const double end = isnan(def->winch.at) ? c->setup->route->length : def->winch.at;
     if (def->reel.model != REEL_NONE) line_row(c, "reel", "reel", -def->reel.distance)->load = way->start;
     if (def->drum.present) line_row(c, "reel", "drum", -def->drum.distance)->load = way->start;
     for (int i = 0; i < def->n_conveyors; ++i) {
         const ConveyorDef *const m = &def->conveyors[i];
-        CrewRow *const row = line_row(c, "conveyor", m->name, (m->from + m->to) / 2);
+        Placed *const row = line_row(c, "conveyor", m->name, (m->from + m->to) / 2);
         row->load = 2 * m->mu * m->clamp;
         if (m->limit > 0) row->load = fmin(row->load, row->rating = m->limit);
     }
@@ -153,7 +140,7 @@ static void others_list(Crew *c)
     }
     for (int i = 0; i < def->theory.n_pits; ++i) line_row(c, "pit", def->theory.pits[i].name, def->theory.pits[i].at);
     if (!def->winch.present) return;
-    CrewRow *const row = line_row(c, "winch", "winch", end);
+    Placed *const row = line_row(c, "winch", "winch", end);
     row->load = way->force;
     if (!(def->limits.winch_capacity > 0)) return;
     row->rating = def->limits.winch_capacity;
@@ -162,42 +149,47 @@ static void others_list(Crew *c)
 
 static int compare_rows(const void *a, const void *b)
 {
-    const CrewRow *const x = a, *const y = b;
+    const Placed *const x = a, *const y = b;
     if (x->station != y->station) return x->station > y->station ? 1 : -1;
     return strcmp(x->name, y->name);
 }
 
-static hawser_status crew_write(const Crew *c, const char *title, hawser_format format, char **text, hawser_error *err)
-{
-    qsort(c->row, (size_t)c->n, sizeof *c->row, compare_rows);
-    for (int i = 0; i < c->n; ++i) c->row[i].number = i + 1;
-    const Table table = {"equipment", "Equipment along the route, loads by the pulling theory, pulled forward",
-                         COLUMNS(CrewRow, crew_column), c->n, c->row};
-    const Document doc = {.title = title, .n_tables = 1, .table = &table, .csv = &table};
-    return document_write(&doc, format, text, err);
-}
-
-/* Everything from a setup that was built. */
-static hawser_status crew_make(const Setup *setup, const char *title, hawser_format format, char **text,
-                               hawser_error *err)
+hawser_status equipment_find(const Setup *setup, const Calculator *calculator, int way, int *n, Placed **row,
+                             hawser_error *err)
 {
     const SceneDef *const def = setup->def;
     const size_t most = (size_t)(def->n_rollers + def->n_conveyors + def->theory.n_machines + def->theory.n_pits) + 3;
-    Expected expected = {0};
-    Calculator calculator = {0};
-    Crew c = {.setup = setup, .calculator = &calculator};
-    c.row = calloc(most, sizeof *c.row);
+    Crew c = {.setup = setup, .calculator = calculator, .way = way};
+    *row = c.row = calloc(most, sizeof *c.row);
     c.support = calloc((size_t)def->n_rollers + 1, sizeof *c.support);
     hawser_status status = c.row && c.support ? HAWSER_OK : error_memory(err);
-    if (!status) status = expected_fill(setup, 0, NULL, &expected, err);
-    if (!status) status = calculator_build(setup, &expected, 0, &calculator, err);
     if (!status) status = rollers_list(&c, err);
     if (!status) others_list(&c);
-    if (!status) status = crew_write(&c, title, format, text, err);
+    if (c.row) qsort(c.row, (size_t)c.n, sizeof *c.row, compare_rows);
+    for (int i = 0; i < c.n; ++i) c.row[i].number = i + 1;
+    *n = c.n;
+    free(c.support);
+    return status;
+}
+
+/* Everything from a setup that was built. */
+static hawser_status list_make(const Setup *setup, const char *title, hawser_format format, char **text,
+                               hawser_error *err)
+{
+    Expected expected = {0};
+    Calculator calculator = {0};
+    Placed *row = NULL;
+    int n = 0;
+    hawser_status status = expected_fill(setup, 0, NULL, &expected, err);
+    if (!status) status = calculator_build(setup, &expected, 0, &calculator, err);
+    if (!status) status = equipment_find(setup, &calculator, PLAN_FORWARD, &n, &row, err);
+    const Table table = {"equipment", "Equipment along the route, loads by the pulling theory, pulled forward",
+                         COLUMNS(Placed, crew_column), n, row};
+    const Document doc = {.title = title, .n_tables = 1, .table = &table, .csv = &table};
+    if (!status) status = document_write(&doc, format, text, err);
     calculator_free(&calculator);
     expected_free(&expected);
-    free(c.row);
-    free(c.support);
+    free(row);
     return status;
 }
 
@@ -212,7 +204,7 @@ hawser_status hawser_case_equipment(hawser_case *c, hawser_format format, char *
         return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': equipment stands along a route", c->name);
     Setup setup;
     status = setup_make(c->def, &setup, err);
-    if (!status) status = crew_make(&setup, c->def->title[0] ? c->def->title : c->name, format, text, err);
+    if (!status) status = list_make(&setup, c->def->title[0] ? c->def->title : c->name, format, text, err);
     setup_free(&setup);
     return case_name_error(c, status, err);
 }

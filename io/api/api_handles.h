@@ -6,7 +6,7 @@
 
 #include "core/base/checkpoint.h"
 #include "hawser/hawser.h"
-#include "io/report/text.h"
+#include "io/report/crew.h"
 #include "io/results/column.h"
 #include "io/results/results.h"
 #include "io/yaml/yaml_tree.h"
@@ -97,6 +97,15 @@ hawser_status case_theory_values(hawser_case *c, const TheoryWish *wish, struct 
  * way of pulling. word: of that, or NULL. Errors: as hawser_case_theory. */
 hawser_status case_calculation_body(hawser_case *c, int way, hawser_units units, Text *out, hawser_word *word,
                                     hawser_error *err);
+
+/* What stands along the route, by rising station, with its loads of one way; *row is malloc'ed, also after an error.
+ * Errors: MEMORY. */
+hawser_status equipment_find(const Setup *setup, const Calculator *calculator, int way, int *n, Placed **row,
+                             hawser_error *err);
+
+/* The crew's sheet in the same way. */
+hawser_status case_crew_body(hawser_case *c, int way, hawser_units units, Text *out, hawser_word *word,
+                             hawser_error *err);
 
 enum { THEORY_TABLES_MAX = 17, THEORY_PIECES = 0 };
 

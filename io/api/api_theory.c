@@ -272,6 +272,19 @@ typedef struct Page {
     RunRow run;
 } Page;
 
+static void verdicts_say(Theory *t, int ways)
+{
+    const Calculator *const c = &t->calculator;
+    for (int k = 0; k < ways; k++) {
+        hawser_condition held[THEORY_CONDITIONS];
+        theory_conditions(c, k, held);
+        TheoryVerdict *const v = &t->verdict[k];
+        v->word = hawser_verdict_word(
+            verdict_say(THEORY_CONDITIONS, held, c->n_limits, c->limit[k], 1, v->whole, sizeof v->whole));
+        verdict_say(THEORY_CONDITIONS, held, c->n_limits, c->limit[k], 0, v->shown, sizeof v->shown);
+    }
+}
+
 /* Facts first, the tension along the route, then the paper's own terms if the case lists them. `place` of the theory is
  * filled if it is shown. */
 static void page_make(Theory *t, const char *title, int forward_only, Page *page)
@@ -282,15 +295,7 @@ static void page_make(Theory *t, const char *title, int forward_only, Page *page
     int n = 0;
     page->run = (RunRow){e->from, e->to, e->start_tension, e->paper_total, e->reference_total};
     fill_terms(t);
-    for (int k = 0; k < (forward_only ? 1 : PLAN_WAYS); k++) {
-        const Calculator *const c = &t->calculator;
-        hawser_condition held[THEORY_CONDITIONS];
-        theory_conditions(c, k, held);
-        TheoryVerdict *const v = &t->verdict[k];
-        v->word = hawser_verdict_word(
-            verdict_say(THEORY_CONDITIONS, held, c->n_limits, c->limit[k], 1, v->whole, sizeof v->whole));
-        verdict_say(THEORY_CONDITIONS, held, c->n_limits, c->limit[k], 0, v->shown, sizeof v->shown);
-    }
+    verdicts_say(t, forward_only ? 1 : PLAN_WAYS);
     for (int i = 0; i < t->tables.n; i++) table[n++] = t->tables.table[i];
     table[n++] = (Table){"stations", "Tension along the route, full of cable, pulled forward",
                          COLUMNS(Place, place_column), t->n, t->place};
@@ -807,8 +812,30 @@ static hawser_status body_write(Theory *t, const hawser_case *c, int way, hawser
     return status;
 }
 
-hawser_status case_calculation_body(hawser_case *c, int way, hawser_units units, Text *out, hawser_word *word,
-                                    hawser_error *err)
+static hawser_status crew_write(Theory *t, const hawser_case *c, int way, hawser_units units, Text *out,
+                                hawser_error *err)
+{
+    Placed *row = NULL;
+    int n = 0;
+    (void)c;
+    hawser_status status = equipment_find(&t->setup, &t->calculator, way, &n, &row, err);
+    verdicts_say(t, PLAN_WAYS);
+    const Calculation sheet = {.code = hawser_word_code(t->verdict[way].word),
+                               .verdict = t->verdict[way].shown,
+                               .setup = &t->setup,
+                               .c = &t->calculator,
+                               .units = units};
+    if (!status) status = crew_body(&sheet, way, n, row, out, err);
+    free(row);
+    return status;
+}
+
+typedef hawser_status (*BodyWrite)(Theory *t, const hawser_case *c, int way, hawser_units units, Text *out,
+                                   hawser_error *err);
+
+/* One chain's theory as a part of a page, with decimal points whatever the locale. */
+static hawser_status body_of(hawser_case *c, BodyWrite write, int way, hawser_units units, Text *out, hawser_word *word,
+                             hawser_error *err)
 {
     const TheoryWish all = {0};
     Theory *t;
@@ -816,7 +843,7 @@ hawser_status case_calculation_body(hawser_case *c, int way, hawser_units units,
     if (!plain) return error_memory(err);
     hawser_status status = theory_new(c, &all, &t, err);
     const locale_t before = uselocale(plain);
-    if (!status) status = body_write(t, c, way, units, out, err);
+    if (!status) status = write(t, c, way, units, out, err);
     uselocale(before);
     freelocale(plain);
     if (!status && word) *word = t->verdict[way].word;
@@ -824,19 +851,44 @@ hawser_status case_calculation_body(hawser_case *c, int way, hawser_units units,
     return status;
 }
 
-hawser_status hawser_case_calculation(hawser_case *c, hawser_units units, const char *path, hawser_word *word,
-                                      hawser_error *err)
+hawser_status case_calculation_body(hawser_case *c, int way, hawser_units units, Text *out, hawser_word *word,
+                                    hawser_error *err)
+{
+    return body_of(c, body_write, way, units, out, word, err);
+}
+
+hawser_status case_crew_body(hawser_case *c, int way, hawser_units units, Text *out, hawser_word *word,
+                             hawser_error *err)
+{
+    return body_of(c, crew_write, way, units, out, word, err);
+}
+
+static hawser_status page_file(hawser_case *c, const char *kind, BodyWrite write, hawser_units units, const char *path,
+                               hawser_word *word, hawser_error *err)
 {
     Text out = {0};
     if (!c || !path) return error_argument(err, c ? "path" : "c");
-    hawser_status status = case_ensure_read(c, err);
-    if (!status) calculation_head(&c->def->job, title_of(c), c->name, &out);
-    if (!status) status = case_calculation_body(c, PLAN_FORWARD, units, &out, word, err);
+    hawser_status status = hawser_case_spares(c, path, err);
+    if (!status) status = case_ensure_read(c, err);
+    if (!status) calculation_head(&c->def->job, kind, title_of(c), c->name, &out);
+    if (!status) status = body_of(c, write, PLAN_FORWARD, units, &out, word, err);
     calculation_end(&out);
     if (!status && out.failed) status = error_memory(err);
     if (!status) status = out_file(path, out.at, out.size, err);
     text_clear(&out);
     return status;
+}
+
+hawser_status hawser_case_calculation(hawser_case *c, hawser_units units, const char *path, hawser_word *word,
+                                      hawser_error *err)
+{
+    return page_file(c, "Pulling calculation", body_write, units, path, word, err);
+}
+
+hawser_status hawser_case_crew_sheet(hawser_case *c, hawser_units units, const char *path, hawser_word *word,
+                                     hawser_error *err)
+{
+    return page_file(c, "Crew's sheet", crew_write, units, path, word, err);
 }
 
 hawser_status case_theory_values(hawser_case *c, const TheoryWish *wish, json_t **out, hawser_error *err)

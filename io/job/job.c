@@ -740,14 +740,14 @@ static hawser_status path_check(const hawser_job *job, const char *path, hawser_
     return status;
 }
 
-static hawser_status pages_write(const hawser_job *job, hawser_units units, Text *out, hawser_error *err)
+static hawser_status calculations_write(const hawser_job *job, hawser_units units, Text *out, hawser_error *err)
 {
     JobDocument d;
     char *tables = NULL;
     document_make(job, 1, &d);
     hawser_status status = document_html(&d.doc, units, &tables, err);
     if (status) return status;
-    calculation_head(&job->pull->c->def->job, d.doc.title, job->tree->path, out);
+    calculation_head(&job->pull->c->def->job, "Pulling calculation", d.doc.title, job->tree->path, out);
     text_print(out, "<p class=\"verdict %s\">", hawser_word_code(worst_word(job)));
     text_words(out, "", d.answer, "</p>\n");
     text_add(out, tables);
@@ -769,20 +769,48 @@ static hawser_status pages_write(const hawser_job *job, hawser_units units, Text
         status = case_calculation_body(pull->c, pull->way, units, out, NULL, err);
         text_add(out, "</section>\n");
     }
-    calculation_end(out);
+    return status;
+}
+
+static hawser_status crews_write(const hawser_job *job, hawser_units units, Text *out, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    calculation_head(&job->pull->c->def->job, "Crew's sheets", *job->title ? job->title : job->tree->path,
+                     job->tree->path, out);
+    for (int p = 0; p < job->n_pulls && !status; ++p) {
+        const JobPull *const pull = &job->pull[p];
+        text_print(out, "<section%s>\n", p ? " style=\"break-before:page\"" : "");
+        text_words(out, "<h1>", pull->name, "</h1>\n");
+        status = case_crew_body(pull->c, pull->way, units, out, NULL, err);
+        text_add(out, "</section>\n");
+    }
+    return status;
+}
+
+typedef hawser_status (*PagesWrite)(const hawser_job *job, hawser_units units, Text *out, hawser_error *err);
+
+static hawser_status page_write(const hawser_job *job, PagesWrite write, hawser_units units, const char *path,
+                                hawser_error *err)
+{
+    Text out = {0};
+    if (!job || !path) return error_argument(err, job ? "path" : "job");
+    hawser_status status = path_check(job, path, err);
+    if (!status) status = write(job, units, &out, err);
+    calculation_end(&out);
+    if (!status && out.failed) status = error_memory(err);
+    if (!status) status = out_file(path, out.at, out.size, err);
+    text_clear(&out);
     return status;
 }
 
 hawser_status hawser_job_page(const hawser_job *job, hawser_units units, const char *path, hawser_error *err)
 {
-    Text out = {0};
-    if (!job || !path) return error_argument(err, job ? "path" : "job");
-    hawser_status status = path_check(job, path, err);
-    if (!status) status = pages_write(job, units, &out, err);
-    if (!status && out.failed) status = error_memory(err);
-    if (!status) status = out_file(path, out.at, out.size, err);
-    text_clear(&out);
-    return status;
+    return page_write(job, calculations_write, units, path, err);
+}
+
+hawser_status hawser_job_crew_sheets(const hawser_job *job, hawser_units units, const char *path, hawser_error *err)
+{
+    return page_write(job, crews_write, units, path, err);
 }
 
 hawser_status hawser_job_workbook(const hawser_job *job, const char *path, hawser_error *err)

@@ -48,7 +48,7 @@ static const struct {
                 {"Checked by", offsetof(JobDef, checker)}, {"Revision", offsetof(JobDef, revision)},
                 {"Date", offsetof(JobDef, date)}};
 
-void calculation_head(const JobDef *job, const char *title, const char *file, Text *out)
+void calculation_head(const JobDef *job, const char *kind, const char *title, const char *file, Text *out)
 {
     text_add(out, "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta http-equiv="
                   "\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n<meta name="
@@ -62,8 +62,10 @@ void calculation_head(const JobDef *job, const char *title, const char *file, Te
     css_add(out, job->client);
     text_add(out,
              "}@bottom-right{font:9px system-ui,sans-serif;content:counter(page) \" / \" counter(pages)}}</style>\n");
-    text_words(out, "<title>Pulling calculation: ", title, "</title></head><body>\n");
-    text_words(out, "<h1>Pulling calculation: ", title, "</h1>\n<dl class=\"job\">\n");
+    text_words(out, "<title>", kind, ": ");
+    text_words(out, "", title, "</title></head><body>\n");
+    text_words(out, "<h1>", kind, ": ");
+    text_words(out, "", title, "</h1>\n<dl class=\"job\">\n");
     for (size_t k = 0; k < sizeof job_rows / sizeof *job_rows; ++k) {
         const char *const value = (const char *)job + job_rows[k].at;
         if (!*value) continue;

@@ -17,8 +17,9 @@ typedef struct Calculation {
     hawser_units units;
 } Calculation;
 
-/* A page's head with its style, up to the first thing below title and job. No memory is out->failed, here and below. */
-void calculation_head(const JobDef *job, const char *title, const char *file, Text *out);
+/* A page's head with its style, up to the first thing below title and job; `kind` says what it is: "Pulling
+ * calculation". No memory is out->failed, here and below. */
+void calculation_head(const JobDef *job, const char *kind, const char *title, const char *file, Text *out);
 /* What stands below the head of one calculation. */
 void calculation_body(const Calculation *page, Text *out);
 void calculation_end(Text *out);

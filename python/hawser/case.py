@@ -238,6 +238,12 @@ class Case:
         check(lib.hawser_case_calculation(self._c, lib.HAWSER_SI, c_path(path), ffi.NULL, error), error)
         return pathlib.Path(path)
 
+    def crew_sheet(self, path: str | os.PathLike[str]) -> pathlib.Path:
+        """Write the crew's sheet, one printed side: force by the place of the cable's front, trip setting, who stands where."""
+        error = ffi.new("hawser_error *")
+        check(lib.hawser_case_crew_sheet(self._c, lib.HAWSER_SI, c_path(path), ffi.NULL, error), error)
+        return pathlib.Path(path)
+
     def sensitivities(self, *keys: str) -> Theory:
         """Derivatives of figures, with all tables under their names: without keys those of the pulling calculation; by dotted keys those
         of a run, which this computes; with "all" those of the position that the run ends at, by every number of the case."""

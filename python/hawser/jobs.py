@@ -45,6 +45,11 @@ class Job:
         check(lib.hawser_job_page(self._job, lib.HAWSER_SI, c_path(path), self._error), self._error)
         return pathlib.Path(path)
 
+    def crew_sheets(self, path: str | os.PathLike[str]) -> pathlib.Path:
+        """Write the crew's sheets of all pulls, one printed side each, as one page (HTML)."""
+        check(lib.hawser_job_crew_sheets(self._job, lib.HAWSER_SI, c_path(path), self._error), self._error)
+        return pathlib.Path(path)
+
     def workbook(self, path: str | os.PathLike[str]) -> pathlib.Path:
         """Writes the tables as a workbook (.xlsx)."""
         check(lib.hawser_job_workbook(self._job, c_path(path), self._error), self._error)

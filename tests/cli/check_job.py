@@ -57,6 +57,13 @@ def main():
                 assert len(lines) == len(data[key]) and head[0] in ("pull", "reel", "bay")
                 for line, row in zip(lines, data[key], strict=True):
                     assert line == list(row.values())[: len(line)], (line, row)
+        crew = pathlib.Path(folder) / "crew.html"
+        job(path, "--crew", crew, "-q")
+        sheets = crew.read_text(encoding="utf-8")
+        assert sheets.count("<section") == len(data["pulls"]) == sheets.count("Where somebody stands")
+        for pull in data["pulls"]:  # each in the direction that is taken
+            part = sheets[sheets.index(f"<h1>{pull['name']}</h1>") :]
+            assert ("back, from" if pull["direction"] == "backward" else "forward, from") in part[: part.index("</section>")]
         if shutil.which("soffice"):
             subprocess.run(["soffice", f"-env:UserInstallation=file://{folder}/profile", "--headless", "--convert-to",
                             "csv:Text - txt - csv (StarCalc):44,34,76,1,,0,false,true,false,false,false,-1", "--outdir", folder, file],

@@ -250,10 +250,12 @@ static void others(void)
     REFUSED("out", hawser_job_load, "x.yaml", NULL);
     REFUSED("job", hawser_job_answer, NULL, HAWSER_JSON, &text, NULL);
     REFUSED("job", hawser_job_page, NULL, HAWSER_SI, "x.html");
+    REFUSED("job", hawser_job_crew_sheets, NULL, HAWSER_SI, "x.html");
     REFUSED("job", hawser_job_workbook, NULL, "x.xlsx");
     hawser_job_free(NULL);
     REFUSED("path", hawser_desk_write, NULL, NULL);
     REFUSED("c", hawser_case_calculation, NULL, HAWSER_SI, "x.html", NULL);
+    REFUSED("c", hawser_case_crew_sheet, NULL, HAWSER_SI, "x.html", NULL);
     REFUSED("folders", hawser_report_write, NULL, 1, "x.html");
     REFUSED("folders", hawser_report_write, folder, 2, "x.html");
     REFUSED("path", hawser_report_write, folder, 1, NULL);

@@ -106,6 +106,7 @@ own/log.csv compare shown own/log.csv --align start --page own/log.csv
 shown/series.csv compare shown own/log.csv --align start --page shown/series.csv
 own/case.yaml fmu own/case.yaml -o own/case.yaml
 inputs.csv theory own/case.yaml --crew hard/report.html
+own/case.yaml theory own/case.yaml --report -o own/case.yaml
 CALLS
 run_hawser 0 route own/route.csv -o own/other.csv
 run_hawser 0 study own/study.yaml -o own/study --quiet

@@ -107,5 +107,49 @@ static void tables_without_rows(void **state)
     hawser_case_free(c);
 }
 
+/* The last row of the winch's force is theory's at the route's end; where the pull enters a duct, at a machine and at
+ * an open bend somebody stands, at a bend inside a duct nobody. */
+static void crew_sheet(void **state)
+{
+    (void)state;
+    static const char tunnel[] =
+        "cables: {c: {d: 50 mm, mass: 4 kg/m}}\n"
+        "route: {pieces: [{name: a, straight: 100 m}, {name: open, bend: 60 deg, radius: 3 m, plane: left}, "
+        "{name: road, straight: 40 m}, {name: closed, bend: 30 deg, radius: 5 m, plane: left}, {name: z, straight: 20 "
+        "m}]}\n"
+        "rollers: {along: [{from: 0 m, to: 120 m, spacing: 2 m, radius: 50 mm, width: 300 mm, rating: 5 kN}, {guide: "
+        "inside, from: 99 m, to: 104 m, spacing: 500 mm, gap: 5 mm, radius: 60 mm, width: 300 mm, rating: 5 kN, name: "
+        "G}]}\n"
+        "surfaces: {ducts: [{name: D1, radius: 70 mm, from: 120 m}]}\nfriction: {mu_d: 0.3, mu_s: 0.4}\n"
+        "theory: {machines: [{name: M1, at: 50 m, push: 1 kN}]}\n"
+        "drive: {tail: {tension: 500 N}, winch: {speed: 0.1 m/s}}\n"
+        "limits: {pull: 20 kN, sidewall: 6 kN/m, rope_strength: 100 kN}\n";
+    hawser_case *c = NULL;
+    hawser_error err = {0};
+    hawser_word word = HAWSER_NOT_JUDGED;
+    char *json = NULL, last[96];
+    const char *const path = scratch_path("crew.html");
+    if (hawser_case_parse(tunnel, "tunnel.yaml", &c, &err)) fail_msg("%s", err.message);
+    if (hawser_case_crew_sheet(c, HAWSER_SI, path, &word, &err)) fail_msg("%s", err.message);
+    if (hawser_case_theory(c, HAWSER_JSON, &json, &err)) fail_msg("%s", err.message);
+    char *const page = file_text(path);
+    const char *const found = strstr(json, "\"reference_total_N\": ");
+    assert_non_null(found);
+    const double force = strtod(strchr(found, ':') + 1, NULL);
+    snprintf(last, sizeof last, "<td>166<td class=\"w\">z<td>%.3f<td>", force / 1000);
+    check_has(page, last);
+    check_has(page, "keep 500 N behind the cable");
+    check_has(page, "<td class=\"w\">D1<td class=\"w\">lead the front into the duct");
+    check_has(page, "<td class=\"w\">M1<td class=\"w\">takes off up to 1 kN");
+    check_has(page, "<td class=\"w\">open<td class=\"w\">bend: ");
+    assert_null(strstr(page, "<td class=\"w\">closed<td class=\"w\">bend: "));
+    check_has(page, "6 m in a minute; 0 h 27 min");
+    check_has(page, "Rollers that bear most");
+    assert_null(strstr(page, "nan"));
+    hawser_text_free(json);
+    hawser_case_free(c);
+    free(page);
+}
+
 TEST_FILE_IN(test_calculation, scratch_make, scratch_remove, cmocka_unit_test(whole_page), cmocka_unit_test(by_hand),
-             cmocka_unit_test(american), cmocka_unit_test(tables_without_rows))
+             cmocka_unit_test(crew_sheet), cmocka_unit_test(american), cmocka_unit_test(tables_without_rows))
