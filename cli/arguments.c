@@ -49,6 +49,9 @@ enum {
     OPTION_PICTURE = 'D',
     OPTION_XLSX = 'X',
     OPTION_KEEP_GOING = 'E',
+    OPTION_PUSH = '1',
+    OPTION_WITH = '2',
+    OPTION_LUBRICANT = '3',
     KNOWN_MAX = 22
 };
 
@@ -102,6 +105,9 @@ static const struct option all_options[] = {{"output", required_argument, NULL, 
                                             {"fmi", required_argument, NULL, OPTION_FMI},
                                             {"tables", required_argument, NULL, OPTION_TABLES},
                                             {"xlsx", required_argument, NULL, OPTION_XLSX},
+                                            {"push", required_argument, NULL, OPTION_PUSH},
+                                            {"with", required_argument, NULL, OPTION_WITH},
+                                            {"lubricant", required_argument, NULL, OPTION_LUBRICANT},
                                             {"help", no_argument, NULL, 'h'},
                                             {"version", no_argument, NULL, 'V'},
                                             {NULL, 0, NULL, 0}};
@@ -382,6 +388,18 @@ static int take_option(const Command *command, int letter, Arguments *args)
         return parse_setting(optarg, args);
     case OPTION_LINEAR_SOLVER:
         return add_setting("solver.linear_solver", optarg, args);
+    case OPTION_PUSH:
+        return add_setting("theory.machine_push", optarg, args);
+    case OPTION_WITH:
+        args->place.only = !strcmp(optarg, "machines") ? HAWSER_PLACE_MACHINES
+                           : !strcmp(optarg, "pits")   ? HAWSER_PLACE_PITS
+                                                       : HAWSER_PLACE_ANY;
+        if (args->place.only) return ARGUMENTS_GO_ON;
+        complain("--with: '%s': allowed are machines and pits", optarg);
+        return EXIT_USAGE;
+    case OPTION_LUBRICANT:
+        args->place.lubricant = optarg;
+        return ARGUMENTS_GO_ON;
     case 't':
         return parse_threads(optarg, args);
     case 'f':

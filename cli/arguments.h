@@ -56,6 +56,7 @@ typedef struct Arguments {
     const char *crew;               /* file for the list of equipment; NULL: none */
     const char *workbook;           /* file for the tables of a job; NULL: none */
     const char *picture;            /* page of a route; NULL: none */
+    hawser_place_options place;     /* of the command place */
     hawser_route_options route;     /* of the command route; its texts are parts of the command line */
 } Arguments;
 

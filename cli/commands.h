@@ -4,9 +4,9 @@
 
 #include "cli/arguments.h"
 
-extern const Command command_run, command_check, command_upgrade, command_job, command_desk, command_schema,
-    command_theory, command_validate, command_library, command_route, command_report, command_plot, command_study,
-    command_compare, command_fmu;
+extern const Command command_run, command_check, command_upgrade, command_job, command_place, command_desk,
+    command_schema, command_theory, command_validate, command_library, command_route, command_report, command_plot,
+    command_study, command_compare, command_fmu;
 
 /* The whole program behind `main`: the words of the command line, argv[0] the program's own name; some of them are cut
  * in two. Returns the exit status, which says how it ended: see run.c's help. Without any word the usage goes to

@@ -21,11 +21,11 @@ _hawser() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     COMPREPLY=()
     if [[ $COMP_CWORD -eq 1 ]]; then
-        _hawser_offer 'run check theory validate library route report plot study compare fmu upgrade schema job desk help --help --version'
+        _hawser_offer 'run check theory validate library route report plot study compare fmu upgrade schema job place desk help --help --version'
         return
     fi
     case ${COMP_WORDS[1]} in
-    help) _hawser_offer 'run check theory validate library route report plot study compare fmu upgrade schema job desk' ;;
+    help) _hawser_offer 'run check theory validate library route report plot study compare fmu upgrade schema job place desk' ;;
     run)
         case $previous in
         -o|--output|--resume) _hawser_offer 'folders' ;;
@@ -140,6 +140,16 @@ _hawser() {
         --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
         *) _hawser_word '--report --pdf --output --crew --xlsx --format --units --quiet --strict --help --version' '*.yaml' ;;
+        esac
+        ;;
+    place)
+        case $previous in
+        --push|--lubricant|--set) _hawser_offer '' ;;
+        --with) _hawser_offer 'auto block bordered klu klu-full band dense' ;;
+        -o|--output) _hawser_offer 'files' ;;
+        --format) _hawser_offer 'table json csv' ;;
+        --units) _hawser_offer 'si us' ;;
+        *) _hawser_word '--push --with --lubricant --output --set --format --units --strict --help --version' '*.yaml' ;;
         esac
         ;;
     desk)

@@ -541,10 +541,9 @@ hawser_status calculator_vary(const Setup *setup, const Calculator *base, const 
         status = route_vary(setup, by, &out->own, err);
         out->route = &out->own;
     }
-    if (!status) status = steps_set(&setup->def->theory, by->n_machines, out, err);
+    if (!status) status = steps_set(&setup->def->theory, by->n_steps, out, err);
     if (!status) status = places_vary(setup, base, by, out, err);
-    for (int i = 0; i < by->n_machines && !status; ++i)
-        out->step[out->def.n_steps++] = (PullStep){by->machine[i], by->push, STEP_TAKE};
+    for (int i = 0; i < by->n_steps && !status; ++i) out->step[out->def.n_steps++] = by->step[i];
     return status ? status : solve(setup, apart, out, err);
 }
 

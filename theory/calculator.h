@@ -143,16 +143,15 @@ hawser_status calculator_follow(const Setup *setup, Calculator *c, hawser_error 
 
 /* The same pull with something else about it. */
 typedef struct Variation {
-    int way;               /* the only one that is asked for */
-    double friction;       /* factor on all friction */
-    double radius;         /* factor on the radius of ... */
-    int bend;              /* ... this piece, or of every bend: -1 */
-    const double *radii;   /* [pieces] factors in place of that, one for all parts of a bend; NULL */
-    double beyond;         /* m, how far the pull goes beyond the route's end; below 0: stops short of it */
-    int n_machines;        /* so many more machines ... */
-    const double *machine; /* [n_machines] ... here (m along the route) ... */
-    double push;           /* ... that take off up to so much (N) */
-    double enough;         /* N: no tension beyond it is of interest, it is an error; 0: none */
+    int way;              /* the only one that is asked for */
+    double friction;      /* factor on all friction */
+    double radius;        /* factor on the radius of ... */
+    int bend;             /* ... this piece, or of every bend: -1 */
+    const double *radii;  /* [pieces] factors in place of that, one for all parts of a bend; NULL */
+    double beyond;        /* m, how far the pull goes beyond the route's end; below 0: stops short of it */
+    int n_steps;          /* so many more ... */
+    const PullStep *step; /* ... machines and pits [n_steps] */
+    double enough;        /* N: no tension beyond it is of interest, it is an error; 0: none */
 } Variation;
 
 /* Solved as far as plan, limits and `pulled` of that way go. Errors as calculator_build; give it back likewise. `base`

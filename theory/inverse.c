@@ -15,6 +15,7 @@ typedef struct Question {
     const Setup *setup;
     const Calculator *base;
     const Ends *ends;
+    int taken; /* what is assumed counts as it was taken, not at its ends */
     InverseKind kind;
     int way, bend;                    /* bend: the piece that INVERSE_BEND is about */
     int untouched[HAWSER_LIMITS_MAX]; /* by limit: the question does not change its value */
@@ -118,7 +119,7 @@ static void enough_find(Question *q)
 static int holds_at(Question *q, const Variation *by, int *end)
 {
     const int most = q->kind == INVERSE_FRICTION || q->kind == INVERSE_LENGTH,
-              ends = most && !by->n_machines ? q->ends->n : 1;
+              ends = most && !q->taken ? q->ends->n : 1;
     int holds = 1;
     for (int k = 0; k < ends && holds; ++k) {
         Calculator c;
@@ -287,16 +288,18 @@ static void takes_find(const Calculator *c, InverseMachines *m, double push)
         m->takes[i] = fmin(push, fmax(0, pull_at(&c->plan.way[m->way].pull, m->at[i]).tension));
 }
 
-/* (PN11): one more, as soon as its whole push can be used, until all holds. */
+/* (PN11): one more, as soon as its whole push can be used where something breaks, until all holds. */
 static void machines_place(Question *q, double push, int early, InverseMachines *m)
 {
-    Variation by = {.way = q->way, .friction = 1, .radius = 1, .bend = -1, .machine = m->at, .push = push};
+    PullStep step[INVERSE_MACHINES_MAX];
+    Variation by = {.way = q->way, .friction = 1, .radius = 1, .bend = -1, .step = step};
     double after = q->way == PLAN_BACKWARD ? INFINITY : -INFINITY;
     *m = (InverseMachines){.way = q->way, .n = -1};
     for (int n = 0; n <= INVERSE_MACHINES_MAX; ++n) {
         Calculator c;
-        by.n_machines = n;
-        const int solved = varied(q, 0, &by, &c), holds = solved && keeps(q, &c);
+        int end = 0;
+        by.n_steps = n;
+        const int holds = holds_at(q, &by, &end), solved = varied(q, holds ? 0 : end, &by, &c);
         if (holds) m->n = n;
         if (holds) takes_find(&c, m, push);
         if (holds) stays_find(q, &c, m->stays);
@@ -304,18 +307,112 @@ static void machines_place(Question *q, double push, int early, InverseMachines 
         calculator_free(&c);
         if (!solved || holds || isnan(after) || n == INVERSE_MACHINES_MAX) break;
         binding_find(q, &by, m->binds, m->where);
-        m->at[n] = after;
+        step[n] = (PullStep){m->at[n] = after, push, STEP_TAKE};
     }
     if (m->n < 0) binding_find(q, &by, m->binds, m->where);
 }
 
-/* The better of both ways to keep out of bends. */
+/* The better of both ways to keep out of bends; where nothing keeps what is assumed at its ends, as it was taken. */
 static void machines_find(Question *q, double push, InverseMachines *out)
 {
     InverseMachines other;
-    machines_place(q, push, 0, out);
-    machines_place(q, push, 1, &other);
-    if (other.n >= 0 && (out->n < 0 || other.n < out->n)) *out = other;
+    for (q->taken = 0, out->n = -1; q->taken < 2 && out->n < 0; ++q->taken) {
+        machines_place(q, push, 0, out);
+        machines_place(q, push, 1, &other);
+        if (other.n >= 0 && (out->n < 0 || other.n < out->n)) *out = other;
+    }
+    q->taken = 0;
+}
+
+/* ------------------------------------------------------------------------------------------------ pits */
+
+/* m: as far as pits are told apart, and the least section. */
+static const double PIT_STEP = 0.1, PIT_LEAST = 1;
+
+/* Sections from the start on, each as long as its limits hold and no longer than `most`. */
+typedef struct Pits {
+    Question *q;
+    double back, most; /* N, m */
+    PullStep step[INVERSE_MACHINES_MAX];
+    Variation by;
+} Pits;
+
+/* Whether all holds up to `far` metres from where the pull begins, with the pits so far. */
+static int holds_up_to(Pits *p, double far)
+{
+    int end;
+    p->by.beyond = far - p->q->base->route->length;
+    return holds_at(p->q, &p->by, &end);
+}
+
+/* How far the section that begins at `from` comes, both in metres from where the pull begins: to the route's end, or to
+ * a round place that lies in no bend (PN13). NAN: nowhere. */
+static double section_end(Pits *p, double from)
+{
+    const Route *const route = p->q->base->route;
+    const int back = p->q->way == PLAN_BACKWARD;
+    double high = fmin(route->length, from + p->most), low = from;
+    if (holds_up_to(p, high)) low = high;
+    if (low == route->length) return low;
+    while (high - low > PIT_STEP) {
+        const double middle = low + (high - low) / 2;
+        *(holds_up_to(p, middle) ? &low : &high) = middle;
+    }
+    const double s = back ? route->length - low : low;
+    const int piece = route_at(route, s).piece;
+    if (route->piece[piece].kind != ROUTE_STRAIGHT) {
+        double ends[2];
+        bends_around(route, piece, ends);
+        low = back ? route->length - ends[1] : ends[0];
+    }
+    low = PIT_STEP * floor(low / PIT_STEP + 1e-6);
+    return low < from + PIT_LEAST ? NAN : low;
+}
+
+/* At most so many. */
+static void pits_place(Pits *p, int most, InverseMachines *m)
+{
+    const double length = p->q->base->route->length;
+    double at = 0;
+    *m = (InverseMachines){.way = p->q->way, .n = -1};
+    for (int n = 0; n <= most; ++n) {
+        p->by.n_steps = n;
+        at = section_end(p, at);
+        if (at == length) m->n = n;
+        if (isnan(at) || at == length || n == most) break;
+        m->at[n] = p->q->way == PLAN_BACKWARD ? length - at : at;
+        p->step[n] = (PullStep){m->at[n], p->back, STEP_ANEW};
+    }
+}
+
+/* The fewest, and of these the ones whose longest section is shortest. */
+static void pits_find(Question *q, double back, InverseMachines *out)
+{
+    Pits p = {.q = q, .back = back, .most = INFINITY};
+    p.by = (Variation){.way = q->way, .friction = 1, .radius = 1, .bend = -1, .step = p.step};
+    for (q->taken = 0, out->n = -1; out->n < 0 && q->taken < 2; ++q->taken)
+        pits_place(&p, INVERSE_MACHINES_MAX - 1, out);
+    --q->taken; /* what it was found with */
+    if (out->n < 0) {
+        p.by.beyond = 0;
+        binding_find(q, &p.by, out->binds, out->where);
+    }
+    double high = q->base->route->length, low = high / (out->n + 1);
+    Calculator c;
+    p.by.n_steps = 0;
+    p.by.beyond = 0;
+    if (varied(q, 0, &p.by, &c)) stays_find(q, &c, out->stays);
+    calculator_free(&c);
+    while (out->n > 0 && high - low > PIT_STEP) {
+        InverseMachines even;
+        p.most = (low + high) / 2;
+        pits_place(&p, out->n, &even);
+        *(even.n >= 0 ? &high : &low) = p.most;
+        if (even.n < 0) continue;
+        out->n = even.n;
+        memcpy(out->at, even.at, sizeof out->at);
+    }
+    q->taken = 0;
 }
 
 /* ------------------------------------------------------------------------------------------------ all of it */
@@ -350,6 +447,20 @@ hawser_status inverse_find(const Setup *setup, const Calculator *base, Inverse *
         q.ends = ends;
         if (!q.status) q.status = way_find(&q, out);
     }
+    ends_free(ends);
+    return q.status;
+}
+
+hawser_status inverse_place(const Setup *setup, const Calculator *base, int way, int pits, double force,
+                            InverseMachines *out, hawser_error *err)
+{
+    Question q = {.setup = setup, .base = base, .way = way, .kind = INVERSE_FRICTION, .err = err};
+    Ends *ends = NULL;
+    q.status = ends_make(setup, setup->def, &ends, err);
+    q.ends = ends;
+    if (!q.status) touched_find(&q);
+    if (!q.status && pits) pits_find(&q, force, out);
+    if (!q.status && !pits) machines_find(&q, force, out);
     ends_free(ends);
     return q.status;
 }

@@ -28,7 +28,7 @@ typedef struct InverseAnswer {
 
 enum { INVERSE_MACHINES_MAX = 64 };
 
-/* The least number of machines of a given push, and where they stand. */
+/* The least number of machines of a given push, or of pits, and where they stand. */
 typedef struct InverseMachines {
     int way, n;                                                   /* -1: no number of them keeps the limits */
     double at[INVERSE_MACHINES_MAX], takes[INVERSE_MACHINES_MAX]; /* m along the route; N, at speed */
@@ -46,5 +46,9 @@ typedef struct Inverse {
 
 /* Nothing is answered where no limit can be judged. Errors: MEMORY. */
 hawser_status inverse_find(const Setup *setup, const Calculator *base, Inverse *out, hawser_error *err);
+/* The fewest machines that take off up to `force` (N) each, or pits that the pull begins anew in with that tension,
+ * with which all limits hold, with what is assumed at its ends too (PN11), (PN13). Errors: MEMORY. */
+hawser_status inverse_place(const Setup *setup, const Calculator *base, int way, int pits, double force,
+                            InverseMachines *out, hawser_error *err);
 
 #endif

@@ -44,6 +44,23 @@ hawser_status hawser_case_calculation(struct hawser_case *c, hawser_units units,
 hawser_status hawser_case_crew_sheet(struct hawser_case *c, hawser_units units, const char *path, hawser_word *word,
                                      hawser_error *err);
 
+/* Which help is looked for. */
+typedef enum hawser_place_kind { HAWSER_PLACE_ANY, HAWSER_PLACE_MACHINES, HAWSER_PLACE_PITS } hawser_place_kind;
+/* May grow at its end; what is 0 is as if it were not there. */
+typedef struct hawser_place_options {
+    hawser_place_kind only;
+    const char *lubricant; /* jacket and duct of the catalogue's friction, "pe-jacket/pe-duct": all ducts dry and
+                            * lubricated as well */
+    const char *to;        /* file that the case goes to with the proposal, its text and comments kept; it may be the
+                            * case's own */
+} hawser_place_options;
+/* The fewest machines (of the push that the key theory.machine_push gives) and the fewest pits with which all limits
+ * hold, where they stand, and what theory says of the case with them; quantity of lubricant. *text as above. word (may
+ * be NULL): of the proposal, NOT_SAFE without one. Errors: as hawser_case_theory; INPUT (no limits, no entry of that
+ * name; with `to`: no proposal, or a case that is no file); OUTPUT. */
+hawser_status hawser_case_place(struct hawser_case *c, const hawser_place_options *options, hawser_format format,
+                                char **text, hawser_word *word, hawser_error *err);
+
 /* Writes the desk (docs/desk.md) to `path`, one HTML file for any browser, with the text of a case file in it; NULL:
  * with an example. Errors: INPUT (the case cannot be read as text; `path` leads to it; the desk is not beside the
  * program), OUTPUT, MEMORY. */

@@ -38,6 +38,10 @@ enum { CASE_FORMAT = 1 }; /* of cases, that is read and written */
 /* The text of a case with keys by their own names and its format; the rest, comments too, as it is. *out: malloc'ed.
  * *changes: in how many places. Errors: INPUT (as case_tree_parse; a value that cannot be rewritten), MEMORY. */
 hawser_status case_upgrade(const char *text, const char *name, char **out, int *changes, hawser_error *err);
+/* The text with n more items, each a map in one line, in a list of the section `theory`; *out is malloc'ed. Errors: as
+ * above, INPUT (the section stands there as something that nothing can be added to). */
+hawser_status case_theory_insert(const char *text, const char *name, const char *list, int n, char *const row[],
+                                 char **out, hawser_error *err);
 
 hawser_status case_cables_read(CaseReader *r, const CaseNode *node);
 /* A cable's table of bending and the rigidity that is its first slope; node: the cable's map. */

@@ -232,6 +232,18 @@ class Case:
         return Theory(json.loads(self._text(lib.hawser_case_theory, lib.HAWSER_JSON)),
                       self._text(lib.hawser_case_theory, lib.HAWSER_TABLE))
 
+    def place(self, only: str = "any", lubricant: str | None = None, to: str | os.PathLike[str] | None = None) -> pd.DataFrame:
+        """Where machines (of the push `theory.machine_push`, N) and pits go, the fewest that keep all limits: a row a proposal. only:
+        "any", "machines" or "pits"; lubricant: jacket and duct of the catalogue's friction; to: file for the case with the best one."""
+        kinds = {"any": lib.HAWSER_PLACE_ANY, "machines": lib.HAWSER_PLACE_MACHINES, "pits": lib.HAWSER_PLACE_PITS}
+        if only not in kinds:
+            raise ValueError(f"only={only!r}: allowed are {', '.join(kinds)}")
+        kept = [ffi.new("char[]", lubricant.encode()) if lubricant else ffi.NULL, ffi.NULL if to is None else ffi.new("char[]", c_path(to))]
+        options = ffi.new("hawser_place_options *", {"only": kinds[only], "lubricant": kept[0], "to": kept[1]})
+        error, text = ffi.new("hawser_error *"), ffi.new("char **")
+        check(lib.hawser_case_place(self._c, options, lib.HAWSER_JSON, text, ffi.NULL, error), error)
+        return frame_of(json.loads(taken(text))["proposals"])
+
     def calculation(self, path: str | os.PathLike[str]) -> pathlib.Path:
         """Writes the pulling calculation as a page (HTML) that can be handed on and printed (docs/report.md)."""
         error = ffi.new("hawser_error *")

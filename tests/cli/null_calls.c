@@ -255,6 +255,7 @@ static void others(void)
     hawser_job_free(NULL);
     REFUSED("path", hawser_desk_write, NULL, NULL);
     REFUSED("c", hawser_case_calculation, NULL, HAWSER_SI, "x.html", NULL);
+    REFUSED("c", hawser_case_place, NULL, NULL, HAWSER_TABLE, &text, NULL);
     REFUSED("c", hawser_case_crew_sheet, NULL, HAWSER_SI, "x.html", NULL);
     REFUSED("folders", hawser_report_write, NULL, 1, "x.html");
     REFUSED("folders", hawser_report_write, folder, 2, "x.html");

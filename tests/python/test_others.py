@@ -178,3 +178,17 @@ def test_a_study_is_stopped(file, tmp_path):
     with pytest.raises(KeyboardInterrupt):
         hawser.study(file, tmp_path / "out", progress=press)
     assert hawser.Study(tmp_path / "out").summary["done"] >= done
+
+
+def test_crew_sheet_and_place(tmp_path):
+    """A side for the crew; the case with pits that keep its limits, which broken ones did not."""
+    text = (ROOT / "docs" / "tutorial" / "duct.yaml").read_text(encoding="utf-8")
+    path = tmp_path / "duct.yaml"
+    path.write_text(text, encoding="utf-8")
+    case = hawser.Case(path)
+    assert "Where somebody stands" in case.crew_sheet(tmp_path / "crew.html").read_text(encoding="utf-8")
+    rows = case.place("pits", to=tmp_path / "pits.yaml").set_index("with")
+    assert rows.verdict_code["nothing"] == "not_safe" and rows.verdict_code["pits"] == "safe"
+    assert hawser.Case(tmp_path / "pits.yaml").theory().facts["verdict_code"] == "safe"
+    with pytest.raises(ValueError, match="allowed are"):
+        case.place("ropes")

@@ -77,14 +77,13 @@ static hawser_status calculated(const Scene *scene, double *sum, hawser_error *e
 
 static hawser_status varied(const Scene *scene, double *sum, hawser_error *err)
 {
-    static const double at[] = {3, 12};
+    static const PullStep step[] = {{3, 200, STEP_TAKE}, {12, 200, STEP_TAKE}};
     Calculator base, c = {.cables = 0};
     const long left = lack_left();
     lack_after(-1);
     if (calculator_build(&scene->setup, &(Expected){.largest_start = 500}, 0, &base, err)) fail_msg("%s", err->message);
     lack_after(left);
-    const Variation by = {
-        .friction = 1.5, .radius = 2, .bend = -1, .beyond = 3, .n_machines = 2, .machine = at, .push = 200};
+    const Variation by = {.friction = 1.5, .radius = 2, .bend = -1, .beyond = 3, .n_steps = 2, .step = step};
     const hawser_status status = calculator_vary(&scene->setup, &base, &by, &c, err);
     if (!status) *sum = c.limit[0][0].value;
     calculator_free(&c);

@@ -1,0 +1,331 @@
+/* Where machines or pits go so that all limits hold: what `hawser place` prints and writes. docs/equipment.md. */
+#include <jansson.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/error.h"
+#include "io/api/api_handles.h"
+#include "io/case/case_parts.h"
+#include "theory/solved.h"
+
+/* (PN14) l/(m mm): lubricant for a metre of duct and a millimetre of its inside diameter, a film of 0.2 mm (American
+ * Polywater, Technical Talk, volume XVII). */
+static const double LUBRICANT = 0.00073;
+
+/* The pull with one friction and one kind of help, as theory of the whole case says. */
+typedef struct PlaceRow {
+    const char *friction; /* "as given", "dry", "lubricated" */
+    double mu;            /* of the ducts; NAN: the case's */
+    const char *help;     /* "nothing", "machines", "pits" */
+    double count;         /* NAN: no number of them keeps the limits */
+    char at[160];         /* their places, m */
+    double force;         /* N, of the winch, at most */
+    const char *code;     /* of the verdict */
+    char verdict[HAWSER_VERDICT_MAX];
+    int n;
+    char *row[INVERSE_MACHINES_MAX]; /* [n] its items; owned */
+} PlaceRow;
+
+static const Column place_column[] = {
+    {COLUMN("friction", TEXT, PlaceRow, friction), .label = "friction"},
+    {COLUMN("mu", NUMBER, PlaceRow, mu), .label = "of ducts", .decimals = 2},
+    {COLUMN("with", TEXT, PlaceRow, help), .label = "with"},
+    {COLUMN("count", NUMBER, PlaceRow, count), .label = "number", .decimals = 0},
+    {COLUMN("force_N", NUMBER, PlaceRow, force), .label = "winch, N", .decimals = 0},
+    {COLUMN("verdict_code", TEXT, PlaceRow, code), .label = "verdict"},
+    {COLUMN("at", CHARS, PlaceRow, at), .label = "at, m"},
+};
+
+enum { VARIANTS = 3, HELPS = 3, ROWS_MAX = VARIANTS * HELPS };
+static const char *const help_names[HELPS] = {"nothing", "machines", "pits"};
+
+typedef struct Placing {
+    const hawser_place_options *options;
+    hawser_case *variant[VARIANTS]; /* as given; dry and lubricated, or NULL */
+    int n;
+    PlaceRow row[ROWS_MAX];
+    const PlaceRow *best;
+    char title[256], answer[HAWSER_ANSWER_MAX];
+    double lubricant; /* m3 */
+    hawser_error *err;
+} Placing;
+
+/* ------------------------------------------------------------------------------------------- dry and lubricated */
+
+static int is_duct(const SurfaceDef *s) { return s->shape.kind == SURFACE_DUCT; }
+
+/* The length of a duct that lies along the route, m. */
+static double length_along(const SurfaceDef *duct, double route)
+{
+    return fmax(0, fmin(duct->shape.to, route) - fmax(duct->shape.from, 0));
+}
+
+/* (PN14), m3. */
+static double lubricant_of(const Setup *setup)
+{
+    double litres = 0;
+    for (int i = 0; i < setup->def->n_surfaces; ++i) {
+        const SurfaceDef *const s = &setup->def->surfaces[i];
+        const double bore = s->bore > 0 ? s->bore : s->shape.radius;
+        if (is_duct(s)) litres += LUBRICANT * length_along(s, setup->route->length) * 2 * bore * 1000;
+    }
+    return litres / 1000;
+}
+
+/* All ducts with the catalogue's friction of that name and state. */
+static hawser_status variant_make(Placing *p, const hawser_case *c, const char *state, hawser_case **out)
+{
+    char key[64], value[160];
+    hawser_status status = hawser_case_copy(c, out, p->err);
+    snprintf(value, sizeof value, "{type: %.100s/%s}", p->options->lubricant, state);
+    for (int i = 0, duct = 0; i < c->def->n_surfaces && !status; ++i) {
+        if (!is_duct(&c->def->surfaces[i])) continue;
+        snprintf(key, sizeof key, "surfaces.ducts.%d.friction", duct++);
+        status = hawser_case_set(*out, key, value, p->err);
+    }
+    return status ? status : case_ensure_read(*out, p->err);
+}
+
+static hawser_status variants_make(Placing *p, const hawser_case *c)
+{
+    int ducts = 0;
+    hawser_status status = hawser_case_copy(c, &p->variant[0], p->err);
+    if (status || !p->options->lubricant) return status;
+    for (int i = 0; i < c->def->n_surfaces; ++i) ducts += is_duct(&c->def->surfaces[i]);
+    if (ducts == 0) return error_set(p->err, HAWSER_ERR_INPUT, "dry and lubricated are of ducts: the case has none");
+    if (c->def->theory.n_friction > 0)
+        return error_set(p->err, HAWSER_ERR_INPUT,
+                         "key 'theory.stretches' gives the friction already: dry and lubricated need a case "
+                         "without it");
+    status = variant_make(p, c, "dry", &p->variant[1]);
+    return status ? status : variant_make(p, c, "lubricated", &p->variant[2]);
+}
+
+static double ducts_mu(const SceneDef *def)
+{
+    double mu = NAN;
+    for (int i = 0; i < def->n_surfaces; ++i)
+        if (is_duct(&def->surfaces[i])) mu = fmax(mu, def->surfaces[i].friction.mu_d);
+    return mu;
+}
+
+/* ------------------------------------------------------------------------------------------------- the proposals */
+
+/* An item of the list `theory.machines` or `theory.pits`. */
+static char *item_of(int pits, double at, double force)
+{
+    char text[96];
+    snprintf(text, sizeof text, "{at: %.10g m, %s: %.6g N}", at, pits ? "back" : "push", force);
+    return strdup(text);
+}
+
+/* The items that the case has already, as JSON without its brackets, and those of the row. */
+static hawser_status list_set(Placing *p, hawser_case *c, const char *key, const PlaceRow *row)
+{
+    char *old = NULL;
+    size_t size = 8;
+    hawser_error none;
+    if (hawser_case_get(c, key, &old, &none)) old = NULL;
+    size += old ? strlen(old) : 0;
+    for (int i = 0; i < row->n; ++i) size += strlen(row->row[i]) + 2;
+    char *const text = malloc(size), *at = text;
+    if (!text) {
+        hawser_text_free(old);
+        return error_memory(p->err);
+    }
+    *at++ = '[';
+    const char *const close = old ? strrchr(old, ']') : NULL;
+    const size_t inside = close ? (size_t)(close - old) - 1 : 0;
+    if (inside) memcpy(at, old + 1, inside);
+    at += inside;
+    for (int i = 0; i < row->n; ++i) at += sprintf(at, "%s%s", i || inside ? ", " : "", row->row[i]);
+    strcpy(at, "]");
+    const hawser_status status = hawser_case_set(c, key, text, p->err);
+    free(text);
+    hawser_text_free(old);
+    return status;
+}
+
+/* What the theory of the whole case says. */
+static hawser_status row_judge(Placing *p, hawser_case *c, PlaceRow *row)
+{
+    static const char *const tables[] = {"limits", NULL};
+    const TheoryWish wish = {tables, 0, 1};
+    json_t *found = NULL;
+    const hawser_status status = case_theory_values(c, &wish, &found, p->err);
+    if (status) return status;
+    row->force = fmax(json_number_value(json_object_get(found, "largest_force_N")),
+                      json_number_value(json_object_get(found, "largest_restart_N")));
+    const char *const said = json_string_value(json_object_get(found, "verdict_forward")),
+                      *const code = json_string_value(json_object_get(found, "verdict_code"));
+    snprintf(row->verdict, sizeof row->verdict, "%s", said ? said : "");
+    for (int k = 0; k < HAWSER_WORDS; ++k)
+        if (code && !strcmp(code, hawser_word_code((hawser_word)k))) row->code = hawser_word_code((hawser_word)k);
+    json_decref(found);
+    return HAWSER_OK;
+}
+
+static hawser_status row_place(Placing *p, const hawser_case *variant, const Solved *solved, int help, PlaceRow *row)
+{
+    const int pits = help == 2;
+    const double force = pits ? solved->c.plan.way[PLAN_FORWARD].start : variant->def->theory.machine_push;
+    InverseMachines found;
+    hawser_case *c = NULL;
+    hawser_status status = inverse_place(&solved->setup, &solved->c, PLAN_FORWARD, pits, force, &found, p->err);
+    row->count = found.n < 0 ? NAN : (double)found.n;
+    if (status || found.n <= 0) return status;
+    size_t used = 0;
+    for (int i = 0; i < found.n && !status; ++i) {
+        const double at = pits ? found.at[i] : round(found.at[i] * 1e3) / 1e3;
+        row->row[row->n++] = item_of(pits, at, force);
+        if (!row->row[i]) status = error_memory(p->err);
+        if (used < sizeof row->at - 16)
+            used += (size_t)snprintf(row->at + used, sizeof row->at - used, "%s%.1f", i ? ", " : "", at);
+    }
+    if (!status) status = hawser_case_copy(variant, &c, p->err);
+    if (!status) status = list_set(p, c, pits ? "theory.pits" : "theory.machines", row);
+    if (!status) status = row_judge(p, c, row);
+    hawser_case_free(c);
+    return status;
+}
+
+/* Of one friction: without help, and with the machines or pits that it takes. */
+static hawser_status variant_place(Placing *p, int k)
+{
+    static const char *const names[VARIANTS] = {"as given", "dry", "lubricated"};
+    hawser_case *const c = p->variant[k];
+    static const Company alone;
+    SceneDef own;
+    Solved solved = {0};
+    hawser_status status = case_ensure_read(c, p->err);
+    if (!status) status = scene_def_copy(c->def, &own, p->err);
+    if (!status) status = solved_make(&own, &alone, 0, &solved, p->err);
+    if (!status && solved.c.n_limits == 0)
+        status =
+            error_set(p->err, HAWSER_ERR_INPUT, "key 'limits': it is missing, and without limits nothing is needed");
+    if (!status && k == 0) p->lubricant = lubricant_of(&solved.setup);
+    for (int help = 0; help < HELPS && !status; ++help) {
+        if (help == 1 && (isnan(c->def->theory.machine_push) || p->options->only == HAWSER_PLACE_PITS)) continue;
+        if (help == 2 && p->options->only == HAWSER_PLACE_MACHINES) continue;
+        PlaceRow *const row = &p->row[p->n++];
+        *row = (PlaceRow){
+            .friction = names[k], .mu = ducts_mu(c->def), .help = help_names[help], .force = NAN, .code = "-"};
+        row->count = help ? NAN : 0;
+        status = help ? row_place(p, c, &solved, help, row) : row_judge(p, c, row);
+        if (help && !status && row->count == 0) --p->n; /* nothing is needed */
+    }
+    solved_free(&solved);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------------------ answer */
+
+static int keeps(const PlaceRow *row)
+{
+    return !strcmp(row->code, hawser_word_code(HAWSER_SAFE)) ||
+           !strcmp(row->code, hawser_word_code(HAWSER_SAFE_ONLY_IF));
+}
+
+/* Of the friction as given: SAFE before all else, then the fewest. */
+static void best_choose(Placing *p)
+{
+    for (int i = 0; i < p->n && !strcmp(p->row[i].friction, p->row->friction); ++i) {
+        const PlaceRow *const row = &p->row[i], *const best = p->best;
+        if (!keeps(row)) continue;
+        const int safe = !strcmp(row->code, "safe"), was = best && !strcmp(best->code, "safe");
+        if (!best || safe > was || (safe == was && row->count < best->count)) p->best = row;
+    }
+}
+
+static void answer_make(Placing *p, hawser_units units)
+{
+    Answer a = {p->answer, sizeof p->answer, 0, units, TERMINAL_WIDTH, 0};
+    const PlaceRow *const best = p->best;
+    char litres[HAWSER_SHOWN_MAX];
+    if (!best) answer_line(&a, "proposal", "none: nothing that was tried keeps all limits (hawser theory says which)");
+    if (best == p->row) answer_line(&a, "proposal", "nothing is needed");
+    if (best && best != p->row)
+        answer_line(&a, "proposal", "%.0f %.*s at %s m", best->count, (int)strlen(best->help) - (best->count == 1),
+                    best->help, best->at);
+    answer_line(&a, "then", "%s", best ? best->verdict : p->row->verdict);
+    if (p->lubricant > 0)
+        answer_line(&a, "lubricant",
+                    "%s l for the ducts: a film of 0.2 mm (American Polywater, Technical Talk XVII); more for bends",
+                    say_digits(p->lubricant * 1000, 2, litres));
+}
+
+static hawser_status page_write(const Placing *p, hawser_format format, char **text)
+{
+    const PlaceRow *const best = p->best;
+    const Fact fact[] = {{"format", NULL, "", cell_number(RESULTS_FORMAT)},
+                         {"verdict_code", NULL, "", cell_text(p->row->code)},
+                         {"proposed", NULL, "", cell_text(!best ? "" : best->help)},
+                         {"proposed_count", NULL, "", cell_number(best ? best->count : NAN)},
+                         {"proposed_verdict_code", NULL, "", cell_text(best ? best->code : "")},
+                         {"lubricant_m3", NULL, "", cell_number(p->lubricant)}};
+    const Table table = {"proposals", "With machines and pits, the fewest that keep all limits",
+                         COLUMNS(PlaceRow, place_column), p->n, p->row};
+    const Document doc = {.title = p->title,
+                          .answer = p->answer,
+                          .n_facts = sizeof fact / sizeof *fact,
+                          .fact = fact,
+                          .n_tables = 1,
+                          .table = &table,
+                          .csv = &table};
+    return document_write(&doc, format, text, p->err);
+}
+
+/* The case's text with the best proposal, which is read and judged again before it is written. */
+static hawser_status case_write(Placing *p, const hawser_case *c)
+{
+    char *old = NULL, *text = NULL;
+    size_t size;
+    hawser_case *again = NULL;
+    const char *const list = p->best ? p->best->help : "";
+    if (!p->best)
+        return error_set(p->err, HAWSER_ERR_INPUT, "nothing that was tried keeps all limits: nothing is written");
+    if (!c->tree->path) return error_set(p->err, HAWSER_ERR_INPUT, "it is no file");
+    hawser_status status = case_file_read(c->tree->path, &old, &size, p->err);
+    if (!status && p->best->n > 0)
+        status = case_theory_insert(old, c->name, list, p->best->n, p->best->row, &text, p->err);
+    if (!status && text) status = hawser_case_parse(text, c->name, &again, p->err);
+    if (!status) status = out_file(p->options->to, text ? text : old, strlen(text ? text : old), p->err);
+    hawser_case_free(again);
+    free(old);
+    free(text);
+    return status;
+}
+
+hawser_status hawser_case_place(hawser_case *c, const hawser_place_options *options, hawser_format format, char **text,
+                                hawser_word *word, hawser_error *err)
+{
+    const hawser_place_options plain = {0};
+    if (!c || !text) return error_argument(err, c ? "text" : "c");
+    *text = NULL;
+    hawser_status status = case_ensure_read(c, err);
+    if (!status) status = case_alone(c, "where machines go", err);
+    if (status) return status;
+    if (c->def->rod.present)
+        return error_set(err, HAWSER_ERR_INPUT, "%.200s: key 'rod': machines stand along a route", c->name);
+    Placing *const p = calloc(1, sizeof *p);
+    if (!p) return error_memory(err);
+    p->options = options ? options : &plain;
+    p->err = err;
+    snprintf(p->title, sizeof p->title, "%s", c->def->title[0] ? c->def->title : c->name);
+    status = variants_make(p, c);
+    for (int k = 0; k < VARIANTS && p->variant[k] && !status; ++k) status = variant_place(p, k);
+    if (!status) best_choose(p);
+    if (!status) answer_make(p, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI);
+    if (!status && p->options->to) status = case_write(p, c);
+    if (!status) status = page_write(p, format, text);
+    if (!status && word) *word = HAWSER_NOT_SAFE;
+    for (int k = 0; !status && word && p->best && k < HAWSER_WORDS; ++k)
+        if (!strcmp(p->best->code, hawser_word_code((hawser_word)k))) *word = (hawser_word)k;
+    for (int k = 0; k < VARIANTS; ++k) hawser_case_free(p->variant[k]);
+    for (int i = 0; i < ROWS_MAX; ++i)
+        for (int k = 0; k < INVERSE_MACHINES_MAX; ++k) free(p->row[i].row[k]);
+    free(p);
+    return case_name_error(c, status, err);
+}
