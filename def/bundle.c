@@ -117,9 +117,14 @@ hawser_status bundle_in(const SceneDef *def, const SurfaceDef *duct, DuctLoad *o
 {
     const BundleDef *const b = &def->bundle;
     const double inside = 2 * (duct->bore > 0 ? duct->bore : duct->shape.radius);
-    const DuctDef alone = {.duct_diameter = inside, .cable_diameter = bundle_diameter(def), .cables = 1};
-    const DuctDef set = bundle_in_duct(&b->set, &b->shape, inside);
+    const DuctDef alone = {.duct_diameter = inside,
+                           .cable_diameter = bundle_diameter(def),
+                           .cables = 1,
+
+                           .lying = duct->lying};
+    DuctDef set = bundle_in_duct(&b->set, &b->shape, inside);
     DuctDef several = duct->several;
+    set.lying = duct->lying; /* which it refuses */
     several.duct_diameter = inside;
     several.oval = b->set.oval;
     if (several.cables > 0 && !duct_load(&several, out, NULL)) return HAWSER_OK; /* else each is one alone */
@@ -135,20 +140,27 @@ int bundle_pulled(const SceneDef *def)
 int bundle_cables_in(const SceneDef *def, const SurfaceDef *duct)
 {
     const DuctDef *const several = &duct->several;
-    return several->cables > 0 ? several->cables + several->thinner : def->bundle.shape.cables;
+    if (several->cables > 0) return several->cables + several->thinner;
+    return def->bundle.shape.cables + duct->lying.cables;
+}
+
+static int is_occupied(const SurfaceDef *surface)
+{
+    return surface && surface->shape.kind == SURFACE_DUCT && surface->lying.cables > 0;
 }
 
 /* The load where it counts: several cables in a duct. 0: elsewhere. */
 static int load_there(const SceneDef *def, const SurfaceDef *surface, DuctLoad *load)
 {
-    return bundle_present(&def->bundle) && surface && surface->shape.kind == SURFACE_DUCT &&
-           !bundle_in(def, surface, load, NULL);
+    const int several = bundle_present(&def->bundle) && surface && surface->shape.kind == SURFACE_DUCT;
+    return (several || is_occupied(surface)) && !bundle_in(def, surface, load, NULL);
 }
 
 double bundle_friction(const SceneDef *def, const SurfaceDef *surface, int in_bend)
 {
     const WeightCorrection where = def->bundle.correction;
     DuctLoad load;
+    if (is_occupied(surface)) return load_there(def, surface, &load) ? load.weight_factor : 1; /* (T33) */
     if (where == CORRECT_NONE || (in_bend && where == CORRECT_STRAIGHTS)) return 1;
     return load_there(def, surface, &load) ? load.weight_factor : 1;
 }
@@ -165,7 +177,7 @@ double bundle_share(const SceneDef *def, const SurfaceDef *surface)
     const int several = surface && surface->several.cables > 0; /* chains beside each other: each has its own tension */
     if (several && !duct_load(&surface->several, &load, NULL))
         return load.sidewall_factor * (surface->several.cables + surface->several.thinner);
-    if (!bundle_present(&def->bundle)) return 1;
+    if (!bundle_present(&def->bundle) && !is_occupied(surface)) return 1;
     return load_there(def, surface, &load) ? load.sidewall_factor : def->bundle.shape.share;
 }
 

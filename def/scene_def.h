@@ -77,6 +77,7 @@ typedef struct SurfaceDef {
     FrictionKnown friction_known;
     double bore; /* m, a duct's inside radius where shape.radius is that of a bundle's room (BU8); 0: it is that */
     double weight_factor; /* of a duct with several chains in it: w_c, for theory alone (SC15); 0: none */
+    DuctLying lying;      /* cables that lie in a duct already */
     DuctDef several;      /* how these lie in it; cables 0: one lies there, or no formula knows */
 } SurfaceDef;
 

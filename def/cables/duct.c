@@ -21,7 +21,7 @@ double duct_circle(int cables)
 
 int duct_layout_cables(DuctLayout layout)
 {
-    static const int cables[] = {0, 1, 2, 3, 3, 4};
+    static const int cables[] = {0, 1, 2, 3, 3, 4, 1};
     return cables[layout];
 }
 
@@ -138,6 +138,7 @@ static double layout_room(DuctLayout layout, double D, double d, double x)
         return r * double_cosine;
     case DUCT_AUTO:
     case DUCT_SINGLE:
+    case DUCT_BESIDE:
         break;
     }
     return r;
@@ -153,11 +154,88 @@ static JamRisk jam_risk(const DuctDef *def, double ratio)
     static const double edge[] = {2.4, 2.5, 2.6, 2.9, 3.0, 3.2};
     static const JamRisk risk[] = {JAM_VERY_SMALL, JAM_SMALL, JAM_MODERATE,  JAM_SIGNIFICANT,
                                    JAM_MODERATE,   JAM_SMALL, JAM_VERY_SMALL};
-    const int three = def->cables == 3 || def->cables + def->thinner == 3;
+    const int three = def->cables == 3 || def->cables + def->thinner + def->lying.cables == 3;
     if (!three || def->twisted) return JAM_NONE;
     size_t i = 0;
     while (i < sizeof edge / sizeof *edge && ratio >= edge[i]) i++;
     return risk[i];
+}
+
+/* ------------------------------------------------------------------------------------ beside cables that lie there */
+
+double duct_lying_angle(const DuctLying *lying, double D, int i)
+{
+    return (2 * i - (lying->cables - 1)) * asin(fmin(1, wall_sine(D, lying->diameter)));
+}
+
+/* (T33): the forces of the duct's wall, or of one lying cable, and of another one that hold a pulled cable at `at` (m
+ * from the centre) against a weight of 1. 0: it does not rest there. */
+static int nip_forces(const double at[2], const double from[2][2], double force[2])
+{
+    double n[2][2];
+    for (int k = 0; k < 2; ++k) {
+        const double x = at[0] - from[k][0], y = at[1] - from[k][1], r = hypot(x, y);
+        n[k][0] = x / r;
+        n[k][1] = y / r;
+    }
+    const double det = n[0][0] * n[1][1] - n[0][1] * n[1][0];
+    force[0] = -n[1][0] / det;
+    force[1] = n[0][0] / det;
+    return fabs(det) > 1e-12 && force[0] >= 0 && force[1] >= 0;
+}
+
+/* Takes a nip in if it drags more than those before: friction is that of each of the two over the wall's. */
+static void nip_take(const double at[2], const double from[2][2], const double friction[2], DuctLoad *out)
+{
+    double force[2];
+    if (!nip_forces(at, from, force)) return;
+    const double factor = force[0] * friction[0] + force[1] * friction[1];
+    out->sidewall_factor = fmax(out->sidewall_factor, fmax(force[0], force[1]));
+    if (factor < out->weight_factor) return;
+    out->weight_factor = factor;
+    out->at[0] = at[0];
+    out->at[1] = at[1];
+}
+
+/* Of all nips in which the pulled cable may rest the one that drags most: between the wall and the outermost lying
+ * cable, and on two neighbours. */
+static void beside_load(const DuctDef *def, DuctLoad *out)
+{
+    const double R = def->duct_diameter / 2, a = def->lying.diameter / 2, b = def->cable_diameter / 2,
+                 mu = def->lying.friction;
+    const double ra = R - a, rb = R - b, last = duct_lying_angle(&def->lying, 2 * R, def->lying.cables - 1);
+    const double turn = last + acos(fmax(-1, fmin(1, (ra * ra + rb * rb - (a + b) * (a + b)) / (2 * ra * rb))));
+    const double wall[2] = {rb * sin(turn), -rb * cos(turn)};
+    const double outer[2][2] = {{2 * wall[0], 2 * wall[1]},
+                                {ra * sin(last), -ra * cos(last)}}; /* the wall pushes inward */
+    out->weight_factor = out->sidewall_factor = 0;
+    if (turn < 3.14159265358979323846) nip_take(wall, outer, (const double[]){1, mu}, out);
+    for (int i = 0; i + 1 < def->lying.cables; ++i) {
+        const double one = duct_lying_angle(&def->lying, 2 * R, i), two = duct_lying_angle(&def->lying, 2 * R, i + 1);
+        const double middle = (one + two) / 2, height = ra * cos((two - one) / 2) - sqrt((a + b) * (a + b) - a * a);
+        const double on[2] = {height * sin(middle), -height * cos(middle)};
+        const double pair[2][2] = {{ra * sin(one), -ra * cos(one)}, {ra * sin(two), -ra * cos(two)}};
+        if (fabs(height) <= rb) nip_take(on, pair, (const double[]){mu, mu}, out);
+    }
+}
+
+static hawser_status check_lying(const DuctDef *def, hawser_error *err)
+{
+    const DuctLying *const lying = &def->lying;
+    const double D = def->duct_diameter, side = wall_sine(D, lying->diameter),
+                 need = lying->diameter + def->cable_diameter;
+    if (def->cables > 1 || def->thinner > 0)
+        return error_set(err, HAWSER_ERR_INPUT, "beside cables that lie there one is pulled, not %d",
+                         def->cables + def->thinner);
+    if (!(D > need))
+        return error_set(
+            err, HAWSER_ERR_INPUT,
+            "a cable of %g m does not pass one of %g m that lies in a duct of %g m: it must be wider than %g m",
+            def->cable_diameter, lying->diameter, D, need);
+    if (lying->cables > 1 && !((lying->cables - 1) * 2 * asin(fmin(1, side)) < 3.14159265358979323846))
+        return error_set(err, HAWSER_ERR_INPUT, "%d lying cables of %g m do not lie in a row in a duct of %g m",
+                         lying->cables, lying->diameter, D);
+    return HAWSER_OK;
 }
 
 /* The factors are those of the thickest, which bear most; clearance and room those of as many that fill as much as all
@@ -165,13 +243,16 @@ static JamRisk jam_risk(const DuctDef *def, double ratio)
 hawser_status duct_load(const DuctDef *def, DuctLoad *out, hawser_error *err)
 {
     hawser_status status = check_def(def, err);
+    if (!status && def->lying.cables > 0) status = check_lying(def, err);
     if (status) return status;
     const double D = def->duct_diameter, d = def->cable_diameter, x = wall_sine(D, d);
     const DuctLayout layout = layout_of(def);
     status = check_layout(def, layout, x, err);
     if (status) return status;
     const double wide = effective_diameter(def), wide_x = wall_sine(D, wide);
-    const double jam_diameter = def->jam_diameter > 0 ? def->jam_diameter : d, oval = def->oval > 0 ? def->oval : OVAL;
+    const double mean = (def->cables * d + def->lying.cables * def->lying.diameter) / (def->cables + def->lying.cables);
+    const double jam_diameter = def->jam_diameter > 0 ? def->jam_diameter : mean,
+                 oval = def->oval > 0 ? def->oval : OVAL;
     *out =
         (DuctLoad){.layout = layout, .jam_ratio = oval * D / jam_diameter, .fill = def->cables * wide * wide / (D * D)};
     layout_factors(layout, x, out);
@@ -184,12 +265,19 @@ hawser_status duct_load(const DuctDef *def, DuctLoad *out, hawser_error *err)
         out->clearance = D - wide * duct_circle(def->cables);
         out->room = out->clearance / 2;
     }
-    return HAWSER_OK;
+    if (def->lying.cables == 0) return HAWSER_OK;
+    out->layout = DUCT_BESIDE;
+    out->clearance = D - def->lying.diameter - d;
+    out->fill += def->lying.cables * def->lying.diameter * def->lying.diameter / (D * D);
+    beside_load(def, out);
+    if (out->weight_factor > 0) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT, "a cable of %g m has no place beside %d of %g m that lie in a duct of %g m",
+                     d, def->lying.cables, def->lying.diameter, D);
 }
 
 const char *duct_layout_name(DuctLayout layout)
 {
-    static const char *const name[] = {"auto", "single cable", "pair", "triangle", "cradle", "diamond"};
+    static const char *const name[] = {"auto", "single cable", "pair", "triangle", "cradle", "diamond", "beside lying"};
     return name[layout];
 }
 

@@ -6,8 +6,23 @@
 #include "hawser/hawser.h"
 
 /* How the cables lie. AUTO: one alone, two side by side, three in a triangle below D/d = 2.5 and cradled from
- * there on, four as a diamond. */
-typedef enum DuctLayout { DUCT_AUTO, DUCT_SINGLE, DUCT_PAIR, DUCT_TRIANGLE, DUCT_CRADLE, DUCT_DIAMOND } DuctLayout;
+ * there on, four as a diamond; one that is pulled in beside others that lie there. */
+typedef enum DuctLayout {
+    DUCT_AUTO,
+    DUCT_SINGLE,
+    DUCT_PAIR,
+    DUCT_TRIANGLE,
+    DUCT_CRADLE,
+    DUCT_DIAMOND,
+    DUCT_BESIDE
+} DuctLayout;
+
+/* Cables that lie in a duct already, in a row along its bottom. */
+typedef struct DuctLying {
+    int cables;      /* 0: it is empty; at most 3 */
+    double diameter; /* m, of each */
+    double friction; /* of the pulled cable on them over that on the duct */
+} DuctLying;
 
 typedef enum JamRisk { JAM_NONE, JAM_VERY_SMALL, JAM_SMALL, JAM_MODERATE, JAM_SIGNIFICANT } JamRisk;
 
@@ -23,6 +38,7 @@ typedef struct DuctDef {
     double jam_diameter;   /* m, mean of the three thickest; 0: d */
     double weight_factor;  /* in place of the layout's; 0: none */
     double oval;           /* how many times as wide bends make the duct, for jamming; 0: 1.05 */
+    DuctLying lying;
 } DuctDef;
 
 typedef struct DuctLoad {
@@ -36,6 +52,7 @@ typedef struct DuctLoad {
     double clearance;       /* m, from the uppermost cable straight up to the duct */
     double fill;            /* share of the duct's cross-section */
     double room;            /* m, from the duct's centre to the middle of the cables: how far this can move (BU8) */
+    double at[2];           /* DUCT_BESIDE: m, from the duct's centre to the pulled cable's, to the right and up */
 } DuctLoad;
 
 /* Diameter of the circle round n equal cables, 1..4, over one's: 1, 2, 1 + 2/sqrt 3, 1 + sqrt 2. */
@@ -44,6 +61,8 @@ double duct_circle(int cables);
 /* Errors: INPUT, with the reason: sizes that are not positive, cables that do not fit, a layout that does not
  * belong to the number of cables or cannot rest in this duct. */
 hawser_status duct_load(const DuctDef *def, DuctLoad *out, hawser_error *err);
+/* rad, from straight down to the i-th of the lying cables, seen from the centre of a duct of diameter D (m). */
+double duct_lying_angle(const DuctLying *lying, double D, int i);
 const char *duct_layout_name(DuctLayout layout);
 /* How many cables a layout is of; 0: of any number. */
 int duct_layout_cables(DuctLayout layout);

@@ -14,6 +14,13 @@ typedef struct Surface {
 static const char *const places[] = {"centred", "resting", NULL};
 static const char *const tray_sections[] = {"flat", "v", "u", NULL};
 
+static const CaseKey occupied_keys[] = {
+    {"cables", KEY_INTEGER, .fallback = "1", FROM(1, 3), AT(DuctLying, cables)},
+    {"d", KEY_NUMBER, DIM_LENGTH, .required = 1, ABOVE(0, 10), AT(DuctLying, diameter)},
+    {"friction_factor", KEY_NUMBER, .required = 1, ABOVE(0, 10), AT(DuctLying, friction)},
+};
+static SECTION(occupied, "surfaces.ducts.N.occupied", occupied_keys);
+
 /* Stretches: off the route is an error, which stretch_check finds. */
 static const CaseKey duct_keys[] = {
     {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
@@ -24,6 +31,7 @@ static const CaseKey duct_keys[] = {
     {"place", KEY_CHOICE, .fallback = "centred", .choices = places, AT(Surface, choice)},
     {"fade", KEY_NUMBER, DIM_LENGTH, .fallback = "500 mm", ABOVE(0, LONG), AT(Surface, def.shape.fade)},
     {"friction", KEY_MAP, .otherwise = "the case's", .section = &case_friction},
+    {"occupied", KEY_MAP, .otherwise = "empty", .section = &occupied},
 };
 static SECTION(duct, "surfaces.ducts.N", duct_keys);
 
@@ -171,10 +179,23 @@ static hawser_status bundle_room(const CaseReader *r, const CaseNode *node, Surf
     return HAWSER_OK;
 }
 
+/* Cables that lie in the duct already. */
+static hawser_status occupied_read(const CaseReader *r, const CaseNode *node, SurfaceDef *out)
+{
+    DuctLoad load;
+    hawser_error why = {.message = ""};
+    if (!node) return HAWSER_OK;
+    const hawser_status status = case_section_read(r, node, &occupied, &out->lying);
+    if (status || !bundle_in(r->def, out, &load, &why)) return status;
+    return case_key_error(r->err, node, NULL, "duct '%s': %s", out->name, why.message);
+}
+
 static hawser_status duct_finish(const CaseReader *r, const CaseNode *node, int resting, SurfaceDef *out)
 {
     SurfaceShape *const s = &out->shape;
     s->kind = SURFACE_DUCT;
+    const hawser_status beside = occupied_read(r, case_node_key(node, "occupied"), out);
+    if (beside) return beside;
     if (bundle_present(&r->def->bundle)) {
         const hawser_status fits = bundle_room(r, node, out);
         if (fits) return fits;

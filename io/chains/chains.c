@@ -301,6 +301,9 @@ static const char *foreign(const SceneDef *def)
     int moving = 0;
     for (int i = 0; i < def->n_rollers; ++i)
         moving |= def->rollers[i].spin.inertia > 0 || def->rollers[i].mount.present;
+    for (int i = 0; i < def->n_surfaces; ++i)
+        if (def->surfaces[i].lying.cables > 0)
+            return "surfaces.ducts.occupied (the lying cable is a chain, still: true)";
     if (def->rod.present) return "rod";
     if (def->bundle.shape.cables > 1) return "bundle";
     if (def->reel.model != REEL_NONE || def->drum.present) return "reel";

@@ -267,6 +267,7 @@ static void duct_draw(const Calculation *page, const CalculatorDuct *duct, Text 
     double place[4][2];
     char inside[HAWSER_SHOWN_MAX], cable[HAWSER_SHOWN_MAX], room[HAWSER_SHOWN_MAX];
     const int n = cables_place(duct->load.layout, R, d / 2, place);
+    if (duct->load.layout == DUCT_BESIDE) memcpy(place[0], duct->load.at, sizeof place[0]);
     text_print(out,
                "<figure style=\"margin:0\"><svg width=\"%d\" height=\"%d\" role=\"img\" aria-label=\"cross-section\" "
                "fill=\"none\" stroke=\"currentColor\"><circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" stroke-width=\"3\"/>",
@@ -274,10 +275,18 @@ static void duct_draw(const Calculation *page, const CalculatorDuct *duct, Text 
     for (int i = 0; i < n; ++i)
         text_print(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"#8b949e55\"/>", middle + scale * place[i][0],
                    middle - scale * place[i][1], scale * d / 2);
+    for (int i = 0; i < s->lying.cables; ++i) {
+        const double a = s->lying.diameter / 2, angle = duct_lying_angle(&s->lying, 2 * R, i);
+        text_print(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"#8b949ecc\"/>",
+                   middle + scale * (R - a) * sin(angle), middle + scale * (R - a) * cos(angle), scale * a);
+    }
     text_words(out, "</svg><figcaption>", s->name, "");
     text_print(out, ": inside %s, %d \xC3\x97 %s, fill %.3g %%, clearance %s",
                hawser_show(2 * R, "m", page->units, inside), n, hawser_show(d, "m", page->units, cable),
                100 * duct->load.fill, hawser_show(duct->load.clearance, "m", page->units, room));
+    if (s->lying.cables > 0)
+        text_print(out, ", beside %d \xC3\x97 %s that lie there", s->lying.cables,
+                   hawser_show(s->lying.diameter, "m", page->units, cable));
     if (duct->load.jam_risk != JAM_NONE) text_print(out, ", jam ratio %.3g", duct->load.jam_ratio);
     text_add(out, "</figcaption></figure>\n");
 }

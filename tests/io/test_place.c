@@ -168,6 +168,39 @@ static void refused(void **state)
     }
 }
 
-TEST_FILE_IN(test_place, scratch_make, scratch_remove, cmocka_unit_test(fewest_by_closed_form),
-             cmocka_unit_test(with_what_is_assumed), cmocka_unit_test(written_into_the_case),
-             cmocka_unit_test(dry_and_lubricated), cmocka_unit_test(refused))
+/* A straight duct with a cable in it: the pull is that of the empty one times 1 + 1.2 (T33), and with the friction that
+ * the remedy asks for the case is safe. */
+static void occupied_duct(void **state)
+{
+    (void)state;
+    static const char duct[] = "cables: {c: {d: 60 mm, mass: 4 kg/m}}\nroute: {pieces: [{straight: 100 m}]}\nfriction: "
+                               "{mu_d: 0.4, mu_s: 0.4}\n"
+                               "drive: {tail: {tension: 0 N}}\nlimits: {pull: 3 kN, sidewall: 3 kN/m, fill: 0.5}\n"
+                               "surfaces: {ducts: [{radius: 90 mm, occupied: {d: 60 mm, friction_factor: 1.2}}]}\n";
+    hawser_word word = HAWSER_SAFE;
+    json_t *doc = placed(duct, NULL, &word);
+    check_close(number(row_of(doc, "nothing"), "force_N"), 2.2 * MU * W * 100, 0.01);
+    json_decref(doc);
+    hawser_case *c = NULL;
+    hawser_error err = {0};
+    char *said = NULL;
+    assert_int_equal(hawser_case_load(scratch_write("occupied.yaml", duct), &c, &err), HAWSER_OK);
+    assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &said, &err), HAWSER_OK);
+    doc = json_loads(said, 0, NULL);
+    const json_t *const remedy = json_array_get(json_object_get(doc, "remedies"), 0);
+    char value[32];
+    snprintf(value, sizeof value, "%g", number(remedy, "value"));
+    assert_string_equal(json_string_value(json_object_get(remedy, "key")), "friction.mu_d");
+    assert_int_equal(hawser_case_set(c, "friction.mu_d", value, &err), HAWSER_OK);
+    assert_int_equal(hawser_case_set(c, "friction.mu_s", value, &err), HAWSER_OK);
+    hawser_text_free(said);
+    assert_int_equal(hawser_case_theory_shown(c, HAWSER_TABLE, NULL, &said, &word, &err), HAWSER_OK);
+    assert_int_equal(word, HAWSER_SAFE);
+    hawser_text_free(said);
+    json_decref(doc);
+    hawser_case_free(c);
+}
+
+TEST_FILE_IN(test_place, scratch_make, scratch_remove, cmocka_unit_test(occupied_duct),
+             cmocka_unit_test(fewest_by_closed_form), cmocka_unit_test(with_what_is_assumed),
+             cmocka_unit_test(written_into_the_case), cmocka_unit_test(dry_and_lubricated), cmocka_unit_test(refused))

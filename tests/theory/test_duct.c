@@ -213,11 +213,66 @@ static void refusals(void **state)
     refuse((DuctDef){.duct_diameter = 0.2, .cable_diameter = 0.05, .cables = 2, .layout = DUCT_CRADLE},
            "is of 3 cables");
     refuse((DuctDef){.duct_diameter = 0.35, .cable_diameter = 0.05, .cables = 3, .layout = DUCT_TRIANGLE}, "spreads");
+    refuse((DuctDef){.duct_diameter = 0.1, .cable_diameter = 0.05, .cables = 1, .lying = {1, 0.05, 1}},
+           "does not pass");
+    refuse((DuctDef){.duct_diameter = 0.2, .cable_diameter = 0.03, .cables = 2, .lying = {1, 0.05, 1}},
+           "one is pulled");
+    refuse((DuctDef){.duct_diameter = 0.1, .cable_diameter = 0.03, .cables = 1, .lying = {3, 0.045, 1}}, "in a row");
     /* IEEE 1185 has the diamond in wide ducts too, 1 + 2 (d/(D - d))^2; it was refused there */
     check_close(load(5 / 1.2, 4, DUCT_DIAMOND).weight_factor, 1 + 2 * 1.2 * 1.2 / (3.8 * 3.8), 1e-12);
 }
 
-TEST_FILE(test_duct, cmocka_unit_test(factors), cmocka_unit_test(cradle_balances),
-          cmocka_unit_test(layouts_follow_the_ratio), cmocka_unit_test(clearances), cmocka_unit_test(rooms),
-          cmocka_unit_test(jamming), cmocka_unit_test(refusals), cmocka_unit_test(clearances_by_places),
-          cmocka_unit_test(edges))
+static DuctLoad beside(double D, double a, int lying, double b, double friction)
+{
+    const DuctDef def = {.duct_diameter = D, .cable_diameter = 2 * b, .cables = 1, .lying = {lying, 2 * a, friction}};
+    DuctLoad out;
+    hawser_error err;
+    if (duct_load(&def, &out, &err)) fail_msg("%s", err.message);
+    return out;
+}
+
+/* (T33) of one lying cable: both circles touch where they should, and the two forces, found from two frictions, balance
+ * the weight. */
+static void beside_one(void **state)
+{
+    (void)state;
+    static const double cable[][2] = {{0.03, 0.03}, {0.03, 0.04}, {0.05, 0.02}, {0.02, 0.05}, {0.035, 0.06}};
+    for (size_t k = 0; k < sizeof cable / sizeof *cable; ++k) {
+        const double R = 0.1, a = cable[k][0], b = cable[k][1];
+        const DuctLoad one = beside(2 * R, a, 1, b, 1), three = beside(2 * R, a, 1, b, 3);
+        const double on_cable = (three.weight_factor - one.weight_factor) / 2, on_wall = one.weight_factor - on_cable;
+        const double *const at = one.at, off = at[1] + (R - a), apart = hypot(at[0], off), out = hypot(at[0], at[1]);
+        check_close(out, R - b, 1e-12);
+        check_close(apart, a + b, 1e-12);
+        check_close(on_cable * at[0] / apart - on_wall * at[0] / out, 0, 1e-12);
+        check_close(on_cable * off / apart - on_wall * at[1] / out, 1, 1e-12);
+        check_close(one.sidewall_factor, fmax(on_cable, on_wall), 1e-12);
+        check_close(one.fill, (a * a + b * b) / (R * R), 1e-12);
+        check_close(one.clearance, 2 * (R - a - b), 1e-12);
+        assert_int_equal(one.layout, DUCT_BESIDE);
+        assert_int_equal(one.jam_risk, JAM_NONE);
+    }
+    check_close(beside(0.18, 0.03, 1, 0.03, 1.2).weight_factor, 2.2, 1e-12); /* three diameters: 60 degrees */
+    check_close(beside(1e6, 0.03, 1, 0.03, 1.2).weight_factor, 1, 1e-3);     /* a floor: it leans on nothing */
+    check_close(beside(0.16 + 1e-9, 0.06, 1, 0.02, 1).weight_factor, 3 + 4,
+                1e-3); /* on top, under the roof: a/b + R/b */
+}
+
+/* On two that lie on a floor 0.5 is the sine of the lean; in a duct the nip that drags most counts; three in all may
+ * jam. */
+static void beside_more(void **state)
+{
+    (void)state;
+    check_close(beside(1e6, 0.03, 2, 0.03, 2).weight_factor, 2 / cos(3.14159265358979323846 / 6), 1e-3);
+    const DuctLoad two = beside(0.2, 0.03, 2, 0.03, 1);
+    assert_true(two.weight_factor > 1 && two.clearance > 0);
+    check_close(two.fill, 3 * 0.0036 / 0.04, 1e-12);
+    check_close(two.jam_ratio, 1.05 * 0.2 / 0.06, 1e-12);
+    assert_int_equal(beside(0.18, 0.03, 2, 0.03, 1).jam_risk, JAM_SMALL);
+    assert_true(beside(0.3, 0.03, 3, 0.03, 1).weight_factor > two.fill);
+}
+
+TEST_FILE(test_duct, cmocka_unit_test(factors), cmocka_unit_test(beside_one), cmocka_unit_test(beside_more),
+          cmocka_unit_test(cradle_balances), cmocka_unit_test(layouts_follow_the_ratio), cmocka_unit_test(clearances),
+          cmocka_unit_test(rooms), cmocka_unit_test(jamming), cmocka_unit_test(refusals),
+          cmocka_unit_test(clearances_by_places), cmocka_unit_test(edges))
