@@ -9,9 +9,8 @@ static PeerRun a_run(PeerProblem problem)
     return (PeerRun){.program = "test", .problem = problem, .n = 12, .last_t = -1, .place_t = -1};
 }
 
-static void test_travel_is_the_integral_of_speed(void **state)
+TEST(test_travel_is_the_integral_of_speed)
 {
-    (void)state;
     double sum = 0;
     const int steps = 3000;
     for (int k = 0; k < steps; ++k) sum += straight_speed((k + 0.5) * 3 / steps) * 3 / steps;
@@ -39,18 +38,16 @@ static void balanced(int n)
     check_close(joint[3 * n + 2], 0, 1e-10);
 }
 
-static void test_chain_is_in_balance(void **state)
+TEST(test_chain_is_in_balance)
 {
-    (void)state;
     balanced(2);
     balanced(37);
     balanced(120);
 }
 
 /* Many links are a catenary: horizontal tension w a, length 2 a sinh(span/2a). */
-static void test_chain_tends_to_the_catenary(void **state)
+TEST(test_chain_tends_to_the_catenary)
 {
-    (void)state;
     const int n = 4000;
     const double length = PEER_LINK * n, span = chain_span(n);
     double low = span / 10, high = 100 * span;
@@ -64,9 +61,8 @@ static void test_chain_tends_to_the_catenary(void **state)
     check_share(chain_tension(n), PEER_MASS * PEER_GRAVITY / PEER_LINK * low, 1e-6);
 }
 
-static void test_turned_chain(void **state)
+TEST(test_turned_chain)
 {
-    (void)state;
     double flat[3 * 13], turned[3 * 13];
     chain_joints(12, 0, flat);
     chain_joints(12, SWING_ANGLE, turned);
@@ -78,9 +74,8 @@ static void test_turned_chain(void **state)
 }
 
 /* A force that grows linearly, looked at on a grid that misses the window's ends: mean and mean square are exact. */
-static void test_mean_over_the_window(void **state)
+TEST(test_mean_over_the_window)
 {
-    (void)state;
     PeerRun run = a_run(PEER_STRAIGHT);
     for (double t = 0; t < 9; t += 0.7) peer_force(&run, t, 10 * t);
     const double mean = run.sum / run.mean_time;
@@ -90,9 +85,8 @@ static void test_mean_over_the_window(void **state)
 }
 
 /* The path is linear between calls, and its first point is the first call's. */
-static void test_path(void **state)
+TEST(test_path)
 {
-    (void)state;
     PeerRun run = a_run(PEER_SWING);
     for (int k = 0; k <= 70; ++k) peer_place(&run, 0.03 * k, 1 + 0.03 * k, -0.06 * k);
     assert_int_equal(run.points, TRACE_POINTS);
@@ -103,9 +97,8 @@ static void test_path(void **state)
 }
 
 /* A path against itself, against one that is 1 mm aside at one point, and against one that is too short. */
-static void test_path_error(void **state)
+TEST(test_path_error)
 {
-    (void)state;
     char file[] = "test_peer_run_path.txt";
     PeerRun run = a_run(PEER_SWING);
     run.trace_file = run.reference_file = file;
@@ -121,9 +114,8 @@ static void test_path_error(void **state)
     remove(file);
 }
 
-static void test_settings(void **state)
+TEST(test_settings)
 {
-    (void)state;
     char program[] = "p", problem[] = "swing", n[] = "12", dt[] = "dt=2e-3", cone[] = "cone=elliptic",
          limit[] = "--limit", s[] = "7";
     char *argv[] = {program, problem, n, dt, limit, s, cone};
@@ -138,8 +130,3 @@ static void test_settings(void **state)
     assert_string_equal(peer_word(&run, "cone", "x"), "elliptic");
     assert_int_equal(run.used, 3);
 }
-
-TEST_FILE(test_peer_run, cmocka_unit_test(test_travel_is_the_integral_of_speed),
-          cmocka_unit_test(test_chain_is_in_balance), cmocka_unit_test(test_chain_tends_to_the_catenary),
-          cmocka_unit_test(test_turned_chain), cmocka_unit_test(test_mean_over_the_window), cmocka_unit_test(test_path),
-          cmocka_unit_test(test_path_error), cmocka_unit_test(test_settings))

@@ -49,7 +49,7 @@ static void expect_equal_friction(FrictionLaw a, FrictionLaw b)
     expect_equal(a.v_d, b.v_d);
 }
 
-static void test_chain(void **state)
+TEST(test_chain)
 {
     const SceneDef *const a = &((Pair *)*state)->code, *const b = &((Pair *)*state)->file;
     const CableDef *const c = a->cables, *const d = b->cables;
@@ -63,7 +63,7 @@ static void test_chain(void **state)
     for (int k = 0; k < 6; ++k) expect_equal(c->damping_factor[k], d->damping_factor[k]);
 }
 
-static void test_route_and_rollers(void **state)
+TEST(test_route_and_rollers)
 {
     const SceneDef *const a = &((Pair *)*state)->code, *const b = &((Pair *)*state)->file;
     assert_int_equal(a->n_route, b->n_route);
@@ -84,7 +84,7 @@ static void test_route_and_rollers(void **state)
     }
 }
 
-static void test_laws_and_drive(void **state)
+TEST(test_laws_and_drive)
 {
     const SceneDef *const a = &((Pair *)*state)->code, *const b = &((Pair *)*state)->file;
     assert_int_equal(a->geometry, b->geometry);
@@ -109,9 +109,8 @@ static void test_laws_and_drive(void **state)
 }
 
 /* Other lengths keep the distances at the ends. */
-static void test_other_lengths(void **state)
+TEST(test_other_lengths)
 {
-    (void)state;
     SceneDef def;
     assert_true(straight_scene(&def, 20));
     assert_int_equal(def.pieces[0].segments, 20);
@@ -121,6 +120,4 @@ static void test_other_lengths(void **state)
     scene_def_clear(&def);
 }
 
-TEST_FILE_IN(test_straight_scene, setup, teardown, cmocka_unit_test(test_chain),
-             cmocka_unit_test(test_route_and_rollers), cmocka_unit_test(test_laws_and_drive),
-             cmocka_unit_test(test_other_lengths))
+TEST_GROUP(setup, teardown)

@@ -71,17 +71,15 @@ static void brute_check(ContactGeometry geometry)
                   s.pairs.n_ranges);
     scene_free(&s);
 }
-static void test_brute_force(void **state)
+TEST(test_brute_force)
 {
-    (void)state;
     brute_check(GEOMETRY_SMOOTH);
     brute_check(GEOMETRY_CYLINDER);
 }
 
 /* Ranges are ordered by roller, then by element, and do not touch each other. */
-static void test_order(void **state)
+TEST(test_order)
 {
-    (void)state;
     TestScene s;
     scene_wind(&s, GEOMETRY_SMOOTH, 0.5);
     for (int i = 1; i < s.pairs.n_ranges; ++i) {
@@ -112,17 +110,15 @@ static void reach_check(ContactGeometry geometry)
     scene_free(&far);
 }
 
-static void test_reach_changes_nothing(void **state)
+TEST(test_reach_changes_nothing)
 {
-    (void)state;
     reach_check(GEOMETRY_SMOOTH);
     reach_check(GEOMETRY_CYLINDER);
 }
 
 /* Motion up to 3/4 of the reach is allowed for: shifts and turns add up. */
-static void test_moved_too_far(void **state)
+TEST(test_moved_too_far)
 {
-    (void)state;
     TestScene s;
     scene_wind(&s, GEOMETRY_SMOOTH, 0.4);
     assert_false(contact_moved_too_far(&s.model, &s.chain, &s.kin, &s.pairs));
@@ -143,9 +139,8 @@ static void test_moved_too_far(void **state)
 }
 
 /* What moves across the origin has moved: by the difference, whatever the two places' sizes are. */
-static void test_moved_across_the_origin(void **state)
+TEST(test_moved_across_the_origin)
 {
-    (void)state;
     TestScene s;
     scene_new(&s, GEOMETRY_SMOOTH, 3, 0.5);
     s.model.reach = 0.4; /* of which 0.3 m may be used up */
@@ -167,9 +162,8 @@ static void test_moved_across_the_origin(void **state)
 
 /* A head so short that the arc behind it is a candidate of the roller ahead and it is not: what is no candidate is not
  * looked at, though the nearest place is its own. */
-static void test_nothing_but_candidates(void **state)
+TEST(test_nothing_but_candidates)
 {
-    (void)state;
     TestScene s;
     ContactDetail detail[SCENE_HITS_MAX];
     scene_new(&s, GEOMETRY_SMOOTH, 3, 1);
@@ -190,9 +184,8 @@ static void test_nothing_but_candidates(void **state)
 }
 
 /* No rollers, and a chain of one segment. */
-static void test_least(void **state)
+TEST(test_least)
 {
-    (void)state;
     TestScene s;
     scene_new(&s, GEOMETRY_SMOOTH, 1, 0.5);
     scene_refresh(&s);
@@ -206,8 +199,3 @@ static void test_least(void **state)
     check_close(s.loads.f[2][0], 2e7 * pow(1e-3, 1.5), 1e-9);
     scene_free(&s);
 }
-
-TEST_FILE(test_candidates, cmocka_unit_test(test_brute_force), cmocka_unit_test(test_order),
-          cmocka_unit_test(test_reach_changes_nothing), cmocka_unit_test(test_moved_too_far),
-          cmocka_unit_test(test_moved_across_the_origin), cmocka_unit_test(test_nothing_but_candidates),
-          cmocka_unit_test(test_least))

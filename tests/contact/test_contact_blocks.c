@@ -189,65 +189,39 @@ static void states_check(ContactGeometry geometry, Place place)
     check_below(worst, 1e-6);
 }
 
-static void test_smooth_lateral(void **state)
+TEST(test_smooth_lateral) { states_check(GEOMETRY_SMOOTH, PLACE_LATERAL); }
+TEST(test_smooth_rim) { states_check(GEOMETRY_SMOOTH, PLACE_RIM); }
+TEST(test_smooth_end)
 {
-    (void)state;
-    states_check(GEOMETRY_SMOOTH, PLACE_LATERAL);
-}
-static void test_smooth_rim(void **state)
-{
-    (void)state;
-    states_check(GEOMETRY_SMOOTH, PLACE_RIM);
-}
-static void test_smooth_end(void **state)
-{
-    (void)state;
     states_check(GEOMETRY_SMOOTH, PLACE_END);
     check_above(clamped_count, 40);
 }
-static void test_cylinder_lateral(void **state)
+TEST(test_cylinder_lateral) { states_check(GEOMETRY_CYLINDER, PLACE_LATERAL); }
+TEST(test_cylinder_rim) { states_check(GEOMETRY_CYLINDER, PLACE_RIM); }
+TEST(test_cylinder_end)
 {
-    (void)state;
-    states_check(GEOMETRY_CYLINDER, PLACE_LATERAL);
-}
-static void test_cylinder_rim(void **state)
-{
-    (void)state;
-    states_check(GEOMETRY_CYLINDER, PLACE_RIM);
-}
-static void test_cylinder_end(void **state)
-{
-    (void)state;
     states_check(GEOMETRY_CYLINDER, PLACE_END);
     check_above(clamped_count, 40);
 }
 
-static void test_smooth_grooves(void **state)
+TEST(test_smooth_grooves)
 {
-    (void)state;
     states_check(GEOMETRY_SMOOTH, PLACE_FLANK);
     states_check(GEOMETRY_SMOOTH, PLACE_HOLLOW);
     states_check(GEOMETRY_SMOOTH, PLACE_LIP);
 }
-static void test_cylinder_grooves(void **state)
+TEST(test_cylinder_grooves)
 {
-    (void)state;
     states_check(GEOMETRY_CYLINDER, PLACE_FLANK);
     states_check(GEOMETRY_CYLINDER, PLACE_HOLLOW);
     states_check(GEOMETRY_CYLINDER, PLACE_LIP);
 }
 
 /* Lines about presumed forces (PS11), which are pressed or stand open. */
-static void test_presumed(void **state)
+TEST(test_presumed)
 {
-    (void)state;
     presumes = 1;
     states_check(GEOMETRY_SMOOTH, PLACE_LATERAL);
     states_check(GEOMETRY_CYLINDER, PLACE_LATERAL);
     presumes = 0;
 }
-
-TEST_FILE(test_contact_blocks, cmocka_unit_test(test_presumed), cmocka_unit_test(test_smooth_lateral),
-          cmocka_unit_test(test_smooth_rim), cmocka_unit_test(test_smooth_end), cmocka_unit_test(test_cylinder_lateral),
-          cmocka_unit_test(test_cylinder_rim), cmocka_unit_test(test_cylinder_end),
-          cmocka_unit_test(test_smooth_grooves), cmocka_unit_test(test_cylinder_grooves))

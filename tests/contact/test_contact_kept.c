@@ -83,9 +83,8 @@ static void rollers_new(TestScene *s, int sticks)
     scene_forces(s, 1);
 }
 
-static void test_rollers(void **state)
+TEST(test_rollers)
 {
-    (void)state;
     for (int sticks = 0; sticks < 2; ++sticks) {
         TestScene s;
         rollers_new(&s, sticks);
@@ -127,9 +126,8 @@ static void test_rollers(void **state)
     }
 }
 
-static void test_rollers_impossible(void **state)
+TEST(test_rollers_impossible)
 {
-    (void)state;
     static const char words[] = "candidates for contact are impossible";
     TestScene s;
     rollers_new(&s, 1);
@@ -179,9 +177,8 @@ static void keep_sticks(Checkpoint *c, void *of)
     stick_checkpoint(c, &s->store, s->rollers, s->room);
 }
 
-static void test_sticks(void **state)
+TEST(test_sticks)
 {
-    (void)state;
     static const char words[] = "what sticks is impossible";
     Sticks s = {.rollers = 2, .room = 3}, to = {.rollers = 2, .room = 1};
     assert_true(stick_reserve(&s.store, 2, 3));
@@ -225,9 +222,8 @@ static void test_sticks(void **state)
 }
 
 /* A contact takes over from the nearest element of its own face, whichever of several that is. */
-static void test_nearest_sticks(void **state)
+TEST(test_nearest_sticks)
 {
-    (void)state;
     static const int element[] = {4, 5, 20, 7, 30};
     StickStore s = {.n = 0};
     assert_true(stick_reserve(&s, 2, 5));
@@ -264,9 +260,8 @@ static void turns_new(SelfScene *s)
     self_load(s, 1);
 }
 
-static void test_self(void **state)
+TEST(test_self)
 {
-    (void)state;
     const int n = TURNS;
     SelfScene s, to;
     BlockChain k[2], d[2];
@@ -298,9 +293,8 @@ static void test_self(void **state)
     self_free(&s);
 }
 
-static void test_self_impossible(void **state)
+TEST(test_self_impossible)
 {
-    (void)state;
     static const char words[] = "candidates of cable on cable are impossible";
     SelfScene s;
     turns_new(&s);
@@ -357,9 +351,8 @@ static void floor_new(SurfaceScene *s)
     surfaces_forces(s, 1);
 }
 
-static void test_surfaces(void **state)
+TEST(test_surfaces)
 {
-    (void)state;
     SurfaceScene s, to;
     floor_new(&s);
     to = s;
@@ -380,9 +373,8 @@ static void test_surfaces(void **state)
     surfaces_free(&s);
 }
 
-static void test_surfaces_impossible(void **state)
+TEST(test_surfaces_impossible)
 {
-    (void)state;
     static const char words[] = "candidates for contact with surfaces are impossible";
     SurfaceScene s;
     floor_new(&s);
@@ -406,8 +398,3 @@ static void test_surfaces_impossible(void **state)
     }
     surfaces_free(&s);
 }
-
-TEST_FILE(test_contact_kept, cmocka_unit_test(test_rollers), cmocka_unit_test(test_rollers_impossible),
-          cmocka_unit_test(test_nearest_sticks), cmocka_unit_test(test_sticks), cmocka_unit_test(test_self),
-          cmocka_unit_test(test_self_impossible), cmocka_unit_test(test_surfaces),
-          cmocka_unit_test(test_surfaces_impossible))

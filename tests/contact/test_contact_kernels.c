@@ -64,9 +64,8 @@ static void batch_check(const ContactKernels *one, const ContactKernels *other, 
     check_below(difference(d[0].entry[0], d[1].entry[0], 144 * LANES), 1e-10);
 }
 
-static void test_instruction_sets_agree(void **state)
+TEST(test_instruction_sets_agree)
 {
-    (void)state;
     static const ContactKernels *const table[] = ISA_TABLE(contact_kernels);
     uint64_t seed = 4;
     for (int i = 0; i < 20; ++i) {
@@ -77,9 +76,8 @@ static void test_instruction_sets_agree(void **state)
 }
 
 /* A lane does not depend on its neighbours: the same hit alone in a batch gives the same bits. */
-static void test_lanes_are_independent(void **state)
+TEST(test_lanes_are_independent)
 {
-    (void)state;
     static const ContactKernels *const table[] = ISA_TABLE(contact_kernels);
     uint64_t seed = 8;
     ContactBatch mixed, alone;
@@ -108,9 +106,8 @@ static void test_lanes_are_independent(void **state)
 
 /* Without friction and damping no force depends on a velocity: said, and d is left alone; the derivatives by places are
  * those that friction leaves at no coefficient. With damping d is written. */
-static void test_no_speeds(void **state)
+TEST(test_no_speeds)
 {
-    (void)state;
     static const ContactKernels *const table[] = ISA_TABLE(contact_kernels);
     static const FrictionLaw none = {.v_s = 5e-3, .v_d = 2e-2};
     static ContactMatrix k[2], d[2], untouched;
@@ -136,6 +133,3 @@ static void test_no_speeds(void **state)
         assert_int_equal(table[isa]->columns[VARIANT_SMOOTH](&batch, &k[0], &d[0], normal), 0);
     }
 }
-
-TEST_FILE(test_contact_kernels, cmocka_unit_test(test_instruction_sets_agree),
-          cmocka_unit_test(test_lanes_are_independent), cmocka_unit_test(test_no_speeds))

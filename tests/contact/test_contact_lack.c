@@ -112,9 +112,8 @@ static void rollers_loads(void *of, double sums[7])
     assert_memory_equal(same, sums, sizeof same);
 }
 
-static void test_rollers(void **state)
+TEST(test_rollers)
 {
-    (void)state;
     if (!lack_works()) skip();
     Rollers r = {.other = {0}};
     scene_new(&r.s, GEOMETRY_SMOOTH, N, 0.5);
@@ -127,9 +126,8 @@ static void test_rollers(void **state)
 }
 
 /* A refresh that lacks memory for more candidates than ever: the next one has them. */
-static void test_more_candidates(void **state)
+TEST(test_more_candidates)
 {
-    (void)state;
     if (!lack_works()) skip();
     enum { LONG = 200 };
     for (int k = 0; k < 3; ++k) {
@@ -202,9 +200,8 @@ static void turns_loads(void *of, double sums[7])
     assert_memory_equal(same, sums, sizeof same);
 }
 
-static void test_self(void **state)
+TEST(test_self)
 {
-    (void)state;
     if (!lack_works()) skip();
     Turns t = {.other = {0}};
     uint64_t seed = 4;
@@ -240,9 +237,8 @@ static void floor_loads(void *of, double sums[7])
     sum_up(&s->loads, N, s->pairs.candidates, sums);
 }
 
-static void test_surfaces(void **state)
+TEST(test_surfaces)
 {
-    (void)state;
     if (!lack_works()) skip();
     SurfaceScene s;
     surfaces_new(&s, N, 0.5);
@@ -258,6 +254,3 @@ static void test_surfaces(void **state)
     every_allocation(&(Trial){floor_attempt, floor_loads, &s}, 4);
     surfaces_free(&s);
 }
-
-TEST_FILE(test_contact_lack, cmocka_unit_test(test_rollers), cmocka_unit_test(test_more_candidates),
-          cmocka_unit_test(test_self), cmocka_unit_test(test_surfaces))

@@ -29,9 +29,8 @@ static double impact_reference(const ImpactLaw *law, double x, double rate)
     return fmax(0, law->k * pow(-x, law->e) - damping * rate);
 }
 
-static void test_impact_is_the_reference(void **state)
+TEST(test_impact_is_the_reference)
 {
-    (void)state;
     const double exponents[] = {1, 1.5, 2, 2.2};
     for (int i = 0; i < 4; ++i) {
         ImpactLaw law = impact;
@@ -45,9 +44,8 @@ static void test_impact_is_the_reference(void **state)
     }
 }
 
-static void test_impact_never_pulls(void **state)
+TEST(test_impact_never_pulls)
 {
-    (void)state;
     double d_gap, d_rate;
     check_equal(impact_force(&impact, 0, -1, &d_gap, &d_rate), 0);
     check_equal(impact_force(&impact, 1e-9, -100, &d_gap, &d_rate), 0);
@@ -60,9 +58,8 @@ static void test_impact_never_pulls(void **state)
     check_below(impact_value(&impact, -1e-9, -1), 1e-6);
 }
 
-static void test_impact_derivatives(void **state)
+TEST(test_impact_derivatives)
 {
-    (void)state;
     const double gaps[] = {-2e-4, -7e-4, -1.6e-3}, rates[] = {-0.2, 0.05, 0};
     const double step = 1e-8;
     for (int i = 0; i < 9; ++i) {
@@ -79,9 +76,8 @@ static void test_impact_derivatives(void **state)
 }
 
 /* A law without damping depth is damped fully from the first touch. */
-static void test_impact_without_depth(void **state)
+TEST(test_impact_without_depth)
 {
-    (void)state;
     ImpactLaw law = impact;
     law.d = 0;
     double d_gap, d_rate;
@@ -90,9 +86,8 @@ static void test_impact_without_depth(void **state)
     check_equal(d_rate, -law.c);
 }
 
-static void test_friction_is_the_reference(void **state)
+TEST(test_friction_is_the_reference)
 {
-    (void)state;
     for (double v = 1e-5; v < 0.03; v += 1.3e-4) {
         double expected = friction.mu_d;
         if (v < friction.v_s) {
@@ -108,9 +103,8 @@ static void test_friction_is_the_reference(void **state)
     check_close(mu_value(100), friction.mu_d, 1e-15);
 }
 
-static void test_friction_derivative(void **state)
+TEST(test_friction_derivative)
 {
-    (void)state;
     const double speeds[] = {1e-4, 3e-3, 6e-3, 0.015, 0.5};
     for (int i = 0; i < 5; ++i) {
         const double v = speeds[i], step = 1e-5 * v;
@@ -129,9 +123,8 @@ static void test_friction_derivative(void **state)
 
 /* (K6): all coefficients by one factor; a law with friction keeps its kind however small the factor is, one without
  * stays without. */
-static void test_friction_scaled(void **state)
+TEST(test_friction_scaled)
 {
-    (void)state;
     static const double factors[] = {0, 1e-9, 0.5, 1, 3};
     for (int k = 0; k < 5; ++k) {
         for (int sticks = 0; sticks < 2; ++sticks) {
@@ -169,9 +162,8 @@ static int steps_to_rest(double load, double depth, int about)
     return 50;
 }
 
-static void test_presumed_forces_settle(void **state)
+TEST(test_presumed_forces_settle)
 {
-    (void)state;
     for (double load = 1; load < 1e3; load *= 10) {
         const int line = steps_to_rest(load, 4e-3, 1), tangent = steps_to_rest(load, 4e-3, 0);
         print_message("%g N: %d steps, %d by tangents at the gap\n", load, line, tangent);
@@ -181,9 +173,8 @@ static void test_presumed_forces_settle(void **state)
 }
 
 /* (PS12), (PS13) case by case. */
-static void test_presumed_forces(void **state)
+TEST(test_presumed_forces)
 {
-    (void)state;
     const Presume gaps = {.from = PRESUME_GAPS}, last = {.from = PRESUME_LAST, .gravity = 10},
                   line = {.from = PRESUME_LINE, .gravity = 10, .keep = 0.1};
     const double deep = impact_value(&impact, -1e-3, 0), depth = pow(50 / impact.k, 1 / impact.e);
@@ -199,9 +190,3 @@ static void test_presumed_forces(void **state)
     check_equal(presume_force(&line, &impact, 0, depth, 2), 0);
     check_equal(presume_force(&line, &impact, 0, -1e-3, 2), 20);
 }
-
-TEST_FILE(test_contact_law, cmocka_unit_test(test_presumed_forces_settle), cmocka_unit_test(test_presumed_forces),
-          cmocka_unit_test(test_impact_is_the_reference), cmocka_unit_test(test_impact_never_pulls),
-          cmocka_unit_test(test_impact_derivatives), cmocka_unit_test(test_impact_without_depth),
-          cmocka_unit_test(test_friction_is_the_reference), cmocka_unit_test(test_friction_scaled),
-          cmocka_unit_test(test_friction_derivative))

@@ -93,9 +93,8 @@ static void line_bend(TestScene *s, double angle, double open)
 }
 
 /* Straight: the force is the same wherever the roller is, to rounding. */
-static void test_straight(void **state)
+TEST(test_straight)
 {
-    (void)state;
     TestScene s;
     line_new(&s, 3.1, 1e-3);
     const Pushed seen = line_push(&s, v3(1e-4, 0, 0), 16000);
@@ -119,16 +118,8 @@ static void bent_check(double open)
     check_equal(seen.hits_least, 1);
     check_equal(seen.hits_most, 1);
 }
-static void test_bent(void **state)
-{
-    (void)state;
-    bent_check(0);
-}
-static void test_sheared(void **state)
-{
-    (void)state;
-    bent_check(3e-4);
-}
+TEST(test_bent) { bent_check(0); }
+TEST(test_sheared) { bent_check(3e-4); }
 
 /* The line runs off the roller: with its tail, with its head, or sideways over the rim. */
 static void leave_check(double x, Vec3 step, int steps)
@@ -139,23 +130,17 @@ static void leave_check(double x, Vec3 step, int steps)
     check_equal(seen.hits_least, 0);
     check_equal(seen.hits_most, 1);
 }
-static void test_ends(void **state)
+TEST(test_ends)
 {
-    (void)state;
     leave_check(0.1, v3(1e-5, 0, 0), 16000);
     leave_check(3.9, v3(-1e-5, 0, 0), 16000);
 }
-static void test_rim(void **state)
-{
-    (void)state;
-    leave_check(1.9, v3(0, 1e-5, 0), 30000);
-}
+TEST(test_rim) { leave_check(1.9, v3(0, 1e-5, 0), 30000); }
 
 /* The pulling eye: rope of radius 7 mm in front, then cable. The line is held level, so the roller is pressed
  * in by the difference; the law is soft, to make that bearable. */
-static void test_eye_climbs(void **state)
+TEST(test_eye_climbs)
 {
-    (void)state;
     TestScene s[2];
     for (int i = 0; i < 2; ++i) {
         line_new(&s[i], 3.2, CABLE - ROPE + 5e-4);
@@ -196,9 +181,8 @@ static int minima_count(double roller, int linear)
 
 /* With a linear radius the gap's slope jumps at the rope's end of the eye: two minima at once, so that a
  * force that follows one of them must jump. With the cubic there is one. */
-static void test_linear_radius_doubles(void **state)
+TEST(test_linear_radius_doubles)
 {
-    (void)state;
     int doubled = 0;
     for (double roller = 0.35; roller < 0.65; roller += 0.001) {
         doubled += minima_count(roller, 1) == 2;
@@ -217,9 +201,8 @@ static void test_linear_radius_doubles(void **state)
 /* ------------------------------------------- minima against brute force */
 
 /* A centre exactly above the roller (slope exactly 0), and one just before and after: one contact each. */
-static void test_node_above_roller(void **state)
+TEST(test_node_above_roller)
 {
-    (void)state;
     for (int side = -1; side <= 1; ++side) {
         TestScene s;
         line_new(&s, 1.75 + side * 1e-17 + side * 2e-16, 1e-3);
@@ -275,17 +258,15 @@ static void nearest_check(ContactGeometry geometry)
         scene_free(&s);
     }
 }
-static void test_hits_hold_the_nearest(void **state)
+TEST(test_hits_hold_the_nearest)
 {
-    (void)state;
     nearest_check(GEOMETRY_SMOOTH);
     nearest_check(GEOMETRY_CYLINDER);
 }
 
 /* Closed joints: the arc is the quadratic Bezier curve whose control point is the joint. */
-static void test_arc_is_bezier(void **state)
+TEST(test_arc_is_bezier)
 {
-    (void)state;
     TestScene s;
     line_new(&s, 2, 1e-3);
     line_bend(&s, 0.1, 0);
@@ -303,9 +284,8 @@ static void test_arc_is_bezier(void **state)
 
 /* Under a joint of a straight line both capsules touch: the force is twice that under a segment's middle, as
  * in the programs that the paper's model was made with. */
-static void test_capsules_double_at_joints(void **state)
+TEST(test_capsules_double_at_joints)
 {
-    (void)state;
     double force[2];
     for (int i = 0; i < 2; ++i) {
         TestScene s;
@@ -322,9 +302,8 @@ static void test_capsules_double_at_joints(void **state)
 
 /* The slope of the way from p: a product of the place and the axis of each segment, the first and the last too; before
  * the first it falls, behind the last it rises. */
-static void test_slope(void **state)
+TEST(test_slope)
 {
-    (void)state;
     TestScene s;
     line_new(&s, 3.1, 1e-3);
     line_bend(&s, 0.1, 1e-3);
@@ -339,9 +318,8 @@ static void test_slope(void **state)
 }
 
 /* A foot just at a node is one element's only, and what is before the line or behind it is held at its ends. */
-static void test_foot_at_nodes(void **state)
+TEST(test_foot_at_nodes)
 {
-    (void)state;
     enum { SEGMENTS = 5 };
     TestScene s;
     scene_new(&s, GEOMETRY_SMOOTH, SEGMENTS, 0.5);
@@ -367,9 +345,8 @@ static void test_foot_at_nodes(void **state)
 
 /* A foot is where the line runs at right angles to what points at it; sharply bent, and seen from near its centre of
  * curvature, Newton's method would leave the element. */
-static void test_foot_where_bent(void **state)
+TEST(test_foot_where_bent)
 {
-    (void)state;
     enum { SEGMENTS = 4 };
     TestScene s;
     int feet = 0;
@@ -392,10 +369,3 @@ static void test_foot_where_bent(void **state)
     check_at_most(worst, 1e-12);
     scene_free(&s);
 }
-
-TEST_FILE(test_contact_line, cmocka_unit_test(test_foot_where_bent), cmocka_unit_test(test_foot_at_nodes),
-          cmocka_unit_test(test_straight), cmocka_unit_test(test_slope), cmocka_unit_test(test_bent),
-          cmocka_unit_test(test_sheared), cmocka_unit_test(test_ends), cmocka_unit_test(test_rim),
-          cmocka_unit_test(test_eye_climbs), cmocka_unit_test(test_linear_radius_doubles),
-          cmocka_unit_test(test_node_above_roller), cmocka_unit_test(test_hits_hold_the_nearest),
-          cmocka_unit_test(test_arc_is_bezier), cmocka_unit_test(test_capsules_double_at_joints))

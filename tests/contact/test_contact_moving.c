@@ -197,9 +197,8 @@ static void derivatives_check(ContactGeometry geometry, int rim, int groove)
     check_below(worst, 2e-6);
 }
 
-static void test_derivatives(void **state)
+TEST(test_derivatives)
 {
-    (void)state;
     for (int geometry = 0; geometry < 2; ++geometry) {
         for (int rim = 0; rim < 2; ++rim) derivatives_check(geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, rim, 0);
         derivatives_check(geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, 0, 1);
@@ -207,9 +206,8 @@ static void test_derivatives(void **state)
 }
 
 /* Forces and moments about the origin of chain and roller add up to nothing; a shift of everything changes nothing. */
-static void test_balance_and_shift(void **state)
+TEST(test_balance_and_shift)
 {
-    (void)state;
     uint64_t seed = 5;
     int touching = 0;
     for (int i = 0; i < 20; ++i) {
@@ -244,9 +242,8 @@ static void test_balance_and_shift(void **state)
 
 /* Seen from a frame that turns and flies along, chain and roller do the same to each other; and a spin about the
  * roller's own axis alone drags the cable as a cable that runs over a fixed roller is held back. */
-static void test_rigid_motion_and_spin(void **state)
+TEST(test_rigid_motion_and_spin)
 {
-    (void)state;
     uint64_t seed = 8;
     for (int i = 0; i < 20; ++i) {
         Moving m;
@@ -268,9 +265,8 @@ static void test_rigid_motion_and_spin(void **state)
 }
 
 /* A roller that could move, at rest, acts as a fixed one. */
-static void test_at_rest(void **state)
+TEST(test_at_rest)
 {
-    (void)state;
     uint64_t seed = 3;
     Moving m;
     double row[ROWS];
@@ -286,6 +282,3 @@ static void test_at_rest(void **state)
     check_vec(m.s.on_roller[0], m.load[0].force, 1e-12 * v3_norm(m.load[0].force));
     scene_free(&m.s);
 }
-
-TEST_FILE(test_contact_moving, cmocka_unit_test(test_derivatives), cmocka_unit_test(test_balance_and_shift),
-          cmocka_unit_test(test_rigid_motion_and_spin), cmocka_unit_test(test_at_rest))

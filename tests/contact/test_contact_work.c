@@ -83,9 +83,8 @@ static void balance_check(ContactGeometry geometry, uint64_t *seed)
     check_vec(force, rollers, 1e-14 * size);
     scene_free(&s);
 }
-static void test_balance(void **state)
+TEST(test_balance)
 {
-    (void)state;
     uint64_t seed = 3;
     for (int i = 0; i < 50; ++i) {
         balance_check(GEOMETRY_SMOOTH, &seed);
@@ -94,9 +93,8 @@ static void test_balance(void **state)
 }
 
 /* Normal part and friction of every hit are what the laws say. */
-static void test_force_follows_laws(void **state)
+TEST(test_force_follows_laws)
 {
-    (void)state;
     uint64_t seed = 9;
     int touching = 0;
     for (int i = 0; i < 50; ++i) {
@@ -122,9 +120,8 @@ static void test_force_follows_laws(void **state)
 }
 
 /* The whole scene turned and moved: the loads turn with it. */
-static void test_objective(void **state)
+TEST(test_objective)
 {
-    (void)state;
     uint64_t seed = 21;
     for (int i = 0; i < 20; ++i) {
         TestScene s;
@@ -161,9 +158,8 @@ static void test_objective(void **state)
 }
 
 /* A cable at rest on a roller has no friction; with the scale 0 a moving one has none either. */
-static void test_no_friction(void **state)
+TEST(test_no_friction)
 {
-    (void)state;
     for (int moving = 0; moving < 2; ++moving) {
         TestScene s;
         scene_new(&s, GEOMETRY_SMOOTH, N, 0.5);
@@ -190,9 +186,8 @@ static void drift(TestScene *s, double dt)
 
 /* What the contacts take from the segments is in their springs, or what friction and damping are said to take (BA5),
  * (BA6): the springs' change by a quotient over a short way. */
-static void tally_closes(void **state)
+TEST(tally_closes)
 {
-    (void)state;
     uint64_t seed = 11;
     for (int k = 0; k < 40; ++k) {
         const double dt = 1e-7;
@@ -224,9 +219,8 @@ static void tally_closes(void **state)
 }
 
 /* What is presumed is what presses now, of every roller, whatever was found in the same place before. */
-static void test_presumed_now(void **state)
+TEST(test_presumed_now)
 {
-    (void)state;
     for (int geometry = 0; geometry < 2; ++geometry) {
         const Presume gaps = {.from = PRESUME_GAPS};
         double force[2 * 3] = {-1, 5, 6, 7, 8, 9};
@@ -249,9 +243,8 @@ static void test_presumed_now(void **state)
 
 /* What presses for the first time is presumed to carry its own segment's weight and no more: of the element's second
  * segment, behind the head of the last. */
-static void test_presumed_weight(void **state)
+TEST(test_presumed_weight)
 {
-    (void)state;
     for (int geometry = 0; geometry < 2; ++geometry) {
         const Presume last = {.from = PRESUME_LAST, .gravity = 10};
         for (int e = 0; e < element_count(geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH, N); ++e) {
@@ -268,7 +261,3 @@ static void test_presumed_weight(void **state)
         }
     }
 }
-
-TEST_FILE(test_contact_work, cmocka_unit_test(test_presumed_weight), cmocka_unit_test(test_balance),
-          cmocka_unit_test(test_force_follows_laws), cmocka_unit_test(test_objective),
-          cmocka_unit_test(test_presumed_now), cmocka_unit_test(test_no_friction), cmocka_unit_test(tally_closes))

@@ -88,9 +88,8 @@ static Taken rollers_taken(TestScene *s)
     return t;
 }
 
-static void test_rollers(void **state)
+TEST(test_rollers)
 {
-    (void)state;
     for (int geometry = 0; geometry < 2; ++geometry) {
         TestScene s;
         rollers_new(&s, geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH);
@@ -104,9 +103,8 @@ static void test_rollers(void **state)
 }
 
 /* Candidates are renewed for whichever segment has moved or turned. */
-static void test_every_segment_moves(void **state)
+TEST(test_every_segment_moves)
 {
-    (void)state;
     TestScene s;
     rollers_new(&s, GEOMETRY_SMOOTH);
     scene_refresh(&s);
@@ -130,9 +128,8 @@ static void test_every_segment_moves(void **state)
 }
 
 /* Derivatives by speeds where friction alone has any: no damping, fixed rollers; and where nothing has. */
-static void test_undamped(void **state)
+TEST(test_undamped)
 {
-    (void)state;
     for (int rubs = 0; rubs < 2; ++rubs) {
         TestScene s;
         BlockChain m[4];
@@ -177,9 +174,8 @@ static Taken self_taken(SelfScene *s)
     return t;
 }
 
-static void test_self(void **state)
+TEST(test_self)
 {
-    (void)state;
     static const double with[] = {NAN, 1e3, -1e3};
     for (int k = 0; k < 3; ++k) {
         SelfScene s;
@@ -228,9 +224,8 @@ static Taken surface_taken(SurfaceScene *s)
     return t;
 }
 
-static void test_surfaces(void **state)
+TEST(test_surfaces)
 {
-    (void)state;
     for (int geometry = 0; geometry < 2; ++geometry) {
         SurfaceScene s;
         floor_new(&s, geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH);
@@ -242,6 +237,3 @@ static void test_surfaces(void **state)
         surfaces_free(&s);
     }
 }
-
-TEST_FILE(test_ghosts, cmocka_unit_test(test_rollers), cmocka_unit_test(test_every_segment_moves),
-          cmocka_unit_test(test_undamped), cmocka_unit_test(test_self), cmocka_unit_test(test_surfaces))

@@ -29,9 +29,8 @@ static double at(const Shape *s, int face, double rho, double z)
     return shape_face_distance(s, face, point_at(s, rho, 1.3, z));
 }
 
-static void test_known_distances_v(void **state)
+TEST(test_known_distances_v)
 {
-    (void)state;
     const Shape v = grooved(0);
     const double r = sqrt(0.5);
     check_close(v.groove.lip, 0.1, 1e-16);
@@ -51,9 +50,8 @@ static void test_known_distances_v(void **state)
     check_close(shape_distance(&v, point_at(&v, 0.2, 0, -0.05)), at(&v, 1, 0.2, -0.05), 1e-16);
 }
 
-static void test_known_distances_u(void **state)
+TEST(test_known_distances_u)
 {
-    (void)state;
     const Shape u = grooved(2);
     assert_int_equal(shape_faces(u.kind), 1);
     check_close(at(&u, 0, 0.1, 0), 0.02, 1e-15);
@@ -81,9 +79,8 @@ static int near_border(const Shape *s, int face, double rho, double z, double ne
 }
 
 /* Both implementations agree everywhere; the derivatives are those of the distance where it has them. */
-static void test_derivatives(void **state)
+TEST(test_derivatives)
 {
-    (void)state;
     uint64_t seed = 17;
     const double step = 1e-6;
     int looked_at = 0;
@@ -114,9 +111,8 @@ static void test_derivatives(void **state)
 
 /* Two points a little apart: distances differ by no more than that anywhere, normals by little outside the body, except
  * above a U, where both lips are as near. */
-static void test_no_jumps(void **state)
+TEST(test_no_jumps)
 {
-    (void)state;
     uint64_t seed = 5;
     const double apart = 1e-7;
     for (int i = 0; i < 60000; ++i) {
@@ -137,9 +133,8 @@ static void test_no_jumps(void **state)
 }
 
 /* Along lines that cross every border the normal turns gradually. */
-static void test_normals_over_lips(void **state)
+TEST(test_normals_over_lips)
 {
-    (void)state;
     for (int which = 0; which < SHAPES; ++which) {
         const Shape s = grooved(which);
         Vec3 before = v3(0, 0, 0);
@@ -153,9 +148,8 @@ static void test_normals_over_lips(void **state)
 }
 
 /* Where a cable lies: both flanks or the arc's bottom are a radius away, or the lips are. */
-static void test_seat(void **state)
+TEST(test_seat)
 {
-    (void)state;
     for (int which = 0; which < SHAPES; ++which) {
         const Shape s = grooved(which);
         const double cable[] = {0.01, 0.03, 0.044, 0.055, 0.11, 0.15};
@@ -168,7 +162,3 @@ static void test_seat(void **state)
     const Shape flat = {.kind = SHAPE_CYLINDER, .axis = {0, 1, 0}, .radius = 0.1, .half_width = 0.2};
     check_close(shape_seat(&flat, 0.04), 0.14, 0);
 }
-
-TEST_FILE(test_groove, cmocka_unit_test(test_known_distances_v), cmocka_unit_test(test_known_distances_u),
-          cmocka_unit_test(test_derivatives), cmocka_unit_test(test_no_jumps), cmocka_unit_test(test_normals_over_lips),
-          cmocka_unit_test(test_seat))

@@ -15,9 +15,8 @@ static ContactRoller *grooved_roller(TestScene *s, Vec3 centre, Vec3 axis, Groov
 }
 
 /* Pressed into the middle of a V by `depth`: each flank pushes with k depth^e, together along the bisector. */
-static void test_both_flanks(void **state)
+TEST(test_both_flanks)
 {
-    (void)state;
     TestScene s;
     scene_new(&s, GEOMETRY_SMOOTH, N, 0.5);
     const double half_angle = 0.7, depth = 1e-3, radius = s.chain.radius[0];
@@ -44,9 +43,8 @@ static void test_both_flanks(void **state)
 }
 
 /* Sliding along it each flank rubs: mu/sin(half angle) of the load. */
-static void test_wedge_friction(void **state)
+TEST(test_wedge_friction)
 {
-    (void)state;
     TestScene s;
     scene_new(&s, GEOMETRY_SMOOTH, N, 0.5);
     const double half_angle = 0.5;
@@ -89,9 +87,8 @@ static void groove_scene(TestScene *s, ShapeKind kind, Quat turn, Vec3 shift)
     scene_forces(s, 1);
 }
 
-static void test_balance_and_objectivity(void **state)
+TEST(test_balance_and_objectivity)
 {
-    (void)state;
     const Quat turn = quat_unit((Quat){0.4, -0.3, 0.7, 0.2});
     for (ShapeKind kind = SHAPE_V_GROOVE; kind <= SHAPE_U_GROOVE; ++kind) {
         TestScene s, t;
@@ -144,9 +141,8 @@ static double largest_jump(ShapeKind kind, Groove groove, double step)
 }
 
 /* A force that has no jump changes by half as much in half a step. */
-static void test_pushed_over_edges(void **state)
+TEST(test_pushed_over_edges)
 {
-    (void)state;
     const Groove groove[2] = {groove_v(0.8, 0.12), groove_u(0.06, 0.05)};
     for (int k = 0; k < 2; ++k) {
         const ShapeKind kind = k == 0 ? SHAPE_V_GROOVE : SHAPE_U_GROOVE;
@@ -158,9 +154,8 @@ static void test_pushed_over_edges(void **state)
 
 /* Askew by up to 25 deg in a U, far beyond (GR7): what is found is a minimum of the gap along the line, never the
  * maximum between two. */
-static void test_askew_in_u(void **state)
+TEST(test_askew_in_u)
 {
-    (void)state;
     for (double skew = 0; skew < 0.45; skew += 0.01) {
         TestScene s;
         scene_new(&s, GEOMETRY_SMOOTH, N, 0.5);
@@ -187,9 +182,8 @@ static void test_askew_in_u(void **state)
 
 /* Drawn through a U as deep as its radius, a little askew and up on one wall: the contact stays whatever part of a
  * segment is at the walls' upper edge, where they stand upright, and the point found is the nearest (GR15). */
-static void test_drawn_through_deep_u(void **state)
+TEST(test_drawn_through_deep_u)
 {
-    (void)state;
     TestScene s;
     scene_new(&s, GEOMETRY_SMOOTH, N, 0.5);
     const double rc = s.chain.radius[0], r_g = 1.25 * rc, up = 0.9, skew = 5e-3, depth = 1e-4;
@@ -231,9 +225,8 @@ static double thinning_depth(TestScene *s, double z, double x)
 
 /* A cable that ends in a thin rope, drawn through the middle of a U as deep as its radius: it is borne as by a flat
  * roller, wherever the segment in between stands out of the groove (GR16). */
-static void test_thinning_in_deep_u(void **state)
+TEST(test_thinning_in_deep_u)
 {
-    (void)state;
     TestScene u, flat;
     scene_new(&u, GEOMETRY_SMOOTH, N, 0.5);
     scene_new(&flat, GEOMETRY_SMOOTH, N, 0.5);
@@ -252,8 +245,3 @@ static void test_thinning_in_deep_u(void **state)
     scene_free(&flat);
     scene_free(&u);
 }
-
-TEST_FILE(test_groove_contact, cmocka_unit_test(test_both_flanks), cmocka_unit_test(test_wedge_friction),
-          cmocka_unit_test(test_balance_and_objectivity), cmocka_unit_test(test_pushed_over_edges),
-          cmocka_unit_test(test_askew_in_u), cmocka_unit_test(test_drawn_through_deep_u),
-          cmocka_unit_test(test_thinning_in_deep_u))

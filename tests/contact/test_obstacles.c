@@ -34,9 +34,8 @@ static Vec3 point_at(double x, double y, double z)
     return v3_axpy(v3_axpy(v3_axpy(CENTRE, x, AXIS), y, SIDE), z, v3_cross(AXIS, SIDE));
 }
 
-static void test_known_distances(void **state)
+TEST(test_known_distances)
 {
-    (void)state;
     const Shape box = box_shape(), bell = bell_shape();
     check_close(shape_distance(&box, point_at(0.1, -0.1, 0.15)), 0.05, 1e-15);                              /* face */
     check_close(shape_distance(&box, point_at(-0.25 + 0.03 - 0.06, 0.1, -0.1 + 0.03 - 0.08)), 0.07, 1e-15); /* edge */
@@ -52,9 +51,8 @@ static void test_known_distances(void **state)
 
 /* Bore and flare have one tangent at the throat: what lies in the duct, touching its wall, comes no nearer than the
  * radius of the ring's section behind the throat, and leaves it by about x^2/2R. */
-static void test_flare_continues_the_bore(void **state)
+TEST(test_flare_continues_the_bore)
 {
-    (void)state;
     const Shape bell = bell_shape();
     const ShapeProbe throat = shape_probe(&bell, 0, point_at(0, 0.075, 0));
     check_close(throat.distance, 0, 1e-15);
@@ -84,9 +82,8 @@ static int derivatives_check(const Shape *shape, Vec3 p)
 }
 
 /* Off the borders of faces, edges and corners, on the box and to 50 mm beside it. */
-static void test_box_derivatives(void **state)
+TEST(test_box_derivatives)
 {
-    (void)state;
     const Shape box = box_shape();
     uint64_t seed = 11;
     int seen[4] = {0};
@@ -101,9 +98,8 @@ static void test_box_derivatives(void **state)
     for (int k = 1; k < 4; ++k) check_above(seen[k], 100);
 }
 
-static void test_bell_derivatives(void **state)
+TEST(test_bell_derivatives)
 {
-    (void)state;
     const Shape bell = bell_shape();
     uint64_t seed = 12;
     int seen = 0;
@@ -116,9 +112,8 @@ static void test_bell_derivatives(void **state)
 }
 
 /* Distance and normal are continuous all round the box, which is what keeps forces from jumping. */
-static void test_normals_have_no_jump(void **state)
+TEST(test_normals_have_no_jump)
 {
-    (void)state;
     const Shape box = box_shape();
     const double step = 1e-4;
     uint64_t seed = 13;
@@ -194,9 +189,8 @@ static void push_check(const Shape *shape, Vec3 turn, Vec3 start, Vec3 step, int
 
 /* A box in the cable's way, from every side: along a face over both its edges, over a corner, with the cable's head and
  * its tail, and onto an edge that is askew. */
-static void test_pushes_over_the_box(void **state)
+TEST(test_pushes_over_the_box)
 {
-    (void)state;
     const double r = 0.04365, in = 1e-3;
     Shape box = box_shape();
     box.centre = v3(1.6, 0, 0);
@@ -214,9 +208,8 @@ static void test_pushes_over_the_box(void **state)
 }
 
 /* Round the flare's inside from the bore outward, at a slant. */
-static void test_pushes_through_the_bell(void **state)
+TEST(test_pushes_through_the_bell)
 {
-    (void)state;
     Shape bell = bell_shape();
     bell.centre = v3(1.6, 0, 0);
     bell.axis = v3(1, 0, 0);
@@ -285,9 +278,8 @@ static void states_check(const Shape *shape, ContactGeometry geometry)
     check_equal(active, 60);
     check_below(worst, 1e-6);
 }
-static void test_blocks(void **state)
+TEST(test_blocks)
 {
-    (void)state;
     const Shape box = box_shape(), bell = bell_shape();
     for (ContactGeometry g = GEOMETRY_SMOOTH; g <= GEOMETRY_CYLINDER; ++g) {
         states_check(&box, g);
@@ -296,9 +288,8 @@ static void test_blocks(void **state)
 }
 
 /* The head against a face: pushed back along the cable with k depth^e, and by nothing else. */
-static void test_head_against_a_face(void **state)
+TEST(test_head_against_a_face)
 {
-    (void)state;
     TestScene s;
     scene_new(&s, GEOMETRY_SMOOTH, N, 0.5);
     Shape box = box_shape();
@@ -312,9 +303,3 @@ static void test_head_against_a_face(void **state)
     check_below(fabs(s.on_roller[0].y) + fabs(s.on_roller[0].z), 1e-9 * s.on_roller[0].x);
     scene_free(&s);
 }
-
-TEST_FILE(test_obstacles, cmocka_unit_test(test_known_distances), cmocka_unit_test(test_flare_continues_the_bore),
-          cmocka_unit_test(test_box_derivatives), cmocka_unit_test(test_bell_derivatives),
-          cmocka_unit_test(test_normals_have_no_jump), cmocka_unit_test(test_pushes_over_the_box),
-          cmocka_unit_test(test_pushes_through_the_bell), cmocka_unit_test(test_blocks),
-          cmocka_unit_test(test_head_against_a_face))

@@ -86,9 +86,8 @@ static int planar_push(Rig *r)
     return r->s.pairs.active;
 }
 
-static void test_space(void **state)
+TEST(test_space)
 {
-    (void)state;
     static const double exponents[] = {1, 1.5, 2, 2.2}; /* those that cost no pow(), and one that does */
     double worst = 0, largest = 0;
     int contacts = 0;
@@ -120,9 +119,8 @@ static void test_space(void **state)
 }
 
 /* What the segments feel is what the rollers feel, back: forces, and moments about the origin. */
-static void test_reaction(void **state)
+TEST(test_reaction)
 {
-    (void)state;
     for (uint64_t seed = 1; seed <= 10; ++seed) {
         Rig r;
         double sum[2] = {0}, size = 0;
@@ -157,9 +155,8 @@ static void level_new(Rig *r, Vec3 start, double x, double z, double radius)
 
 /* A centre exactly above the roller, where the slope is zero and not by rounding only: the one of the two elements that
  * meet there has the contact, whichever lane it is in. */
-static void test_node_above_roller(void **state)
+TEST(test_node_above_roller)
 {
-    (void)state;
     const double depth = 1e-3;
     for (int i = 0; i < N; ++i) {
         Rig r;
@@ -173,9 +170,8 @@ static void test_node_above_roller(void **state)
 }
 
 /* The line's ends, on a roller or beside one, press as deep as they are in it, wherever the scene lies. */
-static void test_ends_anywhere(void **state)
+TEST(test_ends_anywhere)
 {
-    (void)state;
     static const double starts[] = {-40, -3, 0, 5, 60}, along[] = {0.1, 0.02, -0.03, -0.06};
     const double depth = 2e-3, radius = 0.1, rc = 0.04365;
     for (int k = 0; k < 5 * 5 * 4 * 2; ++k) {
@@ -195,9 +191,8 @@ static void test_ends_anywhere(void **state)
 }
 
 /* No line point moves farther than the kernel says; a NaN is infinitely far. */
-static void test_moved(void **state)
+TEST(test_moved)
 {
-    (void)state;
     Rig r;
     PlanarKinematics then;
     rig_new(&r, GEOMETRY_SMOOTH, 3);
@@ -246,9 +241,8 @@ static double block_entry(const PlanarBlocks *b, int i, int j, int e)
 }
 
 /* (PL13) against central differences, at rest, creeping and sliding; what no block holds would show. */
-static void test_blocks(void **state)
+TEST(test_blocks)
 {
-    (void)state;
     const double step = 1e-7;
     double worst[2] = {0};
     int contacts = 0;
@@ -298,9 +292,8 @@ static void test_blocks(void **state)
 }
 
 /* Blocks of contacts that do not press stay as they are, and nothing is added outside the chain. */
-static void test_no_blocks(void **state)
+TEST(test_no_blocks)
 {
-    (void)state;
     Rig r;
     PlanarBlocks k, d;
     rig_new(&r, GEOMETRY_SMOOTH, 4);
@@ -338,9 +331,8 @@ static double tried_gap(const Rig *r, int k, int e)
 
 /* What is near a roller is kept, between the first and the last of it, and ends of ranges that are surely far are not;
  * a NaN is near; forces are the same. */
-static void test_narrow(void **state)
+TEST(test_narrow)
 {
-    (void)state;
     int dropped = 0, kept = 0;
     for (uint64_t seed = 1; seed <= 20; ++seed) {
         Rig r;
@@ -390,9 +382,8 @@ static void test_narrow(void **state)
 }
 
 /* What stands before and behind the segments is nobody's: NaN there changes nothing. */
-static void test_ghosts(void **state)
+TEST(test_ghosts)
 {
-    (void)state;
     for (int geometry = 0; geometry < 2; ++geometry) {
         Rig r;
         PlanarLoads before;
@@ -415,9 +406,8 @@ static void test_ghosts(void **state)
 
 /* A level line that is lifted as a whole, off a roller under any of its elements: the sum of all blocks is the law's
  * own stiffness and damping, upward; along, without friction, nothing. */
-static void test_lifted(void **state)
+TEST(test_lifted)
 {
-    (void)state;
     const double depth = 2e-3; /* deeper than where the damping is whole */
     for (int e = 0; e <= N; ++e) {
         Rig r;
@@ -445,9 +435,8 @@ static void test_lifted(void **state)
 }
 
 /* Contacts none of which presses: the kernel says so, and leaves what it was given. */
-static void test_no_columns(void **state)
+TEST(test_no_columns)
 {
-    (void)state;
     PlanarContactMatrix k, d;
     const ImpactLaw impact = {.k = 2e7, .e = 1.5, .c = 2e4, .d = 1e-3};
     const FrictionLaw friction = {.mu_s = 0.2, .mu_d = 0.15, .v_s = 5e-3, .v_d = 2e-2};
@@ -475,8 +464,3 @@ static void test_no_columns(void **state)
         assert_int_equal(kept, !pressed);
     }
 }
-
-TEST_FILE(test_planar_contact, cmocka_unit_test(test_lifted), cmocka_unit_test(test_no_columns),
-          cmocka_unit_test(test_space), cmocka_unit_test(test_reaction), cmocka_unit_test(test_moved),
-          cmocka_unit_test(test_blocks), cmocka_unit_test(test_no_blocks), cmocka_unit_test(test_narrow),
-          cmocka_unit_test(test_ghosts), cmocka_unit_test(test_node_above_roller), cmocka_unit_test(test_ends_anywhere))

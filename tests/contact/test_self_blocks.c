@@ -57,9 +57,8 @@ static void compare(SelfScene *s, const char *what, int least)
 }
 
 /* Two and a half turns beside each other. */
-static void test_turns(void **state)
+TEST(test_turns)
 {
-    (void)state;
     uint64_t seed = 3;
     for (int shaken = 0; shaken < 3; ++shaken) {
         SelfScene s;
@@ -72,9 +71,8 @@ static void test_turns(void **state)
 }
 
 /* Two strands across each other, at angles from nearly parallel to square; unlike radii on the upper one. */
-static void test_crossing(void **state)
+TEST(test_crossing)
 {
-    (void)state;
     uint64_t seed = 5;
     const double angle[] = {0.05, 0.3, 1, 1.5};
     for (int k = 0; k < 4; ++k) {
@@ -91,9 +89,8 @@ static void test_crossing(void **state)
 }
 
 /* The cable's end on its own back: the foot is held at the end of the line. */
-static void test_end(void **state)
+TEST(test_end)
 {
-    (void)state;
     uint64_t seed = 9;
     SelfScene s;
     self_new(&s, 12, 0.3);
@@ -103,5 +100,3 @@ static void test_end(void **state)
     compare(&s, "end", 1);
     self_free(&s);
 }
-
-TEST_FILE(test_self_blocks, cmocka_unit_test(test_turns), cmocka_unit_test(test_crossing), cmocka_unit_test(test_end))

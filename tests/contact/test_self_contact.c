@@ -12,9 +12,8 @@ static void cross(SelfScene *s, double angle, double apart, double at)
 }
 
 /* Forces and moments cancel, about any point; moving, sliding, with unlike radii. */
-static void test_momentum(void **state)
+TEST(test_momentum)
 {
-    (void)state;
     uint64_t seed = 11;
     for (int k = 0; k < 4; ++k) {
         SelfScene s;
@@ -42,9 +41,8 @@ static void test_momentum(void **state)
 }
 
 /* The same scene, turned and shifted, gives the same forces, turned. */
-static void test_objective(void **state)
+TEST(test_objective)
 {
-    (void)state;
     uint64_t seed = 17;
     SelfScene s, turned;
     const Quat q = quat_unit((Quat){0.3, -0.5, 0.7, 0.2});
@@ -77,9 +75,8 @@ static void test_objective(void **state)
 
 /* Square crossing: the law's own force k p^1.5 to the order of p over the radii, wherever along the segments it is;
  * upward, on the upper strand. At other angles it grows as 1/sin. */
-static void test_crossing_force(void **state)
+TEST(test_crossing_force)
 {
-    (void)state;
     SelfScene s;
     self_new(&s, 12, 0.3);
     for (int k = 0; k < 40; ++k) {
@@ -98,9 +95,8 @@ static void test_crossing_force(void **state)
 
 /* Side by side: the bed's modulus times the depth per length, the same while one slides along the other by more than a
  * segment, and no jump anywhere while it turns through the other's direction. */
-static void test_parallel(void **state)
+TEST(test_parallel)
 {
-    (void)state;
     SelfScene s;
     const double depth = 5e-4, step = 2e-3;
     self_new(&s, 24, 0.3);
@@ -138,9 +134,8 @@ static void test_parallel(void **state)
 
 /* Forces are continuous where feet pass from element to element and pieces from one foot to the next: a crossing that
  * slides along a bent line in small steps changes its force in small steps. */
-static void test_sliding(void **state)
+TEST(test_sliding)
 {
-    (void)state;
     SelfScene s;
     self_new(&s, 40, 0.25);
     double last = 0, jump = 0, largest = 0;
@@ -200,9 +195,8 @@ static double work_round(SelfScene *s, int steps)
 }
 
 /* Without friction and speed the forces of straight strands have a potential: a round trip ends with what it began. */
-static void test_energy(void **state)
+TEST(test_energy)
 {
-    (void)state;
     SelfScene s;
     self_new(&s, 12, 0.3);
     const double work = work_round(&s, 4000), scale = 0.4 * 1e7 * pow(3e-3, 2.5);
@@ -212,9 +206,8 @@ static void test_energy(void **state)
 }
 
 /* Friction and damping take energy, whatever the motion. */
-static void test_dissipation(void **state)
+TEST(test_dissipation)
 {
-    (void)state;
     uint64_t seed = 23;
     for (int k = 0; k < 50; ++k) {
         SelfScene s;
@@ -251,9 +244,8 @@ static double lines_apart(const SelfScene *s, int e, int f)
 }
 
 /* Every two elements whose surfaces come within the reach are in a range, and no neighbours are. */
-static void test_candidates(void **state)
+TEST(test_candidates)
 {
-    (void)state;
     uint64_t seed = 2;
     SelfScene s;
     self_new(&s, 64, 0.25);
@@ -285,9 +277,8 @@ static void test_candidates(void **state)
 }
 
 /* A bent cable does not touch itself where it only bends, even at twice its own radius. */
-static void test_bend_is_no_contact(void **state)
+TEST(test_bend_is_no_contact)
 {
-    (void)state;
     SelfScene s;
     self_new(&s, 12, 0.03);
     self_helix(&s, 2 * SELF_RADIUS, 1);
@@ -298,9 +289,8 @@ static void test_bend_is_no_contact(void **state)
 }
 
 /* A coil's turns press each other as much however finely the cable is cut, shorter than it is thick too. */
-static void test_any_segments(void **state)
+TEST(test_any_segments)
 {
-    (void)state;
     double first = 0;
     for (double h = 0.3; h > 0.02; h *= 0.8) {
         const int n = (int)(10 / h);
@@ -316,8 +306,3 @@ static void test_any_segments(void **state)
     }
     check_above(first, 1e5);
 }
-
-TEST_FILE(test_self_contact, cmocka_unit_test(test_momentum), cmocka_unit_test(test_objective),
-          cmocka_unit_test(test_crossing_force), cmocka_unit_test(test_parallel), cmocka_unit_test(test_sliding),
-          cmocka_unit_test(test_energy), cmocka_unit_test(test_dissipation), cmocka_unit_test(test_candidates),
-          cmocka_unit_test(test_any_segments), cmocka_unit_test(test_bend_is_no_contact))

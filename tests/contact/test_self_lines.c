@@ -87,9 +87,8 @@ static Vec3 force_on(const Beside *s, int l)
 }
 
 /* Square crossings press by the law, opposite on both; the details name the lines. */
-static void test_crossing(void **state)
+TEST(test_crossing)
 {
-    (void)state;
     Beside s;
     beside_new(&s);
     const double depth = 4e-4, sum = 2 * SELF_RADIUS, q = depth - depth * depth / (2 * sum);
@@ -124,9 +123,8 @@ static void test_crossing(void **state)
 }
 
 /* A line that may touch itself too, and one that may not. */
-static void test_within(void **state)
+TEST(test_within)
 {
-    (void)state;
     Beside s;
     beside_new(&s);
     for (int i = 0; i < N; ++i) { /* line 0 runs up and down again; line 1 is far away */
@@ -221,9 +219,8 @@ static void compare(Beside *s, const char *what)
     block_chain_free(&d);
 }
 
-static void test_blocks(void **state)
+TEST(test_blocks)
 {
-    (void)state;
     uint64_t seed = 3;
     const double sum = 2 * SELF_RADIUS;
     for (int k = 0; k < 4; ++k) {
@@ -249,9 +246,8 @@ static void test_blocks(void **state)
 }
 
 /* Line 0 runs down onto an end of line 1 and beyond: feet are held at its tail, or at its head. */
-static void test_held(void **state)
+TEST(test_held)
 {
-    (void)state;
     uint64_t seed = 9;
     for (int head = 0; head < 2; ++head) {
         Beside s;
@@ -273,9 +269,8 @@ static void test_held(void **state)
 }
 
 /* Heads that one eye holds lie in each other and do not press; those of two eyes, or of none, do. */
-static void test_eyes(void **state)
+TEST(test_eyes)
 {
-    (void)state;
     static const int eyes[][LINES] = {{0, 0}, {1, 2}, {2, 1}, {1, 0}, {1, 1}, {3, 3}};
     for (int k = 0; k < 6; ++k) {
         Beside s;
@@ -297,9 +292,8 @@ static void test_eyes(void **state)
 }
 
 /* What else couples rows stands in the pattern beside what the candidates need. */
-static void test_beside(void **state)
+TEST(test_beside)
 {
-    (void)state;
     const BlockPair more[] = {{0, 3}, {1, 11}};
     Beside s;
     beside_new(&s);
@@ -329,9 +323,8 @@ static void lay_fine(Beside *s, int l, Vec3 start, double half)
 
 /* Side by side cables press evenly however finely either is cut, shorter than it is thick too: (CC5) at one depth, as
  * long as the shorter lies on the other. */
-static void test_fine_segments(void **state)
+TEST(test_fine_segments)
 {
-    (void)state;
     static const double halves[] = {0.02, 0.03, 0.04, 0.06, 0.08, 0.11};
     const double sum = 2 * SELF_RADIUS, apart = sum - 1e-3, q = (sum * sum - apart * apart) / (2 * sum);
     int shorter = 0;
@@ -359,9 +352,8 @@ static void test_fine_segments(void **state)
 }
 
 /* The derivatives of that: feet that are several elements apart. */
-static void test_fine_blocks(void **state)
+TEST(test_fine_blocks)
 {
-    (void)state;
     uint64_t seed = 13;
     static const double halves[][LINES] = {{0.08, 0.02}, {0.05, 0.03}, {0.03, 0.03}, {0.11, 0.035}};
     for (int k = 0; k < 4; ++k) {
@@ -377,9 +369,8 @@ static void test_fine_blocks(void **state)
 
 /* Square to each other, element against element: where only two come within reach of each other they alone are
  * candidates, and the blocks of their segments stand in the pattern, both ways; by no more than that. */
-static void test_pattern(void **state)
+TEST(test_pattern)
 {
-    (void)state;
     Beside s;
     beside_new(&s);
     s.model.reach = 0.005; /* and 5/4 of a piece of 75 mm */
@@ -405,9 +396,8 @@ static void test_pattern(void **state)
 
 /* A line that another one passes beyond its end is a candidate as far as the reach goes from that end, not farther;
  * nor is the first element, however thick others are elsewhere. */
-static void test_beyond_ends(void **state)
+TEST(test_beyond_ends)
 {
-    (void)state;
     Beside s;
     beside_new(&s);
     s.model.reach = 0.05;
@@ -427,9 +417,8 @@ static void test_beyond_ends(void **state)
 
 /* The thicker of an element's two segments counts, the first's and the last's too: a line beside it is a candidate as
  * far as that one's skin is within reach. */
-static void test_thick_segments(void **state)
+TEST(test_thick_segments)
 {
-    (void)state;
     for (int thick = 0; thick < N; ++thick) {
         Beside s;
         beside_new(&s);
@@ -452,9 +441,8 @@ static void test_thick_segments(void **state)
 }
 
 /* A segment of the other line that only turns uses up what is between the surfaces, as one of its own does. */
-static void test_turned(void **state)
+TEST(test_turned)
 {
-    (void)state;
     const double gap = 0.03;
     Beside s;
     beside_new(&s);
@@ -534,9 +522,8 @@ static Vec3 bent_over(double beside)
 
 /* Where the middle between two centres is on the other line to the last bit, there is no direction from the one to the
  * other: the bend presses as it does just above and just below. */
-static void test_through_the_middle(void **state)
+TEST(test_through_the_middle)
 {
-    (void)state;
     const double step = 1e-6;
     const Vec3 on = bent_over(0), above = bent_over(step), below = bent_over(-step);
     check_above(on.z, 0);
@@ -545,9 +532,8 @@ static void test_through_the_middle(void **state)
 }
 
 /* Of the ranges that are looked at, none is known to be apart. */
-static void test_apart_is_not_looked_at(void **state)
+TEST(test_apart_is_not_looked_at)
 {
-    (void)state;
     Beside s;
     beside_new(&s);
     lay(&s, 0, v3(-0.93, 0, 0), v3(1, 0, 0));
@@ -569,9 +555,8 @@ static void test_apart_is_not_looked_at(void **state)
 
 /* Damping takes from the force in proportion to the speed at which the cables part, until nothing is left: then no
  * piece presses, and what the bed has goes into the damping. */
-static void test_parting(void **state)
+TEST(test_parting)
 {
-    (void)state;
     static const double share[] = {0, 0.25, 0.75, 1, 1.5, 40};
     double still = 0;
     for (int k = 0; k < 6; ++k) {
@@ -598,9 +583,8 @@ static void test_parting(void **state)
 }
 
 /* Cables that have gone apart since the candidates were found do not press, at their ends either. */
-static void test_gone(void **state)
+TEST(test_gone)
 {
-    (void)state;
     for (int end = 0; end < 3; ++end) { /* line 0 lies across line 1's tail, its middle, its head */
         Beside s;
         beside_new(&s);
@@ -615,10 +599,3 @@ static void test_gone(void **state)
         beside_free(&s);
     }
 }
-
-TEST_FILE(test_self_lines, cmocka_unit_test(test_parting), cmocka_unit_test(test_gone), cmocka_unit_test(test_crossing),
-          cmocka_unit_test(test_within), cmocka_unit_test(test_blocks), cmocka_unit_test(test_pattern),
-          cmocka_unit_test(test_beyond_ends), cmocka_unit_test(test_turned), cmocka_unit_test(test_thick_segments),
-          cmocka_unit_test(test_fine_segments), cmocka_unit_test(test_fine_blocks), cmocka_unit_test(test_held),
-          cmocka_unit_test(test_eyes), cmocka_unit_test(test_beside), cmocka_unit_test(test_through_the_middle),
-          cmocka_unit_test(test_apart_is_not_looked_at))

@@ -6,9 +6,8 @@
 static SelfOverlap alone(const SelfScene *s) { return self_overlap(SELF_ALONE(&s->chain, &s->kin)); }
 
 /* Two strands of one cable that cross at an angle, one above the other. */
-static void strands_that_cross(void **state)
+TEST(strands_that_cross)
 {
-    (void)state;
     const double angles[] = {0.2, 1, 1.6, 2.5}, share[] = {1, 0.7, 0.3, 0.01, -0.2};
     for (int a = 0; a < 4; ++a) {
         for (int k = 0; k < 5; ++k) {
@@ -30,9 +29,8 @@ static void strands_that_cross(void **state)
 
 /* An arc of nine tenths of a turn. What is nearest of it are its ends, or places half a turn about its own surface
  * apart; a bend no sharper than the cable is thick does not count as inside itself there. */
-static void arcs(void **state)
+TEST(arcs)
 {
-    (void)state;
     const double ratio[] = {0.7, 0.85, 1.2, 3, 10}, turn = 0.9 * 2 * M_PI;
     const int n = 400;
     for (int k = 0; k < 5; ++k) {
@@ -51,9 +49,8 @@ static void arcs(void **state)
 }
 
 /* Layers of a coil press into each other by what the pitch lacks, as long as turns are wide. */
-static void coils(void **state)
+TEST(coils)
 {
-    (void)state;
     const double lacks[] = {0.5, 0.1, 0.01, -0.3};
     for (int k = 0; k < 4; ++k) {
         SelfScene s;
@@ -87,9 +84,8 @@ static double every_pair(const SelfScene *s)
     return most;
 }
 
-static void every_pair_counts(void **state)
+TEST(every_pair_counts)
 {
-    (void)state;
     uint64_t seed = 5;
     int inside = 0;
     for (int k = 0; k < 200; ++k) {
@@ -112,9 +108,8 @@ static void every_pair_counts(void **state)
 }
 
 /* Of several lines: with each other, with themselves if asked, not where one eye holds them. */
-static void several_lines(void **state)
+TEST(several_lines)
 {
-    (void)state;
     SelfScene s[2];
     for (int l = 0; l < 2; ++l) {
         self_new(&s[l], 12, 0.3);
@@ -151,9 +146,8 @@ static void several_lines(void **state)
 
 /* A segment that is longer or thicker than all others, at any place of the other line: met near its end, or beside it,
  * it is as deep inside as it is. */
-static void odd_segments(void **state)
+TEST(odd_segments)
 {
-    (void)state;
     enum { SEGMENTS = 5 };
     for (int f = 0; f < SEGMENTS; ++f) {
         for (int thick = 0; thick < 2; ++thick) {
@@ -178,6 +172,3 @@ static void odd_segments(void **state)
         }
     }
 }
-
-TEST_FILE(test_self_overlap, cmocka_unit_test(strands_that_cross), cmocka_unit_test(arcs), cmocka_unit_test(coils),
-          cmocka_unit_test(every_pair_counts), cmocka_unit_test(several_lines), cmocka_unit_test(odd_segments))

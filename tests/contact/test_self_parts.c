@@ -6,9 +6,8 @@
 
 /* Square crossings press like the impact law, for every depth if its exponent is 1.5, else at its depth d; the damping
  * takes c there. */
-static void test_law(void **state)
+TEST(test_law)
 {
-    (void)state;
     const FrictionLaw friction = {.mu_s = 0.3, .mu_d = 0.2, .v_s = 5e-3, .v_d = 2e-2};
     for (int k = 0; k < 12; ++k) {
         const ImpactLaw impact = {.k = 1e6 * (1 + k), .e = 1 + 0.5 * (k % 4), .c = 300 + k, .d = 1e-3 * (1 + k)};
@@ -23,9 +22,8 @@ static void test_law(void **state)
 
 /* One segment of a chain is as short, one as thick as said, wherever they are; half a turn of the thickest keeps two
  * elements apart, and two more. */
-static void test_skip(void **state)
+TEST(test_skip)
 {
-    (void)state;
     enum { MANY = 40, FEW = 3 };
     for (int i = 0; i < MANY; i += 13) {
         for (int j = 0; j < MANY; j += 13) {
@@ -50,9 +48,8 @@ static void test_skip(void **state)
 }
 
 /* Pieces no longer than the thinner side is thick, 1 to 8 of them; an end has half a segment. */
-static void test_pieces(void **state)
+TEST(test_pieces)
 {
-    (void)state;
     enum { N = 4 };
     SelfScene s;
     self_new(&s, N, 1);
@@ -98,9 +95,8 @@ static int candidates_at(SelfScene *s, double apart)
 }
 
 /* Straight strands are candidates from where their surfaces are within the reach and what a piece is longer. */
-static void test_reach(void **state)
+TEST(test_reach)
 {
-    (void)state;
     for (int thick = -1; thick < BOTH; ++thick) {
         SelfScene s;
         self_new(&s, BOTH, 0.3);
@@ -128,9 +124,8 @@ static void test_reach(void **state)
 }
 
 /* The candidates of every element are what a search of all finds, and the halves share them. */
-static void test_halves(void **state)
+TEST(test_halves)
 {
-    (void)state;
     SelfScene s;
     self_new(&s, BOTH, 0.3);
     check_above(candidates_at(&s, 2 * SELF_RADIUS), STRAND);
@@ -184,9 +179,8 @@ static int bears_on(const SelfRange *r, int i)
 
 /* Parallel strands with a gap between their surfaces: a segment that comes nearer by less than the gap leaves its
  * ranges apart, by more does not; others are not touched. What moves as a whole stays apart however far. */
-static void test_clear(void **state)
+TEST(test_clear)
 {
-    (void)state;
     const double gap = 0.02;
     SelfScene s;
     self_new(&s, BOTH, 0.3);
@@ -242,9 +236,8 @@ static void test_clear(void **state)
 }
 
 /* Along a motion the forces are to the last bit those of a look at everything. */
-static void test_clear_changes_nothing(void **state)
+TEST(test_clear_changes_nothing)
 {
-    (void)state;
     uint64_t seed = 21;
     SelfScene s, all;
     self_new(&s, 32, 0.25);
@@ -279,9 +272,8 @@ static void test_clear_changes_nothing(void **state)
 /* --------------------------------------------------------------------------------------- details and balance */
 
 /* The pieces' forces are the strand's, their depths and places those of the crossing; the deepest is the deepest. */
-static void test_details(void **state)
+TEST(test_details)
 {
-    (void)state;
     enum { ROOM = 64 };
     SelfScene s;
     SelfDetail detail[ROOM];
@@ -332,9 +324,8 @@ static void test_details(void **state)
 
 /* (BA5), (BA6): the forces' power is what friction and damping take, and what goes into the bed; with the bed's energy
  * by differences along the motion. Straight strands: of bent ones the feet's own motion takes a little. */
-static void test_balance(void **state)
+TEST(test_balance)
 {
-    (void)state;
     uint64_t seed = 31;
     for (int k = 0; k < 12; ++k) {
         SelfScene s;
@@ -370,9 +361,8 @@ static void test_balance(void **state)
 
 /* (CC5) of ends at the same separation: the bed's force is that of its depth all along, nothing where they are as far
  * apart as their surfaces or farther; then nothing is held either. */
-static void test_parallel_bed(void **state)
+TEST(test_parallel_bed)
 {
-    (void)state;
     const PatchLaw law = {.bed = 1e6};
     const double radius = 0.08, modulus = 1e6 * 0.3 / (radius * sqrt(radius));
     for (int k = 0; k <= 40; ++k) {
@@ -387,8 +377,3 @@ static void test_parallel_bed(void **state)
         if (k < 10) check_close(p.centre, 0.5, 1e-14);
     }
 }
-
-TEST_FILE(test_self_parts, cmocka_unit_test(test_law), cmocka_unit_test(test_skip), cmocka_unit_test(test_parallel_bed),
-          cmocka_unit_test(test_pieces), cmocka_unit_test(test_reach), cmocka_unit_test(test_halves),
-          cmocka_unit_test(test_clear), cmocka_unit_test(test_clear_changes_nothing), cmocka_unit_test(test_details),
-          cmocka_unit_test(test_balance))

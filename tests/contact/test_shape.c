@@ -18,9 +18,8 @@ static Vec3 point_at(double rho, double angle, double z)
     return v3_axpy(p, rho * sin(angle), e2);
 }
 
-static void test_known_distances(void **state)
+TEST(test_known_distances)
 {
-    (void)state;
     check_close(shape_distance(&roller, point_at(0.17, 1, 0.2)), 0.07, 1e-15); /* lateral */
     check_close(shape_distance(&roller, point_at(0.17, 1, -0.2)), 0.07, 1e-15);
     check_close(shape_distance(&roller, point_at(0.05, 2, 0.35)), 0.10, 1e-15);   /* face */
@@ -30,9 +29,8 @@ static void test_known_distances(void **state)
 }
 
 /* Both implementations agree, and the derivatives are those of the distance. */
-static void test_derivatives(void **state)
+TEST(test_derivatives)
 {
-    (void)state;
     uint64_t seed = 7;
     const double step = 1e-6;
     for (int i = 0; i < 400; ++i) {
@@ -56,9 +54,8 @@ static void test_derivatives(void **state)
 }
 
 /* Distance and normal have no jump where the outer regions meet. */
-static void test_smooth_across_regions(void **state)
+TEST(test_smooth_across_regions)
 {
-    (void)state;
     const double tiny = 1e-9;
     for (double angle = 0; angle < 6; angle += 0.7) {
         for (double out = 0.01; out < 0.2; out += 0.05) {
@@ -75,13 +72,9 @@ static void test_smooth_across_regions(void **state)
 }
 
 /* On the axis itself nothing divides by zero. */
-static void test_axis_is_finite(void **state)
+TEST(test_axis_is_finite)
 {
-    (void)state;
     const ShapeProbe probe = shape_probe(&roller, 0, roller.centre);
     check_close(probe.distance, -0.1, 1e-15);
     check_finite(v3_norm(probe.normal));
 }
-
-TEST_FILE(test_shape, cmocka_unit_test(test_known_distances), cmocka_unit_test(test_derivatives),
-          cmocka_unit_test(test_smooth_across_regions), cmocka_unit_test(test_axis_is_finite))

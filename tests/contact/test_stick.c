@@ -45,9 +45,8 @@ static double friction_along(TestScene *s)
     return -s->on_roller[0].x - s->on_roller[1].x;
 }
 
-static void test_grips_like_a_spring(void **state)
+TEST(test_grips_like_a_spring)
 {
-    (void)state;
     TestScene s;
     level_scene(&s, sticky);
     double t = 0;
@@ -68,9 +67,8 @@ static void test_grips_like_a_spring(void **state)
 }
 
 /* Sliding on, over several elements: the coefficient of ADAMS' law at every speed, and back the same. */
-static void test_slides_like_adams(void **state)
+TEST(test_slides_like_adams)
 {
-    (void)state;
     FrictionLaw adams = sticky;
     adams.d_s = 0;
     const double speeds[] = {6e-3, 1.2e-2, 0.1, -0.1, -8e-3};
@@ -96,9 +94,8 @@ static void test_slides_like_adams(void **state)
 }
 
 /* A contact that goes on to the next element takes its lean along; one that lifts off forgets it. */
-static void test_lean_goes_along(void **state)
+TEST(test_lean_goes_along)
 {
-    (void)state;
     TestScene s;
     level_scene(&s, sticky);
     double t = 0;
@@ -125,9 +122,8 @@ static void test_lean_goes_along(void **state)
 }
 
 /* Segments join the chain behind its tail: what the contacts know goes on with the new numbers. */
-static void test_renumbered(void **state)
+TEST(test_renumbered)
 {
-    (void)state;
     TestScene s;
     level_scene(&s, sticky);
     double t = 0;
@@ -146,9 +142,8 @@ static void test_renumbered(void **state)
 }
 
 /* What was freed is as good as new: empty, freed once more, and of another size. */
-static void test_freed(void **state)
+TEST(test_freed)
 {
-    (void)state;
     StickStore store = {0};
     for (int rollers = 1; rollers < 4; ++rollers) {
         assert_true(stick_reserve(&store, rollers, 5));
@@ -166,9 +161,8 @@ static void test_freed(void **state)
 }
 
 /* The moment at which a step is accepted changes nothing: held, called up in part, and sliding. */
-static void test_no_jump_at_a_step(void **state)
+TEST(test_no_jump_at_a_step)
 {
-    (void)state;
     const double speeds[] = {0, 1e-4, 2e-3, 0.03, 0.3};
     for (int k = 0; k < 5; ++k) {
         TestScene s;
@@ -191,9 +185,8 @@ static void test_no_jump_at_a_step(void **state)
 
 /* Dragged to and fro by less and by more than d_s, round and round: from the start on, friction has never given back
  * more than it took. */
-static void test_work_is_only_taken(void **state)
+TEST(test_work_is_only_taken)
 {
-    (void)state;
     uint64_t seed = 9;
     for (int run = 0; run < 20; ++run) {
         TestScene s;
@@ -281,9 +274,8 @@ static double blocks_error(TestScene *s, double step)
     return error;
 }
 
-static void test_derivatives(void **state)
+TEST(test_derivatives)
 {
-    (void)state;
     uint64_t seed = 21;
     const double speeds[] = {1e-4, 8e-3, 0.05, 1};
     double worst = 0;
@@ -302,9 +294,8 @@ static void test_derivatives(void **state)
 }
 
 /* With a bristle that nothing has bent yet, and no time to bend it, the law is ADAMS' to the last bits. */
-static void test_without_memory_it_is_adams(void **state)
+TEST(test_without_memory_it_is_adams)
 {
-    (void)state;
     uint64_t seed = 2;
     int touching = 0;
     for (int i = 0; i < 40; ++i) {
@@ -326,9 +317,8 @@ static void test_without_memory_it_is_adams(void **state)
 
 /* Rollers without friction, in the same scene as others: only their normal force is there; the kernels of frictionless
  * rollers do what the others do at a scale of zero. */
-static void test_frictionless_is_zero_friction(void **state)
+TEST(test_frictionless_is_zero_friction)
 {
-    (void)state;
     uint64_t seed = 4;
     int touching = 0;
     for (int i = 0; i < 20; ++i) {
@@ -364,9 +354,3 @@ static void test_frictionless_is_zero_friction(void **state)
     }
     check_above(touching, 8);
 }
-
-TEST_FILE(test_stick, cmocka_unit_test(test_grips_like_a_spring), cmocka_unit_test(test_slides_like_adams),
-          cmocka_unit_test(test_lean_goes_along), cmocka_unit_test(test_renumbered), cmocka_unit_test(test_freed),
-          cmocka_unit_test(test_no_jump_at_a_step), cmocka_unit_test(test_work_is_only_taken),
-          cmocka_unit_test(test_derivatives), cmocka_unit_test(test_without_memory_it_is_adams),
-          cmocka_unit_test(test_frictionless_is_zero_friction))

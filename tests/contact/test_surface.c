@@ -20,9 +20,8 @@ static Vec3 beside(const Route *route, double s, double left, double up)
 }
 
 /* The normal is the direction in which the distance grows, at the rate 1 (but for the turning of twisted sections). */
-static void test_normal(void **state)
+TEST(test_normal)
 {
-    (void)state;
     uint64_t seed = 11;
     for (int k = 0; k < 4; ++k) {
         SurfaceScene s;
@@ -73,9 +72,8 @@ static int faces_at(const SurfaceScene *s, Vec3 p, double *nearest, Vec3 *normal
 }
 
 /* Along lines beside the route nothing jumps, and each point is one part's. */
-static void test_continuous(void **state)
+TEST(test_continuous)
 {
-    (void)state;
     for (int k = 0; k < 4; ++k) {
         SurfaceScene s;
         surfaces_new(&s, 2, 0.5);
@@ -102,9 +100,8 @@ static void test_continuous(void **state)
 }
 
 /* Two stretches that meet share the cable: their weights add up to one. */
-static void test_fades_meet(void **state)
+TEST(test_fades_meet)
 {
-    (void)state;
     SurfaceScene s;
     surfaces_new(&s, 2, 0.5);
     surfaces_route(&s, WAY, way, 0);
@@ -148,9 +145,8 @@ static void scene_moving(SurfaceScene *s, double heading)
 }
 
 /* What the segments feel and what the surfaces feel add up to nothing, forces and moments. */
-static void test_action_and_reaction(void **state)
+TEST(test_action_and_reaction)
 {
-    (void)state;
     SurfaceScene s;
     scene_moving(&s, 0);
     surfaces_forces(&s, 1);
@@ -172,9 +168,8 @@ static void test_action_and_reaction(void **state)
 }
 
 /* The whole scene turned about the vertical gives the turned forces. */
-static void test_objectivity(void **state)
+TEST(test_objectivity)
 {
-    (void)state;
     const double heading = 0.8;
     SurfaceScene a, b;
     scene_moving(&a, 0);
@@ -196,9 +191,8 @@ static void test_objectivity(void **state)
 }
 
 /* In two halves by elements, as two threads share them: the same loads to the last bit but for the shared segment. */
-static void test_halves(void **state)
+TEST(test_halves)
 {
-    (void)state;
     SurfaceScene s;
     Loads whole;
     scene_moving(&s, 0);
@@ -228,9 +222,8 @@ static void test_halves(void **state)
 
 /* A level cable pressed into a floor by a depth bears its length times k p^e, however it is cut, as arcs or capsules.
  */
-static void test_stiffness(void **state)
+TEST(test_stiffness)
 {
-    (void)state;
     const double depth = 2e-4;
     for (int trial = 0; trial < 8; ++trial) {
         const int n = trial / 2 % 2 ? 40 : 3;
@@ -287,9 +280,8 @@ static double potential(const SurfaceScene *s)
 }
 
 /* Without friction and damping the forces are minus the gradient of that energy, away from the fades. */
-static void test_potential(void **state)
+TEST(test_potential)
 {
-    (void)state;
     SurfaceScene s;
     scene_moving(&s, 0);
     s.model.impact.c = 0;
@@ -324,9 +316,8 @@ static void test_potential(void **state)
 
 /* (BA5), (BA6), (BA10): the forces' power is what friction and damping take, what goes into the springs, and what fades
  * and twists do besides; the springs' energy by differences along the motion. */
-static void test_balance(void **state)
+TEST(test_balance)
 {
-    (void)state;
     const double step = 1e-7;
     for (int twisted = 0; twisted < 2; ++twisted) {
         SurfaceScene s;
@@ -368,9 +359,8 @@ static void test_balance(void **state)
 }
 
 /* A straight cable drawn over the end of a floor at the same depth: what is borne falls evenly, without steps. */
-static void test_floor_end(void **state)
+TEST(test_floor_end)
 {
-    (void)state;
     const double depth = 1e-4, each = 3e8 * pow(depth, 1.5), h = 0.5;
     SurfaceScene s;
     surfaces_new(&s, 20, h);
@@ -399,9 +389,8 @@ static void test_floor_end(void **state)
 
 /* A force that varies along a straight cable with the square of the place is summed without error, ends included: at
  * the tips stand a quarter of a half segment's length each, and what was given besides. */
-static void test_ends_are_points(void **state)
+TEST(test_ends_are_points)
 {
-    (void)state;
     for (int n = 2; n <= 5; ++n) {
         for (int geometry = 0; geometry < 2; ++geometry) {
             SurfaceScene s;
@@ -428,9 +417,8 @@ static void test_ends_are_points(void **state)
 
 /* A cable that stands on its end sinks by what the tip's stiffness says, however it is cut: as long as it is cut more
  * finely than the length that the tip stands for, to second order in what is left of the half segment. */
-static void test_tip_stiffness(void **state)
+TEST(test_tip_stiffness)
 {
-    (void)state;
     const double depth = 1e-4, tip = 1;
     double before = 0;
     for (int n = 4; n <= 64; n *= 4) {
@@ -459,9 +447,8 @@ static void test_tip_stiffness(void **state)
 }
 
 /* A plane without ends has half of space behind it and pushes back at any depth; one with ends has another side. */
-static void test_half_space(void **state)
+TEST(test_half_space)
 {
-    (void)state;
     for (int bounded = 0; bounded < 2; ++bounded) {
         for (double depth = 0.1; depth < 20; depth *= 4) {
             SurfaceScene s;
@@ -482,9 +469,8 @@ static void test_half_space(void **state)
 }
 
 /* What is behind a floor by more than the limit is on its other side; what is beyond its edges is not borne. */
-static void test_limits(void **state)
+TEST(test_limits)
 {
-    (void)state;
     SurfaceScene s;
     surfaces_new(&s, 4, 0.5);
     SurfaceShape floor = surfaces_shape(SURFACE_PLANE, 0, 0);
@@ -505,10 +491,3 @@ static void test_limits(void **state)
     check_equal(s.tally[0].normal, 0);
     surfaces_free(&s);
 }
-
-TEST_FILE(test_surface, cmocka_unit_test(test_normal), cmocka_unit_test(test_continuous),
-          cmocka_unit_test(test_fades_meet), cmocka_unit_test(test_action_and_reaction),
-          cmocka_unit_test(test_objectivity), cmocka_unit_test(test_halves), cmocka_unit_test(test_stiffness),
-          cmocka_unit_test(test_potential), cmocka_unit_test(test_balance), cmocka_unit_test(test_floor_end),
-          cmocka_unit_test(test_limits), cmocka_unit_test(test_half_space), cmocka_unit_test(test_ends_are_points),
-          cmocka_unit_test(test_tip_stiffness))

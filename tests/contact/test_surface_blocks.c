@@ -118,51 +118,32 @@ static void check_kind(SurfaceKind kind, double left, double up, double height)
     check_above(touched, 100);
 }
 
-static void test_duct(void **state)
-{
-    (void)state;
-    check_kind(SURFACE_DUCT, 0.02, -0.06, -1);
-}
+TEST(test_duct) { check_kind(SURFACE_DUCT, 0.02, -0.06, -1); }
 
-static void test_presumed(void **state)
+TEST(test_presumed)
 {
-    (void)state;
     presumes = 1;
     check_kind(SURFACE_DUCT, 0.02, -0.06, -1);
     check_kind(SURFACE_FLAT, 0.035, -0.005, 0.06);
     presumes = 0;
 }
 
-static void test_floor(void **state)
-{
-    (void)state;
-    check_kind(SURFACE_FLAT, 0.05, -0.008, 0);
-}
+TEST(test_floor) { check_kind(SURFACE_FLAT, 0.05, -0.008, 0); }
 
-static void test_floor_with_walls(void **state)
-{
-    (void)state;
-    check_kind(SURFACE_FLAT, 0.035, -0.005, 0.06);
-}
+TEST(test_floor_with_walls) { check_kind(SURFACE_FLAT, 0.035, -0.005, 0.06); }
 
-static void test_v(void **state)
-{
-    (void)state;
-    check_kind(SURFACE_V, 0.01, -0.005, -1);
-}
+TEST(test_v) { check_kind(SURFACE_V, 0.01, -0.005, -1); }
 
-static void test_u(void **state)
+TEST(test_u)
 {
-    (void)state;
     check_kind(SURFACE_U, 0.02, -0.005, -1);
     /* above the half tube its sides are upright, up to the top and its edge */
     check_kind(SURFACE_U, -0.065, 0.08, 0.13);
 }
 
 /* A plane by point and normal, bounded. */
-static void test_plane(void **state)
+TEST(test_plane)
 {
-    (void)state;
     uint64_t seed = 3;
     int touched = 0;
     for (int trial = 0; trial < 12; ++trial) {
@@ -187,9 +168,8 @@ static void test_plane(void **state)
 
 /* Without friction and damping no force depends on a velocity: D is zero to the last bit, and the cable's motion
  * changes no force. */
-static void test_no_speeds(void **state)
+TEST(test_no_speeds)
 {
-    (void)state;
     uint64_t seed = 4;
     for (int k = 0; k < 4; ++k) {
         SurfaceScene s;
@@ -216,7 +196,3 @@ static void test_no_speeds(void **state)
         surfaces_free(&s);
     }
 }
-
-TEST_FILE(test_surface_blocks, cmocka_unit_test(test_duct), cmocka_unit_test(test_presumed),
-          cmocka_unit_test(test_floor), cmocka_unit_test(test_floor_with_walls), cmocka_unit_test(test_v),
-          cmocka_unit_test(test_u), cmocka_unit_test(test_plane), cmocka_unit_test(test_no_speeds))

@@ -20,9 +20,8 @@ static SurfaceProbe probe_of(const SurfaceScene *s, Vec3 p)
 }
 
 /* A duct of 0.1 m along bends of 0.3 to 0.9 m, which may be the first piece: everywhere as far as it is wide. */
-static void test_tight_bends(void **state)
+TEST(test_tight_bends)
 {
-    (void)state;
     for (int k = 0; k < 6; ++k) {
         const double radius = 0.3 + 0.3 * (k % 3);
         const RoutePieceDef def[] = {{.kind = ROUTE_STRAIGHT, .length = 1},
@@ -53,9 +52,8 @@ static void test_tight_bends(void **state)
 }
 
 /* A floor with walls along a straight, and a plane with ends: what is where, by the shape's own numbers. */
-static void test_ends_of_sections(void **state)
+TEST(test_ends_of_sections)
 {
-    (void)state;
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 20};
     SurfaceScene s;
     surfaces_new(&s, 2, 0.5);
@@ -87,9 +85,8 @@ static void test_ends_of_sections(void **state)
 }
 
 /* Planes 0.3 to 3 m long and wide about their point: full within, half at their ends, nothing beyond. */
-static void test_planes(void **state)
+TEST(test_planes)
 {
-    (void)state;
     for (int k = 0; k < 4; ++k) {
         SurfaceScene s;
         surfaces_new(&s, 2, 0.5);
@@ -119,9 +116,8 @@ static void test_planes(void **state)
 }
 
 /* (DU13): the elements with a point within reach of the patch, and no others, for stretches from 0.3 m on. */
-static void test_candidates(void **state)
+TEST(test_candidates)
 {
-    (void)state;
     enum { N = 70 };
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 40};
     for (int k = 0; k < 6; ++k) {
@@ -171,9 +167,8 @@ static void test_candidates(void **state)
 
 /* On one plane as on forty in the same place, of which each presses as much; the details are the points that carry
  * force, where they are, and add up. */
-static void test_details(void **state)
+TEST(test_details)
 {
-    (void)state;
     enum { N = 21, MANY = 40 };
     for (int geometry = 0; geometry < 2; ++geometry) {
         SurfaceScene s;
@@ -251,9 +246,8 @@ static SurfaceProbe probe_all(int n, const SurfacePatch *patch, Vec3 p, double n
 }
 
 /* Ducts along curves: how far their arcs lie beside the route. */
-static void test_curves(void **state)
+TEST(test_curves)
 {
-    (void)state;
     const RoutePieceDef def[] = {
         {.kind = ROUTE_CUBIC, .cubic = {{10, 0, 4.2279}, {0, 6, -1}, {1, -5, 2}}},
         {.kind = ROUTE_STRAIGHT, .length = 5},
@@ -302,9 +296,8 @@ static void test_curves(void **state)
 
 /* Curves that stand upright, where nothing is level on the left: a duct is as far all around, a floor lies beside the
  * way, square to it; also where they lean out of it in any direction. */
-static void test_upright_curves(void **state)
+TEST(test_upright_curves)
 {
-    (void)state;
     for (int k = 0; k < 9; ++k) {
         const double lean = k ? 0.8 : 0, turn = 0.7 * k, ways[2] = {lean * cos(turn), lean * sin(turn)};
         const RoutePieceDef up = {.kind = ROUTE_CUBIC, .cubic = {{0, 0, 10}, {ways[0], ways[1], 0}, {0, 0, 0}}};
@@ -341,9 +334,8 @@ static void test_upright_curves(void **state)
 
 /* A V's planes are as far from a cable that lies in it as it is thick, wherever its bottom is; from there on the
  * distance grows by the planes' slopes. */
-static void test_v_at_any_depth(void **state)
+TEST(test_v_at_any_depth)
 {
-    (void)state;
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 20};
     for (int k = 0; k < 12; ++k) {
         SurfaceScene s;
@@ -369,9 +361,8 @@ static void test_v_at_any_depth(void **state)
 }
 
 /* Candidates are the same ones along any way across the country: along x, along y, aslant. */
-static void test_candidates_along_any_way(void **state)
+TEST(test_candidates_along_any_way)
 {
-    (void)state;
     enum { N = 70, WAYS = 8 };
     for (int k = 0; k < WAYS; ++k) {
         const double turn = 2 * 3.14159265358979 * k / WAYS;
@@ -405,9 +396,8 @@ static void test_candidates_along_any_way(void **state)
 
 /* Where a straight cable is pressed evenly on one floor after the other, each is said to carry its own spring's force,
  * whatever the one before carries; what was known before and is more stays. */
-static void test_pressed(void **state)
+TEST(test_pressed)
 {
-    (void)state;
     enum { N = 40 };
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 40};
     SurfaceScene s;
@@ -437,9 +427,8 @@ static void test_pressed(void **state)
 static Vec3 level(Vec3 tangent) { return v3_unit(v3(-tangent.y, tangent.x, 0)); }
 
 /* Trays along what bends and climbs at once: at both ends of every arc the section stands level (DU6). */
-static void test_level_at_both_ends(void **state)
+TEST(test_level_at_both_ends)
 {
-    (void)state;
     const RoutePieceDef def[] = {
         {.kind = ROUTE_CUBIC, .cubic = {{10, 0, 4.2279}, {0, 6, -1}, {1, -5, 2}}},
         {.kind = ROUTE_STRAIGHT, .length = 5},
@@ -472,9 +461,8 @@ static void test_level_at_both_ends(void **state)
 
 /* Where a cable in a bent duct presses most is said along the route: between the two points of the element that does,
  * weighted by what they carry, at the bend's radius times the angle about its centre. */
-static void test_most_pressed_in_bends(void **state)
+TEST(test_most_pressed_in_bends)
 {
-    (void)state;
     enum { N = 4 };
     const double radius = 3, first = 1, deep = 2e-3;
     const RoutePieceDef def[] = {{.kind = ROUTE_STRAIGHT, .length = first},
@@ -512,9 +500,8 @@ static void test_most_pressed_in_bends(void **state)
 
 /* A part that begins where the beginning has faded in, and ends where the end begins to fade, needs no weight; those
  * before and behind it do. */
-static void test_parts_between_the_fades(void **state)
+TEST(test_parts_between_the_fades)
 {
-    (void)state;
     const RoutePieceDef def[] = {{.kind = ROUTE_STRAIGHT, .length = 2},
                                  {.kind = ROUTE_STRAIGHT, .length = 3},
                                  {.kind = ROUTE_STRAIGHT, .length = 2}};
@@ -540,9 +527,8 @@ static void test_parts_between_the_fades(void **state)
 
 /* What the points are presumed to press with does not depend on how many parts the way has: each point is one part's,
  * though its element is a candidate of the next one too. */
-static void test_presumed_across_parts(void **state)
+TEST(test_presumed_across_parts)
 {
-    (void)state;
     enum { N = 17, PARTS = 4 };
     const RoutePieceDef def[PARTS] = {{.kind = ROUTE_STRAIGHT, .length = 2.1},
                                       {.kind = ROUTE_STRAIGHT, .length = 1.7},
@@ -581,9 +567,8 @@ static void test_presumed_across_parts(void **state)
 }
 
 /* As many patches are written as are counted, and nothing behind them. */
-static void test_as_many_as_counted(void **state)
+TEST(test_as_many_as_counted)
 {
-    (void)state;
     static const SurfaceKind kinds[] = {SURFACE_DUCT, SURFACE_FLAT, SURFACE_V, SURFACE_U, SURFACE_PLANE};
     const RoutePieceDef def[] = {{.kind = ROUTE_STRAIGHT, .length = 3},
                                  {.kind = ROUTE_BEND, .radius = 4, .angle = 1.2},
@@ -607,9 +592,8 @@ static void test_as_many_as_counted(void **state)
 }
 
 /* A trough is the lower half of a tube that touches its bottom, with upright sides from its centre on. */
-static void test_u_at_any_depth(void **state)
+TEST(test_u_at_any_depth)
 {
-    (void)state;
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 20};
     for (int k = 0; k < 8; ++k) {
         SurfaceScene s;
@@ -635,9 +619,8 @@ static void test_u_at_any_depth(void **state)
 }
 
 /* Behind a route that ends in a curve, as before one that begins with one, the way is one straight. */
-static void test_way_beyond_curves(void **state)
+TEST(test_way_beyond_curves)
 {
-    (void)state;
     const RoutePieceDef def = {.kind = ROUTE_CUBIC, .cubic = {{10, 0, 1}, {0, 6, 0}, {1, -5, 0}}};
     Route route;
     assert_int_equal(route_build(&route, 1, &def, V3_ZERO, 0, 0, NULL), HAWSER_OK);
@@ -658,12 +641,3 @@ static void test_way_beyond_curves(void **state)
     assert_int_equal(surface_way(&route, &s, route.length, 1, way), 2);
     route_clear(&route);
 }
-
-TEST_FILE(test_surface_parts, cmocka_unit_test(test_presumed_across_parts), cmocka_unit_test(test_as_many_as_counted),
-          cmocka_unit_test(test_u_at_any_depth), cmocka_unit_test(test_way_beyond_curves),
-          cmocka_unit_test(test_curves), cmocka_unit_test(test_tight_bends), cmocka_unit_test(test_ends_of_sections),
-          cmocka_unit_test(test_upright_curves), cmocka_unit_test(test_v_at_any_depth),
-          cmocka_unit_test(test_candidates_along_any_way), cmocka_unit_test(test_pressed),
-          cmocka_unit_test(test_planes), cmocka_unit_test(test_candidates), cmocka_unit_test(test_details),
-          cmocka_unit_test(test_level_at_both_ends), cmocka_unit_test(test_most_pressed_in_bends),
-          cmocka_unit_test(test_parts_between_the_fades))

@@ -11,9 +11,8 @@ enum { N = 6 };
 static const FrictionLaw sticky = {.mu_s = 0.3, .mu_d = 0.2, .v_s = 5e-3, .v_d = 2e-2, .d_s = 1e-3};
 
 /* Some surface sticks if one does, whichever it is, and that one alone remembers. */
-static void test_which_stick(void **state)
+TEST(test_which_stick)
 {
-    (void)state;
     for (int which = 0; which < 8; ++which) {
         SurfaceScene s;
         surfaces_new(&s, N, 0.5);
@@ -85,9 +84,8 @@ static double blocks_error(SurfaceScene *s, double step)
     return error;
 }
 
-static void test_derivatives(void **state)
+TEST(test_derivatives)
 {
-    (void)state;
     const SurfaceKind kinds[] = {SURFACE_PLANE, SURFACE_V, SURFACE_U, SURFACE_FLAT};
     const double speeds[] = {1e-4, 8e-3, 0.05};
     uint64_t seed = 3;
@@ -115,9 +113,8 @@ static void test_derivatives(void **state)
 
 /* Slid to and fro as a whole: nothing changes when a step is accepted, work is only taken, and after 1 mm and more the
  * friction is the full one. */
-static void test_steps(void **state)
+TEST(test_steps)
 {
-    (void)state;
     uint64_t seed = 8;
     SurfaceScene s;
     scene_make(&s, SURFACE_V, 0, &seed);
@@ -145,9 +142,8 @@ static void test_steps(void **state)
 }
 
 /* At rest it grips by what it has leaned, however long. */
-static void test_holds(void **state)
+TEST(test_holds)
 {
-    (void)state;
     uint64_t seed = 8;
     SurfaceScene s;
     scene_make(&s, SURFACE_PLANE, 0, &seed);
@@ -165,9 +161,8 @@ static void test_holds(void **state)
 }
 
 /* A chain of one more segment, cut into two halves, takes over what the shorter one knew. */
-static void test_renumbered(void **state)
+TEST(test_renumbered)
 {
-    (void)state;
     uint64_t seed = 8;
     SurfaceScene s;
     SurfacePairs half[2];
@@ -217,9 +212,8 @@ static void test_renumbered(void **state)
 }
 
 /* What a checkpoint keeps of the points that stick: of every face. */
-static void test_kept(void **state)
+TEST(test_kept)
 {
-    (void)state;
     uint64_t seed = 8;
     SurfaceScene s;
     SurfacePairs read;
@@ -253,9 +247,8 @@ static void test_kept(void **state)
 }
 
 /* (GR12): what is remembered lies in the surface and is no longer than d_s: a lean out of the plane is laid into it. */
-static void test_lean_is_laid_flat(void **state)
+TEST(test_lean_is_laid_flat)
 {
-    (void)state;
     uint64_t seed = 8;
     SurfaceScene s;
     scene_make(&s, SURFACE_PLANE, 0, &seed);
@@ -284,7 +277,3 @@ static void test_lean_is_laid_flat(void **state)
     }
     surfaces_free(&s);
 }
-
-TEST_FILE(test_surface_stick, cmocka_unit_test(test_which_stick), cmocka_unit_test(test_derivatives),
-          cmocka_unit_test(test_steps), cmocka_unit_test(test_holds), cmocka_unit_test(test_renumbered),
-          cmocka_unit_test(test_kept), cmocka_unit_test(test_lean_is_laid_flat))

@@ -7,9 +7,8 @@
 #include "core/base/worst.h"
 #include "tests/support/check.h"
 
-static void test_vectors(void **state)
+TEST(test_vectors)
 {
-    (void)state;
     check_vec(v3_unit(V3_ZERO), V3_ZERO, 0);
     check_vec(v3_unit(v3(0, -3, 4)), v3(0, -0.6, 0.8), 2e-16);
     const double row[3] = {1, 2, 3};
@@ -20,9 +19,8 @@ static void test_vectors(void **state)
 }
 
 /* A quaternion and its negative are one rotation, whose vector is never longer than half a turn. */
-static void test_log(void **state)
+TEST(test_log)
 {
-    (void)state;
     const Vec3 axis = v3_unit(v3(1, -2, 0.5));
     for (double angle = 0; angle < 3.2; angle += 0.1) {
         const Vec3 r = v3_scale(fmin(angle, M_PI), axis);
@@ -37,9 +35,8 @@ static void test_log(void **state)
 }
 
 /* A frame is carried along without twist; where a tangent turns right round there is no such way, and it stays. */
-static void test_carry(void **state)
+TEST(test_carry)
 {
-    (void)state;
     const Quat q = quat_exp(v3(0.2, 0.1, -0.4));
     const Vec3 a = quat_rotate(q, v3(1, 0, 0)), b = v3_unit(v3(0.3, -1, 2));
     const Quat carried = quat_carry(q, a, b);
@@ -49,9 +46,8 @@ static void test_carry(void **state)
     assert_memory_equal(&kept, &q, sizeof q);
 }
 
-static void test_worst(void **state)
+TEST(test_worst)
 {
-    (void)state;
     check_equal(larger_of(1, 2), 2);
     check_equal(larger_of(2, 1), 2);
     check_equal(smaller_of(1, 2), 1);
@@ -62,9 +58,8 @@ static void test_worst(void **state)
     check_nan(smaller_of(1, NAN));
 }
 
-static void test_messages(void **state)
+TEST(test_messages)
 {
-    (void)state;
     hawser_error err = {0};
     assert_int_equal(error_set(NULL, HAWSER_ERR_INPUT, "dropped"), HAWSER_ERR_INPUT);
     error_place(NULL, "file", 3);
@@ -92,9 +87,8 @@ static void test_messages(void **state)
 
 /* Controls of one byte and of two become question marks; letters of two bytes, and a lone first byte at the end, stay.
  */
-static void test_printable(void **state)
+TEST(test_printable)
 {
-    (void)state;
     char text[] = "a\x1b[31m\x7f\xc2\x9b\xc2\xa0\xc3\xa4\xc2";
     assert_int_equal(text_make_printable(text), 3);
     assert_string_equal(text, "a?[31m???\xc2\xa0\xc3\xa4\xc2");
@@ -111,12 +105,4 @@ static void test_printable(void **state)
     assert_string_equal(fine, "hawser");
 }
 
-static void test_room(void **state)
-{
-    (void)state;
-    assert_true(memory_room(1000)); /* and where there is none: test_core_lack.c */
-}
-
-TEST_FILE(test_base, cmocka_unit_test(test_vectors), cmocka_unit_test(test_log), cmocka_unit_test(test_carry),
-          cmocka_unit_test(test_worst), cmocka_unit_test(test_messages), cmocka_unit_test(test_printable),
-          cmocka_unit_test(test_room))
+TEST(test_room) { assert_true(memory_room(1000)); /* and where there is none: test_core_lack.c */ }

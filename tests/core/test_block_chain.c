@@ -19,9 +19,8 @@ static void fill(BlockChain *a)
     }
 }
 
-static void allocation(void **state)
+TEST(allocation)
 {
-    (void)state;
     BlockChain a;
     assert_true(block_chain_alloc(&a, 5, 6));
     double *const blocks[3] = {a.lower, a.diag, a.upper};
@@ -34,9 +33,8 @@ static void allocation(void **state)
     block_chain_free(&a);
 }
 
-static void copy_and_zero(void **state)
+TEST(copy_and_zero)
 {
-    (void)state;
     BlockChain a, c;
     block_chain_alloc(&a, 4, 3);
     block_chain_alloc(&c, 4, 3);
@@ -56,5 +54,3 @@ static void copy_and_zero(void **state)
     block_chain_free(&a);
     block_chain_free(&c);
 }
-
-TEST_FILE(test_block_chain, cmocka_unit_test(allocation), cmocka_unit_test(copy_and_zero))

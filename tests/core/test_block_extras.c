@@ -8,9 +8,8 @@
 enum { N = 7 };
 
 /* Every place of the pattern is there, once, columns rising; no other is. */
-static void test_pattern(void **state)
+TEST(test_pattern)
 {
-    (void)state;
     BlockExtras x;
     assert_true(block_extras_alloc(&x, N));
     assert_int_equal(x.count, 0);
@@ -37,9 +36,8 @@ static void test_pattern(void **state)
 }
 
 /* The version changes with the pattern only; blocks that stay keep their values, new ones are zero. */
-static void test_values_stay(void **state)
+TEST(test_values_stay)
 {
-    (void)state;
     BlockExtras x;
     assert_true(block_extras_alloc(&x, N));
     BlockPair first[] = {{0, 2}, {1, 4}, {3, 6}}, same[] = {{3, 6}, {0, 2}, {1, 4}}, next[] = {{1, 4}, {2, 5}};
@@ -69,9 +67,8 @@ static void test_values_stay(void **state)
 }
 
 /* y = y + s K z, block by block. */
-static void test_product(void **state)
+TEST(test_product)
 {
-    (void)state;
     BlockExtras x;
     assert_true(block_extras_alloc(&x, N));
     BlockPair pair[] = {{0, 3}, {2, 5}};
@@ -96,6 +93,3 @@ static void test_product(void **state)
     for (int c = 0; c < 6 * N; ++c) check_equal(y[c], expected[c]);
     block_extras_free(&x);
 }
-
-TEST_FILE(test_block_extras, cmocka_unit_test(test_pattern), cmocka_unit_test(test_values_stay),
-          cmocka_unit_test(test_product))

@@ -78,9 +78,8 @@ static double quat_apart(Quat a, Quat b)
 }
 
 /* Everything is unpacked; quaternions have unit length and the axis is R e_x; the ghost at the tail stays as it is. */
-static void test_kinematics(void **state)
+TEST(test_kinematics)
 {
-    (void)state;
     for (int k = 0; k < N_SIZES; ++k) {
         Rig r = rig_new(SIZES[k]);
         vec_store(r.kin.p, -1, v3(5, 6, 7));
@@ -99,9 +98,8 @@ static void test_kinematics(void **state)
 }
 
 /* A part of the segments may be asked for; it comes out bitwise as the whole, and no other segment is touched. */
-static void test_parts(void **state)
+TEST(test_parts)
 {
-    (void)state;
     enum { N = 30, MID = 2 * LANES };
     Rig r = rig_new(N);
     double whole[STATE_SIZE * N];
@@ -143,9 +141,8 @@ static void check_segment(const Rig *r, int i)
     check_below(apart(part(r->ydot, n, STATE_W, i), spin), 1e-13 * (1 + v3_norm(spin)));
 }
 
-static void test_rates(void **state)
+TEST(test_rates)
 {
-    (void)state;
     for (int k = 0; k < N_SIZES; ++k) {
         Rig r = rig_new(SIZES[k]);
         body_kernels()->kinematics(r.n, r.y, 0, r.n, &r.kin);
@@ -156,9 +153,8 @@ static void test_rates(void **state)
 }
 
 /* Without moments Euler's equation keeps energy and angular momentum: w . I w' = 0 and I w' + w x I w = 0. */
-static void test_gyroscopic(void **state)
+TEST(test_gyroscopic)
 {
-    (void)state;
     Rig r = rig_new(9);
     for (int j = 0; j <= r.n; ++j) {
         vec_store(r.joints.torque_a, j, v3(0, 0, 0));
@@ -203,9 +199,8 @@ static double column_error(const Rig *r, const BlockChain *a, int i, int c, int 
     return apart(v3_scale(1 / (2 * e), v3_sub(plus, minus)), v3(block[3], block[4], block[5]));
 }
 
-static void test_blocks(void **state)
+TEST(test_blocks)
 {
-    (void)state;
     Rig r = rig_new(9);
     BlockChain k, d;
     assert_true(block_chain_alloc(&k, r.n, 6) && block_chain_alloc(&d, r.n, 6));
@@ -229,9 +224,8 @@ static void test_blocks(void **state)
 
 /* (BA11), one segment at a time: half the work of both ends' inertial forces along the way and the turn, less the gain
  * of motion. Two steps, so that the second finds what the first has left. */
-static void test_method_loss(void **state)
+TEST(test_method_loss)
 {
-    (void)state;
     enum { PAST = BODY_PAST };
     const double scale = 3.7;
     for (int k = 0; k < N_SIZES; ++k) {
@@ -294,6 +288,3 @@ static void test_method_loss(void **state)
         rig_free(&r);
     }
 }
-
-TEST_FILE(test_body, cmocka_unit_test(test_kinematics), cmocka_unit_test(test_parts), cmocka_unit_test(test_rates),
-          cmocka_unit_test(test_gyroscopic), cmocka_unit_test(test_blocks), cmocka_unit_test(test_method_loss))

@@ -121,9 +121,8 @@ static void derivative_check(Rig r)
 }
 
 /* Small, moderate and large relative rotations: the series, its edge and the closed forms. */
-static void test_derivatives_symmetric(void **state)
+TEST(test_derivatives_symmetric)
 {
-    (void)state;
     for (uint64_t seed = 1; seed < 6; ++seed) {
         derivative_check(rig_new(FRAME_SYMMETRIC, 1e-3, seed));
         derivative_check(rig_new(FRAME_SYMMETRIC, 0.3, seed));
@@ -131,9 +130,8 @@ static void test_derivatives_symmetric(void **state)
     }
 }
 
-static void test_derivatives_adams(void **state)
+TEST(test_derivatives_adams)
 {
-    (void)state;
     for (uint64_t seed = 1; seed < 6; ++seed) {
         derivative_check(rig_new(FRAME_ADAMS, 1e-3, seed));
         derivative_check(rig_new(FRAME_ADAMS, 0.3, seed));
@@ -142,9 +140,8 @@ static void test_derivatives_adams(void **state)
 }
 
 /* Sliders that hold and that slip, in both frames. */
-static void test_derivatives_sliding(void **state)
+TEST(test_derivatives_sliding)
 {
-    (void)state;
     for (uint64_t seed = 1; seed < 6; ++seed) {
         for (int frame = 0; frame < 2; ++frame) {
             derivative_check(sliding_rig(frame ? FRAME_ADAMS : FRAME_SYMMETRIC, 0.3, seed));
@@ -154,9 +151,8 @@ static void test_derivatives_sliding(void **state)
 }
 
 /* The wrench pair gives no net force and no net moment about the origin, whatever the state. */
-static void test_momentum(void **state)
+TEST(test_momentum)
 {
-    (void)state;
     for (int kind = 0; kind < 4; ++kind) {
         const BushingFrame frame = kind % 2 ? FRAME_ADAMS : FRAME_SYMMETRIC;
         Rig r = kind < 2 ? rig_new(frame, 0.8, 7) : sliding_rig(frame, 0.8, 7);
@@ -186,9 +182,8 @@ static double potential(Rig *r)
 }
 
 /* Undamped and without preload, the symmetric frame's loads are minus the potential's gradient; marker J's are not. */
-static void test_potential(void **state)
+TEST(test_potential)
 {
-    (void)state;
     const double e = 1e-5;
     double worst[2] = {0, 0};
     for (int frame = 0; frame < 2; ++frame) {
@@ -243,17 +238,15 @@ static void objectivity_check(Rig r)
     rig_free(&r);
 }
 
-static void test_objectivity(void **state)
+TEST(test_objectivity)
 {
-    (void)state;
     objectivity_check(rig_new(FRAME_SYMMETRIC, 0.9, 5));
     objectivity_check(sliding_rig(FRAME_SYMMETRIC, 0.9, 5));
 }
 
 /* Pure stretch, twist and bend by hand: the axial, torsional and bending springs of eq. 1 and 2. */
-static void test_by_hand(void **state)
+TEST(test_by_hand)
 {
-    (void)state;
     Rig r = rig_new(FRAME_SYMMETRIC, 0, 1);
     double *law[6];
     for (int c = 0; c < 6; ++c) {
@@ -293,9 +286,8 @@ static double difference(const double *a, const double *b, int n)
 }
 
 /* Joints without preload, and without damping: what is left out changes nothing but the last digits. */
-static void test_lacks(void **state)
+TEST(test_lacks)
 {
-    (void)state;
     for (int lacks = CHAIN_NO_PRELOAD; lacks < 4; ++lacks) {
         Rig r = rig_new(FRAME_SYMMETRIC, 0.7, 11);
         BlockChain k[2], d[2];
@@ -326,9 +318,8 @@ static void test_lacks(void **state)
 
 /* Sliders without stiffness hold nothing and change nothing, in either frame: forces, the law, what joints hold. And
  * without sliders nothing slips. */
-static void test_idle_sliders(void **state)
+TEST(test_idle_sliders)
 {
-    (void)state;
     for (int frame = FRAME_SYMMETRIC; frame <= FRAME_ADAMS; ++frame) {
         Rig plain = rig_new((BushingFrame)frame, 0.7, 23), idle = sliding_rig((BushingFrame)frame, 0.7, 23);
         double loads[2][6 * N], *law[2][6];
@@ -396,9 +387,8 @@ static void power_check(Rig *r)
     check_close(given, -taken, 1e-9 * (fabs(given) + power.damping));
 }
 
-static void power_closes(void **state)
+TEST(power_closes)
 {
-    (void)state;
     for (uint64_t seed = 1; seed <= 5; ++seed) {
         Rig plain = rig_new(FRAME_SYMMETRIC, 0.5, seed), sliding = sliding_rig(FRAME_SYMMETRIC, 0.5, seed);
         power_check(&plain);
@@ -409,9 +399,8 @@ static void power_closes(void **state)
 }
 
 /* Sliders that all hold are springs: their energy is that of the same stiffness in the joint. */
-static void sliders_that_hold(void **state)
+TEST(sliders_that_hold)
 {
-    (void)state;
     Rig r = rig_new(FRAME_SYMMETRIC, 0.5, 7);
     const double bare = bushing_kernels()->energy(&r.chain, &r.kin, 0, N + 1).elastic;
     assert_true(chain_alloc_sliders(&r.chain, 1) && kinematics_alloc_slips(&r.kin, &r.chain));
@@ -432,8 +421,3 @@ static void sliders_that_hold(void **state)
     r.chain.sliders.count = 1;
     rig_free(&r);
 }
-
-TEST_FILE(test_bushing, cmocka_unit_test(test_derivatives_symmetric), cmocka_unit_test(test_derivatives_adams),
-          cmocka_unit_test(test_derivatives_sliding), cmocka_unit_test(test_momentum), cmocka_unit_test(test_potential),
-          cmocka_unit_test(test_objectivity), cmocka_unit_test(test_by_hand), cmocka_unit_test(test_lacks),
-          cmocka_unit_test(test_idle_sliders), cmocka_unit_test(power_closes), cmocka_unit_test(sliders_that_hold))

@@ -117,9 +117,8 @@ static hawser_status plan(double *sum, hawser_error *err)
     return status ? status : build(&line, sum, err);
 }
 
-static void test_routes(void **state)
+TEST(test_routes)
 {
-    (void)state;
     if (!lack_works()) skip();
     every_allocation(curves, 5);
     every_allocation(slopes, 5);
@@ -151,18 +150,16 @@ static hawser_status blocks(double *sum, hawser_error *err)
     return ok ? HAWSER_OK : error_memory(err);
 }
 
-static void test_chains(void **state)
+TEST(test_chains)
 {
-    (void)state;
     if (!lack_works()) skip();
     every_allocation(chain, 40);
     every_allocation(blocks, 1);
 }
 
 /* A pattern that cannot grow stays what it was, values and all. */
-static void test_extras(void **state)
+TEST(test_extras)
 {
-    (void)state;
     if (!lack_works()) skip();
     BlockExtras x;
     lack_after(0);
@@ -205,9 +202,8 @@ static void keep(Checkpoint *c, Kept *k)
     checkpoint_end(c);
 }
 
-static void test_checkpoint(void **state)
+TEST(test_checkpoint)
 {
-    (void)state;
     if (!lack_works()) skip();
     lack_after(0);
     Checkpoint none = checkpoint_new(100);
@@ -251,9 +247,8 @@ static void test_checkpoint(void **state)
 }
 
 /* Memory in large pages is as good as other: whole, and its own. */
-static void test_large(void **state)
+TEST(test_large)
 {
-    (void)state;
     const size_t size = (5u << 20) + 17;
     if (lack_works()) {
         lack_after(0);
@@ -267,9 +262,8 @@ static void test_large(void **state)
     free(memory);
 }
 
-static void test_team(void **state)
+TEST(test_team)
 {
-    (void)state;
     if (!lack_works()) skip();
     lack_after(0);
     assert_false(memory_room(10));
@@ -280,6 +274,3 @@ static void test_team(void **state)
     assert_null(team_free(NULL));
     assert_int_equal(team_size(NULL), 1);
 }
-
-TEST_FILE(test_core_lack, cmocka_unit_test(test_routes), cmocka_unit_test(test_chains), cmocka_unit_test(test_extras),
-          cmocka_unit_test(test_checkpoint), cmocka_unit_test(test_large), cmocka_unit_test(test_team))

@@ -55,11 +55,10 @@ static hawser_status taken(const char *path, int which, int why, char **bytes, h
     return status;
 }
 
-static void test_there(void **state)
+TEST(test_there)
 {
     hawser_error err;
     char *bytes;
-    (void)state;
     const char *const path = scratch_write("text", "eight or more");
     for (int interrupted = NONE; interrupted < 6; interrupted++) {
         assert_int_equal(taken(path, interrupted, EINTR, &bytes, &err), HAWSER_OK);
@@ -71,12 +70,11 @@ static void test_there(void **state)
     free(bytes);
 }
 
-static void test_not_there(void **state)
+TEST(test_not_there)
 {
     hawser_error err;
     char *bytes;
     size_t size;
-    (void)state;
     assert_int_equal(taken(scratch_path("no such file"), NONE, 0, &bytes, &err), HAWSER_OK);
     assert_null(bytes);
     assert_int_equal(taken(scratch_folder(), NONE, 0, &bytes, &err), HAWSER_ERR_INPUT);
@@ -86,11 +84,10 @@ static void test_not_there(void **state)
     assert_null(bytes);
 }
 
-static void test_not_given(void **state)
+TEST(test_not_given)
 {
     hawser_error err;
     char *bytes;
-    (void)state;
     const char *const path = scratch_write("text", "eight or more");
     for (int which = 0; which < 5; which++) {
         assert_int_equal(taken(path, which, EIO, &bytes, &err), HAWSER_ERR_INPUT);
@@ -100,12 +97,11 @@ static void test_not_given(void **state)
 }
 
 /* What a folder from somebody else may have in place of a file: each was followed, or held the program up. */
-static void test_strange(void **state)
+TEST(test_strange)
 {
     char part[FILE_PART_MAX], again[FILE_PART_MAX];
     hawser_error err;
     char *bytes;
-    (void)state;
     const int at = open(scratch_folder(), O_RDONLY | O_DIRECTORY);
     scratch_write("victim", "precious");
     assert_int_equal(symlink("victim", scratch_path("link")), 0);
@@ -153,5 +149,4 @@ static int end(void **state)
     return scratch_remove(state);
 }
 
-TEST_FILE_IN(test_file, begin, end, cmocka_unit_test(test_there), cmocka_unit_test(test_not_there),
-             cmocka_unit_test(test_not_given), cmocka_unit_test(test_strange))
+TEST_GROUP(begin, end)

@@ -66,9 +66,8 @@ static void jobs(Team *t, int count)
     for (int k = 0; k < 2; ++k) assert_int_equal(atomic_load(&done[k]), count);
 }
 
-static void test_no_thread(void **state)
+TEST(test_no_thread)
 {
-    (void)state;
     no_thread = 1;
     assert_null(team_new(2));
     Team *t = team_new(1);
@@ -78,9 +77,8 @@ static void test_no_thread(void **state)
     no_thread = 0;
 }
 
-static void test_one_core(void **state)
+TEST(test_one_core)
 {
-    (void)state;
     for (cores = -1; cores < 2; ++cores) {
         Team *const t = team_new(2);
         assert_int_equal(team_size(t), 1);
@@ -91,9 +89,8 @@ static void test_one_core(void **state)
 }
 
 /* Woken where the caller is the helper does nothing; it moves away only if it may. */
-static void test_in_the_way(void **state)
+TEST(test_in_the_way)
 {
-    (void)state;
     one_core = 1;
     for (int pin = 0; pin < 2; ++pin) {
         atomic_store(&moved, 0);
@@ -126,5 +123,4 @@ static int restore(void **state)
     return 0;
 }
 
-TEST_FILE_IN(test_helper_team, replace, restore, cmocka_unit_test(test_no_thread), cmocka_unit_test(test_one_core),
-             cmocka_unit_test(test_in_the_way))
+TEST_GROUP(replace, restore)

@@ -73,9 +73,8 @@ static double difference(const Rig *a, const Rig *b)
     return most;
 }
 
-static void signs_of_quaternions(void **state)
+TEST(signs_of_quaternions)
 {
-    (void)state;
     for (int scene = 0; scene < 8; ++scene) {
         const BushingFrame frame = scene & 1 ? FRAME_SYMMETRIC : FRAME_ADAMS;
         const int sliders = scene & 2 ? SLIDERS : 0;
@@ -102,9 +101,8 @@ static void signs_of_quaternions(void **state)
 }
 
 /* One slider a joint: beyond its limit it follows, so that its spring is at its limit, in either frame. */
-static void one_slider_alone(void **state)
+TEST(one_slider_alone)
 {
-    (void)state;
     for (int k = 0; k < 2; ++k) {
         Rig r = rig_new(k ? FRAME_SYMMETRIC : FRAME_ADAMS, 1, 0.4);
         evaluate(&r);
@@ -135,5 +133,3 @@ static void one_slider_alone(void **state)
         rig_free(&r);
     }
 }
-
-TEST_FILE(test_joint_signs, cmocka_unit_test(signs_of_quaternions), cmocka_unit_test(one_slider_alone))

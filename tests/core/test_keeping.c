@@ -59,9 +59,8 @@ static hawser_status read_back(const void *bytes, size_t size, char fault[160], 
     return status;
 }
 
-static void test_round_trip(void **state)
+TEST(test_round_trip)
 {
-    (void)state;
     Checkpoint c = written(), counted = checkpoint_new(0);
     int numbers[] = {3, 1, 4, 1, 5};
     Kept kept = {.number = 2.5, .list = numbers, .count = 5, .text = "hawser"}, back;
@@ -79,9 +78,8 @@ static void test_round_trip(void **state)
 }
 
 /* Lists within the room that there is, and empty ones, keep their array. */
-static void test_lists(void **state)
+TEST(test_lists)
 {
-    (void)state;
     int three[] = {7, 8, 9}, room_of[4] = {0}, count = 3, room = 3;
     void *from = three, *to = room_of;
     Checkpoint c = checkpoint_new(ROOM);
@@ -103,9 +101,8 @@ static void test_lists(void **state)
 }
 
 /* Cut off anywhere it is refused: never read beyond its end. */
-static void test_cut_off(void **state)
+TEST(test_cut_off)
 {
-    (void)state;
     Checkpoint c = written();
     for (size_t size = 0; size < c.size; ++size) {
         unsigned char *const part = malloc(size + 1);
@@ -128,9 +125,8 @@ static void changed(size_t at, uint64_t word, const char *said)
     checkpoint_free(&c);
 }
 
-static void test_changed(void **state)
+TEST(test_changed)
 {
-    (void)state;
     const size_t list = HEAD + 8, text = list + HEAD + 24;
     changed(0, 1, "no piece 'k->number'");
     changed(8, 1 << 20, "no piece 'k->number'"); /* longer than what there is */
@@ -150,9 +146,8 @@ static void test_changed(void **state)
 }
 
 /* After the first fault nothing is written or read, and it is the one that is told. */
-static void test_first_fault(void **state)
+TEST(test_first_fault)
 {
-    (void)state;
     Checkpoint c = checkpoint_new(40);
     double twice[2] = {1, 2}, more[4] = {0};
     checkpoint_put(&c, "twice", twice, sizeof twice);
@@ -176,9 +171,8 @@ static void test_first_fault(void **state)
     checkpoint_free(&c);
 }
 
-static void test_numbers(void **state)
+TEST(test_numbers)
 {
-    (void)state;
     unsigned char bytes[64] = {0};
     Checkpoint in = checkpoint_over(bytes, sizeof bytes, NULL);
     assert_true(checkpoint_number(&in, 8, 8, "too many"));
@@ -192,9 +186,8 @@ static void test_numbers(void **state)
 }
 
 /* One bit of any byte, and the length, change the number of it all. */
-static void test_hash(void **state)
+TEST(test_hash)
 {
-    (void)state;
     unsigned char bytes[77];
     for (int k = 0; k < 77; ++k) bytes[k] = (unsigned char)(11 * k);
     for (size_t size = 0; size <= sizeof bytes; ++size) {
@@ -232,9 +225,8 @@ static hawser_status extras_read(const Checkpoint *c, char fault[160], BlockExtr
 }
 
 /* Every number of the pattern set to one that it cannot be; an empty pattern's rows are nobody's. */
-static void test_extras(void **state)
+TEST(test_extras)
 {
-    (void)state;
     BlockExtras x, back;
     char fault[160];
     extras_fill(&x);
@@ -278,9 +270,8 @@ static void test_extras(void **state)
     block_extras_free(&x);
 }
 
-static void test_no_extras(void **state)
+TEST(test_no_extras)
 {
-    (void)state;
     BlockExtras x, back;
     char fault[160];
     assert_true(block_extras_alloc(&x, N));
@@ -300,9 +291,8 @@ static void test_no_extras(void **state)
 
 /* ------------------------------------------------------------------------------------------------- profiles */
 
-static void test_profiles(void **state)
+TEST(test_profiles)
 {
-    (void)state;
     double time[] = {0, 1, 3}, value[] = {2, 4, 1};
     const Profile table = {.kind = PROFILE_TABLE, .n = 3, .time = time, .value = value};
     const Profile step = {.kind = PROFILE_STEP, .t0 = 1, .v0 = 2, .t1 = 3, .v1 = 4};
@@ -343,9 +333,8 @@ static void test_profiles(void **state)
 
 /* What has happened so far is counted on: a number below zero, or at the end of its kind, is refused where it is read,
  * any of them; what a run has counted itself is written. */
-static void test_counts(void **state)
+TEST(test_counts)
 {
-    (void)state;
     static const struct {
         long number;
         int count, longs; /* whether it is taken as each of them */
@@ -381,8 +370,3 @@ static void test_counts(void **state)
         }
     }
 }
-
-TEST_FILE(test_keeping, cmocka_unit_test(test_round_trip), cmocka_unit_test(test_lists), cmocka_unit_test(test_cut_off),
-          cmocka_unit_test(test_changed), cmocka_unit_test(test_first_fault), cmocka_unit_test(test_numbers),
-          cmocka_unit_test(test_counts), cmocka_unit_test(test_hash), cmocka_unit_test(test_extras),
-          cmocka_unit_test(test_no_extras), cmocka_unit_test(test_profiles))

@@ -65,9 +65,8 @@ static int best_listed(void)
 }
 
 /* Without a word in the environment, or with an empty one, the best there is. */
-static void best_of_the_machine(void **state)
+TEST(best_of_the_machine)
 {
-    (void)state;
     const int best = best_listed();
     if (best < 0) skip();
     char said[200], expected[200];
@@ -80,9 +79,8 @@ static void best_of_the_machine(void **state)
 
 /* Every set up to the best can be asked for; one above it, or a word that names none, is not followed, and that is
  * said. */
-static void wishes(void **state)
+TEST(wishes)
 {
-    (void)state;
     char said[200], best[200];
     chosen_with(NULL, best, sizeof best);
     int top = 0;
@@ -106,9 +104,8 @@ static void wishes(void **state)
 }
 
 /* A clock that counts seconds: it moves on by what the system's moves on in the same time, and never back. */
-static void the_clock_counts_seconds(void **state)
+TEST(the_clock_counts_seconds)
 {
-    (void)state;
     struct timespec before, after, rest = {.tv_nsec = 30000000};
     clock_gettime(CLOCK_BOOTTIME, &before);
     const double first = clock_now();
@@ -124,5 +121,4 @@ static void the_clock_counts_seconds(void **state)
     }
 }
 
-TEST_FILE_IN(test_machine, print_isa_if_required, NULL, cmocka_unit_test(best_of_the_machine), cmocka_unit_test(wishes),
-             cmocka_unit_test(the_clock_counts_seconds))
+TEST_GROUP(print_isa_if_required, NULL)

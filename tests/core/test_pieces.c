@@ -47,9 +47,8 @@ static Checkpoint things_read(const void *bytes, size_t size, Things *t, TextPoo
     return c;
 }
 
-static void both_ways(void **state)
+TEST(both_ways)
 {
-    (void)state;
     int list[] = {3, 1, 4, 1, 5};
     Things from = {1.5, 5, 5, list, "words", NULL}, to = {.text = "before", .none = "before"};
     TextPool pool = {0};
@@ -69,9 +68,8 @@ static void both_ways(void **state)
 }
 
 /* Heads are two words: of the name, of the size. Every word of them is damaged in turn, and every end is cut. */
-static void damaged(void **state)
+TEST(damaged)
 {
-    (void)state;
     int list[] = {3, 1, 4, 1};
     Things from = {1.5, 4, 4, list, "words", NULL};
     TextPool pool = {0};
@@ -104,9 +102,8 @@ static void damaged(void **state)
 }
 
 /* No more things are there than what has not been read has bytes for. */
-static void numbers(void **state)
+TEST(numbers)
 {
-    (void)state;
     double six[6] = {0};
     Checkpoint c = checkpoint_new(1 << 10);
     assert_int_equal(checkpoint_number(&c, 1 << 20, 8, "too many"), 1); /* what is written is there */
@@ -121,9 +118,8 @@ static void numbers(void **state)
 }
 
 /* One that is longer than it should be, or grows while it is written. */
-static void lengths(void **state)
+TEST(lengths)
 {
-    (void)state;
     double numbers[2] = {1, 2};
     Checkpoint c = checkpoint_new(24);
     checkpoint_put(&c, "one", numbers, sizeof *numbers);
@@ -151,9 +147,8 @@ static hawser_status profile_back(Profile profile, const Profile *table)
     return back.status;
 }
 
-static void profiles(void **state)
+TEST(profiles)
 {
-    (void)state;
     double time[] = {0, 1}, value[] = {2, 3};
     const Profile table = {.kind = PROFILE_TABLE, .n = 2, .time = time, .value = value}, level = {.v1 = 1};
     assert_int_equal(profile_back(table, &table), HAWSER_OK);
@@ -165,9 +160,8 @@ static void profiles(void **state)
 }
 
 /* A pattern of blocks, there and back; its numbers are changed one by one, each to what cannot be. */
-static void patterns(void **state)
+TEST(patterns)
 {
-    (void)state;
     BlockPair pair[] = {{0, 2}, {1, 4}};
     BlockExtras x = {0}, read = {0};
     assert_true(block_extras_alloc(&x, 5) && block_extras_alloc(&read, 5));
@@ -209,9 +203,8 @@ static void patterns(void **state)
 }
 
 /* Values of blocks come back with their pattern, into one that had another; what nobody has asked for is zeroed. */
-static void block_values(void **state)
+TEST(block_values)
 {
-    (void)state;
     BlockPair pair[] = {{0, 2}, {1, 4}}, other[] = {{0, 3}, {0, 4}, {1, 3}};
     BlockExtras x = {0}, read = {0};
     assert_true(block_extras_alloc(&x, 5) && block_extras_alloc(&read, 5));
@@ -249,9 +242,8 @@ static void block_values(void **state)
 }
 
 /* What an array begins with, ghosts and padding included. */
-static void first_values(void **state)
+TEST(first_values)
 {
-    (void)state;
     enum { N = 11 };
     Chain chain;
     Kinematics kin;
@@ -306,9 +298,8 @@ static void first_values(void **state)
 
 /* Errors: no segment unless said, the first key that is named, nothing that a terminal would obey; letters that begin
  * with other bytes stay. */
-static void errors(void **state)
+TEST(errors)
 {
-    (void)state;
     hawser_error err = {.segment = 5, .line = 3};
     assert_int_equal(error_set(&err, HAWSER_ERR_INPUT, "key 'a.b' and key '%s'", "c"), HAWSER_ERR_INPUT);
     assert_int_equal(err.segment, -1);
@@ -333,9 +324,8 @@ static void errors(void **state)
 }
 
 /* Arrays over segments go with their ghosts, padding is filled on both sides. */
-static void arrays(void **state)
+TEST(arrays)
 {
-    (void)state;
     enum { M = 5, FRONT = 8 };
     double *from[2], *to[2];
     assert_true(chain_arrays_new(from, 2, M, 3) && chain_arrays_new(to, 2, M, 0));
@@ -367,9 +357,8 @@ static void arrays(void **state)
 
 /* The sum of bytes is what it was in files that are there already: names of pieces and sums of files are compared with
  * it. It is another one for any other byte, and for zeros behind. */
-static void sums_of_bytes(void **state)
+TEST(sums_of_bytes)
 {
-    (void)state;
     static const struct {
         size_t n;
         uint64_t sum;
@@ -388,8 +377,3 @@ static void sums_of_bytes(void **state)
     }
     for (size_t n = 1; n < sizeof zeros; n++) assert_true(checkpoint_hash(zeros, n) != checkpoint_hash(zeros, n - 1));
 }
-
-TEST_FILE(test_pieces, cmocka_unit_test(both_ways), cmocka_unit_test(damaged), cmocka_unit_test(lengths),
-          cmocka_unit_test(numbers), cmocka_unit_test(profiles), cmocka_unit_test(patterns),
-          cmocka_unit_test(block_values), cmocka_unit_test(first_values), cmocka_unit_test(errors),
-          cmocka_unit_test(arrays), cmocka_unit_test(sums_of_bytes))

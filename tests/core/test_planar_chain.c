@@ -100,9 +100,8 @@ static void rig_free(Rig *r)
 }
 
 /* To the last bit or two, in every quarter of the circle and many turns away. */
-static void test_direction(void **state)
+TEST(test_direction)
 {
-    (void)state;
     uint64_t seed = 1;
     double worst = 0;
     for (int k = 0; k < 20000; ++k) {
@@ -123,9 +122,8 @@ static void test_direction(void **state)
 }
 
 /* Joints between segments as in space, turned by any angle; the moments about -y change their sign. */
-static void test_space(void **state)
+TEST(test_space)
 {
-    (void)state;
     double worst = 0;
     for (uint64_t k = 0; k < 20; ++k) {
         Rig r = rig_new(k % 2 ? FRAME_ADAMS : FRAME_SYMMETRIC, 0.1 * (double)(k % 10), 3.0 * (double)k - 20, k);
@@ -144,9 +142,8 @@ static void test_space(void **state)
 }
 
 /* What a joint does to its two segments adds up to nothing about any point, and depends on no direction. */
-static void test_action_and_reaction(void **state)
+TEST(test_action_and_reaction)
 {
-    (void)state;
     for (int frame = 0; frame < 2; ++frame) {
         Rig r = rig_new(frame ? FRAME_ADAMS : FRAME_SYMMETRIC, 0.8, 0.3, 5);
         Rig turned = rig_new(frame ? FRAME_ADAMS : FRAME_SYMMETRIC, 0.8, 0.3, 5);
@@ -189,9 +186,8 @@ static void segment_loads(Rig *r, double out[3 * N])
     }
 }
 
-static void test_differences(void **state)
+TEST(test_differences)
 {
-    (void)state;
     const double e = 1e-5;
     double worst = 0;
     for (int frame = 0; frame < 2; ++frame) {
@@ -231,9 +227,8 @@ static void test_differences(void **state)
 }
 
 /* What fills the arrays up does not move, wherever the ghost is that stands there. */
-static void test_padding(void **state)
+TEST(test_padding)
 {
-    (void)state;
     Rig r = rig_new(FRAME_SYMMETRIC, 0.5, 0, 3);
     PlanarLoads loads[2];
     double rate[PLANAR_SIZE * STRIDE];
@@ -251,9 +246,8 @@ static void test_padding(void **state)
 }
 
 /* What planar arrays begin with, and what is cut off at the ends of the matrix: nothing couples to the ground. */
-static void test_first_values(void **state)
+TEST(test_first_values)
 {
-    (void)state;
     enum { M = 5 };
     PlanarChain chain;
     PlanarKinematics kin;
@@ -286,9 +280,8 @@ static void test_first_values(void **state)
 
 /* (PL2) one segment at a time, zeros behind the last, and a rate that is not finite is seen wherever it is; what
  * dampers alone take out, W (BA4), is what their wrenches do to the bodies. */
-static void test_rates_and_damping(void **state)
+TEST(test_rates_and_damping)
 {
-    (void)state;
     for (int frame = 0; frame < 2; ++frame) {
         Rig r = rig_new(frame ? FRAME_ADAMS : FRAME_SYMMETRIC, 0.3, 0.4, 23);
         PlanarLoads loads[2];
@@ -342,7 +335,3 @@ static void test_rates_and_damping(void **state)
         rig_free(&r);
     }
 }
-
-TEST_FILE(test_planar_chain, cmocka_unit_test(test_direction), cmocka_unit_test(test_space),
-          cmocka_unit_test(test_action_and_reaction), cmocka_unit_test(test_differences),
-          cmocka_unit_test(test_padding), cmocka_unit_test(test_first_values), cmocka_unit_test(test_rates_and_damping))

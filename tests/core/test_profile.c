@@ -30,9 +30,8 @@ static double quadrature(const Profile *p, double a, double b)
     return sum * h;
 }
 
-static void step_values(void **state)
+TEST(step_values)
 {
-    (void)state;
     double slope;
     check_close(step_cubic(0.25, 0, 1, 1, 5, &slope), 1 + 4 * 0.0625 * 2.5, 1e-15);
     check_close(slope, 4 * 6 * 0.25 * 0.75, 1e-15);
@@ -47,9 +46,8 @@ static void step_values(void **state)
     check_close(step_cubic(0, -0.005, 0.2, 0.005, -0.2, NULL), 0, 1e-17);
 }
 
-static void rates_match_differences(void **state)
+TEST(rates_match_differences)
 {
-    (void)state;
     for (int k = 0; k < N_PROFILES; k++) {
         for (double t = -6.03; t < 15; t += 0.17) {
             const double h = 1e-5;
@@ -61,9 +59,8 @@ static void rates_match_differences(void **state)
     }
 }
 
-static void rate_at_a_corner_is_the_right_one(void **state)
+TEST(rate_at_a_corner_is_the_right_one)
 {
-    (void)state;
     const Profile *table = &PROFILES[6];
     check_close(profile_rate(table, 0.5), 5 / 1.5, 1e-14);
     check_close(profile_rate(table, 2), -0.5, 1e-14);
@@ -71,9 +68,8 @@ static void rate_at_a_corner_is_the_right_one(void **state)
     check_equal(profile_rate(table, -1.5), 0);
 }
 
-static void integrals_are_exact(void **state)
+TEST(integrals_are_exact)
 {
-    (void)state;
     for (int k = 0; k < N_PROFILES; k++) {
         const Profile *p = &PROFILES[k];
         double sum = 0, t = 0, corner;
@@ -89,9 +85,8 @@ static void integrals_are_exact(void **state)
     check_close(profile_integral(&PROFILES[1], 30), 0.1 * (30 - 6.5), 1e-14);
 }
 
-static void corners_come_in_order(void **state)
+TEST(corners_come_in_order)
 {
-    (void)state;
     double corner;
     assert_int_equal(profile_next_corner(&PROFILES[0], 0, &corner), 0);
     assert_int_equal(profile_next_corner(&PROFILES[2], 0, &corner), 1);
@@ -108,9 +103,8 @@ static void corners_come_in_order(void **state)
     assert_int_equal(profile_next_corner(&PROFILES[6], t, &corner), 0);
 }
 
-static void table_is_constant_beyond_its_ends(void **state)
+TEST(table_is_constant_beyond_its_ends)
 {
-    (void)state;
     check_equal(profile_value(&PROFILES[6], -7), 3);
     check_equal(profile_value(&PROFILES[6], 99), 2.5);
     check_close(profile_value(&PROFILES[6], 1.25), 1.5, 1e-15);
@@ -120,9 +114,8 @@ static void table_is_constant_beyond_its_ends(void **state)
 
 /* A table that begins after 0 or before it: its integral counts from 0, whatever lies between; corners come only
  * before the last point. */
-static void tables_that_begin_elsewhere(void **state)
+TEST(tables_that_begin_elsewhere)
 {
-    (void)state;
     static double time[] = {1, 2, 4, 50}, value[] = {2, 6, 0, 9}; /* the fourth is not the table's */
     const Profile late = {.kind = PROFILE_TABLE, .n = 3, .time = time, .value = value};
     static const struct {
@@ -155,8 +148,3 @@ static void tables_that_begin_elsewhere(void **state)
     check_equal(profile_corner_before(&late, 4, 99), 99);
     check_equal(profile_corner_before(&late, 2, 4), 4);
 }
-
-TEST_FILE(test_profile, cmocka_unit_test(step_values), cmocka_unit_test(rates_match_differences),
-          cmocka_unit_test(integrals_are_exact), cmocka_unit_test(rate_at_a_corner_is_the_right_one),
-          cmocka_unit_test(corners_come_in_order), cmocka_unit_test(table_is_constant_beyond_its_ends),
-          cmocka_unit_test(tables_that_begin_elsewhere))

@@ -6,9 +6,8 @@
 static double figure(double c, double p, double ratio, int level) { return 7 + c * pow(ratio, -p * level); }
 
 /* Where the order is the one that is assumed, the error is exact, of two values and of three. */
-static void order_as_assumed(void **state)
+TEST(order_as_assumed)
 {
-    (void)state;
     const double ratios[] = {2, 10}, orders[] = {0.5, 1, 2};
     for (int a = 0; a < 2; ++a) {
         for (int b = 0; b < 3; ++b) {
@@ -24,9 +23,8 @@ static void order_as_assumed(void **state)
 }
 
 /* A higher order than was assumed makes the estimate too large, never too small; a lower one is used. */
-static void other_orders(void **state)
+TEST(other_orders)
 {
-    (void)state;
     const Refinement fast = refinement_of(figure(-0.3, 2, 2, 0), figure(-0.3, 2, 2, 1), figure(-0.3, 2, 2, 2), 2, 1);
     check_close(fast.order, 2, 1e-12);
     /* the coarser difference, 3/4 of 0.3, falls by 2^1.5 at most */
@@ -39,9 +37,8 @@ static void other_orders(void **state)
 }
 
 /* Values that jump about: the larger difference counts, and it is said. */
-static void no_order(void **state)
+TEST(no_order)
 {
-    (void)state;
     const Refinement jumps = refinement_of(1.0, 1.1, 1.0, 2, 1), drifts = refinement_of(1.0, 1.1, 1.3, 2, 1);
     assert_int_equal(jumps.diverges, 1);
     assert_int_equal(drifts.diverges, 1);
@@ -57,9 +54,8 @@ static void no_order(void **state)
 }
 
 /* Of a coarser value alone: too large by what half an order is less, never too small for a whole one. */
-static void from_coarser(void **state)
+TEST(from_coarser)
 {
-    (void)state;
     const double error = 0.3 / 2;
     for (int p = 1; p <= 2; ++p) {
         const double e = refinement_from_coarser(figure(0.3, p, 2, 0), figure(0.3, p, 2, 1), 2, 1).error;
@@ -73,9 +69,8 @@ static void from_coarser(void **state)
 }
 
 /* Nothing changed: no error. What is not known stays so. */
-static void ends(void **state)
+TEST(ends)
 {
-    (void)state;
     const Refinement same = refinement_of(1, 1, 1, 2, 1);
     check_equal(same.error, 0);
     assert_int_equal(same.diverges, 0);
@@ -85,6 +80,3 @@ static void ends(void **state)
     check_nan(refinement_of(1, 1, NAN, 2, 1).error);
     check_nan(refinement_of(NAN, 1, NAN, 2, 1).error);
 }
-
-TEST_FILE(test_refinement, cmocka_unit_test(order_as_assumed), cmocka_unit_test(other_orders),
-          cmocka_unit_test(no_order), cmocka_unit_test(ends), cmocka_unit_test(from_coarser))

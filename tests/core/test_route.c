@@ -34,9 +34,8 @@ static Route winding_route(void)
     return route;
 }
 
-static void starts_as_told(void **state)
+TEST(starts_as_told)
 {
-    (void)state;
     Route r = winding_route();
     const RoutePoint at = route_at(&r, 0);
     check_vec(at.position, v3(1, -2, 3), 0);
@@ -47,9 +46,8 @@ static void starts_as_told(void **state)
     assert_null(r.piece);
 }
 
-static void is_continuous_with_its_tangent(void **state)
+TEST(is_continuous_with_its_tangent)
 {
-    (void)state;
     Route r = winding_route();
     for (int i = 1; i < r.n; i++) {
         const double s = r.piece[i].s0, e = 1e-9;
@@ -63,9 +61,8 @@ static void is_continuous_with_its_tangent(void **state)
     route_clear(&r);
 }
 
-static void derivatives_match_differences(void **state)
+TEST(derivatives_match_differences)
 {
-    (void)state;
     Route r = winding_route();
     const double h = 1e-4;
     for (double s = -2.013; s < r.length + 2; s += 0.0937) {
@@ -80,9 +77,8 @@ static void derivatives_match_differences(void **state)
     route_clear(&r);
 }
 
-static void goes_on_straight_beyond_its_ends(void **state)
+TEST(goes_on_straight_beyond_its_ends)
 {
-    (void)state;
     Route r = winding_route();
     const RoutePoint first = route_at(&r, 0), last = route_at(&r, r.length);
     const RoutePoint before = route_at(&r, -7), after = route_at(&r, r.length + 7);
@@ -98,9 +94,8 @@ static void goes_on_straight_beyond_its_ends(void **state)
 }
 
 /* A quarter turn from heading x in each plane: where it ends and where it then points. */
-static void planes_mean_what_they_say(void **state)
+TEST(planes_mean_what_they_say)
 {
-    (void)state;
     const Vec3 toward[] = {v3(0, 1, 0), v3(0, 0, 1), v3(0, -1, 0), v3(0, 0, -1)};
     for (int k = 0; k < 4; k++) {
         const RoutePieceDef def = bend(2, PI / 2, k * PI / 2);
@@ -115,9 +110,8 @@ static void planes_mean_what_they_say(void **state)
 
 /* On a slope, a bend with a level centre direction starts without change of slope; an upward bend stays in
  * the vertical plane and changes the slope by its angle. */
-static void bends_on_slopes(void **state)
+TEST(bends_on_slopes)
 {
-    (void)state;
     const RoutePieceDef left = bend(5, 0.4, 0), up = bend(5, 0.4, PI / 2), down = bend(5, 0.7, 3 * PI / 2);
     Route r;
     assert_int_equal(route_build(&r, 1, &left, v3(0, 0, 0), 1.1, 0.3, NULL), HAWSER_OK);
@@ -140,9 +134,8 @@ static void bends_on_slopes(void **state)
 }
 
 /* An S in three dimensions: the second bend turns about the parallel axis, so the tangent comes back. */
-static void s_bend_restores_the_tangent(void **state)
+TEST(s_bend_restores_the_tangent)
 {
-    (void)state;
     const RoutePieceDef def[] = {bend(4, 0.8, 0), bend(4, 0.8, PI)};
     Route r;
     assert_int_equal(route_build(&r, 2, def, v3(0, 0, 0), 0.2, 0, NULL), HAWSER_OK);
@@ -153,9 +146,8 @@ static void s_bend_restores_the_tangent(void **state)
 }
 
 /* A shaft: level, quarter turn up, vertical straight, then left and back to level. */
-static void left_survives_the_vertical(void **state)
+TEST(left_survives_the_vertical)
 {
-    (void)state;
     const RoutePieceDef def[] = {straight(2), bend(3, PI / 2, PI / 2), straight(5), bend(3, PI / 2, 0), straight(1)};
     Route r;
     assert_int_equal(route_build(&r, 5, def, v3(0, 0, 0), 0.5, 0, NULL), HAWSER_OK);
@@ -170,9 +162,8 @@ static void left_survives_the_vertical(void **state)
 
 /* Through the vertical inside one bend: at the top of a loop's side the heading before counts, beyond it is
  * reversed. */
-static void left_inside_a_bend_through_the_vertical(void **state)
+TEST(left_inside_a_bend_through_the_vertical)
 {
-    (void)state;
     const RoutePieceDef def = bend(2, PI, PI / 2);
     Route r;
     assert_int_equal(route_build(&r, 1, &def, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
@@ -182,9 +173,3 @@ static void left_inside_a_bend_through_the_vertical(void **state)
     check_vec(route_at(&r, r.length).position, v3(0, 0, 4), 1e-15);
     route_clear(&r);
 }
-
-TEST_FILE(test_route, cmocka_unit_test(starts_as_told), cmocka_unit_test(is_continuous_with_its_tangent),
-          cmocka_unit_test(derivatives_match_differences), cmocka_unit_test(goes_on_straight_beyond_its_ends),
-          cmocka_unit_test(planes_mean_what_they_say), cmocka_unit_test(bends_on_slopes),
-          cmocka_unit_test(s_bend_restores_the_tangent), cmocka_unit_test(left_survives_the_vertical),
-          cmocka_unit_test(left_inside_a_bend_through_the_vertical))

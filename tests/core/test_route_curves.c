@@ -45,9 +45,8 @@ static Route all_kinds(void)
 }
 
 /* Simpson's integral of the tangent over each piece, and of the curvature, against position and tangent at its end. */
-static void positions_are_the_tangents_integral(void **state)
+TEST(positions_are_the_tangents_integral)
 {
-    (void)state;
     Route r = all_kinds();
     enum { N = 4000 };
     for (int i = 0; i < r.n; ++i) {
@@ -71,9 +70,8 @@ static void positions_are_the_tangents_integral(void **state)
     route_clear(&r);
 }
 
-static void derivatives_match_differences(void **state)
+TEST(derivatives_match_differences)
 {
-    (void)state;
     Route r = all_kinds();
     const double h = 1e-4;
     for (double s = 0.0137; s < r.length; s += 0.0937) {
@@ -97,9 +95,8 @@ static void derivatives_match_differences(void **state)
 }
 
 /* Radius in space R/cos^2, height and heading in proportion to the length. */
-static void helix_keeps_its_grade(void **state)
+TEST(helix_keeps_its_grade)
 {
-    (void)state;
     const double R = 30, grade = 6 * DEGREE, turn = M_PI / 2;
     const RoutePieceDef def = clothoid(R * turn, 1 / R, 1 / R);
     Route r;
@@ -119,9 +116,8 @@ static void helix_keeps_its_grade(void **state)
 }
 
 /* Fresnel's integrals by their power series. */
-static void clothoid_is_fresnels(void **state)
+TEST(clothoid_is_fresnels)
 {
-    (void)state;
     const double L = 20, k1 = 1.0 / 12;
     const RoutePieceDef def = clothoid(L, 0, k1);
     Route r;
@@ -140,9 +136,8 @@ static void clothoid_is_fresnels(void **state)
 }
 
 /* Height a square of the level length, the arc's length by its primitive. */
-static void parabola_is_one(void **state)
+TEST(parabola_is_one)
 {
-    (void)state;
     const double g = tan(0.3), L = 40, k = (tan(-0.5) - g) / L;
     const RoutePieceDef def = {
         .kind = ROUTE_CURVE, .length = L, .upright = 1, .profile = PROFILE_PARABOLA, .slope_end = -0.5};
@@ -162,9 +157,8 @@ static void parabola_is_one(void **state)
 
 /* A parabola between equal grades is a straight grade, alone and behind pieces that have knots. It was looked up among
  * knots that it does not have. */
-static void parabola_of_no_rise(void **state)
+TEST(parabola_of_no_rise)
 {
-    (void)state;
     const double grades[] = {0, 0.3, -0.5}, bends[] = {0, 0.05};
     for (int k = 0; k < 6; ++k) {
         const double grade = grades[k % 3], bend = bends[k / 3];
@@ -196,9 +190,8 @@ static void parabola_of_no_rise(void **state)
 }
 
 /* A shaft, a level, a ramp: rounded, the ends stay where the corners put them, less what a bend leaves to one side. */
-static void slopes_are_rounded(void **state)
+TEST(slopes_are_rounded)
 {
-    (void)state;
     const RoutePieceDef def[] = {{.kind = ROUTE_STRAIGHT, .length = 20},
                                  {.kind = ROUTE_STRAIGHT, .length = 30, .sloped = 1, .slope = 0},
                                  {.kind = ROUTE_STRAIGHT, .length = 10, .sloped = 1, .slope = 10 * DEGREE},
@@ -226,9 +219,8 @@ static void slopes_are_rounded(void **state)
 }
 
 /* From point to point, an upright leg among them, each corner on its circle. */
-static void corners_are_rounded(void **state)
+TEST(corners_are_rounded)
 {
-    (void)state;
     const RouteCorner c[] = {{v3(0, 0, 0), NAN},  {v3(10, 0, 0), 3},   {v3(10, 10, 2), 4},   {v3(10, 20, 2), 5},
                              {v3(10, 20, 20), 2}, {v3(25, 24, 20), 1}, {v3(30, 30, 30), NAN}};
     RouteLine line;
@@ -253,9 +245,8 @@ static void corners_are_rounded(void **state)
 }
 
 /* Through its points, with curvature that goes on from piece to piece and vanishes at the ends. */
-static void spline_goes_through(void **state)
+TEST(spline_goes_through)
 {
-    (void)state;
     const Vec3 point[] = {{0, 0, 0}, {10, 2, 0}, {20, 0, 1}, {27, -4, 3}, {40, -4, 2}};
     RouteLine line;
     Route r;
@@ -278,9 +269,8 @@ static void spline_goes_through(void **state)
 
 /* Heights of the profile at its stations whatever the plan does, and the plan's end whatever the profile does; at a UTM
  * place the same to 1e-9 m. */
-static void plan_and_profile(void **state)
+TEST(plan_and_profile)
 {
-    (void)state;
     const RoutePlanElement plan[] = {
         {"a", 20, {0, 0}}, {"b", 10, {0, -0.04}}, {"c", 15, {-0.04, -0.04}}, {"d", 10, {-0.04, 0}}, {"e", 20, {0, 0}}};
     const RouteProfileCorner corner[] = {{90, 50, 0, 0}, {125, 51, 200, 0}, {150, 49, 0, 10}, {180, 50, 0, 0}};
@@ -322,9 +312,8 @@ static void plan_and_profile(void **state)
 }
 
 /* Names come along, and who made a piece says so; the same point twice is refused at its place, first or last. */
-static void names_and_doubles(void **state)
+TEST(names_and_doubles)
 {
-    (void)state;
     const Vec3 point[] = {{0, 0, 0}, {10, 2, 0}, {20, 0, 1}, {27, -4, 3}};
     const RouteCorner corner[] = {{point[0], NAN}, {point[1], 2}, {point[2], 2.5}, {point[3], NAN}};
     RouteLine line;
@@ -372,9 +361,8 @@ static void names_and_doubles(void **state)
 
 /* A plan that begins behind the profile's first elements, in level and in rising ground, with circles to both sides:
  * heights by the profile alone, places by the circles. */
-static void plan_begins_further_on(void **state)
+TEST(plan_begins_further_on)
 {
-    (void)state;
     const RoutePlanElement plan[] = {{"left", 10, {0.05, 0.05}}, {"on", 12, {0, 0}}, {"right", 8, {-0.04, -0.04}}};
     const RouteProfileCorner corner[] = {{0, 7, 0, 0}, {40, 7, 0, 0}, {60, 9, 0, 0}, {100, 9, 0, 0}};
     static const double begin[] = {0, 5, 33, 45, 62, 70};
@@ -404,11 +392,3 @@ static void plan_begins_further_on(void **state)
     }
     free(profile.element);
 }
-
-TEST_FILE(test_route_curves, cmocka_unit_test(positions_are_the_tangents_integral),
-          cmocka_unit_test(derivatives_match_differences), cmocka_unit_test(helix_keeps_its_grade),
-          cmocka_unit_test(clothoid_is_fresnels), cmocka_unit_test(parabola_is_one),
-          cmocka_unit_test(parabola_of_no_rise), cmocka_unit_test(slopes_are_rounded),
-          cmocka_unit_test(corners_are_rounded), cmocka_unit_test(spline_goes_through),
-          cmocka_unit_test(plan_and_profile), cmocka_unit_test(names_and_doubles),
-          cmocka_unit_test(plan_begins_further_on))

@@ -13,9 +13,8 @@ static Route route_of(int n, const RoutePieceDef *def, double slope)
 }
 
 /* Points in a row make no bend, whatever radius they have: two straights of what lies between. */
-static void points_in_a_row(void **state)
+TEST(points_in_a_row)
 {
-    (void)state;
     const RouteCorner row[] = {{v3(1, 2, 3), NAN}, {v3(5, 2, 3), 7}, {v3(11, 2, 3), NAN}};
     RouteLine line;
     hawser_error err;
@@ -33,9 +32,8 @@ static void points_in_a_row(void **state)
 
 /* A right angle of radius 3 takes 3 m of either leg: less is refused on either side, with the lengths; just as much is
  * a bend that begins or ends at the line's end. */
-static void legs_that_are_too_short(void **state)
+TEST(legs_that_are_too_short)
 {
-    (void)state;
     static const struct {
         double before, after;
         int fits, pieces;
@@ -79,9 +77,8 @@ static void legs_that_are_too_short(void **state)
 
 /* A corner that turns back by more than pi - 1e-3 is refused by the numbers of its points; one by a little less is not.
  */
-static void corners_that_turn_back(void **state)
+TEST(corners_that_turn_back)
 {
-    (void)state;
     for (int k = 0; k < 2; ++k) {
         const double off = k ? 0.9e-3 : 1.1e-3; /* of half a turn, rad */
         const RouteCorner corner[] = {{V3_ZERO, NAN},
@@ -97,9 +94,8 @@ static void corners_that_turn_back(void **state)
 }
 
 /* A line that begins upright has heading 0, and its first bend goes where the points go. */
-static void lines_that_begin_upright(void **state)
+TEST(lines_that_begin_upright)
 {
-    (void)state;
     const RouteCorner corner[] = {{V3_ZERO, NAN}, {v3(0, 0, 10), 2}, {v3(0, -7, 10), NAN}};
     RouteLine line;
     assert_int_equal(route_from_corners(3, corner, &line, NULL), HAWSER_OK);
@@ -114,9 +110,8 @@ static void lines_that_begin_upright(void **state)
 
 /* Roundings of a steep profile: an arc between slopes a and b takes R tan(|b - a|/2) of either grade, so its level
  * lengths before and behind the corner are that by the cosines; heights at the stations are the profile's. */
-static void roundings_of_steep_profiles(void **state)
+TEST(roundings_of_steep_profiles)
 {
-    (void)state;
     const double R = 12, a = 0.2, b = 1.1, run = 30, on = 25;
     const RouteProfileCorner corner[] = {
         {100, 5, 0, 0}, {100 + run, 5 + run * tan(a), 0, 0}, {100 + run + on, 5 + run * tan(a) + on * tan(b), 0, 0}};
@@ -168,9 +163,8 @@ static void roundings_of_steep_profiles(void **state)
 
 /* A piece turns aside if its plan does: cubics by either of their two turns, curves by either end's curvature, curves
  * that lie in a plane of their own unless that stands upright. */
-static void what_turns_aside(void **state)
+TEST(what_turns_aside)
 {
-    (void)state;
     static const struct {
         RoutePieceDef def;
         int aside;
@@ -198,9 +192,8 @@ static void what_turns_aside(void **state)
 }
 
 /* What is one turn: a bend that is cut, and a clothoid; not other radii, planes or kinds, nor straights. */
-static void turns_in_parts(void **state)
+TEST(turns_in_parts)
 {
-    (void)state;
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 9};
     const RoutePieceDef left = {.kind = ROUTE_BEND, .radius = 9, .angle = 0.3};
     const RoutePieceDef wide = {.kind = ROUTE_BEND, .radius = 9.001, .angle = 0.3};
@@ -216,9 +209,8 @@ static void turns_in_parts(void **state)
 }
 
 /* Every word of a table for a piece. */
-static void words_of_pieces(void **state)
+TEST(words_of_pieces)
 {
-    (void)state;
     static const struct {
         RoutePieceDef def;
         const char *word;
@@ -254,9 +246,8 @@ static void words_of_pieces(void **state)
 
 /* Legs that rise steeply and then stand upright, or lie at 45 degrees before they do: whichever way is left there, the
  * line goes on through the points. */
-static void legs_that_become_upright(void **state)
+TEST(legs_that_become_upright)
 {
-    (void)state;
     static const double slopes[] = {20, 45, 60, 80, -30, -45, -70};
     for (int k = 0; k < 7; ++k) {
         const double a = slopes[k] * M_PI / 180, up = a > 0 ? 1 : -1;
@@ -276,9 +267,8 @@ static void legs_that_become_upright(void **state)
 }
 
 /* A spline begins on the heading and slope of its first piece, from which the left of its start follows. */
-static void splines_begin(void **state)
+TEST(splines_begin)
 {
-    (void)state;
     const Vec3 point[] = {{1, 2, 3}, {-6, 8, 5}, {-11, 20, 4}, {-10, 33, 4}};
     RouteLine line;
     Route r;
@@ -314,9 +304,8 @@ static void splines_begin(void **state)
 
 /* The least radius of a parabola is at its vertex, 1/k, between two looks as well as at one; a clothoid's jerk is by
  * how much its curvature grows, and its whole turn is the mean of its curvatures times its length. */
-static void measures_of_curves(void **state)
+TEST(measures_of_curves)
 {
-    (void)state;
     for (int i = 0; i < 12; ++i) {
         const double from = 0.3 + 0.01 * i, to = -0.5, length = 40, k = (tan(from) - tan(to)) / length;
         const RoutePieceDef def = {
@@ -340,9 +329,8 @@ static void measures_of_curves(void **state)
 
 /* A long clothoid and a plan with profile, which turn by many radians: places along them against Simpson's integral of
  * their own tangents, from end to end. */
-static void long_curves(void **state)
+TEST(long_curves)
 {
-    (void)state;
     const RoutePieceDef def[] = {{.kind = ROUTE_CURVE, .length = 300, .upright = 1, .curvature = {-0.02, 0.1}},
                                  {.kind = ROUTE_CURVE,
                                   .length = 200,
@@ -368,10 +356,3 @@ static void long_curves(void **state)
     }
     route_clear(&r);
 }
-
-TEST_FILE(test_route_made, cmocka_unit_test(points_in_a_row), cmocka_unit_test(legs_that_are_too_short),
-          cmocka_unit_test(corners_that_turn_back), cmocka_unit_test(lines_that_begin_upright),
-          cmocka_unit_test(roundings_of_steep_profiles), cmocka_unit_test(what_turns_aside),
-          cmocka_unit_test(turns_in_parts), cmocka_unit_test(words_of_pieces),
-          cmocka_unit_test(legs_that_become_upright), cmocka_unit_test(splines_begin),
-          cmocka_unit_test(measures_of_curves), cmocka_unit_test(long_curves))

@@ -32,9 +32,8 @@ static void check_end(RouteLine *line, int n, double length, Vec3 end)
 
 /* The same slope once more is no corner; behind a bend the rounding comes off the straight alone; a straight may be
  * eaten up, but no more. */
-static void test_slopes(void **state)
+TEST(test_slopes)
 {
-    (void)state;
     RouteLine line;
     const double a = 10 * DEGREE, off = 30 * tan(a / 2);
     const RoutePieceDef same[] = {sloped(10, a), sloped(5, a), {.kind = ROUTE_STRAIGHT, .length = 5}};
@@ -63,9 +62,8 @@ static void test_slopes(void **state)
 }
 
 /* Points in a row make no bend; the first leg may go straight up, and a turn there too. */
-static void test_corners(void **state)
+TEST(test_corners)
 {
-    (void)state;
     RouteLine line;
     const RouteCorner row[] = {{{0, 0, 0}, 1}, {{4, 0, 0}, 5}, {{9, 0, 0}, 5}, {{10, 0, 0}, 1}};
     assert_int_equal(route_from_corners(4, row, &line, NULL), HAWSER_OK);
@@ -89,9 +87,8 @@ static void refused(int n, const RouteCorner *corner, const char *said)
     assert_null(line.piece);
 }
 
-static void test_corners_refused(void **state)
+TEST(test_corners_refused)
 {
-    (void)state;
     const RouteCorner back[] = {{{0, 0, 0}, 1}, {{9, 0, 0}, 1}, {{2, 0, 0}, 1}};
     refused(3, back, "points 1 to 3 turn back");
     const RouteCorner later[] = {{{0, 0, 0}, 1}, {{9, 0, 0}, 2}, {{9, 9, 0}, 1}, {{9, 3, 1e-4}, 1}};
@@ -109,9 +106,8 @@ static void test_corners_refused(void **state)
 }
 
 /* Profiles: sharp corners by the given radius, rounded ones by theirs, parabolas; what does not fit. */
-static void test_profiles(void **state)
+TEST(test_profiles)
 {
-    (void)state;
     RouteProfile p;
     hawser_error err = {0};
     const RouteProfileCorner just[] = {{0, 0, 0, 0}, {10, 1, 0, 20}, {30, 0, 0, 20}, {40, 0, 0, 0}};
@@ -149,9 +145,8 @@ static hawser_status with_profile(const RouteProfileElement *element, int n, dou
 }
 
 /* A profile with a corner of its own, one that begins too late or ends too early; one that ends within rounding. */
-static void test_plan_refused(void **state)
+TEST(test_plan_refused)
 {
-    (void)state;
     const double a = 0.1;
     const RouteProfileElement corner[] = {{PROFILE_GRADE, 20, {0, 0}}, {PROFILE_GRADE, 20, {a, a}}};
     const RouteProfileElement arc[] = {{PROFILE_ARC, 20, {0, a}}, {PROFILE_GRADE, 20, {a, a}}};
@@ -175,9 +170,8 @@ static void test_plan_refused(void **state)
 }
 
 /* What a table calls each kind, and which of them turn aside. */
-static void test_words(void **state)
+TEST(test_words)
 {
-    (void)state;
     const struct {
         RoutePieceDef def;
         const char *word;
@@ -229,7 +223,3 @@ static void test_words(void **state)
         route_clear(&r);
     }
 }
-
-TEST_FILE(test_route_make, cmocka_unit_test(test_slopes), cmocka_unit_test(test_corners),
-          cmocka_unit_test(test_corners_refused), cmocka_unit_test(test_profiles), cmocka_unit_test(test_plan_refused),
-          cmocka_unit_test(test_words))

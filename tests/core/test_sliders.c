@@ -75,9 +75,8 @@ static double energy(const Rig *r, Vec3 theta)
 }
 
 /* In any direction, in one step or in many. */
-static void test_first_loading(void **state)
+TEST(test_first_loading)
 {
-    (void)state;
     for (double angle = 0; angle < 6; angle += 0.7) {
         for (int steps = 1; steps < 100; steps *= 7) {
             Rig r = rig_new();
@@ -92,9 +91,8 @@ static void test_first_loading(void **state)
 }
 
 /* Unbending and bending again follow the first curve doubled, from where they turned round (HY3). */
-static void test_masing(void **state)
+TEST(test_masing)
 {
-    (void)state;
     Rig r = rig_new();
     const double top = 0.15, bottom = -0.07;
     const double at_top = step_to(&r, v3(0, top, 0)).y;
@@ -132,9 +130,8 @@ static double cycle_work(Rig *r, double top, double angle, int steps, double *mo
 }
 
 /* The loop's area is 4 sum k limit (top - limit) over the sliders that give way (HY8b), the same in every cycle. */
-static void test_hysteretic_bending_loop_area(void **state)
+TEST(test_hysteretic_bending_loop_area)
 {
-    (void)state;
     const double tops[] = {0.005, 0.02, 0.05, 0.2};
     for (int t = 0; t < 4; ++t) {
         Rig r = rig_new();
@@ -152,9 +149,8 @@ static void test_hysteretic_bending_loop_area(void **state)
 
 /* Bending that goes round in a circle of radius R: each spring lags by the angle whose cosine is limit/R, and the slip
  * runs on a circle of radius sqrt(R^2 - limit^2) (HY8c). */
-static void test_circular_bending(void **state)
+TEST(test_circular_bending)
 {
-    (void)state;
     Rig r = rig_new();
     const double radius = 0.06, pi = 3.14159265358979323846;
     const int steps = 4000;
@@ -182,9 +178,8 @@ static void test_circular_bending(void **state)
 
 /* A random walk in the plane, and the same walk turned by an angle: moments turn with it. At every step what goes in is
  * what the springs store and what the sliders take, which is never negative (HY8a). */
-static void test_isotropy_and_dissipation(void **state)
+TEST(test_isotropy_and_dissipation)
 {
-    (void)state;
     Rig r = rig_new(), turned = rig_new();
     const Quat turn = quat_exp(v3(0.9, 0, 0));
     uint64_t seed = 3;
@@ -208,9 +203,8 @@ static void test_isotropy_and_dissipation(void **state)
 }
 
 /* The update changes no moment, and nothing if it is repeated; within a step the moment has no memory. */
-static void test_update(void **state)
+TEST(test_update)
 {
-    (void)state;
     Rig r = rig_new();
     uint64_t seed = 9;
     for (int k = 0; k < 200; ++k) {
@@ -227,7 +221,3 @@ static void test_update(void **state)
     }
     rig_free(&r);
 }
-
-TEST_FILE(test_sliders, cmocka_unit_test(test_first_loading), cmocka_unit_test(test_masing),
-          cmocka_unit_test(test_hysteretic_bending_loop_area), cmocka_unit_test(test_circular_bending),
-          cmocka_unit_test(test_isotropy_and_dissipation), cmocka_unit_test(test_update))

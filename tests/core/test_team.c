@@ -40,9 +40,8 @@ static void run_jobs(Team *t, int jobs, long work, long pause)
     }
 }
 
-static void two_threads(void **state)
+TEST(two_threads)
 {
-    (void)state;
     Team *t = team_new(2);
     assert_non_null(t);
     run_jobs(t, 5000, 0, 0);
@@ -52,18 +51,16 @@ static void two_threads(void **state)
 }
 
 /* The helper falls asleep between jobs and is woken, or is not there in time and the caller does its share. */
-static void sleeping_helper(void **state)
+TEST(sleeping_helper)
 {
-    (void)state;
     Team *t = team_new(2);
     run_jobs(t, 100, 100 * VALUES, 300000);
     run_jobs(t, 100, 0, 300000);
     team_free(t);
 }
 
-static void one_thread(void **state)
+TEST(one_thread)
 {
-    (void)state;
     Team *t = team_new(1);
     assert_int_equal(team_size(t), 1);
     assert_int_equal(team_size(NULL), 1);
@@ -76,9 +73,8 @@ static void one_thread(void **state)
 }
 
 /* Teams come and go, used or not. */
-static void many_teams(void **state)
+TEST(many_teams)
 {
-    (void)state;
     for (int k = 0; k < 50; ++k) {
         Team *const t = team_new(2), *const other = team_new(2);
         assert_int_equal(team_ready(t), team_size(t) == 2); /* a new one does not rest */
@@ -88,6 +84,3 @@ static void many_teams(void **state)
         team_free(other);
     }
 }
-
-TEST_FILE(test_team, cmocka_unit_test(two_threads), cmocka_unit_test(sleeping_helper), cmocka_unit_test(one_thread),
-          cmocka_unit_test(many_teams))

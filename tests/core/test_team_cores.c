@@ -63,9 +63,8 @@ static int helped(Team *t, int wanted, long most)
     return by_helper;
 }
 
-static void keeps_out_of_the_way(void **state)
+TEST(keeps_out_of_the_way)
 {
-    (void)state;
     cpu_set_t all, mine, others, found;
     if (sched_getaffinity(0, sizeof all, &all) || CPU_COUNT(&all) < 2 || other_thread()) skip();
     const int here = sched_getcpu();
@@ -101,5 +100,3 @@ static void keeps_out_of_the_way(void **state)
     team_free(alone);
     sched_setaffinity(0, sizeof all, &all);
 }
-
-TEST_FILE(test_team_cores, cmocka_unit_test(keeps_out_of_the_way))

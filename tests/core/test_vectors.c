@@ -12,9 +12,8 @@
 #include "tests/support/chain.h"
 #include "tests/support/check.h"
 
-static void vectors(void **state)
+TEST(vectors)
 {
-    (void)state;
     const Vec3 a = {2, -3, 5}, b = {-7, 11, 13};
     check_vec(v3_add(a, b), v3(-5, 8, 18), 0);
     check_vec(v3_sub(a, b), v3(9, -14, -8), 0);
@@ -59,9 +58,8 @@ static Vec3 turned(Vec3 r, Vec3 v)
     return v3_axpy(v3_axpy(v3_scale(cos(angle), v), sin(angle), v3_cross(n, v)), (1 - cos(angle)) * v3_dot(n, v), n);
 }
 
-static void quaternions(void **state)
+TEST(quaternions)
 {
-    (void)state;
     uint64_t seed = 5;
     for (int i = 0; i < 300; ++i) {
         const Vec3 r = fixture_vector(&seed, 1.7), s = fixture_vector(&seed, 2), v = fixture_vector(&seed, 3);
@@ -123,9 +121,8 @@ static Lane3 lanes3_of(double from) { return (Lane3){lanes_of(from, 1), lanes_of
 
 static Vec3 lane3_at(Lane3 a, int k) { return v3(a.x[k], a.y[k], a.z[k]); }
 
-static void lanes(void **state)
+TEST(lanes)
 {
-    (void)state;
     const Lane x = lanes_of(-3.5, 1), y = lanes_of(2, -0.7);
     const LaneMask less = x < y;
     const Lane root = lane_sqrt(x * x + 1), size = lane_abs(x), floored = lane_at_least(x, 0.25), index = lane_index();
@@ -174,9 +171,8 @@ static void lanes(void **state)
     check_equal(lane_asin_ratio(lane_set(0))[3], 1);
 }
 
-static void vectors_of_lanes(void **state)
+TEST(vectors_of_lanes)
 {
-    (void)state;
     const Lane3 a = lanes3_of(1.5), b = lanes3_of(-4), spread = l3_spread(v3(1, 2, 3));
     const Lane s = lanes_of(-1, 0.3);
     const LaneMask some = s < lane_set(0.2);
@@ -210,9 +206,8 @@ static void vectors_of_lanes(void **state)
 /* A lane of a vector in the plane as one in space. */
 static Vec3 lane2_at(Lane2 a, int k) { return v3(a.x[k], a.z[k], 0); }
 
-static void vectors_in_the_plane(void **state)
+TEST(vectors_in_the_plane)
 {
-    (void)state;
     const Lane2 a = {lanes_of(1.5, -1), lanes_of(-2, 0.75)}, b = {lanes_of(0.5, 2), lanes_of(3, -1)};
     const Lane s = lanes_of(-1, 0.3), angle = lanes_of(-2.7, 0.9);
     const Lane2 sum = l2_add(a, b), less = l2_sub(a, b), minus = l2_neg(a), scaled = l2_scale(s, a);
@@ -249,9 +244,8 @@ static void vectors_in_the_plane(void **state)
     }
 }
 
-static void largest_and_smallest(void **state)
+TEST(largest_and_smallest)
 {
-    (void)state;
     check_equal(larger_of(1, 2), 2);
     check_equal(larger_of(2, 1), 2);
     check_equal(smaller_of(1, 2), 1);
@@ -273,9 +267,8 @@ static void take_share(void *arg, int rank)
 }
 
 /* Without a team, with one of one, or where it is not worth it, both halves are done in a row, the first one first. */
-static void halves(void **state)
+TEST(halves)
 {
-    (void)state;
     Team *one = team_new(1), *two = team_new(2);
     for (int k = 0; k < 4; ++k) {
         Shares s = {0};
@@ -290,7 +283,3 @@ static void halves(void **state)
     static const int n[][2] = {{0, 0}, {15, 0}, {16, 8}, {31, 8}, {32, 16}, {1000, 496}};
     for (int k = 0; k < 6; ++k) assert_int_equal(halves_middle(n[k][0]), n[k][1]);
 }
-
-TEST_FILE(test_vectors, cmocka_unit_test(vectors), cmocka_unit_test(quaternions), cmocka_unit_test(lanes),
-          cmocka_unit_test(vectors_of_lanes), cmocka_unit_test(vectors_in_the_plane),
-          cmocka_unit_test(largest_and_smallest), cmocka_unit_test(halves))

@@ -22,9 +22,8 @@ static double pull_of(const char *text, const char *key, const char *value, doub
 }
 
 /* A parameter is the case's key; the instance that has another value does not touch its neighbour. */
-static void test_parameters(void **state)
+TEST(test_parameters)
 {
-    (void)state;
     const char *const text = data_text("cli-pull");
     for (int version = 2; version <= 3; ++version) {
         Fmu fmu;
@@ -57,9 +56,8 @@ static void test_parameters(void **state)
 }
 
 /* A value that the case's reader refuses is an error with its words, when the initialization ends. */
-static void test_bad_parameter(void **state)
+TEST(test_bad_parameter)
 {
-    (void)state;
     Fmu fmu;
     FmuInstance i;
     fmu_of(&fmu, data_text("cli-pull"), 3);
@@ -73,9 +71,8 @@ static void test_bad_parameter(void **state)
 }
 
 /* Neither the catalogue nor the drawing is needed where the archive is used. */
-static void test_references_to_files(void **state)
+TEST(test_references_to_files)
 {
-    (void)state;
     static const char *const catalogued =
         "cables: {c: {type: xlpe-20kv-95-cu}}\nchain: [{cable: c, length: 8 m, segment: 1 m}]\n"
         "route: {head_at: 9 m, pieces: [{straight: 12 m}]}\n"
@@ -102,9 +99,8 @@ static void test_references_to_files(void **state)
 }
 
 /* One step over all of the run is the run: statistics, margins and the verdict are those of hawser_sim_run. */
-static void test_judgement(void **state)
+TEST(test_judgement)
 {
-    (void)state;
     const char *const text = data_text("limits-conveyor");
     hawser_sim *const s = sim_of(text);
     hawser_error err = {HAWSER_OK, ""};
@@ -143,9 +139,8 @@ static void test_judgement(void **state)
 }
 
 /* Every output has a value at the start and after a step, and every input and parameter that of its description. */
-static void test_all_values(void **state)
+TEST(test_all_values)
 {
-    (void)state;
     static const char *const cases[] = {"limits-conveyor", "reel-payout", "surfaces", "rod-end", "full-tension"};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
         Fmu fmu;
@@ -171,9 +166,8 @@ static void test_all_values(void **state)
 }
 
 /* A winch that trips and ends the run ends the simulation. */
-static void test_end(void **state)
+TEST(test_end)
 {
-    (void)state;
     const char *const text = data_with(
         "short-pull", "winch: {speed: 6 m/min, to: 1 s}",
         "winch: {speed: 6 m/min, to: 1 s, trip: {force: 100 N, hold: 50 ms, brake: 100 ms, restarts: 0, then: end}}");
@@ -198,9 +192,8 @@ static void test_end(void **state)
 }
 
 /* What cannot be written is said. */
-static void test_writing(void **state)
+TEST(test_writing)
 {
-    (void)state;
     hawser_error err = {HAWSER_OK, ""};
     hawser_case *c = case_of(data_text("cli-pull"));
     assert_int_equal(hawser_fmu_write(c, HAWSER_FMI_3, "/nowhere/at/all.fmu", &err), HAWSER_ERR_OUTPUT);
@@ -225,9 +218,8 @@ static const char *unit_in(const Fmu *fmu, const char *name)
 
 /* Each variable has the unit that the case and the results have, and a pure number has none: a comparison that was
  * reversed gave all of them "m", also numbers, and no test failed. */
-static void test_units(void **state)
+TEST(test_units)
 {
-    (void)state;
     static const char *const expected[][2] = {
         {"time", "s"},       {"cable.max_tension", "N"}, {"rollers.along.spacing", "m"}, {"drive.winch.speed", "m/s"},
         {"friction.mu", ""}, {"cables.power.EA", "N"},   {"cables.power.mass", "kg/m"},  {"cables.power.EI", "N.m2"},
@@ -240,8 +232,3 @@ static void test_units(void **state)
         fmu_close(&fmu);
     }
 }
-
-TEST_FILE(test_contents, cmocka_unit_test(test_parameters), cmocka_unit_test(test_bad_parameter),
-          cmocka_unit_test(test_references_to_files), cmocka_unit_test(test_judgement),
-          cmocka_unit_test(test_all_values), cmocka_unit_test(test_end), cmocka_unit_test(test_writing),
-          cmocka_unit_test(test_units))

@@ -37,9 +37,8 @@ static void forces_of_instance(FmuInstance *i, int looks, double force[])
 }
 
 /* To 1e-9 of the tension that is held; and it is held. */
-static void test_controller(void **state)
+TEST(test_controller)
 {
-    (void)state;
     double library[LOOKS];
     forces_of_library(LOOKS, library);
     check_below(library[0], 600);
@@ -60,9 +59,8 @@ static void test_controller(void **state)
 }
 
 /* Its own time may begin anywhere; the motion is the same up to the rounding of times. */
-static void test_start(void **state)
+TEST(test_start)
 {
-    (void)state;
     Fmu fmu;
     fmu_of(&fmu, data_text("hold-tension"), 3);
     FmuInstance later, *const now = instance_of(&fmu);
@@ -92,9 +90,8 @@ static void *job_run(void *job)
 }
 
 /* Four of two archives, each on a thread of its own, do what one does alone. */
-static void test_threads(void **state)
+TEST(test_threads)
 {
-    (void)state;
     enum { JOBS = 4 };
     Fmu fmu[2];
     Job job[JOBS];
@@ -116,9 +113,8 @@ static void test_threads(void **state)
 }
 
 /* Brake and pause hold the winch until they are let go. */
-static void test_brakes(void **state)
+TEST(test_brakes)
 {
-    (void)state;
     static const char *const held[] = {"winch.brake", "winch.pause"};
     Fmu fmu;
     fmu_of(&fmu, data_text("short-pull"), 2);
@@ -138,9 +134,8 @@ static void test_brakes(void **state)
 }
 
 /* A conveyor that is slower than the winch brakes with its grip; with less clamp it grips less; it jams and is free. */
-static void test_inputs(void **state)
+TEST(test_inputs)
 {
-    (void)state;
     Fmu fmu;
     fmu_of(&fmu, data_text("hold-tension"), 3);
     FmuInstance *const i = instance_of(&fmu);
@@ -161,6 +156,3 @@ static void test_inputs(void **state)
     instance_drop(i);
     fmu_close(&fmu);
 }
-
-TEST_FILE(test_control_loop, cmocka_unit_test(test_controller), cmocka_unit_test(test_start),
-          cmocka_unit_test(test_threads), cmocka_unit_test(test_brakes), cmocka_unit_test(test_inputs))

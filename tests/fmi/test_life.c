@@ -34,7 +34,7 @@ static FmuInstance *fresh(const Fmu *fmu)
     return i;
 }
 
-static void test_instantiation(void **state)
+TEST(test_instantiation)
 {
     const Both *const both = *state;
     for (int v = 0; v < 2; ++v) {
@@ -99,7 +99,7 @@ static int deed_do(FmuInstance *i, Deed deed)
     }
 }
 
-static void test_order(void **state)
+TEST(test_order)
 {
     const Both *const both = *state;
     /* rows: instantiated, initializing, stepping, terminated; columns: as the deeds */
@@ -132,7 +132,7 @@ static void test_order(void **state)
 }
 
 /* NaN and what is out of range: refused, and the value before stays. */
-static void test_values(void **state)
+TEST(test_values)
 {
     const Both *const both = *state;
     for (int v = 0; v < 2; ++v) {
@@ -154,7 +154,7 @@ static void test_values(void **state)
     }
 }
 
-static void test_steps(void **state)
+TEST(test_steps)
 {
     const Both *const both = *state;
     static const double wrong[][2] = {{0.1, 0.1}, {0, 0}, {0, -1}, {0, NAN}, {NAN, 0.1}, {0, INFINITY}};
@@ -174,7 +174,7 @@ static void test_steps(void **state)
 }
 
 /* References and types that are not there, and a stop that was named. */
-static void test_references(void **state)
+TEST(test_references)
 {
     const Both *const both = *state;
     const Fmu *const two = &both->fmu[0], *const three = &both->fmu[1];
@@ -204,5 +204,4 @@ static void test_references(void **state)
     instance_drop(i);
 }
 
-TEST_FILE_IN(test_life, both_open, both_close, cmocka_unit_test(test_instantiation), cmocka_unit_test(test_order),
-             cmocka_unit_test(test_values), cmocka_unit_test(test_steps), cmocka_unit_test(test_references))
+TEST_GROUP(both_open, both_close)

@@ -51,9 +51,8 @@ static int cannot(FmuInstance *i)
     return 1;
 }
 
-static void test_there_and_back(void **state)
+TEST(test_there_and_back)
 {
-    (void)state;
     for (int version = 2; version <= 3; ++version) {
         Fmu fmu;
         double first[2 * LOOKS], again[2 * LOOKS];
@@ -91,9 +90,8 @@ static void test_there_and_back(void **state)
 }
 
 /* Into another instance that was built with other parameters. */
-static void test_bytes(void **state)
+TEST(test_bytes)
 {
-    (void)state;
     for (int version = 2; version <= 3; ++version) {
         Fmu fmu;
         FmuInstance i;
@@ -140,5 +138,3 @@ static void test_bytes(void **state)
         fmu_close(&fmu);
     }
 }
-
-TEST_FILE(test_state, cmocka_unit_test(test_there_and_back), cmocka_unit_test(test_bytes))

@@ -37,7 +37,7 @@ def complaints(root):
             with open(full, encoding="utf-8") as file:
                 body = file.read()
             out += [f"{TABLE}: '{cause}': {path} runs no test {name}" for name in names
-                    if not re.search(rf"\bcmocka_unit_test\w*\(\s*{re.escape(name)}\b", body)]
+                    if not re.search(rf"^TEST(?:_WITH)?\({re.escape(name)}\b", body, re.M)]
     return out
 
 

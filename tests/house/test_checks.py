@@ -160,7 +160,7 @@ class Documents(unittest.TestCase):
 
 class Causes(unittest.TestCase):
     def check(self, rows):
-        return Tree({"tests/io/test_trust.c": f"/* Was wrong:\n{rows} */\nint main() {{ cmocka_unit_test(it_falls), it_stands; }}\n",
+        return Tree({"tests/io/test_trust.c": f"/* Was wrong:\n{rows} */\nTEST(it_falls) {{ it_stands(); }}\n",
                      "tests/cli/test_a.sh": ""}).complaints(check_causes.complaints)
 
     def test_what_is_run(self):

@@ -2,9 +2,8 @@
  * were not trusted; narrow rollers are found before time begins now, the others are pulled and trusted. */
 #include "tests/io/case_fixture.h"
 
-static void nine_tunnels(void **state)
+TEST(nine_tunnels)
 {
-    (void)state;
     static const char *const width[] = {"210 mm", "400 mm", "600 mm"};
     static const char *const belt[] = {
         "{name: first, from: 20 m, to: 22 m, clamp: 10 kN, limit: 3 kN, factor: 1.02}",
@@ -37,5 +36,3 @@ static void nine_tunnels(void **state)
         }
     }
 }
-
-TEST_FILE(long_caterpillars, cmocka_unit_test(nine_tunnels))

@@ -4,9 +4,8 @@
 
 /* By `auto`, against the theory of the way up to where its front came: within 5 %, and trusted. Segments of 0.5 m, as
  * `auto` had them, had 13 % too much. */
-static void a_run_is_as_theory(void **state)
+TEST(a_run_is_as_theory)
 {
-    (void)state;
     hawser_summary sum;
     hawser_sim *const sim = run_of(DUCT, (const char *const[]){"run.steady_from", "40 s", NULL});
     hawser_sim_summary(sim, &sum);
@@ -18,9 +17,8 @@ static void a_run_is_as_theory(void **state)
 
 /* Half, 0.8, 1.2, 1.5 and 3 times the load of snaking: against converged runs (bench/pushes.py) within 5 %, and those
  * against theory within 10 %. */
-static void pushes_of_five_sizes(void **state)
+TEST(pushes_of_five_sizes)
 {
-    (void)state;
     static const struct {
         double share, converged; /* N */
     } row[] = {{0.5, 13447}, {0.8, 11846}, {1.2, 9850}, {1.5, 8649}, {3, 7146}};
@@ -42,9 +40,8 @@ static void pushes_of_five_sizes(void **state)
 
 /* With two bends of half a degree: 7.92 kN, NOT TRUSTED by its mesh. With both to the other side the cable lies in
  * another way; the bounds, of 6.4 and 7.4 N for 72 N between the two, hold both now (EB34). */
-static void a_kinked_duct(void **state)
+TEST(a_kinked_duct)
 {
-    (void)state;
     static const char *const turns[2][2] = {{"left", "right"}, {"right", "left"}};
     hawser_summary sum[2];
     for (int k = 0; k < 2; ++k) {
@@ -90,9 +87,8 @@ static double used_up(double push, double load, double rubs)
 
 /* Level and straight: what is left ahead of a pusher at 22 m against 2 sqrt(EI w/r), and the winch's force, mu w from
  * where the push is used up to 420 m. Of 100 draws those 66 count whose push does not come as far as the winch. */
-static void random_pushes(void **state)
+TEST(random_pushes)
 {
-    (void)state;
     unsigned seed = 60;
     int broken = 0;
     for (int k = 0; k < 100; ++k) {
@@ -130,9 +126,8 @@ static void random_pushes(void **state)
 
 /* A rope's end between guides: on an axial grip that turned with half of its turn it caught on one, with steps of 5e-11
  * s for ever, 2 MN. It comes through, and the pull is theory's within 5 %. */
-static void an_end_between_guides(void **state)
+TEST(an_end_between_guides)
 {
-    (void)state;
     static const char text[] =
         "cables: {p: {d: 80 mm, mass: 14 kg/m, EI: 2000, EA: 60 MN, GA: 20 MN, GJ: 2000}, "
         "r: {d: 16 mm, mass: 1 kg/m, EI: 20, EA: 8 MN, GA: 3 MN, GJ: 20}}\n"
@@ -160,9 +155,8 @@ static void an_end_between_guides(void **state)
 }
 
 /* 1e9 N at the tail of cases/duct-bends.yaml: steps of 8e-12 s for ever are an end that says where. */
-static void more_than_a_duct_stands(void **state)
+TEST(more_than_a_duct_stands)
 {
-    (void)state;
     hawser_sim *sim = NULL;
     hawser_error err = {0};
     assert_int_equal(example_open("duct-bends", (const char *const[]){"drive.tail.tension", "1e9 N", NULL}, &sim, &err),
@@ -172,7 +166,3 @@ static void more_than_a_duct_stands(void **state)
     check_has(err.message, "on 'duct'");
     hawser_sim_free(sim);
 }
-
-TEST_FILE(long_pushed, cmocka_unit_test(more_than_a_duct_stands), cmocka_unit_test(a_run_is_as_theory),
-          cmocka_unit_test(pushes_of_five_sizes), cmocka_unit_test(a_kinked_duct), cmocka_unit_test(random_pushes),
-          cmocka_unit_test(an_end_between_guides))

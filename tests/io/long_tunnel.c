@@ -20,9 +20,8 @@ static hawser_sim *tunnel_run(void)
 }
 
 /* Within 5 % from the first stretch to the last, and the front has come to the tunnel's end. */
-static void test_pull_along_the_tunnel(void **state)
+TEST(test_pull_along_the_tunnel)
 {
-    (void)state;
     hawser_sim *const sim = tunnel_run();
     const hawser_position *row;
     const int n = hawser_sim_positions(sim, &row);
@@ -43,5 +42,3 @@ static void test_pull_along_the_tunnel(void **state)
     check_below(largest, 0.05);
     hawser_sim_free(sim);
 }
-
-TEST_FILE(long_tunnel, cmocka_unit_test(test_pull_along_the_tunnel))

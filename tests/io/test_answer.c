@@ -48,7 +48,7 @@ static const char *remedy(const Scene *scene, const char *name, const char *unit
     return text;
 }
 
-static void words(void **state)
+TEST(words)
 {
     const Scene *const scene = *state;
     static const struct {
@@ -77,7 +77,7 @@ static void words(void **state)
 
 /* The duct that is named keeps all limits of a duct, from there on, and one that is 1 % narrower does not. Once each
  * limit had a remedy of its own, of which two broke another: 64.7 mm and 69.6 mm, in which three cables jam. */
-static void ducts(void **state)
+TEST(ducts)
 {
     const Scene *const scene = *state;
     static const hawser_limit_kind kinds[] = {HAWSER_LIMIT_CLEARANCE, HAWSER_LIMIT_FILL, HAWSER_LIMIT_JAM_RATIO};
@@ -104,7 +104,7 @@ static void ducts(void **state)
 }
 
 /* Whatever is broken, with values or without: whole sentences, of which no brace or bracket is left. */
-static void sentences(void **state)
+TEST(sentences)
 {
     const Scene *const scene = *state;
     int said = 0;
@@ -128,7 +128,7 @@ static void sentences(void **state)
 
 /* A bend is found by the metres of its place, also at its very end where the next straight begins; elsewhere there is
  * only less tension. What the bend's own length adds to the tension is in the radius. */
-static void bends(void **state)
+TEST(bends)
 {
     const Scene *const scene = *state;
     const double end = 10 + 2 * 3.14159265358979323846 / 2;
@@ -172,9 +172,8 @@ static void check_coded(const hawser_sim *sim)
 }
 
 /* The first lines of a page: verdict, pull, worst place, remedy, in the units that are asked for, within a page. */
-static void answers(void **state)
+TEST(answers)
 {
-    (void)state;
     hawser_case *c = NULL;
     char *text = NULL;
     assert_int_equal(hawser_case_parse(three, NAME, &c, NULL), HAWSER_OK);
@@ -248,9 +247,8 @@ static char *told_of(const char *text, int *lines)
     "m}]}\n"
 
 /* What a planner once read wrong in the answer. */
-static void what_is_read(void **state)
+TEST(what_is_read)
 {
-    (void)state;
     static const struct {
         const char *text, *has, *not ;
     } row[] = {
@@ -304,9 +302,8 @@ static void what_is_read(void **state)
 }
 
 /* The title, a blank line and 24 more, whatever is broken: 37 once. */
-static void no_more_than_a_page(void **state)
+TEST(no_more_than_a_page)
 {
-    (void)state;
     static const char text[] =
         "cables: {c: {d: 100 mm, mass: 20 kg/m}}\nbundle: {cables: 3}\n"
         "route: {pieces: [{straight: 300 m}, {name: one, bend: 60 deg, radius: 1 m, plane: left}, {straight: 100 m}, "
@@ -360,9 +357,8 @@ static double run_ducts(const char *const set[], char key[3][64], double value[3
 
 /* What a run proposes keeps all limits of the run with it: each of two bends is too tight and the duct too narrow. Of
  * its own limit alone the worse bend asked for 10.1 m, with which both are too tight all the same. */
-static void a_runs_remedies(void **state)
+TEST(a_runs_remedies)
 {
-    (void)state;
     static const char limits[] = "{sidewall: 0.4 kN/m, pull: 20 kN}";
     char key[3][64], text[3][32];
     double value[3];
@@ -379,9 +375,8 @@ static void a_runs_remedies(void **state)
 }
 
 /* A key of the case that a remedy names is one that makes that bend wider: bends between slopes are not listed. */
-static void a_listed_bend(void **state)
+TEST(a_listed_bend)
 {
-    (void)state;
     static const char sloped[] =
         "cables: {c: {d: 80 mm, mass: 20 kg/m}}\n"
         "route: {transition_radius: 20 m, pieces: [{straight: 50 m}, {straight: 40 m, slope: 10 deg},"
@@ -401,9 +396,8 @@ static void a_listed_bend(void **state)
 }
 
 /* The winch holds the rope's own way up as well: 151.6 kN stood beside 45.1 % left of 200 kN, which are the cable's. */
-static void the_margin_is_the_cables(void **state)
+TEST(the_margin_is_the_cables)
 {
-    (void)state;
     static const char shaft[] =
         "cables: {p: {d: 100 mm, mass: 20 kg/m}}\nchain: [{cable: p, length: 485.708 m}]\n"
         "route: {pieces: [{straight: 22 m}, {bend: 90 deg, radius: 5 m, plane: down}, {straight: 400 m},"
@@ -421,9 +415,8 @@ static void the_margin_is_the_cables(void **state)
 
 /* A run's limits with a change of slope that nobody gave a radius: one that theory has broken there asks for a radius;
  * one that theory does not know, or that no radius moves, stays broken. */
-static void what_a_radius_mends(void **state)
+TEST(what_a_radius_mends)
 {
-    (void)state;
     static const char slope[] = "cables: {power: {d: 80 mm, mass: 9 kg/m}}\n"
                                 "route: {pieces: [{straight: 400 m}, {straight: 100 m, slope: -4 deg}]}\n"
                                 "surfaces: {ducts: [{radius: 70 mm}]}\nfriction: {mu_s: 0.3, mu_d: 0.3}\n"
@@ -451,8 +444,4 @@ static void what_a_radius_mends(void **state)
     }
 }
 
-TEST_FILE_IN(test_answer, answer_setup, answer_teardown, cmocka_unit_test(words), cmocka_unit_test(sentences),
-             cmocka_unit_test(ducts), cmocka_unit_test(bends), cmocka_unit_test(a_listed_bend),
-             cmocka_unit_test(a_runs_remedies), cmocka_unit_test(what_is_read), cmocka_unit_test(no_more_than_a_page),
-             cmocka_unit_test(answers), cmocka_unit_test(what_a_radius_mends),
-             cmocka_unit_test(the_margin_is_the_cables))
+TEST_GROUP(answer_setup, answer_teardown)

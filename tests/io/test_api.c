@@ -29,9 +29,8 @@ static hawser_sim *make_sim(const char *key, const char *value)
 
 static double winch_force(hawser_sim *s) { return hawser_sim_sample(s)->winch_force; }
 
-static void test_wrong_cases(void **state)
+TEST(test_wrong_cases)
 {
-    (void)state;
     hawser_case *c = (hawser_case *)1;
     hawser_error err = {HAWSER_OK, ""};
     assert_int_equal(hawser_case_load("/no/such/case.yaml", &c, &err), HAWSER_ERR_INPUT);
@@ -58,9 +57,8 @@ static void test_wrong_cases(void **state)
 }
 
 /* A wrong setting leaves the case as it was; a right one counts from the next reading on. */
-static void test_settings(void **state)
+TEST(test_settings)
 {
-    (void)state;
     hawser_case *c = make_case();
     hawser_error err = {HAWSER_OK, ""};
     assert_int_equal(hawser_case_check(c, NULL), HAWSER_OK);
@@ -76,9 +74,8 @@ static void test_settings(void **state)
     hawser_case_free(c);
 }
 
-static void test_threads(void **state)
+TEST(test_threads)
 {
-    (void)state;
     hawser_case *c = make_case();
     hawser_sim *s = NULL;
     for (int n = -1; n <= 3; n++) {
@@ -91,9 +88,8 @@ static void test_threads(void **state)
     hawser_case_free(c);
 }
 
-static void test_texts(void **state)
+TEST(test_texts)
 {
-    (void)state;
     hawser_case *c = make_case();
     char *text = NULL;
     assert_int_equal(hawser_case_describe(c, HAWSER_JSON, &text, NULL), HAWSER_OK);
@@ -113,9 +109,8 @@ static void test_texts(void **state)
 }
 
 /* Two simulations advanced in turn do exactly what each does alone. */
-static void test_side_by_side(void **state)
+TEST(test_side_by_side)
 {
-    (void)state;
     double alone[2], together[2];
     for (int k = 0; k < 2; k++) {
         hawser_sim *s = make_sim("friction.mu", k ? "0.3" : "0.2");
@@ -153,7 +148,7 @@ static void *run_thread(void *dir)
 }
 
 /* Two threads with a simulation each, at the same time, write the same results. */
-static void test_two_threads(void **state)
+TEST_WITH(test_two_threads, fixture_new, fixture_free)
 {
     const Fixture *f = *state;
     pthread_t thread[2];
@@ -177,9 +172,8 @@ static void test_two_threads(void **state)
     free(text[1]);
 }
 
-static void test_sample(void **state)
+TEST(test_sample)
 {
-    (void)state;
     hawser_sim *s = make_sim(NULL, NULL);
     hawser_relaxation relaxation;
     assert_int_equal(hawser_sim_relax(s, &relaxation, NULL), HAWSER_OK);
@@ -223,9 +217,8 @@ static int watch(void *user, const hawser_sample *sample, double wall_s, double 
     return ++w->calls == w->stop_at;
 }
 
-static void test_run(void **state)
+TEST(test_run)
 {
-    (void)state;
     hawser_sim *s = make_sim(NULL, NULL);
     Watch w = {0};
     hawser_summary sum;
@@ -254,9 +247,8 @@ static void test_run(void **state)
 }
 
 /* The phases and what is left make up the wall time. */
-static void test_phases(void **state)
+TEST(test_phases)
 {
-    (void)state;
     hawser_sim *s = make_sim(NULL, NULL);
     hawser_summary sum;
     assert_int_equal(hawser_sim_run(s, NULL, NULL, NULL, NULL), HAWSER_OK);
@@ -291,7 +283,7 @@ static void rows_check(const char *text, double interval, double end)
     check_equal(t, end);
 }
 
-static void test_run_into_folder(void **state)
+TEST_WITH(test_run_into_folder, fixture_new, fixture_free)
 {
     const Fixture *f = *state;
     hawser_sim *s = make_sim(NULL, NULL);
@@ -312,7 +304,7 @@ static void test_run_into_folder(void **state)
 }
 
 /* Stopped at its first step: the state of then is the last row. */
-static void test_stop(void **state)
+TEST_WITH(test_stop, fixture_new, fixture_free)
 {
     const Fixture *f = *state;
     hawser_sim *s = make_sim("solver.relax", "false"); /* who relaxes for long is stopped there */
@@ -330,9 +322,8 @@ static void test_stop(void **state)
 }
 
 /* Relaxing and advancing by hand, with statistics, is the same run. */
-static void test_by_hand(void **state)
+TEST(test_by_hand)
 {
-    (void)state;
     hawser_sim *whole = make_sim("output.states", "0 s"), *hand = make_sim("output.states", "0 s");
     hawser_summary a, b;
     assert_int_equal(hawser_sim_run(whole, NULL, NULL, NULL, NULL), HAWSER_OK);
@@ -357,7 +348,7 @@ static void test_by_hand(void **state)
 
 /* The integration gives up (no computer has that many digits): what it had is kept, and the summary says why.
  */
-static void test_failed_run(void **state)
+TEST_WITH(test_failed_run, fixture_new, fixture_free)
 {
     const Fixture *f = *state;
     hawser_sim *s = make_sim("solver.tolerances.position", "1e-25 m");
@@ -374,7 +365,7 @@ static void test_failed_run(void **state)
 }
 
 /* Nothing is simulated when the folder cannot be written. */
-static void test_unwritable(void **state)
+TEST_WITH(test_unwritable, fixture_new, fixture_free)
 {
     const Fixture *f = *state;
     hawser_sim *s = make_sim(NULL, NULL);
@@ -386,11 +377,3 @@ static void test_unwritable(void **state)
     assert_int_equal(hawser_sim_run(s, f->dir, NULL, NULL, NULL), HAWSER_OK);
     hawser_sim_free(s);
 }
-
-#define CASE(name) cmocka_unit_test_setup_teardown(name, fixture_new, fixture_free)
-
-TEST_FILE(test_api, cmocka_unit_test(test_wrong_cases), cmocka_unit_test(test_settings), cmocka_unit_test(test_threads),
-          cmocka_unit_test(test_texts), cmocka_unit_test(test_side_by_side), CASE(test_two_threads),
-          cmocka_unit_test(test_sample), cmocka_unit_test(test_run), cmocka_unit_test(test_phases),
-          CASE(test_run_into_folder), CASE(test_stop), cmocka_unit_test(test_by_hand), CASE(test_failed_run),
-          CASE(test_unwritable))

@@ -36,9 +36,8 @@ static void expect(hawser_format format, const char *expected)
     free(text);
 }
 
-static void test_table(void **state)
+TEST_WITH(test_table, fill, NULL)
 {
-    (void)state;
     expect(HAWSER_TABLE, "Title\n"
                          "  mass  12.5 kg\n"
                          "  kind  a, b\n"
@@ -49,17 +48,15 @@ static void test_table(void **state)
                          "  say \"x\"  -22.25     -\n");
 }
 
-static void test_csv(void **state)
+TEST_WITH(test_csv, fill, NULL)
 {
-    (void)state;
     expect(HAWSER_CSV, "name,s_m,T_N\nfirst,1.5,1000000\n\"say \"\"x\"\"\",-22.25,\n");
     doc.csv = NULL;
     expect(HAWSER_CSV, "key,value,unit\nmass_kg,12.5,kg\nkind,\"a, b\",\n");
 }
 
-static void test_json(void **state)
+TEST_WITH(test_json, fill, NULL)
 {
-    (void)state;
     char *text = NULL;
     assert_int_equal(document_write(&doc, HAWSER_JSON, &text, NULL), HAWSER_OK);
     json_t *o = json_loads(text, 0, NULL), *rows = json_object_get(o, "rows");
@@ -72,6 +69,3 @@ static void test_json(void **state)
     assert_true(json_is_null(json_object_get(json_array_get(rows, 1), "T_N")));
     json_decref(o);
 }
-
-TEST_FILE(test_api_document, cmocka_unit_test_setup(test_table, fill), cmocka_unit_test_setup(test_csv, fill),
-          cmocka_unit_test_setup(test_json, fill))

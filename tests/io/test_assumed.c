@@ -30,9 +30,8 @@ static const json_t *limit_in(const json_t *answer, const char *name)
 static const char *code_of(const json_t *answer) { return json_string_value(json_object_get(answer, "verdict_code")); }
 
 /* Once 0.2 was taken without a word and the pull was SAFE with 1.9 % left. */
-static void friction_of_nobody(void **state)
+TEST(friction_of_nobody)
 {
-    (void)state;
     char bound[80];
     json_t *const o = with("drive: {tail: {tension: 0 N}}\n");
     assert_string_equal(code_of(o), "not_judged");
@@ -48,9 +47,8 @@ static void friction_of_nobody(void **state)
 }
 
 /* Once the restart was judged with the friction in motion: SAFE. */
-static void friction_at_rest(void **state)
+TEST(friction_at_rest)
 {
-    (void)state;
     json_t *o = with("friction: {mu: 0.15}\ndrive: {tail: {tension: 0 N}}\n");
     const double most = 8000 / (W * LENGTH);
     assert_string_equal(code_of(o), "safe_if");
@@ -69,9 +67,8 @@ static void friction_at_rest(void **state)
 }
 
 /* Once no tail meant 0 N: SAFE. */
-static void back_tension(void **state)
+TEST(back_tension)
 {
-    (void)state;
     json_t *o = with("friction: {mu: 0.2, mu_s: 0.2}\n");
     const double left = 8000 - 0.2 * W * LENGTH;
     assert_string_equal(code_of(o), "safe_if");
@@ -85,9 +82,8 @@ static void back_tension(void **state)
 }
 
 /* An entry of the catalogue is typical, not measured: its range counts. */
-static void friction_of_the_catalogue(void **state)
+TEST(friction_of_the_catalogue)
 {
-    (void)state;
     json_t *const o =
         with("friction: {type: pe-jacket/pe-duct/lubricated, mu_s: 0.25}\ndrive: {tail: {tension: 0 N}}\n");
     const json_t *const pull = limit_in(o, "pull"), *row;
@@ -102,9 +98,8 @@ static void friction_of_the_catalogue(void **state)
 }
 
 /* Rows of rollers are known to roll; what else the case gives leaves nothing open. */
-static void nothing_is_open(void **state)
+TEST(nothing_is_open)
 {
-    (void)state;
     json_t *const o = with("friction: {mu: 0.1, mu_s: 0.12}\ndrive: {tail: {tension: 1 kN}}\n");
     assert_string_equal(code_of(o), "safe");
     assert_null(json_object_get(o, "assumed"));
@@ -113,9 +108,8 @@ static void nothing_is_open(void **state)
 }
 
 /* Each alone the bounds are 0.203 and 936 N, and both together broke the restart by 12 %: they share what is left. */
-static void two_of_them(void **state)
+TEST(two_of_them)
 {
-    (void)state;
     double rest, back;
     json_t *o = with("friction: {mu: 0.18}\n");
     const char *const verdict = json_string_value(json_object_get(o, "verdict_forward"));
@@ -136,9 +130,8 @@ static void two_of_them(void **state)
 }
 
 /* Once a pit that says nothing of what holds back there had 0 N without a word: SAFE. */
-static void back_tension_of_a_pit(void **state)
+TEST(back_tension_of_a_pit)
 {
-    (void)state;
     json_t *o =
         theory_of(CASE, (const char *const[]){"friction.mu", "0.19", "friction.mu_s", "0.19", "drive.tail.tension",
                                               "0 N", "theory.pits", "[{at: 10 m}]", NULL});
@@ -161,9 +154,8 @@ static const char ROLLERS[] =
 
 /* On rollers alone: their friction is the pull's, given or typical. Once a second line said that it is not known, and
  * nothing was judged. */
-static void friction_of_rollers(void **state)
+TEST(friction_of_rollers)
 {
-    (void)state;
     json_t *o = theory_of(ROLLERS, NULL);
     const json_t *const list = json_object_get(o, "assumed");
     assert_int_equal(json_array_size(list), 2);
@@ -179,9 +171,8 @@ static void friction_of_rollers(void **state)
 
 /* Friction that a duct has of its own: its key is named, and the case's, which nothing touches, is not assumed. Once
  * "friction.mu_s" was named, and giving it did nothing. */
-static void friction_of_a_duct(void **state)
+TEST(friction_of_a_duct)
 {
-    (void)state;
     static const char *const set[] = {
         "surfaces.ducts.0.friction", "{mu: 0.15}", "drive.tail.tension", "0 N", NULL, NULL, NULL};
     json_t *o = theory_of(CASE, set);
@@ -198,9 +189,8 @@ static void friction_of_a_duct(void **state)
 }
 
 /* Nothing rubs, so that nothing more rubs from rest: there was 0/0. */
-static void no_friction(void **state)
+TEST(no_friction)
 {
-    (void)state;
     json_t *const o = with("friction: {mu: 0}\n");
     assert_string_equal(code_of(o), "safe");
     check_share(number_of(limit_in(o, "restart"), "worst"), 15 * W, 1e-9);
@@ -209,9 +199,8 @@ static void no_friction(void **state)
 }
 
 /* A run's pull grows by the back tension, and with friction at rest not at all in motion. */
-static void of_a_run(void **state)
+TEST(of_a_run)
 {
-    (void)state;
     char text[2000];
     hawser_limit limit[HAWSER_LIMITS_MAX];
     snprintf(text, sizeof text, "%s%s", CASE,
@@ -234,9 +223,8 @@ static void of_a_run(void **state)
 
 /* A bound is the last value with which the answer is not SAFE ONLY IF but SAFE, or SAFE ONLY IF of something else: the
  * stiffness may end that before a limit is broken. It was 0.341, with which the answer is NOT TRUSTED. */
-static void stiffness_in_bounds(void **state)
+TEST(stiffness_in_bounds)
 {
-    (void)state;
     static const char text[] = "cables: {power: {type: xlpe-132kv-1000-cu}}\nbundle: {cables: 3}\n"
                                "route: {pieces: [{straight: 100 m}, {bend: 90 deg, radius: 6 m, plane: left}, "
                                "{straight: 50 m}]}\nsurfaces: {ducts: [{radius: 160 mm}]}\nlimits: {code: iec}\n"
@@ -254,9 +242,3 @@ static void stiffness_in_bounds(void **state)
         json_decref(o);
     }
 }
-
-TEST_FILE(test_assumed, cmocka_unit_test(back_tension_of_a_pit), cmocka_unit_test(friction_of_rollers),
-          cmocka_unit_test(friction_of_a_duct), cmocka_unit_test(two_of_them), cmocka_unit_test(no_friction),
-          cmocka_unit_test(of_a_run), cmocka_unit_test(friction_of_nobody), cmocka_unit_test(friction_at_rest),
-          cmocka_unit_test(back_tension), cmocka_unit_test(friction_of_the_catalogue),
-          cmocka_unit_test(stiffness_in_bounds), cmocka_unit_test(nothing_is_open))

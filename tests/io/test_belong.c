@@ -74,9 +74,8 @@ static void expect_refused(const char *file)
 }
 
 /* Two runs with another friction: each file of the one in the folder of the other. */
-static void a_file_of_another_run_is_refused(void **state)
+TEST_WITH(a_file_of_another_run_is_refused, scratch_make, scratch_remove)
 {
-    (void)state;
     static const char *const files[] = {"series.csv", "stations.csv", "rollers.csv",
                                         "inputs.csv", "route.csv",    "results.h5"};
     hawser_error err = {0};
@@ -98,9 +97,8 @@ static void a_file_of_another_run_is_refused(void **state)
 }
 
 /* A table that this run has not, and one that is cut off by a row. */
-static void a_file_too_many_or_cut_off_is_refused(void **state)
+TEST_WITH(a_file_too_many_or_cut_off_is_refused, scratch_make, scratch_remove)
 {
-    (void)state;
     hawser_error err = {0};
     run_into("a", NULL, NULL, 0);
     copy(scratch_path_in("a", "rollers.csv"), scratch_path_in("a", "modes.csv"));
@@ -115,9 +113,8 @@ static void a_file_too_many_or_cut_off_is_refused(void **state)
 }
 
 /* The same case has the same identity; what was stopped has another series, and its states are not these. */
-static void states_of_another_series_are_refused(void **state)
+TEST_WITH(states_of_another_series_are_refused, scratch_make, scratch_remove)
 {
-    (void)state;
     hawser_error err = {0};
     char one[17], other[17];
     run_into("a", NULL, NULL, 0);
@@ -131,9 +128,8 @@ static void states_of_another_series_are_refused(void **state)
 }
 
 /* Its figures may not stand beside those of a later run that has not asked for any. */
-static void sensitivities_go_with_their_run(void **state)
+TEST_WITH(sensitivities_go_with_their_run, scratch_make, scratch_remove)
 {
-    (void)state;
     run_into("a", NULL, NULL, 0);
     copy(scratch_path_in("a", "summary.json"), scratch_path_in("a", "sensitivities.json"));
     run_into("a", "friction.mu", "0.31", 0);
@@ -141,9 +137,8 @@ static void sensitivities_go_with_their_run(void **state)
 }
 
 /* What was computed of another run, or does not say of which. */
-static void a_certificate_or_sensitivities_of_another_run_are_refused(void **state)
+TEST_WITH(a_certificate_or_sensitivities_of_another_run_are_refused, scratch_make, scratch_remove)
 {
-    (void)state;
     static const char *const files[] = {"certificate.json", "sensitivities.json"};
     hawser_error err = {0};
     char one[17], text[64];
@@ -169,9 +164,8 @@ static void a_certificate_or_sensitivities_of_another_run_are_refused(void **sta
 
 /* A bit of results.h5 anywhere, or more behind it: HDF5 is not asked what it makes of that. Without its sum, as a run
  * that was killed leaves it, the file is read as before. */
-static void a_damaged_file_of_states_is_refused(void **state)
+TEST_WITH(a_damaged_file_of_states_is_refused, scratch_make, scratch_remove)
 {
-    (void)state;
     enum { SEAL = 32 };
     hawser_error err = {0};
     char path[512];
@@ -197,11 +191,3 @@ static void a_damaged_file_of_states_is_refused(void **state)
     assert_int_equal(truncate(path, info.st_size - SEAL), 0);
     if (hawser_results_check(scratch_path("a"), &err)) fail_msg("%s", err.message);
 }
-
-TEST_FILE(test_belong, cmocka_unit_test_setup_teardown(a_file_of_another_run_is_refused, scratch_make, scratch_remove),
-          cmocka_unit_test_setup_teardown(a_file_too_many_or_cut_off_is_refused, scratch_make, scratch_remove),
-          cmocka_unit_test_setup_teardown(states_of_another_series_are_refused, scratch_make, scratch_remove),
-          cmocka_unit_test_setup_teardown(sensitivities_go_with_their_run, scratch_make, scratch_remove),
-          cmocka_unit_test_setup_teardown(a_damaged_file_of_states_is_refused, scratch_make, scratch_remove),
-          cmocka_unit_test_setup_teardown(a_certificate_or_sensitivities_of_another_run_are_refused, scratch_make,
-                                          scratch_remove))

@@ -32,9 +32,8 @@ static char *page_of(hawser_units units, hawser_word *word)
     return file_text(path);
 }
 
-static void whole_page(void **state)
+TEST(whole_page)
 {
-    (void)state;
     hawser_word word = HAWSER_NOT_JUDGED;
     char *const page = page_of(HAWSER_SI, &word);
     assert_int_equal(word, HAWSER_NOT_SAFE); /* the cables would jam */
@@ -59,9 +58,8 @@ static void whole_page(void **state)
 }
 
 /* Its own result behind the sum, and that of the table. */
-static void by_hand(void **state)
+TEST(by_hand)
 {
-    (void)state;
     char *const page = page_of(HAWSER_SI, NULL);
     const char *at = strstr(page, "To be followed by hand");
     int found = 0;
@@ -77,9 +75,8 @@ static void by_hand(void **state)
     free(page);
 }
 
-static void american(void **state)
+TEST(american)
 {
-    (void)state;
     char *const page = page_of(HAWSER_US, NULL);
     check_has(page, "D1: inside 5.512 in, 3 \xC3\x97 1.969 in");
     check_has(page, "along the route, ft");
@@ -87,9 +84,8 @@ static void american(void **state)
 }
 
 /* A table that a case has no rows for is left out; "no table 'remedies'" was an error for a pull that needs none. */
-static void tables_without_rows(void **state)
+TEST(tables_without_rows)
 {
-    (void)state;
     static const char safe[] = "cables: {c: {d: 50 mm, mass: 4 kg/m}}\nroute: {pieces: [{straight: 10 m}]}\n"
                                "surfaces: {ducts: [{radius: 70 mm, friction: {mu_d: 0.3, mu_s: 0.4}}]}\n"
                                "drive: {tail: {tension: 100 N}}\nlimits: {pull: 20 kN, sidewall: 3 kN/m}\n";
@@ -109,9 +105,8 @@ static void tables_without_rows(void **state)
 
 /* The last row of the winch's force is theory's at the route's end; where the pull enters a duct, at a machine and at
  * an open bend somebody stands, at a bend inside a duct nobody. */
-static void crew_sheet(void **state)
+TEST(crew_sheet)
 {
-    (void)state;
     static const char tunnel[] =
         "cables: {c: {d: 50 mm, mass: 4 kg/m}}\n"
         "route: {pieces: [{name: a, straight: 100 m}, {name: open, bend: 60 deg, radius: 3 m, plane: left}, "
@@ -151,5 +146,4 @@ static void crew_sheet(void **state)
     free(page);
 }
 
-TEST_FILE_IN(test_calculation, scratch_make, scratch_remove, cmocka_unit_test(whole_page), cmocka_unit_test(by_hand),
-             cmocka_unit_test(crew_sheet), cmocka_unit_test(american), cmocka_unit_test(tables_without_rows))
+TEST_GROUP(scratch_make, scratch_remove)

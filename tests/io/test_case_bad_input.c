@@ -303,9 +303,8 @@ static void spoil_all(const char *text, const CaseNode *node, Coverage *coverage
     }
 }
 
-static void every_key_wrong_in_every_way(void **state)
+TEST(every_key_wrong_in_every_way)
 {
-    (void)state;
     static const char *const names[] = {
         "full-ramps",      "full-tables",       "full-tension",    "full-tension-table", "full-reel",
         "full-reel-table", "full-reel-weight",  "full-rod",        "full-rod-polyline",  "full-bundle",
@@ -336,9 +335,8 @@ static void every_key_wrong_in_every_way(void **state)
 }
 
 /* The same mistakes by --set are named as settings. */
-static void settings_are_named(void **state)
+TEST(settings_are_named)
 {
-    (void)state;
     expect_bad(data_text("full-ramps"), "chain.0.length", "5 kg",
                "--set chain.0.length: key 'chain.0.length': value '5 kg' has the unit");
     expect_bad(data_text("full-ramps"), "chain.0.lenght", "5 m",
@@ -350,5 +348,3 @@ static void settings_are_named(void **state)
     expect_bad(data_text("full-ramps"), "gravity", "[0, 0, nan]",
                "--set gravity: key 'gravity.2': value 'nan' is not a number");
 }
-
-TEST_FILE(test_case_bad_input, cmocka_unit_test(every_key_wrong_in_every_way), cmocka_unit_test(settings_are_named))

@@ -76,9 +76,8 @@ static int case_closes(const char *file)
     return any;
 }
 
-static void every_case_closes(void **state)
+TEST(every_case_closes)
 {
-    (void)state;
     glob_t files;
     int closed = 0;
     assert_int_equal(glob(HAWSER_SOURCE_DIR "/cases/*.yaml", 0, NULL, &files), 0);
@@ -89,9 +88,8 @@ static void every_case_closes(void **state)
 
 /* Segments that leave the reel and pass the winch bring and take energy and momentum, and the books know: a short reel
  * and a winch close by, so that some of each do. */
-static void comers_and_goers(void **state)
+TEST(comers_and_goers)
 {
-    (void)state;
     hawser_case *c;
     hawser_sim *s;
     hawser_error err;
@@ -115,5 +113,3 @@ static void comers_and_goers(void **state)
     hawser_sim_free(s);
     hawser_case_free(c);
 }
-
-TEST_FILE(test_case_balances, cmocka_unit_test(every_case_closes), cmocka_unit_test(comers_and_goers))

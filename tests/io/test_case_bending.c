@@ -12,9 +12,8 @@ static void table_bad(const char *value, const char *part)
     expect_bad(data_text("smallest"), "cables.c.bending.table", value, part);
 }
 
-static void table_is_read(void **state)
+TEST(table_is_read)
 {
-    (void)state;
     SceneDef def;
     table_good("[[20 m-1, 240 N m], [50, 0.42 kN m], [60, 420]]", &def);
     const CableDef *c = &def.cables[0];
@@ -36,9 +35,8 @@ static void table_is_read(void **state)
     scene_def_clear(&def);
 }
 
-static void wrong_tables_are_refused(void **state)
+TEST(wrong_tables_are_refused)
 {
-    (void)state;
     table_bad("[]", "key 'cables.c.bending.table': the value is a list of 0 rows: expected 2 to 8");
     table_bad("[[1, 8]]", "of 1 rows: expected 2 to 8");
     table_bad("[[1, 8], [2, 15], [3, 21], [4, 26], [5, 30], [6, 33], [7, 35], [8, 36], [9, 36]]", "of 9 rows");
@@ -63,9 +61,8 @@ static void wrong_tables_are_refused(void **state)
                "key 'cables.c.EI_y': not allowed beside 'bending'");
 }
 
-static void ratios_take_the_place_of_the_time(void **state)
+TEST(ratios_take_the_place_of_the_time)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("smallest"), "cables.c.damping_ratio", "{axial: 0.05, bending: 0, at: 5 Hz}", &def);
     const CableDef *c = &def.cables[0];
@@ -79,6 +76,3 @@ static void ratios_take_the_place_of_the_time(void **state)
     check_at_most(def.cables[0].damping_ratio_at, 0);
     scene_def_clear(&def);
 }
-
-TEST_FILE(test_case_bending, cmocka_unit_test(table_is_read), cmocka_unit_test(wrong_tables_are_refused),
-          cmocka_unit_test(ratios_take_the_place_of_the_time))

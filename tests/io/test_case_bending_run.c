@@ -31,9 +31,8 @@ static double taken(double k, double l, double c) { return k * l * (3 * (c - l) 
 
 /* Weight and back tension are the theory's; what is more is the loops' area: at least that of the route's own
  * curvature, and not much more, since the cable bends more at the rollers than between them. */
-static void test_loss_in_bends(void **state)
+TEST(test_loss_in_bends)
 {
-    (void)state;
     const hawser_summary s = run(NULL, NULL);
     const double loss = s.pull_mean_N - s.reference_total_N, c = 1. / 3;
     const double k[] = {12000 - 3000, 3000 - 377. / 0.471};
@@ -43,11 +42,8 @@ static void test_loss_in_bends(void **state)
 }
 
 /* Shorter segments: the same pull. */
-static void test_convergence(void **state)
+TEST(test_convergence)
 {
-    (void)state;
     const hawser_summary coarse = run(NULL, NULL), fine = run("chain.0.segment", "88 mm");
     check_share(fine.pull_mean_N, coarse.pull_mean_N, 0.005);
 }
-
-TEST_FILE(test_case_bending_run, cmocka_unit_test(test_loss_in_bends), cmocka_unit_test(test_convergence))

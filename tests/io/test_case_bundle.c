@@ -11,9 +11,8 @@ static const CableDef *bundled(const char *key, const char *value, SceneDef *def
     return &def->cables[def->pieces[0].cable];
 }
 
-static void three_as_one(void **state)
+TEST(three_as_one)
 {
-    (void)state;
     SceneDef def;
     const CableDef *c = bundled(NULL, NULL, &def);
     assert_string_equal(c->name, "3 x phase");
@@ -41,9 +40,8 @@ static void three_as_one(void **state)
 }
 
 /* Phases and earth: sums by kind, damping by stiffness. */
-static void unlike_as_one(void **state)
+TEST(unlike_as_one)
 {
-    (void)state;
     SceneDef def;
     hawser_error err;
     const char *const members = "{members: [{cable: phase, count: 3}, {cable: earth}]}";
@@ -67,9 +65,8 @@ static void unlike_as_one(void **state)
 }
 
 /* Twisted ones come from one reel, and keep to the circle round them. */
-static void twisted_as_one(void **state)
+TEST(twisted_as_one)
 {
-    (void)state;
     SceneDef def;
     hawser_error err;
     char wide[4000];
@@ -89,9 +86,8 @@ static void twisted_as_one(void **state)
 }
 
 /* Tables of bending and ratios of damping go with one kind. */
-static void tables_as_one(void **state)
+TEST(tables_as_one)
 {
-    (void)state;
     SceneDef def;
     const CableDef *c =
         bundled("cables.phase",
@@ -108,9 +104,8 @@ static void tables_as_one(void **state)
 }
 
 /* The older keys of section theory mean the same. */
-static void older_keys(void **state)
+TEST(older_keys)
 {
-    (void)state;
     SceneDef old, now;
     hawser_error err;
     char text[4000];
@@ -125,9 +120,8 @@ static void older_keys(void **state)
     scene_def_clear(&now);
 }
 
-static void refused(void **state)
+TEST(refused)
 {
-    (void)state;
     static const struct {
         const char *key, *value, *part;
     } cases[] = {
@@ -190,9 +184,8 @@ static Ran run(const char *text, const char *const *settings)
 
 /* In a tight duct run and theory agree within 1 %, by each way to correct the weight; and theory is what the formulas
  * say. The run was that of one cable: a quarter of the pull. */
-static void runs_as_theory_says(void **state)
+TEST(runs_as_theory_says)
 {
-    (void)state;
     const double w = 6 * 9.81, x = 0.03 / 0.036, factor = 1 / sqrt(1 - x * x), turn = M_PI / 4, R = 4;
     static const char *const where[] = {"everywhere", "straights", "none"};
     for (int k = 0; k < 3; k++) {
@@ -214,9 +207,8 @@ static void runs_as_theory_says(void **state)
 }
 
 /* Limits count all cables for the pull, and the worst of them for the sidewall pressure; theory and run alike. */
-static void limits_of_all(void **state)
+TEST(limits_of_all)
 {
-    (void)state;
     const Ran r = run(data_text("bundle"), NULL);
     hawser_case *c = NULL;
     char *text = NULL;
@@ -251,9 +243,8 @@ static void limits_of_all(void **state)
 }
 
 /* Everything that the one cable is made of is said. */
-static void terms_are_said(void **state)
+TEST(terms_are_said)
 {
-    (void)state;
     const char *const settings[] = {
         "bundle.weight_correction", "straights", "run.duration", "0.1 s", "run.steady_from", "0 s", NULL};
     const Ran r = run(data_text("bundle"), settings);
@@ -287,9 +278,8 @@ static void terms_are_said(void **state)
 
 /* A published pull, 13 418 N (TES-P-104.05, paragraph 4.5), has the factor on straights alone; everywhere and nowhere
  * it is another. */
-static void factor_on_straights(void **state)
+TEST(factor_on_straights)
 {
-    (void)state;
     static const char *const where[] = {"straights", "everywhere", "none"};
     double force[3];
     for (int k = 0; k < 3; k++) {
@@ -308,8 +298,3 @@ static void factor_on_straights(void **state)
     check_above(force[1], 1.05 * 13418);
     check_above(0.95 * 13418, force[2]);
 }
-
-TEST_FILE(test_case_bundle, cmocka_unit_test(three_as_one), cmocka_unit_test(unlike_as_one),
-          cmocka_unit_test(twisted_as_one), cmocka_unit_test(tables_as_one), cmocka_unit_test(older_keys),
-          cmocka_unit_test(refused), cmocka_unit_test(runs_as_theory_says), cmocka_unit_test(limits_of_all),
-          cmocka_unit_test(terms_are_said), cmocka_unit_test(factor_on_straights))

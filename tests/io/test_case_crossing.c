@@ -45,9 +45,8 @@ static double run(const char *key, const char *value, double *speed, hawser_summ
     return found;
 }
 
-static void test_rests_on_itself(void **state)
+TEST(test_rests_on_itself)
 {
-    (void)state;
     hawser_summary summary;
     double speed;
     const double high = run(NULL, NULL, &speed, &summary);
@@ -58,9 +57,8 @@ static void test_rests_on_itself(void **state)
     check_below(speed, 0.15);
 }
 
-static void test_falls_through_without(void **state)
+TEST(test_falls_through_without)
 {
-    (void)state;
     const char *const settings[] = {
         "contact", "{cable_on_cable: false}", "run.duration", "1 s", "run.steady_from", "0.5 s", NULL};
     const Outcome o = example_run("crossing", settings);
@@ -72,9 +70,8 @@ static void test_falls_through_without(void **state)
 }
 
 /* The bend that lifts the loop made level: the end begins in the middle of the beginning. */
-static void test_begins_inside(void **state)
+TEST(test_begins_inside)
 {
-    (void)state;
     hawser_sim *sim = NULL;
     hawser_error err = {0};
     assert_int_equal(open_case("route.pieces.2.bend", "0.1 deg", &sim, &err), HAWSER_ERR_INPUT);
@@ -84,14 +81,10 @@ static void test_begins_inside(void **state)
 }
 
 /* A solver that cannot hold the couplings. */
-static void test_solver_refused(void **state)
+TEST(test_solver_refused)
 {
-    (void)state;
     hawser_sim *sim = NULL;
     hawser_error err = {0};
     assert_int_equal(open_case("solver.linear_solver", "block", &sim, &err), HAWSER_ERR_INPUT);
     check_has(err.message, "solver.linear_solver 'block'");
 }
-
-TEST_FILE(test_case_crossing, cmocka_unit_test(test_rests_on_itself), cmocka_unit_test(test_falls_through_without),
-          cmocka_unit_test(test_begins_inside), cmocka_unit_test(test_solver_refused))

@@ -138,9 +138,8 @@ static int rows_in(const char *part)
     return rows;
 }
 
-static void every_key_is_documented(void **state)
+TEST(every_key_is_documented)
 {
-    (void)state;
     static char part[1 << 15];
     char *doc = document(), row[ROW_MAX];
     const CaseSection *all[CASE_SECTIONS_MAX];
@@ -159,9 +158,8 @@ static void every_key_is_documented(void **state)
     free(doc);
 }
 
-static void every_section_is_known(void **state)
+TEST(every_section_is_known)
 {
-    (void)state;
     char *doc = document(), line[CELL_MAX];
     int headings = 0, sections = 0;
     const CaseSection *all[CASE_SECTIONS_MAX];
@@ -176,9 +174,8 @@ static void every_section_is_known(void **state)
     free(doc);
 }
 
-static void every_unit_is_documented(void **state)
+TEST(every_unit_is_documented)
 {
-    (void)state;
     char *doc = document(), name[40];
     const char *start = strstr(doc, "## Units"), *end = strstr(start, "\n## ");
     assert_non_null(start);
@@ -196,9 +193,8 @@ static void every_unit_is_documented(void **state)
 }
 
 /* The examples in the documentation's dimension table are read as what they stand for. */
-static void every_dimension_is_documented(void **state)
+TEST(every_dimension_is_documented)
 {
-    (void)state;
     char *doc = document(), row[200];
     for (int d = 0; d < DIM_COUNT; d++) {
         snprintf(row, sizeof row, "| %s | `%s` | `%s` |", dimension_name((Dimension)d), dimension_unit((Dimension)d),
@@ -214,6 +210,4 @@ static int print_if_required(void **state)
     return getenv("HAWSER_PRINT") ? print() : 0;
 }
 
-TEST_FILE_IN(test_case_docs, print_if_required, NULL, cmocka_unit_test(every_key_is_documented),
-             cmocka_unit_test(every_section_is_known), cmocka_unit_test(every_unit_is_documented),
-             cmocka_unit_test(every_dimension_is_documented))
+TEST_GROUP(print_if_required, NULL)

@@ -8,9 +8,8 @@ static hawser_status open_case(const char *key, const char *value, hawser_sim **
 }
 
 /* Torque over radius and the work of straightening, for the polygon of segments (CC25), and the tray's friction. */
-static void test_pull(void **state)
+TEST(test_pull)
 {
-    (void)state;
     hawser_sim *sim = NULL;
     hawser_error err = {0};
     hawser_summary s;
@@ -25,9 +24,8 @@ static void test_pull(void **state)
 
 /* The same rope from the reel that only pays out: what the two models differ by is the work of straightening, and the
  * polygon of segments that lies on the drum. */
-static void test_beside_payout(void **state)
+TEST(test_beside_payout)
 {
-    (void)state;
     const char *const set[][2] = {{"reel.model", "payout"},
                                   {"reel.brake", "{law: constant, torque: 100 N m}"},
                                   {"contact.geometry", "smooth"},
@@ -67,9 +65,8 @@ static void refused(const char *key, const char *value, const char *named, const
     assert_null(sim);
 }
 
-static void test_refused(void **state)
+TEST(test_refused)
 {
-    (void)state;
     refused("contact.cable_on_cable", "false", "contact.cable_on_cable", "needs 'contact.cable_on_cable: true'");
     refused("contact.geometry", "smooth", "contact.geometry", "needs 'contact.geometry: cylinder'");
     refused("solver.relax", "true", "solver.relax", "needs 'solver.relax: false'");
@@ -85,14 +82,13 @@ static void test_refused(void **state)
 }
 
 /* Theory lays no cable, and refuses what a run refuses: it gave 398.3 N with status 0. */
-static void test_refused_by_theory(void **state)
+TEST(test_refused_by_theory)
 {
     static const char *const set[][3] = {{"reel.flange", "520 mm", "more cable than fits"},
                                          {"reel.width", "150 mm", "too narrow"},
                                          {"reel.distance", "500 mm", "flange's radius"},
                                          {"reel.distance", "20 m", "no cable is left for the drum"},
                                          {"chain.0.length", "60 m", "more cable than fits"}};
-    (void)state;
     for (size_t k = 0; k < sizeof set / sizeof *set; ++k) {
         hawser_case *c = NULL;
         char *text = NULL;
@@ -105,6 +101,3 @@ static void test_refused_by_theory(void **state)
         hawser_case_free(c);
     }
 }
-
-TEST_FILE(test_case_drum, cmocka_unit_test(test_pull), cmocka_unit_test(test_beside_payout),
-          cmocka_unit_test(test_refused), cmocka_unit_test(test_refused_by_theory))

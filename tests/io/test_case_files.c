@@ -18,9 +18,8 @@ static void load(const char *name, SceneDef *def)
     if (status) fail_msg("%s", err.message);
 }
 
-static void every_file_is_good(void **state)
+TEST(every_file_is_good)
 {
-    (void)state;
     glob_t files;
     assert_int_equal(glob(HAWSER_SOURCE_DIR "/cases/*.yaml", 0, NULL, &files), 0);
     for (size_t k = 0; k < files.gl_pathc; k++) {
@@ -33,9 +32,8 @@ static void every_file_is_good(void **state)
     globfree(&files);
 }
 
-static void huangjiahu_cable(void **state)
+TEST(huangjiahu_cable)
 {
-    (void)state;
     SceneDef def;
     load(HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml", &def);
     assert_int_equal(def.pieces[0].segments, 305);
@@ -54,9 +52,8 @@ static void huangjiahu_cable(void **state)
 }
 
 /* The route of arcs has the length of the paper's path, and its height where the crest arc at D begins. */
-static void huangjiahu_route(void **state)
+TEST(huangjiahu_route)
 {
-    (void)state;
     SceneDef def;
     load(HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml", &def);
     Route route = route_of(&def);
@@ -74,9 +71,8 @@ static void huangjiahu_route(void **state)
     scene_def_clear(&def);
 }
 
-static void huangjiahu_rollers_and_stations(void **state)
+TEST(huangjiahu_rollers_and_stations)
 {
-    (void)state;
     SceneDef def;
     load(HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml", &def);
     assert_int_equal(def.n_rollers, 32);
@@ -94,9 +90,8 @@ static void huangjiahu_rollers_and_stations(void **state)
     scene_def_clear(&def);
 }
 
-static void straight_row(void **state)
+TEST(straight_row)
 {
-    (void)state;
     SceneDef def;
     load(HAWSER_SOURCE_DIR "/cases/straight.yaml", &def);
     const int n = case_segments(&def);
@@ -118,9 +113,8 @@ static void straight_row(void **state)
 }
 
 /* The example at the head of docs/case-format.md works. */
-static void the_documented_example(void **state)
+TEST(the_documented_example)
 {
-    (void)state;
     char text[8192];
     SceneDef def;
     FILE *f = fopen(HAWSER_SOURCE_DIR "/docs/case-format.md", "r");
@@ -133,7 +127,3 @@ static void the_documented_example(void **state)
     expect_good(start, NULL, NULL, &def);
     scene_def_clear(&def);
 }
-
-TEST_FILE(test_case_files, cmocka_unit_test(every_file_is_good), cmocka_unit_test(huangjiahu_cable),
-          cmocka_unit_test(huangjiahu_route), cmocka_unit_test(huangjiahu_rollers_and_stations),
-          cmocka_unit_test(straight_row), cmocka_unit_test(the_documented_example))

@@ -3,9 +3,8 @@
 #include "tests/io/case_fixture.h"
 #include "tests/io/example_fixture.h"
 
-static void both_are_read(void **state)
+TEST(both_are_read)
 {
-    (void)state;
     SceneDef def, copy;
     expect_good(data_text("full-rod-polyline"), NULL, NULL, &def);
     assert_int_equal(scene_def_copy(&def, &copy, NULL), HAWSER_OK);
@@ -31,9 +30,8 @@ static void both_are_read(void **state)
     scene_def_clear(&def);
 }
 
-static void wrong_ones(void **state)
+TEST(wrong_ones)
 {
-    (void)state;
     static const struct {
         const char *file, *key, *value, *part;
     } cases[] = {
@@ -71,17 +69,15 @@ static double peak_of(const char *along)
 
 /* A winch that has its speed from the first moment strikes a cable at rest with v sqrt(EA m), 15.8 kN here; one that
  * runs with it only feels friction set in. */
-static void a_running_pull_begins_without_a_shock(void **state)
+TEST(a_running_pull_begins_without_a_shock)
 {
-    (void)state;
     check_above(peak_of("0 m/s"), 0.5 * sqrt(50e6 * 20));
     check_below(peak_of("500 mm/s"), 2 * 0.2 * 200 * 9.81);
 }
 
 /* A winch that has its speed from the first moment does not work on the search for rest, in the plane or in space. */
-static void rest_knows_no_speed(void **state)
+TEST(rest_knows_no_speed)
 {
-    (void)state;
     static const char *const plane[] = {"on", "off"};
     for (int k = 0; k < 2; ++k) {
         hawser_case *c;
@@ -101,9 +97,8 @@ static void rest_knows_no_speed(void **state)
 }
 
 /* The example begins in its closed form's equilibrium and ends there. */
-static void example(void **state)
+TEST(example)
 {
-    (void)state;
     const char *const still[] = {"launch", "{along: 0 m/s}", "run.duration", "10 ms", NULL};
     const double w = (9 - 1025 * M_PI * 0.06 * 0.06 / 4) * 9.81, across = 1025 * 0.06 * 1.2 / 2 * 0.8 * 0.8;
     const double x = w / (2 * across), cosine = sqrt(1 + x * x) - x;
@@ -116,7 +111,3 @@ static void example(void **state)
         hawser_sim_free(out.sim);
     }
 }
-
-TEST_FILE(test_case_flight, cmocka_unit_test(both_are_read), cmocka_unit_test(wrong_ones),
-          cmocka_unit_test(a_running_pull_begins_without_a_shock), cmocka_unit_test(rest_knows_no_speed),
-          cmocka_unit_test(example))

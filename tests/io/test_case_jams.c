@@ -2,9 +2,8 @@
 #include "tests/io/case_fixture.h"
 #include "tests/io/example_fixture.h"
 
-static void jams(void **state)
+TEST(jams)
 {
-    (void)state;
     SceneDef def, copy;
     expect_good(data_text("full-ramps"), NULL, NULL, &def);
     assert_int_equal(scene_def_copy(&def, &copy, NULL), HAWSER_OK);
@@ -28,9 +27,8 @@ static void jams(void **state)
     scene_def_clear(&copy);
 }
 
-static void wrong_jams(void **state)
+TEST(wrong_jams)
 {
-    (void)state;
     static const struct {
         const char *value, *part;
     } cases[] = {
@@ -60,9 +58,8 @@ static void wrong_jams(void **state)
 }
 
 /* The example: the pull with rollers that turn, 0.4 W of 2 m more while one stands, and as before. */
-static void example(void **state)
+TEST(example)
 {
-    (void)state;
     const double weight = 46.67 * 9.81, free = 0.1 * weight * 20, more = 0.4 * weight * 2;
     hawser_error err = {0};
     hawser_relaxation relaxation;
@@ -88,5 +85,3 @@ static void example(void **state)
     check_close(event[1].t, 14, 1e-9);
     hawser_sim_free(s);
 }
-
-TEST_FILE(test_case_jams, cmocka_unit_test(jams), cmocka_unit_test(wrong_jams), cmocka_unit_test(example))

@@ -26,9 +26,8 @@ static const hawser_limit *find(int n, const hawser_limit *limit, const char *na
 }
 
 /* The values beside what the run's own tables say. */
-static void values_of_a_run(void **state)
+TEST(values_of_a_run)
 {
-    (void)state;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     hawser_sim *sim;
     hawser_summary sum;
@@ -70,9 +69,8 @@ static void values_of_a_run(void **state)
 }
 
 /* One value of the case is enough to break each limit, and no other. */
-static void each_can_break(void **state)
+TEST(each_can_break)
 {
-    (void)state;
     static const struct {
         const char *key, *value, *name;
     } row[] = {
@@ -105,9 +103,8 @@ static void each_can_break(void **state)
 }
 
 /* Before the run nothing is judged; summary.json says so, and afterwards has all. */
-static void summary_has_them(void **state)
+TEST(summary_has_them)
 {
-    (void)state;
     hawser_case *c = NULL;
     hawser_sim *sim = NULL;
     hawser_limit limit[HAWSER_LIMITS_MAX];
@@ -149,9 +146,8 @@ static void summary_has_them(void **state)
 }
 
 /* What is not asked for costs nothing and changes nothing: the same run without limits, to the last bit. */
-static void limits_change_nothing(void **state)
+TEST(limits_change_nothing)
 {
-    (void)state;
     hawser_case *c = NULL;
     hawser_sim *with, *without;
     hawser_limit limit[HAWSER_LIMITS_MAX];
@@ -200,9 +196,8 @@ static const char *word(json_t *o, const char *table, size_t row, const char *ke
 }
 
 /* Both directions by hand: weight 196.2 N/m, mu 0.2, 8 m, 20 deg at 12 m on guides, 8 m. */
-static void theory_by_hand(void **state)
+TEST(theory_by_hand)
 {
-    (void)state;
     json_t *o = theory(data_text("limits"), "friction.mu_s", "0.3");
     const double w = 20 * 9.81, wR = w * 12, turn = M_PI / 9;
     const double a = 2000 + 0.2 * w * 8, b = (a + wR) * exp(0.2 * turn) - wR, c = b + 0.2 * w * 8;
@@ -228,9 +223,8 @@ static void theory_by_hand(void **state)
 }
 
 /* Three cables in a duct, with reel and rope; a sag in which the cable lifts has no closed form, and says so. */
-static void theory_of_ducts_and_sags(void **state)
+TEST(theory_of_ducts_and_sags)
 {
-    (void)state;
     json_t *o = theory(data_text("limits-duct"), NULL, NULL);
     const double w = 3 * 5 * 9.81, factor = 4.0 / 3; /* a cradle at D/d = 3: 1 + 4/3 (1/2)^2 */
     check_share(number(o, "ducts", 0, "weight_factor"), factor, 1e-9);
@@ -260,9 +254,8 @@ static void theory_of_ducts_and_sags(void **state)
 }
 
 /* The slopes of the route are against the vertical: a gravity that points elsewhere is no case of theory. */
-static void theory_takes_weight_downward(void **state)
+TEST(theory_takes_weight_downward)
 {
-    (void)state;
     static const char *const wrong[] = {"[1, 0, -9.76]", "[0, 0, 9.81]", "[9.81, 0, 0]"};
     static const char *const right[] = {"[0, 0, -9.81]", "9.81", "[0, 0, -1.62]", "0"};
     for (int i = 0; i < 7; i++) {
@@ -278,9 +271,8 @@ static void theory_takes_weight_downward(void **state)
 }
 
 /* Runs do without it then, and say so. */
-static void a_run_with_weight_aslant_has_no_theory(void **state)
+TEST(a_run_with_weight_aslant_has_no_theory)
 {
-    (void)state;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     hawser_sim *sim;
     hawser_summary sum;
@@ -315,9 +307,8 @@ static double limit_number(json_t *o, const char *name, const char *key)
 /* Down a shaft, along and up again: with the brake that is asked for the cable is in tension everywhere, the least
  * being none, and the winch needs what was said. Without it nothing is safe. On a straight slope the brake is the
  * compression. */
-static void shaft_needs_a_brake(void **state)
+TEST(shaft_needs_a_brake)
 {
-    (void)state;
     json_t *o = theory(data_text("limits-shaft"), NULL, NULL);
     const double brake = limit_number(o, "run_away", "value");
     char tension[40];
@@ -349,9 +340,8 @@ static void shaft_needs_a_brake(void **state)
 }
 
 /* The same from a run: its cable is held by the winch alone, which theory knows. */
-static void run_runs_away(void **state)
+TEST(run_runs_away)
 {
-    (void)state;
     hawser_case *c = NULL;
     hawser_sim *sim = NULL;
     hawser_limit limit[HAWSER_LIMITS_MAX];
@@ -370,9 +360,8 @@ static void run_runs_away(void **state)
 
 /* Rope round a corner on two guides of 240 mm, of 45 deg each: 15 times its diameter; on ten it is the bend's own. A
  * conveyor that pushes up to its drive's 500 N and presses 9 kN on 2 m less an edge; theory and a run alike. */
-static void ropes_and_conveyors(void **state)
+TEST(ropes_and_conveyors)
 {
-    (void)state;
     json_t *o = theory(data_text("limits-conveyor"), NULL, NULL);
     hawser_case *c = NULL;
     hawser_sim *sim = NULL;
@@ -401,9 +390,8 @@ static void ropes_and_conveyors(void **state)
 
 /* Nothing under the cable and no friction given: a pull of 784.8 N "SAFE by 96 %" is nobody's. With a friction it is
  * one that falls if it is run, and a calculation like any other where nothing is said of that. */
-static void carried_by_nothing(void **state)
+TEST(carried_by_nothing)
 {
-    (void)state;
     static const char *const text =
         "cables: {c: {d: 50 mm, mass: 4 kg/m, E: 10 GPa, G: 3 GPa, A: 400 mm2}}\nchain: [{cable: c, length: 100 m}]\n"
         "route: {pieces: [{straight: 100 m}]}\nrun: {duration: 1 s}\nlimits: {pull: 20 kN}\n";
@@ -428,9 +416,8 @@ static void carried_by_nothing(void **state)
     json_decref(o);
 }
 
-static void wrong_limits(void **state)
+TEST(wrong_limits)
 {
-    (void)state;
     static const struct {
         const char *section, *value, *part;
     } cases[] = {
@@ -445,10 +432,3 @@ static void wrong_limits(void **state)
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
         expect_bad(data_text("full-tension"), cases[k].section, cases[k].value, cases[k].part);
 }
-
-TEST_FILE(test_case_limits, cmocka_unit_test(values_of_a_run), cmocka_unit_test(each_can_break),
-          cmocka_unit_test(summary_has_them), cmocka_unit_test(limits_change_nothing), cmocka_unit_test(theory_by_hand),
-          cmocka_unit_test(theory_of_ducts_and_sags), cmocka_unit_test(shaft_needs_a_brake),
-          cmocka_unit_test(run_runs_away), cmocka_unit_test(ropes_and_conveyors), cmocka_unit_test(carried_by_nothing),
-          cmocka_unit_test(wrong_limits), cmocka_unit_test(theory_takes_weight_downward),
-          cmocka_unit_test(a_run_with_weight_aslant_has_no_theory))

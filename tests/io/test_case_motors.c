@@ -3,9 +3,8 @@
 #include "tests/io/case_fixture.h"
 #include "tests/io/example_fixture.h"
 
-static void what_is_read(void **state)
+TEST(what_is_read)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("smallest"), "rollers",
                 "{along: [{count: 2, spin: {inertia: 1, motor: {torque: 20 N m, ramp: none, speed_limit: 30 m/min}}}, "
@@ -30,9 +29,8 @@ static void what_is_read(void **state)
     scene_def_clear(&def);
 }
 
-static void what_is_refused(void **state)
+TEST(what_is_refused)
 {
-    (void)state;
     static const char *const bad[][2] = {
         {"{}", "motor.torque': missing: give one of 'torque', 'speed' and 'factor'"},
         {"{torque: 1, speed: 1, limit: 1}", "motor.torque': given twice: give one of"},
@@ -57,9 +55,8 @@ static void what_is_refused(void **state)
 }
 
 /* What only the built scene knows. */
-static void needs_a_winch(void **state)
+TEST(needs_a_winch)
 {
-    (void)state;
     const char *const settings[] = {"rollers.along.1.spin.motor", "{factor: 1.1, limit: 5 N m}", "drive.winch",
                                     "{grip: axial, tension: {force: 1 kN, speed_limit: 0.1 m/s}}", NULL};
     hawser_error err = {0};
@@ -98,17 +95,16 @@ static void example(void **state, const char *motor, double torque, double speed
     hawser_sim_free(o.sim);
 }
 
-static void set_torque(void **state) { example(state, NULL, 6, 0.1); }
+TEST(set_torque) { example(state, NULL, 6, 0.1); }
 /* Faster than the cable: pushes with its limit. Slower, or a brake: holds back with it. */
-static void faster(void **state) { example(state, "{speed: 0.12 m/s, limit: 5 N m}", 5, 0.1); }
-static void slower(void **state) { example(state, "{speed: 0.08 m/s, limit: 5 N m}", -5, 0.1); }
-static void brake(void **state) { example(state, "{speed: 0, limit: 5 N m}", -5, 0.1); }
+TEST(faster) { example(state, "{speed: 0.12 m/s, limit: 5 N m}", 5, 0.1); }
+TEST(slower) { example(state, "{speed: 0.08 m/s, limit: 5 N m}", -5, 0.1); }
+TEST(brake) { example(state, "{speed: 0, limit: 5 N m}", -5, 0.1); }
 
 /* Within the droop the creep of the contact (0.12 mm/s) and what its spring takes of the radius (0.12 mm) count: the
  * theory's torque is the number. */
-static void within_droop(void **state)
+TEST(within_droop)
 {
-    (void)state;
     static const char *const motor[] = {"{speed: 0.1025 m/s, limit: 5 N m}", "{factor: 1.02, limit: 8 N m}",
                                         "{torque: 6 N m, speed_limit: 0.102 m/s}"};
     for (size_t k = 0; k < sizeof motor / sizeof *motor; ++k) {
@@ -129,9 +125,8 @@ static void within_droop(void **state)
 
 /* More torque than friction carries: the rollers slip under the cable, and it takes mu times the load from them, the
  * bearing the rest. Against a tail that holds more than that. */
-static void slips(void **state)
+TEST(slips)
 {
-    (void)state;
     const char *const settings[] = {"rollers.along.1.spin.motor", "{torque: 40 N m, speed_limit: 0.2 m/s}",
                                     "drive.tail.tension", "2.5 kN", NULL};
     Outcome o = example_run("rollers-motorised", settings);
@@ -145,7 +140,3 @@ static void slips(void **state)
     }
     hawser_sim_free(o.sim);
 }
-
-TEST_FILE(test_case_motors, cmocka_unit_test(what_is_read), cmocka_unit_test(what_is_refused),
-          cmocka_unit_test(needs_a_winch), cmocka_unit_test(set_torque), cmocka_unit_test(faster),
-          cmocka_unit_test(slower), cmocka_unit_test(brake), cmocka_unit_test(within_droop), cmocka_unit_test(slips))

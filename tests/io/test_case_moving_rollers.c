@@ -3,9 +3,8 @@
 #include "tests/io/case_fixture.h"
 #include "tests/io/example_fixture.h"
 
-static void what_is_read(void **state)
+TEST(what_is_read)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("smallest"), "rollers",
                 "{along: {count: 2, spin: {inertia: 50 g m2, bearing: {friction: 0.2, torque: 30 mN m}}}, "
@@ -30,9 +29,8 @@ static void what_is_read(void **state)
     scene_def_clear(&def);
 }
 
-static void what_is_refused(void **state)
+TEST(what_is_refused)
 {
-    (void)state;
     static const char *const bad[][2] = {
         {"{count: 3, spin: {}}", "key 'rollers.along.spin.inertia': missing"},
         {"{count: 3, spin: {inertia: 0}}", "key 'rollers.along.spin.inertia': value '0' is out of range"},
@@ -65,9 +63,8 @@ static Outcome run(const char *name, const char *const *settings)
 }
 
 /* A roller that turns with the cable costs mu r_j/R, whatever the friction between it and the cable. */
-static void bearing_friction(void **state)
+TEST(bearing_friction)
 {
-    (void)state;
     const double weight = 30 * 22 * 9.81, share = 0.12 * 12 / 100;
     const char *const grippy[] = {"friction.mu", "0.8", NULL};
     const char *const *const settings[] = {NULL, grippy};
@@ -85,9 +82,8 @@ static void bearing_friction(void **state)
 }
 
 /* Mounts give way by load over stiffness; the pull is that of fixed rollers. */
-static void mounts_give_way(void **state)
+TEST(mounts_give_way)
 {
-    (void)state;
     const hawser_roller *roller;
     Outcome o = run("rollers-mounted", NULL);
     check_share(o.summary.pull_mean_N, 0.2 * 20 * 22 * 9.81, 0.005);
@@ -101,9 +97,8 @@ static void mounts_give_way(void **state)
 }
 
 /* T2 = T1 exp(mu theta) on a fixed drum, in the plane and in space; half a turn and a quarter of one. */
-static void capstan(void **state)
+TEST(capstan)
 {
-    (void)state;
     const char *const half[] = {"solver.planar", "off", NULL};
     const char *const quarter[] = {"route.pieces.1.bend",
                                    "90 deg",
@@ -126,9 +121,8 @@ static void capstan(void **state)
 
 /* The same drum turning: its bearing alone is left, T2 - T1 = mu r_j |f|/(R + r) with |f| = T1 + T2. The rope
  * touches more than two segments' worth of it, so that it ends in the border. */
-static void turning_drum(void **state)
+TEST(turning_drum)
 {
-    (void)state;
     const char *const spins[] = {"rollers.list.0.spin.inertia", "5 kg m2", "rollers.list.0.spin.bearing.journal",
                                  "50 mm", NULL};
     const double a = 0.1 * 0.05; /* R + r = 1 m */
@@ -137,7 +131,3 @@ static void turning_drum(void **state)
     check_has(o.summary.linear_solver_why, "border of 1");
     hawser_sim_free(o.sim);
 }
-
-TEST_FILE(test_case_moving_rollers, cmocka_unit_test(what_is_read), cmocka_unit_test(what_is_refused),
-          cmocka_unit_test(bearing_friction), cmocka_unit_test(mounts_give_way), cmocka_unit_test(capstan),
-          cmocka_unit_test(turning_drum))

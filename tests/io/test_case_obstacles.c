@@ -6,9 +6,8 @@
 static const double CABLE_R = 0.04, FLARE = 1, PI = 3.14159265358979323846;
 
 /* A box along the route, an edge across it, a bell-mouth at either end of a duct; names say the kind. */
-static void words_become_shapes(void **state)
+TEST(words_become_shapes)
 {
-    (void)state;
     SceneDef def;
     expect_good(
         data_text("surfaces"), "obstacles",
@@ -42,9 +41,8 @@ static void words_become_shapes(void **state)
     scene_def_clear(&def);
 }
 
-static void bad_obstacles(void **state)
+TEST(bad_obstacles)
 {
-    (void)state;
     static const char *const bad[][2] = {
         {"[{at: 3 m}]", "key 'obstacles.0': expected one of 'box', 'edge' and 'bell'"},
         {"[{box: a, edge: b, at: 3 m}]", "expected one of 'box', 'edge' and 'bell'"},
@@ -96,9 +94,8 @@ static const hawser_roller *obstacle(hawser_sim *sim, const char *name)
 
 /* The pull behind the flare is T exp(mu theta F/(F + r)) (OB7); what the flare carries is the resultant of T/(F + r)
  * for each metre, which is that of the two tensions. */
-static void flare_is_a_capstan(void **state)
+TEST(flare_is_a_capstan)
 {
-    (void)state;
     Outcome o = example_run("bell-mouth", NULL);
     const double t1 = 2000, t2 = t1 * exp(0.2 * PI / 6 * FLARE / (FLARE + CABLE_R));
     check_share(o.summary.pull_mean_N, t2, 1e-3);
@@ -110,9 +107,8 @@ static void flare_is_a_capstan(void **state)
 }
 
 /* The rope's end meets a wall: a winch of set tension stands, and the wall carries what the winch pulls with. */
-static void end_stops_at_a_face(void **state)
+TEST(end_stops_at_a_face)
 {
-    (void)state;
     const char *const wall[] = {"obstacles", "[{box: wall, at: 58 m, size: [1 m, 2 m, 2 m]}]", NULL};
     Outcome o = example_run("winch-tension", wall);
     Outcome same = example_run("winch-tension", NULL);
@@ -128,9 +124,8 @@ static void end_stops_at_a_face(void **state)
 }
 
 /* A cable's eye in front of an opening that only the rope passes: the pull rises until the winch trips, and stays. */
-static void eye_catches_and_trips(void **state)
+TEST(eye_catches_and_trips)
 {
-    (void)state;
     const char *const gate[] = {"obstacles",
                                 "[{edge: sill, at: 42 m, offset: [0, 0, -130 mm], length: 1 m, radius: 100 mm},"
                                 " {edge: lintel, at: 42 m, offset: [0, 0, 130 mm], length: 1 m, radius: 100 mm}]",
@@ -154,7 +149,3 @@ static void eye_catches_and_trips(void **state)
     check_above(obstacle(o.sim, "edge lintel")->peak_N, 500);
     hawser_sim_free(o.sim);
 }
-
-TEST_FILE(test_case_obstacles, cmocka_unit_test(words_become_shapes), cmocka_unit_test(bad_obstacles),
-          cmocka_unit_test(flare_is_a_capstan), cmocka_unit_test(end_stops_at_a_face),
-          cmocka_unit_test(eye_catches_and_trips))

@@ -24,9 +24,8 @@ static int happened(const hawser_sim *sim, const char *what)
 
 /* It fell to -11 m in 1.5 s, in steps as long as rows are apart; with rows every 20 ms it did not. Whatever rows and
  * the plane's size, it lands, and jumps to half a metre as an elastic rod may. */
-static void a_floor_holds(void **state)
+TEST(a_floor_holds)
 {
-    (void)state;
     const char *const settings[][5] = {{NULL},
                                        {"output.interval", "1 s", NULL},
                                        {"surfaces.planes.0.length", "10 m", "cables.c.d", "5 mm", NULL},
@@ -42,9 +41,8 @@ static void a_floor_holds(void **state)
 }
 
 /* The relaxation moved it by 50 mm at once through rollers of 40 mm: "reached", 1.4 m below them. */
-static void rollers_hold_it_back(void **state)
+TEST(rollers_hold_it_back)
 {
-    (void)state;
     hawser_sim *const sim = run_of(data_text("passing-relax"), NULL);
     hawser_summary sum;
     hawser_sim_summary(sim, &sum);
@@ -62,9 +60,8 @@ static void rollers_hold_it_back(void **state)
 }
 
 /* Chords inside the guides threw the cable off with 362 kN; the pull was off by 138 %. */
-static void guides_do_not_throw(void **state)
+TEST(guides_do_not_throw)
 {
-    (void)state;
     const char *const longer[] = {"chain.0.segment", "1 m", NULL};
     for (int k = 0; k < 2; k++) {
         hawser_sim *const sim = run_of(data_text("passing-guides"), k ? longer : NULL);
@@ -81,9 +78,8 @@ static void guides_do_not_throw(void **state)
 
 /* Where nothing moves it out, the condition names the place and a length that would do: the same one whatever the chain
  * is cut into now (E8). */
-static void the_fitting_length(void **state)
+TEST(the_fitting_length)
 {
-    (void)state;
     const char *const half[] = {"solver.relax", "true", "chain.0.segment", "250 mm", NULL};
     const char *const whole[] = {"solver.relax", "true", NULL};
     double fitting[2];
@@ -107,9 +103,8 @@ static void the_fitting_length(void **state)
 }
 
 /* It "relaxed" by 2.6e11 m and began metres away. */
-static void a_loose_rod_stays(void **state)
+TEST(a_loose_rod_stays)
 {
-    (void)state;
     hawser_sim *const sim = sim_of(data_text("passing-loose"), NULL);
     hawser_relaxation out;
     const hawser_sample *look = hawser_sim_sample(sim);
@@ -133,9 +128,8 @@ static void a_loose_rod_stays(void **state)
 }
 
 /* The ends sank by 0.07 of a segment: 6.9 mm, and less with shorter ones. They touch now, whatever the segments. */
-static void ladders_stand_on_their_ends(void **state)
+TEST(ladders_stand_on_their_ends)
 {
-    (void)state;
     const char *const cut[][3] = {
         {"chain.0.segment", "200 mm", NULL}, {"chain.0.segment", "100 mm", NULL}, {"chain.0.segment", "50 mm", NULL}};
     double foot[3];
@@ -154,9 +148,8 @@ static void ladders_stand_on_their_ends(void **state)
 }
 
 /* Load steps moved a rod as far as they liked: this one came to rest half a metre below the table, stable. */
-static void rods_rest_on_tables(void **state)
+TEST(rods_rest_on_tables)
 {
-    (void)state;
     hawser_sim *const sim = run_of(data_text("passing-rod"), NULL);
     check_close(hawser_sim_sample(sim)->probe[0].position[2], 0.5e-3, 1e-4); /* its skin on the table */
     assert_true(condition_now(sim, "passed").holds);
@@ -164,9 +157,8 @@ static void rods_rest_on_tables(void **state)
 }
 
 /* Nobody said that a cable which lies across itself goes through itself; nor of chains with no contact between them. */
-static void cables_lie_in_each_other(void **state)
+TEST(cables_lie_in_each_other)
 {
-    (void)state;
     hawser_sim *const loop = run_of(data_text("overlap-loop"), NULL);
     const hawser_condition itself = condition_now(loop, "overlap");
     check_close(itself.value, 1, 0.01);
@@ -187,8 +179,3 @@ static void cables_lie_in_each_other(void **state)
         hawser_sim_free(sim);
     }
 }
-
-TEST_FILE(test_case_passing, cmocka_unit_test(a_floor_holds), cmocka_unit_test(rollers_hold_it_back),
-          cmocka_unit_test(guides_do_not_throw), cmocka_unit_test(the_fitting_length),
-          cmocka_unit_test(a_loose_rod_stays), cmocka_unit_test(ladders_stand_on_their_ends),
-          cmocka_unit_test(rods_rest_on_tables), cmocka_unit_test(cables_lie_in_each_other))

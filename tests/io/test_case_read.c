@@ -30,9 +30,8 @@ static void same_solver(const SolverDef *a, const SolverDef *b)
 }
 
 /* The defaults of the tables are those of scene_def_defaults. */
-static void defaults_agree(void **state)
+TEST(defaults_agree)
 {
-    (void)state;
     SceneDef def, usual;
     scene_def_defaults(&usual);
     expect_good(data_text("smallest"), NULL, NULL, &def);
@@ -58,9 +57,8 @@ static void defaults_agree(void **state)
     scene_def_clear(&def);
 }
 
-static void ramps_default_to_one_second(void **state)
+TEST(ramps_default_to_one_second)
 {
-    (void)state;
     SceneDef def, usual;
     scene_def_defaults(&usual);
     expect_good(data_text("smallest"), "drive", "{winch: {speed: 0.2}, tail: {tension: 7}, rope_drag: {force: 3}}",
@@ -74,9 +72,8 @@ static void ramps_default_to_one_second(void **state)
     scene_def_clear(&def);
 }
 
-static void cable_shorthand(void **state)
+TEST(cable_shorthand)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("full-ramps"), NULL, NULL, &def);
     const CableDef *c = &def.cables[0];
@@ -102,9 +99,8 @@ static void cable_shorthand(void **state)
 }
 
 /* What is given directly wins, item by item; EI stands for both directions. */
-static void direct_wins_over_shorthand(void **state)
+TEST(direct_wins_over_shorthand)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("smallest"), "cables.c.EI", "12 kN m2", &def);
     check_share(def.cables[0].ei_y, 12e3, 0);
@@ -140,9 +136,8 @@ static void direct_wins_over_shorthand(void **state)
     scene_def_clear(&def);
 }
 
-static void everything_has_its_place(void **state)
+TEST(everything_has_its_place)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("full-ramps"), NULL, NULL, &def);
     assert_string_equal(def.title, "a pull");
@@ -174,9 +169,8 @@ static void everything_has_its_place(void **state)
     scene_def_clear(&def);
 }
 
-static void drive_and_solver_have_their_places(void **state)
+TEST(drive_and_solver_have_their_places)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("full-ramps"), NULL, NULL, &def);
     const Profile speed = {.kind = PROFILE_STEP5, .t0 = 1, .t1 = 13, .v1 = 0.1};
@@ -214,9 +208,8 @@ static void drive_and_solver_have_their_places(void **state)
 }
 
 /* The words of the file are in the order of the enumerations. */
-static void words_mean_what_they_say(void **state)
+TEST(words_mean_what_they_say)
 {
-    (void)state;
     static const struct {
         const char *word;
         LinKind kind;
@@ -239,9 +232,8 @@ static void words_mean_what_they_say(void **state)
     }
 }
 
-static void planes_of_bends(void **state)
+TEST(planes_of_bends)
 {
-    (void)state;
     static const struct {
         const char *word;
         double degrees;
@@ -257,9 +249,8 @@ static void planes_of_bends(void **state)
 }
 
 /* No segment is longer than asked for, and round numbers stay what they are. */
-static void segments_are_counted(void **state)
+TEST(segments_are_counted)
 {
-    (void)state;
     static const struct {
         const char *length, *segment;
         int segments;
@@ -275,9 +266,8 @@ static void segments_are_counted(void **state)
     }
 }
 
-static void tables_of_time(void **state)
+TEST(tables_of_time)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("full-tables"), NULL, NULL, &def);
     check_share(def.gravity.y, 0.2, 0);
@@ -302,9 +292,8 @@ static void tables_of_time(void **state)
                "'drive.tail.tension': missing: give it, or a 'table'");
 }
 
-static void stations_are_sorted(void **state)
+TEST(stations_are_sorted)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("full-ramps"), "output.stations.list.0.at", "10 m", &def);
     /* 0, 5, 10 (named A), 15, 20, 25 of 25.708 m */
@@ -319,9 +308,8 @@ static void stations_are_sorted(void **state)
     scene_def_clear(&def);
 }
 
-static void parts_must_fit(void **state)
+TEST(parts_must_fit)
 {
-    (void)state;
     static const struct {
         const char *key, *value, *part;
     } cases[] = {
@@ -371,9 +359,8 @@ static void parts_must_fit(void **state)
                "key 'solver.max_order': value '6' is out of range: must be at least 1, at most 5");
 }
 
-static void names_too_long(void **state)
+TEST(names_too_long)
 {
-    (void)state;
     char name[100], key[120];
     memset(name, 'n', sizeof name - 1);
     name[sizeof name - 1] = 0;
@@ -383,9 +370,8 @@ static void names_too_long(void **state)
 }
 
 /* A case is one document however it is written: file, line and key of a real file are named. */
-static void messages_name_the_line(void **state)
+TEST(messages_name_the_line)
 {
-    (void)state;
     expect_bad(data_text("wrong-unit"), NULL, NULL,
                NAME
                ":7: key 'chain.0.segment': value '500 mn' has an unknown unit 'mn': expected a length, such as 500 mm");
@@ -393,9 +379,8 @@ static void messages_name_the_line(void **state)
 
 /* Other names of keys and words are the same case; a decimal comma, an area without its unit and two names for one
  * thing are said to be that. */
-static void as_people_type_it(void **state)
+TEST(as_people_type_it)
 {
-    (void)state;
     SceneDef def;
     const char *const text =
         "cables: {c: {d: 1.5 in, mass: 3.2 lbs/ft}}\n"
@@ -414,11 +399,3 @@ static void as_people_type_it(void **state)
     expect_bad(text, "limits.conductor.area", "630", "it has no unit: write '630 mm2'");
     expect_bad(text, "limits.conductor.material", "Tin", "expected one of copper, aluminium");
 }
-
-TEST_FILE(test_case_read, cmocka_unit_test(defaults_agree), cmocka_unit_test(ramps_default_to_one_second),
-          cmocka_unit_test(cable_shorthand), cmocka_unit_test(direct_wins_over_shorthand),
-          cmocka_unit_test(everything_has_its_place), cmocka_unit_test(drive_and_solver_have_their_places),
-          cmocka_unit_test(words_mean_what_they_say), cmocka_unit_test(planes_of_bends),
-          cmocka_unit_test(segments_are_counted), cmocka_unit_test(tables_of_time),
-          cmocka_unit_test(stations_are_sorted), cmocka_unit_test(parts_must_fit), cmocka_unit_test(names_too_long),
-          cmocka_unit_test(messages_name_the_line), cmocka_unit_test(as_people_type_it))

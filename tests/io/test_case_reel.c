@@ -2,9 +2,8 @@
 #include "tests/io/case_fixture.h"
 
 /* The definition says what the case does; a reel brings its lead-in. */
-static void payout_is_read(void **state)
+TEST(payout_is_read)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("reel-payout"), NULL, NULL, &def);
     assert_int_equal(def.reel.model, REEL_PAYOUT);
@@ -26,9 +25,8 @@ static void payout_is_read(void **state)
 }
 
 /* 15 m of 14 kg/m under 10 m/s2, by STEP. */
-static void weight_is_a_tension(void **state)
+TEST(weight_is_a_tension)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("reel-weight"), NULL, NULL, &def);
     assert_int_equal(def.reel.model, REEL_NONE);
@@ -43,18 +41,16 @@ static void weight_is_a_tension(void **state)
 }
 
 /* A winch that takes the rope in may stand anywhere along it, in however many pieces it is. */
-static void winch_on_rope_in_pieces(void **state)
+TEST(winch_on_rope_in_pieces)
 {
-    (void)state;
     static const char chain[] =
         "[{cable: power, length: 60 m}, {cable: rope, length: 8 m}, {cable: rope, length: 12 m}]";
     static const char drive[] = "{winch: {speed: 0.1 m/s, take_in: true, at: 27 m}}";
     hawser_sim_free(sim_of(data_text("reel-weight"), (const char *const[]){"chain", chain, "drive", drive, NULL}));
 }
 
-static void drum_must_hold_the_cable(void **state)
+TEST(drum_must_hold_the_cable)
 {
-    (void)state;
     /* 12 turns a layer, 5 layers: 2 pi 12 (5 * 0.6 + 12.5 * 0.08) = 301 m */
     expect_bad(data_text("reel-payout"), "chain.0.length", "320 m",
                "reel': more cable than fits: 306 m are wound at the start, the reel "
@@ -72,9 +68,8 @@ static void drum_must_hold_the_cable(void **state)
                "two kinds of cable, 'power' and 'other'");
 }
 
-static void cable_must_reach(void **state)
+TEST(cable_must_reach)
 {
-    (void)state;
     expect_bad(data_text("reel-payout"), "chain.0.length", "13 m",
                "does not reach the reel: from there to its front at 'route.head_at' it "
                "takes 1 m more");
@@ -82,9 +77,8 @@ static void cable_must_reach(void **state)
                "key 'reel.distance': 1 m is out of range: must be above 1.25 m");
 }
 
-static void keys_belong_to_models(void **state)
+TEST(keys_belong_to_models)
 {
-    (void)state;
     expect_bad(data_text("reel-payout"), "reel.length", "5 m", "key 'reel.length': not allowed with 'model: payout'");
     expect_bad(data_text("reel-weight"), "reel.barrel", "1 m", "key 'reel.barrel': not allowed with 'model: weight'");
     expect_bad(data_text("reel-payout"), "reel", "{barrel: 1 m}",
@@ -100,9 +94,8 @@ static void keys_belong_to_models(void **state)
     expect_bad(data_text("reel-payout"), "reel.brake", "{law: speed, torque: 5}", "key 'reel.brake.speed': missing");
 }
 
-static void winch_must_stand_on_the_rope(void **state)
+TEST(winch_must_stand_on_the_rope)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("reel-payout"), "drive.winch", "{speed: 1, take_in: true, at: 28 m}", &def);
     assert_true(def.winch.take_in);
@@ -117,8 +110,3 @@ static void winch_must_stand_on_the_rope(void **state)
     expect_bad(data_text("reel-payout"), "drive.winch", "{speed: 1, take_in: true, at: 8 m}",
                "key 'drive.winch.at': value '8 m' is out");
 }
-
-TEST_FILE(test_case_reel, cmocka_unit_test(payout_is_read), cmocka_unit_test(weight_is_a_tension),
-          cmocka_unit_test(winch_on_rope_in_pieces), cmocka_unit_test(drum_must_hold_the_cable),
-          cmocka_unit_test(cable_must_reach), cmocka_unit_test(keys_belong_to_models),
-          cmocka_unit_test(winch_must_stand_on_the_rope))

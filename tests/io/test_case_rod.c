@@ -2,9 +2,8 @@
 #include "hawser/hawser.h"
 #include "tests/io/case_fixture.h"
 
-static void a_rod_is_read(void **state)
+TEST(a_rod_is_read)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("full-rod"), NULL, NULL, &def);
     const RodDef *const rod = &def.rod;
@@ -38,9 +37,8 @@ static void a_rod_is_read(void **state)
 }
 
 /* Without a ramp a load is there from the start; in load steps it grows with time. */
-static void loads_grow_in_load_steps(void **state)
+TEST(loads_grow_in_load_steps)
 {
-    (void)state;
     SceneDef def;
     const char *const load = "[{direction: [0, 0, 1], force: 8 N}]";
     expect_good(data_text("full-rod-polyline"), "rod.loads", load, &def);
@@ -51,9 +49,8 @@ static void loads_grow_in_load_steps(void **state)
     scene_def_clear(&def);
 }
 
-static void wrong_rods(void **state)
+TEST(wrong_rods)
 {
-    (void)state;
     const char *const corners = data_text("full-rod-polyline"), *const helix = data_text("full-rod");
     expect_bad(corners, "rod.points", "[[0, 0, 0], [2 m, 0, 0]]", "6 m long together");
     expect_bad(corners, "rod.points", "[[0, 0, 0]]", "expected two at least");
@@ -76,9 +73,8 @@ static void wrong_rods(void **state)
 }
 
 /* What belongs to a pull is refused beside a rod, and the other way round. */
-static void rods_are_no_pulls(void **state)
+TEST(rods_are_no_pulls)
 {
-    (void)state;
     const char *const base = data_text("full-rod-polyline"), *const beside = "not allowed beside 'rod'";
     expect_bad(base, "route", "{pieces: [{straight: 3 m}]}", beside);
     expect_bad(base, "drive", "{winch: {speed: 1 m/s}}", beside);
@@ -128,9 +124,8 @@ static hawser_probe probe_of(const char *name, const char *probe)
     return out;
 }
 
-static void cases_run(void **state)
+TEST(cases_run)
 {
-    (void)state;
     const hawser_probe tip = probe_of("rod-cantilever", "tip"), root = probe_of("rod-cantilever", "root");
     check_share(tip.displacement[2], -0.8106090, 0.001);
     check_share(tip.displacement[0], -0.5549956, 0.001);
@@ -144,9 +139,8 @@ static void cases_run(void **state)
 }
 
 /* Three modes in each direction, the frequencies of the summary, against the closed form within 0.5 %. */
-static void modes_run(void **state)
+TEST(modes_run)
 {
-    (void)state;
     hawser_error err = {0};
     hawser_case *c = NULL;
     hawser_sim *sim = NULL;
@@ -166,9 +160,8 @@ static void modes_run(void **state)
 /* An elastic catenary, its head pinned and led up by 30 m: the joint there has the tension along the cable, in every
  * load step (it had 6130 N at the end, by a frame half way to the ground's, and 10 273 N before it, with the damper of
  * an end that moves in no time), and is the largest. */
-static void a_pinned_end_that_turns(void **state)
+TEST(a_pinned_end_that_turns)
 {
-    (void)state;
     static const char text[] =
         "cables: {c: {d: 30 mm, mass: 5 kg/m, EI: 0.5, EA: 200 kN, GA: 80 kN, GJ: 0.5}}\n"
         "chain: [{cable: c, length: 100 m, segment: 500 mm}]\n"
@@ -188,7 +181,3 @@ static void a_pinned_end_that_turns(void **state)
     }
     hawser_sim_free(sim);
 }
-
-TEST_FILE(test_case_rod, cmocka_unit_test(a_rod_is_read), cmocka_unit_test(loads_grow_in_load_steps),
-          cmocka_unit_test(wrong_rods), cmocka_unit_test(rods_are_no_pulls), cmocka_unit_test(cases_run),
-          cmocka_unit_test(modes_run), cmocka_unit_test(a_pinned_end_that_turns))

@@ -16,9 +16,8 @@ static void stands_right(const Route *route, const RollerDef *roller)
     check_equal(away.z > 0, roller->hold_down != 0);
 }
 
-static void rows_by_count_and_spacing(void **state)
+TEST(rows_by_count_and_spacing)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("smallest"), "rollers.along", "{count: 11, radius: 80 mm, width: 0.3, rating: 10 kN}", &def);
     assert_int_equal(def.n_rollers, 11);
@@ -40,9 +39,8 @@ static void rows_by_count_and_spacing(void **state)
     scene_def_clear(&def);
 }
 
-static void several_rows_and_a_list(void **state)
+TEST(several_rows_and_a_list)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("smallest"), "rollers",
                 "{along: [{to: 4 m, spacing: 2 m}, {from: 10 m, count: 3, name: Q, friction: {mu: 0.3}}], "
@@ -71,9 +69,8 @@ static const char BENDS[] =
     "{bend: 12 deg, radius: 10 m, plane: down}]}";
 
 /* In bends of all planes, up, to the side and askew. */
-static void along_bends(void **state)
+TEST(along_bends)
 {
-    (void)state;
     SceneDef def;
     CaseTree *tree;
     hawser_error err;
@@ -102,9 +99,8 @@ static void along_bends(void **state)
     case_tree_free(tree);
 }
 
-static void held_down_where_asked(void **state)
+TEST(held_down_where_asked)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("smallest"), "rollers.along", "{spacing: 2 m, hold_down: [[3.9 m, 8 m], [15 m, 16.5 m]]}",
                 &def);
@@ -133,9 +129,8 @@ static void overlap_at(const char *centre, const char *axis, int inside)
     }
 }
 
-static void rollers_inside_the_cable(void **state)
+TEST(rollers_inside_the_cable)
 {
-    (void)state;
     overlap_at("[18, 0, -143.65 mm]", "[0, 1, 0]", 0);
     overlap_at("[18, 0, -142.7 mm]", "[0, 1, 0]", 0); /* less than 1 mm */
     overlap_at("[18, 0, -142.6 mm]", "[0, 1, 0]", 1); /* more */
@@ -152,9 +147,8 @@ static void rollers_inside_the_cable(void **state)
 }
 
 /* The rope ahead of the eye is thinner: what would be inside the cable is free of the rope. */
-static void the_rope_is_thinner(void **state)
+TEST(the_rope_is_thinner)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("rope-thinner"), "rollers.list",
                 "[{centre: [12, 0, -0.11], axis: [0, 1, 0]}, {centre: [4, 0, 0], axis: [0, 1, 0]}, {centre: [16, 0, "
@@ -170,13 +164,7 @@ static void the_rope_is_thinner(void **state)
 }
 
 /* A row whose rollers reach into the next turn of the route is found too, by the row's line. */
-static void rows_inside_the_cable(void **state)
+TEST(rows_inside_the_cable)
 {
-    (void)state;
     expect_bad(data_text("row-inside"), NULL, NULL, NAME ":10: key 'rollers.along': roller 'R");
 }
-
-TEST_FILE(test_case_rollers, cmocka_unit_test(rows_by_count_and_spacing), cmocka_unit_test(several_rows_and_a_list),
-          cmocka_unit_test(along_bends), cmocka_unit_test(held_down_where_asked),
-          cmocka_unit_test(rollers_inside_the_cable), cmocka_unit_test(the_rope_is_thinner),
-          cmocka_unit_test(rows_inside_the_cable))

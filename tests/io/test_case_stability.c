@@ -18,9 +18,8 @@ static const hawser_condition *condition(const hawser_summary *sum, const char *
 }
 
 /* It bends to 0.398 m, and both the report's list and summary.json know the load: pi^2 EI/L^2 of 2 kN. */
-static void a_column_buckles(void **state)
+TEST(a_column_buckles)
 {
-    (void)state;
     hawser_summary sum;
     hawser_sim *const sim = run("rod-column", NULL, &sum);
     char *text = NULL;
@@ -38,9 +37,8 @@ static void a_column_buckles(void **state)
 }
 
 /* Nine tenths of the load leave it straight. */
-static void a_column_stands(void **state)
+TEST(a_column_stands)
 {
-    (void)state;
     const char *const less[] = {"rod.loads.0.force", "888 N", NULL};
     hawser_summary sum;
     hawser_sim *const sim = run("rod-column", less, &sum);
@@ -51,9 +49,8 @@ static void a_column_stands(void **state)
 }
 
 /* Reported, not followed: it is straight, and not to be trusted. Ignored: nothing is said. */
-static void what_is_wanted(void **state)
+TEST(what_is_wanted)
 {
-    (void)state;
     const char *const report[] = {"run.stability", "report", NULL}, *const ignore[] = {"run.stability", "ignore", NULL};
     char verdict[HAWSER_VERDICT_MAX];
     hawser_summary sum;
@@ -73,9 +70,8 @@ static void what_is_wanted(void **state)
 }
 
 /* The torque is GJ 20 pi/L, whatever the number of load steps; it was nothing, a turn a step. */
-static void turns_are_not_lost(void **state)
+TEST(turns_are_not_lost)
 {
-    (void)state;
     const char *const few[] = {"run.load_steps", "1", NULL}, *const far[] = {"rod.head.motion.0.turn", "4300 deg",
                                                                              NULL};
     hawser_summary sum;
@@ -91,9 +87,8 @@ static void turns_are_not_lost(void **state)
 }
 
 /* An end that is led from the beginning is led there on the right side, and no farther than it says. */
-static void turns_before_time(void **state)
+TEST(turns_before_time)
 {
-    (void)state;
     const char *const led[] = {"run.analysis", "dynamics", "run.duration", "10 ms", "rod.head.motion.0.turn",
                                "300 deg",      NULL};
     hawser_summary sum;
@@ -103,9 +98,8 @@ static void turns_before_time(void **state)
 }
 
 /* In time too: twelve turns there and back between two rows, on a rod that is too coarse for them. */
-static void turns_in_time(void **state)
+TEST(turns_in_time)
 {
-    (void)state;
     const char *const led[] = {"run.analysis",
                                "dynamics",
                                "run.duration",
@@ -122,7 +116,3 @@ static void turns_in_time(void **state)
     assert_false(condition(&sum, "orientation")->holds);
     hawser_sim_free(sim);
 }
-
-TEST_FILE(test_case_stability, cmocka_unit_test(a_column_buckles), cmocka_unit_test(a_column_stands),
-          cmocka_unit_test(what_is_wanted), cmocka_unit_test(turns_are_not_lost), cmocka_unit_test(turns_in_time),
-          cmocka_unit_test(turns_before_time))

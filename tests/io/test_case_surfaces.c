@@ -4,9 +4,8 @@
 /* A cable on a route with a bend, with these surfaces. */
 #define CASE(surfaces) data_with("surfaces", "surfaces: {}", "surfaces: " surfaces)
 
-static void ducts_are_read(void **state)
+TEST(ducts_are_read)
 {
-    (void)state;
     SceneDef def;
     expect_good(CASE("{ducts: [{from: 2 m, to: 8 m, radius: 75 mm}, {name: b, from: 8 m, radius: 0.1, place: resting, "
                      "friction: {mu: 0.1}}]}"),
@@ -29,9 +28,8 @@ static void ducts_are_read(void **state)
     scene_def_clear(&def);
 }
 
-static void trays_are_read(void **state)
+TEST(trays_are_read)
 {
-    (void)state;
     SceneDef def;
     expect_good(CASE("{trays: [{to: 4 m}, {from: 4 m, to: 8 m, section: v}, {from: 8 m, section: u, radius: 90 mm}], "
                      "planes: [{point: [0, 0, -5 m], normal: [0, 0, 3]}], contact: {k: 2e6 N/m, e: 1}}"),
@@ -58,9 +56,8 @@ static void trays_are_read(void **state)
     scene_def_clear(&def);
 }
 
-static void stretches_are_checked(void **state)
+TEST(stretches_are_checked)
 {
-    (void)state;
     expect_bad(CASE("{ducts: [{from: 2 m, to: 25 m, radius: 75 mm}]}"), NULL, NULL,
                "pull.yaml:8: key 'surfaces.ducts.0.to': 25 m is out of range: must be on the route, at most 19.712");
     expect_bad(CASE("{ducts: [{from: 9 m, to: 8 m, radius: 75 mm}]}"), NULL, NULL,
@@ -71,9 +68,8 @@ static void stretches_are_checked(void **state)
     expect_bad(CASE("{ducts: [{to: 8 m, radius: 75 mm, friction: {mu: -0.1}}]}"), NULL, NULL, "out of range");
 }
 
-static void sizes_are_checked(void **state)
+TEST(sizes_are_checked)
 {
-    (void)state;
     expect_bad(
         CASE("{ducts: [{radius: 40 mm}]}"), NULL, NULL,
         "key 'surfaces.ducts.0.radius': 0.04 m is too small: must be above the largest cable's radius, 0.04365 m");
@@ -89,9 +85,8 @@ static void sizes_are_checked(void **state)
     expect_bad(CASE("{contact: {e: 1.2}}"), NULL, NULL, "key 'surfaces.contact.k': missing");
 }
 
-static void planes_are_checked(void **state)
+TEST(planes_are_checked)
 {
-    (void)state;
     expect_bad(CASE("{planes: [{point: [0, 0, -30 mm], normal: [0, 0, 1]}]}"), NULL, NULL,
                "plane 'P1' is inside the cable");
     expect_bad(CASE("{planes: [{point: [0, 0, -1], normal: [0, 0, 0]}]}"), NULL, NULL, "a direction that is not zero");
@@ -111,15 +106,10 @@ static void planes_are_checked(void **state)
 }
 
 /* Level sections need a route that is not upright. */
-static void upright_routes_are_refused(void **state)
+TEST(upright_routes_are_refused)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("surfaces-upright"), NULL, NULL, &def);
     scene_def_clear(&def);
     expect_bad(data_text("surfaces-upright"), "surfaces.ducts.0.place", "resting", "steeper than 80 deg at 14.2 m");
 }
-
-TEST_FILE(test_case_surfaces, cmocka_unit_test(ducts_are_read), cmocka_unit_test(trays_are_read),
-          cmocka_unit_test(stretches_are_checked), cmocka_unit_test(sizes_are_checked),
-          cmocka_unit_test(planes_are_checked), cmocka_unit_test(upright_routes_are_refused))

@@ -91,9 +91,8 @@ static hawser_case *pull_load(void)
 }
 
 /* The shared case is read by whoever is first: nobody has read it when they begin. */
-static void shared_by_threads(void **state)
+TEST(shared_by_threads)
 {
-    (void)state;
     hawser_case *const alone = pull_load(), *const shared = pull_load();
     Texts serial = texts_of(alone);
     Task task[THREADS];
@@ -115,9 +114,8 @@ static void shared_by_threads(void **state)
 }
 
 /* A copy outlives what it was copied from, whose names its messages speak; its settings are its own. */
-static void copies_are_their_own(void **state)
+TEST(copies_are_their_own)
 {
-    (void)state;
     hawser_error err = {0};
     hawser_case *c = pull_load(), *copy = NULL, *second = NULL;
     char *text = NULL;
@@ -139,9 +137,8 @@ static void copies_are_their_own(void **state)
 
 /* What is not given is refused with the key; a packed case knows its file, which must not be written over, but no
  * lines. */
-static void read_and_packed(void **state)
+TEST(read_and_packed)
 {
-    (void)state;
     hawser_error err = {0};
     hawser_case *c = pull_load(), *again = NULL;
     char *text = NULL;
@@ -169,6 +166,3 @@ static void read_and_packed(void **state)
         assert_int_equal(hawser_case_unpack(wrong[k], &again, &err), HAWSER_ERR_INPUT);
     hawser_case_free(c);
 }
-
-TEST_FILE(test_case_threads, cmocka_unit_test(shared_by_threads), cmocka_unit_test(copies_are_their_own),
-          cmocka_unit_test(read_and_packed))

@@ -25,9 +25,8 @@ static void refused(const char *text, const char *begin, const char *part)
     if (!strstr(err.message, part)) fail_msg("'%s' is not in: %s", part, err.message);
 }
 
-static void nodes_know_their_places(void **state)
+TEST(nodes_know_their_places)
 {
-    (void)state;
     CaseTree *tree = tree_of("# first\na: 1\nb:\n  c: [x,\n      {y: 'z w'}]\n");
     const CaseNode *b = case_node_key(tree->root, "b"), *c = case_node_key(b, "c");
     const CaseNode *y = case_node_key(case_node_item(c, 1), "y");
@@ -48,18 +47,16 @@ static void nodes_know_their_places(void **state)
     case_tree_free(tree);
 }
 
-static void aliases_are_written_out(void **state)
+TEST(aliases_are_written_out)
 {
-    (void)state;
     CaseTree *tree = tree_of("a: &p {k: 1}\nb: [*p, *p]\n");
     const CaseNode *b = case_node_key(tree->root, "b");
     for (int i = 0; i < 2; i++) assert_string_equal(case_node_key(case_node_item(b, i), "k")->text, "1");
     case_tree_free(tree);
 }
 
-static void not_a_case(void **state)
+TEST(not_a_case)
 {
-    (void)state;
     refused("", NAME ":1:", "nothing is in it");
     refused("# only a comment\n", NAME ":1:", "nothing is in it");
     refused("just words\n", NAME ":1:", "a case is a map");
@@ -81,9 +78,8 @@ static void not_a_case(void **state)
 }
 
 /* At the beginning it is no part of the text. */
-static void byte_order_mark(void **state)
+TEST(byte_order_mark)
 {
-    (void)state;
     CaseTree *tree = tree_of("\xef\xbb\xbf"
                              "a: 1\nb: 2\n");
     assert_string_equal(case_node_key(tree->root, "a")->text, "1");
@@ -97,9 +93,8 @@ static void byte_order_mark(void **state)
 }
 
 /* Nine aliases to the power of nine. */
-static void alias_bomb(void **state)
+TEST(alias_bomb)
 {
-    (void)state;
     char text[4096] = "a0: &a0 [x, x, x, x, x, x, x, x, x]\n";
     for (int k = 1; k < 10; k++) {
         char line[200];
@@ -123,9 +118,8 @@ static void nested(int n, const char *open)
     free(text);
 }
 
-static void deep_nesting(void **state)
+TEST(deep_nesting)
 {
-    (void)state;
     refused("a: [[[[[[[[[[[[[[[[[[[[[[[[[[[[[[x]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]\n", NAME ":1:", "nested too deeply");
     nested(100000, "[");
     nested(100000, "{a: ");
@@ -146,9 +140,8 @@ static char *lines_of(int n, const char *begin, const char *line)
     return text;
 }
 
-static void many_of_a_kind(void **state)
+TEST(many_of_a_kind)
 {
-    (void)state;
     static const struct {
         int n;
         const char *begin, *line, *place, *part;
@@ -164,9 +157,8 @@ static void many_of_a_kind(void **state)
 }
 
 /* Junk of all kinds is refused or read, never more: 3000 texts of bytes that YAML likes, seed fixed. */
-static void random_junk(void **state)
+TEST(random_junk)
 {
-    (void)state;
     static const char likes[] = "a:b- \n\t[]{},&*!|>'\"%@`#?~0\x80\xc3\xa9\x01\\";
     unsigned seed = 12345;
     for (int round = 0; round < 3000; round++) {
@@ -186,9 +178,8 @@ static void random_junk(void **state)
     }
 }
 
-static void files(void **state)
+TEST(files)
 {
-    (void)state;
     static const struct {
         const char *path, *part;
     } cases[] = {{"/nowhere/at/all.yaml", "/nowhere/at/all.yaml: cannot be opened: No such file"},
@@ -205,9 +196,8 @@ static void files(void **state)
 }
 
 /* A file that may not be read; root may read everything. */
-static void forbidden_file(void **state)
+TEST(forbidden_file)
 {
-    (void)state;
     char path[] = "/tmp/hawser_case_XXXXXX";
     const int fd = mkstemp(path);
     CaseTree *tree;
@@ -231,9 +221,8 @@ static const char *text_at(const CaseTree *tree, const char *a, int item, const 
     return node->text;
 }
 
-static void settings(void **state)
+TEST(settings)
 {
-    (void)state;
     hawser_error err;
     CaseTree *tree = tree_of("chain:\n  - {length: 1 m, x: 1}\n  - {length: 2 m}\nlast: 1\n");
     assert_int_equal(case_tree_set(tree, "chain.1.length", "250 mm", &err), HAWSER_OK);
@@ -256,9 +245,8 @@ static void settings(void **state)
     case_tree_free(tree);
 }
 
-static void bad_settings(void **state)
+TEST(bad_settings)
 {
-    (void)state;
     char longest[400];
     memset(longest, 'k', sizeof longest - 1);
     longest[sizeof longest - 1] = 0;
@@ -291,9 +279,8 @@ static void bad_settings(void **state)
 }
 
 /* Messages stay on one line and within their size, whatever the user wrote. */
-static void shown_texts(void **state)
+TEST(shown_texts)
 {
-    (void)state;
     char shown[CASE_SHOWN_MAX], longest[400], place[CASE_PLACE_MAX];
     assert_string_equal(case_shown("a\nb\tc", shown), "'a b c'");
     memset(longest, 'k', sizeof longest - 1);
@@ -310,9 +297,8 @@ static void shown_texts(void **state)
     assert_string_equal(case_place("--set a", 0, place), "--set a");
 }
 
-static void near_words(void **state)
+TEST(near_words)
 {
-    (void)state;
     static const char *const names[] = {"length", "segment", "swivel", "E", "EI"};
     assert_string_equal(case_nearest("lenght", names, 5), "length");
     assert_string_equal(case_nearest("Length", names, 5), "length");
@@ -325,9 +311,8 @@ static void near_words(void **state)
 
 /* A number that is another item's name is refused; as the name of the item that has it, or beyond the list, it is
  * clear. */
-static void names_that_are_numbers(void **state)
+TEST(names_that_are_numbers)
 {
-    (void)state;
     CaseTree *tree;
     hawser_error err;
     const char *const text = "pieces: [{name: 1, straight: 1 m}, {name: B, straight: 2 m}, {name: 2}, {name: 7}]";
@@ -344,9 +329,8 @@ static void names_that_are_numbers(void **state)
 }
 
 /* What turns or hides text is no more welcome in a name than what commands a terminal. */
-static void texts_that_turn(void **state)
+TEST(texts_that_turn)
 {
-    (void)state;
     static const char *const marks[] = {"\xe2\x80\xae", "\xe2\x80\x8f", "\xe2\x81\xa6", "\xef\xbb\xbf", "\xd8\x9c"};
     for (size_t k = 0; k < sizeof marks / sizeof *marks; ++k) {
         char text[64];
@@ -361,9 +345,8 @@ static void texts_that_turn(void **state)
 }
 
 /* Items of a list go by their name too, if one alone has it. */
-static void items_by_name(void **state)
+TEST(items_by_name)
 {
-    (void)state;
     CaseTree *tree;
     hawser_error err;
     const char *const text =
@@ -386,11 +369,3 @@ static void items_by_name(void **state)
     case_tree_free(copy);
     case_tree_free(tree);
 }
-
-TEST_FILE(test_case_tree, cmocka_unit_test(items_by_name), cmocka_unit_test(names_that_are_numbers),
-          cmocka_unit_test(texts_that_turn), cmocka_unit_test(nodes_know_their_places),
-          cmocka_unit_test(aliases_are_written_out), cmocka_unit_test(not_a_case), cmocka_unit_test(byte_order_mark),
-          cmocka_unit_test(alias_bomb), cmocka_unit_test(deep_nesting), cmocka_unit_test(many_of_a_kind),
-          cmocka_unit_test(random_junk), cmocka_unit_test(files), cmocka_unit_test(forbidden_file),
-          cmocka_unit_test(settings), cmocka_unit_test(bad_settings), cmocka_unit_test(shown_texts),
-          cmocka_unit_test(near_words))

@@ -1,9 +1,8 @@
 /* Winches and conveyors in case files: what they become, and mistakes that no table of keys can see. */
 #include "tests/io/case_fixture.h"
 
-static void winches(void **state)
+TEST(winches)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("full-tension"), NULL, NULL, &def);
     assert_int_equal(def.winch.mode, WINCH_TENSION);
@@ -26,9 +25,8 @@ static void winches(void **state)
     scene_def_clear(&def);
 }
 
-static void wrong_winches(void **state)
+TEST(wrong_winches)
 {
-    (void)state;
     expect_bad(data_text("full-tension"), "drive.winch.speed", "0.1",
                "'drive.winch.speed': not allowed beside 'tension'");
     expect_bad(data_text("full-tension"), "drive.winch.trip", "{force: 1 kN}",
@@ -46,9 +44,8 @@ static void wrong_winches(void **state)
 }
 
 /* In the order of the route, with names, grips and belts. */
-static void conveyors(void **state)
+TEST(conveyors)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("full-ramps"), NULL, NULL, &def);
     assert_int_equal(def.n_conveyors, 2);
@@ -75,9 +72,8 @@ static void conveyors(void **state)
     scene_def_clear(&copy);
 }
 
-static void wrong_conveyors(void **state)
+TEST(wrong_conveyors)
 {
-    (void)state;
     static const struct {
         const char *value, *part;
     } cases[] = {
@@ -104,6 +100,3 @@ static void wrong_conveyors(void **state)
     expect_bad(data_text("full-tension"), "conveyors", "[{from: 4, to: 6, clamp: 1}]",
                "'conveyors.0.belt': missing: a belt without");
 }
-
-TEST_FILE(test_case_winch, cmocka_unit_test(winches), cmocka_unit_test(wrong_winches), cmocka_unit_test(conveyors),
-          cmocka_unit_test(wrong_conveyors))

@@ -13,9 +13,8 @@ static const hawser_station *station(const hawser_sim *sim, const char *name)
 }
 
 /* The paper's total, its terms as differences between stations, and the simulation beside the reference theory. */
-static void test_huangjiahu(void **state)
+TEST(test_huangjiahu)
 {
-    (void)state;
     Outcome o = example_run("huangjiahu", NULL);
     const hawser_summary *const s = &o.summary;
     assert_int_equal(s->segments, 370);
@@ -36,9 +35,8 @@ static void test_huangjiahu(void **state)
 }
 
 /* A finer chain and a tighter tolerance change the steady pull by less than 0.2 %. */
-static void test_huangjiahu_converged(void **state)
+TEST(test_huangjiahu_converged)
 {
-    (void)state;
     const char *const finer[] = {"chain.0.segment", "250 mm", "chain.1.segment", "250 mm", NULL};
     const char *const tighter[] = {"solver.accuracy", "1e-4", NULL};
     Outcome base = example_run("huangjiahu", NULL), fine = example_run("huangjiahu", finer),
@@ -52,9 +50,8 @@ static void test_huangjiahu_converged(void **state)
 }
 
 /* With a real cable's bending stiffness (a twentieth of the solid bar's) the theory is met everywhere within 1 %. */
-static void test_huangjiahu_real_stiffness(void **state)
+TEST(test_huangjiahu_real_stiffness)
 {
-    (void)state;
     const char *const real[] = {"cables.power.EI", "16.4 kN m2", NULL};
     Outcome o = example_run("huangjiahu", real);
     check_below(o.summary.error_max_pct, 1);
@@ -63,9 +60,8 @@ static void test_huangjiahu_real_stiffness(void **state)
 }
 
 /* The pull is mu W g L; the smooth line's ripple is at least ten times smaller than the capsules'. */
-static void test_straight(void **state)
+TEST(test_straight)
 {
-    (void)state;
     const char *const capsules[] = {"contact.geometry", "cylinder", NULL};
     Outcome smooth = example_run("straight", NULL), rough = example_run("straight", capsules);
     check_close(smooth.summary.reference_total_N, 7985.34, 1e-6);
@@ -78,9 +74,8 @@ static void test_straight(void **state)
 
 /* The winch of set tension ends below its limit, where its force is the friction; the one that trips starts again and
  * ends at its speed, its trip being 1.5 times the theory's force. */
-static void test_winches(void **state)
+TEST(test_winches)
 {
-    (void)state;
     Outcome o = example_run("winch-tension", NULL);
     check_between(o.summary.steady_speed_m_per_s, 0.095, 0.1);
     check_share(o.summary.pull_mean_N, 0.15 * 9.81 * (14 * 40 + 0.68 * 15), 0.01);
@@ -109,9 +104,8 @@ static const hawser_surface *surface(hawser_sim *sim, const char *name)
 }
 
 /* Three phases and an earth as one cable: theory, which knows no room in a duct, is met within 1.5 %. */
-static void test_three_in_a_duct(void **state)
+TEST(test_three_in_a_duct)
 {
-    (void)state;
     Outcome o = example_run("three-in-a-duct", NULL);
     const hawser_summary *const s = &o.summary;
     assert_non_null(s->bundle);
@@ -123,9 +117,8 @@ static void test_three_in_a_duct(void **state)
 }
 
 /* A level and an upward bend in a duct: the theory's tensions within 1 %, and the duct's friction as the pull's. */
-static void test_duct_bends(void **state)
+TEST(test_duct_bends)
 {
-    (void)state;
     Outcome o = example_run("duct-bends", NULL);
     assert_true(o.summary.relaxation.reached);
     assert_int_equal(o.summary.surfaces, 1);
@@ -143,9 +136,8 @@ static void test_duct_bends(void **state)
 }
 
 /* One of each kind of tray: on the straights before the bend the theory with each tray's friction, the V's included. */
-static void test_tray(void **state)
+TEST(test_tray)
 {
-    (void)state;
     Outcome o = example_run("tray", NULL);
     assert_true(o.summary.relaxation.reached);
     assert_int_equal(o.summary.surfaces, 4);
@@ -161,9 +153,8 @@ static void test_tray(void **state)
 }
 
 /* Both conveyors work at their limits and the winch has the rest. */
-static void test_conveyors(void **state)
+TEST(test_conveyors)
 {
-    (void)state;
     Outcome o = example_run("conveyors", NULL);
     const hawser_machine *m;
     assert_int_equal(hawser_sim_machines(o.sim, &m), 2);
@@ -176,9 +167,8 @@ static void test_conveyors(void **state)
 }
 
 /* A reel that pays out, and a winch that takes in: the pull by theory, row by row of the table once it runs evenly. */
-static void test_reel_and_take_in(void **state)
+TEST(test_reel_and_take_in)
 {
-    (void)state;
     const char *const name[] = {"reel", "take-in"};
     for (int k = 0; k < 2; ++k) {
         Outcome o = example_run(name[k], NULL);
@@ -194,9 +184,8 @@ static void test_reel_and_take_in(void **state)
 
 /* The first seconds of the whole tunnel: the rope comes to rest on its rollers, the drum turns, cable joins. The rest
  * is tests/io/long_tunnel.c. */
-static void test_tunnel_starts(void **state)
+TEST(test_tunnel_starts)
 {
-    (void)state;
     const char *const settings[] = {"run.duration", "12 s", "run.steady_from", "10 s", NULL};
     Outcome o = example_run("tunnel-879", settings);
     assert_true(o.summary.relaxation.reached);
@@ -209,9 +198,3 @@ static void test_tunnel_starts(void **state)
     check_between(o.summary.pull_peak_N, 3e3, 8e3);
     hawser_sim_free(o.sim);
 }
-
-TEST_FILE(test_cases, cmocka_unit_test(test_huangjiahu), cmocka_unit_test(test_three_in_a_duct),
-          cmocka_unit_test(test_huangjiahu_converged), cmocka_unit_test(test_huangjiahu_real_stiffness),
-          cmocka_unit_test(test_straight), cmocka_unit_test(test_winches), cmocka_unit_test(test_duct_bends),
-          cmocka_unit_test(test_tray), cmocka_unit_test(test_conveyors), cmocka_unit_test(test_reel_and_take_in),
-          cmocka_unit_test(test_tunnel_starts))

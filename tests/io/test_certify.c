@@ -59,9 +59,8 @@ static void consistent(const hawser_certificate *cert)
 }
 
 /* A level row of rollers: the pull is mu m g L of what has passed, known beforehand. */
-static void a_good_run(void **state)
+TEST(a_good_run)
 {
-    (void)state;
     Certified z = certify(data_text("certify"), NULL, NULL);
     consistent(z.cert);
     assert_int_equal(z.cert->certified, 1);
@@ -78,9 +77,8 @@ static void a_good_run(void **state)
 
 /* Coarse segments: what a run with segments an eighth as long, a hundredth of the accuracy and a fifth of v_s finds
  * lies within the bars, which are not much wider than they have to be. */
-static void bars_hold_the_truth(void **state)
+TEST(bars_hold_the_truth)
 {
-    (void)state;
     const char *const coarse[] = {"chain.0.segment", "250 mm", "friction.v_s", "1 mm/s", "output.interval",
                                   "50 ms",           NULL};
     const char *const fine[] = {"chain.0.segment", "31.25 mm",        "friction.v_s",
@@ -100,9 +98,8 @@ static void bars_hold_the_truth(void **state)
 }
 
 /* Ten thousandths are not reached by first order steps: not certified, and no figure is said to hold that does not. */
-static void too_much_is_asked(void **state)
+TEST(too_much_is_asked)
 {
-    (void)state;
     const hawser_certify_options strict = {.tolerance = 1e-6, .rounds = 1, .threads = 1};
     Certified z = certify(data_text("certify"), NULL, &strict);
     consistent(z.cert);
@@ -115,9 +112,8 @@ static void too_much_is_asked(void **state)
 
 /* However much is asked, the finer runs take no more than they may, and it is said what going on would take; where
  * finer segments would take too much the coarser ones speak for them, and the bar still holds what is finer. */
-static void effort_is_kept(void **state)
+TEST(effort_is_kept)
 {
-    (void)state;
     const hawser_certify_options usual = {.tolerance = 1e-6}, little = {.effort = 3};
     Certified z = certify(data_text("certify"), NULL, &usual), few = certify(data_text("certify"), NULL, &little);
     consistent(z.cert);
@@ -136,9 +132,8 @@ static void effort_is_kept(void **state)
 }
 
 /* A stiff grip at a loose accuracy pulls many times what it should: finer settings find it. */
-static void a_stiff_grip(void **state)
+TEST(a_stiff_grip)
 {
-    (void)state;
     const char *const loose[] = {"conveyors", "[{from: 6, to: 8, clamp: 9 kN, mu: 0.5, v_s: 0.1 mm/s}]",
                                  "solver.accuracy", "1e-1", NULL};
     const hawser_certify_options two = {.rounds = 2, .effort = 60};
@@ -151,9 +146,8 @@ static void a_stiff_grip(void **state)
 }
 
 /* Threads change nothing but the time. */
-static void one_thread_or_two(void **state)
+TEST(one_thread_or_two)
 {
-    (void)state;
     const hawser_certify_options one = {.threads = 1, .rounds = 1}, two = {.threads = 2, .rounds = 1};
     Certified a = certify(data_text("certify"), NULL, &one), b = certify(data_text("certify"), NULL, &two);
     assert_int_equal(a.cert->n_figures, b.cert->n_figures);
@@ -166,9 +160,8 @@ static void one_thread_or_two(void **state)
 }
 
 /* Slower than friction needs: its figures may hold, but there is nothing to certify. */
-static void not_trusted(void **state)
+TEST(not_trusted)
 {
-    (void)state;
     const char *const few[] = {"friction.v_s", "200 mm/s", "friction.v_d", "400 mm/s", NULL};
     const hawser_certify_options once = {.rounds = 1};
     Certified z = certify(data_text("certify"), few, &once);
@@ -180,9 +173,8 @@ static void not_trusted(void **state)
 
 /* A cantilever of ten segments under a load at its tip: the tip's figures converge with the segments' number squared.
  */
-static void a_rod(void **state)
+TEST(a_rod)
 {
-    (void)state;
     const hawser_certify_options options = {.tolerance = 1e-3, .rounds = 3, .effort = 60};
     Certified z = certify(data_text("certify-rod"), NULL, &options);
     consistent(z.cert);
@@ -198,9 +190,8 @@ static void a_rod(void **state)
 
 /* Half a turn is said as r or -r, as rounding has it: both are the same place (CE8). A strip that is rolled up to a
  * circle has its middle there on every mesh. */
-static void half_a_turn(void **state)
+TEST(half_a_turn)
 {
-    (void)state;
     Figure own[] = {{.unit = "N", .value = 1}, {.unit = "rad"}, {.unit = "rad", .value = -3.1}, {.unit = "rad"}};
     Figure other[] = {{.unit = "N", .value = -1}, {.unit = "rad"}, {.unit = "rad", .value = 3.1}, {.unit = "rad"}};
     figures_follow(&(Figures){.n = 4, .figure = own}, &(Figures){.n = 4, .figure = other});
@@ -226,9 +217,8 @@ static void half_a_turn(void **state)
 }
 
 /* The texts hold what the struct holds. */
-static void texts(void **state)
+TEST(texts)
 {
-    (void)state;
     const hawser_certify_options once = {.rounds = 1};
     const hawser_format formats[] = {HAWSER_JSON, HAWSER_CSV, HAWSER_TABLE};
     const char *const holds[][2] = {{"\"verdict\": \"CERTIFIED: all", "\"error.time\""},
@@ -251,9 +241,8 @@ static int stop_at_once(void *user, const hawser_certify_state *state)
 }
 
 /* Wrong options, a run that is not over, and a caller who has seen enough. */
-static void refused(void **state)
+TEST(refused)
 {
-    (void)state;
     hawser_error err = {0};
     hawser_case *c = NULL;
     hawser_sim *sim = NULL;
@@ -276,9 +265,8 @@ static void refused(void **state)
 }
 
 /* Levels change settings and nothing else: level 0 is the case as it is. */
-static void levels(void **state)
+TEST(levels)
 {
-    (void)state;
     SceneDef def;
     const int none[HAWSER_SOURCES] = {0}, some[HAWSER_SOURCES] = {1, 2};
     expect_good(data_text("certify"), NULL, NULL, &def);
@@ -299,9 +287,8 @@ static void levels(void **state)
 
 /* A run whose figures are those of its second pass: these are certified, refined from its settings, and by what the
  * case says of v_s, not by what the pass made of it. */
-static void a_second_pass(void **state)
+TEST(a_second_pass)
 {
-    (void)state;
     const hawser_certify_options once = {.rounds = 1};
     Certified z = certify(data_text("trust-slack"), NULL, &once);
     hawser_summary sum;
@@ -325,9 +312,3 @@ static void a_second_pass(void **state)
     check_at_most(fabs(peak->value - 1908), peak->run_bar);
     certified_free(&z);
 }
-
-TEST_FILE(test_certify, cmocka_unit_test(a_good_run), cmocka_unit_test(bars_hold_the_truth),
-          cmocka_unit_test(too_much_is_asked), cmocka_unit_test(effort_is_kept), cmocka_unit_test(a_stiff_grip),
-          cmocka_unit_test(one_thread_or_two), cmocka_unit_test(not_trusted), cmocka_unit_test(a_rod),
-          cmocka_unit_test(a_second_pass), cmocka_unit_test(half_a_turn), cmocka_unit_test(texts),
-          cmocka_unit_test(refused), cmocka_unit_test(levels))

@@ -47,9 +47,8 @@ static double figure_of(const hawser_sim *s, const char *name, const char *key)
 
 /* Like chains take the steps that one takes alone, and come to the same bits; shifted aside, to the same but for
  * rounding. */
-static void test_three_runs(void **state)
+TEST(test_three_runs)
 {
-    (void)state;
     const char *const same_place[] = {
         "chains.one.place", "[0 m, 0 m]", "chains.two.place", "[0 m, 0 m]", "chains.three.place", "[0 m, 0 m]", NULL};
     hawser_case *alone =
@@ -85,9 +84,8 @@ static void test_three_runs(void **state)
 }
 
 /* Forces between chains cancel, and what a pull of three by one rope does goes where the books say. */
-static void test_books(void **state)
+TEST(test_books)
 {
-    (void)state;
     /* rows that miss nothing of the rope's pull (of 50 ms: 487 N for 494.5 N, in its bar by (EB33)) */
     hawser_sim *const s = run(load(FOLDER "chains-rope.yaml", (const char *const[]){"output.interval", "10 ms", NULL}));
     hawser_summary sum;
@@ -153,9 +151,8 @@ static double lying(const char *pattern, double ratio, const char *k)
 
 /* (T20): the factors are the geometry of the section, and contacts that give way less come nearer to it: by the power
  * 2/3 of their stiffness, ten times as stiff 4.6 times as near. */
-static void test_weight_correction(void **state)
+TEST(test_weight_correction)
 {
-    (void)state;
     const struct {
         const char *pattern;
         double ratio;
@@ -212,9 +209,8 @@ static double arch_stands(double mu)
 /* Jamming: without friction the arch becomes a triangle below D/d = 3 and a cradle above it, and presses as their
  * formulas say; with friction it stands from where (SC16) says on up to 3 and beyond, and presses on the duct several
  * times as hard. */
-static void test_jam(void **state)
+TEST(test_jam)
 {
-    (void)state;
     double most = 0;
     const double limp[] = {2.7, 2.95, 3.2};
     for (int i = 0; i < 3; ++i) {
@@ -250,9 +246,8 @@ static const json_t *forward_limit(const json_t *limits, const char *name)
 }
 
 /* The calculation of each, and a rope's the sum of what it draws and of its own; what is there to be built. */
-static void test_theory(void **state)
+TEST(test_theory)
 {
-    (void)state;
     const double x = 41.0 / (90 - 41), factor = 1 / sqrt(1 - x * x);
     hawser_case *c = load(FOLDER "chains-rope.yaml", NULL);
     hawser_error err;
@@ -311,9 +306,8 @@ static void test_theory(void **state)
 
 /* A rope begins with the pulls of all that it draws and takes them round its own bends (SC15): without weight the
  * capstan formula, 300 N exp(mu theta), and beyond the end of the route nothing is added. */
-static void test_rope_theory(void **state)
+TEST(test_rope_theory)
 {
-    (void)state;
     for (int beyond = 0; beyond < 2; ++beyond) {
         const char *const settings[] = {"gravity",
                                         "0 m/s2",
@@ -343,9 +337,8 @@ static void test_rope_theory(void **state)
 
 /* What they press on each other with is soft at first, as walls are (E5): cables that drop onto each other in a duct
  * come to rest. */
-static void test_rest(void **state)
+TEST(test_rest)
 {
-    (void)state;
     const char *const settings[] = {"surfaces.ducts.0.radius", "48 mm", "friction.mu", "0", NULL};
     hawser_case *const c = load(FOLDER "chains-rope.yaml", settings);
     hawser_relaxation rest;
@@ -359,9 +352,8 @@ static void test_rest(void **state)
 }
 
 /* What one of them has broken is said of all: here the middle one, by its tail. */
-static void test_judged(void **state)
+TEST(test_judged)
 {
-    (void)state;
     const char *const settings[] = {"limits", "{pull: 2 kN}", "chains.two", "{drive: {tail: {tension: 3 kN}}}", NULL};
     hawser_sim *const s = run(load(FOLDER "chains.yaml", settings));
     hawser_limit limit[HAWSER_LIMITS_MAX];
@@ -379,9 +371,8 @@ static void test_judged(void **state)
 
 /* A rope has what it draws to bear, and each of these what it may be pulled with; its own theory goes without them, so
  * that no roller is overloaded by it. */
-static void test_rope_judged(void **state)
+TEST(test_rope_judged)
 {
-    (void)state;
     const char *const settings[] = {
         "limits",  "{pull: 250 N, rope_strength: 6 kN}",     "lay", "{pattern: flat, spacing: 60 mm}", "surfaces", "{}",
         "rollers", "{along: {spacing: 1 m, width: 600 mm}}", NULL};
@@ -403,9 +394,8 @@ static void test_rope_judged(void **state)
 
 /* One lies beside the rollers and falls: the figures of all are not to be trusted, and whose fault it is stands there.
  */
-static void test_fallen(void **state)
+TEST(test_fallen)
 {
-    (void)state;
     const char *const settings[] = {"surfaces",
                                     "{}",
                                     "rollers",
@@ -428,9 +418,8 @@ static void test_fallen(void **state)
 }
 
 /* Places are as far apart as they are to be, and within what the duct leaves. */
-static void test_places(void **state)
+TEST(test_places)
 {
-    (void)state;
     double place[8][2];
     for (int pattern = LAY_FLAT; pattern <= LAY_TRIPLEXED; ++pattern) {
         for (int n = 2; n <= 4; ++n) {
@@ -451,9 +440,8 @@ static void test_places(void **state)
 }
 
 /* What several chains cannot be beside, and what does not fit together, is said with its key. */
-static void test_refused(void **state)
+TEST(test_refused)
 {
-    (void)state;
     const struct {
         const char *key, *value, *part;
     } bad[] = {
@@ -490,9 +478,8 @@ static void test_refused(void **state)
 }
 
 /* What needs one chain says so, with the line at which there are several. */
-static void test_alone(void **state)
+TEST(test_alone)
 {
-    (void)state;
     hawser_case *const c = load(FOLDER "chains.yaml", NULL);
     hawser_error err = {.status = HAWSER_OK};
     hawser_certificate *certificate;
@@ -508,9 +495,8 @@ static void test_alone(void **state)
 }
 
 /* The simulation of one chain is looked at through the first's; it is not moved alone. */
-static void test_handles(void **state)
+TEST(test_handles)
 {
-    (void)state;
     hawser_case *const c = load(FOLDER "chains.yaml", NULL);
     hawser_sim *s;
     hawser_error err;
@@ -537,9 +523,8 @@ static int stop_halfway(void *user, hawser_sim *s, double t)
 }
 
 /* A run that is stopped halfway and gone on with writes what one that is not writes, of every chain. */
-static void test_resumed(void **state)
+TEST(test_resumed)
 {
-    (void)state;
     static const char *const files[] = {"series.csv", "one/series.csv", "three/series.csv"};
     const char *const whole = scratch_path("whole"), *const halves = scratch_path("halves");
     /* as often as it is no burden: the first after the first step */
@@ -570,9 +555,8 @@ static void test_resumed(void **state)
 }
 
 /* The page about the first's folder is about all of them. */
-static void test_page(void **state)
+TEST(test_page)
 {
-    (void)state;
     const char *const dir = scratch_path("page"), *const page = scratch_path("page.html");
     static const char *const labels[] = {"/page/one\"", "/page/two\"", "/page/three\""};
     hawser_error err;
@@ -588,9 +572,4 @@ static void test_page(void **state)
     hawser_case_free(c);
 }
 
-TEST_FILE_IN(test_chains, scratch_make, scratch_remove, cmocka_unit_test(test_three_runs), cmocka_unit_test(test_books),
-             cmocka_unit_test(test_weight_correction), cmocka_unit_test(test_places), cmocka_unit_test(test_refused),
-             cmocka_unit_test(test_handles), cmocka_unit_test(test_resumed), cmocka_unit_test(test_page),
-             cmocka_unit_test(test_alone), cmocka_unit_test(test_theory), cmocka_unit_test(test_judged),
-             cmocka_unit_test(test_fallen), cmocka_unit_test(test_rope_theory), cmocka_unit_test(test_rest),
-             cmocka_unit_test(test_jam), cmocka_unit_test(test_rope_judged))
+TEST_GROUP(scratch_make, scratch_remove)

@@ -34,9 +34,8 @@ static double alone(const char *cable, const char *tail, const char *route)
 
 /* On a straight rollers bear two cables, or the rope that runs there before them; in a bend tension presses, of which
  * the rope has more. */
-static void theory_adds_up(void **state)
+TEST(theory_adds_up)
 {
-    (void)state;
     static const char *const route[] = {
         STRAIGHT, "route: {head_at: 7 m, pieces: [{straight: 8 m}, {bend: 60 deg, radius: 4 m, plane: left}, "
                   "{straight: 8 m}]}\n"};
@@ -57,9 +56,8 @@ static void theory_adds_up(void **state)
 }
 
 /* Cables that have a winch each are judged with the last. */
-static void without_a_rope(void **state)
+TEST(without_a_rope)
 {
-    (void)state;
     json_t *const all = theory_of(CHAINS STRAIGHT, (const char *const[]){"chains", "{a: {}, b: {}, c: {}}", NULL});
     json_t *const of = json_object_get(all, "theory");
     check_share(limit_of(json_object_get(of, "c"), "roller_steady"), 3 * alone("power", "100 N", STRAIGHT), 1e-9);
@@ -67,9 +65,8 @@ static void without_a_rope(void **state)
 }
 
 /* Nothing is listed for a crew: the lists are one cable's. */
-static void no_crew(void **state)
+TEST(no_crew)
 {
-    (void)state;
     char *text = NULL;
     hawser_error err;
     hawser_case *const c = case_with(CHAINS STRAIGHT, NULL);
@@ -79,9 +76,8 @@ static void no_crew(void **state)
 }
 
 /* A head and the tail that draws it are pinned where both are: elsewhere the pin would tear them there, with 76 MN. */
-static void heads_where_they_are_drawn(void **state)
+TEST(heads_where_they_are_drawn)
 {
-    (void)state;
     hawser_error err;
     hawser_case *const c = case_with(CHAINS STRAIGHT, (const char *const[]){"chains.a.head_at", "6 m", NULL});
     assert_int_equal(hawser_case_check(c, &err), HAWSER_ERR_INPUT);
@@ -119,9 +115,8 @@ static double load_of(hawser_sim *s, const char *roller, int steady, double *err
 
 /* Two cables side by side press alike and at once: the roller has twice what one does, the rope none where it is gone.
  */
-static void run_adds_up(void **state)
+TEST(run_adds_up)
 {
-    (void)state;
     static const char *const name[] = {"roller_steady", "roller_peak"};
     hawser_sim *const s = sim_of(CHAINS STRAIGHT, NULL);
     hawser_error err;
@@ -144,9 +139,8 @@ static void run_adds_up(void **state)
 /* Of the rope what the two heads pull together is put before what cables and grips bear, not its own weight and
  * friction ahead of them; its own strength and the winch have all of it. Pressure and radius of cables are not asked of
  * it. */
-static void rope_and_eye(void **state)
+TEST(rope_and_eye)
 {
-    (void)state;
     const char *const settings[] = {"limits.attachment_rating", "1 kN", "chains",
                                     "{a: {join: rope}, b: {join: rope}, rope: {chain: [{cable: rope, length: 6 m, "
                                     "segment: 250 mm}]}}",
@@ -172,9 +166,8 @@ static void rope_and_eye(void **state)
 /* Peaks of chains that a rope draws are looked for after each step, wherever the rope stands among them: rows of half a
  * second say what those of 20 ms do (133 N), where the
  * rows themselves have 125 N; and what rows miss of the mean is in its bar (EB33). */
-static void peaks_between_rows(void **state)
+TEST(peaks_between_rows)
 {
-    (void)state;
     static const char *const interval[] = {"20 ms", "500 ms"};
     static const char *const order[] = {
         "{a: {join: rope}, b: {join: rope}, rope: {chain: [{cable: rope, length: 6 m, segment: 250 mm}]}}",
@@ -202,9 +195,8 @@ static void peaks_between_rows(void **state)
 
 /* A cable and its rope, as one chain or as two that are joined, are one pull, and so is a cable that is joined from
  * two: down a slope and over an edge, where the rope alone would run ahead. */
-static void one_or_two(void **state)
+TEST(one_or_two)
 {
-    (void)state;
     static const char *const name[] = {"pull", "attachment", "rope", "winch", "run_away"};
     static const char *const chains[2][2] = {
         {CHAIN(PIECE("power", "5 m") ", " PIECE("rope", "8 m")) "\n",
@@ -251,9 +243,8 @@ static void one_or_two(void **state)
 
 /* Three that do nothing to each other: what one does, three times. Loads after a step are those of its last iteration.
  */
-static void three_of_one(void **state)
+TEST(three_of_one)
 {
-    (void)state;
     static const char *const name[] = {"roller_steady", "roller_peak"};
     hawser_sim *const three = sim_of(
         CHAINS STRAIGHT,
@@ -287,9 +278,8 @@ static void go_on(hawser_sim *s, int from, int to)
 }
 
 /* A run that goes on from the middle says the same in the end. */
-static void run_goes_on(void **state)
+TEST(run_goes_on)
 {
-    (void)state;
     hawser_sim *const whole = sim_of(CHAINS STRAIGHT, NULL), *const half = sim_of(CHAINS STRAIGHT, NULL);
     hawser_error err;
     void *bytes;
@@ -306,8 +296,3 @@ static void run_goes_on(void **state)
     hawser_sim_free(whole);
     hawser_sim_free(half);
 }
-
-TEST_FILE(test_chains_judged, cmocka_unit_test(theory_adds_up), cmocka_unit_test(without_a_rope),
-          cmocka_unit_test(no_crew), cmocka_unit_test(run_adds_up), cmocka_unit_test(rope_and_eye),
-          cmocka_unit_test(heads_where_they_are_drawn), cmocka_unit_test(one_or_two), cmocka_unit_test(three_of_one),
-          cmocka_unit_test(peaks_between_rows), cmocka_unit_test(run_goes_on))

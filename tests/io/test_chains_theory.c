@@ -24,9 +24,8 @@ static void pulls_of(const char *const *settings, double pull[3])
 }
 
 /* 20 N/m for 100 m at mu 0.2 behind 500 N: 900 N each; 10 N/m of rope: 200 N. */
-static void machines_and_feed_are_there_once(void **state)
+TEST(machines_and_feed_are_there_once)
 {
-    (void)state;
     double plain[3], machine[3], feed[3], rope[3];
     pulls_of(NULL, plain);
     check_share(plain[1], 900, 1e-9);
@@ -51,9 +50,8 @@ static const json_t *limits_of(const json_t *all, const char *chain)
 }
 
 /* A cable that is joined hangs on one grip, whatever the limits say; the rope on as many as it draws. */
-static void grips_of_each(void **state)
+TEST(grips_of_each)
 {
-    (void)state;
     json_t *const all = theory_of(CHAINS, NULL);
     static const char *const chain[] = {"rope", "a"};
     static const double allowed[] = {4000, 2000};
@@ -74,9 +72,8 @@ static void grips_of_each(void **state)
 
 /* A cable that draws others, as heavy as itself, is no rope: all that it pulls with is judged, by what it may be pulled
  * with alone. */
-static void tandem(void **state)
+TEST(tandem)
 {
-    (void)state;
     static const char *const ropes[] = {"{chain: [{cable: rope, length: 100 m}]}",
                                         "{chain: [{cable: power, length: 100 m}]}"};
     static const double pull[] = {1800, 2000 + 200}, allowed[] = {2 * 5000, 5000}, holds[] = {2 * 2000, 2000};
@@ -97,9 +94,8 @@ static void tandem(void **state)
 
 /* Down a slope of 20 degrees the rope alone would run: 20 m of 10 N/m, of which friction of 0.1 holds 27 %: 49.6 N.
  * What it draws holds it, by 300.8 N at least; by 0.8 N it does not. */
-static void held_by_what_it_draws(void **state)
+TEST(held_by_what_it_draws)
 {
-    (void)state;
     static const char *const tail[] = {"400 N", "100 N"};
     const double down = 20 * (sin(M_PI / 9) - 0.1 * cos(M_PI / 9));
     for (int k = 0; k < 2; k++) {
@@ -128,9 +124,8 @@ static void held_by_what_it_draws(void **state)
 
 /* What a rope is bent round is asked of the rope by its own diameter, 2 x 3 m over 20 mm, and a cable's least radius of
  * the cables, 3 m, not of the rope; the rope's bend counts with its tail ahead of the bends. */
-static void bends_of_each(void **state)
+TEST(bends_of_each)
 {
-    (void)state;
     static const char *const route =
         "{head_at: 1 m, pieces: [{straight: 4 m}, {bend: 45 deg, radius: 3 m, plane: left}, {straight: 10 m}]}";
     const char *const settings[] = {
@@ -161,9 +156,8 @@ static void bends_of_each(void **state)
 
 /* An earth beside two phases, thinner by more than a tenth, adds to what is pulled and not to what may be: two of 10 kN
  * together. One that is thinner by less is a cable like them. */
-static void thin_earth(void **state)
+TEST(thin_earth)
 {
-    (void)state;
     static const char *const diameter[] = {"15 mm", "36.5 mm"};
     static const double allowed[] = {10000, 15000};
     for (int k = 0; k < 2; k++) {
@@ -189,9 +183,8 @@ static void thin_earth(void **state)
 }
 
 /* A duct that is said to be wide enough for all of them is, and one somewhat narrower is not. */
-static void duct_for_all(void **state)
+TEST(duct_for_all)
 {
-    (void)state;
     static const char text[] =
         CABLES "chain: [{cable: power, length: 20 m}]\n"
                "chains: {rope: {chain: [{cable: rope, length: 20 m}]}, a: {join: rope}, b: {join: rope}, c: {join: "
@@ -212,7 +205,3 @@ static void duct_for_all(void **state)
         json_decref(all);
     }
 }
-
-TEST_FILE(test_chains_theory, cmocka_unit_test(machines_and_feed_are_there_once), cmocka_unit_test(grips_of_each),
-          cmocka_unit_test(tandem), cmocka_unit_test(held_by_what_it_draws), cmocka_unit_test(bends_of_each),
-          cmocka_unit_test(thin_earth), cmocka_unit_test(duct_for_all))

@@ -196,16 +196,14 @@ static void check_scene(const Scene *scene)
     hawser_sim_free(two);
 }
 
-static void test_every_kind_of_scene(void **state)
+TEST(test_every_kind_of_scene)
 {
-    (void)state;
     for (int k = 0; k < SCENES; k += STRIDE) check_scene(&scenes[k]);
 }
 
 /* Before anything has moved, and after the relaxation alone. */
-static void test_from_the_start(void **state)
+TEST(test_from_the_start)
 {
-    (void)state;
     for (int relaxed = 0; relaxed < 2; ++relaxed) {
         hawser_sim *const one = sim_of(&scenes[0], 1), *const two = sim_of(&scenes[0], 1);
         if (relaxed) assert_int_equal(hawser_sim_relax(one, NULL, NULL), HAWSER_OK);
@@ -226,9 +224,8 @@ static void test_from_the_start(void **state)
     }
 }
 
-static void test_a_file(void **state)
+TEST(test_a_file)
 {
-    (void)state;
     char path[] = "/tmp/hawser-checkpoint-XXXXXX";
     const int fd = mkstemp(path);
     assert_true(fd >= 0);
@@ -261,9 +258,8 @@ static void refused(hawser_sim *s, const void *bytes, size_t size, const char *w
     check_has(err.message, why);
 }
 
-static void test_what_is_not_whole(void **state)
+TEST(test_what_is_not_whole)
 {
-    (void)state;
     hawser_sim *const s = sim_of(&scenes[0], 1);
     go_to_scene(s, &scenes[0]);
     const Bytes good = save(s);
@@ -341,9 +337,8 @@ static Bytes later(hawser_sim *s, const Scene *scene)
 
 /* A state is what it was, whatever the simulation has been told since: also a state in the plane, which commands bring
  * into space. */
-static void test_back_over_a_command(void **state)
+TEST(test_back_over_a_command)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof told / sizeof *told; ++k) {
         hawser_error err = {.status = HAWSER_OK};
         const Scene scene = {told[k].path, 0.6, NULL, NULL};
@@ -386,9 +381,8 @@ static void hash_again(unsigned char *bytes, size_t size)
 }
 
 /* What is whole but of something else. */
-static void test_what_is_of_another(void **state)
+TEST(test_what_is_of_another)
 {
-    (void)state;
     hawser_sim *const s = sim_of(&scenes[0], 1), *const other = sim_of(&scenes[3], 1);
     go_to_scene(s, &scenes[0]);
     const Bytes good = save(s);
@@ -416,9 +410,8 @@ static void test_what_is_of_another(void **state)
 }
 
 /* Pieces that are shorter, longer or called otherwise than they should be, in a file whose hash is right. */
-static void test_wrong_pieces(void **state)
+TEST(test_wrong_pieces)
 {
-    (void)state;
     const Scene *const scene = &scenes[6];
     hawser_sim *s = sim_of(scene, 1);
     go_to_scene(s, scene);
@@ -447,8 +440,3 @@ static void test_wrong_pieces(void **state)
     hawser_sim_free(s);
     hawser_bytes_free(good.at);
 }
-
-TEST_FILE(test_checkpoint, cmocka_unit_test(test_every_kind_of_scene), cmocka_unit_test(test_from_the_start),
-          cmocka_unit_test(test_a_file), cmocka_unit_test(test_what_is_not_whole),
-          cmocka_unit_test(test_what_is_of_another), cmocka_unit_test(test_wrong_pieces),
-          cmocka_unit_test(test_back_over_a_command))

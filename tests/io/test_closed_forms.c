@@ -6,9 +6,8 @@ static const double G = 9.81;
 
 /* A STEP profile s = d (3 u^2 - 2 u^3) with u from 0 to 1 in T moves a bar as a whole: it is where s says, and its
  * tail's end is pushed with m d (6 - 12 u)/T^2. Over its length the force falls in proportion to what lies ahead. */
-static void an_end_is_led(void **state)
+TEST(an_end_is_led)
 {
-    (void)state;
     const double d = 0.4, mass = 10, time[] = {0.35, 0.6, 0.85, 1.2};
     hawser_sim *const sim = sim_of(data_text("closed-led-end"), NULL);
     for (int k = 0; k < 4; k++) {
@@ -43,9 +42,8 @@ static double height_below(hawser_sim *sim, const RollerDef *roller)
 
 /* In a sag T/R is more than the weight: the cable lies against the hold-downs, a gap above the route, and each bears
  * (T/R - w cos) a there. */
-static void a_gap_is_taken_up(void **state)
+TEST(a_gap_is_taken_up)
 {
-    (void)state;
     const double radius = 6, gap = 0.02, spacing = 0.5, w = 5 * G;
     hawser_sim *const sim = run_of(data_text("closed-gap"), NULL);
     const hawser_station *station;
@@ -79,9 +77,8 @@ static void a_gap_is_taken_up(void **state)
 
 /* A rigid ladder on a smooth floor and wall: phi'^2 = 3 g (sin phi0 - sin phi)/l until it leaves the wall at sin phi =
  * 2/3 sin phi0; its ends are held by nothing but their own contact. The foot's place at 0.5 s. */
-static void ends_touch(void **state)
+TEST(ends_touch)
 {
-    (void)state;
     const double length = 2, phi0 = 75 * M_PI / 180, dt = 1e-5;
     double phi = phi0, rate = 0;
     for (int k = 0; k < 50000; k++) { /* phi'' = -3 g cos(phi)/(2 l), by the leap-frog */
@@ -96,6 +93,3 @@ static void ends_touch(void **state)
     check_close(foot->position[0], length * cos(phi), 2e-4);
     hawser_sim_free(sim);
 }
-
-TEST_FILE(test_closed_forms, cmocka_unit_test(an_end_is_led), cmocka_unit_test(a_gap_is_taken_up),
-          cmocka_unit_test(ends_touch))

@@ -59,9 +59,8 @@ static double vertical(double T, double w, double mu, double a0, double k, doubl
 }
 
 /* A hundred hills of a kilometre, 2 degrees up and down between bends of 300 m. */
-static void hilly_100_km(void **state)
+TEST(hilly_100_km)
 {
-    (void)state;
     const double w = 1.2 * G, mu = 0.1, R = 300, a = 2 * DEG, straight = (1000 - 4 * R * a) / 2;
     char hill[256];
     snprintf(hill, sizeof hill,
@@ -82,9 +81,8 @@ static void hilly_100_km(void **state)
 }
 
 /* Level: a straight takes mu w s, a bend to a side T = w R sinh(mu angle + arsinh(T0/(w R))). */
-static void ten_thousand_pieces(void **state)
+TEST(ten_thousand_pieces)
 {
-    (void)state;
     const double w = 8 * G, mu = 0.15, R = 60;
     double T = 0;
     for (int i = 0; i < 5000; ++i) T = w * R * sinh(mu * 0.2 * DEG + asinh((T + mu * w * 5) / (w * R)));
@@ -96,9 +94,8 @@ static void ten_thousand_pieces(void **state)
 }
 
 /* Four turns up a ramp of 12 degrees: along the slope T' = w sin b + mu hypot(w cos b, T k), k = cos^2 b/R. */
-static void a_spiral_ramp(void **state)
+TEST(a_spiral_ramp)
 {
-    (void)state;
     enum { STEPS = 20000 };
     const double w = 8 * G, mu = 0.15, R = 15, b = 12 * DEG, rise = w * sin(b), lies = w * cos(b),
                  k = cos(b) * cos(b) / R, h = 8 * M_PI * R / cos(b) / STEPS;
@@ -122,9 +119,8 @@ static void a_spiral_ramp(void **state)
 }
 
 /* 30 m of 21 kg/m hang in a shaft: the winch bears what has not passed it yet. */
-static void a_hoist(void **state)
+TEST(a_hoist)
 {
-    (void)state;
     static const char text[] = "cables: {p: {d: 60 mm, mass: 21 kg/m, EI: 200, EA: 60 MN, GA: 20 MN, GJ: 200}}\n"
                                "chain: [{cable: p, length: 30 m}]\n"
                                "route: {head_at: 38 m, slope: 90 deg, pieces: [{straight: 40 m}]}\n"
@@ -140,9 +136,8 @@ static void a_hoist(void **state)
 }
 
 /* 100 kg on 10 m of rope, EA 400 kN, of 0.1 kg: x tan x = 1/1000, period 2 pi/(x sqrt(k/m)) = 0.314212 s. */
-static void a_mass_on_a_rope(void **state)
+TEST(a_mass_on_a_rope)
 {
-    (void)state;
     static const char text[] =
         "cables: {r: {d: 10 mm, mass: 0.01 kg/m, EI: 1 MN m2, EA: 400 kN, GA: 10 MN, GJ: 1000, damping: 0 s}, "
         "b: {d: 10 mm, mass: 10000 kg/m, EI: 1000 MN m2, EA: 1 GN, GA: 1 GN, GJ: 100 MN m2, damping: 0 s}}\n"
@@ -162,6 +157,3 @@ static void a_mass_on_a_rope(void **state)
     check_below(nearest, 5e-5);
     hawser_sim_free(sim);
 }
-
-TEST_FILE(test_closed_pulls, cmocka_unit_test(hilly_100_km), cmocka_unit_test(ten_thousand_pieces),
-          cmocka_unit_test(a_spiral_ramp), cmocka_unit_test(a_hoist), cmocka_unit_test(a_mass_on_a_rope))

@@ -27,9 +27,8 @@ static const char bundled[] = "cables: {power: {type: xlpe-132kv-1000-cu}}\n"
 
 /* Three cables of the catalogue were NOT JUDGED, "needs limits.conductor.area", where one alone was: two thirds of
  * 3 x 50 N/mm2 x 1000 mm2. */
-static void a_bundle_has_its_cables_conductor(void **state)
+TEST(a_bundle_has_its_cables_conductor)
 {
-    (void)state;
     json_t *const answer = theory_of(bundled, NULL);
     check_share(number_of(limit_row(answer, "pull"), "limit"), 100e3, 1e-12);
     verdict_has(answer, "SAFE");
@@ -38,9 +37,8 @@ static void a_bundle_has_its_cables_conductor(void **state)
 
 /* Of several kinds the thickest is pulled at, whatever the thin one is made of; kinds as thick that are unlike have
  * none in common. */
-static void kinds_of_a_bundle(void **state)
+TEST(kinds_of_a_bundle)
 {
-    (void)state;
     static const char text[] = "cables:\n"
                                "  a: {d: 50 mm, mass: 6 kg/m, conductor: {material: copper, area: 300 mm2}}\n"
                                "  b: {d: %s, mass: 2 kg/m, conductor: {material: aluminium, area: 95 mm2}}\n"
@@ -135,9 +133,8 @@ static void table_row(const CodeRule *r, char *row, size_t size)
 }
 
 /* docs/limits.md has every row of the table, and no other; HAWSER_PRINT prints it. */
-static void the_table_is_documented(void **state)
+TEST(the_table_is_documented)
 {
-    (void)state;
     static char table[40000];
     char *const text = file_text(HAWSER_SOURCE_DIR "/docs/limits.md");
     const char *const begin = strstr(text, "<!-- codes: begin -->"), *const end = strstr(text, "<!-- codes: end -->");
@@ -173,9 +170,8 @@ static json_t *in_duct(int cables, double radius, const char *code)
 }
 
 /* `tb889` was NEC's fill of 40 % for three cables, 1.05 D/d outside 2.6 to 3.2, 6.35 mm, and 3 x 60 N/mm2. */
-static void tb889_is_tb889(void **state)
+TEST(tb889_is_tb889)
 {
-    (void)state;
     static const struct {
         double ratio; /* D/d */
         int jams;
@@ -206,9 +202,8 @@ static void tb889_is_tb889(void **state)
 }
 
 /* A trefoil that is held as one (bundle.layout) stays below 2.8 D/d, not beyond 3 either. */
-static void a_trefoil_is_below_2_8(void **state)
+TEST(a_trefoil_is_below_2_8)
 {
-    (void)state;
     static const char *const set[] = {"bundle.layout", "triangle", NULL};
     char text[1000];
     snprintf(text, sizeof text, ducts, 3, 25 * 3.2, "tb889");
@@ -219,9 +214,8 @@ static void a_trefoil_is_below_2_8(void **state)
 }
 
 /* H.0.4 and H.0.5: 68.6 N/mm2; 2.5 kN/m of separately sheathed three-core cables, which nobody had (3 kN/m). */
-static void gb50217(void **state)
+TEST(gb50217)
 {
-    (void)state;
     static const struct {
         const char *key, *value;
         double sidewall;
@@ -242,9 +236,8 @@ static void gb50217(void **state)
 }
 
 /* "Risk of jamming: small" stood beside NOT SAFE by jam_ratio: 1.05 x 2.95 = 3.10 of 2.6 to 3.2. */
-static void jamming_has_one_word(void **state)
+TEST(jamming_has_one_word)
 {
-    (void)state;
     json_t *const answer = in_duct(3, 25 * 2.95, "paper");
     verdict_has(answer, "jam_ratio");
     assert_string_equal(text_of(json_array_get(json_object_get(answer, "ducts"), 0), "jam_risk"), "significant");
@@ -253,9 +246,8 @@ static void jamming_has_one_word(void **state)
 
 /* T/R, the codes' sidewall pressure, is one limit, what a duct bears another: a run's `sidewall` was 2.329 kN/m where
  * T/R is 1.578 (tutorial), judged against the codes' 3 kN/m. */
-static void sidewall_is_not_contact_pressure(void **state)
+TEST(sidewall_is_not_contact_pressure)
 {
-    (void)state;
     static const char *const bounds[] = {"100 kN/m", "100 N/m"};
     for (int broken = 0; broken < 2; ++broken) {
         const char *const set[] = {"limits.contact_pressure", bounds[broken], NULL};
@@ -279,9 +271,8 @@ static void sidewall_is_not_contact_pressure(void **state)
 
 /* Every entry of the catalogue has a range, and none is of a public calculator (12 of 28 were). PE jackets have 0.34 in
  * PVC ducts, dry (was 0.55, which TES-P-104.05 has for PVC jackets). */
-static void frictions_have_ranges(void **state)
+TEST(frictions_have_ranges)
 {
-    (void)state;
     char *const text = file_text(HAWSER_SOURCE_DIR "/library/friction.yaml");
     int entries = 0;
     for (const char *at = text; (at = strstr(at, "\n    mu: ")); ++at, ++entries) {
@@ -326,9 +317,8 @@ static void remedy_settings(const json_t *answer, char text[][64], const char *s
 }
 
 /* What is proposed for both bends does: "7.84 m in b2 would do" left b1 57 % over. */
-static void both_bends_are_mended(void **state)
+TEST(both_bends_are_mended)
 {
-    (void)state;
     char text[8][64];
     const char *set[9];
     json_t *answer = theory_of(one_bend, NULL);
@@ -361,9 +351,8 @@ static const char slope[] = "cables: {power: {d: 80 mm, mass: 9 kg/m}}\n"
                             "limits: {pull: 20 kN, sidewall: 3 kN/m}\n";
 
 /* A change of slope that fails by the radius that was invented for it: its key is named (it was not). */
-static void an_invented_bend_is_named(void **state)
+TEST(an_invented_bend_is_named)
 {
-    (void)state;
     char text[8][64];
     const char *set[9];
     json_t *answer = theory_of(slope, NULL); /* was NOT SAFE: sidewall by 125 % */
@@ -389,9 +378,8 @@ static void an_invented_bend_is_named(void **state)
 }
 
 /* Where bends and pull are too much, radii and friction are computed together. */
-static void radii_and_friction_together(void **state)
+TEST(radii_and_friction_together)
 {
-    (void)state;
     static const char *const weak[] = {"limits.pull", "15 kN", NULL};
     char text[10][64];
     const char *set[12];
@@ -408,10 +396,3 @@ static void radii_and_friction_together(void **state)
     verdict_has(answer, "SAFE: all");
     json_decref(answer);
 }
-
-TEST_FILE(test_codes, cmocka_unit_test(a_bundle_has_its_cables_conductor), cmocka_unit_test(kinds_of_a_bundle),
-          cmocka_unit_test(the_table_is_documented), cmocka_unit_test(tb889_is_tb889),
-          cmocka_unit_test(a_trefoil_is_below_2_8), cmocka_unit_test(gb50217), cmocka_unit_test(jamming_has_one_word),
-          cmocka_unit_test(sidewall_is_not_contact_pressure), cmocka_unit_test(frictions_have_ranges),
-          cmocka_unit_test(both_bends_are_mended), cmocka_unit_test(an_invented_bend_is_named),
-          cmocka_unit_test(radii_and_friction_together))

@@ -54,9 +54,8 @@ static double mean_pull(hawser_sim *s)
 }
 
 /* The rope hauls in the integral of the speed that was set; (K2). */
-static void test_winch_speed(void **state)
+TEST(test_winch_speed)
 {
-    (void)state;
     hawser_sim *const s = sim_of(data_text("short-pull"));
     advance(s, 2);
     tell(s, HAWSER_WINCH_SPEED, NULL, 0.2, 0.5);
@@ -73,9 +72,8 @@ static void test_winch_speed(void **state)
 }
 
 /* A pause, and the profile that goes on where it was left; a brake of a winch whose speed was set. */
-static void test_winch_pause(void **state)
+TEST(test_winch_pause)
 {
-    (void)state;
     hawser_sim *const s = sim_of(data_text("short-pull"));
     advance(s, 0.5); /* half-way up the ramp, 0.05 m/s */
     tell(s, HAWSER_WINCH_PAUSE, NULL, 0, 0.1);
@@ -140,9 +138,8 @@ static void pair_close(Pair *p)
 }
 
 /* Twice the friction is twice the pull, and back; what was solved in the plane goes on in space (K6). */
-static void test_friction(void **state)
+TEST(test_friction)
 {
-    (void)state;
     Pair p = pair_new();
     hawser_summary sum;
     double alone;
@@ -160,9 +157,8 @@ static void test_friction(void **state)
 }
 
 /* A roller that stands drags with 0.4 what lies on it, as one of the case's jams. */
-static void test_jam(void **state)
+TEST(test_jam)
 {
-    (void)state;
     Pair p = pair_new();
     hawser_error err = {0};
     const hawser_roller *roller;
@@ -180,9 +176,8 @@ static void test_jam(void **state)
 }
 
 /* A force back along the cable is that much more pull, wherever it acts. */
-static void test_force(void **state)
+TEST(test_force)
 {
-    (void)state;
     Pair p = pair_new();
     hawser_error err = {0};
     const hawser_force back = {.force_N = {-100, 0, 0}, .arm_m = {0.1, 0, 0}};
@@ -209,9 +204,8 @@ static int drag_law(void *user, const hawser_segment_now *at, double wrench[6], 
     return 0;
 }
 
-static void test_law(void **state)
+TEST(test_law)
 {
-    (void)state;
     double more[2];
     long calls[2] = {0, 0};
     for (int known = 0; known < 2; ++known) {
@@ -230,9 +224,8 @@ static void test_law(void **state)
 
 /* A winch of set tension: what it is set to, a pause in which the rope goes slack, a brake that holds what is
  * stretched, and back (K3). Against friction of 392 N. */
-static void test_tension(void **state)
+TEST(test_tension)
 {
-    (void)state;
     hawser_case *c = NULL;
     hawser_error err = {0};
     hawser_sim *s = NULL;
@@ -276,9 +269,8 @@ static void test_tension(void **state)
 }
 
 /* A belt that slips pushes with 2 mu times its clamp: the winch has that much less to do (K4). */
-static void test_conveyor(void **state)
+TEST(test_conveyor)
 {
-    (void)state;
     hawser_case *c = NULL;
     hawser_error err = {0};
     hawser_sim *s = NULL;
@@ -312,9 +304,8 @@ static void test_conveyor(void **state)
 }
 
 /* The brake's torque over the drum's radius is tension at the tail (K5). */
-static void test_reel(void **state)
+TEST(test_reel)
 {
-    (void)state;
     hawser_case *c = NULL;
     hawser_error err = {0};
     hawser_sim *s = NULL;
@@ -339,9 +330,8 @@ static void test_reel(void **state)
 }
 
 /* The same commands from the case's script, to the last bit, and met exactly. */
-static void test_script(void **state)
+TEST(test_script)
 {
-    (void)state;
     static const char script[] = "[{at: 0 s, do: winch_speed, speed: 0.12 m/s, ramp: 500 ms},"
                                  " {at: 1.25 s, do: friction, factor: 1.5, ramp: 300 ms},"
                                  " {at: 1.25 s, do: force, place: 3 m, force: [-50 N, 0 N, 0 N]},"
@@ -379,9 +369,8 @@ static void test_script(void **state)
 }
 
 /* What a script says of things that are not there is found before anything runs. */
-static void test_script_errors(void **state)
+TEST(test_script_errors)
 {
-    (void)state;
     static const char *const wrong[][2] = {
         {"[{at: 1 s, do: winch_tension, tension: 1 kN}]", "set speed"},
         {"[{at: 1 s, do: winch_speed}]", "needs it"},
@@ -403,8 +392,3 @@ static void test_script_errors(void **state)
         hawser_case_free(c);
     }
 }
-
-TEST_FILE(test_control, cmocka_unit_test(test_winch_speed), cmocka_unit_test(test_winch_pause),
-          cmocka_unit_test(test_friction), cmocka_unit_test(test_jam), cmocka_unit_test(test_force),
-          cmocka_unit_test(test_law), cmocka_unit_test(test_tension), cmocka_unit_test(test_conveyor),
-          cmocka_unit_test(test_reel), cmocka_unit_test(test_script), cmocka_unit_test(test_script_errors))

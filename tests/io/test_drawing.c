@@ -39,9 +39,8 @@ static void expect_same_rollers(const SceneDef *drawn, const SceneDef *hand)
 }
 
 /* The example's drawing, whose figures have a micrometre, against the places from which it was drawn. */
-static void drawing_is_as_by_hand(void **state)
+TEST(drawing_is_as_by_hand)
 {
-    (void)state;
     SceneDef drawn, hand;
     file_read("cases/placing/drawn.yaml", &drawn);
     const char *const text =
@@ -81,9 +80,8 @@ static const char GRADES[] =
     "run: {duration: 1 s}\n";
 
 /* Marks by the surveyor's own coordinates on a helix, a crest and grades, in plan alone, against places by hand. */
-static void grades_and_large_coordinates(void **state)
+TEST(grades_and_large_coordinates)
 {
-    (void)state;
     const double places[] = {2, 9, 11.5, 15, 20.5, 23.5, 25, 30};
     SceneDef bare, drawn, hand;
     char marks[3000] = "", at[400] = "", value[3600];
@@ -110,9 +108,8 @@ static void grades_and_large_coordinates(void **state)
 }
 
 /* A table by station and place, pits, reel, head, and a winch that takes in: each where its own key would put it. */
-static void other_equipment(void **state)
+TEST(other_equipment)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("full-drawing-file"), NULL, NULL, &def);
     assert_int_equal(def.n_rollers, 2);
@@ -134,9 +131,8 @@ static void other_equipment(void **state)
 }
 
 /* A symbol that is turned by a few degrees turns the axis as much, at the seat's distance still. */
-static void symbols_turn_axes(void **state)
+TEST(symbols_turn_axes)
 {
-    (void)state;
     SceneDef straight, turned;
     const char *const row = "{at: [5 m], name: A, radius: 70 mm}";
     expect_good(GRADES, "rollers.along", row, &straight);
@@ -153,9 +149,8 @@ static void symbols_turn_axes(void **state)
     scene_def_clear(&turned);
 }
 
-static void wrong_drawings(void **state)
+TEST(wrong_drawings)
 {
-    (void)state;
     static const struct {
         const char *value, *part;
     } cases[] = {
@@ -192,9 +187,8 @@ static void wrong_drawings(void **state)
 }
 
 /* A file's line is named. */
-static void files_name_their_lines(void **state)
+TEST(files_name_their_lines)
 {
-    (void)state;
     expect_bad(data_with("full-drawing-file", "straight: 40 m", "straight: 3 m"), NULL, NULL,
                "marks.csv:4: key 'drawing.layers.ROLLERS': mark 'R2' is");
 }
@@ -217,9 +211,8 @@ static void case_in_scratch(const char *route, const char *marks, SceneDef *def,
 
 /* A route from station 100 on, 3 in 4 steep: 40 m of stations are 50 m along it; whole, a part, turned around; and by x
  * and y. */
-static void stations_are_the_files(void **state)
+TEST(stations_are_the_files)
 {
-    (void)state;
     static const struct {
         const char *route;
         double along[2];
@@ -245,9 +238,8 @@ static void stations_are_the_files(void **state)
 
 /* The example by rule in a run: in the sag every hold-down bears and no carrier does; away from the ends of bends loads
  * are T d/R of the tension there. */
-static void rule_holds_in_a_run(void **state)
+TEST(rule_holds_in_a_run)
 {
-    (void)state;
     hawser_case *c = NULL;
     hawser_sim *sim = NULL;
     hawser_error err;
@@ -297,9 +289,8 @@ static void rule_holds_in_a_run(void **state)
 }
 
 /* The list for the crew: by station, with kinds, and margins where there is a rating. */
-static void crew_list(void **state)
+TEST(crew_list)
 {
-    (void)state;
     hawser_case *c = NULL;
     hawser_error err;
     char *text = NULL;
@@ -316,8 +307,4 @@ static void crew_list(void **state)
     hawser_case_free(c);
 }
 
-TEST_FILE_IN(test_drawing, scratch_make, scratch_remove, cmocka_unit_test(drawing_is_as_by_hand),
-             cmocka_unit_test(grades_and_large_coordinates), cmocka_unit_test(other_equipment),
-             cmocka_unit_test(symbols_turn_axes), cmocka_unit_test(wrong_drawings),
-             cmocka_unit_test(files_name_their_lines), cmocka_unit_test(stations_are_the_files),
-             cmocka_unit_test(rule_holds_in_a_run), cmocka_unit_test(crew_list))
+TEST_GROUP(scratch_make, scratch_remove)

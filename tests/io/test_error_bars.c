@@ -26,9 +26,8 @@ static void expect_within(const hawser_summary *run, double truth, double widest
 }
 
 /* Half of v_s: the law gives 1.5 x - x^3/2 = 0.6875 of the friction at x = 0.5, and lacks 0.45 of that. */
-static void friction_not_there(void **state)
+TEST(friction_not_there)
 {
-    (void)state;
     const char *const slow[] = {"friction.v_s", "200 mm/s", "friction.v_d", "400 mm/s", NULL};
     const hawser_summary full = pulled("trust", NULL), lacking = pulled("trust", slow);
     check_share(lacking.pull_mean_error.friction / lacking.pull_mean_N, 1 / 0.6875 - 1, 1e-3);
@@ -37,9 +36,8 @@ static void friction_not_there(void **state)
 }
 
 /* Segments of half a metre in a duct's bend. */
-static void coarse_segments(void **state)
+TEST(coarse_segments)
 {
-    (void)state;
     const char *const fine[] = {"chain.0.segment", "125 mm", NULL};
     const hawser_summary coarse = pulled("trust-duct", NULL), finer = pulled("trust-duct", fine);
     expect_within(&coarse, finer.pull_mean_N, 20);
@@ -47,9 +45,8 @@ static void coarse_segments(void **state)
 }
 
 /* Accuracy: the error falls, and the bar's part of it with it. */
-static void loose_steps(void **state)
+TEST(loose_steps)
 {
-    (void)state;
     const char *const loose[] = {"solver.accuracy", "0.1", NULL}, *const tight[] = {"solver.accuracy", "1e-7", NULL};
     const hawser_summary rough = pulled("trust", loose), fine = pulled("trust", tight);
     expect_within(&rough, fine.pull_mean_N, 1e4); /* the mesh's part is the same in both */
@@ -57,9 +54,8 @@ static void loose_steps(void **state)
 }
 
 /* Less than a segment passes: the pull was 2676 N and its bar 20 N, and 2564 N at a speed that passes many (EB9). */
-static void a_slow_winch(void **state)
+TEST(a_slow_winch)
 {
-    (void)state;
     const hawser_summary slow = pulled("error-slow-winch", NULL);
     print_message("pull %.1f N +- %.1f N\n", slow.pull_mean_N, slow.pull_mean_error.total);
     check_above(slow.pull_mean_error.total, fabs(slow.pull_mean_N - 2564));
@@ -68,9 +64,8 @@ static void a_slow_winch(void **state)
 
 /* The clamp carries a segment of cable, not the winch's drum that moves with it: 5 t of drum were 100 % of the pull
  * (EB3). */
-static void a_drum_weighs_nothing(void **state)
+TEST(a_drum_weighs_nothing)
 {
-    (void)state;
     hawser_summary sum;
     hawser_sim *const s = run_of(
         data_with("trust-duct", "winch: {speed: 0.1 m/s, to: 1 s}",
@@ -83,9 +78,8 @@ static void a_drum_weighs_nothing(void **state)
 }
 
 /* Loads have two and three times the parts of a tension (EB7): half of v_s, where friction lacks 1/0.6875 - 1. */
-static void loads_have_wider_bars(void **state)
+TEST(loads_have_wider_bars)
 {
-    (void)state;
     const char *const slow[] = {"friction.v_s", "200 mm/s", "friction.v_d", "400 mm/s", NULL};
     const double lacks = 1 / 0.6875 - 1;
     const hawser_roller *row;
@@ -103,9 +97,8 @@ static void loads_have_wider_bars(void **state)
 }
 
 /* Sidewall pressure is one of the mesh: as much again, and the peak pull's share (EB8). */
-static void pressure_is_the_meshs(void **state)
+TEST(pressure_is_the_meshs)
 {
-    (void)state;
     hawser_summary sum;
     hawser_sim *const s = run_of(data_text("trust-duct"), NULL);
     const hawser_surface *duct;
@@ -118,9 +111,8 @@ static void pressure_is_the_meshs(void **state)
 }
 
 /* Values that jump up and down by 1: second differences of 4 before the peak, whatever comes behind it (EB12). */
-static void how_rough_a_peak_is(void **state)
+TEST(how_rough_a_peak_is)
 {
-    (void)state;
     TimeMean m = {0};
     for (int k = 0; k < 400; k++) mean_add(&m, k < 200 ? k % 2 * 2.0 - 1 + (k == 199) : 0, k ? 1 : 0, 0);
     check_between(sqrt(m.rough_at_peak), 4, 4.3);
@@ -129,9 +121,8 @@ static void how_rough_a_peak_is(void **state)
 
 /* A mean of 10 with a ripple of amplitude 2 and period 1 s on a slow rise: blocks of 2 s see the ripple and not the
  * rise; the peak's second difference is that of the ripple's crest. */
-static void what_a_signal_shows(void **state)
+TEST(what_a_signal_shows)
 {
-    (void)state;
     const double dt = 0.01, omega = 2 * 3.14159265358979323846;
     TimeMean m = {0};
     for (int k = 0; k <= 2000; k++) {
@@ -146,9 +137,8 @@ static void what_a_signal_shows(void **state)
 
 /* The tail is held back for a tenth of a second: rows of 200 ms say 1837 N +- 51 N, those of 2 ms 6190 N. What steps
  * between rows have held is a peak as well. (EB14) */
-static void a_peak_between_rows(void **state)
+TEST(a_peak_between_rows)
 {
-    (void)state;
     const char *const tail = "{table: [[0, 1 kN], [2 s, 1 kN], [2.05 s, 5 kN], [2.1 s, 1 kN]]}";
     const char *const dense[] = {"drive.tail", tail, "output.interval", "2 ms", "solver.max_step", "50 ms", NULL};
     const char *const sparse[] = {"drive.tail", tail, "output.interval", "200 ms", "solver.max_step", "50 ms", NULL};
@@ -161,9 +151,8 @@ static void a_peak_between_rows(void **state)
 
 /* Rows in step with the joints see each in one place, and hardly a ripple: 994 N +- 5.5 N where rows of 20 ms have
  * 990 N. The steps between them say what they miss. (EB33) */
-static void rows_in_step_with_joints(void **state)
+TEST(rows_in_step_with_joints)
 {
-    (void)state;
     static const char text[] =
         "cables: {power: {d: 80 mm, mass: 14 kg/m, EA: 60 MN, GA: 25 MN, GJ: 10 kN m2, EI: 2 kN m2, damping: 2 ms}}\n"
         "chain: [{cable: power, length: 30 m, segment: 500 mm}]\n"
@@ -188,9 +177,8 @@ static void rows_in_step_with_joints(void **state)
 
 /* A force of one step alone is none: 5 counts when the next step still holds it, and what does then is what both held.
  * A figure that was never seen has no peak to raise. (EB14) */
-static void a_step_alone_is_no_peak(void **state)
+TEST(a_step_alone_is_no_peak)
 {
-    (void)state;
     const double pull[] = {1, 2, 9, 2, 5, 4.5, 4};
     const int held[] = {0, 0, 0, 0, 0, 1, 0};
     double before[2] = {0}, now[2] = {0};
@@ -211,9 +199,8 @@ static void a_step_alone_is_no_peak(void **state)
 
 /* A spike by which it stands out, and a mean in a ramp by half of what its window's halves differ by: more than a
  * fifth, and more than a fortieth (EB16), (EB17). */
-static void what_is_not_steady(void **state)
+TEST(what_is_not_steady)
 {
-    (void)state;
     const char *const snap[] = {"drive.tail", "{table: [[0, 1 kN], [2 s, 1 kN], [2.05 s, 5 kN], [2.1 s, 1 kN]]}",
                                 "solver.passes", "1", NULL};
     const char *const early[] = {
@@ -225,19 +212,10 @@ static void what_is_not_steady(void **state)
 }
 
 /* Pressed into the wall of a duct's bend with 1111 N at first, and 951 N at most at the winch (EB18). */
-static void a_start_in_a_wall(void **state)
+TEST(a_start_in_a_wall)
 {
-    (void)state;
     const char *const pressed[] = {"solver.relax", "false", "chain.0.segment", "250 mm", "solver.passes", "1", NULL};
     const hawser_summary run = pulled("trust-duct", pressed);
     check_at_most(1110 - run.pull_peak_N, run.pull_peak_error.mesh);
     check_at_most(run.pull_peak_error.mesh, 1.2 * (1111 - run.pull_peak_N));
 }
-
-TEST_FILE(test_error_bars, cmocka_unit_test(friction_not_there), cmocka_unit_test(coarse_segments),
-          cmocka_unit_test(loose_steps), cmocka_unit_test(what_a_signal_shows), cmocka_unit_test(a_slow_winch),
-          cmocka_unit_test(a_drum_weighs_nothing), cmocka_unit_test(loads_have_wider_bars),
-          cmocka_unit_test(pressure_is_the_meshs), cmocka_unit_test(how_rough_a_peak_is),
-          cmocka_unit_test(a_peak_between_rows), cmocka_unit_test(rows_in_step_with_joints),
-          cmocka_unit_test(a_step_alone_is_no_peak), cmocka_unit_test(what_is_not_steady),
-          cmocka_unit_test(a_start_in_a_wall))

@@ -28,9 +28,8 @@ static hawser_summary pulled(const char *solver, hawser_sim **s)
     return sum;
 }
 
-static void the_whole_system_pulls_the_same(void **state)
+TEST(the_whole_system_pulls_the_same)
 {
-    (void)state;
     hawser_sim *whole, *reduced;
     const hawser_summary a = pulled("klu-full", &whole), b = pulled("klu", &reduced);
     assert_string_equal(a.linear_solver, "klu-full");
@@ -43,9 +42,8 @@ static void the_whole_system_pulls_the_same(void **state)
 }
 
 /* Its matrix goes with a checkpoint: what is gone on with is the same, bit for bit. */
-static void a_checkpoint_holds_the_whole_system(void **state)
+TEST(a_checkpoint_holds_the_whole_system)
 {
-    (void)state;
     hawser_sim *first;
     hawser_case *c = NULL;
     hawser_error err = {0};
@@ -72,6 +70,3 @@ static void a_checkpoint_holds_the_whole_system(void **state)
     hawser_bytes_free(bytes);
     hawser_case_free(c);
 }
-
-TEST_FILE(test_full_matrix, cmocka_unit_test(the_whole_system_pulls_the_same),
-          cmocka_unit_test(a_checkpoint_holds_the_whole_system))

@@ -30,9 +30,8 @@ static Found run(const char *name, const char *const settings[])
 }
 
 /* The pull was 291 N, 74 N and -2902 N at the default, at 1e-4 and in steps of 1 ms, in a scene like this. */
-static void a_shared_pull(void **state)
+TEST(a_shared_pull)
 {
-    (void)state;
     const Found fine = run("grip-shared", (const char *const[]){"solver.accuracy", "1e-6", NULL});
     const Found usual = run("grip-shared", NULL);
     const Found small = run("grip-shared", (const char *const[]){"solver.max_step", "1 ms", NULL});
@@ -51,9 +50,8 @@ static void a_shared_pull(void **state)
 }
 
 /* It gripped the rope, or the air before the cable was there. 2 * 0.3 * 200 N = 120 N while there is cable. */
-static void belts_wait_for_the_cable(void **state)
+TEST(belts_wait_for_the_cable)
 {
-    (void)state;
     const Found r = run("grip-waits", NULL);
     print_message("%s pull %.2f N at the end\n", r.events, r.sum.pull_mean_N);
     assert_string_equal(r.events, "conveyor pusher grips;conveyor pusher lets go;");
@@ -67,9 +65,8 @@ static void belts_wait_for_the_cable(void **state)
 }
 
 /* Contacts fell out where a segment's centre passed a wall's upper edge: it did not end in 60 s. */
-static void a_deep_groove(void **state)
+TEST(a_deep_groove)
 {
-    (void)state;
     const Found usual = run("groove-deep", NULL);
     const Found fine = run("groove-deep", (const char *const[]){"solver.accuracy", "1e-5", NULL});
     print_message("%.2f N in %ld steps, %.2f N\n", usual.sum.pull_mean_N, usual.sum.steps, fine.sum.pull_mean_N);
@@ -80,9 +77,8 @@ static void a_deep_groove(void **state)
 }
 
 /* A winch at 0.5 mm/s: with v_s of 1 mm/s the pull was 21 % too small. T + mu m g l = 1 kN + 785 N. */
-static void a_slow_winch(void **state)
+TEST(a_slow_winch)
 {
-    (void)state;
     const Found r = run("trust", (const char *const[]){"drive.winch.speed", "0.5 mm/s", "run.duration", "20 s",
                                                        "run.steady_from", "10 s", NULL});
     print_message("pull %.2f N, theory %.2f N\n", r.sum.pull_mean_N, r.sum.reference_total_N);
@@ -92,9 +88,8 @@ static void a_slow_winch(void **state)
 /* 400 m down a shaft, whose head an axial grip lets turn: it had rolled by half a turn, where the spring halfway
  * between ghost and segment jumps from side to side (31 % of the energy came from nothing, 325 kN at the peak, steps of
  * 0.2 ms); `positions` ended with status 3. 42.37 kN by segments of 125 mm, 42.23 kN with a clamp. */
-static void a_head_that_rolls(void **state)
+TEST(a_head_that_rolls)
 {
-    (void)state;
     const Found moves = run("grip-shaft", NULL);
     const Found stands = run("grip-shaft", (const char *const[]){"run.analysis", "positions", NULL});
     const Found clamped = run("grip-shaft", (const char *const[]){"drive.winch.grip", "clamp", NULL});
@@ -110,9 +105,8 @@ static void a_head_that_rolls(void **state)
 
 /* 12 kN hang in a shaft of 60 m, of which the back tension bears 10 and friction at the top the rest: rest was sought
  * without friction, of a cable that is pushed up from below (BK11). A brake holds it until the winch starts. */
-static void a_shaft_begins_as_it_hangs(void **state)
+TEST(a_shaft_begins_as_it_hangs)
 {
-    (void)state;
     static const char *const setting[] = {"route.pieces.2.straight",
                                           "60 m",
                                           "chain.0.length",
@@ -139,7 +133,3 @@ static void a_shaft_begins_as_it_hangs(void **state)
     check_share(r.sum.pull_mean_N, r.sum.reference_total_N, 0.05);
     check_below(r.energy, 1e-3);
 }
-
-TEST_FILE(test_grips, cmocka_unit_test(a_shaft_begins_as_it_hangs), cmocka_unit_test(a_head_that_rolls),
-          cmocka_unit_test(a_shared_pull), cmocka_unit_test(belts_wait_for_the_cable), cmocka_unit_test(a_deep_groove),
-          cmocka_unit_test(a_slow_winch))

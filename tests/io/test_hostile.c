@@ -105,7 +105,7 @@ static double first_by_hdf5(const Fixture *f, const char *name)
     return values[0];
 }
 
-static void test_container(void **state)
+TEST_WITH(test_container, fixture_new, fixture_free)
 {
     static const char *const out[] = {"external", "virtual",      "filter", "named", "unwritten", "away",
                                       "soft",     "outside/good", "user",   "type",  "nothing"};
@@ -139,7 +139,3 @@ static void test_container(void **state)
     H5Zunregister(FOREIGN);
     H5Lunregister((H5L_type_t)200);
 }
-
-#define CASE(name) cmocka_unit_test_setup_teardown(name, fixture_new, fixture_free)
-
-TEST_FILE(test_hostile, CASE(test_container))

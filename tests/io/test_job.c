@@ -79,9 +79,8 @@ static json_t *theory_of(int k)
 }
 
 /* Each row against the case alone: figures of the direction taken, and the direction by rule. */
-static void as_cases(void **state)
+TEST(as_cases)
 {
-    (void)state;
     hawser_word word;
     hawser_job *const job = loaded(job_text);
     json_t *const answer = answered(job, &word), *const pulls = json_object_get(answer, "pulls");
@@ -111,9 +110,8 @@ static void as_cases(void **state)
 
 /* 201 m and 205 m: B goes on R2, where it leaves 1 m; A and C share R1, which leaves 420 - 2 (40 + 8 pi/4 + 150 + 5).
  */
-static void reels(void **state)
+TEST(reels)
 {
-    (void)state;
     hawser_job *const job = loaded(job_text);
     json_t *const answer = answered(job, NULL), *const rows = json_object_get(answer, "reels");
     const json_t *const first = json_array_get(rows, 0), *const second = json_array_get(rows, 1);
@@ -143,9 +141,8 @@ static void reels(void **state)
 /* The verdict of the way that is taken is theory's own, also where the other way is NOT SAFE: the bounds of what is
  * assumed were not sought then, and the job said SAFE for SAFE ONLY IF. The page stands under the verdict of that way.
  */
-static void verdict_of_the_way(void **state)
+TEST(verdict_of_the_way)
 {
-    (void)state;
     hawser_word word;
     hawser_error err = {0};
     hawser_job *const job = loaded("pulls: [{name: a, case: \"" HAWSER_SOURCE_DIR "/docs/tutorial/duct.yaml\"}]\n");
@@ -165,9 +162,8 @@ static void verdict_of_the_way(void **state)
 
 /* Of cables that lie beside each other each kind has lengths of its own, with its own mass; the phases' were taken for
  * 2.575 kg/m, the mean with the earth. Of a pull with a pit the winch of the first stretch stands in the pit. */
-static void several_cables_and_pits(void **state)
+TEST(several_cables_and_pits)
 {
-    (void)state;
     hawser_job *const job =
         loaded("common:\n  cables: {phase: {d: 30 mm, mass: 3.2 kg/m}, earth: {d: 12 mm, mass: 0.7 kg/m}}\n"
                "  chain: [{cable: phase, length: 120 m}]\n"
@@ -200,9 +196,8 @@ static void several_cables_and_pits(void **state)
     hawser_job_free(pits);
 }
 
-static void wrong_jobs(void **state)
+TEST(wrong_jobs)
 {
-    (void)state;
     static const struct {
         const char *text, *said;
     } wrong[] = {
@@ -230,9 +225,8 @@ static void wrong_jobs(void **state)
     }
 }
 
-static void files(void **state)
+TEST(files)
 {
-    (void)state;
     hawser_error err = {0};
     hawser_job *const job = loaded(job_text);
     const char *const page = scratch_path("job.html"), *const book = scratch_path("job.xlsx");
@@ -264,6 +258,4 @@ static void files(void **state)
     hawser_job_free(more);
 }
 
-TEST_FILE_IN(test_job, scratch_make, scratch_remove, cmocka_unit_test(as_cases), cmocka_unit_test(reels),
-             cmocka_unit_test(verdict_of_the_way), cmocka_unit_test(several_cables_and_pits),
-             cmocka_unit_test(wrong_jobs), cmocka_unit_test(files))
+TEST_GROUP(scratch_make, scratch_remove)

@@ -76,10 +76,9 @@ static int second_page(void)
     return c;
 }
 
-static void test_followed(void **state)
+TEST(test_followed)
 {
     hawser_error err = {0};
-    (void)state;
     files_write();
     assert_int_equal(recover(&err), HAWSER_OK);
     assert_int_equal(second_page(), 'b');
@@ -87,10 +86,9 @@ static void test_followed(void **state)
     assert_int_equal(recover(&err), HAWSER_OK); /* there is none */
 }
 
-static void test_cut_off(void **state)
+TEST(test_cut_off)
 {
     hawser_error err = {0};
-    (void)state;
     files_write();
     assert_int_equal(truncate(scratch_path("results.h5.journal"), PAGE), 0);
     assert_int_equal(recover(&err), HAWSER_OK);
@@ -98,10 +96,9 @@ static void test_cut_off(void **state)
     assert_false(journal_is_there());
 }
 
-static void test_unreadable(void **state)
+TEST(test_unreadable)
 {
     hawser_error err = {0};
-    (void)state;
     files_write();
     unreadable = 1;
     const hawser_status status = recover(&err);
@@ -113,9 +110,8 @@ static void test_unreadable(void **state)
 }
 
 /* Through a link the file of somebody else was changed, whatever the journal said. */
-static void test_link(void **state)
+TEST(test_link)
 {
-    (void)state;
     files_write();
     assert_int_equal(rename(scratch_path("results.h5"), scratch_path("victim")), 0);
     assert_int_equal(symlink("victim", scratch_path("results.h5")), 0);
@@ -127,10 +123,9 @@ static void test_link(void **state)
     assert_int_equal(unlink(scratch_path("results.h5")), 0);
 }
 
-static void test_no_memory(void **state)
+TEST(test_no_memory)
 {
     hawser_error err = {0};
-    (void)state;
     if (!lack_works()) skip();
     files_write();
     lack_after(0);
@@ -140,6 +135,4 @@ static void test_no_memory(void **state)
     assert_true(journal_is_there());
 }
 
-TEST_FILE_IN(test_journal, scratch_make, scratch_remove, cmocka_unit_test(test_followed),
-             cmocka_unit_test(test_cut_off), cmocka_unit_test(test_unreadable), cmocka_unit_test(test_link),
-             cmocka_unit_test(test_no_memory))
+TEST_GROUP(scratch_make, scratch_remove)

@@ -19,9 +19,8 @@ static const hawser_limit *find(int n, const hawser_limit *limit, const char *na
 }
 
 /* Ratings of listed rollers were not asked for where no row stands. Theory knows nothing of them, and says so. */
-static void ratings_of_listed_rollers(void **state)
+TEST(ratings_of_listed_rollers)
 {
-    (void)state;
     char rollers[4000] = "{list: [";
     for (int i = 0; i < 25; i++) {
         const size_t used = strlen(rollers);
@@ -44,9 +43,8 @@ static void ratings_of_listed_rollers(void **state)
 
 /* When the whole pull's back tension is what, nobody has said: it is calculated with the largest, not with that at the
  * end of the run. */
-static void the_largest_back_tension(void **state)
+TEST(the_largest_back_tension)
 {
-    (void)state;
     const char *const tail[] = {"{table: [[0 s, 0 N], [1 s, 3 kN], [2 s, 0 N]]}", "{tension: 3 kN, ramp: none}"};
     double start[2];
     for (int k = 0; k < 2; k++) {
@@ -60,9 +58,8 @@ static void the_largest_back_tension(void **state)
 
 /* What runs away does so when least holds it: a back tension that falls off does not hold a shaft by its largest value,
  * and one that is only brought on does. The brake that is missing is missing then. */
-static void the_least_back_tension(void **state)
+TEST(the_least_back_tension)
 {
-    (void)state;
     const char *const tail[] = {"{table: [[0 s, 0 N], [1 s, 12 kN], [9 s, 12 kN]]}",
                                 "{table: [[0 s, 0 N], [1 s, 12 kN], [5 s, 3 kN], [9 s, 12 kN]]}",
                                 "{tension: 3 kN, ramp: none}"};
@@ -79,9 +76,8 @@ static void the_least_back_tension(void **state)
 }
 
 /* The winch's speed in the run: by a set tension without a limit, by a script. */
-static void the_speed_that_was(void **state)
+TEST(the_speed_that_was)
 {
-    (void)state;
     static const struct {
         const char *key, *value;
         double least;
@@ -103,9 +99,8 @@ static void the_speed_that_was(void **state)
 }
 
 /* A belt is pressed as hard as the script says, once. */
-static void the_clamp_that_was(void **state)
+TEST(the_clamp_that_was)
 {
-    (void)state;
     static const char belt[] = "[{name: B, from: 2 m, to: 4 m, clamp: 1 kN}]";
     const char *const soft[] = {"conveyors", belt, "limits.squeeze", "2 kN/m", NULL};
     const char *const hard[] = {
@@ -127,9 +122,8 @@ static void the_clamp_that_was(void **state)
 
 /* Friction is asked of the speed of the steady window: what the winch does behind the end, or is told, does not count.
  */
-static void friction_at_the_speed_that_was(void **state)
+TEST(friction_at_the_speed_that_was)
 {
-    (void)state;
     const char *const behind[] = {"drive.winch",
                                   "{table: [[0 s, 0], [1 s, 0.4 mm/s], [3 s, 0.4 mm/s], [4 s, 0.1 m/s]]}", NULL};
     const char *const told[] = {"drive.script", "[{at: 0.2 s, do: winch_speed, speed: 0.4 mm/s, ramp: 500 ms}]", NULL};
@@ -147,9 +141,8 @@ static void friction_at_the_speed_that_was(void **state)
 }
 
 /* Rows and planes with more friction than friction.mu were left out of theory's pull, which was called safe. */
-static void friction_that_theory_does_not_take(void **state)
+TEST(friction_that_theory_does_not_take)
 {
-    (void)state;
     static const char row[] = "{along: {spacing: 1 m, profile: u, friction: {mu: 0.5}, name: W}}";
     const char *const more[] = {"rollers", row, NULL};
     const char *const less[] = {"rollers", row, "friction.mu", "0.5", NULL};
@@ -166,9 +159,8 @@ static void friction_that_theory_does_not_take(void **state)
 
 /* Friction for theory alone on a metre of the route says nothing of the rest; a roller that spins holds by its bearing.
  */
-static void friction_that_is_given_in_part(void **state)
+TEST(friction_that_is_given_in_part)
 {
-    (void)state;
     static const char row[] = "{along: {spacing: 1 m, profile: u, friction: {mu: 0.5}, name: W}}";
     static const char spins[] =
         "{along: {spacing: 1 m, profile: u, friction: {mu: 0.5}, name: W, spin: {inertia: 0.01 kg m2}}}";
@@ -183,9 +175,8 @@ static void friction_that_is_given_in_part(void **state)
 }
 
 /* A pull that begins anew presses with static friction: only its tension was judged. */
-static void sidewall_pressure_from_rest(void **state)
+TEST(sidewall_pressure_from_rest)
 {
-    (void)state;
     double found[2];
     for (int k = 0; k < 2; k++) {
         const char *const settings[] = {"friction", k ? "{mu: 0.5}" : "{mu_s: 0.5, mu_d: 0.2}", NULL};
@@ -198,9 +189,8 @@ static void sidewall_pressure_from_rest(void **state)
 
 /* A bend is one whatever parts it is drawn in: guides stand along all of it, the rope turns on them through all of it.
  * One guide alone bears all that the bend turns: T2 times its angle, with (LI1) T2 = (T1 + w R) e^(mu angle) - w R. */
-static void bends_in_parts(void **state)
+TEST(bends_in_parts)
 {
-    (void)state;
     static const double spacing[] = {0.5, 2, 4.5};
     static const int parts[] = {1, 2, 3, 7};
     static const char *const names[] = {"roller_steady", "rope_bend", "sidewall", "rope"};
@@ -237,9 +227,8 @@ static void bends_in_parts(void **state)
 
 /* A crest that is rounded between two rollers presses on them, though none stands on it: with all that it turns, T
  * times its angle, and no more than that, however tight it is. */
-static void a_crest_between_rollers(void **state)
+TEST(a_crest_between_rollers)
 {
-    (void)state;
     static const char *const radius[] = {"500 mm", "1 m"};
     for (int k = 0; k < 2; k++) {
         char route[300];
@@ -262,9 +251,8 @@ static void a_crest_between_rollers(void **state)
 }
 
 /* A belt holds what is ahead of it, not what is behind: the cable runs away down a shaft whatever stands farther on. */
-static void belts_ahead_hold_nothing(void **state)
+TEST(belts_ahead_hold_nothing)
 {
-    (void)state;
     static const char text[] =
         "cables: {power: {d: 80 mm, mass: 20 kg/m}}\n"
         "route: {start: [0, 0, 63 m], slope: -90 deg, pieces: [{name: shaft, straight: 60 m}, "
@@ -280,9 +268,8 @@ static void belts_ahead_hold_nothing(void **state)
 }
 
 /* Of pieces that are unlike the limits are those of the worst: thickest, weakest; theory's weight is the heaviest's. */
-static void joined_cables(void **state)
+TEST(joined_cables)
 {
-    (void)state;
     static const char cables[] =
         "{c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 2 kN m2, d: 80 mm, mass: 20 kg/m, conductor: {material: copper, "
         "area: "
@@ -311,9 +298,8 @@ static void joined_cables(void **state)
 }
 
 /* What is joined of unlike pieces is pulled with the weight of each: on the level, mu w L of both and the tail's. */
-static void weights_of_pieces(void **state)
+TEST(weights_of_pieces)
 {
-    (void)state;
     static const char cables[] =
         "{c: {EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 2 kN m2, d: 80 mm, mass: 20 kg/m}, t: {EA: "
         "20 MN, GA: 8 MN, GJ: 1 kN m2, EI: 2 kN m2, d: 80 mm, mass: 5 kg/m}}";
@@ -334,11 +320,3 @@ static void weights_of_pieces(void **state)
     check_share(sum.reference_total_N, 2000 + 0.2 * 9.81 * (6 * 20 + 4 * 5), 1e-6);
     hawser_sim_free(sim);
 }
-
-TEST_FILE(test_judged, cmocka_unit_test(ratings_of_listed_rollers), cmocka_unit_test(the_largest_back_tension),
-          cmocka_unit_test(the_least_back_tension), cmocka_unit_test(the_speed_that_was),
-          cmocka_unit_test(the_clamp_that_was), cmocka_unit_test(friction_at_the_speed_that_was),
-          cmocka_unit_test(friction_that_theory_does_not_take), cmocka_unit_test(friction_that_is_given_in_part),
-          cmocka_unit_test(sidewall_pressure_from_rest), cmocka_unit_test(bends_in_parts),
-          cmocka_unit_test(a_crest_between_rollers), cmocka_unit_test(belts_ahead_hold_nothing),
-          cmocka_unit_test(joined_cables), cmocka_unit_test(weights_of_pieces))

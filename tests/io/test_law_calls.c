@@ -59,10 +59,9 @@ static int meddle(void *user, const hawser_segment_now *at, double wrench[6], do
 }
 
 /* Taking the law away within it was a SIGSEGV; relax and save were allowed while it relaxed, and refused elsewhere. */
-static void test_refused(void **state)
+TEST(test_refused)
 {
     hawser_error err = {0};
-    (void)state;
     for (int relaxes = 0; relaxes < 2; relaxes++) {
         Meddler m = {.s = sim_make(1)};
         assert_int_equal(hawser_sim_set_law(m.s, 0, 4, meddle, 0, &m, &err), HAWSER_OK);
@@ -85,10 +84,9 @@ static int no_number(void *user, const hawser_segment_now *at, double wrench[6],
 }
 
 /* This was "the steps have become too small to move on: try a softer contact.k". */
-static void test_no_number(void **state)
+TEST(test_no_number)
 {
     hawser_error err = {0};
-    (void)state;
     for (int relaxes = 0; relaxes < 2; relaxes++) {
         hawser_sim *const s = sim_make(1);
         assert_int_equal(hawser_sim_set_law(s, 0, 4, no_number, 0, NULL, &err), HAWSER_OK);
@@ -102,9 +100,8 @@ static void test_no_number(void **state)
 }
 
 /* A forked process has no second thread: giving the simulation back waited for it for ever, 10 times of 11. */
-static void test_forked(void **state)
+TEST(test_forked)
 {
-    (void)state;
     for (int works = 0; works < 2; works++) {
         int how = -1;
         hawser_error err = {0};
@@ -124,6 +121,3 @@ static void test_forked(void **state)
         hawser_sim_free(s);
     }
 }
-
-TEST_FILE(test_law_calls, cmocka_unit_test(test_refused), cmocka_unit_test(test_no_number),
-          cmocka_unit_test(test_forked))

@@ -83,9 +83,8 @@ static void range_holds(const Units *units, const LibraryEntry *e, const CaseNod
     if (!(from <= at && at <= to && from < to)) fail_msg("%s: %s is not in its range", e->name, range->key);
 }
 
-static void every_entry(void **state)
+TEST(every_entry)
 {
-    (void)state;
     static const int least[LIBRARY_KINDS] = {40, 20, 15, 25, 20};
     int found[LIBRARY_KINDS] = {0};
     hawser_error err;
@@ -126,9 +125,8 @@ static void cable_good(const char *cables, SceneDef *def)
 }
 
 /* What a case gives wins, also where it says the same in other words. */
-static void given_wins(void **state)
+TEST(given_wins)
 {
-    (void)state;
     SceneDef def;
     hawser_error err;
     cable_good("{type: steel-6x36-14}", &def);
@@ -150,9 +148,8 @@ static void given_wins(void **state)
 }
 
 /* Wherever a type may stand; a friction within. */
-static void every_place(void **state)
+TEST(every_place)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("full-library"), NULL, NULL, &def);
     check_share(def.cables[0].diameter, 0.0437, 1e-12);
@@ -171,9 +168,8 @@ static void every_place(void **state)
     scene_def_clear(&def);
 }
 
-static void unknown_types(void **state)
+TEST(unknown_types)
 {
-    (void)state;
     expect_bad(
         data_text("full-library"), "cables.power.type", "xlpe-33kv-24-al",
         "key 'cables.power.type': value 'xlpe-33kv-24-al' is not in the catalogue: did you mean 'xlpe-33kv-240-al'");
@@ -210,9 +206,8 @@ static void include_refused(const char *include, const char *where, const char *
 }
 
 /* A user's own entries come first, also before shipped ones of the same name; files in files, each once. */
-static void includes_are_read(void **state)
+TEST(includes_are_read)
 {
-    (void)state;
     SceneDef def;
     hawser_error err;
     scratch_write("mine.yaml", "include: [deeper.yaml, both.yaml]\ncables:\n  mine: {d: 50 mm, mass: 4 kg/m}\n");
@@ -235,9 +230,8 @@ static void includes_are_read(void **state)
     scene_def_clear(&def);
 }
 
-static void includes_are_refused(void **state)
+TEST(includes_are_refused)
 {
-    (void)state;
     char text[100], name[20];
     include_refused("nix.yaml", "case.yaml:4: key 'include': value 'nix.yaml'", "cannot be read: No such file");
     include_refused("[case.yaml]", "case.yaml:", "unknown key");
@@ -275,9 +269,8 @@ static void includes_are_refused(void **state)
 }
 
 /* A text has no folder: nothing is opened for it, until it is given one. */
-static void texts_include_nothing(void **state)
+TEST(texts_include_nothing)
 {
-    (void)state;
     char text[TEXT_MAX];
     hawser_case *c = NULL;
     hawser_error err;
@@ -294,9 +287,8 @@ static void texts_include_nothing(void **state)
 }
 
 /* Another catalogue in place of the shipped one. */
-static void environment_names_another(void **state)
+TEST(environment_names_another)
 {
-    (void)state;
     SceneDef def;
     hawser_error err;
     char *text = NULL;
@@ -328,9 +320,8 @@ static const hawser_assumption *assumption(const SceneDef *def, const char *key)
 }
 
 /* Neither the calculation nor a run asks for a rigidity; the estimates are those of the formulas, and said. */
-static void stiffness_is_estimated(void **state)
+TEST(stiffness_is_estimated)
 {
-    (void)state;
     SceneDef def;
     cable_good("{d: 87.3 mm, mass: 14 kg/m, conductor: {material: copper, area: 800 mm2}}", &def);
     check_share(def.cables[0].ea, 79.7557e6, 1e-5);
@@ -360,9 +351,8 @@ static void stiffness_is_estimated(void **state)
 }
 
 /* Given, catalogue and estimated side by side; rollers of one type stand once. */
-static void assumptions_are_listed(void **state)
+TEST(assumptions_are_listed)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("full-library"), "surfaces.ducts",
                 "[{type: pe-110-sdr17, to: 5 m}, {type: pe-110-sdr17, from: 10 m}]", &def);
@@ -380,9 +370,8 @@ static void assumptions_are_listed(void **state)
 }
 
 /* The limits that a chain's own cables answer; a section of its own wins. */
-static void limits_from_cables(void **state)
+TEST(limits_from_cables)
 {
-    (void)state;
     static const char text[] = "cables: {c: {type: xlpe-33kv-240-al}, r: {type: steel-6x36-14}}\n"
                                "chain: [{cable: c, length: 10 m}, {cable: r, length: 5 m}]\n"
                                "route: {pieces: [{straight: 20 m}]}\nrun: {duration: 1 s}\nlimits: {}\n";
@@ -400,9 +389,8 @@ static void limits_from_cables(void **state)
 }
 
 /* What `hawser library` prints, and what it cannot. */
-static void catalogue_is_listed(void **state)
+TEST(catalogue_is_listed)
 {
-    (void)state;
     char *text = NULL;
     hawser_error err;
     assert_int_equal(hawser_library("ducts", "sdr17", HAWSER_TABLE, &text, &err), HAWSER_OK);
@@ -416,9 +404,4 @@ static void catalogue_is_listed(void **state)
     check_has(err.message, "near are 'hmpe-1");
 }
 
-TEST_FILE_IN(test_library, scratch_make, scratch_remove, cmocka_unit_test(every_entry), cmocka_unit_test(given_wins),
-             cmocka_unit_test(every_place), cmocka_unit_test(unknown_types), cmocka_unit_test(includes_are_read),
-             cmocka_unit_test(includes_are_refused), cmocka_unit_test(texts_include_nothing),
-             cmocka_unit_test(environment_names_another), cmocka_unit_test(stiffness_is_estimated),
-             cmocka_unit_test(assumptions_are_listed), cmocka_unit_test(limits_from_cables),
-             cmocka_unit_test(catalogue_is_listed))
+TEST_GROUP(scratch_make, scratch_remove)

@@ -42,9 +42,8 @@ static const char *narrow_duct(void)
 
 /* Each scene jams with segments that used to be the default or were given without a word; by the geometry it comes
  * within 1 % of what fine ones give. What is expected of the long ones is right within a factor of two. */
-static void long_segments_jam(void **state)
+TEST(long_segments_jam)
 {
-    (void)state;
     const struct {
         const char *text, *coarse, *fine;
         double least; /* what the long ones add at least, a share */
@@ -83,9 +82,8 @@ static Mesh mesh_of(const char *text, const char *key, const char *value, SceneD
 }
 
 /* Longer segments are never expected to be better, and the length for an error has that error. */
-static void errors_rise_with_length(void **state)
+TEST(errors_rise_with_length)
 {
-    (void)state;
     static const char *const scenes[] = {"mesh-hold-downs", "mesh-s-bends", "trust-duct", "rod-end"};
     for (int k = 0; k < 4; ++k) {
         SceneDef def;
@@ -107,9 +105,8 @@ static void errors_rise_with_length(void **state)
 }
 
 /* Halving the segments quarters what smooth bends and wheels cost. */
-static void smooth_places_are_of_second_order(void **state)
+TEST(smooth_places_are_of_second_order)
 {
-    (void)state;
     const MeshPlace wheel = {.radius = 1, .room = NAN, .wrapped = 0.09};
     const MeshPlace bend = {.radius = 3, .room = NAN, .bending_length = 0.5};
     const MeshPlace rod = {.rod_length = 5, .radius = 2, .room = NAN};
@@ -122,9 +119,8 @@ static void smooth_places_are_of_second_order(void **state)
 }
 
 /* A bend shorter than its rollers' spacing is a turn between two of them (ME11). */
-static void a_short_bend_is_a_turn(void **state)
+TEST(a_short_bend_is_a_turn)
 {
-    (void)state;
     MeshPlace p = {.radius = 2.3, .length = 0.4, .pitch = 0.4, .room = NAN, .bending_length = 3};
     const double row = mesh_error(&p, 0.2);
     p.pitch = 1.6;
@@ -132,9 +128,8 @@ static void a_short_bend_is_a_turn(void **state)
 }
 
 /* What pairs without room press a stiff chain with, and what room is worth (ME12). */
-static void pairs_bend_stiff_cables(void **state)
+TEST(pairs_bend_stiff_cables)
 {
-    (void)state;
     const double lambda = 1.5, a = 0.5, length = 6.6, radius = 13, mu = 0.3;
     MeshPlace p = {.radius = radius,
                    .length = length,
@@ -157,9 +152,8 @@ static void pairs_bend_stiff_cables(void **state)
 
 /* A straight segment askew between a pair's rollers (ME13): depths of reach angle^2/2, whose force to the power e is
  * 1/(2 e + 1) of the largest in the mean; room takes of it, and no more presses than turns the segment. */
-static void askew_segments_are_pressed(void **state)
+TEST(askew_segments_are_pressed)
 {
-    (void)state;
     const double mu = 0.2, reach = 0.1, k = 1e7, e = 1.5, h = 0.2, radius = 5, tension = 300;
     MeshPlace p = {.radius = radius,
                    .pitch = 0.5,
@@ -184,9 +178,8 @@ static void askew_segments_are_pressed(void **state)
 
 /* What presses on a segment between the rollers of a pair is the radius of a roller and that of the cable, and the play
  * what those of the bend leave: 80 mm and 25 mm here, whose difference was taken for their sum. */
-static void pairs_reach_by_both_radii(void **state)
+TEST(pairs_reach_by_both_radii)
 {
-    (void)state;
     SceneDef def;
     Mesh mesh = mesh_of(data_text("trust-askew"), NULL, NULL, &def);
     assert_int_equal(mesh.n, 1);
@@ -198,9 +191,8 @@ static void pairs_reach_by_both_radii(void **state)
 }
 
 /* 554 N for 537 N was trusted; no such thing is foretold of a smooth line, and there is none. */
-static void askew_between_rollers(void **state)
+TEST(askew_between_rollers)
 {
-    (void)state;
     const char *const smooth[] = {"contact.geometry", "smooth", "solver.passes", "1", NULL}, *const once[] = {
                                                                                                  "solver.passes", "1",
                                                                                                  NULL};
@@ -221,9 +213,8 @@ static void askew_between_rollers(void **state)
 }
 
 /* The spacing round a bend that has no row of its own: rollers every 2 m, none or one in it, or a wheel. */
-static void neighbours_say_the_spacing(void **state)
+TEST(neighbours_say_the_spacing)
 {
-    (void)state;
     const char *const route = "route: {head_at: 20 m, pieces: [{straight: 24 m}]}";
     static const struct {
         const char *bend, *radius;
@@ -246,9 +237,8 @@ static void neighbours_say_the_spacing(void **state)
 }
 
 /* Shares of a place's tension are shares of the pull in the ratio of the two, at most themselves (EB6). */
-static void shares_of_a_larger_pull_are_less(void **state)
+TEST(shares_of_a_larger_pull_are_less)
 {
-    (void)state;
     SceneDef def;
     int worst;
     Mesh mesh = mesh_of(data_text("trust-duct"), NULL, NULL, &def);
@@ -262,9 +252,8 @@ static void shares_of_a_larger_pull_are_less(void **state)
 }
 
 /* A long cable through one tight bend has no more segments than it may, and is not trusted for it. */
-static void there_is_an_end_to_it(void **state)
+TEST(there_is_an_end_to_it)
 {
-    (void)state;
     SceneDef def;
     int worst;
     Mesh mesh = mesh_of(narrow_duct(), "chain", "[{cable: c, length: 20 km}]", &def);
@@ -274,9 +263,8 @@ static void there_is_an_end_to_it(void **state)
     scene_def_clear(&def);
 }
 
-static void check_says_who_asks(void **state)
+TEST(check_says_who_asks)
 {
-    (void)state;
     hawser_case *c = NULL;
     char *text = NULL;
     assert_int_equal(hawser_case_parse(narrow_duct(), NAME, &c, NULL), HAWSER_OK);
@@ -289,9 +277,8 @@ static void check_says_who_asks(void **state)
 
 /* A dead axial load and a torque: u(s) = F s/EA and theta(s) = G s/GJ at any place and with any segments; the last half
  * segment had no strain, 5 % of ten segments'. */
-static void strain_within_a_segment(void **state)
+TEST(strain_within_a_segment)
 {
-    (void)state;
     static const char *const lengths[] = {"2.5 m", "500 mm", "170 mm"};
     for (int k = 0; k < 3; ++k) {
         hawser_case *c = NULL;
@@ -312,11 +299,3 @@ static void strain_within_a_segment(void **state)
         hawser_case_free(c);
     }
 }
-
-TEST_FILE(test_mesh, cmocka_unit_test(long_segments_jam), cmocka_unit_test(errors_rise_with_length),
-          cmocka_unit_test(check_says_who_asks), cmocka_unit_test(smooth_places_are_of_second_order),
-          cmocka_unit_test(strain_within_a_segment), cmocka_unit_test(there_is_an_end_to_it),
-          cmocka_unit_test(a_short_bend_is_a_turn), cmocka_unit_test(pairs_bend_stiff_cables),
-          cmocka_unit_test(askew_segments_are_pressed), cmocka_unit_test(askew_between_rollers),
-          cmocka_unit_test(neighbours_say_the_spacing), cmocka_unit_test(shares_of_a_larger_pull_are_less),
-          cmocka_unit_test(pairs_reach_by_both_radii))

@@ -47,9 +47,8 @@ static void check_key(const char *argument)
     } while (0)
 static const char *const nothing = NULL;
 
-static void numbers_that_are_none(void **state)
+TEST(numbers_that_are_none)
 {
-    (void)state;
     static const double bad[] = {NAN, INFINITY, -INFINITY, 1e300, -1e300};
     hawser_sim *const s = sim_new_of(NULL, NULL);
     const hawser_event *event;
@@ -104,9 +103,8 @@ static void said(void *user, hawser_log_level level, const char *text)
     *(int *)user += level == HAWSER_LOG_INFO && strstr(text, "winch_speed") != NULL;
 }
 
-static void wrong_order(void **state)
+TEST(wrong_order)
 {
-    (void)state;
     hawser_sim *const s = sim_new_of(NULL, NULL);
     Inside in = {.stop_at = 0.5};
     int events = 0, lines = 0;
@@ -134,9 +132,8 @@ static void wrong_order(void **state)
 }
 
 /* Key, file and line of a wrong case; segment and time of a run that fails. */
-static void errors_are_fields(void **state)
+TEST(errors_are_fields)
 {
-    (void)state;
     hawser_case *c = case_new();
     assert_int_equal(hawser_case_set(c, "drive.winch.speed", "fast", &error), HAWSER_OK);
     assert_int_equal(hawser_case_check(c, &error), HAWSER_ERR_INPUT);
@@ -170,9 +167,8 @@ static const char json_pull[] =
     "\t\"run\": {\"duration\": 2.0}}\n";
 
 /* The same pull to the last bit, whether its case is YAML or JSON. */
-static void a_case_is_json(void **state)
+TEST(a_case_is_json)
 {
-    (void)state;
     double force[2];
     for (int k = 0; k < 2; ++k) {
         hawser_case *c = NULL;
@@ -191,9 +187,8 @@ static void a_case_is_json(void **state)
     check_close(force[0], force[1], 1e-9 * force[0]);
 }
 
-static void json_errors(void **state)
+TEST(json_errors)
 {
-    (void)state;
     hawser_case *c = (hawser_case *)1;
     REFUSED(hawser_case_parse_json("{\"title\": \"x\",\n \"run\": }", "a.json", &c, &error), nothing);
     assert_null(c);
@@ -210,6 +205,3 @@ static void json_errors(void **state)
     check_above(error.line, 0);
     hawser_case_free(c);
 }
-
-TEST_FILE(test_misuse, cmocka_unit_test(numbers_that_are_none), cmocka_unit_test(wrong_order),
-          cmocka_unit_test(errors_are_fields), cmocka_unit_test(a_case_is_json), cmocka_unit_test(json_errors))

@@ -26,9 +26,8 @@ static Swing swing(const char *const *settings)
 static const char *const bdf[] = {"solver.method", "bdf", NULL}, *const esdirk[] = {"solver.method", "esdirk", NULL};
 
 /* It kept a third of its energy, and energy closed to some parts in a million of its prestress. */
-static void nothing_damps_it(void **state)
+TEST(nothing_damps_it)
 {
-    (void)state;
     const double plucked = 0.8 * 0.8 * 10 / (8 * 2000); /* J: F^2 L / 8 T */
     const Swing s = swing(bdf);
     print_message("lost %.4g J of %.4g J, the steps took %.4g J, %.2g open\n", -s.motion_and_springs, plucked,
@@ -43,9 +42,8 @@ static void nothing_damps_it(void **state)
 }
 
 /* A one-step method keeps nine tenths of it, and (BA11) tells what it takes. */
-static void one_step_takes_less(void **state)
+TEST(one_step_takes_less)
 {
-    (void)state;
     const double plucked = 0.8 * 0.8 * 10 / (8 * 2000);
     const Swing s = swing(esdirk), otherwise = swing(NULL);
     print_message("lost %.4g J of %.4g J, the steps took %.4g J, %.2g open\n", -s.motion_and_springs, plucked,
@@ -58,9 +56,8 @@ static void one_step_takes_less(void **state)
 
 /* The same span as a shaft, twisted in the middle and let go: moments and turns. The moment leaves over a millisecond,
  * within which the steps' trapezoids err. */
-static void a_twist(void **state)
+TEST(a_twist)
 {
-    (void)state;
     const char *const shaft[] = {"solver.method",
                                  "bdf",
                                  "cables.c.GJ",
@@ -85,9 +82,8 @@ static void a_twist(void **state)
     check_above(s.books.numerical_J, 0.01);
 }
 
-static void the_remedy_helps(void **state)
+TEST(the_remedy_helps)
 {
-    (void)state;
     for (int k = 0; k < 2; ++k) {
         const Swing before = swing(k ? esdirk : bdf);
         char accuracy[16] = "";
@@ -101,9 +97,8 @@ static void the_remedy_helps(void **state)
 
 /* Steps of one length over the odd modes of a span plucked in the middle, of which mode k has 8 / (pi k)^2 of the
  * energy: order one keeps 1 / (1 + (omega h)^2) of it a step, order two what (BA13) says. */
-static void closed_form(void **state)
+TEST(closed_form)
 {
-    (void)state;
     const double plucked = 0.8 * 0.8 * 10 / (8 * 2000), pi = 3.14159265358979323846;
     const double omega = pi / 10 * sqrt(2000. / 10);
     static const struct {
@@ -135,6 +130,3 @@ static void closed_form(void **state)
         check_close(1 - s.books.numerical_J / plucked, kept, 0.01);
     }
 }
-
-TEST_FILE(test_numerical_damping, cmocka_unit_test(nothing_damps_it), cmocka_unit_test(one_step_takes_less),
-          cmocka_unit_test(a_twist), cmocka_unit_test(the_remedy_helps), cmocka_unit_test(closed_form))

@@ -6,9 +6,8 @@
 #include "tests/support/check.h"
 #include "validate/build.h"
 
-static void test_same(void **state)
+TEST(test_same)
 {
-    (void)state;
     static const double TIME = 4; /* s */
     hawser_error err = {0};
     hawser_case *c;
@@ -36,5 +35,3 @@ static void test_same(void **state)
     hawser_sim_free(by_file);
     sim_free(by_code);
 }
-
-TEST_FILE(test_paper_scene, cmocka_unit_test(test_same))

@@ -32,9 +32,8 @@ static OtherPasses beside(int finer, double mean, double peak, double bar)
 
 /* A slack rope is drawn tight: 2125 N with 42 segments, of which the bar says 13 %; 1951 N with 84, 1908 N with 168.
  * The handle speaks of the second pass, which is the run with these settings. */
-static void it_replaces(void **state)
+TEST(it_replaces)
 {
-    (void)state;
     hawser_sim *const first = run_of(data_text("trust-slack"), once), *const both =
                                                                           run_of(data_text("trust-slack"), NULL);
     const hawser_summary a = summary_of(first), b = summary_of(both);
@@ -65,9 +64,8 @@ static void it_replaces(void **state)
  * and has to meet itself. Where its results may not replace the first's, it is not begun for that; and where the pull
  * does change (the winch is faster and less of the pull is steady) it is found out by the second, and there is no
  * third. */
-static void an_unsteady_window(void **state)
+TEST(an_unsteady_window)
 {
-    (void)state;
     static const char *const given[] = {"chain.0.segment", "0.494 m", NULL}, *const faster[] = {"drive.winch.speed",
                                                                                                 "0.219 m/s", NULL};
     hawser_sim *const first = run_of(data_text("trust-unsteady"), once), *const both =
@@ -92,9 +90,8 @@ static void an_unsteady_window(void **state)
 
 /* The case gives the length of its segments: its own figures stay, to the last bit, and the bars become what both
  * passes say (EB20), 23 % of the peak before. */
-static void it_compares(void **state)
+TEST(it_compares)
 {
-    (void)state;
     hawser_sim *const first = run_of(data_text("passing-guides"), once), *const both =
                                                                              run_of(data_text("passing-guides"), NULL);
     const hawser_summary a = summary_of(first), b = summary_of(both);
@@ -114,9 +111,8 @@ static void it_compares(void **state)
 
 /* A run that is trusted, one that fails for a reason that its own settings do not leave to a finer pass, one of which
  * friction alone leaves too much open, and one that its caller steps have one pass. */
-static void one_is_enough(void **state)
+TEST(one_is_enough)
 {
-    (void)state;
     const char *const snap[] = {"drive.tail", "{table: [[0, 1 kN], [2 s, 1 kN], [2.05 s, 5 kN], [2.1 s, 1 kN]]}",
                                 "chain.0.segment", "0.5 m", NULL};
     hawser_sim *const good = run_of(data_text("trust"), NULL), *const spiked = run_of(data_text("trust"), snap),
@@ -140,9 +136,8 @@ static void one_is_enough(void **state)
 
 /* The start's jolt was 700 N in one pass and 1128 N in the other, and so may be 1556 N in finer ones: the peak of 1178
  * N that comes later may be off by the rest. 0.5 % was said, and finer runs jolt by 1403 to 2179 N. */
-static void a_jolt_that_may_be_the_peak(void **state)
+TEST(a_jolt_that_may_be_the_peak)
 {
-    (void)state;
     const Stats none = {0};
     OtherPasses other = beside(0, 1143, 1172, 1000);
     other.other[0].jolt = 700;
@@ -170,9 +165,8 @@ static void a_jolt_that_may_be_the_peak(void **state)
 
 /* A reel swings on its cable by 100 N, and steps of 16 to 48 ms took all but 10 N of it: 618 to 652 N, trusted at four
  * of these six accuracies, where 706 N is true. What they leave of it shortens them now (EB25). */
-static void a_swing_that_steps_take(void **state)
+TEST(a_swing_that_steps_take)
 {
-    (void)state;
     static const char *const accuracy[] = {"2e-3", "1.4e-3", "1e-3", "7e-4", "5e-4", "2.5e-4"};
     for (size_t k = 0; k < sizeof accuracy / sizeof *accuracy; k++) {
         const char *const given[] = {"solver.accuracy", accuracy[k], NULL};
@@ -187,9 +181,8 @@ static void a_swing_that_steps_take(void **state)
 /* Joints that hit a duct's bend in the steady window (EB26): 88.5 kN, 75.8 kN on halves, trusted with 6.2 %. A tip that
  * hung and met a roller: 548, 708 and 774 N with segments of a half and a quarter, while the grip turned with half of
  * the head's turn; 410, 393, 388 and 386 N along its line. */
-static void blows_that_the_mesh_makes(void **state)
+TEST(blows_that_the_mesh_makes)
 {
-    (void)state;
     hawser_sim *const tip = run_of(data_text("trust-tip"), twice), *const mouth =
                                                                        run_of(data_text("trust-mouth"), once);
     const hawser_summary a = summary_of(tip), b = summary_of(mouth);
@@ -204,9 +197,8 @@ static void blows_that_the_mesh_makes(void **state)
  * on segments of an eighth, trusted with 8.7 %; a rope that whips in a tray's bend, 2149 N for 1419 N, trusted with
  * 7.1 %, and another at the end of the winch's ramp, 3941 N for 3242 N, with 3.2 %. The first is right with three
  * passes. */
-static void blows_after_the_start(void **state)
+TEST(blows_after_the_start)
 {
-    (void)state;
     hawser_sim *const roller = run_of(data_text("trust-over-roller"), once),
                       *const both = run_of(data_text("trust-over-roller"), NULL),
                       *const whips = run_of(data_text("trust-whips"), once),
@@ -229,9 +221,8 @@ static void blows_after_the_start(void **state)
 
 /* A jolt that falls more slowly than errors of first order: two passes came within 94 N of each other and were trusted
  * with that, 120 N from 1066 N (EB32). The third is right. */
-static void a_peak_of_half_an_order(void **state)
+TEST(a_peak_of_half_an_order)
 {
-    (void)state;
     hawser_sim *const both = run_of(data_text("trust-half-order"), twice), *const three = run_of(
                                                                                data_text("trust-half-order"), NULL);
     const hawser_summary a = summary_of(both), b = summary_of(three);
@@ -247,9 +238,8 @@ static void a_peak_of_half_an_order(void **state)
 
 /* A clamped head over a roller in the winch's ramp, 1848 N for 1690 N: what the last segment's rollers hold is a matter
  * of the mesh (EB31); the bar was 74 N. With an axial grip the head turns, and no such bar is asked. */
-static void what_a_clamp_holds(void **state)
+TEST(what_a_clamp_holds)
 {
-    (void)state;
     static const char *const turns[] = {"drive.winch.grip", "axial", "solver.passes", "1", NULL};
     hawser_sim *const first = run_of(data_text("trust-clamp"), once),
                       *const both = run_of(data_text("trust-clamp"), NULL),
@@ -269,9 +259,8 @@ static void what_a_clamp_holds(void **state)
 }
 
 /* What steps take of swings falls slowly: two passes that are near each other say less of it (EB23). */
-static void swings_fall_slowly(void **state)
+TEST(swings_fall_slowly)
 {
-    (void)state;
     static const struct {
         int finer;
         double faded, apart, expected;
@@ -288,9 +277,8 @@ static void swings_fall_slowly(void **state)
 }
 
 /* What bars are known to see too little of is looked at twice, though all conditions hold. */
-static void what_bars_do_not_see(void **state)
+TEST(what_bars_do_not_see)
 {
-    (void)state;
     const char *const falls[] = {"solver.relax", "false", NULL};
     hawser_sim *const rests = run_of(data_text("trust"), NULL), *const thrown = run_of(data_text("trust"), falls);
     assert_null(summary_of(rests).passes);
@@ -311,9 +299,8 @@ static int verdict_of(hawser_sim *s)
 
 /* A pull of 1834 N +- 69 N where 1880 N are allowed may be too much: it is not called safe, but computed again, 1826 N
  * +- 8 N, and that is. Where 1800 N are allowed there is nothing to be decided. */
-static void close_to_a_limit(void **state)
+TEST(close_to_a_limit)
 {
-    (void)state;
     const char *const near[] = {"limits.pull", "1880 N", "limits.sidewall", "9 kN/m", "solver.passes", "1", NULL},
                       *const again[] = {"limits.pull", "1880 N", "limits.sidewall", "9 kN/m", NULL},
                       *const over[] = {"limits.pull", "1800 N", "limits.sidewall", "9 kN/m", NULL};
@@ -378,9 +365,8 @@ static void folder_remove(const char *dir)
 }
 
 /* The results folder has the second pass's files, once; its summary says so. */
-static void the_folder_is_the_seconds(void **state)
+TEST(the_folder_is_the_seconds)
 {
-    (void)state;
     char dir[] = "/tmp/hawser-passes-XXXXXX", *summary;
     assert_non_null(mkdtemp(dir));
     hawser_sim *const s = sim_of(data_text("trust-slack"), NULL);
@@ -397,9 +383,8 @@ static void the_folder_is_the_seconds(void **state)
 }
 
 /* Stopped in the second pass: the first one's results stand, and where no checkpoints are wanted that is all. */
-static void stopped_in_the_second(void **state)
+TEST(stopped_in_the_second)
 {
-    (void)state;
     static const char *const unkept[] = {"run.checkpoint", "0", NULL};
     char dir[] = "/tmp/hawser-passes-XXXXXX";
     hawser_error err = {0};
@@ -433,9 +418,8 @@ static hawser_sim *resumed(const char *dir, hawser_progress progress, hawser_sta
 
 /* Stopped twice in the second pass, and resumed: the first is not computed again, and what both come to is what they
  * come to in one go, to the last bit. */
-static void the_second_is_resumed(void **state)
+TEST(the_second_is_resumed)
 {
-    (void)state;
     char dir[] = "/tmp/hawser-passes-XXXXXX";
     hawser_error err = {0};
     assert_non_null(mkdtemp(dir));
@@ -462,9 +446,8 @@ static void the_second_is_resumed(void **state)
 }
 
 /* A state of before the run brings all of it back, whatever the handle speaks of now; one of after it does, too. */
-static void back_to_the_first(void **state)
+TEST(back_to_the_first)
 {
-    (void)state;
     hawser_sim *const s = sim_of(data_text("trust-slack"), NULL);
     void *before, *after;
     size_t size, later;
@@ -492,9 +475,8 @@ static void back_to_the_first(void **state)
 
 /* A second pass that would take too long is not begun: it is said how long it would take, and how to ask for it. Asked
  * for, it is made. */
-static void too_long_is_declined(void **state)
+TEST(too_long_is_declined)
 {
-    (void)state;
     char dir[] = "/tmp/hawser-passes-XXXXXX", *summary;
     const char *const asked[] = {"solver.passes", "2", NULL};
     assert_non_null(mkdtemp(dir));
@@ -526,9 +508,8 @@ static void too_long_is_declined(void **state)
 /* Of a figure whose own bar is b and that is d from the other pass's (EB19), (EB20): where both agree the bar falls to
  * a quarter, where they differ it lies between what errors of second and of first order would be; of a peak, between
  * those of second order and of the order of a half (EB32). */
-static void bars_by_two_passes(void **state)
+TEST(bars_by_two_passes)
 {
-    (void)state;
     static const struct {
         int finer;
         double bar, apart, mean, peak;
@@ -570,9 +551,8 @@ static void bars_by_two_passes(void **state)
 
 /* A value that lies outside the bar of the pass before takes from such bars what they say of errors of second order
  * (EB29). */
-static void a_bar_that_did_not_hold(void **state)
+TEST(a_bar_that_did_not_hold)
 {
-    (void)state;
     static const struct {
         double coarser, bar, apart, expected;
     } row[] = {{20, 4, 21, 21}, {22, 4, 21, 7}, {20, 30, 21, 21}, {0, 4, 0, 1}};
@@ -588,9 +568,8 @@ static void a_bar_that_did_not_hold(void **state)
 
 /* A peak's bar that does not fall from pass to pass is as wide as before where they agree; the mean's is not asked
  * (EB30). */
-static void a_bar_that_does_not_fall(void **state)
+TEST(a_bar_that_does_not_fall)
 {
-    (void)state;
     static const struct {
         double alone[PASSES_MAX], expected;
     } row[] = {{{64, 70, 80}, 4}, {{64, 60, 80}, 16}, {{64, 70, 60}, 16}, {{64, 60, 50}, 64}, {{64, 64, 64}, 64}};
@@ -611,9 +590,8 @@ static void a_bar_that_does_not_fall(void **state)
 }
 
 /* A mean of 1271, 1305, 1332 and 1345 N, of which the second said +- 11 N. */
-static void passes_that_are_not_there_yet(void **state)
+TEST(passes_that_are_not_there_yet)
 {
-    (void)state;
     hawser_sim *const slow = run_of(data_text("trust-slowly"), twice), *const third =
                                                                            run_of(data_text("trust-slowly"), NULL);
     const hawser_summary b = summary_of(slow), c = summary_of(third);
@@ -628,9 +606,8 @@ static void passes_that_are_not_there_yet(void **state)
 /* The last of three falls to a sixteenth of its own bar where all agree, and no lower than a third of what the two
  * before differ by (EB27); the first is off by what it differs by from the last, and what that one may be off by
  * (EB28). */
-static void bars_by_three_passes(void **state)
+TEST(bars_by_three_passes)
 {
-    (void)state;
     static const struct {
         double bar, apart, before, expected;
     } row[] = {{64, 1, 2, 4}, {64, 20, 30, 20}, {64, 1, 60, 20}, {6, 9, 12, 6}, {2, 9, 12, 3}};
@@ -664,9 +641,8 @@ static void bars_by_three_passes(void **state)
 
 /* Six segments from roller to roller, all in step: 793 N, 741 N and 679 N, of which the finest says that it may be off
  * by 3.3 %; 674 N with eight times the segments. */
-static void a_third_settles_it(void **state)
+TEST(a_third_settles_it)
 {
-    (void)state;
     hawser_sim *const both = run_of(data_text("trust-in-step"), twice), *const all =
                                                                             run_of(data_text("trust-in-step"), NULL);
     const hawser_summary a = summary_of(both), b = summary_of(all);
@@ -690,9 +666,8 @@ static void a_third_settles_it(void **state)
 
 /* The same with a length of segments that the case gives: the first one's figures, to the last bit, and the bars that
  * all three come to. One that differs by more than is allowed from the second already asks for no third. */
-static void a_third_is_compared(void **state)
+TEST(a_third_is_compared)
 {
-    (void)state;
     static const char *const one[] = {"chain.0.segment", "0.2 m", "solver.passes", "1", NULL},
                              *const given[] = {"chain.0.segment", "0.2 m", NULL},
                              *const coarse[] = {"chain.0.segment", "0.5 m", NULL};
@@ -724,9 +699,8 @@ static int stop_third(void *user, const hawser_sample *sample, double wall_s, do
 
 /* Stopped in the third pass, with nothing kept: what two passes have come to stands. One that would take too long is
  * not begun. */
-static void without_a_third(void **state)
+TEST(without_a_third)
 {
-    (void)state;
     static const char *const unkept[] = {"run.checkpoint", "0", NULL};
     char dir[] = "/tmp/hawser-passes-XXXXXX";
     hawser_error err = {0};
@@ -758,9 +732,8 @@ static void without_a_third(void **state)
 }
 
 /* Stopped in the third pass and gone on with: as in one go, to the last bit. */
-static void the_third_is_resumed(void **state)
+TEST(the_third_is_resumed)
 {
-    (void)state;
     char dir[] = "/tmp/hawser-passes-XXXXXX";
     hawser_error err = {0};
     assert_non_null(mkdtemp(dir));
@@ -782,17 +755,3 @@ static void the_third_is_resumed(void **state)
     hawser_sim_free(again);
     folder_remove(dir);
 }
-
-TEST_FILE(test_passes, cmocka_unit_test(it_replaces), cmocka_unit_test(an_unsteady_window),
-          cmocka_unit_test(it_compares), cmocka_unit_test(one_is_enough), cmocka_unit_test(the_folder_is_the_seconds),
-          cmocka_unit_test(what_bars_do_not_see), cmocka_unit_test(a_jolt_that_may_be_the_peak),
-          cmocka_unit_test(a_swing_that_steps_take), cmocka_unit_test(blows_that_the_mesh_makes),
-          cmocka_unit_test(blows_after_the_start), cmocka_unit_test(a_peak_of_half_an_order),
-          cmocka_unit_test(what_a_clamp_holds), cmocka_unit_test(swings_fall_slowly),
-          cmocka_unit_test(stopped_in_the_second), cmocka_unit_test(too_long_is_declined),
-          cmocka_unit_test(bars_by_two_passes), cmocka_unit_test(a_bar_that_did_not_hold),
-          cmocka_unit_test(a_bar_that_does_not_fall), cmocka_unit_test(passes_that_are_not_there_yet),
-          cmocka_unit_test(bars_by_three_passes), cmocka_unit_test(a_third_settles_it),
-          cmocka_unit_test(a_third_is_compared), cmocka_unit_test(without_a_third),
-          cmocka_unit_test(the_third_is_resumed), cmocka_unit_test(the_second_is_resumed),
-          cmocka_unit_test(back_to_the_first), cmocka_unit_test(close_to_a_limit))

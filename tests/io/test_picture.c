@@ -44,7 +44,7 @@ static int picture_new(void **state)
     return 0;
 }
 
-static void test_route(void **state)
+TEST(test_route)
 {
     const char *const h5 = fixture_path(*state, "results.h5");
     hsize_t n, dims[2];
@@ -65,7 +65,7 @@ static void test_route(void **state)
     free(s), free(p), free(curvature);
 }
 
-static void test_rollers(void **state)
+TEST(test_rollers)
 {
     const char *const h5 = fixture_path(*state, "results.h5");
     double *const s = h5_read(h5, "geometry/rollers/s", 1, (hsize_t[]){THINGS});
@@ -97,7 +97,7 @@ static void test_rollers(void **state)
     free(s), free(p), free(axis), free(radius), free(width), free(rating);
 }
 
-static void test_obstacle_and_conveyor(void **state)
+TEST(test_obstacle_and_conveyor)
 {
     const char *const h5 = fixture_path(*state, "results.h5");
     const double y = 3 + 13 - 6 - RADIUS * M_PI / 2; /* of 13 m along the route, where x is 9 m */
@@ -119,7 +119,7 @@ static void test_obstacle_and_conveyor(void **state)
     free(p), free(roller), free(size), free(side), free(edge), free(ends);
 }
 
-static void test_surfaces(void **state)
+TEST(test_surfaces)
 {
     const char *const h5 = fixture_path(*state, "results.h5");
     const char *const duct = "geometry/surfaces/0", *const ground = "geometry/surfaces/1";
@@ -157,9 +157,8 @@ static double volume_of(const Skin *skin, SkinPart part, int item)
     return sum;
 }
 
-static void test_triangles(void **state)
+TEST(test_triangles)
 {
-    (void)state;
     hawser_sim *const sim = sim_from("picture.yaml", NULL);
     Geometry g;
     assert_int_equal(geometry_make(&((Sim *)sim)->stage.scene, &g, NULL), HAWSER_OK);
@@ -183,9 +182,8 @@ static void test_triangles(void **state)
 }
 
 /* No chord is farther from the route than is promised, whatever the piece; a long route keeps below the most points. */
-static void test_chords(void **state)
+TEST(test_chords)
 {
-    (void)state;
     static const char *const files[] = {"picture.yaml", "route-clothoid.yaml", "route-helix.yaml"};
     for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
         hawser_sim *const sim = sim_from(files[k], NULL);
@@ -209,7 +207,7 @@ static void test_chords(void **state)
     hawser_sim_free(sim);
 }
 
-static void test_chain(void **state)
+TEST(test_chain)
 {
     const char *const h5 = fixture_path(*state, "results.h5");
     double *const length = h5_read(h5, "chain/length", 1, (hsize_t[]){SEGMENTS});
@@ -227,7 +225,7 @@ static void test_chain(void **state)
 }
 
 /* Fields of the first state, which lies where the case says, and of the last. */
-static void test_fields(void **state)
+TEST(test_fields)
 {
     const char *const h5 = fixture_path(*state, "results.h5");
     hsize_t dims[3];
@@ -275,7 +273,7 @@ static void roller_forces(const char *h5, int segments, const double *length, in
     free(force), free(load), free(contact);
 }
 
-static void test_roller_forces(void **state)
+TEST(test_roller_forces)
 {
     const char *const h5 = fixture_path(*state, "results.h5");
     double length[SEGMENTS];
@@ -284,7 +282,7 @@ static void test_roller_forces(void **state)
 }
 
 /* The same of a scene that is solved in its plane. */
-static void test_plane(void **state)
+TEST_WITH(test_plane, fixture_new, fixture_free)
 {
     const char *const states[] = {"output.states", "500 ms", NULL};
     hawser_sim *const sim = sim_from("short-pull.yaml", states);
@@ -300,7 +298,7 @@ static void test_plane(void **state)
 }
 
 /* Cable that lies wound has the curvature of its layer: the first here, 0.64 m. */
-static void test_wound(void **state)
+TEST_WITH(test_wound, fixture_new, fixture_free)
 {
     const char *const states[] = {"output.states", "500 ms", "run.duration", "500 ms", "run.keep_going", "true", NULL};
     hawser_sim *const sim = sim_from("reel-payout.yaml", states);
@@ -357,7 +355,7 @@ static void envelope_of(const char *h5, const char *quantity, double slack)
     free(t), free(x), free(part[0]), free(part[1]), free(part[2]), free(place), free(s);
 }
 
-static void test_envelopes(void **state)
+TEST(test_envelopes)
 {
     const char *const h5 = fixture_path(*state, "results.h5");
     envelope_of(h5, "tension", 1e-9);
@@ -372,7 +370,7 @@ static int stop_early(void *user, const hawser_sample *sample, double wall, doub
 }
 
 /* A run that was stopped has its envelopes; one without states gathers none. */
-static void test_stopped(void **state)
+TEST_WITH(test_stopped, fixture_new, fixture_free)
 {
     hawser_sim *sim = sim_from("picture.yaml", (const char *const[]){"run.duration", "1000 s", NULL});
     const Fixture *const f = *state;
@@ -390,7 +388,7 @@ static void test_stopped(void **state)
 }
 
 /* Every array that results.xdmf names is in results.h5, and as large as it says. */
-static void test_xdmf(void **state)
+TEST(test_xdmf)
 {
     const Fixture *const f = *state;
     char *const text = read_text(fixture_path(f, "results.xdmf"));
@@ -418,10 +416,5 @@ static void test_xdmf(void **state)
 }
 
 /* The first eleven read one picture; the others make runs of their own. */
-#define RUNS(name) cmocka_unit_test_setup_teardown(name, fixture_new, fixture_free)
 
-TEST_FILE_IN(test_picture, picture_new, fixture_free, cmocka_unit_test(test_route), cmocka_unit_test(test_rollers),
-             cmocka_unit_test(test_obstacle_and_conveyor), cmocka_unit_test(test_surfaces),
-             cmocka_unit_test(test_triangles), cmocka_unit_test(test_chords), cmocka_unit_test(test_chain),
-             cmocka_unit_test(test_fields), cmocka_unit_test(test_roller_forces), cmocka_unit_test(test_envelopes),
-             cmocka_unit_test(test_xdmf), RUNS(test_plane), RUNS(test_wound), RUNS(test_stopped))
+TEST_GROUP(picture_new, fixture_free)

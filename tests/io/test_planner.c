@@ -88,9 +88,8 @@ static json_t *limit(json_t *o, const char *direction, const char *name)
 }
 
 /* No chain, no duration, no drive: the route's length of the only cable. A run of it is asked how long. */
-static void what_is_needed(void **state)
+TEST(what_is_needed)
 {
-    (void)state;
     const char *const text = "cables: {c: {d: 60 mm, mass: 8 kg/m}}\n"
                              "route: {pieces: [{straight: 100 m}]}\n"
                              "friction: {mu: 0.3}\n";
@@ -119,9 +118,8 @@ static void what_is_needed(void **state)
 
 /* The header had the stretch of a run, the tables the whole route; the friction of a case without rollers was that of
  * nothing in it; a pressure stood as T/R; a bend's end was named after the straight behind it. */
-static void one_force_and_right_names(void **state)
+TEST(one_force_and_right_names)
 {
-    (void)state;
     static const char *const run[] = {"run", "{duration: 10 s}", "drive",
                                       "{winch: {speed: 0.1 m/s, from: 0 s, to: 2 s}}", NULL};
     static const char *const tight[] = {"limits.sidewall", "500 N/m", NULL};
@@ -151,9 +149,8 @@ static void one_force_and_right_names(void **state)
 }
 
 /* Ducts of two frictions: both ends of the range. */
-static void friction_from_to(void **state)
+TEST(friction_from_to)
 {
-    (void)state;
     static const char *const parts[] = {"theory.stretches", "[{from: 10 m, to: 20 m, mu: 0.1, mu_s: 0.7}]", NULL};
     json_t *o = theory(data_text("planner"), parts);
     check_share(number(o, "friction"), 0.5, 1e-12);
@@ -170,9 +167,8 @@ static const char *const STRAIGHT = "cables: {c: {d: 60 mm, mass: 8 kg/m, E: 10 
                                     "theory: {machine_push: 2 kN}\n";
 
 /* Closed forms: T = T0 + mu w L. */
-static void a_straight_the_other_way_round(void **state)
+TEST(a_straight_the_other_way_round)
 {
-    (void)state;
     static const char *const tail[] = {"drive", "{tail: {tension: 500 N}}", NULL};
     static const char *const open[] = {"friction", "{mu: 0.3}", "drive", "{tail: {tension: 500 N}}", NULL};
     static const char *const heavy[] = {"friction", "{mu_d: 0.9, mu_s: 0.9}", "drive", "{tail: {tension: 500 N}}",
@@ -209,9 +205,8 @@ static void a_straight_the_other_way_round(void **state)
 #define FLEXIBLE "cables.c.EI", "1 N m2"
 
 /* Put back, each answer leaves the limit that binds no room, and a little more breaks it. */
-static void put_back(void **state)
+TEST(put_back)
 {
-    (void)state;
 #define KNOWN "drive", "{tail: {tension: 0 N}}", "surfaces.ducts.0.friction"
     static const char *const roomy[] = {"limits.rope_strength",   "90 kN", FLEXIBLE, KNOWN,
                                         "{mu_d: 0.5, mu_s: 0.5}", NULL};
@@ -252,9 +247,8 @@ static void put_back(void **state)
 }
 
 /* The places that are answered, put back as machines of the case, keep all limits, and one fewer does not. */
-static void machines_put_back(void **state)
+TEST(machines_put_back)
 {
-    (void)state;
     static const char *const tight[] = {"limits.pull", "7 kN", "theory.machine_push", "1.5 kN", FLEXIBLE, NULL};
     json_t *o = theory(data_text("planner"), tight);
     check_has(word(o, "verdict_forward"), "NOT SAFE");
@@ -279,9 +273,8 @@ static void machines_put_back(void **state)
 }
 
 /* A duct that is too tight stays so whatever the friction: the answer is that of the other limits, and says so. */
-static void what_stays_broken(void **state)
+TEST(what_stays_broken)
 {
-    (void)state;
     static const char *const narrow[] = {FLEXIBLE, "surfaces.ducts.0.radius", "32 mm", NULL};
     static const char *const flexible[] = {FLEXIBLE, NULL};
     json_t *wide = theory(data_text("planner"), flexible), *o = theory(data_text("planner"), narrow);
@@ -293,9 +286,8 @@ static void what_stays_broken(void **state)
 }
 
 /* Pits: the table of sections, and what a section's winch needs. */
-static void by_sections(void **state)
+TEST(by_sections)
 {
-    (void)state;
     static const char *const pit[] = {"theory.pits", "[{name: manhole, at: 60 m, back: 300 N}]", NULL};
     json_t *o = theory(data_text("planner"), pit);
     const double w = 8 * G;
@@ -310,9 +302,8 @@ static void by_sections(void **state)
 }
 
 /* The brake is named with its place and the winch that it asks for; by its limits the other way is better. */
-static void down_a_shaft(void **state)
+TEST(down_a_shaft)
 {
-    (void)state;
     static const char *const down[] = {"route.slope", "-60 deg", "route.pieces", "[{name: shaft, straight: 60 m}]",
                                        NULL};
     json_t *o = theory(data_text("planner"), down);
@@ -327,9 +318,8 @@ static void down_a_shaft(void **state)
 }
 
 /* (PN10): alpha times the largest force, but never more than the cable or the rope may bear. */
-static void trip_setting(void **state)
+TEST(trip_setting)
 {
-    (void)state;
     static const char *const rope[] = {"limits.rope_strength", "40 kN", "limits.alpha", "3", NULL};
     json_t *o = theory(data_text("planner"), NULL);
     check_share(number(row(o, "directions", 0), "trip_N"), 1.5 * number(o, "largest_force_N"), 1e-9);
@@ -341,9 +331,8 @@ static void trip_setting(void **state)
 }
 
 /* Cold is a note, not a number; what a pushed cable bears is asked for. */
-static void notes(void **state)
+TEST(notes)
 {
-    (void)state;
     static const char *const cold[] = {"theory", "{temperature: -15, feed: 2 kN}", NULL};
     static const char *const weak[] = {"theory", "{feed: 2 kN, bears: 1 kN}", NULL};
     json_t *warm = theory(data_text("planner"), NULL), *o = theory(data_text("planner"), cold);
@@ -359,9 +348,8 @@ static void notes(void **state)
     json_decref(warm);
 }
 
-static void wrong_lists(void **state)
+TEST(wrong_lists)
 {
-    (void)state;
     static const struct {
         const char *key, *value, *part;
     } cases[] = {
@@ -377,9 +365,8 @@ static void wrong_lists(void **state)
 
 /* The headline is the largest force that any winch of the job needs. With a pit at 400 m of 500 m it was the last
  * section's: 2.943 kN for mu w 400 m = 11.772 kN. */
-static void headline_is_the_largest_winch(void **state)
+TEST(headline_is_the_largest_winch)
 {
-    (void)state;
     static const char text[] = "cables: {power: {d: 90 mm, mass: 10 kg/m}}\n"
                                "route: {pieces: [{straight: 500 m}]}\n"
                                "friction: {mu: 0.3}\n"
@@ -405,9 +392,8 @@ static void headline_is_the_largest_winch(void **state)
 
 /* The shipped example: the first line said 9.765 kN, 15.84 from rest, of the last section; the first one's winch needs
  * more. */
-static void headline_of_the_example(void **state)
+TEST(headline_of_the_example)
 {
-    (void)state;
     hawser_case *c = NULL;
     char *out = NULL;
     assert_int_equal(hawser_case_load(HAWSER_SOURCE_DIR "/cases/theory/planner.yaml", &c, NULL), HAWSER_OK);
@@ -431,9 +417,8 @@ static void headline_of_the_example(void **state)
 
 /* Values outside every usual range are questioned above the verdict; kg/km given as kg/m made 18 169 kN without a word.
  */
-static void unusual_values_are_questioned(void **state)
+TEST(unusual_values_are_questioned)
 {
-    (void)state;
     static const struct {
         const char *key, *value, *says;
     } row[] = {
@@ -462,9 +447,8 @@ static void unusual_values_are_questioned(void **state)
 
 /* What theory changes by along the route, `--sensitivities`: on the level before any bend tension grows by mu w a
  * metre, and the force on the supports is that of tension and weight at right angles to each other. */
-static void changes_along_the_route(void **state)
+TEST(changes_along_the_route)
 {
-    (void)state;
     static const char text[] =
         "cables: {power: {d: 90 mm, mass: 20 kg/m}}\nfriction: {mu: 0.2}\ndrive: {tail: {tension: 3 kN}}\n"
         "route: {pieces: [{straight: 20 m}, {bend: 60 deg, radius: 8 m, plane: left}]}\n"
@@ -498,11 +482,3 @@ static void changes_along_the_route(void **state)
     hawser_text_free(out);
     hawser_case_free(c);
 }
-
-TEST_FILE(test_planner, cmocka_unit_test(changes_along_the_route), cmocka_unit_test(headline_of_the_example),
-          cmocka_unit_test(unusual_values_are_questioned), cmocka_unit_test(what_is_needed),
-          cmocka_unit_test(one_force_and_right_names), cmocka_unit_test(friction_from_to),
-          cmocka_unit_test(a_straight_the_other_way_round), cmocka_unit_test(put_back),
-          cmocka_unit_test(machines_put_back), cmocka_unit_test(what_stays_broken), cmocka_unit_test(by_sections),
-          cmocka_unit_test(down_a_shaft), cmocka_unit_test(trip_setting), cmocka_unit_test(notes),
-          cmocka_unit_test(wrong_lists), cmocka_unit_test(headline_is_the_largest_winch))

@@ -10,9 +10,8 @@ static hawser_sim *positions_of(const char *text, const char *key, const char *v
 }
 
 /* A level row, exactly mu m g, at places as listed; the last is the worst or as good. */
-static void test_straight(void **state)
+TEST(test_straight)
 {
-    (void)state;
     const hawser_place *place;
     hawser_summary sum;
     /* a winch that carries none of the weight */
@@ -39,9 +38,8 @@ static void test_straight(void **state)
 /* Euler's formula: what comes out of the bend over what goes in, but for the wall's being nearer to the bend's middle
  * than the cable. Segments hardly matter; what they do falls with their length. The same cable in time pulls the same.
  */
-static void test_bend(void **state)
+TEST(test_bend)
 {
-    (void)state;
     const char *const segment[3] = {"400 mm", "200 mm", "100 mm"};
     double pull[3];
     for (int k = 0; k < 3; ++k) {
@@ -120,17 +118,15 @@ static void run_compare(const char *rope, double mean_most, double each_most)
 
 /* A thin rope lies nearer to the wall of the bend than the cable that follows it, so that the line does not stand still
  * as the front goes on. */
-static void test_run(void **state)
+TEST(test_run)
 {
-    (void)state;
     run_compare("88 mm", 1e-3, 1.5e-3);
     run_compare("14 mm", 3e-3, 5e-3);
 }
 
 /* The same place whichever way led there. */
-static void test_way(void **state)
+TEST(test_way)
 {
-    (void)state;
     const hawser_place *alone, *after;
     hawser_sim *const one = positions_of(data_text("positions"), "solver.threads", "1", "[17.25 m]");
     hawser_sim *const two = positions_of(data_text("positions"), "solver.threads", "1", "[9 m, 11.6 m, 17.25 m]");
@@ -144,9 +140,8 @@ static void test_way(void **state)
 
 /* A back tension that rises and falls between two places that are evenly apart: what is pulled with at its corners is
  * known, too. */
-static void test_corners(void **state)
+TEST(test_corners)
 {
-    (void)state;
     const hawser_place *place;
     hawser_summary sum;
     hawser_sim *const sim =
@@ -163,9 +158,8 @@ static void test_corners(void **state)
 }
 
 /* What a steady state does not know is refused, and says so. */
-static void test_refused(void **state)
+TEST(test_refused)
 {
-    (void)state;
     const struct {
         const char *key, *value, *says;
     } bad[] = {{"run.positions", "[4.05 m]", "not at its speed"},
@@ -193,9 +187,8 @@ static void test_refused(void **state)
 
 /* Positions that are no whole segments apart meet rope that lies elsewhere on its rollers: Newton's method finds all of
  * it again, since what pressed is presumed to press (PS11)-(PS13). */
-static void test_between_segments(void **state)
+TEST(test_between_segments)
 {
-    (void)state;
     const hawser_place *place;
     hawser_sim *const sim =
         run_of(data_text("positions"), (const char *const[]){"run.analysis", "positions", "run.positions",
@@ -214,9 +207,8 @@ static void test_between_segments(void **state)
 
 /* A pull that is allowed at speed, 3.40 kN of 3.45 kN, and that its start breaks by 6.7 % (3.68 kN): positions said
  * SAFE. With what (LI16) bounds the start by they say it, and of less they say that they do not know. */
-static void test_start(void **state)
+TEST(test_start)
 {
-    (void)state;
     const struct {
         const char *analysis, *limits, *verdict;
     } kind[] = {{"positions", "{pull: 3.45 kN, sidewall: 1 MN/m, clearance: 1 mm, fill: 0.9}",
@@ -241,7 +233,3 @@ static void test_start(void **state)
         hawser_sim_free(sim);
     }
 }
-
-TEST_FILE(test_positions, cmocka_unit_test(test_straight), cmocka_unit_test(test_start), cmocka_unit_test(test_bend),
-          cmocka_unit_test(test_between_segments), cmocka_unit_test(test_run), cmocka_unit_test(test_way),
-          cmocka_unit_test(test_refused), cmocka_unit_test(test_corners))

@@ -12,9 +12,8 @@ static const char ROLLERS[] =
 
 /* Straight 6.13 kN: it was SAFE with that. A run with an imperfection, segments of 0.25 m, had 8.22 kN with 13 m less
  * of cable on the route (7.90 by theory there), a first one of b0cd4723 7.92. */
-static void it_coils(void **state)
+TEST(it_coils)
 {
-    (void)state;
     json_t *const all = theory_of(DUCT, NULL);
     check_share(number_of(all, "reference_total_N"), 8373.6, 1e-4);
     verdict_has(all, "NOT SAFE: 1 of");
@@ -32,9 +31,8 @@ static void it_coils(void **state)
 }
 
 /* Pushed by less than it snakes with, everything is as it was: the straight law, to the last bit. */
-static void it_stays_straight(void **state)
+TEST(it_stays_straight)
 {
-    (void)state;
     for (int k = 0; k < 2; ++k) {
         const char *const push = k ? "4 kN" : "6 kN";
         json_t *const all = theory_of(DUCT, (const char *const[]){"conveyors.0.limit", push, NULL});
@@ -46,9 +44,8 @@ static void it_stays_straight(void **state)
 }
 
 /* 700 N over flat rollers: SAFE by theory, and the run buckles. Guides every 1.5 m hold it as far as carriers do. */
-static void on_rollers(void **state)
+TEST(on_rollers)
 {
-    (void)state;
     json_t *all = theory_of(ROLLERS, NULL);
     verdict_has(all, "NOT SAFE: 1 of");
     verdict_has(all, "buckling");
@@ -65,9 +62,8 @@ static void on_rollers(void **state)
 
 /* Pushed one way alone, it has one limit more that way, and lost its last one there: SAFE in a duct of 110 mm that it
  * fills by 83 % (allowed: 53 %). */
-static void the_last_limit_is_judged(void **state)
+TEST(the_last_limit_is_judged)
 {
-    (void)state;
     json_t *const all =
         theory_of(DUCT, (const char *const[]){"surfaces.ducts.0.radius", "55 mm", "conveyors.0.limit", "4 kN", NULL});
     verdict_has(all, "NOT SAFE: ");
@@ -103,9 +99,8 @@ static double auto_segment(const char *key, const char *value)
 
 /* (ME14). It was 0.5 m, and the pull 13 % too large; below 0.7 of the load of snaking, and of what a run does not bend,
  * it still is. */
-static void segments_show_the_waves(void **state)
+TEST(segments_show_the_waves)
 {
-    (void)state;
     const double w = 22 * 9.81, snakes = 2 * sqrt(1000 * w / 0.03);
     static const struct {
         const char *limit;
@@ -123,9 +118,8 @@ static void segments_show_the_waves(void **state)
 }
 
 /* A straight line that nothing disturbs stayed straight: trusted, SAFE, 5.09 kN. */
-static void nothing_unstable_is_trusted(void **state)
+TEST(nothing_unstable_is_trusted)
 {
-    (void)state;
     hawser_summary sum;
 #define SEGMENT "chain.0.segment"
     hawser_condition c = asked_of((const char *const[]){SEGMENT, "0.19 m", NULL}, "taut", &sum);
@@ -144,9 +138,8 @@ static void nothing_unstable_is_trusted(void **state)
 
 /* Below 0.7 of the load nothing is bent, and results are those without an imperfection, to the last bit; above it they
  * are not. */
-static void below_it_nothing_is_bent(void **state)
+TEST(below_it_nothing_is_bent)
 {
-    (void)state;
     for (int k = 0; k < 2; ++k) {
         double pull[2], below[2];
         for (int bent = 0; bent < 2; ++bent) {
@@ -178,9 +171,8 @@ static void below_it_nothing_is_bent(void **state)
 /* Without a rope the winch pulls along the route's end, round a bend through the wall: refused before it starts (runs
  * blamed max_step), but where the route turns by 5 degrees in all, to whatever side; theory says that it has a rope
  * ahead of the cable, which the case leaves out (it said nothing of the head). */
-static void a_head_before_a_bend(void **state)
+TEST(a_head_before_a_bend)
 {
-    (void)state;
     static const struct {
         const char *ahead, *says;
     } row[] = {
@@ -215,9 +207,8 @@ static void a_head_before_a_bend(void **state)
 
 /* (WI24): a belt comes to its push only as the cable between it and the winch gives way. Theory was SAFE with the 719 N
  * of the pull at speed; the run's peak is half as much again, and its waves are on top. */
-static void a_start_beside_a_belt(void **state)
+TEST(a_start_beside_a_belt)
 {
-    (void)state;
     static const char belt[] = "[{name: pusher, from: 4 m, to: 6 m, clamp: 40 kN, mu: 0.3, factor: 1.5, limit: 2 kN}]";
     const char *const setting[] = {"chain.0.length",
                                    "60 m",
@@ -255,9 +246,8 @@ static void a_start_beside_a_belt(void **state)
 
 /* Bars that stand under a straight, leaning, or a floor that falls to the side: SAFE in theory, 24 m off the route in a
  * run, unless it is taut (T30a). */
-static void what_falls_to_the_side(void **state)
+TEST(what_falls_to_the_side)
 {
-    (void)state;
     static const char part[] = "cables: {p: {d: 80 mm, mass: 14 kg/m, EI: 500, EA: 60 MN, GA: 20 MN, GJ: 500}}\n"
                                "chain: [{cable: p, length: 30 m}]\nroute: {head_at: 32 m, pieces: [{straight: 40 m}]}\n"
                                "friction: {mu: 0.2}\nlimits: {pull: 100 kN, sidewall: 3 kN/m}\nrun: {duration: 3 s}\n"
@@ -321,9 +311,8 @@ static void a_rope_beyond_its_way(void)
 
 /* What check and a run refuse with status 2: a chain of which 28 m lie behind the route's start (theory has them on a
  * drum; the run fell), a rope that ends before a bend, and a roller that is none. */
-static void what_cannot_begin(void **state)
+TEST(what_cannot_begin)
 {
-    (void)state;
     static const struct {
         const char *key, *value, *says;
     } row[] = {
@@ -363,9 +352,8 @@ static void what_cannot_begin(void **state)
 }
 
 /* A route that crosses itself at one level was SAFE in theory; 200 mm above itself it is as good as any. */
-static void a_route_through_itself(void **state)
+TEST(a_route_through_itself)
 {
-    (void)state;
     for (int k = 0; k < 2; ++k) {
         char route[160];
         snprintf(route, sizeof route,
@@ -388,10 +376,3 @@ static void a_route_through_itself(void **state)
         json_decref(all);
     }
 }
-
-TEST_FILE(test_pushed, cmocka_unit_test(segments_show_the_waves), cmocka_unit_test(nothing_unstable_is_trusted),
-          cmocka_unit_test(it_coils), cmocka_unit_test(it_stays_straight), cmocka_unit_test(the_last_limit_is_judged),
-          cmocka_unit_test(below_it_nothing_is_bent), cmocka_unit_test(on_rollers),
-          cmocka_unit_test(a_head_before_a_bend), cmocka_unit_test(what_falls_to_the_side),
-          cmocka_unit_test(what_cannot_begin), cmocka_unit_test(a_start_beside_a_belt),
-          cmocka_unit_test(a_route_through_itself))

@@ -26,9 +26,8 @@ static void relax(hawser_sim *sim)
 
 /* Both pull the same at every place of the front, in the mean and over each second; stations and rollers agree; and it
  * takes less. */
-static void test_same_pull(void **state)
+TEST(test_same_pull)
 {
-    (void)state;
     enum { END = 70, FROM = 20 };
     hawser_sim *const sim[2] = {pull_of("dynamic", NULL, NULL), pull_of("quasi-static", NULL, NULL)};
     hawser_summary sum[2];
@@ -80,9 +79,8 @@ static void test_same_pull(void **state)
 
 /* The books of energy go on through positions, uphill too, where the reel's drum hands a height on with each segment
  * that joins: what was worked is that of the motion, and what stays open a part of the pull. */
-static void test_books(void **state)
+TEST(test_books)
 {
-    (void)state;
     enum { END = 75 };
     static const char *const slope[] = {"0 deg", "5 deg"};
     for (int c = 0; c < 2; ++c) {
@@ -113,9 +111,8 @@ static void test_books(void **state)
 
 /* A cable behind a thin rope loads each roller most as its front comes to the next one, within centimetres of way:
  * looks that enclose it find that, and their bars hold what the motion has. */
-static void test_peaks(void **state)
+TEST(test_peaks)
 {
-    (void)state;
     enum { END = 110 };
     hawser_sim *sim[2];
     hawser_summary sum[2];
@@ -145,9 +142,8 @@ static void test_peaks(void **state)
 }
 
 /* Rows lie between positions: what they show is theirs, and goes on evenly; the chain moves with the winch. */
-static void test_rows(void **state)
+TEST(test_rows)
 {
-    (void)state;
     hawser_sim *const sim = pull_of("auto", NULL, NULL);
     hawser_summary sum;
     relax(sim);
@@ -173,9 +169,8 @@ static void test_rows(void **state)
 
 /* Where no position is found the equations of motion go on from the last one, and pull what they pull from the start.
  */
-static void test_lost(void **state)
+TEST(test_lost)
 {
-    (void)state;
     hawser_summary sum[2];
     hawser_sim *sim[2];
     for (int k = 0; k < 2; ++k) {
@@ -201,9 +196,8 @@ static void test_lost(void **state)
 
 /* The winch stops and starts again by its table: the equations of motion have both, and meet what they come to by
  * themselves. */
-static void test_stop(void **state)
+TEST(test_stop)
 {
-    (void)state;
     const char *const table = "{table: [[0 s, 0 m/s], [2 s, 0.2 m/s], [25 s, 0.2 m/s], [26 s, 0 m/s], [28 s, 0 m/s], "
                               "[30 s, 0.2 m/s], [60 s, 0.2 m/s]], take_in: true}";
     hawser_sim *const sim[2] = {pull_of("dynamic", "drive.winch", table), pull_of("auto", "drive.winch", table)};
@@ -232,9 +226,8 @@ static void test_stop(void **state)
 
 /* A command is carried out where the run is, by the equations of motion; those that positions know nothing of end
  * them. */
-static void test_command(void **state)
+TEST(test_command)
 {
-    (void)state;
     hawser_sim *const sim = pull_of("auto", NULL, NULL);
     hawser_summary sum;
     hawser_error err;
@@ -254,9 +247,8 @@ static void test_command(void **state)
 }
 
 /* What positions do not know: dynamic where that is left to the program, and said; otherwise refused by name. */
-static void test_refused(void **state)
+TEST(test_refused)
 {
-    (void)state;
     const struct {
         const char *data, *key, *value, *says;
     } bad[] = {{"positions", "friction.law", "stick", "sticks"},
@@ -289,9 +281,8 @@ static void test_refused(void **state)
 }
 
 /* One thread or two, the same bits. */
-static void test_threads(void **state)
+TEST(test_threads)
 {
-    (void)state;
     double pull[2];
     for (int k = 0; k < 2; ++k) {
         hawser_sim *const sim = pull_of("auto", "solver.threads", k ? "2" : "1");
@@ -305,9 +296,8 @@ static void test_threads(void **state)
 
 /* Saved before the first position, between positions, where they are lost and as motion goes on, a run goes on as it
  * would have gone on. */
-static void test_saved(void **state)
+TEST(test_saved)
 {
-    (void)state;
     enum { TIMES = 9 };
     static const double at[TIMES] = {3, 4.1, 6, 9, 9.1368, 9.14, 9.3, 11, 14};
     const char *const motion[] = {"solver.motion", "auto", NULL};
@@ -333,8 +323,3 @@ static void test_saved(void **state)
     }
     hawser_sim_free(whole);
 }
-
-TEST_FILE(test_quasi_static, cmocka_unit_test(test_same_pull), cmocka_unit_test(test_books),
-          cmocka_unit_test(test_peaks), cmocka_unit_test(test_rows), cmocka_unit_test(test_lost),
-          cmocka_unit_test(test_stop), cmocka_unit_test(test_command), cmocka_unit_test(test_refused),
-          cmocka_unit_test(test_saved), cmocka_unit_test(test_threads))

@@ -38,9 +38,8 @@ static void contact_check(const hawser_contact *c, double mu, int segments)
     check_between(c->segment, -1, segments);
 }
 
-static void test_rollers(void **state)
+TEST(test_rollers)
 {
-    (void)state;
     static const char *const planar[] = {"auto", "off"};
     for (int k = 0; k < 2; ++k) {
         hawser_sim *const s = sim_at("short-pull", "solver.planar", planar[k], 2);
@@ -65,9 +64,8 @@ static void test_rollers(void **state)
     }
 }
 
-static void test_surfaces(void **state)
+TEST(test_surfaces)
 {
-    (void)state;
     hawser_sim *const s = sim_at("picture", NULL, NULL, 0.5);
     const hawser_contact *contact;
     hawser_error err = {0};
@@ -88,9 +86,8 @@ static void test_surfaces(void **state)
 }
 
 /* EI 10 kN m2 between rollers 1 m apart. */
-static void test_cable(void **state)
+TEST(test_cable)
 {
-    (void)state;
     hawser_sim *const s = sim_at("short-pull", NULL, NULL, 2);
     const hawser_cable_point *joint;
     hawser_error err = {0};
@@ -112,9 +109,8 @@ static void test_cable(void **state)
     hawser_sim_free(s);
 }
 
-static void test_route(void **state)
+TEST(test_route)
 {
-    (void)state;
     hawser_sim *const s = sim_at("picture", NULL, NULL, 0);
     hawser_error err = {0};
     hawser_route_place at, ahead;
@@ -130,9 +126,8 @@ static void test_route(void **state)
     hawser_sim_free(s);
 }
 
-static void test_around(void **state)
+TEST(test_around)
 {
-    (void)state;
     hawser_sim *const s = sim_at("short-pull", NULL, NULL, 0);
     const hawser_geometry *g, *again;
     hawser_error err = {0};
@@ -155,9 +150,8 @@ static void test_around(void **state)
 }
 
 /* The largest tension of an envelope is that of the rows. */
-static void test_envelope(void **state)
+TEST(test_envelope)
 {
-    (void)state;
     hawser_sim *const s = sim_at("short-pull", NULL, NULL, 0);
     hawser_error err = {0};
     hawser_envelope e;
@@ -178,6 +172,3 @@ static void test_envelope(void **state)
     check_above(e.n, 20);
     hawser_sim_free(s);
 }
-
-TEST_FILE(test_query, cmocka_unit_test(test_rollers), cmocka_unit_test(test_surfaces), cmocka_unit_test(test_cable),
-          cmocka_unit_test(test_route), cmocka_unit_test(test_around), cmocka_unit_test(test_envelope))

@@ -70,7 +70,7 @@ static char *bytes_read(const Fixture *f, size_t size)
     return bytes;
 }
 
-static void test_held_back(void **state)
+TEST_WITH(test_held_back, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     struct stat info;
@@ -108,7 +108,7 @@ static void *close_later(void *states)
 }
 
 /* A checkpoint has all states behind it: it waits for the reader, if there was no flush since the last state, too. */
-static void test_checkpoint_waits(void **state)
+TEST_WITH(test_checkpoint_waits, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     ResultsPosition position;
@@ -138,7 +138,7 @@ int flock(int fd, int operation)
 
 /* A reader who keeps the file open holds the run up once, for 2000 tries; five checkpoints and the end are six times.
  */
-static void test_waits_once(void **state)
+TEST_WITH(test_waits_once, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     ResultsPosition position;
@@ -159,7 +159,7 @@ static void test_waits_once(void **state)
 }
 
 /* While a flush goes on nobody reads; one that does not end is given up. */
-static void test_readers_wait(void **state)
+TEST_WITH(test_readers_wait, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     pthread_t closing;
@@ -196,7 +196,7 @@ static void journal_write(const Fixture *f, const char *bytes, uint64_t size, in
 
 /* What a kill within a flush leaves is read as the flush would have left it, and nothing is changed (before, it was not
  * read at all); a journal that was not whole yet, or that is of another file, changes nothing. */
-static void test_cut_off(void **state)
+TEST_WITH(test_cut_off, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     struct stat info;
@@ -259,7 +259,7 @@ static int states_check(hid_t file)
 }
 
 /* A program writes as fast as it can, this one reads; then the writer is killed. */
-static void test_read_while_written(void **state)
+TEST_WITH(test_read_while_written, fixture_new, fixture_free)
 {
     enum { ENOUGH = 400 };
     Fixture *f = *state;
@@ -287,8 +287,3 @@ static void test_read_while_written(void **state)
     check_at_least(states_check(s.file), before);
     states_close(&s);
 }
-
-#define CASE(name) cmocka_unit_test_setup_teardown(name, fixture_new, fixture_free)
-
-TEST_FILE(test_readers, CASE(test_held_back), CASE(test_checkpoint_waits), CASE(test_waits_once),
-          CASE(test_readers_wait), CASE(test_cut_off), CASE(test_read_while_written))

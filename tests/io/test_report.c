@@ -20,9 +20,8 @@ static const char *hostile(void)
     return text;
 }
 
-static void json_keeps_words(void **state)
+TEST(json_keeps_words)
 {
-    (void)state;
     Text t = {0};
     text_json(&t, "say \"A\\B\"\n\xc3\xa9 \xf0\x9f\x98\x80 </script>");
     json_t *const back = json_loads(t.at, JSON_DECODE_ANY, NULL);
@@ -33,9 +32,8 @@ static void json_keeps_words(void **state)
 }
 
 /* Whatever the bytes, JSON comes out that can stand in a script element. */
-static void json_tames_any_bytes(void **state)
+TEST(json_tames_any_bytes)
 {
-    (void)state;
     Text t = {0};
     text_json(&t, hostile());
     json_t *const back = json_loads(t.at, JSON_DECODE_ANY, NULL);
@@ -48,9 +46,8 @@ static void json_tames_any_bytes(void **state)
     text_clear(&t);
 }
 
-static void whole_json_stays_the_same_value(void **state)
+TEST(whole_json_stays_the_same_value)
 {
-    (void)state;
     static const char text[] = "{\"a\": \"<b> & \xe2\x80\xa8</script>\", \"n\": [1.25e-3, null]}";
     Text t = {0};
     text_json_whole(&t, text, sizeof text - 1);
@@ -62,9 +59,8 @@ static void whole_json_stays_the_same_value(void **state)
     text_clear(&t);
 }
 
-static void html_is_escaped_and_cut(void **state)
+TEST(html_is_escaped_and_cut)
 {
-    (void)state;
     Text t = {0};
     text_html(&t, "<b onclick='x'>&\"", 100);
     assert_string_equal(t.at, "&#60;b onclick=&#39;x&#39;&#62;&#38;&#34;");
@@ -78,9 +74,8 @@ static void html_is_escaped_and_cut(void **state)
 }
 
 /* RFC 4648, section 10. */
-static void base64_is_the_standards(void **state)
+TEST(base64_is_the_standards)
 {
-    (void)state;
     static const char *const pair[][2] = {
         {"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foobar", "Zm9vYmFy"}};
     for (size_t k = 0; k < sizeof pair / sizeof *pair; k++) {
@@ -151,9 +146,8 @@ static void pack_and_compare(const float *value, double step)
     text_clear(&t);
 }
 
-static void packing_goes_both_ways(void **state)
+TEST(packing_goes_both_ways)
 {
-    (void)state;
     float value[VALUES];
     double worst = 0;
     int32_t q[VALUES];
@@ -165,9 +159,8 @@ static void packing_goes_both_ways(void **state)
 }
 
 /* Differences of the largest numbers leave 32 bits, and come back. */
-static void packing_wraps_around(void **state)
+TEST(packing_wraps_around)
 {
-    (void)state;
     float value[VALUES];
     for (int k = 0; k < VALUES; k++) value[k] = (float)((k * 7919) % 3 - 1) * 3e9F;
     value[5] = NAN;
@@ -181,9 +174,8 @@ static void packing_wraps_around(void **state)
 }
 
 /* The order of the bytes, by hand: two frames of two items. */
-static void planes_are_as_documented(void **state)
+TEST(planes_are_as_documented)
 {
-    (void)state;
     const int32_t q[4] = {1, 3, 2, 260};
     unsigned char planes[16];
     pack_planes(2, 2, 1, q, planes);
@@ -202,9 +194,8 @@ static Sheet sheet_of(const char *text)
     return sheet;
 }
 
-static void tables_are_cut(void **state)
+TEST(tables_are_cut)
 {
-    (void)state;
     Sheet s = sheet_of("name,\"x, m\",v\r\n\"say \"\"B\"\"\",1.5,\n'-5,'=1+1,x\nshort\n1,2,3,4,5\n\"two\nlines\",0,1");
     assert_int_equal(s.columns, 3);
     assert_int_equal(s.rows, 5);
@@ -229,9 +220,8 @@ static void tables_are_cut(void **state)
     check_has(err.message, "test.csv: a quote is not closed");
 }
 
-static void numbers_are_jsons(void **state)
+TEST(numbers_are_jsons)
 {
-    (void)state;
     static const char *const good[] = {"0", "-0", "12.5", "1e5", "1.25E-07", "-3e+2"};
     static const char *const bad[] = {"",    "-",   ".5",    "5.",    "01", "+1", "1e",
                                       "nan", "inf", "1e999", "0x1p3", "1 ", "1,5"};
@@ -239,9 +229,8 @@ static void numbers_are_jsons(void **state)
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) assert_false(is_json_number(bad[k]));
 }
 
-static void tables_become_json(void **state)
+TEST(tables_become_json)
 {
-    (void)state;
     Sheet s = sheet_of("name,x\n12,1.5\n</script>,\n");
     Text t = {0};
     sheet_json(&s, 0, NULL, &t);
@@ -251,9 +240,8 @@ static void tables_become_json(void **state)
 }
 
 /* A spike of one row among a hundred thousand stays. */
-static void thinning_keeps_extremes(void **state)
+TEST(thinning_keeps_extremes)
 {
-    (void)state;
     enum { ROWS = 20000, MOST = 300 };
     Text t = {0};
     int row[MOST + 3], spike = 0, hole = 0;
@@ -285,9 +273,8 @@ static int count(const char *text, const char *part)
 }
 
 /* An axis has a handful of round numbers, whatever its range. */
-static void axes_are_round(void **state)
+TEST(axes_are_round)
 {
-    (void)state;
     static const double ranges[][2] = {{0, 58.5}, {-3, 12e6}, {0, 1e-4}, {5, 5}, {NAN, NAN}, {-1e9, 1e9}};
     for (size_t k = 0; k < sizeof ranges / sizeof *ranges; k++) {
         Svg svg;
@@ -303,9 +290,8 @@ static void axes_are_round(void **state)
     }
 }
 
-static void lines_break_and_thin(void **state)
+TEST(lines_break_and_thin)
 {
-    (void)state;
     enum { POINTS = 100000 };
     static double xs[POINTS], ys[POINTS];
     for (int i = 0; i < POINTS; i++) {
@@ -323,11 +309,3 @@ static void lines_break_and_thin(void **state)
     assert_int_equal(count(path, " 30.0"), 1); /* the spike: 100 - 70 */
     text_clear(&svg.out);
 }
-
-TEST_FILE(test_report, cmocka_unit_test(json_keeps_words), cmocka_unit_test(json_tames_any_bytes),
-          cmocka_unit_test(html_is_escaped_and_cut), cmocka_unit_test(whole_json_stays_the_same_value),
-          cmocka_unit_test(base64_is_the_standards), cmocka_unit_test(packing_goes_both_ways),
-          cmocka_unit_test(packing_wraps_around), cmocka_unit_test(planes_are_as_documented),
-          cmocka_unit_test(tables_are_cut), cmocka_unit_test(numbers_are_jsons), cmocka_unit_test(tables_become_json),
-          cmocka_unit_test(thinning_keeps_extremes), cmocka_unit_test(axes_are_round),
-          cmocka_unit_test(lines_break_and_thin))

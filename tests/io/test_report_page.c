@@ -86,9 +86,8 @@ static void compare_table(const json_t *table, const char *file)
     free(text);
 }
 
-static void figures_are_the_results(void **state)
+TEST_WITH(figures_are_the_results, scratch_make, scratch_remove)
 {
-    (void)state;
     run_pull(NULL, scratch_folder(), 0);
     json_t *const all = report_on(scratch_folder()), *const run = first_run(all);
     char *const text = file_text(scratch_path("summary.json"));
@@ -112,9 +111,8 @@ static void figures_are_the_results(void **state)
 }
 
 /* Every key of the case, with its line and origin. */
-static void inputs_are_listed(void **state)
+TEST_WITH(inputs_are_listed, scratch_make, scratch_remove)
 {
-    (void)state;
     run_pull(NULL, scratch_folder(), 0);
     json_t *const all = report_on(scratch_folder());
     const json_t *const inputs = json_object_get(first_run(all), "inputs");
@@ -139,9 +137,8 @@ static void inputs_are_listed(void **state)
 }
 
 /* Neither the page nor its data get another element by what a run is called. */
-static void hostile_titles_do_no_harm(void **state)
+TEST_WITH(hostile_titles_do_no_harm, scratch_make, scratch_remove)
 {
-    (void)state;
     char *const quoted = malloc(20000);
     strcpy(quoted, "\"");
     strcat(quoted, "</script><script>alert(1)</script><!-- ' &amp; end");
@@ -181,9 +178,8 @@ static void hostile_titles_do_no_harm(void **state)
 }
 
 /* No request, no foreign script: the policy says so, and names the one script by its sum. */
-static void the_policy_is_strict(void **state)
+TEST_WITH(the_policy_is_strict, scratch_make, scratch_remove)
 {
-    (void)state;
     run_pull(NULL, scratch_folder(), 0);
     json_decref(report_on(scratch_folder()));
     char *const page = file_text(scratch_path("page.html"));
@@ -195,9 +191,8 @@ static void the_policy_is_strict(void **state)
     free(page);
 }
 
-static void a_run_that_was_stopped_has_a_page(void **state)
+TEST_WITH(a_run_that_was_stopped_has_a_page, scratch_make, scratch_remove)
 {
-    (void)state;
     run_pull(NULL, scratch_folder(), 1);
     json_t *const all = report_on(scratch_folder());
     assert_string_equal(json_string_value(json_object_get(json_object_get(first_run(all), "summary"), "outcome")),
@@ -209,9 +204,8 @@ static void a_run_that_was_stopped_has_a_page(void **state)
 }
 
 /* What is missing or broken beside the summary is said on the page. */
-static void missing_files_are_notes(void **state)
+TEST_WITH(missing_files_are_notes, scratch_make, scratch_remove)
 {
-    (void)state;
     run_pull(NULL, scratch_folder(), 0);
     unlink(scratch_path("results.h5"));
     unlink(scratch_path("inputs.csv"));
@@ -235,9 +229,8 @@ static void missing_files_are_notes(void **state)
     json_decref(all);
 }
 
-static void results_h5_may_be_anything(void **state)
+TEST_WITH(results_h5_may_be_anything, scratch_make, scratch_remove)
 {
-    (void)state;
     run_pull(NULL, scratch_folder(), 0);
     file_write(scratch_path("results.h5"), "\211HDF\r\n\032\n and then nothing that is any use");
     json_t *const all = report_on(scratch_folder());
@@ -246,9 +239,8 @@ static void results_h5_may_be_anything(void **state)
 }
 
 /* Reel and winch stand where the case puts them. */
-static void machines_are_drawn(void **state)
+TEST_WITH(machines_are_drawn, scratch_make, scratch_remove)
 {
-    (void)state;
     hawser_case *c = NULL;
     hawser_sim *s = NULL;
     hawser_error err = {0};
@@ -274,9 +266,8 @@ static void machines_are_drawn(void **state)
     json_decref(all);
 }
 
-static void folders_without_results_are_errors(void **state)
+TEST_WITH(folders_without_results_are_errors, scratch_make, scratch_remove)
 {
-    (void)state;
     hawser_error err = {0};
     const char *folder = scratch_folder(), *const nowhere = "/nowhere/at/all",
                *many[7] = {scratch_folder(), scratch_folder(), scratch_folder(), scratch_folder(),
@@ -299,9 +290,8 @@ static void folders_without_results_are_errors(void **state)
 }
 
 /* Six runs share the room for their states. */
-static void runs_are_compared(void **state)
+TEST_WITH(runs_are_compared, scratch_make, scratch_remove)
 {
-    (void)state;
     hawser_error err = {0};
     run_pull(NULL, scratch_path("a"), 0);
     run_pull("another", scratch_path("b"), 0);
@@ -316,9 +306,8 @@ static void runs_are_compared(void **state)
 }
 
 /* A program that writes decimal commas gets points. */
-static void locales_change_nothing(void **state)
+TEST_WITH(locales_change_nothing, scratch_make, scratch_remove)
 {
-    (void)state;
     run_pull(NULL, scratch_folder(), 0);
     setenv("SOURCE_DATE_EPOCH", "0", 1);
     json_decref(report_on(scratch_folder()));
@@ -335,9 +324,8 @@ static void locales_change_nothing(void **state)
     free(plain);
 }
 
-static void figures_are_drawn(void **state)
+TEST_WITH(figures_are_drawn, scratch_make, scratch_remove)
 {
-    (void)state;
     hawser_error err = {0};
     int drawn = 0;
     const char *const one[] = {"tension"}, *const none[] = {"tensions"};
@@ -364,10 +352,3 @@ static void figures_are_drawn(void **state)
     free(si);
     free(us);
 }
-
-#define TEST(function) cmocka_unit_test_setup_teardown(function, scratch_make, scratch_remove)
-
-TEST_FILE(test_report_page, TEST(figures_are_the_results), TEST(inputs_are_listed), TEST(hostile_titles_do_no_harm),
-          TEST(the_policy_is_strict), TEST(a_run_that_was_stopped_has_a_page), TEST(missing_files_are_notes),
-          TEST(results_h5_may_be_anything), TEST(folders_without_results_are_errors), TEST(runs_are_compared),
-          TEST(locales_change_nothing), TEST(figures_are_drawn), TEST(machines_are_drawn))

@@ -58,7 +58,7 @@ static int count_states(const char *path)
     return n;
 }
 
-static void test_text_files(void **state)
+TEST_WITH(test_text_files, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     Results *r = open_results(f);
@@ -85,7 +85,7 @@ static void test_text_files(void **state)
                 "P2,,0,0,10,,,,0,1\n");
 }
 
-static void test_states(void **state)
+TEST_WITH(test_states, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     Results *r = open_results(f);
@@ -128,7 +128,7 @@ static void test_states(void **state)
 }
 
 /* Two rollers whose names differ in their last letters alone keep them whole. */
-static void test_long_names(void **state)
+TEST_WITH(test_long_names, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     static const char *const names[R] = {"a name of thirty letters and more 1 left",
@@ -150,7 +150,7 @@ static void test_long_names(void **state)
 }
 
 /* Only what will be large is compressed. */
-static void test_compression(void **state)
+TEST_WITH(test_compression, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     for (int large = 0; large < 2; large++) {
@@ -171,7 +171,7 @@ static void test_compression(void **state)
     }
 }
 
-static void test_attributes(void **state)
+TEST_WITH(test_attributes, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     Results *r = open_results(f);
@@ -205,7 +205,7 @@ static int count_frames(const char *text)
     return n;
 }
 
-static void test_xdmf_is_whole_at_any_time(void **state)
+TEST_WITH(test_xdmf_is_whole_at_any_time, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     Results *r = open_results(f);
@@ -228,7 +228,7 @@ static void test_xdmf_is_whole_at_any_time(void **state)
 }
 
 /* What is on disk while the writer still has the file: a copy opens, and no lock keeps readers away. */
-static void test_readable_while_running(void **state)
+TEST_WITH(test_readable_while_running, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     char command[512], copy[128];
@@ -245,7 +245,7 @@ static void test_readable_while_running(void **state)
 }
 
 /* A run that is dropped in the middle keeps its rows and states. */
-static void test_dropped_run(void **state)
+TEST_WITH(test_dropped_run, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     Results *r = open_results(f);
@@ -258,7 +258,7 @@ static void test_dropped_run(void **state)
     expect_text(f, "summary.json", "{\"outcome\": \"running\"}\n");
 }
 
-static void test_no_states_wanted(void **state)
+TEST_WITH(test_no_states_wanted, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     ResultsDef def = fixture_def;
@@ -275,7 +275,7 @@ static void test_no_states_wanted(void **state)
 }
 
 /* Scenes without rollers, and a chain of one segment, have no empty arrays. */
-static void test_small_scenes(void **state)
+TEST_WITH(test_small_scenes, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     ResultsDef def = fixture_def;
@@ -301,7 +301,7 @@ static void expect_refused(const char *dir, const char *path, int number)
     if (!strstr(err.message, strerror(number))) fail_msg("%s", err.message);
 }
 
-static void test_folder_is_made(void **state)
+TEST_WITH(test_folder_is_made, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     Results *r = NULL;
@@ -312,7 +312,7 @@ static void test_folder_is_made(void **state)
     assert_int_equal(access(fixture_path(f, "a/b/c/series.csv"), R_OK), 0);
 }
 
-static void test_unusable_folders(void **state)
+TEST_WITH(test_unusable_folders, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     char dir[128];
@@ -330,7 +330,7 @@ static void test_unusable_folders(void **state)
 }
 
 /* Each file in turn is a link to one that is not the run's, which was written over: the link is replaced. */
-static void test_links(void **state)
+TEST_WITH(test_links, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     char victim[256], path[256], word[16];
@@ -352,7 +352,7 @@ static void test_links(void **state)
 }
 
 /* Each file in turn is a folder. */
-static void test_folder_in_place_of_file(void **state)
+TEST_WITH(test_folder_in_place_of_file, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     for (int i = 0; i < FILES; i++) {
@@ -367,7 +367,7 @@ static void test_folder_in_place_of_file(void **state)
 
 /* The disk fills while the run goes on (a limit on the file size stands in for it): the error names the file,
  * and the states before it can be read. */
-static void test_disk_fills_up(void **state)
+TEST_WITH(test_disk_fills_up, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     hawser_error err = {0};
@@ -396,7 +396,7 @@ static void test_disk_fills_up(void **state)
 }
 
 /* A program with decimal commas gets decimal points. The locale is made for the test. */
-static void test_locale(void **state)
+TEST_WITH(test_locale, fixture_new, fixture_free)
 {
     Fixture *f = *state;
     char command[256];
@@ -414,11 +414,3 @@ static void test_locale(void **state)
     check_has(text, "\n0.1,7001,51,0.1,");
     free(text);
 }
-
-#define CASE(name) cmocka_unit_test_setup_teardown(name, fixture_new, fixture_free)
-
-TEST_FILE(test_results, CASE(test_text_files), CASE(test_states), CASE(test_compression), CASE(test_attributes),
-          CASE(test_long_names), CASE(test_xdmf_is_whole_at_any_time), CASE(test_readable_while_running),
-          CASE(test_dropped_run), CASE(test_no_states_wanted), CASE(test_small_scenes), CASE(test_folder_is_made),
-          CASE(test_unusable_folders), CASE(test_links), CASE(test_folder_in_place_of_file), CASE(test_disk_fills_up),
-          CASE(test_locale))

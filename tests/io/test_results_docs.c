@@ -73,9 +73,8 @@ static int names_in(const char *part)
     return n / 2;
 }
 
-static void every_table(void **state)
+TEST(every_table)
 {
-    (void)state;
     static const struct {
         const char *heading;
         const Columns *columns;
@@ -91,9 +90,8 @@ static void every_table(void **state)
 }
 
 /* The star is NAME, or K where it is a number. */
-static void series(void **state)
+TEST(series)
 {
-    (void)state;
     static char part[PART_MAX];
     int n = 0;
     part_of("## series.csv", part);
@@ -121,9 +119,8 @@ static void series(void **state)
     assert_int_equal(names_in(part), n);
 }
 
-static void every_set(void **state)
+TEST(every_set)
 {
-    (void)state;
     static char part[PART_MAX];
     part_of("## results.h5", part);
     for (int k = 0; k < sample_columns; k++) {
@@ -150,9 +147,8 @@ static void expect_fixed(const char *part, const char *prefix, int n, const Fixe
     }
 }
 
-static void every_fixed_set(void **state)
+TEST(every_fixed_set)
 {
-    (void)state;
     static char part[PART_MAX];
     part_of("## results.h5", part);
     expect_fixed(part, "", geometry_sets, geometry_set);
@@ -175,9 +171,8 @@ static void expect_keys(const char *part, const Columns *columns)
     }
 }
 
-static void every_key(void **state)
+TEST(every_key)
 {
-    (void)state;
     static char part[PART_MAX];
     part_of("## summary.json", part);
     expect_keys(part, &summary_columns);
@@ -196,6 +191,3 @@ static void every_key(void **state)
         }
     }
 }
-
-TEST_FILE(test_results_docs, cmocka_unit_test(every_table), cmocka_unit_test(series), cmocka_unit_test(every_set),
-          cmocka_unit_test(every_fixed_set), cmocka_unit_test(every_key))

@@ -107,9 +107,8 @@ static json_t *value_of(json_t *o, const char *path)
     return value_of(json_object_get(o, outer), dot + 1);
 }
 
-static void test_numbers(void **state)
+TEST(test_numbers)
 {
-    (void)state;
     const struct {
         const char *path;
         double value;
@@ -186,9 +185,8 @@ static void test_numbers(void **state)
     json_decref(o);
 }
 
-static void test_texts(void **state)
+TEST(test_texts)
 {
-    (void)state;
     const char *const expected[][2] = {
         {"title", "A \"title\""}, {"case", "cases/x.yaml"},      {"outcome", "finished"},
         {"message", ""},          {"linear_solver", "block"},    {"linear_solver_why", "a plain chain"},
@@ -201,9 +199,8 @@ static void test_texts(void **state)
 }
 
 /* JSON has no NaN, no infinity, and no text but UTF-8: null. */
-static void test_unknown_becomes_null(void **state)
+TEST(test_unknown_becomes_null)
 {
-    (void)state;
     hawser_summary s = full;
     SummaryLabels l = labels;
     s.pull_mean_N = NAN;
@@ -220,9 +217,8 @@ static void test_unknown_becomes_null(void **state)
 }
 
 /* Rollers that move have a table of their own, which others stay out of; without any there is none. */
-static void test_moving_rollers(void **state)
+TEST(test_moving_rollers)
 {
-    (void)state;
     const hawser_roller roller[2] = {{"fixed", 0.5, 160e3, 100, 200, 320, NAN, NAN, NAN, 2, 3},
                                      {"P2", NAN, 0, 0, 0, 10, 1.5, NAN, NAN, 0, 1}};
     json_t *o = write_and_read(&full, &labels);
@@ -239,6 +235,3 @@ static void test_moving_rollers(void **state)
     assert_true(json_is_null(json_object_get(row, "steady_shift_m")) && json_is_null(json_object_get(row, "s_m")));
     json_decref(o);
 }
-
-TEST_FILE(test_results_summary, cmocka_unit_test(test_moving_rollers), cmocka_unit_test(test_numbers),
-          cmocka_unit_test(test_texts), cmocka_unit_test(test_unknown_becomes_null))

@@ -23,9 +23,8 @@ static void row_read(const char *row, SceneDef *def)
 }
 
 /* Bends and straights share the route between them: places never meet and no gap is longer than the larger spacing. */
-static void bends_and_straights(void **state)
+TEST(bends_and_straights)
 {
-    (void)state;
     SceneDef def;
     row_read("[{where: bends, spacing: 600 mm}, {where: straights, spacing: 2 m, from: -3 m, to: 21 m}]", &def);
     Route route = route_of(&def);
@@ -58,9 +57,8 @@ static void bends_and_straights(void **state)
 
 /* Guides stand upright beside the line, on the side of the bend's centre, by gap and radii away; none in the bend
  * upward. */
-static void guides_inside(void **state)
+TEST(guides_inside)
 {
-    (void)state;
     SceneDef def;
     row_read("{guide: inside, spacing: 500 mm, gap: 15 mm, radius: 70 mm, width: 200 mm, rating: 3 kN}", &def);
     Route route = route_of(&def);
@@ -91,9 +89,8 @@ static void guides_inside(void **state)
 }
 
 /* A grooved roller is as far below the line as the cable sits in it, a hold-down as far above. */
-static void grooves_are_sat_in(void **state)
+TEST(grooves_are_sat_in)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("smallest"), "rollers.along",
                 "{count: 3, radius: 80 mm, profile: v, groove: {angle: 60 deg}, hold_down: [[9 m, 11 m]]}", &def);
@@ -120,9 +117,8 @@ static void grooves_are_sat_in(void **state)
     scene_def_clear(&def);
 }
 
-static void bad_rows(void **state)
+TEST(bad_rows)
 {
-    (void)state;
     static const char *const bad[][2] = {
         {"{count: 3, groove: {angle: 90 deg}}", "key 'rollers.along.groove': only for 'profile: v' or 'profile: u'"},
         {"{count: 3, profile: v, groove: {radius: 60 mm}}", "key 'rollers.along.groove.radius': only for 'profile: u'"},
@@ -154,9 +150,8 @@ static void bad_rows(void **state)
 }
 
 /* As many rollers as a case may have, one at each of their places. */
-static void most_rollers(void **state)
+TEST(most_rollers)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("smallest"), "rollers.along", "{count: 100000}", &def);
     assert_int_equal(def.n_rollers, 100000);
@@ -164,9 +159,8 @@ static void most_rollers(void **state)
 }
 
 /* Each roller's own law wins over the case's, and takes from it what it does not say. */
-static void friction_that_sticks(void **state)
+TEST(friction_that_sticks)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("smallest"), "friction", "{mu: 0.3}", &def);
     check_equal(def.friction.d_s, 0);
@@ -199,9 +193,8 @@ static double pull_of(const char *name, const char *const *settings, hawser_summ
 }
 
 /* The wedge makes mu into mu/sin(half angle); one and two threads give the same bits. */
-static void v_groove_case(void **state)
+TEST(v_groove_case)
 {
-    (void)state;
     const char *const steep[] = {"rollers.along.groove.angle",
                                  "60 deg",
                                  "rollers.along.groove.depth",
@@ -222,9 +215,8 @@ static void v_groove_case(void **state)
 }
 
 /* Weight on the carriers, T/R on the guides: what the case's comment derives, at the middle of the window. */
-static void guide_case(void **state)
+TEST(guide_case)
 {
-    (void)state;
     hawser_summary summary;
     const double found = pull_of("guide-rollers", NULL, &summary);
     const double w = 22 * 9.81, mu = 0.2, R = 10, arc = M_PI / 3 * R, travel = 0.1 * (9.5 - 2);
@@ -234,7 +226,3 @@ static void guide_case(void **state)
     /* and the theory knows that supports are separate there; the chain's chords put the tail 0.3 mm ahead */
     check_share(summary.reference_total_N, T2 + mu * w * out, 1e-5);
 }
-
-TEST_FILE(test_roller_rows, cmocka_unit_test(bends_and_straights), cmocka_unit_test(guides_inside),
-          cmocka_unit_test(grooves_are_sat_in), cmocka_unit_test(most_rollers), cmocka_unit_test(friction_that_sticks),
-          cmocka_unit_test(bad_rows), cmocka_unit_test(v_groove_case), cmocka_unit_test(guide_case))

@@ -35,18 +35,16 @@ static void expect_same(const char *one, const char *other)
     for (int i = 0; i < 2; i++) hawser_sim_free(sim[i]);
 }
 
-static void a_cable_in_pieces_is_one_cable(void **state)
+TEST(a_cable_in_pieces_is_one_cable)
 {
-    (void)state;
     static const char whole[] = "[{cable: c, length: 11 m, segment: 500 mm}]";
     expect_same(whole, "[{cable: c, length: 6 m, segment: 500 mm}, {cable: c, length: 5 m, segment: 500 mm}]");
     expect_same(whole, "[{cable: c, length: 6 m, segment: 500 mm}, {cable: thick, length: 5 m, segment: 500 mm, rope: "
                        "false}]");
 }
 
-static void a_rope_in_pieces_is_one_rope(void **state)
+TEST(a_rope_in_pieces_is_one_rope)
 {
-    (void)state;
     static const char cable[] = "[{cable: c, length: 9 m, segment: 500 mm}, ";
     char one[200], two[200], cut[300];
     snprintf(one, sizeof one, "%s{cable: r, length: 3 m, segment: 500 mm}]", cable);
@@ -60,9 +58,8 @@ static void a_rope_in_pieces_is_one_rope(void **state)
 }
 
 /* The eye is where the rope begins, told or found. */
-static void where_the_eye_is(void **state)
+TEST(where_the_eye_is)
 {
-    (void)state;
     static const struct {
         const char *chain;
         int eye;
@@ -88,9 +85,8 @@ static void where_the_eye_is(void **state)
     }
 }
 
-static void mistakes(void **state)
+TEST(mistakes)
 {
-    (void)state;
     static const struct {
         const char *chain, *part;
     } row[] = {
@@ -110,6 +106,3 @@ static void mistakes(void **state)
         expect_bad(text, NULL, NULL, row[i].part);
     }
 }
-
-TEST_FILE(test_rope, cmocka_unit_test(a_cable_in_pieces_is_one_cable), cmocka_unit_test(a_rope_in_pieces_is_one_rope),
-          cmocka_unit_test(where_the_eye_is), cmocka_unit_test(mistakes))

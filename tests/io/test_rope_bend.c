@@ -28,9 +28,8 @@ static double bend_with(const char *rollers, const char *surfaces)
 
 /* The corner's middle is at (10 + sin 45, 1 - cos 45); a roller that the cable lies against there is nearer to its
  * centre at (10, 1). */
-static void what_bends_the_rope(void **state)
+TEST(what_bends_the_rope)
 {
-    (void)state;
     static const char row[] = "{from: 0 m, to: 9.5 m, spacing: 1 m, radius: 60 mm}";
     char rollers[900];
     snprintf(rollers, sizeof rollers, "{along: [%s]}", row);
@@ -50,9 +49,8 @@ static void what_bends_the_rope(void **state)
 }
 
 /* Rollers turn the rope where they stand on a bend's inner side, and only where the cable reaches them. */
-static void what_does_not_bend_the_rope(void **state)
+TEST(what_does_not_bend_the_rope)
 {
-    (void)state;
     char rollers[1600];
     const double in = 1 - 0.04 - 0.09, out = 1 + 0.04 + 0.06;
     int used = snprintf(rollers, sizeof rollers,
@@ -119,9 +117,8 @@ static void check_guided(const Guided *row, double radius)
 /* Guides that stand unevenly turn the rope unevenly, each by the angle between its chords. On an arc a chord goes as
  * the mean of its ends: guides at 18, 43 and 67 degrees of 80 turn it by 30.5, 24.5 and 25. On a clothoid from straight
  * to 1/R over L the route has turned by x^2/(2 R L), and a chord from x to y goes by (x^2 + xy + y^2)/(6 R L). */
-static void each_guide_by_its_own_angle(void **state)
+TEST(each_guide_by_its_own_angle)
 {
-    (void)state;
     static const char arc[] = "{bend: 80 deg, radius: 4 m, plane: left}";
     static const char parts[] = "{bend: 90 deg, radius: 4 m, plane: left}";
     static const char grows[] = "{clothoid: 4 m, end_radius: 2 m, plane: left}";
@@ -143,9 +140,8 @@ static void each_guide_by_its_own_angle(void **state)
 
 /* A corner of 50 degrees without rollers of its own: were its turn shared evenly, the two next ones had 25 each. The
  * chord between them goes by (25 l + 50 b)/(a + l + b) degrees, l = R angle, a before and b beyond it. */
-static void the_nearer_one_turns_it_more(void **state)
+TEST(the_nearer_one_turns_it_more)
 {
-    (void)state;
     static const char corner[] = "{bend: 50 deg, radius: 1 m, plane: left}";
     static const struct {
         double before, beyond;
@@ -164,9 +160,8 @@ static void the_nearer_one_turns_it_more(void **state)
 }
 
 /* Two that stand one above the other turn it together. */
-static void one_above_the_other(void **state)
+TEST(one_above_the_other)
 {
-    (void)state;
     char rollers[500];
     const double in = 1 - 0.04 - 0.09, x = 10 + in * sqrt(0.5), y = 1 - in * sqrt(0.5);
     snprintf(rollers, sizeof rollers,
@@ -176,7 +171,3 @@ static void one_above_the_other(void **state)
              x, y, x, y);
     check_share(bend_round("{bend: 50 deg, radius: 1 m, plane: left}", rollers, "{}"), 0.18 / 0.02, 1e-9);
 }
-
-TEST_FILE(test_rope_bend, cmocka_unit_test(what_bends_the_rope), cmocka_unit_test(what_does_not_bend_the_rope),
-          cmocka_unit_test(each_guide_by_its_own_angle), cmocka_unit_test(the_nearer_one_turns_it_more),
-          cmocka_unit_test(one_above_the_other))

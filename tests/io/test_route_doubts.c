@@ -65,9 +65,8 @@ static const char *said(const char *name, const char *text, const char *keys)
 #define LINE(from, to) "<Line><Start>" from "</Start><End>" to "</End></Line>"
 
 /* Elements that do not meet: what is missing between them is not built. Within the tolerance it is bridged. */
-static void gaps_between_elements(void **state)
+TEST(gaps_between_elements)
 {
-    (void)state;
     hawser_route_options options = hawser_route_defaults();
     hawser_route_figures f;
     check_has(trouble(LANDXML(LINE("0 0", "0 50") LINE("0 60", "0 100"), ""), &options, &f),
@@ -86,9 +85,8 @@ static void gaps_between_elements(void **state)
 }
 
 /* A profile whose elements are not at one height where they meet, in a table and in a model. */
-static void jumps_of_the_profile(void **state)
+TEST(jumps_of_the_profile)
 {
-    (void)state;
     static const char *const head = "x,y,direction,length,z,start gradient\n";
     hawser_route_options options = hawser_route_defaults();
     hawser_route_figures f;
@@ -123,9 +121,8 @@ static void jumps_of_the_profile(void **state)
     "0\nARC\n8\nL\n10\n" #x "\n20\n" #y "\n30\n" #z "\n40\n" #radius "\n50\n" #from "\n51\n" #to "\n" more
 
 /* A drawing's straights stay straight with a corner between them, at whatever height an arc among them lies. */
-static void straights_beside_arcs(void **state)
+TEST(straights_beside_arcs)
 {
-    (void)state;
     static const char *const drawing[] = {
         DXF(DXF_LINE(0, 0, 0, 100, 0, 0) DXF_LINE(100, 0, 0, 190, 40, 0) DXF_LINE(190, 40, 0, 190, 140, 0)
                 DXF_ARC(150, 140, 0, 40, 0, 90, "")),
@@ -145,9 +142,8 @@ static void straights_beside_arcs(void **state)
 }
 
 /* A radius is for corners: what is an arc or a spline in the file has its own. */
-static void radius_beside_curves(void **state)
+TEST(radius_beside_curves)
 {
-    (void)state;
     static const char *const drawing[] = {
         DXF(DXF_LINE(0, 0, 5, 50, 0, 5) DXF_ARC(50, 20, 5, 20, 270, 360, "")),
         DXF(DXF_LINE(0, 0, 4, 50, 0, 5) DXF_ARC(50, 20, 5, 20, 270, 360, "")),
@@ -164,9 +160,8 @@ static void radius_beside_curves(void **state)
 }
 
 /* Parts of one feature that touch are one line; what of a file is not the route is said, however short. */
-static void lines_beside_the_route(void **state)
+TEST(lines_beside_the_route)
 {
-    (void)state;
     static const char *const map = "{\"type\":\"Feature\",\"coordinates_in\":\"m\",\"properties\":{\"name\":\"r\"},"
                                    "\"geometry\":{\"type\":\"MultiLineString\",\"coordinates\":[[[0,0],[100,0]],"
                                    "[[109,0],[100,0]],[[109,%d],[112,0]]]}}";
@@ -188,9 +183,8 @@ static void lines_beside_the_route(void **state)
 
 /* A shaft between two lines is part of the route, with a radius for its corners: 120 m less what two quarter arcs of 2
  * m cut off, 2 (4 - pi) m. It was left out, and the route level. Without a radius there is no such profile. */
-static void a_shaft_in_a_drawing(void **state)
+TEST(a_shaft_in_a_drawing)
 {
-    (void)state;
     static const char shaft[] =
         DXF(DXF_LINE(0, 0, 0, 50, 0, 0) DXF_LINE(50, 0, 0, 50, 0, 20) DXF_LINE(50, 0, 20, 100, 0, 20));
     check_has(said("shaft.dxf", shaft, ", radius: 2 m"), "\"route_length_m\": 118.2831853");
@@ -202,9 +196,8 @@ static void a_shaft_in_a_drawing(void **state)
 }
 
 /* Heights of a part of the route were left out with those that are there, and the route was level at 0 m. */
-static void heights_of_a_part(void **state)
+TEST(heights_of_a_part)
 {
-    (void)state;
     static const struct {
         const char *name, *text;
     } file[] = {
@@ -225,9 +218,8 @@ static void heights_of_a_part(void **state)
 }
 
 /* A drawing without units is in metres, and a case says that it was taken so, unless it gives them. */
-static void units_that_are_not_said(void **state)
+TEST(units_that_are_not_said)
 {
-    (void)state;
     static const char *const drawing[] = {
         "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n0\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" DXF_LINE(
             0, 0, 0, 50, 0, 0) "0\nENDSEC\n0\nEOF\n",
@@ -244,9 +236,8 @@ static void units_that_are_not_said(void **state)
 
 /* A drawing that says mm with the figures of metres: its route was 0.132 m long. Which way a line runs stands in the
  * case's assumptions. */
-static void units_by_size(void **state)
+TEST(units_by_size)
 {
-    (void)state;
     static const char *const doubtful[] = {MM_DRAWING(DXF_LINE(0, 0, 0, 132, 0, 0)),
                                            MM_DRAWING(DXF_LINE(453120, 6712310, 0, 455320, 6712310, 0)),
                                            DXF(DXF_LINE(0, 0, 0, 132000, 0, 0))};
@@ -265,9 +256,8 @@ static void units_by_size(void **state)
 /* Corners without a radius: how wide the tolerance lets a bend be is no radius that anybody meant. A route of 0.06 m
  * bends was pulled along before; now `radius` is proposed, the least room for it is said, and with it the bends are
  * listed, of half the tangent that fits: legs of 20 m, corners of 90 deg, 10 m at most. */
-static void corners_without_a_radius(void **state)
+TEST(corners_without_a_radius)
 {
-    (void)state;
     static const char corners[] = "x (m),y (m)\n0,0\n20,0\n20,20\n40,20\n";
     hawser_route_options options = hawser_route_defaults();
     hawser_route_figures f;
@@ -285,9 +275,8 @@ static void corners_without_a_radius(void **state)
 
 /* A column that looks like a part of the route stops the reading until it is ignored; a name that no column has, and
  * columns of what is no table, are refused. */
-static void columns_that_are_ignored(void **state)
+TEST(columns_that_are_ignored)
 {
-    (void)state;
     static const char table[] = "x (m),y (m),depth of cover\n0,0,1.2\n20,0,1.5\n40,0,1.9\n";
     check_has(said("route.csv", table, ", ignore: [depth of cover]"), "route_length_m");
     assert_null(strstr(said("route.csv", table, ", ignore: [depth of cover]"), "column 'depth"));
@@ -296,9 +285,3 @@ static void columns_that_are_ignored(void **state)
               "columns of a table, which this is not");
     check_has(said("plan.dxf", DXF(DXF_LINE(0, 0, 0, 50, 0, 0)), ", sheet: A"), "which this is not");
 }
-
-TEST_FILE(test_route_doubts, cmocka_unit_test(gaps_between_elements), cmocka_unit_test(jumps_of_the_profile),
-          cmocka_unit_test(straights_beside_arcs), cmocka_unit_test(radius_beside_curves),
-          cmocka_unit_test(lines_beside_the_route), cmocka_unit_test(units_that_are_not_said),
-          cmocka_unit_test(a_shaft_in_a_drawing), cmocka_unit_test(heights_of_a_part), cmocka_unit_test(units_by_size),
-          cmocka_unit_test(corners_without_a_radius), cmocka_unit_test(columns_that_are_ignored))

@@ -39,9 +39,8 @@ enum { UNDER_SANITIZERS = 0 };
 #endif
 
 /* LandXML, IFC, a table, and a drawing in plan with a table of heights: within 5 mm along the whole length. */
-static void formats_agree(void **state)
+TEST(formats_agree)
 {
-    (void)state;
     static const char *const files[] = {ROUTES "tunnel.ifc", ROUTES "tunnel.csv", ROUTES "tunnel.dxf"};
     hawser_routes *const one = routes_of(ROUTES "tunnel.xml", NULL);
     double length, other;
@@ -72,9 +71,8 @@ static void formats_agree(void **state)
 }
 
 /* Tangent and curvature are the position's derivatives, and the curvature that of the elements. */
-static void places_hang_together(void **state)
+TEST(places_hang_together)
 {
-    (void)state;
     const double h = 1e-3;
     hawser_routes *const r = routes_of(ROUTES "tunnel.xml", NULL);
     for (double s = 1; s < 131; s += 1.7) {
@@ -89,9 +87,8 @@ static void places_hang_together(void **state)
 }
 
 /* Station 20 m to 60 m, from end to start. */
-static void parts_are_cut_and_turned(void **state)
+TEST(parts_are_cut_and_turned)
 {
-    (void)state;
     hawser_route_options options = hawser_route_defaults();
     hawser_route_figures f;
     hawser_routes *const whole = routes_of(ROUTES "tunnel.xml", NULL);
@@ -125,9 +122,8 @@ static void parts_are_cut_and_turned(void **state)
 }
 
 /* The example cases: a verdict, and a short run that ends near theory. */
-static void examples_are_pulled(void **state)
+TEST(examples_are_pulled)
 {
-    (void)state;
     static const char *const names[] = {"landxml", "ifc", "dxf", "csv", "geojson", "gpx"};
     double first = 0;
     for (int i = 0; i < 6; ++i) {
@@ -142,9 +138,8 @@ static void examples_are_pulled(void **state)
 }
 
 /* Arcs with their places: the file's own without an uncertainty, those of a track's points with one. */
-static void bends_are_listed(void **state)
+TEST(bends_are_listed)
 {
-    (void)state;
     static const char *const files[] = {ROUTES "tunnel.xml", ROUTES "tunnel.gpx"};
     for (int f = 0; f < 2; ++f) {
         hawser_routes *const r = routes_of(files[f], NULL);
@@ -170,9 +165,8 @@ static void bends_are_listed(void **state)
 }
 
 /* A route of more pieces than a case can have is refused, at once. */
-static void cases_have_bounds(void **state)
+TEST(cases_have_bounds)
 {
-    (void)state;
     char path[] = "/tmp/hawser-pieces-XXXXXX", text[600];
     const int fd = mkstemp(path);
     assert_true(fd >= 0);
@@ -201,9 +195,8 @@ static void cases_have_bounds(void **state)
 }
 
 /* Twenty rows and fewer than fifteen lines of YAML give a verdict. */
-static void a_table_is_enough(void **state)
+TEST(a_table_is_enough)
 {
-    (void)state;
     const char *const path = HAWSER_SOURCE_DIR "/cases/theory/route-table.yaml";
     int lines = 0, rows = -1;
     char line[400], *text = NULL;
@@ -228,9 +221,8 @@ static void a_table_is_enough(void **state)
 
 /* Millimetres although the drawing says metres, heights drawn on another layer, cut and turned around; the route
  * begins at the drawing's 19 m. */
-static void a_drawing_in_a_case(void **state)
+TEST(a_drawing_in_a_case)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("full-route-file"), NULL, NULL, &def);
     Route r = route_of(&def);
@@ -252,9 +244,8 @@ static void a_drawing_in_a_case(void **state)
 }
 
 /* A northing of 6.7e6 m comes down to an origin, which coordinates of the case count from too. */
-static void large_coordinates(void **state)
+TEST(large_coordinates)
 {
-    (void)state;
     CaseTree *tree;
     hawser_error err;
     SceneDef def;
@@ -266,9 +257,8 @@ static void large_coordinates(void **state)
     case_tree_free(tree);
 }
 
-static void wrong_cases(void **state)
+TEST(wrong_cases)
 {
-    (void)state;
     const char *const text = data_text("full-route-file");
     static const char *const wrong[][3] = {
         {"route.file", "none.dxf", "none.dxf"},
@@ -293,9 +283,8 @@ static void wrong_cases(void **state)
 }
 
 /* What of a file is not in the route is said where the case is looked at: a gap cuts the line off. */
-static void what_is_not_in_the_route(void **state)
+TEST(what_is_not_in_the_route)
 {
-    (void)state;
     char folder[] = "/tmp/hawser-route-XXXXXX", path[80], name[80];
     assert_non_null(mkdtemp(folder));
     snprintf(path, sizeof path, "%s/gap.dxf", folder);
@@ -329,9 +318,8 @@ static void what_is_not_in_the_route(void **state)
 
 /* Corners of straights that are drawn one by one get the radius that the case asks for, at the height that it says; a
  * line that has heights wants none. */
-static void corners_of_straights(void **state)
+TEST(corners_of_straights)
 {
-    (void)state;
     char folder[] = "/tmp/hawser-route-XXXXXX", path[80], name[80];
     assert_non_null(mkdtemp(folder));
     snprintf(path, sizeof path, "%s/corner.dxf", folder);
@@ -369,9 +357,8 @@ static void corners_of_straights(void **state)
 }
 
 /* Of a table's row the file's line is named, beside the case's. */
-static void both_lines_are_named(void **state)
+TEST(both_lines_are_named)
 {
-    (void)state;
     char folder[] = "/tmp/hawser-route-XXXXXX", path[80], name[80];
     assert_non_null(mkdtemp(folder));
     snprintf(path, sizeof path, "%s/route.csv", folder);
@@ -396,9 +383,8 @@ static void both_lines_are_named(void **state)
 
 /* A drawing of 100 000 lines that do not meet, on two layers: what is known of each line takes 1 kB, not errors and
  * fits that nobody asked for. Read by a child, whose largest memory is its own. */
-static void many_lines_in_little_memory(void **state)
+TEST(many_lines_in_little_memory)
 {
-    (void)state;
     enum { LINES = 100000 };
     char path[] = "/tmp/hawser-route-XXXXXX";
     FILE *const f = fdopen(mkstemp(path), "w");
@@ -453,9 +439,8 @@ static hawser_routes *shared(const char *name, const char *profile)
 }
 
 /* Lengths and ends within 1 mm of the files' own figures. */
-static void shared_figures(void **state)
+TEST(shared_figures)
 {
-    (void)state;
     static const double tramway[] = {108.360853736, 14.566530746, 47.349749727, 14.578784415,
                                      58.981749834,  39.724959032, 9.190333403};
     hawser_routes *r = shared("cabling-civil3d.landxml.xml", NULL);
@@ -486,9 +471,8 @@ static void shared_figures(void **state)
 }
 
 /* The railway's tables of plan and profile are its LandXML within 5 mm along the whole length. */
-static void shared_tables_agree(void **state)
+TEST(shared_tables_agree)
 {
-    (void)state;
     hawser_routes *const a = shared("stn01.landxml.xml", NULL), *const b = shared("stn01-horizontal.csv",
                                                                                   "stn01-vertical.csv");
     double length, worst = 0;
@@ -504,9 +488,8 @@ static void shared_tables_agree(void **state)
  * railway's first 100 m, which its stations count from -153.1 m on, and the same as tables. Near theory; where a
  * profile changes its grade every few metres, a stiff cable presses its rollers by more than its weight, which theory
  * has not: 4 %. */
-static void shared_files_are_pulled(void **state)
+TEST(shared_files_are_pulled)
 {
-    (void)state;
     static const struct {
         const char *file, *profile, *name, *to;
     } pulls[] = {{"cabling-civil3d.landxml.xml", NULL, "A1", "100 m"},
@@ -530,12 +513,3 @@ static void shared_files_are_pulled(void **state)
         hawser_sim_free(o.sim);
     }
 }
-
-TEST_FILE(test_route_files, cmocka_unit_test(formats_agree), cmocka_unit_test(places_hang_together),
-          cmocka_unit_test(parts_are_cut_and_turned), cmocka_unit_test(examples_are_pulled),
-          cmocka_unit_test(bends_are_listed), cmocka_unit_test(cases_have_bounds), cmocka_unit_test(a_table_is_enough),
-          cmocka_unit_test(a_drawing_in_a_case), cmocka_unit_test(large_coordinates), cmocka_unit_test(wrong_cases),
-          cmocka_unit_test(what_is_not_in_the_route), cmocka_unit_test(corners_of_straights),
-          cmocka_unit_test(both_lines_are_named), cmocka_unit_test(many_lines_in_little_memory),
-          cmocka_unit_test(shared_figures), cmocka_unit_test(shared_tables_agree),
-          cmocka_unit_test(shared_files_are_pulled))

@@ -45,9 +45,29 @@ static void circle_at(const char *text, const char *style, int n, double at[2])
     assert_int_equal(sscanf(strstr(text, "cx="), "cx=\"%lf\" cy=\"%lf\"", &at[0], &at[1]), 2);
 }
 
-static void plan_with_what_is_left_out(void **state)
+static int begin(void **state)
 {
     (void)state;
+    memcpy(folder + strlen(folder) - 6, "XXXXXX", 6);
+    if (!mkdtemp(folder)) return 1;
+    snprintf(drawn, sizeof drawn, "%s/x.dxf", folder);
+    snprintf(page, sizeof page, "%s/x.html", folder);
+    FILE *const file = fopen(drawn, "w");
+    if (!file) return 1;
+    fputs(drawing, file);
+    return fclose(file);
+}
+
+static int end(void **state)
+{
+    (void)state;
+    unlink(drawn);
+    unlink(page);
+    return rmdir(folder);
+}
+
+TEST_WITH(plan_with_what_is_left_out, begin, end)
+{
     hawser_route_options options = hawser_route_defaults();
     options.layer = "CENTRE";
     options.radius_m = 8;
@@ -80,9 +100,8 @@ static void plan_with_what_is_left_out(void **state)
 }
 
 /* Of a file of several lines all are drawn, or one; a drawing is not written over. */
-static void all_or_one(void **state)
+TEST_WITH(all_or_one, begin, end)
 {
-    (void)state;
     hawser_error err;
     hawser_routes *r = NULL;
     char *text = page_of(NULL, -1);
@@ -97,26 +116,3 @@ static void all_or_one(void **state)
     assert_int_equal(hawser_routes_write(r, -1, "/tmp/none/x.html", &err), HAWSER_ERR_OUTPUT);
     hawser_routes_free(r);
 }
-
-static int begin(void **state)
-{
-    (void)state;
-    memcpy(folder + strlen(folder) - 6, "XXXXXX", 6);
-    if (!mkdtemp(folder)) return 1;
-    snprintf(drawn, sizeof drawn, "%s/x.dxf", folder);
-    snprintf(page, sizeof page, "%s/x.html", folder);
-    FILE *const file = fopen(drawn, "w");
-    if (!file) return 1;
-    fputs(drawing, file);
-    return fclose(file);
-}
-static int end(void **state)
-{
-    (void)state;
-    unlink(drawn);
-    unlink(page);
-    return rmdir(folder);
-}
-
-TEST_FILE(test_route_picture, cmocka_unit_test_setup_teardown(plan_with_what_is_left_out, begin, end),
-          cmocka_unit_test_setup_teardown(all_or_one, begin, end))

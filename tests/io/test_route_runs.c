@@ -19,22 +19,13 @@ static void pull_is_theorys(const char *name)
     hawser_sim_free(sim);
 }
 
-static void runs_round_a_helix(void **state)
-{
-    (void)state;
-    pull_is_theorys("route-helix");
-}
+TEST(runs_round_a_helix) { pull_is_theorys("route-helix"); }
 
-static void runs_along_a_clothoid(void **state)
-{
-    (void)state;
-    pull_is_theorys("route-clothoid");
-}
+TEST(runs_along_a_clothoid) { pull_is_theorys("route-clothoid"); }
 
 /* 90 deg on 6 deg: no height is lost, unless the bend is told to lie in a plane. */
-static void bends_keep_their_grade(void **state)
+TEST(bends_keep_their_grade)
 {
-    (void)state;
     static const char *const pieces =
         "[{straight: 20 m, slope: -5 deg}, {bend: 90 deg, radius: 12 m, plane: left%s}, {straight: 30 m, name: out}]";
     char text[256];
@@ -52,9 +43,8 @@ static void bends_keep_their_grade(void **state)
 }
 
 /* A surveyor's coordinates: the route begins near zero, and the origin is what was taken off. */
-static void coordinates_come_down(void **state)
+TEST(coordinates_come_down)
 {
-    (void)state;
     SceneDef def;
     expect_good(data_text("full-route-plan"), NULL, NULL, &def);
     check_close(def.route_origin.x, 453000, 0);
@@ -69,6 +59,3 @@ static void coordinates_come_down(void **state)
                "is too short for the roundings");
     expect_bad(data_text("full-route-points"), "route.radius", "40 m", "too near for a radius");
 }
-
-TEST_FILE(test_route_runs, cmocka_unit_test(runs_round_a_helix), cmocka_unit_test(runs_along_a_clothoid),
-          cmocka_unit_test(bends_keep_their_grade), cmocka_unit_test(coordinates_come_down))

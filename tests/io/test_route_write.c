@@ -40,9 +40,8 @@ static double apart(const Alignment *a, const SceneDef *def)
     return most;
 }
 
-static void within_a_tenth_of_a_millimetre(void **state)
+TEST(within_a_tenth_of_a_millimetre)
 {
-    (void)state;
     for (int rise = 0; rise < 2; ++rise) {
         Alignment a = winding_line(rise, 1, 10);
         SceneDef def = case_of(&a);
@@ -53,9 +52,8 @@ static void within_a_tenth_of_a_millimetre(void **state)
 }
 
 /* What was fitted to points is what is simulated. */
-static void a_fit_as_a_case(void **state)
+TEST(a_fit_as_a_case)
 {
-    (void)state;
     Alignment a = winding_line(1, 1, 10), points = {.stated_length = NAN}, out;
     const double plan = alignment_measure(&a).plan_length;
     for (double s = 0; s < plan; s += 0.5) *alignment_add_point(&points) = alignment_at(&a, s).at;
@@ -71,5 +69,3 @@ static void a_fit_as_a_case(void **state)
     alignment_clear(&points);
     alignment_clear(&out);
 }
-
-TEST_FILE(test_route_write, cmocka_unit_test(within_a_tenth_of_a_millimetre), cmocka_unit_test(a_fit_as_a_case))

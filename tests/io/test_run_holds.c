@@ -42,9 +42,8 @@ static const char SLOPE[] = "lead_in: {}\n"
 
 /* A reel's brake that lets go for a quarter of a minute: the slope pushes the cable, and theory at the end of the run,
  * with the brake back, has it taut. What it was pushed with is the brake that is missing where it is so all along. */
-static void pushed_for_a_while(void **state)
+TEST(pushed_for_a_while)
 {
-    (void)state;
     char *const text = case_of(SLOPE);
     hawser_sim *sim = run_of(text, NULL);
     hawser_limit l = judged(sim, "run_away");
@@ -69,9 +68,8 @@ static void pushed_for_a_while(void **state)
 }
 
 /* Friction that a script halves. */
-static void pushed_while_friction_fails(void **state)
+TEST(pushed_while_friction_fails)
 {
-    (void)state;
     char *const text = case_of(SLOPE);
     hawser_sim *const sim = run_of(text, (const char *const[]){"drive.tail.tension", "1.1 kN", "drive.script",
                                                                "[{at: 10 s, do: friction, factor: 0.3, ramp: 2 s}, "
@@ -91,9 +89,8 @@ static void pushed_while_friction_fails(void **state)
 }
 
 /* A winch that is slow, or inches: its brake is gone for ten seconds, of which the mesh passes little. */
-static void pushed_by_inches(void **state)
+TEST(pushed_by_inches)
 {
-    (void)state;
     char inching[3000] = "{table: [[0 s, 0 m/s]";
     for (int k = 0; k < 30; k++) {
         const size_t used = strlen(inching);
@@ -121,9 +118,8 @@ static void pushed_by_inches(void **state)
 }
 
 /* What a belt has pushed with before it was opened does not count for what pushes then. */
-static void pushed_beside_an_open_belt(void **state)
+TEST(pushed_beside_an_open_belt)
 {
-    (void)state;
     char *const text = case_of(SLOPE);
     const char *const settings[] = {
         "drive.tail",
@@ -144,9 +140,8 @@ static void pushed_beside_an_open_belt(void **state)
 
 /* Friction creeps while nothing is drawn, and a cable that it holds on a slope comes to lie on its foot, also where the
  * winch starts late; with the friction of what moves it is taut again. */
-static void at_rest_on_a_slope(void **state)
+TEST(at_rest_on_a_slope)
 {
-    (void)state;
     char *const text = case_of(SLOPE);
     static const char *const row[][2] = {
         {"drive.script", "[{at: 8 s, do: winch_pause, ramp: 1 s}, {at: 30 s, do: winch_restart, ramp: 2 s}]"},
@@ -164,9 +159,8 @@ static void at_rest_on_a_slope(void **state)
 }
 
 /* A winch that stops at once, and belts that push what is ahead of them, are no run-away. */
-static void pushed_by_what_is_there(void **state)
+TEST(pushed_by_what_is_there)
 {
-    (void)state;
     char *const text = case_of("lead_in: {}\nchain: [{cable: c, length: 12 m, segment: 500 mm}]\n"
                                "route: {head_at: 11 m, pieces: [{straight: 14 m}]}\nrollers: {along: {spacing: 1 m}}\n"
                                "drive: {winch: {speed: 0.2 m/s, to: 1 s}, tail: {tension: 100 N, ramp: none}}\n"
@@ -188,9 +182,8 @@ static void pushed_by_what_is_there(void **state)
 
 /* Rollers that are braked ahead of where the front began: the overload there, 1 + (mu' - mu) w l/T, and the trip that
  * is advised are told by theory up to where the front came to. */
-static void as_far_as_the_front_came(void **state)
+TEST(as_far_as_the_front_came)
 {
-    (void)state;
     char *const text = case_of(
         "lead_in: {}\n"
         "chain: [{cable: c, length: 20 m, segment: 450 mm}, {cable: rope, length: 20 m, segment: 450 mm, swivel: "
@@ -223,9 +216,8 @@ static void as_far_as_the_front_came(void **state)
 }
 
 /* A cable whose tail has come in lies between its tail and its front alone: theory had it all along the route. */
-static void as_far_back_as_the_tail_is(void **state)
+TEST(as_far_back_as_the_tail_is)
 {
-    (void)state;
     char *const text = case_of(
         "lead_in: {}\n"
         "chain: [{cable: c, length: 8 m, segment: 450 mm}, {cable: rope, length: 30 m, segment: 450 mm, swivel: "
@@ -259,9 +251,8 @@ static void as_far_back_as_the_tail_is(void **state)
 
 /* Without a lead-in, too, a roller's peak is told by theory of that moment, when the front or the tail was elsewhere.
  */
-static void a_cable_that_passes_by(void **state)
+TEST(a_cable_that_passes_by)
 {
-    (void)state;
     char *const text = case_of(
         "chain: [{cable: c, length: 4.95 m, segment: 450 mm}, {cable: rope, length: 30 m, segment: 450 mm}]\n"
         "route: {head_at: 5 m, pieces: [{straight: 35 m}]}\nrollers: {along: [{spacing: 1 m, name: A}]}\n"
@@ -277,9 +268,8 @@ static void a_cable_that_passes_by(void **state)
 /* 32 m of rope at 70 degrees ahead of the front take their weight, less friction, off the winch: a trip that protects
  * the cable is by that much nearer, also of a run whose front never comes to the shaft, and of one that has passed it.
  */
-static void rope_that_hangs_down_in_a_run(void **state)
+TEST(rope_that_hangs_down_in_a_run)
 {
-    (void)state;
     char *const text = case_of(
         "chain: [{cable: c, length: 8 m, segment: 500 mm}, {cable: rope, length: 52 m, segment: 500 mm, swivel: "
         "true}]\n"
@@ -300,9 +290,8 @@ static void rope_that_hangs_down_in_a_run(void **state)
 }
 
 /* Positions by whole segments have joints at the same places all along: a short bend between them presses, too. */
-static void a_bend_between_joints(void **state)
+TEST(a_bend_between_joints)
 {
-    (void)state;
     static const char *const head[] = {"21.4 m", "21.6 m", "21.9 m"};
     double found[3];
     char *const text = case_of(
@@ -328,9 +317,8 @@ static void a_bend_between_joints(void **state)
 }
 
 /* A belt that the front has not reached pushes nothing: theory by the front's position has a step there. */
-static void belts_from_where_they_stand(void **state)
+TEST(belts_from_where_they_stand)
 {
-    (void)state;
     char *const text =
         case_of("lead_in: {}\n"
                 "chain: [{cable: c, length: 20 m, segment: 450 mm}, {cable: rope, length: 20 m, segment: 450 mm}]\n"
@@ -374,9 +362,8 @@ static double shared(const char *text, const char *const *settings, char remedy[
 
 /* A belt of its own speed, the winch's, that the front reaches within the steady window: it does not
  * slip while there is no cable in it. One that is faster slips all through, and decides what it pushes with. */
-static void a_belt_that_is_reached_late(void **state)
+TEST(a_belt_that_is_reached_late)
 {
-    (void)state;
     char remedy[200] = "";
     char *const text =
         case_of("chain: [{cable: c, length: 12 m, segment: 450 mm}, {cable: rope, length: 8 m, segment: 450 mm}]\n"
@@ -402,9 +389,8 @@ static void a_belt_that_is_reached_late(void **state)
 
 /* A synchronised belt that holds back, at the wrong end of its limit, may push twice that more; and a winch that a
  * script has made faster has drawn farther. (WI23): 0.1 mm over l/EA of what lies between. */
-static void a_belt_that_holds_back(void **state)
+TEST(a_belt_that_holds_back)
 {
-    (void)state;
     char remedy[200] = "";
     char *const text = case_of(
         "lead_in: {}\nchain: [{cable: c, length: 45 m, segment: 450 mm}]\n"
@@ -424,9 +410,8 @@ static void a_belt_that_holds_back(void **state)
 }
 
 /* Two belts of one speed without a winch: c = l/EA of the 6 m between them. Where one is faster it slips. */
-static void belts_among_themselves(void **state)
+TEST(belts_among_themselves)
 {
-    (void)state;
     char remedy[200] = "";
     char *const text = case_of("chain: [{cable: c, length: 14 m, segment: 450 mm}]\nlead_in: {}\n"
                                "route: {head_at: 12 m, pieces: [{straight: 16 m}]}\nrollers: {along: {spacing: 1 m}}\n"
@@ -452,9 +437,8 @@ static void belts_among_themselves(void **state)
 
 /* Behind a bend that takes most of a belt's push a slope pushes as it does without the belt, 124 N: no push of the
  * belt's, though it has more. */
-static void a_slope_behind_a_belt(void **state)
+TEST(a_slope_behind_a_belt)
 {
-    (void)state;
     char *const text = case_of(
         "lead_in: {}\nchain: [{cable: c, length: 95 m, segment: 500 mm}, {cable: rope, length: 12 m, segment: 500 "
         "mm}]\n"
@@ -474,12 +458,3 @@ static void a_slope_behind_a_belt(void **state)
     }
     free(text);
 }
-
-TEST_FILE(test_run_holds, cmocka_unit_test(pushed_for_a_while), cmocka_unit_test(pushed_while_friction_fails),
-          cmocka_unit_test(pushed_by_inches), cmocka_unit_test(pushed_beside_an_open_belt),
-          cmocka_unit_test(at_rest_on_a_slope), cmocka_unit_test(pushed_by_what_is_there),
-          cmocka_unit_test(as_far_as_the_front_came), cmocka_unit_test(as_far_back_as_the_tail_is),
-          cmocka_unit_test(a_cable_that_passes_by), cmocka_unit_test(rope_that_hangs_down_in_a_run),
-          cmocka_unit_test(a_bend_between_joints), cmocka_unit_test(belts_from_where_they_stand),
-          cmocka_unit_test(a_belt_that_is_reached_late), cmocka_unit_test(a_belt_that_holds_back),
-          cmocka_unit_test(belts_among_themselves), cmocka_unit_test(a_slope_behind_a_belt))

@@ -14,9 +14,8 @@ static const char TURN[] =
 
 /* Half of the cable and more lies on the straight that leads back, as far as 40 m behind the start. Level straights and
  * a bend by the catenary's friction: (T10). */
-static void a_half_turn(void **state)
+TEST(a_half_turn)
 {
-    (void)state;
     hawser_sim *const sim = run_of(
         TURN, (const char *const[]){
                   "lead_in", "{}", "chain",
@@ -37,9 +36,8 @@ static void a_half_turn(void **state)
 
 /* All of the cable is on the way back, behind the start: a level straight, on which the tail's tension points back
  * along the route, and not along its first tangent, which is forward there (it pulled the cable on with 455 N then). */
-static void all_of_it_has_turned(void **state)
+TEST(all_of_it_has_turned)
 {
-    (void)state;
     hawser_sim *const sim = run_of(
         TURN,
         (const char *const[]){"lead_in", "{}", "chain", "[{cable: c, length: 20 m, segment: 500 mm}]", "route.pieces",
@@ -56,9 +54,8 @@ static void all_of_it_has_turned(void **state)
 
 /* The tail is in the middle of the bend: what is left of it, by the catenary's friction (T10). A stiff end presses on
  * the wall by itself: +0.9 % with EI = 1 kN m2, -0.6 % here, most of it by the duct's clearance. */
-static void the_tail_in_the_bend(void **state)
+TEST(the_tail_in_the_bend)
 {
-    (void)state;
     hawser_sim *const sim = run_of(
         TURN,
         (const char *const[]){"lead_in", "{}", "chain", "[{cable: c, length: 20 m, segment: 500 mm}]", "route.pieces",
@@ -79,9 +76,8 @@ static void the_tail_in_the_bend(void **state)
 /* The way back crosses the way there, and the crew says something that changes nothing at every tenth of a second in
  * which the tail is near the crossing: it stays on its own leg. (It was taken to the other one, whose direction is
  * across: 274 N.) */
-static void where_legs_cross(void **state)
+TEST(where_legs_cross)
 {
-    (void)state;
     static const char text[] =
         "cables: {c: {d: 80 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 100 N m2, mass: 14 kg/m, damping: 2 ms}}\n"
         "lead_in: {}\nchain: [{cable: c, length: 22 m, segment: 250 mm}]\n"
@@ -111,6 +107,3 @@ static void where_legs_cross(void **state)
     check_share(pull[0], 1e3 + 0.1 * 14 * 9.81 * 22, 0.01);
     check_share(pull[1], pull[0], 1e-4);
 }
-
-TEST_FILE(test_run_turns_back, cmocka_unit_test(a_half_turn), cmocka_unit_test(all_of_it_has_turned),
-          cmocka_unit_test(the_tail_in_the_bend), cmocka_unit_test(where_legs_cross))

@@ -19,9 +19,8 @@ static double read_back(const Units *units, const char *unit)
 }
 
 /* One of the SI unit is `factor` of the other, as the units of cases have it. */
-static void pairs_are_those_of_cases(void **state)
+TEST(pairs_are_those_of_cases)
 {
-    (void)state;
     Units *const units = units_new();
     const char *shown, *si;
     double factor;
@@ -43,9 +42,8 @@ static void expect_shown(double value, const char *unit, hawser_units units, con
     assert_string_equal(hawser_show(value, unit, units, text), expected);
 }
 
-static void quantities(void **state)
+TEST(quantities)
 {
-    (void)state;
     expect_shown(12830.5, "N", HAWSER_SI, "12.83 kN");
     expect_shown(628.24, "N", HAWSER_SI, "628.2 N");
     expect_shown(12830.5, "N", HAWSER_US, "2884 lbf");
@@ -65,9 +63,8 @@ static void quantities(void **state)
     expect_shown(95, "mm2", HAWSER_US, "187.5 kcmil");
 }
 
-static void units_by_keys(void **state)
+TEST(units_by_keys)
 {
-    (void)state;
     assert_string_equal(unit_of_key("forward_end_N"), "N");
     assert_string_equal(unit_of_key("max_sidewall_N_per_m"), "N/m");
     assert_string_equal(unit_of_key("EI_N_m2"), "N m2");
@@ -87,9 +84,8 @@ static void units_by_keys(void **state)
     assert_string_equal(hawser_show_figure(&(hawser_figure){"at_limit", 0.5}, HAWSER_SI, NULL), "");
 }
 
-static void sentences(void **state)
+TEST(sentences)
 {
-    (void)state;
     static const char *const pairs[][2] = {
         {"eq. 11, K = 1, S = 800 mm2; copper 70 N/mm2", "eq. 11, K = 1, S = 1579 kcmil; copper 10153 psi"},
         {"rated 5 kN, 1.6 times the steady load", "rated 1124 lbf, 1.6 times the steady load"},
@@ -159,9 +155,8 @@ static void expect_document(const Document *doc, hawser_format format, const cha
 }
 
 /* Units by key, by row and in sentences; forces of a table by the largest; what nobody knows has no column. */
-static void documents(void **state)
+TEST(documents)
 {
-    (void)state;
     const Row rows[] = {{"a", 10, 4448.2216, 100, 4448.2216, "N", NAN, "rated 5 kN"},
                         {"20 m", 3.048, 1000, 200, 0.0762, "m", NAN, ""}};
     const Table table = {"rows", "Rows of 1 m", COLUMNS(Row, columns), 2, rows};
@@ -213,9 +208,8 @@ static const Column wide_columns[] = {
     {COLUMN("text", TEXT, Wide, long_text), .label = "text"}};
 
 /* No line is wider than a page, each piece of a table begins with the names, and a group begins a piece. */
-static void tables_fit_a_page(void **state)
+TEST(tables_fit_a_page)
 {
-    (void)state;
     const Wide rows[2] = {{.name = "first",
                            .long_text = "a source that says in very many words where a figure comes from "
                                         "and then goes on about something else, and on, and on"},
@@ -235,7 +229,3 @@ static void tables_fit_a_page(void **state)
     assert_int_equal(names, pieces);
     check_above(pieces, 2);
 }
-
-TEST_FILE(test_shown, cmocka_unit_test(pairs_are_those_of_cases), cmocka_unit_test(quantities),
-          cmocka_unit_test(units_by_keys), cmocka_unit_test(sentences), cmocka_unit_test(documents),
-          cmocka_unit_test(tables_fit_a_page))

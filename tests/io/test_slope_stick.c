@@ -34,9 +34,8 @@ static double drift(hawser_sim *sim, double from, double to)
     return most;
 }
 
-static void test_held_for_an_hour(void **state)
+TEST(test_held_for_an_hour)
 {
-    (void)state;
     hawser_summary summary;
     hawser_sim *sim = example_sim("slope-stick", NULL);
     const double held = drift(sim, 30, 3600);
@@ -52,9 +51,8 @@ static void test_held_for_an_hour(void **state)
 }
 
 /* The same in a trough that runs down the slope, the rollers out of the way. */
-static void test_held_in_a_trough(void **state)
+TEST(test_held_in_a_trough)
 {
-    (void)state;
     const char *const trough[] = {"rollers.along.from", "18 m", "surfaces",
                                   "{trays: [{name: trough, section: u, radius: 100 mm}]}", NULL};
     const char *const threads[] = {
@@ -75,9 +73,8 @@ static void test_held_in_a_trough(void **state)
 }
 
 /* mu below tan 20 deg: it slides, with what friction leaves of gravity. */
-static void test_slides_where_it_is_steep(void **state)
+TEST(test_slides_where_it_is_steep)
 {
-    (void)state;
     hawser_sim *sim =
         example_sim("slope-stick", (const char *const[]){"friction.mu", "0.3", "output.interval", "50 ms", NULL});
     advance(sim, 2);
@@ -112,9 +109,8 @@ static double pull(const char *const *settings, double *peak_after, double from)
         "24 m", "run.duration", "14 s", "run.steady_from", "6 s"
 
 /* In steady sliding both laws pull with mu W. */
-static void test_pulls_like_adams(void **state)
+TEST(test_pulls_like_adams)
 {
-    (void)state;
     const double adams = pull((const char *const[]){SHORT_ROW, NULL}, NULL, 0);
     const double stick = pull((const char *const[]){SHORT_ROW, "friction.law", "stick", NULL}, NULL, 0);
     const double two =
@@ -127,9 +123,8 @@ static void test_pulls_like_adams(void **state)
 
 /* No tension that is not there: the largest pull of the start is the same (a matrix that has become a poor one would
  * show as a peak of a multiple). 929.3 N at accuracy 1e-5; at the default one the steps decide by up to 1.5 %. */
-static void test_starts_like_adams(void **state)
+TEST(test_starts_like_adams)
 {
-    (void)state;
     double peak[2];
     for (int k = 0; k < 2; ++k) {
         const char *const settings[] = {"chain.0.length",
@@ -167,9 +162,8 @@ static void test_starts_like_adams(void **state)
 }
 
 /* Pulled, halted, pulled again: breaking away takes mu_s. */
-static void test_breaks_away_with_mu_s(void **state)
+TEST(test_breaks_away_with_mu_s)
 {
-    (void)state;
     double peak;
     const double weight = 22 * 9.81 * 15;
     pull(
@@ -180,7 +174,3 @@ static void test_breaks_away_with_mu_s(void **state)
     print_message("restart: %.4f of the weight\n", peak / weight);
     check_between(peak, 0.285 * weight, 0.315 * weight);
 }
-
-TEST_FILE(test_slope_stick, cmocka_unit_test(test_held_for_an_hour), cmocka_unit_test(test_held_in_a_trough),
-          cmocka_unit_test(test_slides_where_it_is_steep), cmocka_unit_test(test_pulls_like_adams),
-          cmocka_unit_test(test_starts_like_adams), cmocka_unit_test(test_breaks_away_with_mu_s))

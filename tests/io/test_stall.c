@@ -41,9 +41,8 @@ static hawser_hold slowest_of(const char *name, int n, const Set *set)
     return hold;
 }
 
-static void the_longest_step_that_is_allowed(void **state)
+TEST(the_longest_step_that_is_allowed)
 {
-    (void)state;
     const Set set[] = {{"solver.max_step", "1 ms"}};
     const hawser_hold hold = slowest_of("short-pull", 1, set);
     assert_string_equal(hold.cause, "longest step");
@@ -53,18 +52,16 @@ static void the_longest_step_that_is_allowed(void **state)
 }
 
 /* An accuracy that nobody asks for: the error test alone keeps steps short; on rollers that carry something. */
-static void accuracy(void **state)
+TEST(accuracy)
 {
-    (void)state;
     const Set set[] = {{"solver.accuracy", "1e-8"}};
     const hawser_hold hold = slowest_of("short-pull", 1, set);
     assert_true(!strcmp(hold.cause, "accuracy") || !strcmp(hold.cause, "error test"));
     assert_true(hold.where[0] == 'R' || !hold.where[0]);
 }
 
-static void few_steps_are_no_window(void **state)
+TEST(few_steps_are_no_window)
 {
-    (void)state;
     hawser_error err = {0};
     hawser_summary sum;
     hawser_sim *const s = sim_with("short-pull", 0, NULL);
@@ -75,9 +72,8 @@ static void few_steps_are_no_window(void **state)
     hawser_sim_free(s);
 }
 
-static void a_failure_says_what_held_up_before_it(void **state)
+TEST(a_failure_says_what_held_up_before_it)
 {
-    (void)state;
     hawser_error err = {0};
     const Set set[] = {{"solver.max_step", "1 ms"}, {"solver.max_steps", "700"}};
     hawser_sim *const s = sim_with("short-pull", 2, set);
@@ -89,9 +85,8 @@ static void a_failure_says_what_held_up_before_it(void **state)
 }
 
 /* Of several chains a segment is one of a chain's, which is named; whichever is asked. */
-static void of_several_chains(void **state)
+TEST(of_several_chains)
 {
-    (void)state;
     const Set short_steps[] = {{"solver.max_step", "1 ms"}};
     const hawser_hold hold = slowest_of("chains", 1, short_steps);
     assert_string_equal(hold.cause, "longest step");
@@ -111,7 +106,3 @@ static void of_several_chains(void **state)
     assert_in_range(err.segment, 0, 15);
     hawser_sim_free(s);
 }
-
-TEST_FILE(test_stall, cmocka_unit_test(the_longest_step_that_is_allowed), cmocka_unit_test(accuracy),
-          cmocka_unit_test(few_steps_are_no_window), cmocka_unit_test(a_failure_says_what_held_up_before_it),
-          cmocka_unit_test(of_several_chains))

@@ -49,9 +49,8 @@ static hawser_hold hold_of(hawser_sim *s, long newton, long error, long strides,
     return hold;
 }
 
-static void each_cause(void **state)
+TEST(each_cause)
 {
-    (void)state;
     hawser_sim *const s = sim_after_steps();
     hawser_hold hold = hold_of(s, 400, 300, 0, 1e-6);
     assert_string_equal(hold.cause, "newton");
@@ -70,9 +69,8 @@ static void each_cause(void **state)
 }
 
 /* Strides are cut for the segment that moves fastest. */
-static void fastest(void **state)
+TEST(fastest)
 {
-    (void)state;
     hawser_sim *const s = sim_after_steps();
     const hawser_hold hold = hold_of(s, 0, 0, 500, 1e-6);
     const hawser_sample *const now = hawser_sim_sample(s);
@@ -86,5 +84,3 @@ static void fastest(void **state)
     check_close(there, most, 1e-12 * most);
     hawser_sim_free(s);
 }
-
-TEST_FILE(test_stall_causes, cmocka_unit_test(each_cause), cmocka_unit_test(fastest))

@@ -14,9 +14,8 @@ static int says(const hawser_sim *sim, const char *part)
 
 /* In free fall steps are as long as they may be; they may not be longer than a roller is thick (N14). Row and cable are
  * in one plane, or solved in space. */
-static void test_falls_on_rollers(void **state)
+TEST(test_falls_on_rollers)
 {
-    (void)state;
     static const char *const planar[] = {"auto", "off"};
     for (int k = 0; k < 2; ++k) {
         const char *const settings[] = {"solver.planar", planar[k], NULL};
@@ -31,9 +30,8 @@ static void test_falls_on_rollers(void **state)
 }
 
 /* A rod of 20 segments turned at its head: past half a turn a joint its torque is wrong, and the run says so. */
-static void test_joint_turned(void **state)
+TEST(test_joint_turned)
 {
-    (void)state;
     for (int many = 0; many < 2; ++many) {
         const char *const settings[] = {"rod.head.motion.0.turn", many ? "4000 deg" : "2000 deg", NULL};
         hawser_sim *const sim = run_of(data_text("stress-turned-rod"), settings);
@@ -44,9 +42,8 @@ static void test_joint_turned(void **state)
 
 /* An axial grip pulls along its line: a limp cable's head drooped there by more than 30 degrees, and the pull with it.
  */
-static void test_head_turned(void **state)
+TEST(test_head_turned)
 {
-    (void)state;
     for (int limp = 0; limp < 2; ++limp) {
         const char *const settings[] = {"cables.a.EI", limp ? "500 N m2" : "16.4 kN m2", NULL};
         hawser_sim *const sim = run_of(data_text("stress-limp-head"), settings);
@@ -56,9 +53,8 @@ static void test_head_turned(void **state)
 }
 
 /* Stiff in bending, in short segments: rounding of its rotations is what is left of the forces (E6). */
-static void test_short_stiff_rod(void **state)
+TEST(test_short_stiff_rod)
 {
-    (void)state;
     hawser_sim *const sim = run_of(data_text("stress-stiff-rod"), NULL);
     hawser_summary s;
     hawser_sim_summary(sim, &s);
@@ -68,9 +64,8 @@ static void test_short_stiff_rod(void **state)
 }
 
 /* The smooth line has no nearest point on a drum that it is wrapped around (C6): the failure says what does. */
-static void test_wrapped_smooth(void **state)
+TEST(test_wrapped_smooth)
 {
-    (void)state;
     hawser_error err = {0};
     hawser_sim *const sim = sim_of(data_text("stress-wrapped"), NULL);
     assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, &err), HAWSER_ERR_RUN);
@@ -80,9 +75,8 @@ static void test_wrapped_smooth(void **state)
 
 /* An end that is led 169 parts of a way, from the 11th of which on none has an equilibrium: the relaxation ends there.
  */
-static void test_led_too_far(void **state)
+TEST(test_led_too_far)
 {
-    (void)state;
     hawser_error err = {0};
     hawser_relaxation found;
     hawser_sim *const sim = sim_of(data_text("stress-led-far"), NULL);
@@ -96,9 +90,8 @@ static void test_led_too_far(void **state)
 
 /* A bar whose ways to buckle lie so close together that its modes do not settle: the run says where, and what may help.
  */
-static void test_modes_too_close(void **state)
+TEST(test_modes_too_close)
 {
-    (void)state;
     hawser_error err = {0};
     hawser_sim *const sim = sim_of(data_text("stress-modes"), NULL);
     assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, &err), HAWSER_ERR_RUN);
@@ -106,8 +99,3 @@ static void test_modes_too_close(void **state)
     check_has(err.message, "run.load_steps may help");
     hawser_sim_free(sim);
 }
-
-TEST_FILE(test_stress, cmocka_unit_test(test_falls_on_rollers), cmocka_unit_test(test_joint_turned),
-          cmocka_unit_test(test_head_turned), cmocka_unit_test(test_short_stiff_rod),
-          cmocka_unit_test(test_wrapped_smooth), cmocka_unit_test(test_led_too_far),
-          cmocka_unit_test(test_modes_too_close))

@@ -41,9 +41,8 @@ static void rows_are(int n, const Row *row)
 }
 
 /* Rollers alone do not hold a bend to the side; guides do, where they stand inside and near enough. */
-static void rollers_and_guides(void **state)
+TEST(rollers_and_guides)
 {
-    (void)state;
     static const Row row[] = {
         {"title", "as it is", 0},
         {"rollers.along", "[{spacing: 1 m}, {guide: inside, spacing: 500 mm}]", 1},
@@ -64,9 +63,8 @@ static void rollers_and_guides(void **state)
 }
 
 /* Short bends press beside themselves: what stands on straights counts by its side and by what it bears. */
-static void on_straights(void **state)
+TEST(on_straights)
 {
-    (void)state;
     static const char pieces[] = "[{straight: 6 m}, {bend: 6 deg, radius: 5 m, plane: left}, {straight: 6 m}, "
                                  "{bend: 6 deg, radius: 5 m, plane: left}, {straight: 6 m}]";
     static const struct {
@@ -88,9 +86,8 @@ static void on_straights(void **state)
 }
 
 /* Grooves, and carriers that lean, bear what their flanks do; so do trays; floors carry, and hold nothing. */
-static void flanks_trays_and_floors(void **state)
+TEST(flanks_trays_and_floors)
 {
-    (void)state;
     static const Row row[] = {
         {"rollers.along", "[{spacing: 1 m, profile: u}]", 1},
         {"rollers.along", V_GROOVE("50 deg"), 1},  /* bears twice aside what is down; T/R w is 1.1 to 2.1 */
@@ -118,9 +115,8 @@ static void flanks_trays_and_floors(void **state)
 }
 
 /* Many small turns are one; places a rounding apart are one; what stands beside grooves helps them. */
-static void gates_in_one_place(void **state)
+TEST(gates_in_one_place)
 {
-    (void)state;
     static const char straight[] = "[{straight: 40 m}]", bend[] =
                                                              "[{straight: 15 m}, {bend: 60 deg, radius: 10 m, plane: "
                                                              "left}, {straight: 15 m}]";
@@ -162,9 +158,8 @@ static void gates_in_one_place(void **state)
 /* The rope ahead is as taut as the cable and far lighter: it leaves grooves that hold the cable, but only where it lies
  * before the cable has come there. Runs with T/R of the rope up to 14.7 N/m and from 17.2 N/m on, 15.3 N/m by (T30),
  * stay on the second of these rollers and leave them (29 m beside the route). */
-static void the_rope_ahead(void **state)
+TEST(the_rope_ahead)
 {
-    (void)state;
     static const char text[] =
         "cables:\n"
         "  c: {d: 80 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 1 kN m2, mass: 14 kg/m}\n"
@@ -202,9 +197,8 @@ static void the_rope_ahead(void **state)
 
 /* Flanks have to bear the pull from rest: a V of 90 degrees bears the cable's 137 N/m, 1.37 kN in a bend of 10 m. With
  * 700 N the pull has 1.1 kN behind the bend at speed, and 3.2 kN where it breaks loose at mu_s = 0.5. */
-static void flanks_from_rest(void **state)
+TEST(flanks_from_rest)
 {
-    (void)state;
     static const struct {
         const char *tail, *mu_s;
         int holds;
@@ -222,9 +216,8 @@ static void flanks_from_rest(void **state)
 }
 
 /* A name that is cut in the middle of a letter leaves the verdict a text. */
-static void names_with_letters(void **state)
+TEST(names_with_letters)
 {
-    (void)state;
     static const char name[] =
         "x\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4";
     char belts[200], jams[200];
@@ -239,9 +232,8 @@ static void names_with_letters(void **state)
 
 /* Over a hill the rope is as taut as the cable is on the crest, while that has less tension when it comes to the bend
  * behind it: in runs rope of 5 kg/m leaves the grooves, and rope of 12 kg/m stays. */
-static void the_rope_behind_a_hill(void **state)
+TEST(the_rope_behind_a_hill)
 {
-    (void)state;
     static const char text[] =
         "cables:\n"
         "  c: {d: 80 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 1 kN m2, mass: 14 kg/m}\n"
@@ -266,8 +258,3 @@ static void the_rope_behind_a_hill(void **state)
         json_decref(all);
     }
 }
-
-TEST_FILE(test_theory_aside, cmocka_unit_test(rollers_and_guides), cmocka_unit_test(on_straights),
-          cmocka_unit_test(flanks_trays_and_floors), cmocka_unit_test(gates_in_one_place),
-          cmocka_unit_test(the_rope_ahead), cmocka_unit_test(the_rope_behind_a_hill),
-          cmocka_unit_test(flanks_from_rest), cmocka_unit_test(names_with_letters))

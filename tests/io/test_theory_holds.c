@@ -7,9 +7,8 @@
 
 /* With a winch's capacity alone nobody looked for what the winch needs, where friction and length were varied: 7.6
  * times the friction kept all limits where the case's own broke them. A straight needs mu w s. */
-static void what_a_winch_bears(void **state)
+TEST(what_a_winch_bears)
 {
-    (void)state;
     static const char text[] = CABLE "route: {pieces: [{straight: 100 m}]}\nfriction: {mu: 0.2}\n"
                                      "surfaces: {ducts: [{radius: 80 mm}]}\ndrive: {tail: {tension: 0 N}}\n"
                                      "limits: {pull: 30 kN, sidewall: 3 kN/m, winch_capacity: 3 kN}\n";
@@ -29,9 +28,8 @@ static void what_a_winch_bears(void **state)
 }
 
 /* The sides of a V press more than the weight between them; what sticks needs more than what slides. */
-static void friction_of_rollers(void **state)
+TEST(friction_of_rollers)
 {
-    (void)state;
     static const char text[] = CABLE "route: {pieces: [{straight: 50 m}]}\nfriction: {mu: 0.2}\n"
                                      "limits: {pull: 6 kN, sidewall: 3 kN/m}\n";
     static const struct {
@@ -54,9 +52,8 @@ static void friction_of_rollers(void **state)
 
 /* Of chains that are pulled beside each other the worst loaded bears more than its own T/R: as of a bundle (T21).
  * Friction that is given for theory has their weight factor, as of a bundle. */
-static void chains_are_a_bundle(void **state)
+TEST(chains_are_a_bundle)
 {
-    (void)state;
     static const char all[] =
         "lay: {pattern: cradled}\n"
         "route: {pieces: [{straight: 50 m}, {bend: 90 deg, radius: 3 m, plane: left}, {straight: 50 m}]}\n"
@@ -86,9 +83,8 @@ static void chains_are_a_bundle(void **state)
 
 /* Rope that lies is dragged from rest as the cable is: without weight it needs T e^(mu_s angle) round bends. With the
  * head before a slope that helps, the rope goes round 44, 44 and 180 degrees ahead of it, and the winch needs most. */
-static void rope_from_rest(void **state)
+TEST(rope_from_rest)
 {
-    (void)state;
     static const char text[] =
         CABLE "route:\n  transition_radius: 5 m\n  pieces: [{straight: 100 m}, {straight: 60 m, slope: -44 deg}, "
               "{straight: 10 m, slope: 0 deg}, {bend: 180 deg, radius: 5 m, plane: left}, {straight: 5 m}]\n"
@@ -107,9 +103,8 @@ static void rope_from_rest(void **state)
 }
 
 /* Machines of the section `theory` push too, and so does what feeds the cable. */
-static void machines_push(void **state)
+TEST(machines_push)
 {
-    (void)state;
     static const char text[] =
         CABLE "route: {pieces: [{straight: 200 m}]}\nfriction: {mu: 0.3}\nsurfaces: {ducts: [{radius: 80 mm}]}\n"
               "limits: {pull: 20 kN, sidewall: 3 kN/m, push: 5 kN}\n";
@@ -125,9 +120,8 @@ static void machines_push(void **state)
 }
 
 /* A rated roller of the list bears what only a run knows: a row that is judged does not speak for it. */
-static void listed_rollers_beside_a_row(void **state)
+TEST(listed_rollers_beside_a_row)
 {
-    (void)state;
     static const char text[] = CABLE "route: {pieces: [{straight: 60 m}]}\nfriction: {mu: 0.2}\n"
                                      "limits: {pull: 20 kN, sidewall: 3 kN/m}\n";
     static const char *const rating[] = {"20 kN", "100 N"};
@@ -147,9 +141,8 @@ static void listed_rollers_beside_a_row(void **state)
 
 /* Rollers that turn hold by their bearings: friction of the case that is meant for better ones makes the pull too
  * small. What does not go with the load counts for the cable that lies on them. */
-static void bearings_hold(void **state)
+TEST(bearings_hold)
 {
-    (void)state;
     static const char text[] = CABLE "route: {pieces: [{straight: 100 m}]}\nfriction: {mu: 0.02}\n"
                                      "limits: {pull: 20 kN, sidewall: 3 kN/m}\n";
     static const struct {
@@ -176,9 +169,8 @@ static void bearings_hold(void **state)
 }
 
 /* Water carries part of a cable and streams against it, which theory does not know; air does neither to speak of. */
-static void no_fluid_in_theory(void **state)
+TEST(no_fluid_in_theory)
 {
-    (void)state;
     static const char text[] = CABLE "route: {pieces: [{straight: 100 m}]}\nfriction: {mu: 0.2}\n"
                                      "rollers: {along: [{spacing: 1 m}]}\nlimits: {pull: 20 kN, sidewall: 3 kN/m}\n";
     static const char *const fluid[] = {"{density: 1.2 kg/m3}", "{density: 1000 kg/m3}",
@@ -192,9 +184,8 @@ static void no_fluid_in_theory(void **state)
 }
 
 /* A shaft in which the cable runs away: what pushes ahead of a pit does not hold it behind. */
-static void a_pit_ends_a_push(void **state)
+TEST(a_pit_ends_a_push)
 {
-    (void)state;
     static const char text[] =
         "cables: {power: {d: 90 mm, mass: 13.5 kg/m}}\n"
         "surfaces: {ducts: [{radius: 100 mm, friction: {mu_s: 0.2, mu_d: 0.2}}]}\n"
@@ -220,9 +211,8 @@ static void a_pit_ends_a_push(void **state)
 
 /* The eye has the cable's tension where it is: a rope that hangs down a shaft ahead relieves the winch alone, one that
  * goes round a bend ahead loads the winch alone. */
-static void the_eye_where_it_is(void **state)
+TEST(the_eye_where_it_is)
 {
-    (void)state;
     static const char text[] =
         "cables: {power: {d: 60 mm, mass: 5 kg/m}}\nfriction: {mu: 0.3}\n"
         "surfaces: {ducts: [{radius: 100 mm, friction: {mu_s: 0.3, mu_d: 0.3}}]}\n"
@@ -248,9 +238,8 @@ static void the_eye_where_it_is(void **state)
 
 /* A roller on a straight, one metre beside a crest in which rollers stand, turns the cable too (T18a): weight alone was
  * asked of it, and a run of the same broke its rating. One beside a sag bears no more than its weight. */
-static void rollers_beside_a_bend(void **state)
+TEST(rollers_beside_a_bend)
 {
-    (void)state;
     static const char text[] =
         "cables: {power: {d: 80 mm, mass: 10 kg/m}}\nfriction: {mu: 0.2}\n"
         "route: {pieces: [{straight: 12 m}, {bend: 40 deg, radius: 5 m, plane: down}, {straight: 12 m}]}\n"
@@ -277,9 +266,8 @@ static void rollers_beside_a_bend(void **state)
 /* Friction that a script takes away lets the cable go: down 22 m of 30 degrees with mu = 0.2 it hangs on the friction
  * before the slope; with a third of that it does not, nor with none. Backward, up the slope, it is pulled all the same.
  */
-static void friction_that_fails(void **state)
+TEST(friction_that_fails)
 {
-    (void)state;
     static const char text[] =
         "cables: {c: {d: 50 mm, mass: 14 kg/m, E: 10 GPa, G: 3 GPa, A: 400 mm2}}\nchain: [{cable: c, length: 10 m}]\n"
         "route: {pieces: [{straight: 10 m}, {straight: 22 m, slope: -30 deg}, {straight: 28 m, slope: 0 deg}], "
@@ -304,9 +292,8 @@ static void friction_that_fails(void **state)
 
 /* A rope that hangs 60 m down a shaft ahead of the eye pulls at it, not at the winch: what the winch may pull is by
  * that less. Down a slope that friction holds it pulls at nothing. */
-static void rope_that_hangs_down(void **state)
+TEST(rope_that_hangs_down)
 {
-    (void)state;
     static const char text[] =
         "cables: {c: {d: 80 mm, mass: 20 kg/m, E: 10 GPa, G: 3 GPa, A: 2000 mm2}}\nchain: [{cable: c, length: 10 m}]\n"
         "route: {pieces: [{straight: 100 m}, {straight: 60 m, slope: -90 deg}], transition_radius: 2 m}\n"
@@ -338,9 +325,8 @@ static void rope_that_hangs_down(void **state)
 
 /* A winch that stops before the run ends: a belt is compared with it while it draws, and takes over what arrives. It
  * was faster than a winch that stands, and pushed with all that it has. */
-static void belts_beside_a_winch_that_stops(void **state)
+TEST(belts_beside_a_winch_that_stops)
 {
-    (void)state;
     static const char text[] =
         "cables: {c: {d: 50 mm, mass: 14 kg/m, E: 10 GPa, G: 3 GPa, A: 400 mm2}}\nchain: [{cable: c, length: 10 m}]\n"
         "route: {pieces: [{straight: 60 m}]}\nrollers: {along: [{spacing: 1 m}]}\nfriction: {mu: 0.2}\n"
@@ -364,9 +350,8 @@ static const char LEVEL[] =
 
 /* What the crew does to a conveyor on the way the calculation does not know; what it does to the winch's speed it does.
  * A winch of set tension must be able to pull. */
-static void what_the_crew_does(void **state)
+TEST(what_the_crew_does)
 {
-    (void)state;
     static const struct {
         const char *script, *verdict;
     } row[] = {{"[]", "SAFE: all"},
@@ -403,9 +388,8 @@ static void what_the_crew_does(void **state)
 }
 
 /* Belts that push a cable out harder than it is held back push the winch, which a rope does not. */
-static void a_winch_that_is_pushed(void **state)
+TEST(a_winch_that_is_pushed)
 {
-    (void)state;
     static const char *const clamp[] = {"8 kN", "9.9 kN"}; /* of 2 x 0.3 x that 5494 N are too little, or too much */
     for (int k = 0; k < 2; k++) {
         char belts[200];
@@ -419,9 +403,8 @@ static void a_winch_that_is_pushed(void **state)
 
 /* A belt holds the cable by its place: a speed that differs from the winch's by little makes it slip in time, and it
  * brakes or pushes with all it has. One that follows the winch takes over what arrives. */
-static void belts_nearly_as_fast(void **state)
+TEST(belts_nearly_as_fast)
 {
-    (void)state;
     static const struct {
         const char *belt;
         double most; /* N, at the winch, or where it arrives at the belt */
@@ -441,9 +424,8 @@ static void belts_nearly_as_fast(void **state)
 }
 
 /* Friction that a script takes from one duct is not taken from another: the level one may be lubricated. */
-static void friction_of_one_duct(void **state)
+TEST(friction_of_one_duct)
 {
-    (void)state;
     static const char *const of[] = {"flat", "hill"};
     for (int k = 0; k < 2; k++) {
         char script[100];
@@ -464,9 +446,8 @@ static void friction_of_one_duct(void **state)
 
 /* A reel's brake that goes with the speed holds least where the winch is slow: 2 kN m at 0.1 m/s, a fifth of it at a
  * fifth of that. */
-static void a_brake_that_goes_with_the_speed(void **state)
+TEST(a_brake_that_goes_with_the_speed)
 {
-    (void)state;
     static const struct {
         const char *winch;
         int holds;
@@ -497,9 +478,8 @@ static void a_brake_that_goes_with_the_speed(void **state)
 
 /* Hold-downs and outside guides bear nothing of what carriers and inside guides share; of hold-downs that the cable
  * lifts off to nobody says the load. */
-static void rollers_that_share_nothing(void **state)
+TEST(rollers_that_share_nothing)
 {
-    (void)state;
     static const char text[] =
         "cables: {c: {d: 80 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 1 kN m2, mass: 14 kg/m}}\n"
         "friction: {mu: 0.2}\nlimits: {pull: 20 kN, sidewall: 5 kN/m}\nchain: [{cable: c, length: 17 m}]\n"
@@ -532,14 +512,3 @@ static void rollers_that_share_nothing(void **state)
         assert_false(json_is_true(json_object_get(limit, "judged")));
     json_decref(all);
 }
-
-TEST_FILE(test_theory_holds, cmocka_unit_test(what_a_winch_bears), cmocka_unit_test(friction_of_rollers),
-          cmocka_unit_test(chains_are_a_bundle), cmocka_unit_test(rope_from_rest), cmocka_unit_test(machines_push),
-          cmocka_unit_test(listed_rollers_beside_a_row), cmocka_unit_test(bearings_hold),
-          cmocka_unit_test(no_fluid_in_theory), cmocka_unit_test(a_pit_ends_a_push),
-          cmocka_unit_test(the_eye_where_it_is), cmocka_unit_test(rollers_beside_a_bend),
-          cmocka_unit_test(friction_that_fails), cmocka_unit_test(rope_that_hangs_down),
-          cmocka_unit_test(belts_beside_a_winch_that_stops), cmocka_unit_test(what_the_crew_does),
-          cmocka_unit_test(a_winch_that_is_pushed), cmocka_unit_test(belts_nearly_as_fast),
-          cmocka_unit_test(friction_of_one_duct), cmocka_unit_test(a_brake_that_goes_with_the_speed),
-          cmocka_unit_test(rollers_that_share_nothing))

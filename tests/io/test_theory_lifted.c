@@ -23,9 +23,8 @@ static double lift_of(const char *key, const char *value, const char *tail)
     return lift;
 }
 
-static void by_the_tension(void **state)
+TEST(by_the_tension)
 {
-    (void)state;
     static const struct {
         const char *tail;
         double run; /* m; 0: less than 2 by theory */
@@ -39,9 +38,8 @@ static void by_the_tension(void **state)
 
 /* With T constant it is R' = T/w in place of R: (R' - R)(1/cos(a/2) - 1), whatever parts the bend is drawn in, and more
  * bends beside each other are one. */
-static void as_a_wider_bend(void **state)
+TEST(as_a_wider_bend)
 {
-    (void)state;
     static const char *const pieces[] = {
         "[{straight: 60 m}, {bend: 30 deg, radius: 10 m, plane: up}, {straight: 60 m}]",
         "[{straight: 60 m}, {bend: 10 deg, radius: 10 m, plane: up}, {bend: 20 deg, radius: 10 m, plane: up}, "
@@ -65,9 +63,8 @@ static void as_a_wider_bend(void **state)
 }
 
 /* What is above it holds it; a shaft's foot is a corner that it cuts. */
-static void what_holds_it_down(void **state)
+TEST(what_holds_it_down)
 {
-    (void)state;
     static const struct {
         const char *key, *value;
         int lifts;
@@ -96,9 +93,8 @@ static void what_holds_it_down(void **state)
 
 /* Rope ahead of it is lifted by the same tension, and far lighter: with the front wherever that lifts it most. In runs
  * it is so far off its route with the front there. */
-static void the_rope_ahead(void **state)
+TEST(the_rope_ahead)
 {
-    (void)state;
     static const char cables[] =
         "{c: {d: 80 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 1 kN m2, mass: 14 kg/m}, rope: {d: 20 mm, EA: 8 MN, "
         "GA: 3 MN, GJ: 10 N m2, EI: 5 N m2, mass: 1 kg/m}}";
@@ -129,9 +125,8 @@ static void the_rope_ahead(void **state)
 
 /* At the foot of a shaft it is as far off as the straights reach (R' - R)(1/cos(a/2) - 1), with the front so far before
  * the foot. */
-static void the_rope_in_a_shaft(void **state)
+TEST(the_rope_in_a_shaft)
 {
-    (void)state;
     static const char cables[] =
         "{c: {d: 80 mm, EA: 100 MN, GA: 40 MN, GJ: 10 kN m2, EI: 1 kN m2, mass: 14 kg/m}, rope: {d: 20 mm, EA: 8 MN, "
         "GA: 3 MN, GJ: 10 N m2, EI: 5 N m2, mass: 1 kg/m}}";
@@ -147,6 +142,3 @@ static void the_rope_in_a_shaft(void **state)
     check_share(strtod(says + 38, NULL), (100 / 9.81 - 2) * (sqrt(2) - 1), 0.01); /* T is 100 N all along the level */
     json_decref(all);
 }
-
-TEST_FILE(test_theory_lifted, cmocka_unit_test(by_the_tension), cmocka_unit_test(as_a_wider_bend),
-          cmocka_unit_test(what_holds_it_down), cmocka_unit_test(the_rope_ahead), cmocka_unit_test(the_rope_in_a_shaft))

@@ -16,9 +16,8 @@ static void verdict_is(const char *text, const char *const *settings, const char
 
 /* A slope of 100 m by 20 degrees pushes with w (sin - mu cos) 100 m = 2.1 kN. The front is on it from 80 s on and at
  * its end after 280 s; a back tension that is there by then holds it, and one that comes later does not. */
-static void a_back_tension_that_comes_late(void **state)
+TEST(a_back_tension_that_comes_late)
 {
-    (void)state;
     static const char text[] = CABLE
         "lead_in: {}\nchain: [{cable: c, length: 260 m}]\n"
         "route: {head_at: 1 m, transition_radius: 10 m, pieces: [{straight: 40 m}, {straight: 100 m, slope: -20 deg}, "
@@ -59,9 +58,8 @@ static void a_back_tension_that_comes_late(void **state)
 }
 
 /* Belts alone say how far the front may be: a slope of 60 m is reached after 40 m, 80 s at their speed. */
-static void a_late_back_tension_behind_belts(void **state)
+TEST(a_late_back_tension_behind_belts)
 {
-    (void)state;
     static const char text[] = CABLE
         "lead_in: {}\nchain: [{cable: c, length: 160 m}]\n"
         "route: {head_at: 4 m, transition_radius: 10 m, pieces: [{straight: 40 m}, {straight: 60 m, slope: -20 deg}, "
@@ -84,9 +82,8 @@ static void a_late_back_tension_behind_belts(void **state)
 }
 
 /* A winch of set tension that is let down when the cable has arrived, after 100 m at 0.1 m/s, or on the way. */
-static void a_set_tension_that_is_let_down(void **state)
+TEST(a_set_tension_that_is_let_down)
 {
-    (void)state;
     static const char text[] =
         CABLE "lead_in: {}\nchain: [{cable: c, length: 130 m}]\nroute: {head_at: 20 m, pieces: [{straight: 120 m}]}\n"
               "friction: {mu: 0.2}\nsurfaces: {ducts: [{radius: 60 mm, place: resting}]}\nrun: {duration: 1500 s}\n"
@@ -102,9 +99,8 @@ static void a_set_tension_that_is_let_down(void **state)
 
 /* Behind a bend that takes most of what a belt pushes with, a slope pushes as it does without the belt: that is no
  * push of the belt's, though it is less than the belt has. Before a slope that does not push by itself a belt may. */
-static void a_slope_behind_a_belt(void **state)
+TEST(a_slope_behind_a_belt)
 {
-    (void)state;
     static const char text[] = CABLE
         "route: {transition_radius: 10 m, pieces: [{straight: 8 m}, {bend: 180 deg, radius: 5 m, plane: left}, "
         "{straight: 40 m, slope: -30 deg}, {straight: 300 m, slope: 0 deg}]}\n"
@@ -135,9 +131,8 @@ static void a_slope_behind_a_belt(void **state)
 
 /* What pushes harder than the cable holds back pushes the winch: with little of the cable on the way, with what the
  * script leaves of the friction, after a back tension has gone. 40 m hold back with 1099 N. */
-static void a_winch_that_is_pushed_at_times(void **state)
+TEST(a_winch_that_is_pushed_at_times)
 {
-    (void)state;
     static const char text[] =
         CABLE "route: {head_at: 40 m, pieces: [{straight: 40 m}]}\nchain: [{cable: c, length: 40 m}]\n"
               "friction: {mu: 0.2}\nsurfaces: {ducts: [{radius: 60 mm, place: resting}]}\n"
@@ -164,9 +159,8 @@ static void a_winch_that_is_pushed_at_times(void **state)
 /* ------------------------------------------------------------------------------------------------ what carries it */
 
 /* Of rollers 1 m apart the last, 4 m before the end, bears half of what is to either side: 2.5 m. */
-static void the_last_roller_of_a_row(void **state)
+TEST(the_last_roller_of_a_row)
 {
-    (void)state;
     static const char text[] = CABLE "route: {pieces: [{straight: 44 m}]}\nfriction: {mu: 0.2}\n"
                                      "limits: {pull: 30 kN, sidewall: 3 kN/m, roller_factor: 1}\n";
     static const char *const ends[] = {"[{from: 0.5 m, to: 43.5 m, spacing: 1 m, rating: 2 kN}]",
@@ -179,9 +173,8 @@ static void the_last_roller_of_a_row(void **state)
 }
 
 /* 4 m behind the end of a duct, and 1 m ahead of the next roller: 2.5 m. */
-static void a_roller_behind_a_duct(void **state)
+TEST(a_roller_behind_a_duct)
 {
-    (void)state;
     json_t *const all = theory_of(CABLE "route: {pieces: [{straight: 44 m}]}\nfriction: {mu: 0.2}\n"
                                         "surfaces: {ducts: [{to: 16 m, radius: 60 mm, place: resting}]}\n"
                                         "rollers: {along: [{from: 20 m, to: 43.5 m, spacing: 1 m, rating: 2 kN}]}\n"
@@ -193,9 +186,8 @@ static void a_roller_behind_a_duct(void **state)
 
 /* Nothing carries the cable for 12 m: taut enough it hangs by a tenth of that at most, w l^2/8 over T + 9.6 EI/l^2. A
  * floor, a duct or a listed roller there does; without a run it is theory's alone. */
-static void a_gap_among_what_carries(void **state)
+TEST(a_gap_among_what_carries)
 {
-    (void)state;
     static const char text[] =
         CABLE "route: {pieces: [{straight: 60 m}]}\nfriction: {mu: 0.2}\n"
               "rollers: {along: [{from: 0.5 m, to: 24 m, spacing: 0.5 m}, {from: 36 m, to: 60 m, "
@@ -236,9 +228,8 @@ static void a_gap_among_what_carries(void **state)
 }
 
 /* Guides have what goes aside, T/R on 0.5 m, and carriers the weight. */
-static void carriers_beside_guides(void **state)
+TEST(carriers_beside_guides)
 {
-    (void)state;
     static const char text[] =
         CABLE "route: {pieces: [{straight: 100 m}, {bend: 90 deg, radius: 5 m, plane: left}, {straight: 1 m}]}\n"
               "friction: {mu: 0.2}\nlimits: {pull: 30 kN, sidewall: 3 kN/m, roller_factor: 1}\n"
@@ -255,9 +246,3 @@ static void carriers_beside_guides(void **state)
     check_share(load[0], W, 1e-6);
     check_between(load[1], 0.5 * (2e3 + 0.2 * W * 100) / 5, 0.6 * (2e3 + 0.2 * W * 110) * exp(0.2 * M_PI / 2) / 5);
 }
-
-TEST_FILE(test_theory_moments, cmocka_unit_test(a_back_tension_that_comes_late),
-          cmocka_unit_test(a_late_back_tension_behind_belts), cmocka_unit_test(a_set_tension_that_is_let_down),
-          cmocka_unit_test(a_slope_behind_a_belt), cmocka_unit_test(the_last_roller_of_a_row),
-          cmocka_unit_test(a_winch_that_is_pushed_at_times), cmocka_unit_test(a_roller_behind_a_duct),
-          cmocka_unit_test(a_gap_among_what_carries), cmocka_unit_test(carriers_beside_guides))

@@ -30,9 +30,8 @@ static double answer_to(const json_t *all, const char *question, const char *key
 
 /* A section's force is that with the head in its pit, not of what is pulled anew just behind it, whatever the lengths
  * round to. */
-static void sections_end_before_their_pit(void **state)
+TEST(sections_end_before_their_pit)
 {
-    (void)state;
     for (int k = 0; k < 40; k++) {
         char pieces[80], pit[80];
         const double before = 97.3 + 13.7 * k, behind = 21.1 + 5.3 * (k % 7);
@@ -48,9 +47,8 @@ static void sections_end_before_their_pit(void **state)
 }
 
 /* Three cables whose third is a little thinner lie as three equal ones do; a much thinner one is disregarded. */
-static void nearly_equal_cables(void **state)
+TEST(nearly_equal_cables)
 {
-    (void)state;
     static const char rest[] = MANY("members: [{cable: c, count: 2}, {cable: e}]",
                                     "route: {pieces: [{straight: 100 m}, {bend: 90 deg, radius: 4 m, plane: left}]}\n"
                                     "surfaces: {ducts: [{name: duct, radius: 51 mm, friction: {mu: 0.3}}]}\n"
@@ -69,9 +67,8 @@ static void nearly_equal_cables(void **state)
 }
 
 /* Cables that touch the wall above their middle have no clearance, to whichever side rounding falls. */
-static void no_clearance_in_a_cradle(void **state)
+TEST(no_clearance_in_a_cradle)
 {
-    (void)state;
     static const char cradle[] =
         MANY("cables: 3, layout: cradle", "route: {pieces: [{straight: 50 m}]}\n"
                                           "surfaces: {ducts: [{name: duct, radius: 46 mm, friction: {mu: 0.3}}]}\n"
@@ -87,9 +84,8 @@ static void no_clearance_in_a_cradle(void **state)
 }
 
 /* A limit that neither half nor twice of a thing changes may break farther on. */
-static void limits_that_break_farther_on(void **state)
+TEST(limits_that_break_farther_on)
 {
-    (void)state;
     json_t *all = theory_of(CABLE DUCT "route: {slope: -10 deg, pieces: [{straight: 100 m}]}\n"
                                        "drive: {tail: {tension: 5 kN}}\nlimits: {pull: 6 kN, sidewall: 3 kN/m}\n",
                             (const char *const[]){"surfaces.ducts.0.friction.mu", "0.05", NULL});
@@ -107,9 +103,8 @@ static void limits_that_break_farther_on(void **state)
 }
 
 /* Of a cable that runs ahead more friction holds it: a range, tan of the slope its lower end. */
-static void more_friction_holds(void **state)
+TEST(more_friction_holds)
 {
-    (void)state;
     json_t *const all = theory_of(CABLE DUCT "route: {slope: -15 deg, pieces: [{straight: 100 m}]}\n"
                                              "limits: {pull: 8 kN, sidewall: 3 kN/m}\n",
                                   (const char *const[]){"surfaces.ducts.0.friction.mu", "0.2", NULL});
@@ -132,9 +127,8 @@ static void more_friction_holds(void **state)
           "radius: 60 mm, friction: {mu_s: 0.5, mu_d: 0.1}}]}\nlimits: {pull: 30 kN, sidewall: 3 kN/m, push: 3 kN}\n"
 
 /* Machines push from rest with all that they may; those that are asked for push, too. */
-static void machines_push(void **state)
+TEST(machines_push)
 {
-    (void)state;
     json_t *all = theory_of(MACHINES, (const char *const[]){"theory.machines", "[{at: 200 m, push: 5 kN}]", NULL});
     check_equal(limit_of(all, "push"), 5000);
     verdict_has(all, "push by 66.7 %");
@@ -148,9 +142,8 @@ static void machines_push(void **state)
 }
 
 /* A pull that goes on beyond a bend is straight there, with the friction of straights. */
-static void longer_beyond_a_bend(void **state)
+TEST(longer_beyond_a_bend)
 {
-    (void)state;
     static const char *const pieces[] = {
         "[{straight: 100 m}, {bend: 1 deg, radius: 10 m, plane: left}]",
         "[{straight: 100 m}, {bend: 1 deg, radius: 10 m, plane: left}, {straight: 1 m}]"};
@@ -168,9 +161,8 @@ static void longer_beyond_a_bend(void **state)
 }
 
 /* The rope's own friction is not the cable's, which is asked for. */
-static void the_cables_friction(void **state)
+TEST(the_cables_friction)
 {
-    (void)state;
     json_t *const all =
         theory_of(CABLE DUCT "route: {pieces: [{straight: 100 m}]}\nlimits: {pull: 6 kN, sidewall: 3 kN/m}\n",
                   (const char *const[]){"theory.rope_mu", "0.6", NULL});
@@ -180,9 +172,8 @@ static void the_cables_friction(void **state)
 }
 
 /* Bends that follow each other hold no machine, at either end of one of them; too much feed is less feed. */
-static void machines_beside_bends(void **state)
+TEST(machines_beside_bends)
 {
-    (void)state;
     json_t *const all = theory_of(
         CABLE DUCT
         "route: {pieces: [{straight: 200 m}, {bend: 60 deg, radius: 12 m, plane: left}, {bend: 60 deg, radius: "
@@ -208,9 +199,8 @@ static void machines_beside_bends(void **state)
 
 /* A remedy that is put into the case does: of several cables a brake of each, a duct from which on it is wide enough
  * (a triangle becomes a cradle), and all of them rounded to the safe side. */
-static void remedies_do(void **state)
+TEST(remedies_do)
 {
-    (void)state;
     char setting[40];
     snprintf(setting, sizeof setting, "%.6f N", number_behind(STEEP, "remedy         a brake of ", "of each cable"));
     json_t *all = theory_of(STEEP, (const char *const[]){"drive.tail.tension", setting, NULL});
@@ -230,9 +220,3 @@ static void remedies_do(void **state)
         json_decref(all);
     }
 }
-
-TEST_FILE(test_theory_planned, cmocka_unit_test(sections_end_before_their_pit), cmocka_unit_test(nearly_equal_cables),
-          cmocka_unit_test(no_clearance_in_a_cradle), cmocka_unit_test(limits_that_break_farther_on),
-          cmocka_unit_test(more_friction_holds), cmocka_unit_test(machines_push),
-          cmocka_unit_test(longer_beyond_a_bend), cmocka_unit_test(the_cables_friction), cmocka_unit_test(remedies_do),
-          cmocka_unit_test(machines_beside_bends))

@@ -40,9 +40,8 @@ static const char slope[] =
 
 /* Four turns in a layer, of 0.44 m, 0.52 m, ...: layers end at 11.06 and 24.13 m, so that 25 m are just on the third,
  * which the cable climbs to in its first turn. Friction is 0.2 x 20 x 9.81 x 120. */
-static void the_drum_at_its_smallest(void **state)
+TEST(the_drum_at_its_smallest)
 {
-    (void)state;
     const double turn = 2 * M_PI * 0.6, below = 2 * M_PI * 4 * (2 * 0.4 + 2 * 0.08),
                  radius = 0.52 + 0.08 * (25 - below) / turn;
     const double start = 6000 / radius, pull = start + 0.2 * 20 * 9.81 * 120;
@@ -56,9 +55,8 @@ static void the_drum_at_its_smallest(void **state)
 }
 
 /* A cable that leaves the drum on the way was held by the bare barrel just before, and by nothing after that. */
-static void a_cable_that_leaves_the_drum(void **state)
+TEST(a_cable_that_leaves_the_drum)
 {
-    (void)state;
     const char *const level[] = {"chain.0.length", "60 m", "run.duration", "400 s", NULL};
     check_share(figure(on_a_reel, level, "start_tension_N"), 6000 / 0.44, 1e-6);
     verdict_is(on_a_reel, (const char *const[]){"route", slope, "chain.0.length", "60 m", NULL},
@@ -70,9 +68,8 @@ static void a_cable_that_leaves_the_drum(void **state)
 }
 
 /* What the crew sets the brake to counts as well: the most for the tension, the least for what it holds. */
-static void a_brake_by_the_script(void **state)
+TEST(a_brake_by_the_script)
 {
-    (void)state;
     const char *const more[] = {"drive.script", "[{at: 8 s, do: reel_brake, torque: 12 kN m, ramp: 3 s}]", NULL};
     const char *const less[] = {"drive.script", "[{at: 8 s, do: reel_brake, torque: 1 kN m, ramp: 3 s}]", NULL};
     const double usual = figure(on_a_reel, NULL, "start_tension_N");
@@ -95,9 +92,8 @@ static const char behind[] = "cables: {c: {d: 80 mm, mass: 20 kg/m, E: 11.5 GPa,
 
 /* 100 m lie there at first on the same rollers: mu w of each, more from rest. Where nothing lies that would carry them
  * they are no part of the pull. Pulled the other way it begins without them. */
-static void cable_behind_with_friction(void **state)
+TEST(cable_behind_with_friction)
 {
-    (void)state;
     const double metre = 0.2 * 20 * 9.81;
     json_t *const all = theory_of(behind, NULL);
     check_share(number_of(all, "start_tension_N"), 100 * metre, 1e-9);
@@ -112,9 +108,8 @@ static void cable_behind_with_friction(void **state)
 
 /* A track without friction that leaves the cable its weight along the slope, uphill and downhill: of the 60 m that lie
  * there at first, or of the 40 m that do at the end. */
-static void cable_behind_with_weight(void **state)
+TEST(cable_behind_with_weight)
 {
-    (void)state;
     static const char *const rise[] = {"20 deg", "-20 deg"}, *const weight[] = {"{weight: full}", "{weight: carried}"};
     const double metre = 20 * 9.81 * sin(20 * M_PI / 180);
     const double start[2][2] = {{60 * metre, 0}, {fmax(0, -40 * metre), 0}};
@@ -136,9 +131,8 @@ static void cable_behind_with_weight(void **state)
 }
 
 /* The run's own theory has it too, and the run pulls that. */
-static void a_run_with_weight_behind(void **state)
+TEST(a_run_with_weight_behind)
 {
-    (void)state;
     const char *const settings[] = {"chain",
                                     "[{cable: c, length: 12 m, segment: 500 mm}]",
                                     "route",
@@ -163,9 +157,8 @@ static void a_run_with_weight_behind(void **state)
 
 /* 50 m on the level, 40 m down at 30 degrees, 30 m on the level. What is heavy there runs ahead; it is not held by 50 m
  * of the same behind it if these are of a light cable. */
-static void a_light_cable_holds_less(void **state)
+TEST(a_light_cable_holds_less)
 {
-    (void)state;
     static const char text[] =
         "cables: {heavy: {d: 80 mm, mass: 30 kg/m, E: 11.5 GPa, G: 4.15 GPa, A: 5000 mm2, EI: 90 N m2}, light: {d: 80 "
         "mm, mass: "
@@ -190,17 +183,10 @@ static void a_light_cable_holds_less(void **state)
 }
 
 /* Friction that the script raises is none that theory knows; one that it lowers only takes off. */
-static void friction_by_the_script(void **state)
+TEST(friction_by_the_script)
 {
-    (void)state;
     const char *const more[] = {"limits.pull", "20 kN", "drive.script", "[{at: 5 s, do: friction, factor: 3}]", NULL};
     const char *const less[] = {"limits.pull", "20 kN", "drive.script", "[{at: 5 s, do: friction, factor: 0.5}]", NULL};
     verdict_is(behind, more, "NOT TRUSTED: drive.script makes friction 3 times the case's");
     verdict_is(behind, less, "SAFE");
 }
-
-TEST_FILE(test_theory_starts, cmocka_unit_test(the_drum_at_its_smallest),
-          cmocka_unit_test(a_cable_that_leaves_the_drum), cmocka_unit_test(a_brake_by_the_script),
-          cmocka_unit_test(cable_behind_with_friction), cmocka_unit_test(cable_behind_with_weight),
-          cmocka_unit_test(a_run_with_weight_behind), cmocka_unit_test(a_light_cable_holds_less),
-          cmocka_unit_test(friction_by_the_script))

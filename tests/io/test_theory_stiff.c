@@ -20,9 +20,8 @@ static double stiffness_of(const char *text, const char *key, const char *value)
 
 /* 4 mu (EI/R - T c)/sqrt(24 R c + d^2) of a bend in which it lies as the route does; twice that and 12 c/a + 1.5 R a of
  * one that it is bent less in. */
-static void by_the_formula(void **state)
+TEST(by_the_formula)
 {
-    (void)state;
     const double c = 0.02, R = 3, mu = 0.2, d = 0.05, w = 9 * 9.81;
     const double before = 300 + mu * w * 8, bend = M_PI / 2, middle = before * exp(mu * bend / 2);
     const double lies = 4 * mu * (300 / R - middle * c) / hypot(sqrt(24 * R * c), d);
@@ -52,9 +51,8 @@ static void by_the_formula(void **state)
 
 /* Trays hold to the sides, pairs of guides as well; one side alone, and a tray without a lid in a bend upward, nothing.
  */
-static void where_both_sides_hold(void **state)
+TEST(where_both_sides_hold)
 {
-    (void)state;
     static const char up[] = "[{straight: 8 m}, {bend: 30 deg, radius: 3 m, plane: up}, {straight: 9 m}]";
     static const struct {
         const char *key, *value, *pieces;
@@ -92,9 +90,8 @@ static void where_both_sides_hold(void **state)
 
 /* The loop of a cable that yields is paid in every bend, whatever holds it: 2 m kappa where it yields at once with m,
  * and nothing while it is elastic. */
-static void a_loop_for_each_bend(void **state)
+TEST(a_loop_for_each_bend)
 {
-    (void)state;
     static const char *const bare[] = {"surfaces", "{trays: [{section: flat, width: 800 mm}]}", NULL};
     static const struct {
         const char *table;
@@ -115,9 +112,8 @@ static void a_loop_for_each_bend(void **state)
 }
 
 /* It grows with the bends ahead; pulled back those are the ones behind. */
-static void with_the_bends_ahead(void **state)
+TEST(with_the_bends_ahead)
 {
-    (void)state;
     static const char two[] =
         "[{straight: 8 m}, {bend: 90 deg, radius: 3 m, plane: left}, {straight: 1 m}, {bend: 90 deg, "
         "radius: 30 m, plane: left}, {straight: 9 m}]";
@@ -154,9 +150,8 @@ static double pull_of(const char *radius, const char *pieces, const char *ei)
 }
 
 /* Runs take 0.55 to 0.9 times of it, over bends in which the cable lies as the route does and others. */
-static void as_runs_have_it(void **state)
+TEST(as_runs_have_it)
 {
-    (void)state;
     static const struct {
         const char *radius, *pieces;
     } row[] = {
@@ -179,9 +174,8 @@ static void as_runs_have_it(void **state)
 }
 
 /* What a limit has left is asked for one and a half times of it. */
-static void where_it_would_break_a_limit(void **state)
+TEST(where_it_would_break_a_limit)
 {
-    (void)state;
     json_t *all = theory_of(DUCT, (const char *const[]){"title", "as it is", NULL});
     const double takes = number_of(all, "stiffness_N"), pull = number_of(all, "reference_total_N");
     json_decref(all);
@@ -198,7 +192,3 @@ static void where_it_would_break_a_limit(void **state)
         json_decref(all);
     }
 }
-
-TEST_FILE(test_theory_stiff, cmocka_unit_test(by_the_formula), cmocka_unit_test(where_both_sides_hold),
-          cmocka_unit_test(a_loop_for_each_bend), cmocka_unit_test(with_the_bends_ahead),
-          cmocka_unit_test(where_it_would_break_a_limit), cmocka_unit_test(as_runs_have_it))

@@ -17,9 +17,8 @@ static void says(const char *const *settings, const char *part)
 }
 
 /* A winch of set tension pulls with what is set, all the way: 1.45 kN also where the front is at 20 m and 814 N do. */
-static void tension_beyond_what_is_needed(void **state)
+TEST(tension_beyond_what_is_needed)
 {
-    (void)state;
     static const char limited[] = "{tension: {force: 1.45 kN, to: 2 s, speed_limit: 0.1 m/s}}";
     says((const char *const[]){"drive.winch", "{tension: {force: 10 kN, to: 2 s}}", NULL},
          "where 0.8139 kN are needed");
@@ -34,9 +33,8 @@ static void tension_beyond_what_is_needed(void **state)
 
 /* A script makes the winch faster: what a brake that goes with the speed holds back with then counts, and belts of a
  * speed of their own are outrun. */
-static void a_faster_winch(void **state)
+TEST(a_faster_winch)
 {
-    (void)state;
     static const char reel[] = "{distance: 5 m, barrel: 1.5 m, flange: 2.5 m, width: 1 m, inertia: 300 kg m2, brake: "
                                "{law: proportional, torque: 1 kN m, speed: 6 m/min}}";
     static const char script[] = "[{at: 10 s, do: winch_speed, speed: 30 m/min, ramp: 2 s}]";
@@ -67,9 +65,8 @@ static void a_faster_winch(void **state)
 
 /* Who pulls, the winch or a belt that runs with it, lengths decide: 1442 N without it, 872 N with the belt's 570 N. A
  * run on a straight row, 579 N by theory with a belt of 130 N, has 718 N, and the belt 0.4 N of that. */
-static void a_belt_that_runs_with_the_winch(void **state)
+TEST(a_belt_that_runs_with_the_winch)
 {
-    (void)state;
     static const char belt[] = "[{name: C, from: 30 m, to: 32 m, clamp: 2 kN, mu: 0.4, limit: 570 N}]";
     static const struct {
         const char *pull, *key, *value, *says;
@@ -87,9 +84,8 @@ static void a_belt_that_runs_with_the_winch(void **state)
     }
 }
 
-static void jams_friction_and_motors(void **state)
+TEST(jams_friction_and_motors)
 {
-    (void)state;
     static const char row[] = "{along: {spacing: 2 m, name: P, friction: {mu: 0.1}}}";
     says((const char *const[]){"surfaces", "{}", "rollers", row, "jams", "[{what: P11, at: 5 s}]", NULL},
          "jams stops roller 'P11'");
@@ -109,9 +105,8 @@ static const char cables[] = "{heavy: {d: 60 mm, mass: 20 kg/m, EA: 60 MN, EI: 2
                              "MN, EI: 20, GA: 20 MN, GJ: 20}}";
 
 /* Down a slope light cable holds back more than heavy cable: of unlike pieces it counts there. */
-static void unlike_pieces_on_a_slope(void **state)
+TEST(unlike_pieces_on_a_slope)
 {
-    (void)state;
     static const char chain[] = "[{cable: heavy, length: 100 m}, {cable: light, length: 50 m, rope: false}]";
     static const char pieces[] = "[{straight: 90 m}, {bend: 30 deg, radius: 10 m, plane: down}, {straight: 35 m}, "
                                  "{bend: 30 deg, radius: 10 m, plane: up}, {straight: 6 m}]";
@@ -129,9 +124,8 @@ static void unlike_pieces_on_a_slope(void **state)
 
 /* In a valley that the tension lifts the cable out of, too: of unlike pieces the pull is that of the light one alone.
  */
-static void unlike_pieces_in_a_valley(void **state)
+TEST(unlike_pieces_in_a_valley)
 {
-    (void)state;
     static const char both[] = "[{cable: heavy, length: 20 m}, {cable: light, length: 20 m, rope: false}]";
     static const char pieces[] = "[{bend: 20 deg, radius: 60 m, plane: up}]";
     const char *const chains[] = {both, "[{cable: light, length: 40 m}]", "[{cable: heavy, length: 40 m}]"};
@@ -146,7 +140,3 @@ static void unlike_pieces_in_a_valley(void **state)
     check_close(force[0], force[1], 1e-6 * force[1]);
     check_above(force[0], 1.02 * force[2]);
 }
-
-TEST_FILE(test_theory_told, cmocka_unit_test(tension_beyond_what_is_needed), cmocka_unit_test(a_faster_winch),
-          cmocka_unit_test(jams_friction_and_motors), cmocka_unit_test(a_belt_that_runs_with_the_winch),
-          cmocka_unit_test(unlike_pieces_on_a_slope), cmocka_unit_test(unlike_pieces_in_a_valley))

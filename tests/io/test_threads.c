@@ -75,9 +75,8 @@ static void *work(void *argument)
     return NULL;
 }
 
-static void side_by_side(void **state)
+TEST(side_by_side)
 {
-    (void)state;
     pthread_t thread[THREADS];
     Task task[THREADS];
     pull = data_text("short-pull");
@@ -94,5 +93,3 @@ static void side_by_side(void **state)
         check_equal(task[k].apart, 0);
     }
 }
-
-TEST_FILE(test_threads, cmocka_unit_test(side_by_side))

@@ -36,44 +36,23 @@ static void expect_trap(const Trap *trap)
 
 /* The spike of a start on spinning rollers, 602 kN where 1.3 kN go on: a run's safe margin was taken of it, or of less.
  */
-static void it_jolts(void **state)
-{
-    (void)state;
-    expect_trap(&(Trap){"trap-jolts", "start_jolt, numerical_peak, peak", 1255.7, 2000});
-}
+TEST(it_jolts) { expect_trap(&(Trap){"trap-jolts", "start_jolt, numerical_peak, peak", 1255.7, 2000}); }
 
 /* A mean of 173 N was 277 N; that one is right now, the peak of what snaps taut is not. */
-static void it_snaps_taut(void **state)
-{
-    (void)state;
-    expect_trap(&(Trap){"trap-snaps-taut", "numerical_peak, peak", 290.7, 10000});
-}
+TEST(it_snaps_taut) { expect_trap(&(Trap){"trap-snaps-taut", "numerical_peak, peak", 290.7, 10000}); }
 
-static void it_leaves_its_rollers(void **state)
-{
-    (void)state;
-    expect_trap(&(Trap){"trap-off-its-rollers", "on_route", NAN, 40000});
-}
+TEST(it_leaves_its_rollers) { expect_trap(&(Trap){"trap-off-its-rollers", "on_route", NAN, 40000}); }
 
 /* 0.09 MN of peak, and 0.2 kN: a cable that its head pushes. -915.5 N while the grip turned with half of the head's
  * turn. */
-static void it_snaps_back(void **state)
-{
-    (void)state;
-    expect_trap(&(Trap){"trap-snaps-back", "orientation, pushed", -168.6, 10000});
-}
+TEST(it_snaps_back) { expect_trap(&(Trap){"trap-snaps-back", "orientation, pushed", -168.6, 10000}); }
 
 /* Newton's iteration failed in most of its steps, and it took minutes: seconds now. */
-static void it_crawls(void **state)
-{
-    (void)state;
-    expect_trap(&(Trap){"trap-crawls", "equilibrium, start_jolt", 704.2, 10000});
-}
+TEST(it_crawls) { expect_trap(&(Trap){"trap-crawls", "equilibrium, start_jolt", 704.2, 10000}); }
 
 /* The bend radius had a margin of 32 % with segments of 62.5 mm and of 2 % with half of it, and a bar of 0 in both. */
-static void it_bends_over_rollers(void **state)
+TEST(it_bends_over_rollers)
 {
-    (void)state;
     const char *const segment[] = {"62.5 mm", "31.25 mm"};
     double value[2] = {0}, error[2] = {0};
     for (int k = 0; k < 2; k++) {
@@ -101,9 +80,8 @@ static void it_bends_over_rollers(void **state)
 /* Limp cables in a duct with 2 mm of room, trusted with bounds of 25, 23, 11 and 23 N where 100, 140, 45 and 140 N were
  * missing: laws of segments that did not know where the cable changes walls. The converged values are of segments of 30
  * mm at accuracy 1e-5; a mesh that is given is judged by the same laws. */
-static void it_changes_walls(void **state)
+TEST(it_changes_walls)
 {
-    (void)state;
     static const char *const s_bends =
         "[{straight: 5 m}, {bend: 30 deg, radius: 2.6 m, plane: left}, {straight: 4 m}, {bend: 30 deg, radius: 2.6 m, "
         "plane: right}, {straight: 4 m}, {bend: 30 deg, radius: 2.6 m, plane: left}, {straight: 4 m}, {bend: 30 deg, "
@@ -138,9 +116,8 @@ static void it_changes_walls(void **state)
 }
 
 /* The shipped example: 4122.2 +- 12.0 N, with `segment: auto` 4153.7 +- 23.9 N, and 4104.7 N converged. */
-static void the_example_in_a_duct(void **state)
+TEST(the_example_in_a_duct)
 {
-    (void)state;
     const char *const as_it_is[] = {NULL}, *const by_itself[] = {"chain.0.segment", "auto", NULL};
     for (int k = 0; k < 2; k++) {
         const Outcome out = example_run("duct-bends", k ? by_itself : as_it_is);
@@ -152,9 +129,8 @@ static void the_example_in_a_duct(void **state)
 
 /* A cable that lies beside its rollers at rest was pulled for minutes, 88 m off its route in the end, and `check` had
  * nothing to say of it. It ends before time begins now; on rollers of the width that the message names it holds. */
-static void it_lies_beside_its_rollers(void **state)
+TEST(it_lies_beside_its_rollers)
 {
-    (void)state;
     const char *const text = data_text("trap-beside-its-rollers");
     hawser_error err = {0};
     hawser_summary sum;
@@ -183,9 +159,8 @@ static void it_lies_beside_its_rollers(void **state)
 }
 
 /* What comes off later ends the run there. */
-static void it_comes_off_in_motion(void **state)
+TEST(it_comes_off_in_motion)
 {
-    (void)state;
     hawser_error err = {0};
     hawser_sim *const sim =
         sim_of(data_text("trap-snaps-back"), (const char *const[]){"run.keep_going", "false", NULL});
@@ -194,9 +169,3 @@ static void it_comes_off_in_motion(void **state)
     check_below(hawser_sim_time(sim), 1);
     hawser_sim_free(sim);
 }
-
-TEST_FILE(test_traps, cmocka_unit_test(it_bends_over_rollers), cmocka_unit_test(it_jolts),
-          cmocka_unit_test(it_changes_walls), cmocka_unit_test(it_lies_beside_its_rollers),
-          cmocka_unit_test(it_comes_off_in_motion), cmocka_unit_test(the_example_in_a_duct),
-          cmocka_unit_test(it_snaps_taut), cmocka_unit_test(it_leaves_its_rollers), cmocka_unit_test(it_snaps_back),
-          cmocka_unit_test(it_crawls))

@@ -110,9 +110,8 @@ static void expect_failing(const char *text, const char *const *settings, hawser
     hawser_sim_free(j.sim);
 }
 
-static void a_good_run(void **state)
+TEST(a_good_run)
 {
-    (void)state;
     Judged j = judge(data_text("trust"), NULL, HAWSER_OK);
     for (int i = 0; i < j.sum.n_conditions; i++) {
         const hawser_condition *const c = &j.sum.conditions[i];
@@ -126,9 +125,8 @@ static void a_good_run(void **state)
 }
 
 /* Nothing under the cable: it fell freely and was safe with a margin of 100 %. */
-static void nothing_holds_it(void **state)
+TEST(nothing_holds_it)
 {
-    (void)state;
     const char *const row = "rollers: {along: {from: 0 m, to: 24 m, spacing: 2 m}}\n";
     const char *const winch = "drive: {winch: {speed: 0.1 m/s, to: 1 s}, tail: {tension: 1 kN, ramp: none}}\n";
     char *const text = strdup(data_with("trust", row, ""));
@@ -143,17 +141,15 @@ static void nothing_holds_it(void **state)
 
 /* A run that failed early spoke of a mean over a window that it never saw. It fails at 0.3 s; 20 steps end at 0.17 s,
  * and the books of a start are open by 2 % until then. */
-static void not_to_the_end(void **state)
+TEST(not_to_the_end)
 {
-    (void)state;
     const char *const few[] = {"solver.max_steps", "40", NULL};
     expect_failing(data_text("trust"), few, HAWSER_ERR_RUN, "finished steady_window", "of no steady pull");
 }
 
 /* The window lies in the winch's ramp, in which friction comes in: no mean of a steady pull. */
-static void still_in_the_ramp(void **state)
+TEST(still_in_the_ramp)
 {
-    (void)state;
     const char *const early[] = {
         "run.steady_from", "500 ms", "drive.winch.to", "4 s", "friction.v_s", "80 mm/s", "solver.passes", "1", NULL};
     expect_failing(data_text("trust"), early, HAWSER_OK, "friction_speed numerical_error numerical_peak decided steady",
@@ -161,24 +157,21 @@ static void still_in_the_ramp(void **state)
 }
 
 /* From 0 to full speed at once, before the cable has come to rest: a first pull of 100 kN where 1.8 kN go on. */
-static void a_jolt_at_the_start(void **state)
+TEST(a_jolt_at_the_start)
 {
-    (void)state;
     const char *const jump[] = {"drive.winch.ramp", "none", "solver.relax", "false", NULL};
     expect_failing(data_text("trust"), jump, HAWSER_OK, "numerical_peak start_jolt peak", "give the winch a ramp");
 }
 
 /* Something holds the cable back for a twentieth of a second, between two rows: how much more is not seen. */
-static void a_spike_between_rows(void **state)
+TEST(a_spike_between_rows)
 {
-    (void)state;
     const char *const snap[] = {"drive.tail", "{table: [[0, 1 kN], [2 s, 1 kN], [2.05 s, 5 kN], [2.1 s, 1 kN]]}", NULL};
     expect_failing(data_text("trust"), snap, HAWSER_OK, "numerical_peak peak", "set output.interval to less");
 }
 
-static void slower_than_friction(void **state)
+TEST(slower_than_friction)
 {
-    (void)state;
     const char *const slow[] = {"friction.v_s", "200 mm/s", "friction.v_d", "400 mm/s", NULL};
     expect_failing(data_text("trust"), slow, HAWSER_OK, "friction_speed numerical_error numerical_peak decided",
                    "set friction.v_s below 0.02 m/s");
@@ -187,9 +180,8 @@ static void slower_than_friction(void **state)
 /* A stiff grip at a low accuracy: the pull was 12 times theory's, where a synchronised belt takes all that arrives. The
  * run shares by elasticity: belt and winch keep the stretch that the cable has under its tail's 1 kN, so that the winch
  * has that and half of the friction between. */
-static void energy_lost(void **state)
+TEST(energy_lost)
 {
-    (void)state;
     const char *const loose[] = {"conveyors", "[{from: 6, to: 8, clamp: 9 kN, mu: 0.5, v_s: 0.1 mm/s}]",
                                  "solver.accuracy", "1e-2", NULL};
     const char *const fine[] = {loose[0], loose[1], "solver.accuracy", "1e-5", NULL};
@@ -202,9 +194,8 @@ static void energy_lost(void **state)
 }
 
 /* A run pulled one of three, and so was not trusted; now all three are, as theory has them. */
-static void several_cables(void **state)
+TEST(several_cables)
 {
-    (void)state;
     const char *const three[] = {"theory", "{cables: 3}", "surfaces.ducts.0.radius", "70 mm", "chain.0.length",
                                  "10 m",   NULL};
     Judged one = judge(data_text("trust-duct"), NULL, HAWSER_OK), j = judge(data_text("trust-duct"), three, HAWSER_OK);
@@ -218,9 +209,8 @@ static void several_cables(void **state)
 }
 
 /* Arcs of 10 mm in a duct with 1 mm of room pulled 28 % too much; with 20 mm all is well. */
-static void coarse_in_a_duct(void **state)
+TEST(coarse_in_a_duct)
 {
-    (void)state;
     const char *const narrow[] = {"surfaces.ducts.0.radius", "31 mm", NULL};
     expect_failing(data_text("trust-duct"), narrow, HAWSER_OK, "mesh numerical_error numerical_peak",
                    "room 1 mm): set chain.0.segment to auto");
@@ -231,9 +221,8 @@ static void coarse_in_a_duct(void **state)
 
 /* Three cables, D/d 2.5, 4 mm above them, 48 % filled: this was safe. Run and theory say that it is not; a duct of 90
  * mm is fine. */
-static void three_cables_jam(void **state)
+TEST(three_cables_jam)
 {
-    (void)state;
     static const char *const broken[] = {"NOT SAFE: 3 of", "jam_ratio by 0.962 % at narrow",
                                          "clearance by 33.3 % at narrow", "fill by 20 % at narrow"};
     Judged j = judge(data_text("trust-jam"), NULL, HAWSER_OK);
@@ -254,9 +243,8 @@ static void three_cables_jam(void **state)
 }
 
 /* A shaft of 60 m: theory found -11.7 kN at its foot and called it safe. */
-static void a_shaft_without_a_brake(void **state)
+TEST(a_shaft_without_a_brake)
 {
-    (void)state;
     const char *const route = "route: {head_at: 20 m, pieces: [{straight: 24 m}]}";
     const char *const shaft =
         "route: {slope: -89 deg, pieces: [{straight: 60 m}, {bend: 89 deg, radius: 3 m, plane: up}, {straight: 40 m}]}";
@@ -277,9 +265,8 @@ static void a_shaft_without_a_brake(void **state)
 /* A step that grows by 4 % kept the old one's matrix: Newton's iteration left more at each step, and the peak was 128 N
  * with a bar of 2.7 N. A hundredth of the accuracy and segments of an eighth: 121.6 N; with a fifth of v_s besides
  * 116 N. */
-static void an_old_matrix(void **state)
+TEST(an_old_matrix)
 {
-    (void)state;
     Judged j = judge(data_text("trust-old-matrix"), NULL, HAWSER_OK);
     check_at_most(fabs(j.sum.pull_peak_N - 115.6), j.sum.pull_peak_error.total);
     check_share(j.sum.pull_peak_N, 121.6, 0.01);
@@ -287,25 +274,22 @@ static void an_old_matrix(void **state)
 }
 
 /* -4.1 kN, and every condition held: what is asked of the pull's errors was asked of a pull alone. */
-static void a_winch_that_is_pushed(void **state)
+TEST(a_winch_that_is_pushed)
 {
-    (void)state;
     expect_failing(data_text("trust-pushed"), NULL, HAWSER_OK, "pushed drawn", "pushes the winch with 4.1");
 }
 
 /* Nothing had moved, and so nothing had wavered: +- 0.1 % where other segments make 5 % of it. */
-static void a_winch_that_stands(void **state)
+TEST(a_winch_that_stands)
 {
-    (void)state;
     expect_failing(data_text("trust-stands"), NULL, HAWSER_OK, "numerical_error numerical_peak drawn",
                    "mostly by the mesh");
 }
 
 /* Means of a cable at rest were trusted: its back tension as the pull of a winch that a script has stopped, and 0 N of
  * a set tension that moved nothing and was let go. */
-static void nothing_is_drawn(void **state)
+TEST(nothing_is_drawn)
 {
-    (void)state;
     static const char *const weak[] = {"drive.winch", "{tension: {force: 300 N, to: 2 s}}", NULL};
     expect_failing(data_text("trust-let-go"), NULL, HAWSER_OK, "drawn", "has stopped, or is too weak");
     expect_failing(data_text("trust-let-go"), weak, HAWSER_OK, "drawn", "set run.steady_from and run.duration");
@@ -316,17 +300,15 @@ static void nothing_is_drawn(void **state)
 }
 
 /* 793 N +- 28 N before a segment had passed; 674 N on finer ones. */
-static void joints_in_step(void **state)
+TEST(joints_in_step)
 {
-    (void)state;
     static const char *const twice[] = {"solver.passes", "2", NULL}; /* a third pass settles it */
     expect_failing(data_text("trust-in-step"), twice, HAWSER_OK, "numerical_peak", "a shorter chain.segment");
 }
 
 /* 374 N +- 20 N by its rows, 680 N by its steps, and 750 N on segments a quarter as long. */
-static void it_begins_anywhere(void **state)
+TEST(it_begins_anywhere)
 {
-    (void)state;
     expect_failing(data_text("trust-begins-anywhere"), NULL, HAWSER_OK, "numerical_error numerical_peak peak",
                    "the mean pull may be off by");
     Judged j = judge(data_text("trust-begins-anywhere"), NULL, HAWSER_OK);
@@ -335,9 +317,8 @@ static void it_begins_anywhere(void **state)
 }
 
 /* What a jerk is hangs on how slack the rope was (EB15): a bar that holds the 1908 N of finer segments. */
-static void a_slack_rope(void **state)
+TEST(a_slack_rope)
 {
-    (void)state;
     const char *const once[] = {"solver.passes", "1", NULL};
     expect_failing(data_text("trust-slack"), once, HAWSER_OK, "numerical_peak", "a shorter chain.segment");
     Judged j = judge(data_text("trust-slack"), once, HAWSER_OK);
@@ -347,9 +328,8 @@ static void a_slack_rope(void **state)
 
 /* In a duct with room for it a limp cable cuts the corners of S-bends: a pull far below theory's, which follows the
  * line, is right there, on any mesh. Where there is no room the two are the same to 5 %. */
-static void it_cuts_corners(void **state)
+TEST(it_cuts_corners)
 {
-    (void)state;
     const char *const fine[] = {"chain.0.segment", "200 mm", NULL}, *const tight[] = {"chain.0.segment", "100 mm",
                                                                                       "surfaces.ducts.0.radius",
                                                                                       "28 mm", NULL};
@@ -368,16 +348,14 @@ static void it_cuts_corners(void **state)
 }
 
 /* What falls through the room of a duct hits between two rows: 5825 N held by two steps, 2794 N on finer segments. */
-static void it_falls_and_hits(void **state)
+TEST(it_falls_and_hits)
 {
-    (void)state;
     expect_failing(data_text("trust-hits"), NULL, HAWSER_OK, "numerical_peak peak", "the peak has no error bound");
 }
 
 /* 265.6 N +- 1.6 N, and 274 N with a fifth of v_s. */
-static void it_creeps_aside(void **state)
+TEST(it_creeps_aside)
 {
-    (void)state;
     expect_failing(data_text("trust-creeps"), NULL, HAWSER_OK, "numerical_error", "friction.v_s far below");
     const char *const lower[] = {"friction.v_s", "0.9 mm/s", NULL};
     Judged j = judge(data_text("trust-creeps"), NULL, HAWSER_OK),
@@ -389,9 +367,8 @@ static void it_creeps_aside(void **state)
 }
 
 /* 237 N, and 206 N with a third of v_s (EB10). */
-static void it_breaks_loose(void **state)
+TEST(it_breaks_loose)
 {
-    (void)state;
     const char *const once[] = {"solver.passes", "1", NULL};
     expect_failing(data_text("trust-breaks-loose"), once, HAWSER_OK, "numerical_peak", "friction.v_s far below");
     Judged j = judge(data_text("trust-breaks-loose"), once, HAWSER_OK);
@@ -402,9 +379,8 @@ static void it_breaks_loose(void **state)
 
 /* Rest is found without friction: a rope behind a bend slides outward over flat rollers until it is at their edge, and
  * the mesh decides whether it slips off. Guides behind the bend hold it. */
-static void it_slides_to_the_edge(void **state)
+TEST(it_slides_to_the_edge)
 {
-    (void)state;
     Judged j = judge(data_text("trust-edge"), NULL, HAWSER_OK);
     const hawser_condition *edge = NULL;
     for (int i = 0; i < j.sum.n_conditions; i++)
@@ -416,14 +392,3 @@ static void it_slides_to_the_edge(void **state)
     check_has(edge->remedy, "put guides there");
     hawser_sim_free(j.sim);
 }
-
-TEST_FILE(test_trust, cmocka_unit_test(a_good_run), cmocka_unit_test(nothing_holds_it),
-          cmocka_unit_test(not_to_the_end), cmocka_unit_test(slower_than_friction), cmocka_unit_test(energy_lost),
-          cmocka_unit_test(several_cables), cmocka_unit_test(coarse_in_a_duct),
-          cmocka_unit_test(a_shaft_without_a_brake), cmocka_unit_test(three_cables_jam),
-          cmocka_unit_test(still_in_the_ramp), cmocka_unit_test(a_jolt_at_the_start),
-          cmocka_unit_test(a_spike_between_rows), cmocka_unit_test(an_old_matrix),
-          cmocka_unit_test(a_winch_that_is_pushed), cmocka_unit_test(a_winch_that_stands),
-          cmocka_unit_test(nothing_is_drawn), cmocka_unit_test(joints_in_step), cmocka_unit_test(it_begins_anywhere),
-          cmocka_unit_test(it_falls_and_hits), cmocka_unit_test(it_cuts_corners), cmocka_unit_test(a_slack_rope),
-          cmocka_unit_test(it_creeps_aside), cmocka_unit_test(it_breaks_loose), cmocka_unit_test(it_slides_to_the_edge))

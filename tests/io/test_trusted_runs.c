@@ -32,9 +32,8 @@ static hawser_limit judged(hawser_sim *sim, const char *name)
 static const char *const fastened[][13] = {FASTENED("fixed", "8 s"), FASTENED("fixed", "3 s"), FASTENED("free", "8 s")};
 
 /* A fastened end was let go by positions. */
-static void positions_of_a_fastened_end(void **state)
+TEST(positions_of_a_fastened_end)
 {
-    (void)state;
     for (int k = 0; k < 3; k++) {
         hawser_error err = {0};
         hawser_sim *sim = NULL;
@@ -49,9 +48,8 @@ static void positions_of_a_fastened_end(void **state)
 }
 
 /* So it was by positions that move a run: these leave such a pull to motion. */
-static void motion_to_a_fastened_end(void **state)
+TEST(motion_to_a_fastened_end)
 {
-    (void)state;
     for (int k = 0; k < 3; k++) {
         hawser_error err = {0};
         hawser_sim *sim = NULL;
@@ -72,9 +70,8 @@ static void motion_to_a_fastened_end(void **state)
 /* --------------------------------------------------------------------------------------------- slow for friction */
 
 /* A brake and bearings that are not there yet at the pull's speed make it too small, as friction does. */
-static void what_else_fades(void **state)
+TEST(what_else_fades)
 {
-    (void)state;
     static const char spins[] = "{spacing: 1 m, spin: {inertia: 0.05 kg m2, bearing: {friction: 0.5, journal: 20 mm, "
                                 "speed: 10 rad/s}}}";
     static const char *const reel[][5] = {{"reel.brake", "{torque: 500 N m}", "reel.v_s", "500 mm/s"},
@@ -110,9 +107,8 @@ static void what_else_fades(void **state)
 /* --------------------------------------------------------------------------------------------------- no winch */
 
 /* What belts alone draw has a speed, too: the limit of speed and friction's were not asked where there is no winch. */
-static void drawn_by_belts(void **state)
+TEST(drawn_by_belts)
 {
-    (void)state;
     static const struct {
         const char *belt, *v_s, *script;
         int fades, fast;
@@ -148,9 +144,8 @@ static void drawn_by_belts(void **state)
 
 /* A belt with a speed of its own that is the winch's pushes with what lengths decide, as one that follows it does;
  * where it is faster it slips, and pushes with all it has. */
-static void a_belt_as_fast_as_the_winch(void **state)
+TEST(a_belt_as_fast_as_the_winch)
 {
-    (void)state;
     static const struct {
         const char *belt;
         int shares;
@@ -197,9 +192,8 @@ static const hawser_roller *roller_at(hawser_sim *sim, double s)
 
 /* A heavy length comes to a roller when the steady window is half over: it bears that from then on, however light what
  * lay on it before was. Judged was the window's mean. */
-static void a_load_that_comes_late(void **state)
+TEST(a_load_that_comes_late)
 {
-    (void)state;
     static const char text[] =
         "cables:\n"
         "  heavy: {d: 60 mm, mass: 20 kg/m, EA: 60 MN, GA: 25 MN, GJ: 10 kN m2, EI: 1 kN m2, damping: 2 ms}\n"
@@ -221,9 +215,8 @@ static void a_load_that_comes_late(void **state)
 
 /* An eye goes over rollers on segments that are too short for its radius to fall over one of them (C6): the taper is
  * as long as a roller needs it. The load grew with the mesh, to 160 kN in a longer scene. */
-static void an_eye_on_short_segments(void **state)
+TEST(an_eye_on_short_segments)
 {
-    (void)state;
     static const char text[] =
         "cables:\n"
         "  power: {d: 80 mm, mass: 14 kg/m, EA: 60 MN, GA: 25 MN, GJ: 10 kN m2, EI: 2 kN m2, damping: 2 ms}\n"
@@ -247,8 +240,3 @@ static void an_eye_on_short_segments(void **state)
     }
     check_share(peak[3], peak[1], 1e-6);
 }
-
-TEST_FILE(test_trusted_runs, cmocka_unit_test(positions_of_a_fastened_end), cmocka_unit_test(motion_to_a_fastened_end),
-          cmocka_unit_test(what_else_fades), cmocka_unit_test(drawn_by_belts),
-          cmocka_unit_test(a_belt_as_fast_as_the_winch), cmocka_unit_test(a_load_that_comes_late),
-          cmocka_unit_test(an_eye_on_short_segments))

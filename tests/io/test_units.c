@@ -33,7 +33,7 @@ static void bad(void **state, const char *text, Dimension dimension, const char 
     if (!strstr(why, part)) fail_msg("'%s': '%s' does not say '%s'", text, why, part);
 }
 
-static void units_of_each_kind(void **state)
+TEST(units_of_each_kind)
 {
     const double deg = 3.14159265358979323846 / 180;
     good(state, "500 mm", DIM_LENGTH, 0.5);
@@ -71,7 +71,7 @@ static void units_of_each_kind(void **state)
 }
 
 /* What planners in the United States write, and decanewtons. */
-static void units_of_other_practices(void **state)
+TEST(units_of_other_practices)
 {
     good(state, "1800 daN", DIM_FORCE, 18e3);
     good(state, "4 kip", DIM_FORCE, 4000 * 4.4482216152605);
@@ -89,7 +89,7 @@ static void units_of_other_practices(void **state)
 }
 
 /* American wire gauges against the areas of the standard's table (ASTM B258), mm2 to its digits. */
-static void wire_gauges(void **state)
+TEST(wire_gauges)
 {
     static const struct {
         const char *text;
@@ -119,7 +119,7 @@ static void wire_gauges(void **state)
 
 /* M is a thousand in MCM and Mft, so that it is no prefix of American units: lb/Mft was a pound in a million feet,
  * Mcmil a million circular mils. */
-static void thousands_and_millions(void **state)
+TEST(thousands_and_millions)
 {
     good(state, "3200 lb/Mft", DIM_LINE_MASS, 3.2 * 0.45359237 / 0.3048);
     good(state, "3200 lbs/Mft", DIM_LINE_MASS, 3.2 * 0.45359237 / 0.3048);
@@ -134,7 +134,7 @@ static void thousands_and_millions(void **state)
 }
 
 /* As people type them: signs, plurals, per cent. */
-static void units_that_people_type(void **state)
+TEST(units_that_people_type)
 {
     const double deg = 3.14159265358979323846 / 180;
     good(state, "45\xc2\xb0", DIM_ANGLE, 45 * deg);
@@ -156,7 +156,7 @@ static void units_that_people_type(void **state)
 }
 
 /* A pound is a mass: where a force is meant the message asks for it by name, and says which quantity it is. */
-static void pounds_in_place_of_pounds_of_force(void **state)
+TEST(pounds_in_place_of_pounds_of_force)
 {
     bad(state, "300 lb/ft", DIM_LINE_FORCE, "not that of a force per length; write 'lbf/ft' for pounds of force");
     bad(state, "2000 lb", DIM_FORCE, "not that of a force; write 'lbf' for pounds of force");
@@ -170,7 +170,7 @@ static void pounds_in_place_of_pounds_of_force(void **state)
 }
 
 /* A bare angle would be radians to the program and degrees to most who write it. */
-static void bare_angles_are_questioned(void **state)
+TEST(bare_angles_are_questioned)
 {
     bad(state, "5", DIM_ANGLE, "has no unit: is that degrees? write '5 deg' or '5 rad'");
     bad(state, "-0.5", DIM_ANGLE, "write '-0.5 deg' or '-0.5 rad'");
@@ -180,7 +180,7 @@ static void bare_angles_are_questioned(void **state)
     good(state, "5 rad", DIM_ANGLE, 5);
 }
 
-static void bare_numbers_are_si(void **state)
+TEST(bare_numbers_are_si)
 {
     good(state, "0.1", DIM_NONE, 0.1);
     good(state, "115e9", DIM_PRESSURE, 115e9);
@@ -191,7 +191,7 @@ static void bare_numbers_are_si(void **state)
     good(state, "0", DIM_TIME, 0);
 }
 
-static void what_is_not_a_number(void **state)
+TEST(what_is_not_a_number)
 {
     static const char *const words[] = {"nan", "NaN", "inf", "-inf", "Infinity", "abc",
                                         "e5",  "-",   ".",   "--3",  "~",        "m"};
@@ -207,7 +207,7 @@ static void what_is_not_a_number(void **state)
     bad(state, "1e-320 nm", DIM_LENGTH, "too small");
 }
 
-static void trailing_garbage(void **state)
+TEST(trailing_garbage)
 {
     static const char *const texts[] = {"115e9x",  "115e9 x", "5 m garbage", "5 m 3",  "5 3 m", "5 m;",
                                         "5 m,",    "5 m @ 3", "5 m since",   "1e",     "1.2.3", "5 m 2",
@@ -217,7 +217,7 @@ static void trailing_garbage(void **state)
 }
 
 /* A unit of another kind is never converted, a reciprocal or an angle neither. */
-static void units_of_the_wrong_kind(void **state)
+TEST(units_of_the_wrong_kind)
 {
     bad(state, "5 kg", DIM_LENGTH, "has the unit 'kg', which is not that of a length");
     bad(state, "5 m", DIM_NONE, "not that of a number");
@@ -233,7 +233,7 @@ static void units_of_the_wrong_kind(void **state)
     }
 }
 
-static void examples_are_of_their_kind(void **state)
+TEST(examples_are_of_their_kind)
 {
     char why[UNITS_WHY_MAX], si[80];
     double value;
@@ -246,7 +246,7 @@ static void examples_are_of_their_kind(void **state)
     }
 }
 
-static void stiffness(void **state)
+TEST(stiffness)
 {
     char why[UNITS_WHY_MAX];
     double k = 0;
@@ -269,7 +269,7 @@ static void stiffness(void **state)
 }
 
 /* A locale with decimal commas changes nothing. */
-static void locales_do_not_matter(void **state)
+TEST(locales_do_not_matter)
 {
     static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "de_DE"};
     int found = 0;
@@ -281,7 +281,7 @@ static void locales_do_not_matter(void **state)
 }
 
 /* Two sets of units do not know of each other. */
-static void sets_are_independent(void **state)
+TEST(sets_are_independent)
 {
     Units *other = units_new();
     assert_non_null(other);
@@ -291,11 +291,4 @@ static void sets_are_independent(void **state)
     assert_null(units_free(NULL));
 }
 
-TEST_FILE_IN(test_units, units_setup, units_teardown, cmocka_unit_test(units_of_each_kind),
-             cmocka_unit_test(units_of_other_practices), cmocka_unit_test(wire_gauges),
-             cmocka_unit_test(thousands_and_millions), cmocka_unit_test(units_that_people_type),
-             cmocka_unit_test(pounds_in_place_of_pounds_of_force), cmocka_unit_test(bare_angles_are_questioned),
-             cmocka_unit_test(bare_numbers_are_si), cmocka_unit_test(what_is_not_a_number),
-             cmocka_unit_test(trailing_garbage), cmocka_unit_test(units_of_the_wrong_kind),
-             cmocka_unit_test(examples_are_of_their_kind), cmocka_unit_test(stiffness),
-             cmocka_unit_test(locales_do_not_matter), cmocka_unit_test(sets_are_independent))
+TEST_GROUP(units_setup, units_teardown)

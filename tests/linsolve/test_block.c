@@ -6,9 +6,8 @@
 #include "tests/support/check.h"
 
 /* Every instruction set that this machine has solves the same systems; two of them differ by rounding only. */
-static void instruction_sets(void **state)
+TEST(instruction_sets)
 {
-    (void)state;
     uint64_t seed = 1;
     for (int b = 3; b <= 6; b += 3) {
         for (int n = 1; n < 12; ++n) {
@@ -45,9 +44,8 @@ static void solve_into(const BlockChain *a, Team *team, int count, const double 
 }
 
 /* Two threads give the bits of one, on both sides of the lengths where the second thread comes in. */
-static void threads(void **state)
+TEST(threads)
 {
-    (void)state;
     static const int sizes[] = {1, 2, 299, 300, 301, 599, 600, 2001, 3401};
     Team *team = team_new(2);
     uint64_t seed = 2;
@@ -99,9 +97,8 @@ static LinStats solve_well(LinSolver *s, const BlockChain *a, double most)
 }
 
 /* Diagonal blocks that are permutations have zeros where the fast path wants its pivots. */
-static void pivoting(void **state)
+TEST(pivoting)
 {
-    (void)state;
     uint64_t seed = 4;
     for (int b = 3; b <= 6; b += 3) {
         BlockChain a;
@@ -120,9 +117,8 @@ static void pivoting(void **state)
 }
 
 /* Pivot blocks that are zero, in a matrix that is not singular: KLU takes over, and gives back. */
-static void fallback_singular_block(void **state)
+TEST(fallback_singular_block)
 {
-    (void)state;
     uint64_t seed = 5;
     BlockChain a, good;
     fixture_chain_random(&a, 6, 6, 0, &seed);
@@ -140,9 +136,8 @@ static void fallback_singular_block(void **state)
 }
 
 /* A pivot block of 1e-9 makes the next one grow to 1e9: too much by default, allowed on request. */
-static void growth(void **state)
+TEST(growth)
 {
-    (void)state;
     uint64_t seed = 6;
     BlockChain a;
     fixture_chain_random(&a, 5, 6, 3, &seed);
@@ -159,9 +154,8 @@ static void growth(void **state)
 }
 
 /* A cable needs neither pivoting nor KLU, and nothing grows. */
-static void cable_is_easy(void **state)
+TEST(cable_is_easy)
 {
-    (void)state;
     for (double gamma = 1e-6; gamma < 1; gamma *= 10) {
         uint64_t seed = 7;
         BlockChain a;
@@ -177,9 +171,8 @@ static void cable_is_easy(void **state)
 }
 
 /* The blocks beyond both ends are not looked at. */
-static void unused_blocks(void **state)
+TEST(unused_blocks)
 {
-    (void)state;
     uint64_t seed = 8;
     for (int n = 1; n < 5; ++n) {
         BlockChain a;
@@ -271,9 +264,8 @@ static double backward_error(const Rounding *t)
 /* Factors of a long chain, rounded: the solution is that of a matrix whose entries are off by single precision's
  * rounding (L20); a correction leaves 1e-3 of that and of the error at most, and after two of them it is as good as
  * KLU's. */
-static void rounded(void **state)
+TEST(rounded)
 {
-    (void)state;
     static const double gamma[] = {1e-4, 3e-3, 0.05, 1}, unit = 6e-8; /* s; half of FLT_EPSILON */
     for (int b = 3; b <= 6; b += 3) {
         for (int k = 0; k < 4; ++k) {
@@ -293,9 +285,8 @@ static void rounded(void **state)
 }
 
 /* Where it is not asked for, not wanted, or the chain is short, nothing is rounded. */
-static void not_rounded(void **state)
+TEST(not_rounded)
 {
-    (void)state;
     static const struct {
         int rough, precise, shorter;
     } ways[] = {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}};
@@ -379,9 +370,8 @@ static void stream_once(int n, int b, LinKind kind, int rough, Team *team)
 /* Rows that come and go give the bits of a whole right-hand side, each of them once and in order, around lanes, tiles
  * and the lengths where the second thread comes in, rounded or not, and with a back end that needs all of them first.
  */
-static void streams(void **state)
+TEST(streams)
 {
-    (void)state;
     static const int sizes[] = {999, 1000, 1001, 4096, 8191, 8193, 12100};
     Team *team = team_new(2);
     for (int b = 3; b <= 6; b += 3) {
@@ -396,8 +386,3 @@ static void streams(void **state)
     }
     team = team_free(team);
 }
-
-TEST_FILE(test_block, cmocka_unit_test(instruction_sets), cmocka_unit_test(threads), cmocka_unit_test(pivoting),
-          cmocka_unit_test(growth), cmocka_unit_test(cable_is_easy), cmocka_unit_test(fallback_singular_block),
-          cmocka_unit_test(unused_blocks), cmocka_unit_test(rounded), cmocka_unit_test(not_rounded),
-          cmocka_unit_test(streams))

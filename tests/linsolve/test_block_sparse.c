@@ -25,9 +25,8 @@ static double solved(LinSolver *s, const NewtonMatrix *m, const double *r, doubl
 }
 
 /* Two, three and five chains, touching all along or on a stretch: as well as KLU. */
-static void chains_beside(void **state)
+TEST(chains_beside)
 {
-    (void)state;
     static const int chains[] = {2, 3, 5};
     uint64_t seed = 11;
     for (int c = 0; c < 3; ++c) {
@@ -61,9 +60,8 @@ static void chains_beside(void **state)
 
 /* Contacts come and go: the pattern follows, and the same matrix gives the same bits whatever was factored before.
  * Without any, it is the block LU's bits. */
-static void pattern_follows(void **state)
+TEST(pattern_follows)
 {
-    (void)state;
     enum { K = 3, N = 12, SIZE = 6 * K * N };
     uint64_t seed = 12;
     Beside b = beside_new(K, N, 2, 9, &seed);
@@ -93,9 +91,8 @@ static void pattern_follows(void **state)
 
 /* A pivot block that is zero on its diagonal is pivoted; what is singular or not finite is not solved, and does no harm
  * to the next. */
-static void hard_blocks(void **state)
+TEST(hard_blocks)
 {
-    (void)state;
     enum { K = 2, N = 5, SIZE = 6 * K * N };
     uint64_t seed = 13;
     Beside b = beside_new(K, N, 0, N, &seed);
@@ -119,6 +116,3 @@ static void hard_blocks(void **state)
     free(r);
     beside_free(&b);
 }
-
-TEST_FILE(test_block_sparse, cmocka_unit_test(chains_beside), cmocka_unit_test(pattern_follows),
-          cmocka_unit_test(hard_blocks))

@@ -103,9 +103,8 @@ static double solve_error(const NewtonMatrix *m, LinKind kind, LinOrdering order
     return error;
 }
 
-static void all_shapes(void **state)
+TEST(all_shapes)
 {
-    (void)state;
     uint64_t seed = 1;
     for (int b = 3; b <= 6; b += 3) {
         for (int n = 2; n <= 12; n += 5) {
@@ -134,9 +133,8 @@ static void all_shapes(void **state)
 }
 
 /* Extra blocks may lie on the chain's own and add up with them. */
-static void overlapping_blocks(void **state)
+TEST(overlapping_blocks)
 {
-    (void)state;
     uint64_t seed = 2;
     Scene s;
     scene_init(&s, 2, 6, 0, 0, EXTRAS, &seed);
@@ -144,9 +142,8 @@ static void overlapping_blocks(void **state)
     scene_free(&s);
 }
 
-static void choice(void **state)
+TEST(choice)
 {
-    (void)state;
     static const struct {
         int leaves, border, extras;
         const char *name, *why;
@@ -172,9 +169,8 @@ static void choice(void **state)
 }
 
 /* Leaves slide along the chain and let go of it between factorisations of one solver. */
-static void leaves_move(void **state)
+TEST(leaves_move)
 {
-    (void)state;
     const LinKind kind[] = {LIN_BORDERED, LIN_KLU, LIN_DENSE};
     for (int k = 0; k < 3; ++k) {
         uint64_t seed = 7;
@@ -203,9 +199,8 @@ static void leaves_move(void **state)
 }
 
 /* A body without inertia of its own, held by the chain only: its block cannot be inverted, the whole can. */
-static void fallback_leaf(void **state)
+TEST(fallback_leaf)
 {
-    (void)state;
     uint64_t seed = 4;
     Scene s;
     scene_init(&s, 7, 6, 3, 2, 0, &seed);
@@ -222,9 +217,8 @@ static void fallback_leaf(void **state)
 }
 
 /* A chain that only the border holds (free in every direction without it): A is singular, the whole is not. */
-static void fallback_inner(void **state)
+TEST(fallback_inner)
 {
-    (void)state;
     uint64_t seed = 5;
     Scene s;
     scene_init(&s, 1, 3, 0, 3, 0, &seed);
@@ -238,9 +232,8 @@ static void fallback_inner(void **state)
 }
 
 /* A border whose rows repeat each other: singular, said so, and forgotten with the next matrix. */
-static void singular_border(void **state)
+TEST(singular_border)
 {
-    (void)state;
     uint64_t seed = 6;
     Scene s;
     scene_init(&s, 6, 6, 2, 2, 0, &seed);
@@ -262,9 +255,8 @@ static void singular_border(void **state)
 
 /* What it says of itself: the chain's own factors and the border's three dense parts, C, P and S; a growth no smaller
  * than the chain's, and the chain's where there is nothing else to factor. */
-static void statistics(void **state)
+TEST(statistics)
 {
-    (void)state;
     for (int leaves = 0; leaves <= LEAVES; leaves += LEAVES) {
         for (int w = 1; w <= 4; w += 3) {
             uint64_t seed = 8;
@@ -285,7 +277,3 @@ static void statistics(void **state)
         }
     }
 }
-
-TEST_FILE(test_bordered, cmocka_unit_test(all_shapes), cmocka_unit_test(overlapping_blocks), cmocka_unit_test(choice),
-          cmocka_unit_test(fallback_leaf), cmocka_unit_test(fallback_inner), cmocka_unit_test(singular_border),
-          cmocka_unit_test(leaves_move), cmocka_unit_test(statistics))

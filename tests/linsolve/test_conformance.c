@@ -130,9 +130,8 @@ static void check_against_dense(const BlockChain *a, double slack, double backwa
     free(expected);
 }
 
-static void well_conditioned(void **state)
+TEST(well_conditioned)
 {
-    (void)state;
     static const int sizes[] = {1, 2, 3, 4, 7, 24};
     uint64_t seed = 1;
     for (int b = 3; b <= 6; b += 3) {
@@ -146,9 +145,8 @@ static void well_conditioned(void **state)
 }
 
 /* Nothing dominant: pivoting and, for the block LU, KLU's help are needed. */
-static void random_blocks(void **state)
+TEST(random_blocks)
 {
-    (void)state;
     uint64_t seed = 2;
     for (int n = 1; n <= 24; n += n < 4 ? 1 : 5) {
         BlockChain a;
@@ -159,9 +157,8 @@ static void random_blocks(void **state)
 }
 
 /* Two almost equal rows: condition number about 1e10. */
-static void ill_conditioned(void **state)
+TEST(ill_conditioned)
 {
-    (void)state;
     uint64_t seed = 3;
     for (int row = 0; row < 9; row += 4) {
         BlockChain a;
@@ -177,9 +174,8 @@ static void ill_conditioned(void **state)
 }
 
 /* Rows and columns in units that differ by ten orders of magnitude. */
-static void mixed_units(void **state)
+TEST(mixed_units)
 {
-    (void)state;
     uint64_t seed = 4;
     BlockChain a;
     fixture_chain_random(&a, 12, 6, 12, &seed);
@@ -194,9 +190,8 @@ static void mixed_units(void **state)
 }
 
 /* The cable's Newton matrix at the lengths that matter, judged by the componentwise backward error. */
-static void cable(void **state)
+TEST(cable)
 {
-    (void)state;
     static const int sizes[] = {1, 2, 3, 370, 20000};
     for (int b = 3; b <= 6; b += 3) {
         for (size_t k = 0; k < sizeof sizes / sizeof sizes[0]; ++k) {
@@ -246,9 +241,8 @@ static void spoil(BlockChain *a, int how)
 }
 
 /* A matrix that cannot be solved gives a status, and does no harm to the next one. */
-static void singular(void **state)
+TEST(singular)
 {
-    (void)state;
     uint64_t seed = 6;
     for (int n = 1; n <= 8; n += n < 3 ? 1 : 5) {
         for (int how = 0; how < SPOILS; ++how) {
@@ -279,9 +273,8 @@ static void singular(void **state)
 }
 
 /* Singular but for rounding: either a status, or finite numbers with a small residual. */
-static void nearly_singular(void **state)
+TEST(nearly_singular)
 {
-    (void)state;
     uint64_t seed = 7;
     for (int trial = 0; trial < 12; ++trial) {
         BlockChain a;
@@ -311,9 +304,8 @@ static void nearly_singular(void **state)
 }
 
 /* Other values in between leave no trace: the same matrix gives the same bits. */
-static void repeatable(void **state)
+TEST(repeatable)
 {
-    (void)state;
     uint64_t seed = 8;
     BlockChain a, other;
     fixture_chain_cable(&a, 40, 6, 0.005, &seed);
@@ -338,9 +330,8 @@ static void repeatable(void **state)
 }
 
 /* Many right-hand sides at once come out as one by one. */
-static void many_right_hand_sides(void **state)
+TEST(many_right_hand_sides)
 {
-    (void)state;
     enum { COUNT = 9, SIZE = 11 * 6 };
     uint64_t seed = 9;
     BlockChain a;
@@ -364,9 +355,8 @@ static void many_right_hand_sides(void **state)
 }
 
 /* Segments join and leave as the pull goes on: solvers of several lengths live side by side. */
-static void changing_patterns(void **state)
+TEST(changing_patterns)
 {
-    (void)state;
     enum { LENGTHS = 4 };
     uint64_t seed = 10;
     for (int w = 0; w < WAYS; ++w) {
@@ -390,17 +380,11 @@ static void changing_patterns(void **state)
     }
 }
 
-static void names(void **state)
+TEST(names)
 {
-    (void)state;
     for (LinKind kind = LIN_AUTO; kind <= LIN_BLOCK_SPARSE; ++kind) {
         for (LinKind other = LIN_AUTO; other < kind; ++other) {
             assert_string_not_equal(linsolver_kind_name(kind), linsolver_kind_name(other));
         }
     }
 }
-
-TEST_FILE(test_conformance, cmocka_unit_test(well_conditioned), cmocka_unit_test(random_blocks),
-          cmocka_unit_test(ill_conditioned), cmocka_unit_test(mixed_units), cmocka_unit_test(cable),
-          cmocka_unit_test(singular), cmocka_unit_test(nearly_singular), cmocka_unit_test(repeatable),
-          cmocka_unit_test(many_right_hand_sides), cmocka_unit_test(changing_patterns), cmocka_unit_test(names))

@@ -24,9 +24,8 @@ static LinStats factored(LinSolver *s, const NewtonMatrix *m)
 /* (L8): two block rows of ones on the diagonal, place r of the second coupled by `by` with place 0 of the first, which
  * is coupled back by 10: S = 1 - 10 by in one place, over sums of 1 + |by|. The largest over all places counts,
  * whichever that is; and the smallest reciprocal is what is said. */
-static void growth_in_every_place(void **state)
+TEST(growth_in_every_place)
 {
-    (void)state;
     for (int b = 3; b <= 6; b += 3) {
         for (int r = 0; r < b; ++r) {
             for (int from_below = 0; from_below < 2; ++from_below) {
@@ -67,9 +66,8 @@ static void growth_in_every_place(void **state)
 }
 
 /* One place alone grows: row r of the second block by 2 times 10 in column `c` of the first. */
-static void growth_in_one_place(void **state)
+TEST(growth_in_one_place)
 {
-    (void)state;
     for (int b = 3; b <= 6; b += 3) {
         for (int r = 0; r < b; ++r) {
             const int c = (r + 1) % b;
@@ -91,9 +89,8 @@ static void growth_in_one_place(void **state)
 }
 
 /* LAPACK's: the largest of the matrix over the largest of U; band and full storage. */
-static void lapack(void **state)
+TEST(lapack)
 {
-    (void)state;
     enum { N = 4, SIZE = 3 * N };
     static const LinKind kinds[] = {LIN_BAND, LIN_DENSE};
     BlockChain a;
@@ -123,9 +120,8 @@ static void lapack(void **state)
 
 /* (L14): KLU's old pivots serve while nothing grows, however small the pivots become; where they do, new ones are
  * taken from what the limit says on. Rows are scaled to their largest entry. */
-static void klu_pivots(void **state)
+TEST(klu_pivots)
 {
-    (void)state;
     int p[] = {0, 2, 4}, i[] = {0, 1, 0, 1};
     double x[4];
     SparseMatrix a = {.n = 2, .p = p, .i = i, .x = x};
@@ -158,9 +154,8 @@ static void klu_pivots(void **state)
 
 /* Chains beside each other: several right-hand sides as one by one, blocks and growth counted, the pattern analysed
  * again only when what lives has changed. */
-static void beside(void **state)
+TEST(beside)
 {
-    (void)state;
     enum { K = 2, N = 7, SIZE = 6 * K * N, COUNT = 3 };
     uint64_t seed = 21;
     Beside b = beside_new(K, N, 0, N, &seed);
@@ -202,9 +197,8 @@ static void beside(void **state)
 
 /* Chains that touch in few places, rings among them: what elimination fills is in the pattern, whatever the first row
  * couples with. */
-static void rings(void **state)
+TEST(rings)
 {
-    (void)state;
     enum { MOST = 9, EXTRAS = 6 };
     uint64_t seed = 22;
     for (int n = 4; n <= MOST; ++n) {
@@ -249,9 +243,8 @@ static void rings(void **state)
 }
 
 /* Two threads count what one does. */
-static void counts_of_two_threads(void **state)
+TEST(counts_of_two_threads)
 {
-    (void)state;
     enum { N = 700 };
     uint64_t seed = 4;
     BlockChain a;
@@ -272,7 +265,3 @@ static void counts_of_two_threads(void **state)
     check_equal(one.growth, two.growth);
     block_chain_free(&a);
 }
-
-TEST_FILE(test_figures, cmocka_unit_test(growth_in_every_place), cmocka_unit_test(growth_in_one_place),
-          cmocka_unit_test(lapack), cmocka_unit_test(klu_pivots), cmocka_unit_test(beside), cmocka_unit_test(rings),
-          cmocka_unit_test(counts_of_two_threads))

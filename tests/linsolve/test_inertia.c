@@ -50,9 +50,8 @@ static int eigenvalues_below_zero(const BlockChain *a)
     return below;
 }
 
-static void signs_are_those_of_the_eigenvalues(void **state)
+TEST(signs_are_those_of_the_eigenvalues)
 {
-    (void)state;
     unsigned seed = 7;
     int seen = 0;
     for (int b = 3; b <= 6; b += 3) {
@@ -70,9 +69,8 @@ static void signs_are_those_of_the_eigenvalues(void **state)
 }
 
 /* What has no stiffness at all is not negative, nor does it make others so. */
-static void free_directions_do_not_count(void **state)
+TEST(free_directions_do_not_count)
 {
-    (void)state;
     BlockChain a;
     assert_true(block_chain_alloc(&a, 3, 6));
     assert_int_equal(block_chain_negative(&a), 0);
@@ -80,6 +78,3 @@ static void free_directions_do_not_count(void **state)
     assert_int_equal(block_chain_negative(&a), 3);
     block_chain_free(&a);
 }
-
-TEST_FILE(test_inertia, cmocka_unit_test(signs_are_those_of_the_eigenvalues),
-          cmocka_unit_test(free_directions_do_not_count))

@@ -42,9 +42,8 @@ static void gemv(const NewtonMatrix *a, double s, const double *x, double *y)
 }
 
 /* Assembled columns are sorted, without repetition, and act like the matrix. */
-static void assembly(void **state)
+TEST(assembly)
 {
-    (void)state;
     uint64_t seed = 1;
     Ring ring;
     SparseAssembly s;
@@ -70,9 +69,8 @@ static void assembly(void **state)
 }
 
 /* METIS' order is a permutation that keeps groups together; tiny and unconnected graphs are no trouble. */
-static void metis_order(void **state)
+TEST(metis_order)
 {
-    (void)state;
     for (int n = 1; n <= 40; n += n < 4 ? 1 : 12) {
         uint64_t seed = 2;
         BlockChain a;
@@ -100,9 +98,8 @@ static void metis_order(void **state)
 }
 
 /* The automatic ordering has the least fill of all, and keeps its choice. */
-static void least_fill(void **state)
+TEST(least_fill)
 {
-    (void)state;
     uint64_t seed = 3;
     Ring ring;
     ring_init(&ring, 60, 6, &seed);
@@ -132,9 +129,8 @@ static void least_fill(void **state)
 }
 
 /* New values may make the old pivots worthless: the refactorisation notices and chooses new ones. */
-static void fallback_growth(void **state)
+TEST(fallback_growth)
 {
-    (void)state;
     uint64_t seed = 4;
     BlockChain a, turned;
     fixture_chain_random(&a, 6, 6, 12, &seed);
@@ -169,9 +165,8 @@ static void fallback_growth(void **state)
 }
 
 /* The first matrix of auto's trials is singular: the choice waits for a better one. */
-static void undecided(void **state)
+TEST(undecided)
 {
-    (void)state;
     uint64_t seed = 5;
     BlockChain a, zero;
     fixture_chain_random(&a, 6, 6, 12, &seed);
@@ -191,9 +186,8 @@ static void undecided(void **state)
 
 /* A value that is not finite, wherever it stands, is seen before anything is factored: nothing is counted, and the old
  * factors go on solving. Sizes leave 0 to 7 values after the last eight. */
-static void not_finite_anywhere(void **state)
+TEST(not_finite_anywhere)
 {
-    (void)state;
     static const double wrong[] = {NAN, INFINITY, -INFINITY};
     for (int n = 2; n <= 5; ++n) {
         uint64_t seed = 6;
@@ -233,6 +227,3 @@ static void not_finite_anywhere(void **state)
         block_chain_free(&a);
     }
 }
-
-TEST_FILE(test_klu, cmocka_unit_test(assembly), cmocka_unit_test(metis_order), cmocka_unit_test(least_fill),
-          cmocka_unit_test(fallback_growth), cmocka_unit_test(undecided), cmocka_unit_test(not_finite_anywhere))

@@ -74,9 +74,8 @@ static void every_allocation(const NewtonMatrix *m, LinKind kind, LinOrdering or
     free(whole);
 }
 
-static void chains(void **state)
+TEST(chains)
 {
-    (void)state;
     if (!lack_works()) skip();
     uint64_t seed = 1;
     BlockChain chain, hard;
@@ -96,9 +95,8 @@ static void chains(void **state)
 }
 
 /* With leaves and a border. */
-static void surrounded(void **state)
+TEST(surrounded)
 {
-    (void)state;
     if (!lack_works()) skip();
     enum { WHOLE = SIZE + 2 + 1 };
     uint64_t seed = 2;
@@ -122,9 +120,8 @@ static void surrounded(void **state)
     free(border);
 }
 
-static void beside(void **state)
+TEST(beside)
 {
-    (void)state;
     if (!lack_works()) skip();
     uint64_t seed = 3;
     Beside b = beside_new(2, 4, 0, 4, &seed);
@@ -133,9 +130,8 @@ static void beside(void **state)
     beside_free(&b);
 }
 
-static void eigenvalues(void **state)
+TEST(eigenvalues)
 {
-    (void)state;
     if (!lack_works()) skip();
     int met = 1, lacked = 0;
     for (long k = 0; met; ++k) {
@@ -151,6 +147,3 @@ static void eigenvalues(void **state)
     }
     check_above(lacked, 1); /* its own, and LAPACK's */
 }
-
-TEST_FILE(test_lack, cmocka_unit_test(chains), cmocka_unit_test(surrounded), cmocka_unit_test(beside),
-          cmocka_unit_test(eigenvalues))

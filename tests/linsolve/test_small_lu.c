@@ -7,9 +7,8 @@
 
 enum { MOST = 40 };
 
-static void residuals(void **state)
+TEST(residuals)
 {
-    (void)state;
     uint64_t seed = 2;
     for (int n = 1; n <= MOST; ++n) {
         double *const a = fixture_vector(n * n, &seed), *const b = fixture_vector(n, &seed);
@@ -34,9 +33,8 @@ static void residuals(void **state)
     }
 }
 
-static void refused(void **state)
+TEST(refused)
 {
-    (void)state;
     int pivot[3];
     double zero[1] = {0}, twice[9] = {1, 2, 3, 2, 4, 6, 1, 0, 1}, wrong[4] = {1, 0, NAN, 1};
     assert_int_equal(small_lu_factor(1, zero, pivot), 1);
@@ -46,9 +44,8 @@ static void refused(void **state)
 }
 
 /* A pivot is too small by what the whole matrix is like: 1e-14 of its largest entry, whatever the units are. */
-static void singular_by_its_own_size(void **state)
+TEST(singular_by_its_own_size)
 {
-    (void)state;
     int pivot[2];
     for (int e = -200; e <= 200; e += 50) {
         const double unit = pow(10, e);
@@ -61,6 +58,3 @@ static void singular_by_its_own_size(void **state)
         assert_int_equal(small_lu_factor(2, alike, pivot), 1);
     }
 }
-
-TEST_FILE(test_small_lu, cmocka_unit_test(residuals), cmocka_unit_test(refused),
-          cmocka_unit_test(singular_by_its_own_size))

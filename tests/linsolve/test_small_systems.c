@@ -38,9 +38,8 @@ static LinStats solved(LinSolver *s, const NewtonMatrix *m)
 
 /* A single leaf, which touches one block or two, wherever it is; a sparse solver takes its old pivots again while it
  * stays, and analyses anew where it goes. */
-static void first_leaf(void **state)
+TEST(first_leaf)
 {
-    (void)state;
     enum { N = 5, B = 3 };
     uint64_t seed = 3;
     BlockChain a;
@@ -70,9 +69,8 @@ static void first_leaf(void **state)
 
 /* A row whose own block is zero has no pivot in it, though the whole can be solved: said at once, and what is done
  * instead solves it. */
-static void row_without_pivot(void **state)
+TEST(row_without_pivot)
 {
-    (void)state;
     enum { N = 3 };
     uint64_t seed = 4;
     for (int b = 3; b <= 6; b += 3) {
@@ -90,9 +88,8 @@ static void row_without_pivot(void **state)
 }
 
 /* A block with a row of zeros is singular, and said to be, whichever row it is; the same with any other is not. */
-static void row_of_zeros(void **state)
+TEST(row_of_zeros)
 {
-    (void)state;
     enum { B = 6 };
     uint64_t seed = 8;
     for (int row = 0; row <= B; ++row) {
@@ -112,9 +109,8 @@ static void row_of_zeros(void **state)
 }
 
 /* KLU's factors of a full matrix have as many entries as it, those of a diagonal one its own. */
-static void klu_entries(void **state)
+TEST(klu_entries)
 {
-    (void)state;
     enum { N = 5 };
     for (int full = 0; full < 2; ++full) {
         int p[N + 1] = {0}, i[N * N];
@@ -140,9 +136,8 @@ static void klu_entries(void **state)
 
 /* One unknown that couples with all others, which couple with it alone: taken last, nothing is filled, whichever of
  * them it is. */
-static void hub_goes_last(void **state)
+TEST(hub_goes_last)
 {
-    (void)state;
     enum { N = 12 };
     for (int hub = 0; hub < N; ++hub) {
         int p[N + 1] = {0}, i[3 * N];
@@ -169,9 +164,8 @@ static void hub_goes_last(void **state)
 
 /* The order is METIS's own for the graph of what couples with what, whether the pattern has both ways of a coupling or
  * one: unknowns on a square, each with its four neighbours. */
-static void order_of_a_square(void **state)
+TEST(order_of_a_square)
 {
-    (void)state;
     enum { SIDE = 7, N = SIDE * SIDE };
     idx_t start[N + 1] = {0}, near[4 * N], weight[N], order[N], place[N], groups = N, options[METIS_NOPTIONS];
     for (int v = 0; v < N; ++v) {
@@ -201,9 +195,8 @@ static void order_of_a_square(void **state)
 }
 
 /* Several chains say why they are solved as they are. */
-static void says_why(void **state)
+TEST(says_why)
 {
-    (void)state;
     enum { K = 3, N = 4 };
     uint64_t seed = 5;
     Beside b = beside_new(K, N, 0, N, &seed);
@@ -219,9 +212,8 @@ static void says_why(void **state)
 
 /* Whatever lived before, the factors of what lives now have the entries and the bits of a solver that saw nothing
  * else: chains that come apart again, in any order. */
-static void as_if_it_were_new(void **state)
+TEST(as_if_it_were_new)
 {
-    (void)state;
     enum { K = 4, N = 6, SIZE = 6 * K * N, TRIALS = 60 };
     uint64_t seed = 6;
     Beside b = beside_new(K, N, 0, N, &seed);
@@ -254,9 +246,8 @@ static void as_if_it_were_new(void **state)
 
 /* The order of rows depends on what is coupled, not on what was before: rows in any number of parts, each of which the
  * order keeps together. */
-static void order_forgets(void **state)
+TEST(order_forgets)
 {
-    (void)state;
     enum { N = 12, TRIALS = 200 };
     uint64_t seed = 9;
     BlockPattern kept = {0};
@@ -288,8 +279,3 @@ static void order_forgets(void **state)
     }
     block_pattern_free(&kept);
 }
-
-TEST_FILE(test_small_systems, cmocka_unit_test(first_leaf), cmocka_unit_test(row_without_pivot),
-          cmocka_unit_test(row_of_zeros), cmocka_unit_test(order_of_a_square), cmocka_unit_test(klu_entries),
-          cmocka_unit_test(hub_goes_last), cmocka_unit_test(says_why), cmocka_unit_test(as_if_it_were_new),
-          cmocka_unit_test(order_forgets))

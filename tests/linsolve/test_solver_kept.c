@@ -95,9 +95,8 @@ static void goes_on(const Both *a, int count, int last, int size, LinKind kind, 
 }
 
 /* The cable at three step sizes; KLU keeps the pivots of the first. */
-static void chains(void **state)
+TEST(chains)
 {
-    (void)state;
     static const double gamma[] = {0.02, 0.005, 0.001};
     BlockChain chain[3];
     NewtonMatrix m[3];
@@ -129,9 +128,8 @@ static void chains(void **state)
 }
 
 /* Leaves that have moved since the solver was made, by one place each time. */
-static void leaves(void **state)
+TEST(leaves)
 {
-    (void)state;
     enum { LEAVES = 3, PLACES = 3, WHOLE = SIZE + LEAVES * 2 };
     uint64_t seed = 2;
     Leaf leaf[PLACES][LEAVES];
@@ -164,9 +162,8 @@ static void leaves(void **state)
 }
 
 /* Chains that touch: the pattern of now is found again. */
-static void chains_beside(void **state)
+TEST(chains_beside)
 {
-    (void)state;
     enum { N = 6 };
     uint64_t seed = 3;
     Beside b[2] = {beside_new(2, N, 0, N, &seed), beside_new(2, N, 0, N, &seed)};
@@ -181,9 +178,8 @@ static void chains_beside(void **state)
 }
 
 /* What the block LU gave up on: KLU, which solves instead of it, is there again. */
-static void helped(void **state)
+TEST(helped)
 {
-    (void)state;
     uint64_t seed = 5;
     BlockChain hard, good;
     fixture_chain_random(&hard, ROWS, 6, 0, &seed);
@@ -242,9 +238,8 @@ static const char *fault_of(Both a, LinKind kind, int factorings, int k, int val
     return back.status ? fault : NULL;
 }
 
-static void impossible(void **state)
+TEST(impossible)
 {
-    (void)state;
     uint64_t seed = 6;
     BlockChain chain, zero;
     fixture_chain_random(&chain, ROWS, 6, 12, &seed);
@@ -281,6 +276,3 @@ static void impossible(void **state)
     block_chain_free(&chain);
     block_chain_free(&zero);
 }
-
-TEST_FILE(test_solver_kept, cmocka_unit_test(chains), cmocka_unit_test(leaves), cmocka_unit_test(chains_beside),
-          cmocka_unit_test(helped), cmocka_unit_test(impossible))

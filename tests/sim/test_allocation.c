@@ -45,42 +45,27 @@ static long pull_allocations(LinKind kind, int threads, int planar)
 }
 
 /* Rollers that spin, stand on mounts, and both, as leaves that move along the chain. */
-static void test_moving_rollers(void **state)
+TEST(test_moving_rollers)
 {
-    (void)state;
     assert_int_equal(pull_allocations_with(LIN_AUTO, 1, 0, 1), 0);
     assert_int_equal(pull_allocations_with(LIN_AUTO, 2, 0, 1), 0);
 }
 
-static void test_block(void **state)
-{
-    (void)state;
-    assert_int_equal(pull_allocations(LIN_BLOCK, 1, 0), 0);
-}
+TEST(test_block) { assert_int_equal(pull_allocations(LIN_BLOCK, 1, 0), 0); }
 
-static void test_block_two_threads(void **state)
-{
-    (void)state;
-    assert_int_equal(pull_allocations(LIN_BLOCK, 2, 0), 0);
-}
+TEST(test_block_two_threads) { assert_int_equal(pull_allocations(LIN_BLOCK, 2, 0), 0); }
 
-static void test_planar(void **state)
+TEST(test_planar)
 {
-    (void)state;
     assert_int_equal(pull_allocations(LIN_BLOCK, 1, 1), 0);
     assert_int_equal(pull_allocations(LIN_BLOCK, 2, 1), 0);
 }
 
-static void test_klu(void **state)
-{
-    (void)state;
-    assert_int_equal(pull_allocations(LIN_KLU, 1, 0), 0);
-}
+TEST(test_klu) { assert_int_equal(pull_allocations(LIN_KLU, 1, 0), 0); }
 
 /* The counters do count. */
-static void test_counting(void **state)
+TEST(test_counting)
 {
-    (void)state;
     const long before = lack_calls();
     void *volatile block = malloc(10);
     free(block);
@@ -121,9 +106,8 @@ static void define_moving(SceneDef *def)
     fixture_moving_rollers(def, 1, 1);
 }
 
-static void test_failures(void **state)
+TEST(test_failures)
 {
-    (void)state;
     if (!lack_works()) skip();
     void (*const define[])(SceneDef *) = {define_space, define_plane, define_reel, define_moving};
     for (size_t k = 0; k < sizeof define / sizeof *define; ++k) {
@@ -135,9 +119,8 @@ static void test_failures(void **state)
 
 /* CVODE and its vectors are made when the first step is taken. Each allocation of that fails once, CVODE's own too, and
  * nothing is used that is not there. */
-static void test_history(void **state)
+TEST(test_history)
 {
-    (void)state;
     if (!lack_works()) skip();
     hawser_status status = HAWSER_ERR_MEMORY;
     long k = 0;
@@ -158,7 +141,3 @@ static void test_history(void **state)
     print_message("%ld allocations, each failed once\n", k - 1);
     check_above(k, 80);
 }
-
-TEST_FILE(test_allocation, cmocka_unit_test(test_counting), cmocka_unit_test(test_block),
-          cmocka_unit_test(test_block_two_threads), cmocka_unit_test(test_planar), cmocka_unit_test(test_klu),
-          cmocka_unit_test(test_moving_rollers), cmocka_unit_test(test_failures), cmocka_unit_test(test_history))

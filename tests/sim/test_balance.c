@@ -43,9 +43,8 @@ static hawser_balance pulled(PlanarChoice planar, int threads, double accuracy)
 
 /* The residual falls with the accuracy: it is the run's own error, not the books'. Four decades of accuracy gain at
  * least two of the residual, as the rule of the integral over a step allows (BA9). */
-static void test_convergence(void **state)
+TEST(test_convergence)
 {
-    (void)state;
     const double accuracy[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
     double share[5], impulse[5];
     for (int planar = 0; planar < 2; ++planar) {
@@ -66,9 +65,8 @@ static void test_convergence(void **state)
 }
 
 /* Term by term. */
-static void test_planar(void **state)
+TEST(test_planar)
 {
-    (void)state;
     const hawser_balance flat = pulled(PLANAR_ON, 1, 1e-5), full = pulled(PLANAR_OFF, 1, 1e-5);
     assert_int_equal(flat.n_terms, full.n_terms);
     for (int k = 0; k < flat.n_terms; ++k) {
@@ -83,9 +81,8 @@ static void test_planar(void **state)
     check_differs(term(&flat, HAWSER_BALANCE_WORK, "lead_in"), 0);
 }
 
-static void test_threads(void **state)
+TEST(test_threads)
 {
-    (void)state;
     for (int planar = 0; planar < 2; ++planar) {
         const hawser_balance one = pulled(planar ? PLANAR_ON : PLANAR_OFF, 1, 1e-3);
         const hawser_balance two = pulled(planar ? PLANAR_ON : PLANAR_OFF, 2, 1e-3);
@@ -100,9 +97,8 @@ static void test_threads(void **state)
 
 /* A level row: what the winch does is the rope's drag and the friction of the whole weight over the way, and the motion
  * in the end. */
-static void test_level_row(void **state)
+TEST(test_level_row)
 {
-    (void)state;
     SceneDef def;
     fixture_planar(&def, &(FixtureChoice){.accuracy = 1e-4});
     def.route_slope = 0;
@@ -129,9 +125,8 @@ static void test_level_row(void **state)
 }
 
 /* A chain that nothing touches falls: what it loses of height it has in motion; m g t is its impulse. */
-static void test_fall(void **state)
+TEST(test_fall)
 {
-    (void)state;
     SceneDef def;
     fixture_free_chain(&def, 12);
     def.gravity = v3(0, 0, -9.8);
@@ -149,9 +144,8 @@ static void test_fall(void **state)
 
 /* (BA11) of a roller that spins and stands on a mount, by hand: springs of force and moment on the mount, whose loss is
  * what motion and springs have less of, and a torque that does not change on the spin. */
-static void test_rollers_method_loss(void **state)
+TEST(test_rollers_method_loss)
 {
-    (void)state;
     enum { E = 1 + STATE_SIZE };
     const double m = 3, turning = 0.2, inertia = 0.5, k = 40, c = 7, h = 0.1, torque = 2;
     const double x[2] = {0.3, 0.5}, v[2] = {1, 0.2}, w[2] = {-0.1, 0.4}, angle[2] = {0, 2e-3}, speed[2] = {5, 6};
@@ -179,7 +173,3 @@ static void test_rollers_method_loss(void **state)
     check_close(loss.lost, held[0] - held[1] + spun, 1e-9);
     check_close(loss.moving, (m * v[1] * v[1] + turning * w[1] * w[1] + inertia * 36) / 2, 1e-12);
 }
-
-TEST_FILE(test_balance, cmocka_unit_test(test_convergence), cmocka_unit_test(test_planar),
-          cmocka_unit_test(test_threads), cmocka_unit_test(test_level_row), cmocka_unit_test(test_fall),
-          cmocka_unit_test(test_rollers_method_loss))

@@ -107,9 +107,8 @@ static double work_until(Rig *r, double to, double *force)
 }
 
 /* Cycles that are all alike, each with the closed form's area within 1 % (measured: 0.2 %, which is the inertia). */
-static void test_hysteretic_bending_loop_area(void **state)
+TEST(test_hysteretic_bending_loop_area)
 {
-    (void)state;
     Rig *r = cantilever_new();
     double force[3], work[3];
     for (int cycle = 0; cycle < 3; ++cycle) work[cycle] = work_until(r, (1 + 4 * cycle) * QUARTER, &force[cycle]);
@@ -170,9 +169,8 @@ static Balance balance_of(Rig *r)
 
 /* Shaken in three dimensions, undamped but for the sliders: from step to step the energy falls or stays, the momenta
  * stay. */
-static void test_free_chain(void **state)
+TEST(test_free_chain)
 {
-    (void)state;
     SceneDef def;
     hawser_error err = {0};
     uint64_t seed = 21;
@@ -210,9 +208,8 @@ static void tabled_pull(SceneDef *def)
 
 /* The relaxation bends for the first time: it is reached, nothing has slipped, and when the first steps begin the
  * sliders take over without a jump. */
-static void test_relaxed_start(void **state)
+TEST(test_relaxed_start)
 {
-    (void)state;
     SceneDef def;
     hawser_error err = {0};
     hawser_relaxation relaxation;
@@ -242,9 +239,8 @@ static void test_relaxed_start(void **state)
 }
 
 /* Where two segments of unlike cables meet, and at the clamp: stiffness at first loading is the springs' in series. */
-static void test_stiffness_of_joints(void **state)
+TEST(test_stiffness_of_joints)
 {
-    (void)state;
     SceneDef def;
     tabled_pull(&def);
     Rig *r = rig_make(&def, NULL);
@@ -267,9 +263,8 @@ static void test_stiffness_of_joints(void **state)
 }
 
 /* The same bits with one thread and with two. */
-static void test_threads(void **state)
+TEST(test_threads)
 {
-    (void)state;
     Sim *sim[2];
     for (int k = 0; k < 2; ++k) {
         SceneDef def;
@@ -286,7 +281,3 @@ static void test_threads(void **state)
     sim_free(sim[0]);
     sim_free(sim[1]);
 }
-
-TEST_FILE(test_bending_hysteresis, cmocka_unit_test(test_hysteretic_bending_loop_area),
-          cmocka_unit_test(test_free_chain), cmocka_unit_test(test_relaxed_start),
-          cmocka_unit_test(test_stiffness_of_joints), cmocka_unit_test(test_threads))

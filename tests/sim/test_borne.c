@@ -37,9 +37,8 @@ static int step(Borne *borne, double down)
 }
 
 /* What goes aside cancels; the largest block lasts: 20 N for two seconds, then 60 N for one. */
-static void test_sums(void **state)
+TEST(test_sums)
 {
-    (void)state;
     Borne borne;
     assert_int_equal(borne_new(&borne, ROLLERS, NULL), HAWSER_OK);
     row(&borne, 10, 0, 0);
@@ -56,9 +55,8 @@ static void test_sums(void **state)
 
 /* A load that two steps held counts with the lower of both, whatever was thought of the second before the look; one
  * that rises, that no row preceded, or that is hardly more than what was known does not. */
-static void test_steps(void **state)
+TEST(test_steps)
 {
-    (void)state;
     Borne borne;
     assert_int_equal(borne_new(&borne, ROLLERS, NULL), HAWSER_OK);
     assert_false(step(&borne, 6));
@@ -77,9 +75,8 @@ static void test_steps(void **state)
 }
 
 /* Without memory it says so and leaves nothing. */
-static void test_lack(void **state)
+TEST(test_lack)
 {
-    (void)state;
     if (!lack_works()) skip();
     int failed = 0;
     for (long k = 0; k < 9; ++k) {
@@ -95,5 +92,3 @@ static void test_lack(void **state)
     }
     assert_int_equal(failed, 5);
 }
-
-TEST_FILE(test_borne, cmocka_unit_test(test_sums), cmocka_unit_test(test_steps), cmocka_unit_test(test_lack))

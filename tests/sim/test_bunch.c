@@ -163,9 +163,8 @@ static double twin_differs(Threefold *t, int contact, int links)
 }
 
 /* (SC8), and (CC13)-(CC17) between lines: the analytic blocks are the derivatives of the forces. */
-static void test_twins(void **state)
+TEST(test_twins)
 {
-    (void)state;
     uint64_t seed = 11;
     for (int contact = 0; contact < 2; ++contact) {
         Threefold t;
@@ -185,9 +184,8 @@ static void test_twins(void **state)
 }
 
 /* Forces and moments about the origin of all chains vanish together. */
-static void test_momentum(void **state)
+TEST(test_momentum)
 {
-    (void)state;
     uint64_t seed = 12;
     Threefold t;
     threefold_new(&t, &seed);
@@ -209,9 +207,8 @@ static void test_momentum(void **state)
 }
 
 /* What a link's forces do to the motion is what its damper takes and its spring stores: -dE/dt - loss. */
-static void test_link_power(void **state)
+TEST(test_link_power)
 {
-    (void)state;
     uint64_t seed = 13;
     Threefold t;
     threefold_new(&t, &seed);
@@ -250,9 +247,8 @@ static void test_link_power(void **state)
 }
 
 /* Heads that one eye holds do not press on each other at their ends (SC9); everything else presses as before. */
-static void test_heads(void **state)
+TEST(test_heads)
 {
-    (void)state;
     uint64_t seed = 14;
     Threefold t;
     threefold_new(&t, &seed);
@@ -292,9 +288,8 @@ static void test_heads(void **state)
 
 /* What is known to be apart is left out, and no force with it: cables that are drawn along and come nearer by and by,
  * with what was known and with gaps that are taken anew, bit for bit. */
-static void test_apart(void **state)
+TEST(test_apart)
 {
-    (void)state;
     enum { STEPS = 60 };
     Threefold t;
     uint64_t seed = 21;
@@ -329,6 +324,3 @@ static void test_apart(void **state)
     check_above(pressed, 100);
     threefold_free(&t);
 }
-
-TEST_FILE(test_bunch, cmocka_unit_test(test_twins), cmocka_unit_test(test_momentum), cmocka_unit_test(test_link_power),
-          cmocka_unit_test(test_heads), cmocka_unit_test(test_apart))

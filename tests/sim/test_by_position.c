@@ -15,9 +15,8 @@ static void scene_for(const ReelChoice *choice, Scene *scene)
 
 /* A level row: friction of the cable that has passed the start and of the rope that has not passed the winch, and what
  * the drum holds back with. */
-static void test_theory(void **state)
+TEST(test_theory)
 {
-    (void)state;
     const double mu = 0.2, cable = 12 * 9.81, rope = 1.5 * 9.81; /* N/m */
     Scene scene;
     ByPosition b;
@@ -41,9 +40,8 @@ static void test_theory(void **state)
 }
 
 /* The end of the cable leaves the drum with the front at 7 m: what holds it back is all there until then, and gone. */
-static void test_leaves_the_drum(void **state)
+TEST(test_leaves_the_drum)
 {
-    (void)state;
     const double mu = 0.2, cable = 12 * 9.81, rope = 1.5 * 9.81; /* N/m */
     Scene scene;
     ByPosition b;
@@ -61,9 +59,8 @@ static void test_leaves_the_drum(void **state)
 }
 
 /* Means over time by bins; what is not steady does not count. */
-static void test_means(void **state)
+TEST(test_means)
 {
-    (void)state;
     Scene scene;
     ByPosition b;
     hawser_error err = {0};
@@ -87,9 +84,8 @@ static void test_means(void **state)
 }
 
 /* A front that stands, or that lies beyond the route, has no table. */
-static void test_none(void **state)
+TEST(test_none)
 {
-    (void)state;
     SceneDef def;
     Scene scene;
     ByPosition b;
@@ -106,9 +102,8 @@ static void test_none(void **state)
 }
 
 /* The simulated pull follows the theory as the front moves. */
-static void test_run(void **state)
+TEST(test_run)
 {
-    (void)state;
     SceneDef def;
     Sim *s = NULL;
     hawser_error err = {0};
@@ -134,6 +129,3 @@ static void test_run(void **state)
     check_close(look->head_at - 6, look->winch_travel, 0.01);
     sim_free(s);
 }
-
-TEST_FILE(test_by_position, cmocka_unit_test(test_theory), cmocka_unit_test(test_leaves_the_drum),
-          cmocka_unit_test(test_means), cmocka_unit_test(test_none), cmocka_unit_test(test_run))

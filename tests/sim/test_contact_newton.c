@@ -96,9 +96,8 @@ static double root_of(double (*r)(double), double low, double high)
 }
 
 /* Its first step goes right through the contact; from there each leaves a third until the depth is met, then less. */
-static void test_contact_closes(void **state)
+TEST(test_contact_closes)
 {
-    (void)state;
     Equation q = {.r = hertz, .slope = hertz_slope};
     int status;
     check_close(solution(&q, 0, 1e-9, &status), root_of(hertz, -1, 0), 1e-9);
@@ -110,9 +109,8 @@ static void test_contact_closes(void **state)
 static double saturates(double e) { return atan(20 * (e - 1)) + 0.001 * e; }
 static double saturates_slope(double e) { return 20 / (1 + 400 * (e - 1) * (e - 1)) + 0.001; }
 
-static void test_damped(void **state)
+TEST(test_damped)
 {
-    (void)state;
     Equation q = {.r = saturates, .slope = saturates_slope};
     int status;
     /* undamped, e = 0 is thrown beyond e = 20, and from there farther */
@@ -130,9 +128,8 @@ static double line_slope(double e)
     return 1;
 }
 
-static void test_old_matrix(void **state)
+TEST(test_old_matrix)
 {
-    (void)state;
     Equation quick = {.r = line, .slope = line_slope}, slow = quick, wrong = quick;
     int status;
     check_close(solution(&quick, 1.1, 1e-6, &status), 1, 1e-6); /* leaves 1/11 */
@@ -156,9 +153,8 @@ static double rootless(double e) { return e * e + 1; }
 static double rootless_slope(double e) { return 2 * e + 0.01; }
 static double nowhere(double e) { return e > 0.5 ? NAN : e - 1; }
 
-static void test_given_up(void **state)
+TEST(test_given_up)
 {
-    (void)state;
     Equation q = {.r = rootless, .slope = rootless_slope}, n = {.r = nowhere, .slope = line_slope};
     int status;
     solution(&q, 0, 1e-9, &status);
@@ -167,6 +163,3 @@ static void test_given_up(void **state)
     solution(&n, 0, 1e-9, &status);
     assert_true(status > 0); /* a smaller step may do */
 }
-
-TEST_FILE(test_contact_newton, cmocka_unit_test(test_contact_closes), cmocka_unit_test(test_damped),
-          cmocka_unit_test(test_old_matrix), cmocka_unit_test(test_given_up))

@@ -66,9 +66,8 @@ static void rig_free(Rig *r)
 }
 
 /* (WI14): from 0 to 1, symmetric, its slope the curve's and continuous, even with no level part. */
-static void test_share(void **state)
+TEST(test_share)
 {
-    (void)state;
     for (int k = 0; k < 2; ++k) {
         const Conveyor c = {.length = 2, .edge = k ? 1 : 0.3};
         double slope, before = 0;
@@ -91,9 +90,8 @@ static void test_share(void **state)
 
 /* A straight cable slides through: the whole grip acts at any moment, on the segments that are inside; no segment's
  * force jumps as it enters. */
-static void test_grip_is_whole(void **state)
+TEST(test_grip_is_whole)
 {
-    (void)state;
     Rig r;
     double last[N] = {0};
     rig_new(&r, 0, 1);
@@ -120,9 +118,8 @@ static void test_grip_is_whole(void **state)
 }
 
 /* Who is found: all that are within reach and none that are aside; a wider reach changes no force. */
-static void test_range(void **state)
+TEST(test_range)
 {
-    (void)state;
     Rig r;
     rig_new(&r, 0, 1);
     for (double reach = 0.01; reach < 20; reach *= 3) {
@@ -140,9 +137,8 @@ static void test_range(void **state)
 }
 
 /* A cable that comes from far away is found before its front is inside, looked for only when asked. */
-static void test_stale(void **state)
+TEST(test_stale)
 {
-    (void)state;
     Rig r;
     int found = 0;
     rig_new(&r, 0, 1);
@@ -199,9 +195,8 @@ static void lean_set(Rig *r, int trial)
 
 /* (WI18), (WI19) against central differences, segments in the edges and in the middle, creeping and slipping, in the
  * midst of a step with belts that give, some of them open; only diagonal blocks are touched. */
-static void test_blocks(void **state)
+TEST(test_blocks)
 {
-    (void)state;
     double worst = 0, largest = 0;
     for (int trial = 0; trial < 8; ++trial) {
         Rig r;
@@ -239,9 +234,8 @@ static void test_blocks(void **state)
 
 /* Pushing and holding dissipate: the power of both on the slip and the motion across, with the line at rest, is not
  * positive; with friction off there is no push. */
-static void test_power(void **state)
+TEST(test_power)
 {
-    (void)state;
     Rig r;
     for (int trial = 0; trial < 20; ++trial) {
         Loads loads;
@@ -263,9 +257,8 @@ static void test_power(void **state)
 
 /* (WI21), (WI22): held cable leans by its way less the belt's, whatever velocities say; what slips leans by no more
  * than the give at v_s. Rope goes through open belts. */
-static void test_lean(void **state)
+TEST(test_lean)
 {
-    (void)state;
     Rig r;
     rig_new(&r, 0, 1);
     r.range.x = r.x;
@@ -330,9 +323,8 @@ static double pushed_at(const Scene *scene, double speed, int rows)
 /* Compression is what is beyond the push of the strongest belt behind, each by its own name, while the winch draws: at
  * more than a tenth of the pull's speed. The first belt's push in place of the second's made 700 N of 100 N; a tenth
  * over the pull's speed, 0.5 m/s here, took the winch for one that stands. */
-static void test_compression(void **state)
+TEST(test_compression)
 {
-    (void)state;
     SceneDef def;
     Scene scene;
     fixture_pull(&def, &(FixtureChoice){0});
@@ -358,7 +350,3 @@ static void test_compression(void **state)
     check_equal(pushed_at(&scene, 0.015, 20), 0);
     scene_clear(&scene);
 }
-
-TEST_FILE(test_conveyor, cmocka_unit_test(test_share), cmocka_unit_test(test_grip_is_whole),
-          cmocka_unit_test(test_range), cmocka_unit_test(test_stale), cmocka_unit_test(test_blocks),
-          cmocka_unit_test(test_power), cmocka_unit_test(test_lean), cmocka_unit_test(test_compression))

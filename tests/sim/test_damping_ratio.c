@@ -78,9 +78,8 @@ static double ratio_seen(Rig *r, int c)
 }
 
 /* In every component, lightly and strongly damped, in the joint's own mode (HY12). */
-static void test_own_mode(void **state)
+TEST(test_own_mode)
 {
-    (void)state;
     const double ratio[] = {0.02, 0.2};
     for (int c = 0; c < 6; ++c) {
         for (int k = 0; k < 2; ++k) {
@@ -93,9 +92,8 @@ static void test_own_mode(void **state)
 }
 
 /* At twice the mode's frequency the mode has half the ratio (HY10). */
-static void test_at_frequency(void **state)
+TEST(test_at_frequency)
 {
-    (void)state;
     for (int c = 0; c < 6; ++c) {
         Rig *r = rig_new(c, 0.1, 1);
         const double frequency = omega_of(r, c) / (2 * M_PI);
@@ -108,9 +106,8 @@ static void test_at_frequency(void **state)
 }
 
 /* A component without a ratio keeps its damping time: C = time * factor * K; of two cables each keeps its own way. */
-static void test_beside_time(void **state)
+TEST(test_beside_time)
 {
-    (void)state;
     SceneDef def;
     Scene scene;
     fixture_pull(&def, &(FixtureChoice){0});
@@ -126,6 +123,3 @@ static void test_beside_time(void **state)
     check_share(c->damping[0][eye], k * k * (beta / ka + 2e-3 / kb), 1e-12);
     scene_clear(&scene);
 }
-
-TEST_FILE(test_damping_ratio, cmocka_unit_test(test_own_mode), cmocka_unit_test(test_at_frequency),
-          cmocka_unit_test(test_beside_time))

@@ -6,9 +6,8 @@
 #include "tests/support/rig.h"
 
 /* Turns and layers that are not neighbours along the cable do not press on each other, whatever the layers. */
-static void test_lay(void **state)
+TEST(test_lay)
 {
-    (void)state;
     for (int turns = 2; turns <= 7; ++turns) {
         const int n = turns < 6 ? 24 + 28 * turns : 270;
         SceneDef def;
@@ -54,9 +53,8 @@ static hawser_status build_with(double DrumDef_flange, double width, double dist
     return status;
 }
 
-static void test_refused(void **state)
+TEST(test_refused)
 {
-    (void)state;
     char message[512];
     assert_int_equal(build_with(0, 0, 0, message), HAWSER_OK);
     assert_int_equal(build_with(0.62, 0, 0, message), HAWSER_ERR_INPUT);
@@ -70,9 +68,8 @@ static void test_refused(void **state)
 }
 
 /* newton_solve against differences of the rates: drum, layers, hold and chain in one matrix. */
-static void test_newton(void **state)
+TEST(test_newton)
 {
-    (void)state;
     SceneDef def;
     Scene scene;
     Workspace ws;
@@ -137,13 +134,9 @@ static void test_newton(void **state)
 }
 
 /* Pulled off at a steady speed, one layer: the pull is the drum's. */
-static void test_payout(void **state)
+TEST(test_payout)
 {
-    (void)state;
     const double found = payout_pull(50, 5, 1.2, 2.2), expected = wound_pull_at(0.25 + WOUND_DIAMETER / 2);
     print_message("mean pull %.2f N, expected %.2f N\n", found, expected);
     check_share(found, expected, 0.01);
 }
-
-TEST_FILE(test_drum, cmocka_unit_test(test_lay), cmocka_unit_test(test_refused), cmocka_unit_test(test_newton),
-          cmocka_unit_test(test_payout))

@@ -143,22 +143,13 @@ static void check_blocks(BushingFrame frame)
     check_below(worst, 3e-7);
 }
 
-static void test_blocks_symmetric(void **state)
-{
-    (void)state;
-    check_blocks(FRAME_SYMMETRIC);
-}
+TEST(test_blocks_symmetric) { check_blocks(FRAME_SYMMETRIC); }
 
-static void test_blocks_adams(void **state)
-{
-    (void)state;
-    check_blocks(FRAME_ADAMS);
-}
+TEST(test_blocks_adams) { check_blocks(FRAME_ADAMS); }
 
 /* The tail in a bend: its tension follows the route (F2), and so do the blocks. */
-static void test_tail_in_a_bend(void **state)
+TEST(test_tail_in_a_bend)
 {
-    (void)state;
     const double ahead[] = {7.5, 9.2}; /* m: the tail in the bend downward, in the one to the left */
     for (int i = 0; i < 2; ++i) {
         Rig *const r = rig_ahead(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 0.1, 21, ahead[i]);
@@ -177,9 +168,8 @@ static void test_tail_in_a_bend(void **state)
 
 /* Where nothing is known but how far the winch has hauled, and where it is known where the tail was: on the leg of the
  * route that it lies on, though the other one is as near. */
-static void test_tail_place(void **state)
+TEST(test_tail_place)
 {
-    (void)state;
     Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 0.1, 22);
     for (double s = -2; s < 14; s += 0.7) {
         const Vec3 end = v3_add(route_at(&r->scene.route, s).position, v3(0, 0, 0.03));
@@ -190,9 +180,8 @@ static void test_tail_place(void **state)
 }
 
 /* The lead-in at work: segments in the middle of the blend and pushed off its line feel all of (F1). */
-static void test_lead_in(void **state)
+TEST(test_lead_in)
 {
-    (void)state;
     Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 0.1, 5);
     const Weight *const w = &r->scene.weight;
     int inside = 0, behind = 0, ahead = 0;
@@ -210,9 +199,8 @@ static void test_lead_in(void **state)
 
 /* What has passed the start and comes back behind it, to the side, is past it: it bears its weight, in whichever part
  * of the work, and nothing holds it on the lead-in's line. */
-static void test_lead_in_of_a_turn(void **state)
+TEST(test_lead_in_of_a_turn)
 {
-    (void)state;
     Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 0.1, 5);
     const Weight *const w = &r->scene.weight;
     const Vec3 aside = v3_unit(v3_cross(v3(0, 0, 1), w->direction));
@@ -247,9 +235,8 @@ static void test_lead_in_of_a_turn(void **state)
 }
 
 /* The rates depend on (t, y) alone: bitwise the same whatever was evaluated before. */
-static void test_pure(void **state)
+TEST(test_pure)
 {
-    (void)state;
     Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 0.1, 3);
     double other[STATE_SIZE * N], rate[STATE_SIZE * N];
     BlockChain k, d;
@@ -268,7 +255,3 @@ static void test_pure(void **state)
     block_chain_free(&d);
     rig_free(r);
 }
-
-TEST_FILE(test_dynamics, cmocka_unit_test(test_blocks_symmetric), cmocka_unit_test(test_blocks_adams),
-          cmocka_unit_test(test_lead_in), cmocka_unit_test(test_lead_in_of_a_turn), cmocka_unit_test(test_pure),
-          cmocka_unit_test(test_tail_in_a_bend), cmocka_unit_test(test_tail_place))

@@ -17,9 +17,8 @@ static double dot(const double *x, const double *y)
 }
 
 /* (OS4): sums up to order three, those of every stage up to two; the embedded method has order two and no more. */
-static void test_order_conditions(void **state)
+TEST(test_order_conditions)
 {
-    (void)state;
     const EsdirkTableau *const t = esdirk_tableau();
     const double *const b = t->a[STAGES - 1];
     double one[STAGES], square[STAGES], within[STAGES];
@@ -58,9 +57,8 @@ static double complex factor_of(const double *weights, double complex z)
 }
 
 /* |R| <= 1 along the imaginary axis, R = 0 far to the left, for the method and the embedded one; the loss is (OS11). */
-static void test_stability(void **state)
+TEST(test_stability)
 {
-    (void)state;
     const EsdirkTableau *const t = esdirk_tableau();
     const double *const b = t->a[STAGES - 1];
     for (int k = -300; k <= 500; ++k) {
@@ -124,9 +122,8 @@ static double complex swing_now(const Swing *s)
 }
 
 /* Every step multiplies the swing by R(i phase), its energy by |R|^2 (OS10). */
-static void test_amplification(void **state)
+TEST(test_amplification)
 {
-    (void)state;
     const double phases[] = {0.1, 0.5, 2};
     for (int k = 0; k < 3; ++k) {
         Swing *const s = swing_new(phases[k]);
@@ -139,9 +136,8 @@ static void test_amplification(void **state)
 }
 
 /* After a time that is the same, halved steps leave an eighth of the error; a step's own estimate falls alike. */
-static void test_orders(void **state)
+TEST(test_orders)
 {
-    (void)state;
     double error[3], estimate[3];
     for (int k = 0; k < 3; ++k) {
         const int steps = 10 << k;
@@ -163,9 +159,8 @@ static void test_orders(void **state)
 }
 
 /* A bushing that is stiff for the step is at rest after it: what L-stable means. */
-static void test_stiff(void **state)
+TEST(test_stiff)
 {
-    (void)state;
     Swing *const s = swing_new(1e5);
     swing_step(s);
     swing_step(s);
@@ -210,9 +205,8 @@ static Vec3 chain_end(int steps)
 }
 
 /* Turning, stretching and bending at once: order three. */
-static void test_chain_order(void **state)
+TEST(test_chain_order)
 {
-    (void)state;
     const Vec3 exact = chain_end(2048);
     double error[3];
     for (int k = 0; k < 3; ++k) {
@@ -239,16 +233,11 @@ static MethodChoice chosen(double damping, int max_order, MethodChoice asked)
 }
 
 /* `auto` takes light damping for the one-step method, whatever order a BDF were allowed. */
-static void test_choice(void **state)
+TEST(test_choice)
 {
-    (void)state;
     assert_int_equal(chosen(1e-4, 2, METHOD_AUTO), METHOD_ESDIRK);
     assert_int_equal(chosen(1e-3, 2, METHOD_AUTO), METHOD_BDF);
     assert_int_equal(chosen(1e-4, 3, METHOD_AUTO), METHOD_ESDIRK);
     assert_int_equal(chosen(1e-4, 2, METHOD_BDF), METHOD_BDF);
     assert_int_equal(chosen(1e-3, 2, METHOD_ESDIRK), METHOD_ESDIRK);
 }
-
-TEST_FILE(test_esdirk, cmocka_unit_test(test_order_conditions), cmocka_unit_test(test_stability),
-          cmocka_unit_test(test_amplification), cmocka_unit_test(test_orders), cmocka_unit_test(test_stiff),
-          cmocka_unit_test(test_chain_order), cmocka_unit_test(test_choice))

@@ -32,9 +32,8 @@ static void forces_on(Scene *scene, const double *y, int i, Workspace *ws, doubl
 }
 
 /* (MD4) to (MD6): every column of every segment's blocks. */
-static void blocks_against_differences(void **state)
+TEST(blocks_against_differences)
 {
-    (void)state;
     static const double E = 1e-6;
     RodFixture f = helix();
     SceneDef def;
@@ -78,9 +77,8 @@ static void blocks_against_differences(void **state)
 
 /* (MD1), (MD3): a straight segment that slides along itself, one that moves across, one that rests in the stream's own
  * frame. */
-static void drag_is_that_of_its_law(void **state)
+TEST(drag_is_that_of_its_law)
 {
-    (void)state;
     RodFixture f = {.n = 4, .length = 2, .steps = 1, .gravity = {0, 0, -9.81}};
     SceneDef def;
     Scene scene;
@@ -120,9 +118,8 @@ static void joint_rates(const Scene *scene, const double *y, int j, Vec3 rate[2]
 }
 
 /* (MD7), (MD8): joints stay closed, a rigid body is one, a ring that runs along itself turns about its centre. */
-static void launches_keep_joints_closed(void **state)
+TEST(launches_keep_joints_closed)
 {
-    (void)state;
     RodFixture f = {.n = 12, .length = 6, .steps = 1};
     f.rod.shape = ROD_ARC;
     f.rod.radius = 2;
@@ -162,9 +159,8 @@ static void launches_keep_joints_closed(void **state)
 }
 
 /* A launch outlives the relaxation, and comes once. */
-static void relaxation_does_not_take_it(void **state)
+TEST(relaxation_does_not_take_it)
 {
-    (void)state;
     RodFixture f = {.n = 6, .length = 3, .steps = 1, .gravity = {0, 0, -9.81}};
     SceneDef def;
     Sim *sim;
@@ -185,9 +181,8 @@ static void relaxation_does_not_take_it(void **state)
 }
 
 /* A shaft that is held at one end twists to and fro in 4 L sqrt(2 m k^2/GJ) (S5). */
-static void gyration_slows_torsion(void **state)
+TEST(gyration_slows_torsion)
 {
-    (void)state;
     for (double gyration = 0; gyration < 0.05; gyration += 0.04) {
         RodFixture f = {.n = 40, .length = 4, .steps = 1};
         SceneDef def;
@@ -207,7 +202,3 @@ static void gyration_slows_torsion(void **state)
         stage_free(&stage);
     }
 }
-
-TEST_FILE(test_flight, cmocka_unit_test(blocks_against_differences), cmocka_unit_test(drag_is_that_of_its_law),
-          cmocka_unit_test(launches_keep_joints_closed), cmocka_unit_test(relaxation_does_not_take_it),
-          cmocka_unit_test(gyration_slows_torsion))

@@ -84,9 +84,8 @@ static void command(Scene *scene, int segment, int follows, double size, double 
 }
 
 /* (K7), (K8): dead forces and those that follow, half-way up their ramps. */
-static void forces_against_differences(void **state)
+TEST(forces_against_differences)
 {
-    (void)state;
     Scene scene;
     Workspace ws;
     double y[STATE_SIZE * SEGMENTS];
@@ -112,9 +111,8 @@ static int tie_law(void *user, const hawser_segment_now *at, double wrench[6], d
 }
 
 /* (K10): the differences that stand in for derivatives. */
-static void law_against_differences(void **state)
+TEST(law_against_differences)
 {
-    (void)state;
     Scene scene;
     Workspace ws;
     double y[STATE_SIZE * SEGMENTS];
@@ -127,9 +125,8 @@ static void law_against_differences(void **state)
 }
 
 /* (K9): what is given anew takes the place of what was there, continuously, and what has gone leaves the list. */
-static void a_force_takes_the_place_of_another(void **state)
+TEST(a_force_takes_the_place_of_another)
 {
-    (void)state;
     Scene scene;
     Workspace ws;
     double y[STATE_SIZE * SEGMENTS], before[6], after[6];
@@ -151,6 +148,3 @@ static void a_force_takes_the_place_of_another(void **state)
     for (int c = 0; c < 6; ++c) check_close(after[c], 0, 0);
     scene_end(&scene, &ws);
 }
-
-TEST_FILE(test_forces, cmocka_unit_test(forces_against_differences), cmocka_unit_test(law_against_differences),
-          cmocka_unit_test(a_force_takes_the_place_of_another))

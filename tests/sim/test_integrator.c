@@ -82,23 +82,14 @@ static void check_drifts(int max_order, double limit, double ratio)
     check_below(drift[3][2] * ratio, drift[0][2]);
 }
 
-static void test_drift_order_2(void **state)
-{
-    (void)state;
-    check_drifts(2, 60, 100);
-}
+TEST(test_drift_order_2) { check_drifts(2, 60, 100); }
 
 /* Higher orders take longer steps near the edge of their stability. */
-static void test_drift_order_5(void **state)
-{
-    (void)state;
-    check_drifts(5, 600, 50);
-}
+TEST(test_drift_order_5) { check_drifts(5, 600, 50); }
 
 /* A straight chain that flies evenly and turns about its own axis moves as one body. */
-static void test_free_flight(void **state)
+TEST(test_free_flight)
 {
-    (void)state;
     Rig *r = free_chain(1e-4, 2);
     double start[SIZE];
     const Vec3 v = v3(3, -2, 1), w = v3(0.8, 0, 0);
@@ -128,9 +119,8 @@ static void test_free_flight(void **state)
 }
 
 /* After every single step. */
-static void test_unit_quaternions(void **state)
+TEST(test_unit_quaternions)
 {
-    (void)state;
     Rig *r = free_chain(1e-3, 2);
     uint64_t seed = 5;
     double worst = 0;
@@ -158,9 +148,8 @@ static void test_unit_quaternions(void **state)
 }
 
 /* A tail tension that becomes infinite after 0.5 s: told with time, place and advice; the last good state is kept. */
-static void test_failure_is_told(void **state)
+TEST(test_failure_is_told)
 {
-    (void)state;
     double time[] = {0, 0.5, 0.6}, tension[] = {0, 0, INFINITY};
     SceneDef def;
     fixture_free_chain(&def, N);
@@ -217,17 +206,12 @@ static void check_fall(long max_steps, double after, double before, const char *
     rig_free(r);
 }
 
-static void test_stall_is_told(void **state)
+TEST(test_stall_is_told)
 {
-    (void)state;
     check_fall(0, 0.12, 0.16, "try a softer contact.k"); /* 0.1 m of fall: sqrt(2 0.1 / 10) = 0.141 s */
 }
 
-static void test_max_steps(void **state)
-{
-    (void)state;
-    check_fall(20, 0, 0.16, "solver.max_steps = 20");
-}
+TEST(test_max_steps) { check_fall(20, 0, 0.16, "solver.max_steps = 20"); }
 
 /* Newton's iterations a step while a bent chain is let go. */
 static double iterations(double accuracy)
@@ -249,15 +233,9 @@ static double iterations(double accuracy)
 
 /* What Newton's iteration leaves does not shrink with the tolerance (N13): with a thousandth of it throughout the three
  * would take 1.44, 1.25 and 1.25 where they take 1.23, 1.10 and 1.07. */
-static void test_newton_share(void **state)
+TEST(test_newton_share)
 {
-    (void)state;
     check_below(iterations(1e-4), 1.33);
     check_below(iterations(1e-5), 1.17);
     check_below(iterations(1e-6), 1.15);
 }
-
-TEST_FILE(test_integrator, cmocka_unit_test(test_drift_order_2), cmocka_unit_test(test_drift_order_5),
-          cmocka_unit_test(test_free_flight), cmocka_unit_test(test_unit_quaternions),
-          cmocka_unit_test(test_failure_is_told), cmocka_unit_test(test_stall_is_told),
-          cmocka_unit_test(test_max_steps), cmocka_unit_test(test_newton_share))

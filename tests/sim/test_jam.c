@@ -55,9 +55,8 @@ static Sim *run(SceneDef *def, int threads, int n, Window window[])
 
 /* mu W of each metre, and the jammed roller's share of it: 1 m of cable with its friction. Over a whole number of
  * rollers' pitches the stiff cable's ripple is out of the mean. */
-static void test_row(void **state)
+TEST(test_row)
 {
-    (void)state;
     SceneDef def;
     row_with_jams(&def, 1);
     snprintf(def.jams->what, NAME_MAX_LENGTH, "R%d", MIDDLE);
@@ -89,9 +88,8 @@ static void test_row(void **state)
 }
 
 /* The friction that a jam names; a roller without any friction that jams; the same whose friction would stick. */
-static void test_friction(void **state)
+TEST(test_friction)
 {
-    (void)state;
     for (int smooth = 0; smooth < 3; ++smooth) {
         SceneDef def;
         row_with_jams(&def, 1);
@@ -109,9 +107,8 @@ static void test_friction(void **state)
 }
 
 /* When the front comes to a place, and to the next: within what a step moves it. */
-static void test_front(void **state)
+TEST(test_front)
 {
-    (void)state;
     SceneDef def;
     row_with_jams(&def, 1);
     snprintf(def.jams->what, NAME_MAX_LENGTH, "R%d", MIDDLE);
@@ -129,9 +126,8 @@ static void test_front(void **state)
 }
 
 /* A release that is due before the jam is complete waits for that. */
-static void test_waits_for_the_ramp(void **state)
+TEST(test_waits_for_the_ramp)
 {
-    (void)state;
     SceneDef def;
     row_with_jams(&def, 1);
     snprintf(def.jams->what, NAME_MAX_LENGTH, "R%d", MIDDLE);
@@ -147,9 +143,8 @@ static void test_waits_for_the_ramp(void **state)
 }
 
 /* A belt that pushed with all its grip stands and brakes with all of it: the winch pays twice the grip more. */
-static void test_belt(void **state)
+TEST(test_belt)
 {
-    (void)state;
     SceneDef def;
     row_with_jams(&def, 1);
     const double grip = 200;
@@ -187,9 +182,8 @@ static void test_belt(void **state)
 
 /* Rollers that spin without resistance cost nothing; one that jams costs mu W of its metre. It stands within the ramp,
  * and turns again once it is free. */
-static void test_spinning(void **state)
+TEST(test_spinning)
 {
-    (void)state;
     SceneDef def;
     row_with_jams(&def, 1);
     for (int r = 0; r < def.n_rollers; ++r)
@@ -232,9 +226,8 @@ static void test_spinning(void **state)
 
 /* Segments join behind the tail and leave at the winch while a roller stands: the workspace is made anew, the jam goes
  * on. The jam's share of the pull is mu W of what the roller bears, as its load says. */
-static void test_joins(void **state)
+TEST(test_joins)
 {
-    (void)state;
     double pull[2] = {0}, load = 0;
     for (int jammed = 0; jammed < 2; ++jammed) {
         SceneDef def;
@@ -272,9 +265,8 @@ static void test_joins(void **state)
 }
 
 /* One thread and two, and a second run: the same bits, before, in and after a jam. */
-static void test_repeats(void **state)
+TEST(test_repeats)
 {
-    (void)state;
     double force[3][4];
     for (int k = 0; k < 3; ++k) {
         SceneDef def;
@@ -303,9 +295,8 @@ static void test_repeats(void **state)
 }
 
 /* A name that nothing has. */
-static void test_refused(void **state)
+TEST(test_refused)
 {
-    (void)state;
     SceneDef def;
     Scene scene;
     hawser_error err = {0};
@@ -316,7 +307,3 @@ static void test_refused(void **state)
     check_has(err.message, "nothing that can jam is called 'R99'");
     scene_def_clear(&def);
 }
-
-TEST_FILE(test_jam, cmocka_unit_test(test_row), cmocka_unit_test(test_friction), cmocka_unit_test(test_front),
-          cmocka_unit_test(test_waits_for_the_ramp), cmocka_unit_test(test_belt), cmocka_unit_test(test_spinning),
-          cmocka_unit_test(test_joins), cmocka_unit_test(test_repeats), cmocka_unit_test(test_refused))

@@ -69,9 +69,8 @@ static int same_sides(const Sim *a, const Sim *b)
 }
 
 /* What goes on from a checkpoint goes where the simulation goes that wrote it. */
-static void test_going_on(void **state)
+TEST(test_going_on)
 {
-    (void)state;
     int seen = 0;
     for (int k = 0; k < SCENES; ++k) {
         hawser_error err = {0};
@@ -131,9 +130,8 @@ static hawser_status changed(int scene, const Checkpoint *c, size_t at, uint64_t
     return status;
 }
 
-static void test_words(void **state)
+TEST(test_words)
 {
-    (void)state;
     const double not_a_number = NAN;
     uint64_t wrong[] = {UINT64_C(0xffffffffffffffff), UINT64_C(0x7fffffff7fffffff), 0};
     memcpy(&wrong[2], &not_a_number, sizeof not_a_number);
@@ -168,5 +166,3 @@ static void test_words(void **state)
         checkpoint_free(&c);
     }
 }
-
-TEST_FILE(test_kept_words, cmocka_unit_test(test_going_on), cmocka_unit_test(test_words))

@@ -59,9 +59,8 @@ static double shared(const Springs *a, const Springs *b, double theta)
 }
 
 /* Two halves of one cable: its table; corners at its curvatures times the length of both. */
-static void test_one_cable(void **state)
+TEST(test_one_cable)
 {
-    (void)state;
     const LoadingCurve a = loading_curve_of(&SHEATHED, 0.2), b = loading_curve_of(&SHEATHED, 0.3);
     const LoadingCurve joint = loading_curve_series(&a, &b);
     const Springs s = springs_of(&joint);
@@ -74,9 +73,8 @@ static void test_one_cable(void **state)
 }
 
 /* A level piece ends the joint's curve; an elastic cable has none. */
-static void test_ends(void **state)
+TEST(test_ends)
 {
-    (void)state;
     const LoadingCurve soft = loading_curve_of(&SOFT, 0.25), elastic = loading_curve_of(&ELASTIC, 0.25);
     const LoadingCurve joint = loading_curve_series(&soft, &elastic);
     const Springs s = springs_of(&joint), rope = springs_of(&elastic);
@@ -93,9 +91,8 @@ static void test_ends(void **state)
 }
 
 /* The sliders of a joint of two unlike halves against the halves themselves, bent to and fro at random (HY2). */
-static void test_history_of_unlike_halves(void **state)
+TEST(test_history_of_unlike_halves)
 {
-    (void)state;
     const CableDef *const other[] = {&ELASTIC, &SHEATHED};
     for (int o = 0; o < 2; ++o) {
         CableDef soft = SOFT;
@@ -117,6 +114,3 @@ static void test_history_of_unlike_halves(void **state)
         check_above(largest, 360);
     }
 }
-
-TEST_FILE(test_loading_curve, cmocka_unit_test(test_one_cable), cmocka_unit_test(test_ends),
-          cmocka_unit_test(test_history_of_unlike_halves))

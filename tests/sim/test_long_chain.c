@@ -75,9 +75,8 @@ static void check_count(long rough, long precise, double share)
 
 /* Rounded factors take the steps and iterations that the others take, but for chance, and come to the same force; at
  * intervals of 10 s some steps are seconds long, and the matrix is all stiffness. */
-static void test_steps(void **state)
+TEST(test_steps)
 {
-    (void)state;
     static const double interval[] = {0.05, 10}, duration[] = {1, 30}; /* s */
     for (int k = 0; k < 2; ++k) {
         Outcome rough = outcome_of(0, interval[k], duration[k], NULL);
@@ -93,9 +92,8 @@ static void test_steps(void **state)
     }
 }
 
-static void test_threads(void **state)
+TEST(test_threads)
 {
-    (void)state;
     Team *const two = team_new(2);
     assert_non_null(two);
     Outcome one = outcome_of(0, 0.05, 0.5, NULL), both = outcome_of(0, 0.05, 0.5, two);
@@ -114,9 +112,8 @@ static void stage_steps(Stage *stage, int steps)
 
 /* What is read from a checkpoint goes on with the same bits: with rounded factors, made of the same matrix again. The
  * steps after it need no other. */
-static void test_checkpoint(void **state)
+TEST(test_checkpoint)
 {
-    (void)state;
     Stage first, again;
     hawser_error err = {0};
     IntegratorStats before;
@@ -143,6 +140,3 @@ static void test_checkpoint(void **state)
     checkpoint_free(&c);
     text_pool_free(&texts);
 }
-
-TEST_FILE(test_long_chain, cmocka_unit_test(test_steps), cmocka_unit_test(test_threads),
-          cmocka_unit_test(test_checkpoint))

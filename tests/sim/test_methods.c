@@ -135,16 +135,6 @@ static void expect_agreement(int planar)
     stage_free(&st);
 }
 
-static void test_in_space(void **state)
-{
-    (void)state;
-    expect_agreement(0);
-}
+TEST(test_in_space) { expect_agreement(0); }
 
-static void test_in_the_plane(void **state)
-{
-    (void)state;
-    expect_agreement(1);
-}
-
-TEST_FILE(test_methods, cmocka_unit_test(test_in_space), cmocka_unit_test(test_in_the_plane))
+TEST(test_in_the_plane) { expect_agreement(1); }

@@ -31,9 +31,8 @@ static RodFixture slender(int n) { return (RodFixture){.n = n, .length = 1, .ea 
 static double beam(double beta) { return beta * beta * sqrt(1e3) / (2 * M_PI); }
 
 /* The first three bending modes, each twice, within 0.5 % at 50 segments. */
-static void beams_bend(void **state)
+TEST(beams_bend)
 {
-    (void)state;
     static const double beta[3][3] = {
         {1.875104, 4.694091, 7.854757}, {4.730041, 7.853205, 10.995608}, {M_PI, 2 * M_PI, 3 * M_PI}};
     static const int ends[3][2] = {{1, 0}, {1, 1}, {2, 2}};
@@ -62,9 +61,8 @@ static double first_of_cantilever(int n)
 }
 
 /* Halving the segments quarters the difference. */
-static void frequencies_are_of_second_order(void **state)
+TEST(frequencies_are_of_second_order)
 {
-    (void)state;
     const double f[4] = {first_of_cantilever(8), first_of_cantilever(16), first_of_cantilever(32),
                          first_of_cantilever(64)};
     for (int k = 0; k < 2; ++k) check_close((f[k] - f[k + 1]) / (f[k + 1] - f[k + 2]), 4, 0.2);
@@ -91,9 +89,8 @@ static double with_a_tip_mass(int n, int along)
 /* Tip mass equal to the beam's: beta L = 1.247917 of cos b cosh b + 1 = b (sin b cosh b - cos b sinh b); to the bar's:
  * b tan b = 1, b = 0.860334. The error was 3/4 h/L, and falls to a quarter at least with half the
  * segments' length. */
-static void tip_masses_are_of_second_order(void **state)
+TEST(tip_masses_are_of_second_order)
 {
-    (void)state;
     static const double allowed[3] = {0.001, 0.0003, 0.0001};
     const double bar = 0.860334 * sqrt(1e3) / (2 * M_PI);
     for (int along = 0; along < 2; ++along) {
@@ -109,9 +106,8 @@ static void tip_masses_are_of_second_order(void **state)
 }
 
 /* Six rigid motions, then the free beam's 4.730041. */
-static void a_free_rod_has_six_rigid_motions(void **state)
+TEST(a_free_rod_has_six_rigid_motions)
 {
-    (void)state;
     Stage stage;
     Modes modes;
     find(slender(30), 0, 0, 8, &stage, &modes);
@@ -131,9 +127,8 @@ static double nearest(const Modes *modes, double frequency)
 
 /* All modes of a short bar: along and about its axis the chain's are 1/pi sqrt(k/m) sin((2 i - 1) pi/4N), up to close
  * under 1/pi sqrt(k/m). */
-static void bars_ring_as_chains_do(void **state)
+TEST(bars_ring_as_chains_do)
 {
-    (void)state;
     enum { N = 4 };
     Stage stage;
     Modes modes;
@@ -152,9 +147,8 @@ static void bars_ring_as_chains_do(void **state)
 
 /* Rigid segments on a string of tension P: a wave of phase a from joint to joint moves centres by cos(a/2) and turns
  * them by 2 sin(a/2)/h, so omega^2 = 4 P/(m h) sin^2(a/2)/(cos^2(a/2) + 4 I/(m h^2) sin^2(a/2)), a = i pi/N. */
-static void a_string_swings_as_its_segments_do(void **state)
+TEST(a_string_swings_as_its_segments_do)
 {
-    (void)state;
     enum { N = 12 };
     RodFixture f = {.n = N, .length = 3, .ea = 1e9, .ga = 1e9, .ei_y = 1e-7, .ei_z = 1e-7, .gj = 1e-3};
     Stage stage;
@@ -177,9 +171,8 @@ static void a_string_swings_as_its_segments_do(void **state)
 }
 
 /* A shift along the first mode's shape brings forces M omega^2 times the shape. */
-static void shapes_swing_at_their_frequency(void **state)
+TEST(shapes_swing_at_their_frequency)
 {
-    (void)state;
     Stage stage;
     Modes modes;
     find((RodFixture){.n = 10, .length = 2, .ei_z = 3e3}, 1, 0, 3, &stage, &modes);
@@ -228,9 +221,8 @@ static hawser_mode column(double force, int follower)
 }
 
 /* Euler: pi^2/4 for a dead force. Beck: 20.05 for a follower, which makes the column swing up. */
-static void columns_lose_stability(void **state)
+TEST(columns_lose_stability)
 {
-    (void)state;
     const hawser_mode below = column(0.98 * M_PI * M_PI / 4, 0), above = column(1.02 * M_PI * M_PI / 4, 0);
     check_above(below.omega_squared, 0);
     check_at_most(below.growth_per_s, 0);
@@ -242,8 +234,3 @@ static void columns_lose_stability(void **state)
     check_above(flutter.growth_per_s, 1);
     check_above(flutter.frequency_Hz, 10);
 }
-
-TEST_FILE(test_modes, cmocka_unit_test(beams_bend), cmocka_unit_test(frequencies_are_of_second_order),
-          cmocka_unit_test(tip_masses_are_of_second_order), cmocka_unit_test(a_free_rod_has_six_rigid_motions),
-          cmocka_unit_test(bars_ring_as_chains_do), cmocka_unit_test(a_string_swings_as_its_segments_do),
-          cmocka_unit_test(shapes_swing_at_their_frequency), cmocka_unit_test(columns_lose_stability))

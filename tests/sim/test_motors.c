@@ -9,9 +9,8 @@
 static const double RADIUS = 0.1;
 
 /* The slope by central differences, values at the ends, and never uphill; a torque without a limit has no slope. */
-static void test_law(void **state)
+TEST(test_law)
 {
-    (void)state;
     const MotorNow motor = {-0.5, 2.5, 30, -12}, constant = {0, 0, 7, 7}, none = {0};
     double slope, unused, before = 31;
     for (int k = 0; k <= 200; ++k) {
@@ -58,9 +57,8 @@ static void scene_of(SceneDef *def, int n, const RollerDef *roller, double z)
 
 /* Below, above, to the left and to the right of the cable, and both ways of its axis: the rim beside the cable is
  * driven along the pull. One that is listed turns about its axis. */
-static void test_ways(void **state)
+TEST(test_ways)
 {
-    (void)state;
     const Vec3 side[] = {{0, 0, -1}, {0, 0, 1}, {0, 1, 0}, {0, -1, 0}}; /* where the roller stands */
     RollerDef roller[9];
     for (int k = 0; k < 8; ++k) {
@@ -89,9 +87,8 @@ static void test_ways(void **state)
 /* In a bend to the left, with motors stronger than friction: in theory a carrier bears the weight of half the way to
  * its neighbours, a guide on the inside what the tension presses, one above or on the outside nothing; each pushes with
  * mu times that, beside the fixed roller that the theory has there. */
-static void test_theory(void **state)
+TEST(test_theory)
 {
-    (void)state;
     const double turn = 6, tension = 2000, mu = 0.2, mu_case = 0.05;
     const RoutePieceDef bend = {.kind = ROUTE_BEND, .radius = turn, .angle = 1.5};
     RollerDef roller[12];
@@ -132,9 +129,8 @@ static void test_theory(void **state)
 
 /* Without a cable: a set torque speeds its roller up by torque over inertia, up to the speed limit; a set speed is
  * reached, over the ramp with the torque that this takes, and held. */
-static void test_free_run(void **state)
+TEST(test_free_run)
 {
-    (void)state;
     RollerDef roller[3];
     for (int k = 0; k < 3; ++k) roller[k] = driven_roller(v3(k, 0, 0), v3(0, 1, 0), NAN);
     roller[0].spin.motor = (MotorDef){.kind = MOTOR_TORQUE, .set = {.v1 = 0.2}, .droop = 0.01};
@@ -164,9 +160,8 @@ static void test_free_run(void **state)
 }
 
 /* On a mount the reaction turns the mount back, by torque over stiffness about the axis. */
-static void test_reaction(void **state)
+TEST(test_reaction)
 {
-    (void)state;
     RollerDef roller = driven_roller(v3(0, 0, 0), v3(0, 1, 0), NAN);
     roller.spin.motor = (MotorDef){.kind = MOTOR_TORQUE, .set = {.v1 = 3}, .droop = 0.01};
     roller_mount(&roller);
@@ -184,6 +179,3 @@ static void test_reaction(void **state)
     check_share(e[0], 3 * r->t / 0.05, 1e-3); /* its whole speed, that of the mount included */
     rig_free(r);
 }
-
-TEST_FILE(test_motors, cmocka_unit_test(test_law), cmocka_unit_test(test_ways), cmocka_unit_test(test_theory),
-          cmocka_unit_test(test_free_run), cmocka_unit_test(test_reaction))

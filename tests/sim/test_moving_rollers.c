@@ -35,9 +35,8 @@ static void lonely_roller(SceneDef *def, int spins, int mounted, double accuracy
 }
 
 /* Constant torque: the speed falls along a straight line; friction at the journal needs a load. */
-static void test_slows_down(void **state)
+TEST(test_slows_down)
 {
-    (void)state;
     SceneDef def;
     lonely_roller(&def, 1, 0, 1e-5);
     const SpinDef spin = def.rollers[0].spin;
@@ -56,9 +55,8 @@ static void test_slows_down(void **state)
 
 /* A cable that coasts over a roller at rest drags it along until the rim runs with it: v = v0 m/(m + I/R^2), as bodies
  * have after an inelastic impact; energy only falls. */
-static void test_cable_drives_roller(void **state)
+TEST(test_cable_drives_roller)
 {
-    (void)state;
     const double v0 = 0.1;
     SceneDef def;
     fixture_free_chain(&def, 12);
@@ -94,9 +92,8 @@ static void test_cable_drives_roller(void **state)
 }
 
 /* At rest each mount gives way by force over stiffness, component by component. */
-static void test_deflection(void **state)
+TEST(test_deflection)
 {
-    (void)state;
     SceneDef def;
     fixture_pull(&def, &(FixtureChoice){0});
     for (int k = 0; k < def.n_rollers; ++k) roller_mount(&def.rollers[k]);
@@ -129,9 +126,8 @@ static void test_deflection(void **state)
 }
 
 /* Left alone a mount swings at sqrt(k/M) and sqrt(k/J): after a period it is back. */
-static void test_frequencies(void **state)
+TEST(test_frequencies)
 {
-    (void)state;
     const double pi = 3.14159265358979323846;
     for (int c = 0; c < 6; ++c) {
         SceneDef def;
@@ -150,9 +146,6 @@ static void test_frequencies(void **state)
             *mount_entry(r, (c < 3 ? STATE_V : STATE_W) + k) = along[k] * size * 2 * pi / period;
         rig_advance(r, period / 4);
         double out = 0, back = 0;
-        const Vec3 turned =
-            v3(*mount_entry(r, STATE_Q + 1), *mount_entry(r, STATE_Q + 2), *mount_entry(r, STATE_Q + 3));
-        (void)turned;
         for (int k = 0; k < 3; ++k) out += along[k] * *mount_entry(r, (c < 3 ? STATE_V : STATE_W) + k);
         rig_advance(r, period);
         for (int k = 0; k < 3; ++k) back += along[k] * *mount_entry(r, (c < 3 ? STATE_V : STATE_W) + k);
@@ -188,9 +181,8 @@ static double energy_of(Rig *r)
 }
 
 /* A fast roller on an even mount precesses: energy stays, the spin stays, and the moment of the spin shows. */
-static void test_gyroscope(void **state)
+TEST(test_gyroscope)
 {
-    (void)state;
     SceneDef def;
     lonely_roller(&def, 1, 1, 1e-7);
     MountDef *const mount = &def.rollers[0].mount;
@@ -217,9 +209,8 @@ static void test_gyroscope(void **state)
 }
 
 /* At rest a roller that could move pushes the chain as a fixed one. */
-static void test_at_rest_as_fixed(void **state)
+TEST(test_at_rest_as_fixed)
 {
-    (void)state;
     double rate[2][STATE_SIZE * FIXTURE_SEGMENTS];
     for (int k = 0; k < 2; ++k) {
         SceneDef def;
@@ -243,9 +234,8 @@ static void test_at_rest_as_fixed(void **state)
 }
 
 /* One thread and two give the same bits. */
-static void test_threads(void **state)
+TEST(test_threads)
 {
-    (void)state;
     Sim *sim[2];
     const hawser_sample *look[2];
     for (int k = 0; k < 2; ++k) {
@@ -265,9 +255,8 @@ static void test_threads(void **state)
 }
 
 /* Turning chain, rollers and mounts together turns the rates. */
-static void test_objectivity(void **state)
+TEST(test_objectivity)
 {
-    (void)state;
     uint64_t seed = 12;
     const Quat turn = quat_unit((Quat){0.3, -0.5, 0.7, 0.2});
     const Vec3 shift = v3(3, -2, 5);
@@ -345,9 +334,8 @@ static void test_objectivity(void **state)
 
 /* The bearing's law: odd in the speed, the whole of it from `speed` on, three halves of the slope at rest; the
  * journal's friction grows with the load. Derivatives by differences. */
-static void test_bearing(void **state)
+TEST(test_bearing)
 {
-    (void)state;
     const Bearing b = {.friction = 0.1, .journal = 0.02, .torque = 0.5, .speed = 4};
     const double load = 300, most = 0.5 + 0.1 * 0.02 * 300, h = 1e-6;
     double by_om, by_load, unused;
@@ -370,9 +358,8 @@ static void test_bearing(void **state)
 
 /* Whose error is the largest: any component of any mount, and any spin, is the one to be named, with its weighted
  * square. */
-static void test_worst(void **state)
+TEST(test_worst)
 {
-    (void)state;
     SceneDef def;
     fixture_pull(&def, &(FixtureChoice){0});
     for (int k = 0; k < def.n_rollers; ++k) {
@@ -399,8 +386,3 @@ static void test_worst(void **state)
     free(error);
     rig_free(r);
 }
-
-TEST_FILE(test_moving_rollers, cmocka_unit_test(test_worst), cmocka_unit_test(test_bearing),
-          cmocka_unit_test(test_slows_down), cmocka_unit_test(test_cable_drives_roller),
-          cmocka_unit_test(test_deflection), cmocka_unit_test(test_frequencies), cmocka_unit_test(test_gyroscope),
-          cmocka_unit_test(test_at_rest_as_fixed), cmocka_unit_test(test_threads), cmocka_unit_test(test_objectivity))

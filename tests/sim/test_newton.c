@@ -78,9 +78,8 @@ static double gammas_error(Rig *r)
     return worst;
 }
 
-static void test_solve(void **state)
+TEST(test_solve)
 {
-    (void)state;
     double worst = 0;
     for (int choice = 0; choice < 4; ++choice) {
         const FixtureChoice c = {.geometry = choice % 2 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH,
@@ -96,9 +95,8 @@ static void test_solve(void **state)
 }
 
 /* Fast spin: gamma w of order 10, where the elimination of the quaternions is far from the identity. */
-static void test_spin(void **state)
+TEST(test_spin)
 {
-    (void)state;
     Rig *const r = rig_new(&(FixtureChoice){.soft = 1}, LIN_AUTO, 40, 9);
     newton_form(&r->newton, 0.3);
     assert_int_equal(newton_factor(&r->newton), 0);
@@ -109,9 +107,8 @@ static void test_spin(void **state)
 }
 
 /* The same blocks at the same gamma give the same bits, whatever was formed before. */
-static void test_form_again(void **state)
+TEST(test_form_again)
 {
-    (void)state;
     Rig *const r = rig_new(&(FixtureChoice){.soft = 1}, LIN_AUTO, 5, 4);
     double b[SIZE], first[SIZE], again[SIZE];
     for (int k = 0; k < SIZE; ++k) b[k] = fixture_random(&r->seed);
@@ -129,9 +126,8 @@ static void test_form_again(void **state)
 }
 
 /* KLU and the block solver agree on the scene's matrix. */
-static void test_solvers_agree(void **state)
+TEST(test_solvers_agree)
 {
-    (void)state;
     const LinKind kind[2] = {LIN_BLOCK, LIN_KLU};
     double x[2][SIZE], size = 0, apart = 0;
     for (int k = 0; k < 2; ++k) {
@@ -151,9 +147,8 @@ static void test_solvers_agree(void **state)
 }
 
 /* Values that are not finite are reported, not solved. */
-static void test_not_finite(void **state)
+TEST(test_not_finite)
 {
-    (void)state;
     Rig *const r = rig_new(&(FixtureChoice){.soft = 1}, LIN_AUTO, 1, 8);
     r->newton.k.diag[36 * 7 + 3] = NAN;
     newton_form(&r->newton, 0.01);
@@ -184,9 +179,8 @@ static void rows_new(Newton *nw, int n, Team *team, uint64_t *seed)
 
 /* Rows that are reduced and expanded as the solver comes to them have the bits of rows that are reduced, solved and
  * expanded one loop after the other, whatever the length leaves of the sides, with one thread and two. */
-static void test_rows(void **state)
+TEST(test_rows)
 {
-    (void)state;
     enum { MOST = 9001 };
     Team *team = team_new(2);
     for (int n = 1; n <= MOST; n = n < 50 ? n + 1 : 3 * n - 4) {
@@ -212,6 +206,3 @@ static void test_rows(void **state)
     }
     team_free(team);
 }
-
-TEST_FILE(test_newton, cmocka_unit_test(test_solve), cmocka_unit_test(test_rows), cmocka_unit_test(test_spin),
-          cmocka_unit_test(test_form_again), cmocka_unit_test(test_solvers_agree), cmocka_unit_test(test_not_finite))

@@ -36,9 +36,8 @@ static int kind_of(int k)
     return c < STATE_Q ? 0 : c < STATE_V ? 1 : c < STATE_W ? 2 : 3;
 }
 
-static void test_solve(void **state)
+TEST(test_solve)
 {
-    (void)state;
     for (int p = -5; p <= -1; ++p) {
         Rig r;
         const double gamma = pow(10, p);
@@ -65,9 +64,8 @@ static void test_solve(void **state)
     }
 }
 
-static void test_klu_is_dense(void **state)
+TEST(test_klu_is_dense)
 {
-    (void)state;
     const LinKind kind[2] = {LIN_DENSE, LIN_AUTO};
     double x[2][STATE_SIZE * N], size = 0, apart = 0;
     for (int k = 0; k < 2; ++k) {
@@ -91,9 +89,8 @@ static void test_klu_is_dense(void **state)
 }
 
 /* The turns come apart and the blocks go: the solver is the chain's own again; then they come back. */
-static void test_pattern_follows(void **state)
+TEST(test_pattern_follows)
 {
-    (void)state;
     Rig r;
     LinStats stats;
     wound_new(&r, LIN_AUTO, 6);
@@ -111,9 +108,8 @@ static void test_pattern_follows(void **state)
     self_rig_free(&r);
 }
 
-static void test_refused(void **state)
+TEST(test_refused)
 {
-    (void)state;
     const LinKind kind[] = {LIN_BLOCK, LIN_BORDERED, LIN_KLU_FULL, LIN_BAND};
     Rig r;
     self_rig_new(&r, N, 0.25, 0, 1, NULL, LIN_AUTO, NULL);
@@ -127,6 +123,3 @@ static void test_refused(void **state)
     }
     self_rig_free(&r);
 }
-
-TEST_FILE(test_newton_extra, cmocka_unit_test(test_solve), cmocka_unit_test(test_klu_is_dense),
-          cmocka_unit_test(test_pattern_follows), cmocka_unit_test(test_refused))

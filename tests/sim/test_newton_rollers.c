@@ -180,9 +180,8 @@ static double gammas_error(Rig *r)
 }
 
 /* Leaves: each kind of roller, with and without motors, both geometries, three solvers. */
-static void test_leaves(void **state)
+TEST(test_leaves)
 {
-    (void)state;
     const LinKind kind[] = {LIN_AUTO, LIN_KLU, LIN_DENSE};
     double worst = 0;
     for (int k = 0; k < 24; ++k) {
@@ -203,9 +202,8 @@ static void test_leaves(void **state)
 }
 
 /* The same with every roller half-way into a jam: its friction or its bearing is another, and changes with time. */
-static void test_jammed(void **state)
+TEST(test_jammed)
 {
-    (void)state;
     double worst = 0;
     for (int k = 0; k < 4; ++k) {
         const RigChoice choice = {.spins = k & 1, .mounts = k > 1, .cylinder = k > 2, .kind = LIN_AUTO, .jams = 1};
@@ -224,9 +222,8 @@ static void test_jammed(void **state)
 }
 
 /* A sheave that capsules touch side by side: as a leaf it is not exact, and it says so; in the border it is. */
-static void test_border(void **state)
+TEST(test_border)
 {
-    (void)state;
     const LinKind kind[] = {LIN_AUTO, LIN_KLU, LIN_DENSE};
     for (int k = 0; k < 3; ++k) {
         const RigChoice choice = {.spins = k > 0, .mounts = k > 1, .sheave = 1, .cylinder = 1, .kind = kind[k]};
@@ -253,9 +250,8 @@ static void test_border(void **state)
 }
 
 /* Solvers agree on the solution. */
-static void test_solvers_agree(void **state)
+TEST(test_solvers_agree)
 {
-    (void)state;
     const LinKind kind[] = {LIN_BORDERED, LIN_KLU, LIN_DENSE};
     double *x[3], size = 0, apart = 0;
     int length = 0;
@@ -278,9 +274,8 @@ static void test_solvers_agree(void **state)
 }
 
 /* What cannot hold such a scene says so. */
-static void test_refused(void **state)
+TEST(test_refused)
 {
-    (void)state;
     const LinKind kind[] = {LIN_KLU_FULL, LIN_BLOCK};
     for (int k = 0; k < 2; ++k) {
         SceneDef def;
@@ -296,6 +291,3 @@ static void test_refused(void **state)
         scene_clear(&scene);
     }
 }
-
-TEST_FILE(test_newton_rollers, cmocka_unit_test(test_leaves), cmocka_unit_test(test_jammed),
-          cmocka_unit_test(test_border), cmocka_unit_test(test_solvers_agree), cmocka_unit_test(test_refused))

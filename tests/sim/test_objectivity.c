@@ -100,9 +100,8 @@ static void check(const FixtureChoice *choice, uint64_t seed)
 }
 
 /* Both geometries, both frames, soft and stiff; the tail behind the start, and in a bend. */
-static void test_rates_turn_with_the_world(void **state)
+TEST(test_rates_turn_with_the_world)
 {
-    (void)state;
     for (int k = 0; k < 16; ++k) {
         const FixtureChoice choice = {.geometry = k & 1 ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH,
                                       .frame = k & 2 ? FRAME_ADAMS : FRAME_SYMMETRIC,
@@ -111,5 +110,3 @@ static void test_rates_turn_with_the_world(void **state)
         check(&choice, 31 + (uint64_t)k);
     }
 }
-
-TEST_FILE(test_objectivity, cmocka_unit_test(test_rates_turn_with_the_world))

@@ -42,9 +42,8 @@ static int look_after(Sim *sim, double dz)
     return passing_look(&sim->passing, &st->scene, &st->ws, 0, 1);
 }
 
-static void rollers_have_sides(void **state)
+TEST(rollers_have_sides)
 {
-    (void)state;
     Sim *const sim = sim_over(0, 0);
     int known = 0;
     for (int r = 0; r < sim->stage.scene.contact.n_rollers; ++r) known += sim->passing.side[r] != 0;
@@ -61,9 +60,8 @@ static void rollers_have_sides(void **state)
 }
 
 /* Half of space is one-sided; behind a plane with ends only what was before it has passed. */
-static void floors_have_a_free_side(void **state)
+TEST(floors_have_a_free_side)
 {
-    (void)state;
     for (int bounded = 0; bounded < 2; ++bounded) {
         Sim *const sim = sim_over(1, bounded ? 100 : 0);
         assert_int_equal(look_after(sim, 0), 0);
@@ -113,9 +111,8 @@ static int drops(Sim *sim, int first)
 
 /* A rod that runs through a plane has got through it, however far it has gone in one look; beside the plane's end, or
  * if it lay so from the first, it has not. */
-static void rods_do_not_run_through_planes(void **state)
+TEST(rods_do_not_run_through_planes)
 {
-    (void)state;
     for (int beside = 0; beside < 2; ++beside) {
         Sim *const sim = rod_over(beside ? 5 : 1);
         assert_int_equal(look_after(sim, 0), 0);
@@ -129,6 +126,3 @@ static void rods_do_not_run_through_planes(void **state)
     assert_int_equal(look_after(from_the_first, 0), 0);
     sim_free(from_the_first);
 }
-
-TEST_FILE(test_passing, cmocka_unit_test(rollers_have_sides), cmocka_unit_test(floors_have_a_free_side),
-          cmocka_unit_test(rods_do_not_run_through_planes))

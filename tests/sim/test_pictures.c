@@ -83,9 +83,8 @@ static void scene_of(void (*define)(SceneDef *), Scene *scene)
     fixture_build(&def, scene);
 }
 
-static void test_kinds(void **state)
+TEST(test_kinds)
 {
-    (void)state;
     static const char *const rollers[ROLLERS] = {"roller", "hold-down",  "roller",    "roller",
                                                  "box",    "bell-mouth", "bell-mouth"};
     static const char *const surfaces[SURFACES] = {"floor", "ceiling", "wall", "duct", "tray", "tray", "tray", "tray"};
@@ -135,9 +134,8 @@ static void test_kinds(void **state)
 }
 
 /* Points that there are, triangles of parts that the scene has; a roller's volume is that of its size. */
-static void test_triangles(void **state)
+TEST(test_triangles)
 {
-    (void)state;
     Scene scene;
     Geometry g;
     hawser_error err = {0};
@@ -169,9 +167,8 @@ static void test_triangles(void **state)
 }
 
 /* A reel, a drum, a rod: what is there besides. */
-static void test_others(void **state)
+TEST(test_others)
 {
-    (void)state;
     Scene scene;
     Geometry g;
     hawser_error err = {0};
@@ -273,9 +270,8 @@ static void every_allocation(void (*define)(SceneDef *), Attempt *attempt, int l
     sim_free(s);
 }
 
-static void test_lack(void **state)
+TEST(test_lack)
 {
-    (void)state;
     if (!lack_works()) skip();
     every_allocation(define_all, geometry, 40);
     every_allocation(define_drum, geometry, 20);
@@ -286,6 +282,3 @@ static void test_lack(void **state)
     every_allocation(define_drum, contacts, 2);
     every_allocation(define_sticky, cable, 1);
 }
-
-TEST_FILE(test_pictures, cmocka_unit_test(test_kinds), cmocka_unit_test(test_triangles), cmocka_unit_test(test_others),
-          cmocka_unit_test(test_lack))

@@ -92,9 +92,8 @@ static double rates_error(const Rig *r)
     return larger_of(error[0] / size[0], error[1] / size[1]);
 }
 
-static void test_rates(void **state)
+TEST(test_rates)
 {
-    (void)state;
     double worst = 0;
     int active = 0;
     for (uint64_t k = 0; k < 24; ++k) {
@@ -115,9 +114,8 @@ static void test_rates(void **state)
 }
 
 /* A chain that has passed the start and comes back above it: in both it bears its weight there. */
-static void test_turned_back(void **state)
+TEST(test_turned_back)
 {
-    (void)state;
     Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 1, 0.2, 7);
     const PlanarWeight *const w = &r->planar.ps.weight;
     enum { TURN = 12 };
@@ -176,9 +174,8 @@ static double all_blocks_error(const Rig *r, const PlanarBlocks *mine, const Blo
     return larger_of(larger_of(lower, diag), blocks_error(&r->plane, mine->upper, full->upper, 0, N - 1));
 }
 
-static void test_blocks(void **state)
+TEST(test_blocks)
 {
-    (void)state;
     double worst = 0;
     BlockChain k, d;
     assert_true(block_chain_alloc(&k, N, 6) && block_chain_alloc(&d, N, 6));
@@ -240,9 +237,8 @@ static double differences_error(Rig *r)
 }
 
 /* The tail in a bend, along which its tension goes (F2): force, power, blocks and place are those in space. */
-static void test_tail_in_a_bend(void **state)
+TEST(test_tail_in_a_bend)
 {
-    (void)state;
     const double ahead[] = {7.5, 9.2}; /* m: the tail in the bend downward, in the one upward */
     BlockChain k, d;
     assert_true(block_chain_alloc(&k, N, 6) && block_chain_alloc(&d, N, 6));
@@ -267,9 +263,8 @@ static void test_tail_in_a_bend(void **state)
     block_chain_free(&d);
 }
 
-static void test_differences(void **state)
+TEST(test_differences)
 {
-    (void)state;
     double worst = 0;
     for (uint64_t c = 0; c < 6; ++c) {
         const double speed[] = {5e-4, 8e-3, 0.2};
@@ -283,9 +278,8 @@ static void test_differences(void **state)
 }
 
 /* x - gamma J x = b, with J x by central differences of the rates; speeds small enough for them to see every term. */
-static void test_newton(void **state)
+TEST(test_newton)
 {
-    (void)state;
     Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 1, 8e-3, 3);
     Motion *const m = &r->planar.motion;
     const double gamma = 4e-3, e = 1e-6;
@@ -324,9 +318,8 @@ static double difference(int count, const double *a, const double *b)
 }
 
 /* What a sample reads is what the motion in space would have put there; and a state comes back as it went. */
-static void test_look(void **state)
+TEST(test_look)
 {
-    (void)state;
     Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 1, 0.1, 19);
     Spatial spatial;
     Motion *const flat = &r->planar.motion, *const full = spatial_init(&spatial, &r->scene, &r->ws, NULL);
@@ -359,9 +352,8 @@ static void test_look(void **state)
 }
 
 /* Errors are judged alike: a planar error has the norm that the same error has in space. */
-static void test_norm(void **state)
+TEST(test_norm)
 {
-    (void)state;
     Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 1, 0.1, 23);
     Spatial spatial;
     Motion *const flat = &r->planar.motion, *const full = spatial_init(&spatial, &r->scene, &r->ws, NULL);
@@ -384,9 +376,8 @@ static void test_norm(void **state)
 }
 
 /* Not finite: the integrator is told. */
-static void test_not_finite(void **state)
+TEST(test_not_finite)
 {
-    (void)state;
     Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 1, 0.1, 29);
     r->y[STRIDE + 3] = NAN;
     check_above(r->planar.motion.ops->rates(&r->planar.motion, T, r->y, r->rate), 0);
@@ -438,9 +429,8 @@ static void step_along(Rig *r, double distance)
 
 /* What is near (PL19) is a part of the candidates that gives the same forces, goes along with the chain, and becomes
  * all of them when the chain leaps. */
-static void test_near(void **state)
+TEST(test_near)
 {
-    (void)state;
     Rig *const r = rig_new(GEOMETRY_SMOOTH, FRAME_SYMMETRIC, 1, 0.1, 31);
     const double reach = r->scene.contact.reach;
     assert_int_equal(r->planar.motion.ops->renew(&r->planar.motion, T, r->y, NULL), HAWSER_OK);
@@ -465,8 +455,3 @@ static void test_near(void **state)
     assert_int_equal(near_count(r), dynamics_candidates(&r->planar_ws));
     rig_free(r);
 }
-
-TEST_FILE(test_planar, cmocka_unit_test(test_rates), cmocka_unit_test(test_turned_back), cmocka_unit_test(test_blocks),
-          cmocka_unit_test(test_differences), cmocka_unit_test(test_newton), cmocka_unit_test(test_look),
-          cmocka_unit_test(test_tail_in_a_bend), cmocka_unit_test(test_norm), cmocka_unit_test(test_not_finite),
-          cmocka_unit_test(test_near))

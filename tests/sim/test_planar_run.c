@@ -56,9 +56,8 @@ static double largest_difference(int count, const double *a, const double *b)
 }
 
 /* Both follow the same motion to the tolerance: pull, tensions, places and loads. */
-static void test_agreement(void **state)
+TEST(test_agreement)
 {
-    (void)state;
     for (int g = 0; g < 2; ++g) {
         Pulled flat, full;
         const ContactGeometry geometry = g ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH;
@@ -79,9 +78,8 @@ static void test_agreement(void **state)
     }
 }
 
-static void test_threads(void **state)
+TEST(test_threads)
 {
-    (void)state;
     Pulled one, two;
     pull(&one, PLANAR_ON, GEOMETRY_SMOOTH, 1, 1e-3);
     pull(&two, PLANAR_ON, GEOMETRY_SMOOTH, 2, 1e-3);
@@ -93,9 +91,8 @@ static void test_threads(void **state)
 }
 
 /* Which pairs are looked at does not change a bit: few, renewed again and again, or all of them, once. */
-static void test_reach(void **state)
+TEST(test_reach)
 {
-    (void)state;
     Pulled few, all;
     pull(&few, PLANAR_ON, GEOMETRY_SMOOTH, 1, 1e-3);
     pull_at_reach(&all, PLANAR_ON, GEOMETRY_SMOOTH, 1, 1e-3, 1e6);
@@ -110,9 +107,8 @@ static void test_reach(void **state)
 }
 
 /* What a row leaves out of the sample it does not leave out of the statistics. */
-static void test_rows(void **state)
+TEST(test_rows)
 {
-    (void)state;
     hawser_summary summary[2];
     for (int whole = 0; whole < 2; ++whole) {
         SceneDef def;
@@ -228,9 +224,8 @@ static void drifts(double accuracy, double drift[3])
     rig_free(r);
 }
 
-static void test_conservation(void **state)
+TEST(test_conservation)
 {
-    (void)state;
     double first = 0;
     for (int k = 3; k <= 6; ++k) {
         double drift[3];
@@ -246,9 +241,8 @@ static void test_conservation(void **state)
 }
 
 /* Long enough for every loop to be split: rates and a Newton solution have the same bits on two threads. */
-static void test_long_chain_threads(void **state)
+TEST(test_long_chain_threads)
 {
-    (void)state;
     enum { LONG = 1037 };
     double *result[2], *rate[2];
     for (int k = 0; k < 2; ++k) {
@@ -277,9 +271,8 @@ static void test_long_chain_threads(void **state)
 
 /* Rows that are reduced and expanded as the solver comes to them have the bits of rows that are reduced, solved and
  * expanded one loop after the other, whatever the length leaves of the sides. */
-static void test_rows_come_and_go(void **state)
+TEST(test_rows_come_and_go)
 {
-    (void)state;
     static const int lengths[] = {2, 7, 8, 9, 15, 16, 17, 24, 31, 32, 33, 1037};
     for (size_t k = 0; k < sizeof lengths / sizeof lengths[0]; ++k) {
         Rig *const r = rig_new(lengths[k], 1e-3, 1);
@@ -305,7 +298,3 @@ static void test_rows_come_and_go(void **state)
         rig_free(r);
     }
 }
-
-TEST_FILE(test_planar_run, cmocka_unit_test(test_agreement), cmocka_unit_test(test_threads),
-          cmocka_unit_test(test_reach), cmocka_unit_test(test_rows), cmocka_unit_test(test_conservation),
-          cmocka_unit_test(test_long_chain_threads), cmocka_unit_test(test_rows_come_and_go))

@@ -40,9 +40,8 @@ static SceneDef planar_scene(double heading)
 }
 
 /* Vertical planes of any heading; at heading zero the axes are x and z. */
-static void test_vertical(void **state)
+TEST(test_vertical)
 {
-    (void)state;
     for (double heading = -3; heading < 3.2; heading += 0.31) {
         SceneDef def = planar_scene(heading);
         expect_plane(&def, v3(-sin(heading), cos(heading), 0));
@@ -57,9 +56,8 @@ static void test_vertical(void **state)
 
 /* A weightless chain on a bend in an inclined plane: no principal axis is along the normal, so that only a cable that
  * bends alike about both is flat there. */
-static void test_inclined(void **state)
+TEST(test_inclined)
 {
-    (void)state;
     for (int k = 0; k < 3; ++k) {
         SceneDef def;
         fixture_free_chain(&def, 12);
@@ -74,9 +72,8 @@ static void test_inclined(void **state)
     }
 }
 
-static void test_refusals(void **state)
+TEST(test_refusals)
 {
-    (void)state;
     SceneDef def;
     fixture_pull(&def, &(FixtureChoice){0});
     expect_refusal(&def, "route");
@@ -137,9 +134,8 @@ static void test_refusals(void **state)
 }
 
 /* The summary says what was done; a scene that must be planar and is not is an error that says why. */
-static void test_choice(void **state)
+TEST(test_choice)
 {
-    (void)state;
     for (int choice = PLANAR_AUTO; choice <= PLANAR_OFF; ++choice) {
         for (int flat = 0; flat < 2; ++flat) {
             SceneDef def = planar_scene(0.3);
@@ -166,9 +162,8 @@ static void test_choice(void **state)
 }
 
 /* Pressing a state into the plane loses what is off it, and says how much; angles go on past half a turn. */
-static void test_press(void **state)
+TEST(test_press)
 {
-    (void)state;
     SceneDef def = planar_scene(0.3);
     Plane plane;
     char why[PLANE_WHY_MAX];
@@ -188,6 +183,3 @@ static void test_press(void **state)
     check_close(plane_press(&plane, N, y, again), 1e-3, 1e-14);
     scene_clear(&scene);
 }
-
-TEST_FILE(test_plane, cmocka_unit_test(test_vertical), cmocka_unit_test(test_inclined), cmocka_unit_test(test_refusals),
-          cmocka_unit_test(test_choice), cmocka_unit_test(test_press))

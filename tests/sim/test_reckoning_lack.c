@@ -110,9 +110,8 @@ static void inverted(const Scene *scene)
     calculator_free(&base);
 }
 
-static void test_calculators(void **state)
+TEST(test_calculators)
 {
-    (void)state;
     if (!lack_works()) skip();
     SceneDef def;
     Scene scene;
@@ -163,9 +162,8 @@ static hawser_status reported(const Scene *none, double *sum, hawser_error *err)
     return pressed(STABILITY_REPORT, LIN_DENSE, sum, err);
 }
 
-static void test_critical(void **state)
+TEST(test_critical)
 {
-    (void)state;
     if (!lack_works()) skip();
     double sum = 0;
     hawser_error err = {0};
@@ -174,5 +172,3 @@ static void test_critical(void **state)
     every_allocation(followed, NULL, 30);
     every_allocation(reported, NULL, 30);
 }
-
-TEST_FILE(test_reckoning_lack, cmocka_unit_test(test_calculators), cmocka_unit_test(test_critical))

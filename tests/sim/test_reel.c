@@ -28,9 +28,8 @@ static const BrakeLaw LAWS[] = {BRAKE_CONSTANT, BRAKE_PROPORTIONAL, BRAKE_SPEED}
 
 /* d(resistance) by free length and speed, for every law, in the middle of the drum's layers, at rest, at speed, where a
  * free end is let go and where a fixed one is caught. */
-static void test_resistance_slopes(void **state)
+TEST(test_resistance_slopes)
 {
-    (void)state;
     for (int k = 0; k < 12; ++k) {
         Stage *const st = stage_for(&(ReelChoice){.payout = 1,
                                                   .brake = LAWS[k % 3],
@@ -76,9 +75,8 @@ static void tail_load(Stage *st, const double *y, double load[6])
 }
 
 /* The blocks of a tail that is askew, twisted, moving and turning. */
-static void test_blocks(void **state)
+TEST(test_blocks)
 {
-    (void)state;
     Stage *const st = stage_for(
         &(ReelChoice){.payout = 1, .brake = BRAKE_PROPORTIONAL, .torque = 300, .bearing = 80, .tension = 900});
     const int n = st->scene.chain.n;
@@ -113,9 +111,8 @@ static void test_blocks(void **state)
 }
 
 /* At speed the laws give what they say at the drum's radius; at rest they give nothing, and nothing pushes. */
-static void test_laws(void **state)
+TEST(test_laws)
 {
-    (void)state;
     for (int k = 0; k < 3; ++k) {
         Stage *const st = stage_for(&(ReelChoice){.payout = 1, .brake = LAWS[k], .torque = 300, .bearing = 50});
         const Reel *const r = st->scene.reel;
@@ -135,9 +132,8 @@ static void test_laws(void **state)
 /* A constant pull on a cable without friction, all of it in one layer: drum and cable together are a mass that does not
  * change while segments join, m + I/R^2, against which the proportional brake is a dashpot: v = F/c (1 - exp(-c t/M)).
  */
-static void test_momentum(void **state)
+TEST(test_momentum)
 {
-    (void)state;
     for (int braked = 0; braked < 2; ++braked) {
         const double F = 200, t_end = 4;
         SceneDef def;
@@ -176,6 +172,3 @@ static void test_momentum(void **state)
         scene_def_clear(&def);
     }
 }
-
-TEST_FILE(test_reel, cmocka_unit_test(test_resistance_slopes), cmocka_unit_test(test_blocks),
-          cmocka_unit_test(test_laws), cmocka_unit_test(test_momentum))

@@ -77,9 +77,8 @@ static void refused(SceneDef *def, const char *key, const char *says)
     scene_def_clear(def);
 }
 
-static void test_positions_of_what(void **state)
+TEST(test_positions_of_what)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof unknown / sizeof *unknown; ++k) {
         SceneDef def;
         unknown[k].define(&def);
@@ -94,9 +93,8 @@ static void test_positions_of_what(void **state)
 }
 
 /* Asked for where it may be, it is a motion like any other where it may not. */
-static void test_motion_auto(void **state)
+TEST(test_motion_auto)
 {
-    (void)state;
     for (size_t k = 1; k < sizeof unknown / sizeof *unknown; ++k) {
         SceneDef def;
         Sim *s = NULL;
@@ -117,9 +115,8 @@ static void test_motion_auto(void **state)
 }
 
 /* Positions that the winch never reaches, or not at its speed. */
-static void test_positions_where(void **state)
+TEST(test_positions_where)
 {
-    (void)state;
     const struct {
         PositionsDef at;
         const char *says;
@@ -189,9 +186,8 @@ static void by_position(SceneDef *def)
     def->analysis.positions = (PositionsDef){.from = 9.08, .to = 9.1, .step = 1};
 }
 
-static void test_derivatives_of_what(void **state)
+TEST(test_derivatives_of_what)
 {
-    (void)state;
     const struct {
         void (*define)(SceneDef *), (*change)(SceneDef *);
         const char *says;
@@ -227,9 +223,8 @@ static void test_derivatives_of_what(void **state)
 }
 
 /* One segment more is another equation: no derivative by that. */
-static void test_derivatives_by_what(void **state)
+TEST(test_derivatives_by_what)
 {
-    (void)state;
     SceneDef def, less, more;
     pulled(&def);
     pulled(&less);
@@ -273,9 +268,8 @@ static int unsolved_for_lack(Motion *m, double *b)
 
 /* What the solver says of its matrix reaches the caller, whichever way it is integrated: a step that cannot be solved
  * is none, and a lack of memory is one. */
-static void test_matrices_that_fail(void **state)
+TEST(test_matrices_that_fail)
 {
-    (void)state;
     for (int k = 0; k < 8; ++k) {
         SceneDef def;
         Sim *s = NULL;
@@ -301,9 +295,8 @@ static void test_matrices_that_fail(void **state)
 
 /* ------------------------------------------------------------------------------------------------- where it begins */
 
-static void test_first_window(void **state)
+TEST(test_first_window)
 {
-    (void)state;
     SceneDef def;
     reel_pull(&def, &(ReelChoice){.payout = 1, .take_in = 1, .cable = 3, .rope = 5, .head_at = 3});
     def.reel.distance = 1;
@@ -318,9 +311,8 @@ static void test_first_window(void **state)
 }
 
 /* A factor of what is expected is no measure where nothing, or less, is expected. */
-static void test_trip_without_measure(void **state)
+TEST(test_trip_without_measure)
 {
-    (void)state;
     SceneDef def;
     pulled(&def);
     def.gravity = V3_ZERO;
@@ -331,18 +323,16 @@ static void test_trip_without_measure(void **state)
 }
 
 /* In the plane by all means: what is not, and why. */
-static void test_plane_by_all_means(void **state)
+TEST(test_plane_by_all_means)
 {
-    (void)state;
     SceneDef def;
     pulled(&def);
     def.solver.planar = PLANAR_ON;
     refused(&def, "solver.planar: on: ", "auto or off can be used");
 }
 
-static void test_no_handle(void **state)
+TEST(test_no_handle)
 {
-    (void)state;
     check_nan(hawser_sim_time(NULL));
     check_nan(hawser_sim_end_time(NULL));
     assert_string_equal(hawser_sim_title(NULL), "");
@@ -368,9 +358,3 @@ static void test_no_handle(void **state)
     assert_int_equal(hawser_sim_limits(NULL, limit), 0);
     assert_null(sim_free(NULL));
 }
-
-TEST_FILE(test_refusals, cmocka_unit_test(test_positions_of_what), cmocka_unit_test(test_motion_auto),
-          cmocka_unit_test(test_positions_where), cmocka_unit_test(test_derivatives_of_what),
-          cmocka_unit_test(test_derivatives_by_what), cmocka_unit_test(test_matrices_that_fail),
-          cmocka_unit_test(test_first_window), cmocka_unit_test(test_trip_without_measure),
-          cmocka_unit_test(test_plane_by_all_means), cmocka_unit_test(test_no_handle))

@@ -30,9 +30,8 @@ static double fastest(const Rig *r, const double *y)
 }
 
 /* Both geometries: balanced, at rest, and no farther from the route than what is soft gives way. */
-static void test_reached(void **state)
+TEST(test_reached)
 {
-    (void)state;
     for (int geometry = 0; geometry < 2; ++geometry) {
         SceneDef def;
         fixture_pull(&def, &(FixtureChoice){.geometry = geometry ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH});
@@ -57,9 +56,8 @@ static void test_reached(void **state)
 }
 
 /* What holds the chain at rest adds up to its weight and the tail's pull: rollers and winch. */
-static void test_total_balance(void **state)
+TEST(test_total_balance)
 {
-    (void)state;
     SceneDef def;
     fixture_pull(&def, &(FixtureChoice){0});
     def.lead_in.present = 0;
@@ -103,9 +101,8 @@ static void rope_over_rollers(SceneDef *def, int rollers)
     }
 }
 
-static void test_light_rope(void **state)
+TEST(test_light_rope)
 {
-    (void)state;
     SceneDef def;
     rope_over_rollers(&def, 60);
     Rig *const r = rig_new(&def);
@@ -129,9 +126,8 @@ static void test_light_rope(void **state)
 }
 
 /* With winch and tail at rest nothing moves for a second, friction on. */
-static void test_start_is_still(void **state)
+TEST(test_start_is_still)
 {
-    (void)state;
     SceneDef def;
     fixture_pull(&def, &(FixtureChoice){0});
     def.winch.speed = (Profile){.kind = PROFILE_CONSTANT};
@@ -155,9 +151,8 @@ static void test_start_is_still(void **state)
 }
 
 /* One iteration in each of the two attempts is not enough, and it says so. */
-static void test_too_few_iterations(void **state)
+TEST(test_too_few_iterations)
 {
-    (void)state;
     SceneDef def;
     fixture_pull(&def, &(FixtureChoice){0});
     def.solver.relax_iterations = 1;
@@ -173,9 +168,8 @@ static void test_too_few_iterations(void **state)
 }
 
 /* A chain that nothing holds falls: its weight remains unbalanced, on some segment, and nothing breaks. */
-static void test_free_fall(void **state)
+TEST(test_free_fall)
 {
-    (void)state;
     SceneDef def;
     fixture_free_chain(&def, 12);
     def.gravity = v3(0, 0, -9.81);
@@ -191,9 +185,8 @@ static void test_free_fall(void **state)
 }
 
 /* The residual is measured with the largest of the segments' weights and the tail's tension. */
-static void test_scale(void **state)
+TEST(test_scale)
 {
-    (void)state;
     const double tension[] = {0, 5000};
     for (int k = 0; k < 2; ++k) {
         SceneDef def;
@@ -211,9 +204,8 @@ static void test_scale(void **state)
 }
 
 /* A preload draws a free chain together by f0/k a joint, where the two cables' half-springs in series say so. */
-static void test_preload(void **state)
+TEST(test_preload)
 {
-    (void)state;
     enum { SEGMENTS = 10 };
     const double f0 = 3; /* N */
     SceneDef def;
@@ -236,9 +228,8 @@ static int nine_times(void *user)
 }
 
 /* A relaxation that takes long ends when it is asked to, in space and in a plane, and leaves numbers. */
-static void test_stopped(void **state)
+TEST(test_stopped)
 {
-    (void)state;
     for (int planar = 0; planar < 2; ++planar) {
         SceneDef def;
         hawser_relaxation out = {0};
@@ -260,9 +251,8 @@ static void test_stopped(void **state)
 }
 
 /* What thin rollers ask for bounds an iteration's move, and so does the turn of a long segment (E2). */
-static void test_stride(void **state)
+TEST(test_stride)
 {
-    (void)state;
     SceneDef def;
     fixture_pull(&def, &(FixtureChoice){0});
     for (int r = 0; r < def.n_rollers; ++r) def.rollers[r].radius = 0.01;
@@ -275,8 +265,3 @@ static void test_stride(void **state)
     check_close(relax_shorten(&most, 1, 0.005, 0.02, 0.25), 1, 0);
     rig_free(r);
 }
-
-TEST_FILE(test_relax, cmocka_unit_test(test_reached), cmocka_unit_test(test_total_balance),
-          cmocka_unit_test(test_light_rope), cmocka_unit_test(test_start_is_still),
-          cmocka_unit_test(test_too_few_iterations), cmocka_unit_test(test_free_fall), cmocka_unit_test(test_scale),
-          cmocka_unit_test(test_preload), cmocka_unit_test(test_stopped), cmocka_unit_test(test_stride))

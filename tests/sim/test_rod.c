@@ -37,9 +37,8 @@ static void loads_on(Scene *scene, const double *y, int i, Workspace *ws, double
     }
 }
 
-static void load_blocks_against_differences(void **state)
+TEST(load_blocks_against_differences)
 {
-    (void)state;
     RodFixture f = loaded_helix();
     SceneDef def;
     Scene scene;
@@ -81,9 +80,8 @@ static void load_blocks_against_differences(void **state)
 }
 
 /* A ground body's velocities are the rates of its pose, also for turns about several axes at once. */
-static void ghosts_move_as_they_say(void **state)
+TEST(ghosts_move_as_they_say)
 {
-    (void)state;
     RodMotionDef motion[4];
     const Vec3 direction[4] = {{1, 0, 0}, {0, 0.6, 0.8}, {1, 0, 0}, {0, 0, 1}};
     for (int m = 0; m < 4; ++m) {
@@ -140,9 +138,8 @@ static double strain_at_start(RodFixture f, double *gap)
 }
 
 /* Every shape rests in itself, twisted or not; one that is bent into it from straight does not. */
-static void shapes_are_free_of_stress(void **state)
+TEST(shapes_are_free_of_stress)
 {
-    (void)state;
     for (int shape = ROD_STRAIGHT; shape <= ROD_POLYLINE; ++shape) {
         for (int free_of_stress = 0; free_of_stress < 2; ++free_of_stress) {
             RodFixture f = {.n = 16, .length = 8, .steps = 1};
@@ -169,9 +166,8 @@ static void shapes_are_free_of_stress(void **state)
 }
 
 /* Chords of an arc: corners on the circle, the roll where it was asked for, ground bodies along the tangents. */
-static void arcs_lie_on_their_circle(void **state)
+TEST(arcs_lie_on_their_circle)
 {
-    (void)state;
     RodFixture f = {.n = 10, .length = 5, .steps = 1};
     SceneDef def;
     Scene scene;
@@ -193,9 +189,8 @@ static void arcs_lie_on_their_circle(void **state)
 }
 
 /* Points along a helix: equal steps of arc length, pitch and hand. */
-static void helices_climb_by_their_pitch(void **state)
+TEST(helices_climb_by_their_pitch)
 {
-    (void)state;
     const RodDef def = {.shape = ROD_HELIX, .radius = 2, .pitch = 1.5};
     const RodLine line = rod_line(&def, v3(0, 0, 0), 0, M_PI / 2);
     const double turn = hypot(2 * M_PI * 2, 1.5), e = 1e-5;
@@ -212,9 +207,8 @@ static void helices_climb_by_their_pitch(void **state)
 }
 
 /* Total and first moment of point masses are kept between centres. */
-static void masses_keep_their_place(void **state)
+TEST(masses_keep_their_place)
 {
-    (void)state;
     for (double at = 0.3; at < 2.7; at += 0.17) {
         RodFixture f = {.n = 5, .length = 3, .steps = 1};
         SceneDef def;
@@ -255,11 +249,7 @@ static Vec3 helix_tip(double heading)
     return quat_rotate(quat_conj(turn), tip);
 }
 
-static void scenes_may_be_turned(void **state)
-{
-    (void)state;
-    check_close(v3_norm(v3_sub(helix_tip(0), helix_tip(1.1))), 0, 1e-8);
-}
+TEST(scenes_may_be_turned) { check_close(v3_norm(v3_sub(helix_tip(0), helix_tip(1.1))), 0, 1e-8); }
 
 /* One run of the loaded helix in time, from rest. */
 static void run_helix(int threads, double *position)
@@ -278,9 +268,8 @@ static void run_helix(int threads, double *position)
     sim_free(sim);
 }
 
-static void two_threads_give_the_same_bits(void **state)
+TEST(two_threads_give_the_same_bits)
 {
-    (void)state;
     double one[27], two[27];
     run_helix(1, one);
     run_helix(2, two);
@@ -289,9 +278,8 @@ static void two_threads_give_the_same_bits(void **state)
 }
 
 /* A rod that its tail's support takes along comes to rest one shift farther and turned, as stiff as it was. */
-static void a_led_rod_follows(void **state)
+TEST(a_led_rod_follows)
 {
-    (void)state;
     RodFixture f = {.n = 6, .length = 1.2, .steps = 1};
     SceneDef def;
     Sim *sim;
@@ -314,9 +302,3 @@ static void a_led_rod_follows(void **state)
     scene_def_clear(&def);
     sim_free(sim);
 }
-
-TEST_FILE(test_rod, cmocka_unit_test(load_blocks_against_differences), cmocka_unit_test(ghosts_move_as_they_say),
-          cmocka_unit_test(shapes_are_free_of_stress), cmocka_unit_test(arcs_lie_on_their_circle),
-          cmocka_unit_test(helices_climb_by_their_pitch), cmocka_unit_test(masses_keep_their_place),
-          cmocka_unit_test(scenes_may_be_turned), cmocka_unit_test(two_threads_give_the_same_bits),
-          cmocka_unit_test(a_led_rod_follows))

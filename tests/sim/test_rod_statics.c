@@ -16,9 +16,8 @@ static void cantilever(Stage *stage, RodFixture f, int moment, int follower, Vec
 
 /* P L^3/3EI (1 + 1/2N^2), with the shear of all springs but the last half segment, for any N. The load is a thousandth
  * of EI/L^2: what is not linear is below 1e-7. */
-static void linear_cantilever_is_exact_in_n(void **state)
+TEST(linear_cantilever_is_exact_in_n)
 {
-    (void)state;
     const int counts[] = {1, 2, 5, 16, 40};
     for (int k = 0; k < 5; ++k) {
         const int n = counts[k];
@@ -31,9 +30,8 @@ static void linear_cantilever_is_exact_in_n(void **state)
 }
 
 /* EI_y resists a load along z, EI_z one along y; a section rolled by 90 degrees has them changed over. */
-static void sections_have_two_stiffnesses(void **state)
+TEST(sections_have_two_stiffnesses)
 {
-    (void)state;
     for (int rolled = 0; rolled < 2; ++rolled) {
         for (int up = 0; up < 2; ++up) {
             RodFixture f = {.n = 10, .length = 1, .steps = 1, .ei_y = 1e3, .ei_z = 4e3};
@@ -51,9 +49,8 @@ static void sections_have_two_stiffnesses(void **state)
 
 /* Twisted by 90 degrees from end to end: u'' = M (cos^2/EI_y + sin^2/EI_z) along the load, integrated in closed form.
  */
-static void twisted_section(void **state)
+TEST(twisted_section)
 {
-    (void)state;
     RodFixture f = {.n = 60, .length = 1, .steps = 1, .ei_y = 1e3, .ei_z = 4e3, .ga = 1e9, .ea = 1e7};
     Stage stage;
     f.rod.roll_rate = M_PI / 2;
@@ -68,9 +65,8 @@ static void twisted_section(void **state)
 }
 
 /* A moment 2 pi EI/L makes a regular polygon: the tip comes back to the root, dead moment or follower. */
-static void roll_up_closes(void **state)
+TEST(roll_up_closes)
 {
-    (void)state;
     for (int follower = 0; follower < 2; ++follower) {
         Stage stage;
         cantilever(&stage, (RodFixture){.n = 20, .length = 10, .steps = 10}, 1, follower, v3(0, -1, 0),
@@ -99,9 +95,8 @@ static double elastica_sink(int n, double load)
     return sink;
 }
 
-static void elastica_within_two_per_mille(void **state)
+TEST(elastica_within_two_per_mille)
 {
-    (void)state;
     for (int k = 0; k < 3; ++k) {
         const Elastica *const e = &ELASTICA[k];
         Stage stage;
@@ -117,18 +112,16 @@ static void elastica_within_two_per_mille(void **state)
 }
 
 /* Halving the segments quarters the error. */
-static void elastica_is_of_second_order(void **state)
+TEST(elastica_is_of_second_order)
 {
-    (void)state;
     double error[3];
     for (int k = 0; k < 3; ++k) error[k] = elastica_sink(10 << k, 3) - ELASTICA[1].sink;
     for (int k = 0; k < 2; ++k) check_close(error[k] / error[k + 1], 4, 0.15);
 }
 
 /* The bend of Bathe and Bolourchi: 45 degrees of radius 100, square section 1 x 1, E = 1e7, nu = 0. */
-static void forty_five_degree_bend(void **state)
+TEST(forty_five_degree_bend)
 {
-    (void)state;
     const double force[2] = {300, 600};
     const Vec3 expected[2] = {{58.779, 22.245, 40.192}, {47.150, 15.685, 53.476}};
     for (int k = 0; k < 2; ++k) {
@@ -151,9 +144,8 @@ static void forty_five_degree_bend(void **state)
 }
 
 /* Span 10, length 12: sag 2.923438, tension at the ends 7.618853 times the weight per length. It starts from a V. */
-static void catenary(void **state)
+TEST(catenary)
 {
-    (void)state;
     RodFixture f = {.n = 60, .length = 12, .steps = 1, .gravity = {0, 0, -10}, .ei_y = 1e-3, .ei_z = 1e-3, .gj = 1e-3};
     SceneDef def;
     Stage stage;
@@ -178,9 +170,8 @@ static void catenary(void **state)
 
 /* The moment at the root is that of all forces about it, and the force their sum: dead and follower loads, large
  * rotations in space. */
-static void reactions_balance_the_loads(void **state)
+TEST(reactions_balance_the_loads)
 {
-    (void)state;
     RodFixture f = {.n = 12, .length = 2, .steps = 8, .gravity = {0, 0, -20}};
     SceneDef def;
     Stage stage;
@@ -213,9 +204,8 @@ static void reactions_balance_the_loads(void **state)
 }
 
 /* An end that is led to where a moment would bring it carries that moment: a half turn of the head. */
-static void a_led_end_bends_the_rod(void **state)
+TEST(a_led_end_bends_the_rod)
 {
-    (void)state;
     RodFixture f = {.n = 20, .length = 10, .steps = 20};
     SceneDef def;
     Stage stage;
@@ -238,9 +228,8 @@ static void a_led_end_bends_the_rod(void **state)
 }
 
 /* Nothing holds it: no equilibrium, and the message says so. */
-static void a_loose_rod_is_reported(void **state)
+TEST(a_loose_rod_is_reported)
 {
-    (void)state;
     RodFixture f = {.n = 4, .length = 1, .steps = 1};
     SceneDef def;
     Stage stage;
@@ -255,10 +244,3 @@ static void a_loose_rod_is_reported(void **state)
     check_has(err.message, "no equilibrium was found");
     stage_free(&stage);
 }
-
-TEST_FILE(test_rod_statics, cmocka_unit_test(linear_cantilever_is_exact_in_n),
-          cmocka_unit_test(sections_have_two_stiffnesses), cmocka_unit_test(twisted_section),
-          cmocka_unit_test(roll_up_closes), cmocka_unit_test(elastica_within_two_per_mille),
-          cmocka_unit_test(elastica_is_of_second_order), cmocka_unit_test(forty_five_degree_bend),
-          cmocka_unit_test(catenary), cmocka_unit_test(reactions_balance_the_loads),
-          cmocka_unit_test(a_led_end_bends_the_rod), cmocka_unit_test(a_loose_rod_is_reported))

@@ -25,9 +25,8 @@ static double norm_of_one(int n, int i, double size)
 }
 
 /* One bad segment counts the same among 16 and among 16000, wherever it is. */
-static void test_not_diluted(void **state)
+TEST(test_not_diluted)
 {
-    (void)state;
     const double expected = 3.0 / sqrt(SCALES_WINDOW);
     check_close(norm_of_one(16, 5, 3), expected, 1e-15);
     const int place[] = {0, 15, 16, 8001, LARGE - 1};
@@ -35,9 +34,8 @@ static void test_not_diluted(void **state)
 }
 
 /* A uniform error of one tolerance has norm 1 for every length, also where the last window is short. */
-static void test_uniform(void **state)
+TEST(test_uniform)
 {
-    (void)state;
     const int n[] = {1, 3, 16, 17, 40, 370};
     for (int k = 0; k < 6; ++k) {
         double *const x = vector_new(n[k], -2), *const w = vector_new(n[k], 0.5);
@@ -50,9 +48,8 @@ static void test_uniform(void **state)
 }
 
 /* The definition, term by term, on random numbers. */
-static void test_by_definition(void **state)
+TEST(test_by_definition)
 {
-    (void)state;
     enum { N = 45 };
     double x[STATE_SIZE * N], w[STATE_SIZE * N], largest = 0;
     uint64_t seed = 12;
@@ -72,9 +69,8 @@ static void test_by_definition(void **state)
 }
 
 /* NaN and infinity come through, wherever they stand, and whatever stands after them. */
-static void test_not_finite(void **state)
+TEST(test_not_finite)
 {
-    (void)state;
     enum { N = 50 };
     double *const x = vector_new(N, 1e3), *const w = vector_new(N, 1);
     const int place[] = {0, 17, 7 * N + 33, STATE_SIZE * N - 1};
@@ -96,9 +92,8 @@ static void test_not_finite(void **state)
     free(w);
 }
 
-static void test_worst_segment(void **state)
+TEST(test_worst_segment)
 {
-    (void)state;
     enum { N = 40 };
     double *const x = vector_new(N, 0.1), *const w = vector_new(N, 1);
     x[11 * N + 23] = -5;
@@ -110,9 +105,8 @@ static void test_worst_segment(void **state)
 }
 
 /* Weights of a scene, (N10): accuracy times 10 mm, 0.1 rad (half of it for quaternions), winch speed, its tenfold. */
-static void test_weights(void **state)
+TEST(test_weights)
 {
-    (void)state;
     enum { N = FIXTURE_SEGMENTS };
     const double accuracy = 1e-4, speed = 0.1;
     const double expected[4] = {accuracy * 0.01, accuracy * 0.1 / 2, accuracy * speed, accuracy * speed * 10};
@@ -135,7 +129,3 @@ static void test_weights(void **state)
     check_close(weight[STATE_W * N], 4, 1e-15);
     scene_clear(&scene);
 }
-
-TEST_FILE(test_scales, cmocka_unit_test(test_not_diluted), cmocka_unit_test(test_uniform),
-          cmocka_unit_test(test_by_definition), cmocka_unit_test(test_not_finite), cmocka_unit_test(test_worst_segment),
-          cmocka_unit_test(test_weights))

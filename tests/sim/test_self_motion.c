@@ -72,9 +72,8 @@ static void assert_weights(Rig *r, double share)
     check_close(rollers, -3 * weight, share * weight);
 }
 
-static void test_equilibrium(void **state)
+TEST(test_equilibrium)
 {
-    (void)state;
     Rig r;
     hawser_relaxation out;
     across_new(&r, -1e-4, NULL);
@@ -100,9 +99,8 @@ static void run(Rig *r, double until, double (*look)(Rig *), double *most)
 }
 
 /* From 50 mm above: it hits, settles and lies still, on friction and damping alone. */
-static void test_falls_and_rests(void **state)
+TEST(test_falls_and_rests)
 {
-    (void)state;
     Rig r;
     across_new(&r, 0.05, NULL);
     run(&r, 3, NULL, NULL);
@@ -120,9 +118,8 @@ static void no_friction(SceneDef *def)
 }
 
 /* Two strands fly at each other, one turning: total momentum stays, kinetic energy does not grow. */
-static void test_flight(void **state)
+TEST(test_flight)
 {
-    (void)state;
     Rig r;
     self_rig_new(&r, 2 * STRAND, H, 0, 0, NULL, LIN_AUTO, no_friction);
     self_rig_cut(&r, STRAND);
@@ -144,9 +141,8 @@ static void test_flight(void **state)
     self_rig_free(&r);
 }
 
-static void test_threads(void **state)
+TEST(test_threads)
 {
-    (void)state;
     Team *const team = team_new(2);
     double rate[2][STATE_SIZE * 40];
     for (int k = 0; k < 2; ++k) {
@@ -164,6 +160,3 @@ static void test_threads(void **state)
     assert_memory_equal(rate[0], rate[1], sizeof rate[0]);
     team_free(team);
 }
-
-TEST_FILE(test_self_motion, cmocka_unit_test(test_equilibrium), cmocka_unit_test(test_falls_and_rests),
-          cmocka_unit_test(test_flight), cmocka_unit_test(test_threads))

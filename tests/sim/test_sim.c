@@ -63,9 +63,8 @@ static void pull_run(const FixtureChoice *choice, int threads, double to, Result
 }
 
 /* The pull runs, with both geometries; the cable moves at the winch's speed and is held back by tail and friction. */
-static void test_pull(void **state)
+TEST(test_pull)
 {
-    (void)state;
     double force[2];
     for (int geometry = 0; geometry < 2; ++geometry) {
         Result r;
@@ -86,9 +85,8 @@ static void test_pull(void **state)
 }
 
 /* Turned about the vertical and shifted, the pull is the same. */
-static void test_elsewhere(void **state)
+TEST(test_elsewhere)
 {
-    (void)state;
     Result here, there;
     pull_run(&(FixtureChoice){.accuracy = 1e-4}, 1, 3, &here);
     pull_run(&(FixtureChoice){.start = {3, -7, 2}, .heading = 2.2, .accuracy = 1e-4}, 1, 3, &there);
@@ -101,9 +99,8 @@ static void test_elsewhere(void **state)
 }
 
 /* The same run gives the same bits; so does a second thread. */
-static void test_repeated(void **state)
+TEST(test_repeated)
 {
-    (void)state;
     Result first, again, two;
     pull_run(&(FixtureChoice){0}, 1, 2, &first);
     pull_run(&(FixtureChoice){0}, 1, 2, &again);
@@ -113,9 +110,8 @@ static void test_repeated(void **state)
 }
 
 /* Two simulations, taking turns step by step, do not notice each other. */
-static void test_side_by_side(void **state)
+TEST(test_side_by_side)
 {
-    (void)state;
     const FixtureChoice choice[2] = {{0}, {.geometry = GEOMETRY_CYLINDER, .frame = FRAME_ADAMS, .heading = 1}};
     Result alone[2], together[2];
     Sim *s[2];
@@ -137,9 +133,8 @@ static void test_side_by_side(void **state)
 }
 
 /* One step is one step: forward, never beyond the time given, and every corner of the profiles is hit on the way. */
-static void test_one_step(void **state)
+TEST(test_one_step)
 {
-    (void)state;
     Sim *s = pull_new(&(FixtureChoice){0}, 1);
     const double corner[] = {0.5, 1, 1.5}; /* s: tail starts, winch is up, tail is up */
     int hit[3] = {0};
@@ -164,9 +159,8 @@ static void test_one_step(void **state)
 }
 
 /* Looking between steps changes no bit. */
-static void test_sample_is_pure(void **state)
+TEST(test_sample_is_pure)
 {
-    (void)state;
     Result seen, unseen;
     pull_run(&(FixtureChoice){0}, 1, 1.6, &unseen);
     Sim *s = pull_new(&(FixtureChoice){0}, 1);
@@ -184,9 +178,8 @@ static void test_sample_is_pure(void **state)
 }
 
 /* What is known before anything moves, and what the summary counts. */
-static void test_summary(void **state)
+TEST(test_summary)
 {
-    (void)state;
     Sim *s = pull_new(&(FixtureChoice){0}, 1);
     hawser_summary summary;
     assert_int_equal(sim_relax(s, NULL, NULL), HAWSER_OK);
@@ -212,9 +205,8 @@ static void test_summary(void **state)
 }
 
 /* The weight of the whole chain rests on the rollers, up to what slope, lead-in and winch take. */
-static void test_roller_table(void **state)
+TEST(test_roller_table)
 {
-    (void)state;
     Sim *s = pull_new(&(FixtureChoice){0}, 1);
     const hawser_roller *roller;
     double sum = 0;
@@ -230,7 +222,3 @@ static void test_roller_table(void **state)
     check_between(sum, 0.9 * 9 * 20 * 9.81, 1.5 * 9 * 20 * 9.81);
     sim_free(s);
 }
-
-TEST_FILE(test_sim, cmocka_unit_test(test_pull), cmocka_unit_test(test_elsewhere), cmocka_unit_test(test_repeated),
-          cmocka_unit_test(test_side_by_side), cmocka_unit_test(test_one_step), cmocka_unit_test(test_sample_is_pure),
-          cmocka_unit_test(test_summary), cmocka_unit_test(test_roller_table))

@@ -154,9 +154,8 @@ static double before_change(MethodChoice method)
 
 /* The window, the state, the integrator's history and matrix are made anew: what is missed there is told, and the
  * simulation can be freed. */
-static void test_windows(void **state)
+TEST(test_windows)
 {
-    (void)state;
     if (!lack_works()) skip();
     for (int esdirk = 0; esdirk < 2; ++esdirk) {
         const MethodChoice method = esdirk ? METHOD_ESDIRK : METHOD_BDF;
@@ -189,23 +188,20 @@ static void test_windows(void **state)
     }
 }
 
-static void test_building(void **state)
+TEST(test_building)
 {
-    (void)state;
     if (!lack_works()) skip();
     for (int k = 0; k < SCENES; ++k) check_above(every_allocation(k, built, "built"), 50);
 }
 
-static void test_moving(void **state)
+TEST(test_moving)
 {
-    (void)state;
     if (!lack_works()) skip();
     for (int k = 0; k < SCENES; ++k) check_above(every_allocation(k, relaxed_and_moved, "moved"), 5);
 }
 
-static void test_reading(void **state)
+TEST(test_reading)
 {
-    (void)state;
     if (!lack_works()) skip();
     for (int k = 0; k < SCENES; ++k) {
         kept = written(k);
@@ -213,6 +209,3 @@ static void test_reading(void **state)
         checkpoint_free(&kept);
     }
 }
-
-TEST_FILE(test_sim_lack, cmocka_unit_test(test_building), cmocka_unit_test(test_moving), cmocka_unit_test(test_reading),
-          cmocka_unit_test(test_windows))

@@ -113,26 +113,23 @@ static void every_allocation(Attempt *attempt, LinKind kind, int relax)
     trio_free(&x);
 }
 
-static void test_run(void **state)
+TEST(test_run)
 {
-    (void)state;
     if (!lack_works()) skip();
     every_allocation(along_a_run, LIN_DENSE, 0);
     every_allocation(along_a_run, LIN_DENSE, 1);
     every_allocation(along_a_run, LIN_AUTO, 1);
 }
 
-static void test_position(void **state)
+TEST(test_position)
 {
-    (void)state;
     if (!lack_works()) skip();
     every_allocation(at_a_position, LIN_AUTO, 0);
 }
 
 /* A state that is none has no rates, and no slopes: said with its time. */
-static void test_no_state(void **state)
+TEST(test_no_state)
 {
-    (void)state;
     Trio x = trio_new(LIN_AUTO, 1);
     x.y[2] = NAN;
     double sum = 0;
@@ -144,6 +141,3 @@ static void test_no_state(void **state)
     check_above(strlen(err.message), 0);
     trio_free(&x);
 }
-
-TEST_FILE(test_slopes_lack, cmocka_unit_test(test_run), cmocka_unit_test(test_position),
-          cmocka_unit_test(test_no_state))

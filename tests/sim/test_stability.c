@@ -42,9 +42,8 @@ static double euler_error(int n)
     return error;
 }
 
-static void euler_loads_are_of_second_order(void **state)
+TEST(euler_loads_are_of_second_order)
 {
-    (void)state;
     const double coarse = euler_error(10), middle = euler_error(20), fine = euler_error(40);
     check_close(fine, 0, 6e-4);
     check_close((coarse - middle) / (middle - fine), 4, 0.3);
@@ -52,9 +51,8 @@ static void euler_loads_are_of_second_order(void **state)
 
 /* At twice its load the column bends as the elastica says, 0.398 of its length, whatever makes it go to one side; with
  * nothing to say to which. At nine tenths it stays straight. */
-static void columns_bend_into_the_elastica(void **state)
+TEST(columns_bend_into_the_elastica)
 {
-    (void)state;
     const double push[4] = {0, 1e-9, 1e-3, 0.1};
     for (int k = 0; k < 4; ++k) {
         Stage stage;
@@ -76,9 +74,8 @@ static void columns_bend_into_the_elastica(void **state)
 }
 
 /* Nothing holds a pinned rod about its axis; it is at rest all the same. */
-static void stiff_columns_converge(void **state)
+TEST(stiff_columns_converge)
 {
-    (void)state;
     Stage stage;
     run(column(40, 50, 0), STABILITY_FOLLOW, &stage);
     check_share(1 - rod_front(&stage, 39).x, 50 * (1 - 0.5 / 40) / 1e7, 1e-6);
@@ -86,9 +83,8 @@ static void stiff_columns_converge(void **state)
 }
 
 /* A follower makes a clamped column flutter at 20.05 EI/L^2 (Beck), which no pivot shows; nothing is followed then. */
-static void followers_flutter(void **state)
+TEST(followers_flutter)
 {
-    (void)state;
     RodFixture f = {.n = 12, .length = 1, .steps = 4, .ea = 1e6, .ga = 1e6, .gj = 100, .ei_y = 100, .ei_z = 100};
     Stage stage;
     rod_hold(&f.rod.end[ROD_TAIL], 0);
@@ -103,9 +99,8 @@ static void followers_flutter(void **state)
 }
 
 /* A flat arch clamped at both ends under a force at its crown snaps through to the other side. */
-static void arches_snap_through(void **state)
+TEST(arches_snap_through)
 {
-    (void)state;
     RodFixture f = {.n = 20, .length = 1, .steps = 10, .ea = 1e6, .ga = 1e6, .gj = 100, .ei_y = 10, .ei_z = 1e3};
     SceneDef def;
     Stage stage;
@@ -148,9 +143,8 @@ static double torque_after(double turns, int steps, double damping, Stage *stage
 }
 
 /* However many turns a load step makes, and whatever damps them. */
-static void turns_are_counted(void **state)
+TEST(turns_are_counted)
 {
-    (void)state;
     const double turns[4] = {10, 1, 300.0 / 360, -0.75};
     const int steps[4] = {10, 1, 1, 1};
     for (int k = 0; k < 4; ++k) {
@@ -162,9 +156,8 @@ static void turns_are_counted(void **state)
 }
 
 /* Twelve turns over 25 segments turn a joint by more than 150 deg: said so. */
-static void a_joint_takes_no_half_turn(void **state)
+TEST(a_joint_takes_no_half_turn)
 {
-    (void)state;
     Stage stage;
     torque_after(11.5, 5, 0, &stage);
     check_above(stage.stability.turned, 0);
@@ -183,9 +176,8 @@ static void forces_of(Stage *stage, double *rate, double *out)
 }
 
 /* K of a rod whose head slides, in a state far from rest, against differences of the forces (RD22). */
-static void blocks_of_a_slide(void **state)
+TEST(blocks_of_a_slide)
 {
-    (void)state;
     enum { N = 3 };
     RodFixture f = column(N, 100, 0);
     SceneDef def;
@@ -216,9 +208,3 @@ static void blocks_of_a_slide(void **state)
     free(none);
     stage_free(&stage);
 }
-
-TEST_FILE(test_stability, cmocka_unit_test(euler_loads_are_of_second_order),
-          cmocka_unit_test(columns_bend_into_the_elastica), cmocka_unit_test(stiff_columns_converge),
-          cmocka_unit_test(followers_flutter), cmocka_unit_test(arches_snap_through),
-          cmocka_unit_test(turns_are_counted), cmocka_unit_test(a_joint_takes_no_half_turn),
-          cmocka_unit_test(blocks_of_a_slide))

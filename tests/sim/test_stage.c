@@ -92,9 +92,8 @@ static void jumps_add(const Look *a, const Look *b, const double *mass, Jumps *o
 }
 
 /* Every event of a run: nothing jumps. The new tail moves like the old one; what the drum loses it has. */
-static void test_events(void **state)
+TEST(test_events)
 {
-    (void)state;
     Stage st;
     hawser_error err = {0};
     Jumps jumps = {0};
@@ -129,9 +128,8 @@ static void test_events(void **state)
 
 /* The step goes on as if nothing had happened: no more steps than without events, and the same force as with an
  * integrator that starts anew at each. */
-static void test_history(void **state)
+TEST(test_history)
 {
-    (void)state;
     double pull[2];
     long steps[2];
     for (int forget = 0; forget < 2; ++forget) {
@@ -216,9 +214,8 @@ static void whole_cable(SceneDef *def)
 static void clamped(SceneDef *def) { def->winch.axial_only = 0; }
 
 /* Payout and take-in, one by one and together, do not change the pull. */
-static void test_on_off(void **state)
+TEST(test_on_off)
 {
-    (void)state;
     static Pulled whole, payout, both;
     ReelChoice choice = PULL;
     Sim *s;
@@ -238,9 +235,8 @@ static void test_on_off(void **state)
 }
 
 /* One thread and two give the same bits, and so do two simulations that take turns. */
-static void test_repeated(void **state)
+TEST(test_repeated)
 {
-    (void)state;
     static Pulled one, two, aside;
     ReelChoice other = PULL;
     other.speed = 0.15;
@@ -266,9 +262,8 @@ static void test_repeated(void **state)
 static size_t memory_used(void) { return mallinfo2().uordblks; }
 
 /* As many come as go: memory does not grow. */
-static void test_memory(void **state)
+TEST(test_memory)
 {
-    (void)state;
     Stage st;
     hawser_error err = {0};
     ReelChoice choice = PULL;
@@ -288,9 +283,8 @@ static void test_memory(void **state)
 }
 
 /* The end of the cable: a free one leaves the drum and nothing holds it any more; a fixed one stops the pull. */
-static void test_end(void **state)
+TEST(test_end)
 {
-    (void)state;
     static Pulled before, after;
     ReelChoice choice = PULL;
     choice.cable = 11.5;
@@ -323,9 +317,8 @@ static void with_table(SceneDef *def)
 }
 
 /* What has slipped in the joints that stay is there after an event as it was before. */
-static void test_slips(void **state)
+TEST(test_slips)
 {
-    (void)state;
     SceneDef def;
     Stage st;
     hawser_error err = {0};
@@ -365,9 +358,8 @@ static void hard_tension(SceneDef *def)
 }
 
 /* A winch of set tension takes rope in, too: the travel goes on without a step and is what it is without. */
-static void test_tension(void **state)
+TEST(test_tension)
 {
-    (void)state;
     double travel[2], force[2];
     for (int taken = 0; taken < 2; ++taken) {
         ReelChoice choice = PULL;
@@ -393,9 +385,8 @@ static void test_tension(void **state)
 }
 
 /* What is not simulated has its place: wound cable within the drum, moving with it; rope taken in at the winch. */
-static void test_absent(void **state)
+TEST(test_absent)
 {
-    (void)state;
     static Pulled p;
     Sim *s = sim_begin(&PULL, 1, NULL);
     sim_go(s, 10, &p);
@@ -422,7 +413,3 @@ static void test_absent(void **state)
     }
     sim_free(s);
 }
-
-TEST_FILE(test_stage, cmocka_unit_test(test_events), cmocka_unit_test(test_history), cmocka_unit_test(test_on_off),
-          cmocka_unit_test(test_repeated), cmocka_unit_test(test_memory), cmocka_unit_test(test_end),
-          cmocka_unit_test(test_absent), cmocka_unit_test(test_slips), cmocka_unit_test(test_tension))

@@ -58,9 +58,8 @@ static void record(Rig *r, double t, double force, double speed)
 }
 
 /* A force that rises evenly, 5 + 2 t, sampled at uneven times: mean 19 and ripple 12 / sqrt(12) from 4 s to 10 s. */
-static void test_means(void **state)
+TEST(test_means)
 {
-    (void)state;
     Rig *const r = rig_new();
     hawser_summary out;
     double t = 0;
@@ -87,9 +86,8 @@ static void test_means(void **state)
 }
 
 /* The tension at a station is read off where the joints lie on the route; where there is no cable there is none. */
-static void test_stations(void **state)
+TEST(test_stations)
 {
-    (void)state;
     Rig *const r = rig_new();
     for (int k = 0; k <= 20; ++k) record(r, 0.5 * k, 10, 0.1);
     const hawser_station *const at = r->stats.station_out;
@@ -103,9 +101,8 @@ static void test_stations(void **state)
 }
 
 /* The time from which on the speed stays within 2 % of the winch's. */
-static void test_settling(void **state)
+TEST(test_settling)
 {
-    (void)state;
     Rig *const r = rig_new();
     hawser_summary out;
     for (int k = 0; k <= 1000; ++k) {
@@ -118,9 +115,8 @@ static void test_settling(void **state)
 }
 
 /* A speed that is still off as the run ends has not settled at its end; a window that was not reached ends nowhere. */
-static void test_stopped(void **state)
+TEST(test_stopped)
 {
-    (void)state;
     Rig *const r = rig_new();
     hawser_summary out;
     for (int k = 0; k <= 20; ++k) record(r, 0.1 * k, 1, 0.15);
@@ -133,9 +129,8 @@ static void test_stopped(void **state)
 }
 
 /* Errors of the stations against both theories, largest and mean; a station without cable does not count. */
-static void test_errors(void **state)
+TEST(test_errors)
 {
-    (void)state;
     Rig *const r = rig_new();
     hawser_summary out;
     for (int k = 0; k <= 20; ++k) record(r, 0.5 * k, 10, 0.1);
@@ -154,9 +149,8 @@ static void test_errors(void **state)
 }
 
 /* Before the steady window there are no means; what a run's last value was is none. */
-static void test_before_the_window(void **state)
+TEST(test_before_the_window)
 {
-    (void)state;
     Rig *const r = rig_new();
     hawser_summary out;
     record(r, 0, 3, 0.1);
@@ -168,6 +162,3 @@ static void test_before_the_window(void **state)
     check_close(out.pull_peak_N, 7, 1e-15);
     rig_free(r);
 }
-
-TEST_FILE(test_stats, cmocka_unit_test(test_means), cmocka_unit_test(test_stations), cmocka_unit_test(test_settling),
-          cmocka_unit_test(test_stopped), cmocka_unit_test(test_errors), cmocka_unit_test(test_before_the_window))

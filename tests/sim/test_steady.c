@@ -29,18 +29,16 @@ static Steadiness rising(double slope, double theory)
 }
 
 /* From the middle of one half, 4 s, to that of the other, 8 s: 4 slope over the mean, 100 + 6 slope. */
-static void a_pull_that_rises(void **state)
+TEST(a_pull_that_rises)
 {
-    (void)state;
     const Steadiness alone = rising(10, NAN), level = rising(0, NAN);
     check_share(steadiness_drift(&alone), 40 / 160.0, 0.01);
     check_close(steadiness_drift(&level), 0, 1e-12);
 }
 
 /* What theory has it rise by is no drift. */
-static void a_pull_that_is_meant_to_rise(void **state)
+TEST(a_pull_that_is_meant_to_rise)
 {
-    (void)state;
     const Steadiness all = rising(10, 10), half = rising(10, 5), only_theory = rising(0, 10);
     check_close(steadiness_drift(&all), 0, 1e-12);
     check_share(steadiness_drift(&half), 20 / 160.0, 0.01);
@@ -59,9 +57,8 @@ static Steadiness rows_of(int n, const double *pull)
     return s;
 }
 
-static void spikes(void **state)
+TEST(spikes)
 {
-    (void)state;
     static const double inside[] = {1, 2, 8, 6, 1}, last[] = {1, 2, 3, 5}, first[] = {4, 1, 2}, low[] = {-3, -1, -2};
     double at;
     const Steadiness a = rows_of(5, inside), b = rows_of(4, last), c = rows_of(3, first), d = rows_of(3, low);
@@ -85,15 +82,11 @@ static void spikes(void **state)
 }
 
 /* The first moments last to the first row behind t = 0. */
-static void jolts(void **state)
+TEST(jolts)
 {
-    (void)state;
     static const double pull[] = {0, 9, 3, 4};
     const Steadiness s = rows_of(4, pull);
     check_close(s.jolt, 9, 0);
     check_close(s.jolt_at, 0.1, 1e-12);
     check_close(s.later, 4, 0);
 }
-
-TEST_FILE(test_steady, cmocka_unit_test(a_pull_that_rises), cmocka_unit_test(a_pull_that_is_meant_to_rise),
-          cmocka_unit_test(spikes), cmocka_unit_test(jolts))

@@ -8,9 +8,8 @@
 static const double T = 0.7, SPEED = 0.13; /* s, m/s */
 
 /* On a circle every point moves with the same speed, and a segment turns by V/R. */
-static void test_field(void **state)
+TEST(test_field)
 {
-    (void)state;
     enum { N = 12 };
     const double turn = 0.02, half = 0.25;
     SceneDef def;
@@ -45,9 +44,8 @@ static void turn_all(const Rig *r, const double *x, double e, double *y)
 }
 
 /* K' x of (PS5), forces alone, against the central difference of m v'. */
-static void test_twin(void **state)
+TEST(test_twin)
 {
-    (void)state;
     SceneDef def;
     fixture_pull(&def, &(FixtureChoice){.soft = 1});
     Rig *const r = rig_make(&def, NULL);
@@ -97,5 +95,3 @@ static void test_twin(void **state)
     free(down);
     rig_free(r);
 }
-
-TEST_FILE(test_steady_motion, cmocka_unit_test(test_field), cmocka_unit_test(test_twin))

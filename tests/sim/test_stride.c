@@ -12,9 +12,8 @@ static Rig *pull(void)
 }
 
 /* The thinnest roller and the thinnest cable, and what is left of the reach; nothing where there is nothing to pass. */
-static void test_way(void **state)
+TEST(test_way)
 {
-    (void)state;
     Rig *const r = pull();
     double thin = INFINITY;
     for (int i = 0; i < r->scene.def.n_cables; ++i) thin = smaller_of(thin, r->scene.def.cables[i].diameter / 2);
@@ -33,9 +32,8 @@ static void test_way(void **state)
 
 /* A wall with ends is passed within its depth and the cable's radius; half of space is not, but candidates must be
  * found in time. */
-static void test_way_of_surfaces(void **state)
+TEST(test_way_of_surfaces)
 {
-    (void)state;
     for (int bounded = 0; bounded < 2; ++bounded) {
         SceneDef def;
         fixture_free_chain(&def, 12);
@@ -56,9 +54,8 @@ static void test_way_of_surfaces(void **state)
 }
 
 /* (N15): the way at a constant speed, from rest, and both. */
-static void test_longest(void **state)
+TEST(test_longest)
 {
-    (void)state;
     check_close(stride_longest(0.1, 2, 0), 0.05, 1e-15);
     check_close(stride_longest(0.1, 0, 9.81), sqrt(0.2 / 9.81), 1e-15);
     const double h = stride_longest(0.1, 2, 9.81);
@@ -67,9 +64,8 @@ static void test_longest(void **state)
 }
 
 /* The largest of all segments, wherever it is, for counts that are no multiple of the lanes. */
-static void test_speed(void **state)
+TEST(test_speed)
 {
-    (void)state;
     Rig *const r = pull();
     const Chain *const chain = &r->scene.chain;
     const int n = r->n;
@@ -83,9 +79,8 @@ static void test_speed(void **state)
     rig_free(r);
 }
 
-static void test_turned(void **state)
+TEST(test_turned)
 {
-    (void)state;
     Rig *const r = pull();
     const int n = r->n;
     dynamics_kinematics(&r->scene, &r->ws, 0, r->y);
@@ -102,6 +97,3 @@ static void test_turned(void **state)
     assert_int_equal(turned(&r->scene, 1, &r->ws.kin), 0); /* a plane has no such limit */
     rig_free(r);
 }
-
-TEST_FILE(test_stride, cmocka_unit_test(test_way), cmocka_unit_test(test_way_of_surfaces),
-          cmocka_unit_test(test_longest), cmocka_unit_test(test_speed), cmocka_unit_test(test_turned))

@@ -20,9 +20,8 @@ static Swings followed(const Scene *of, double h, double until, double mean, dou
 
 /* A method of second order takes pi x^3/4 of a fall f in steps of x/omega, and f x^3/2 is the third difference: where
  * the steps are short the bound is the h that loses a hundredth of the pull, times 0.9; at finer accuracies less. */
-static void a_swing_bounds_steps(void **state)
+TEST(a_swing_bounds_steps)
 {
-    (void)state;
     const double mean = 1000, top = 200, omega = 40;
     for (double share = 1; share > 0.2; share /= 2) {
         Scene of = scene;
@@ -35,9 +34,8 @@ static void a_swing_bounds_steps(void **state)
 }
 
 /* The scene's own longest step stays where nothing swings, or by less than a hundredth, in however few steps. */
-static void ramps_and_ripples_bound_nothing(void **state)
+TEST(ramps_and_ripples_bound_nothing)
 {
-    (void)state;
     for (int n = 1; n < 12; n++) {
         const Swings s = followed(&scene, LONGEST, 5, 1000, 0, 4.9, M_PI / (n * LONGEST) + 0.1);
         check_equal(s.bound, 0);
@@ -47,9 +45,8 @@ static void ramps_and_ripples_bound_nothing(void **state)
 }
 
 /* What jumps from step to step shortens them to a sixteenth at most; what has settled lets them be long again. */
-static void a_bound_has_an_end(void **state)
+TEST(a_bound_has_an_end)
 {
-    (void)state;
     Swings s = {0};
     double t = 0;
     for (int k = 0; k < 50; k++) swings_step(&s, &scene, t += s.bound > 0 ? s.bound : LONGEST, k % 2 ? 500 : 1000);
@@ -60,9 +57,8 @@ static void a_bound_has_an_end(void **state)
 }
 
 /* The last rise: from where it began, and at its steepest; a fall behind it leaves both. */
-static void what_a_rise_was(void **state)
+TEST(what_a_rise_was)
 {
-    (void)state;
     static const double pull[] = {10, 8, 9, 15, 17, 16, 12};
     Swings s = {0};
     for (int k = 0; k < 7; k++) swings_step(&s, &scene, 0.1 * k, pull[k]);
@@ -74,6 +70,3 @@ static void what_a_rise_was(void **state)
     check_close(s.steepest, 10, 1e-9);
     check_close(s.risen_at, 0.6, 1e-12);
 }
-
-TEST_FILE(test_swings, cmocka_unit_test(a_swing_bounds_steps), cmocka_unit_test(ramps_and_ripples_bound_nothing),
-          cmocka_unit_test(a_bound_has_an_end), cmocka_unit_test(what_a_rise_was))

@@ -73,9 +73,8 @@ static double work(Vectors *s)
 }
 
 /* Lengths below, at and above pieces and lanes. */
-static void test_bits(void **state)
+TEST(test_bits)
 {
-    (void)state;
     static Vectors at_once, waiting;
     /* with two threads, also shared by arrays of so many entries and what is behind them */
     const int lengths[] = {1, 7, 512, 519, 4810, LENGTH, LENGTH, LENGTH, LENGTH};
@@ -100,9 +99,8 @@ static void test_bits(void **state)
 }
 
 /* Nothing is done before somebody looks; then everything is, also what the look itself does not need. */
-static void test_waits(void **state)
+TEST(test_waits)
 {
-    (void)state;
     static Vectors s;
     vectors_new(&s, 100, 1, NULL, NULL);
     N_VConst(3, s.v[0]);
@@ -124,9 +122,8 @@ static void test_waits(void **state)
 }
 
 /* The numbers move, with what waits to be done to them; those that are lost are not computed. */
-static void test_take(void **state)
+TEST(test_take)
 {
-    (void)state;
     static Vectors s;
     vectors_new(&s, 100, 1, NULL, NULL);
     const double first = N_VGetArrayPointer(s.v[2])[0];
@@ -146,9 +143,8 @@ static void test_take(void **state)
 }
 
 /* N_VClone gets what is in stock, and what is left of that goes. */
-static void test_stock(void **state)
+TEST(test_stock)
 {
-    (void)state;
     static Vectors s;
     vectors_new(&s, 100, 1, NULL, NULL);
     assert_int_equal(vector_family_stock(s.v[0], 3), 1);
@@ -164,6 +160,3 @@ static void test_stock(void **state)
     N_VDestroy(taken);
     vectors_free(&s);
 }
-
-TEST_FILE(test_vector_queue, cmocka_unit_test(test_take), cmocka_unit_test(test_stock), cmocka_unit_test(test_bits),
-          cmocka_unit_test(test_waits))

@@ -23,9 +23,8 @@ static WinchDef speed_def(void)
 }
 
 /* Without trips the winch is its profile, to the last bit. */
-static void test_profile(void **state)
+TEST(test_profile)
 {
-    (void)state;
     Winch w = {0};
     const WinchDef def = speed_def();
     winch_init(&w, &def);
@@ -70,9 +69,8 @@ static double pull_twice(double t) { return t > 7 && t < 7.2 ? 1500 : t > 12.5 &
 static double pull_always(double t) { return t > 3 ? 2000 : 0; }
 
 /* Trips at full speed, starts again, trips during that, starts again and goes on with its profile. */
-static void test_trip_and_restart(void **state)
+TEST(test_trip_and_restart)
 {
-    (void)state;
     Winch w = {0};
     Happening h[16];
     const WinchDef def = speed_def();
@@ -100,9 +98,8 @@ static void test_trip_and_restart(void **state)
 /* A trip on the way up: the restart comes back to the speed that was reached, and the profile goes on rising from
  * there.
  */
-static void test_trip_on_the_ramp(void **state)
+TEST(test_trip_on_the_ramp)
 {
-    (void)state;
     Winch w = {0};
     WinchDef def = speed_def();
     winch_init(&w, &def);
@@ -117,9 +114,8 @@ static void test_trip_on_the_ramp(void **state)
 }
 
 /* When no restart is left it stays, or ends the run. */
-static void test_trip_for_good(void **state)
+TEST(test_trip_for_good)
 {
-    (void)state;
     for (int ends = 0; ends < 2; ++ends) {
         Winch w = {0};
         Happening h[16];
@@ -142,9 +138,8 @@ static double pull_peaks(double t)
 } /* s: 0.3 of every 1, from 9 on all */
 
 /* With a hold, peaks that are shorter do not count; a longer one does, exactly then. */
-static void test_hold(void **state)
+TEST(test_hold)
 {
-    (void)state;
     Winch w = {0};
     Happening h[16];
     WinchDef def = speed_def();
@@ -169,9 +164,8 @@ static WinchDef tension_def(void)
 }
 
 /* (WI2): full below the band, none from the limit on, falling between; the slope is the curve's. */
-static void test_tension_law(void **state)
+TEST(test_tension_law)
 {
-    (void)state;
     Winch w = {0};
     WinchDef def = tension_def();
     winch_init(&w, &def);
@@ -261,9 +255,8 @@ static void head_nudge(Head *h, int c, double e)
 }
 
 /* (WI6), (WI7) against central differences of (WI4), at work in the band, with the brake on and half on (K3). */
-static void test_blocks(void **state)
+TEST(test_blocks)
 {
-    (void)state;
     double worst = 0, largest = 0;
     for (int trial = 0; trial < 20; ++trial) {
         Head h;
@@ -304,9 +297,8 @@ static void test_blocks(void **state)
 }
 
 /* Along the line and at rest the guide gives nothing, and the pull is what is applied. */
-static void test_on_the_line(void **state)
+TEST(test_on_the_line)
 {
-    (void)state;
     Head h;
     double f[6];
     head_new(&h, 0, 7);
@@ -386,9 +378,8 @@ static double grip_blocks_off(const Scene *scene, Workspace *ws, double *y)
 
 /* (WI1a): an axial grip pulls along its line with no moment, whatever way the head has turned, rolled and moved aside;
  * halfway between ghost and segment it pulled with half of the turn, and to the other side beyond half a roll. */
-static void test_axial_grip(void **state)
+TEST(test_axial_grip)
 {
-    (void)state;
     static const double roll[] = {0, 1, 3.1, M_PI, 3.2, 5};
     SceneDef def;
     Scene scene;
@@ -423,8 +414,3 @@ static void test_axial_grip(void **state)
     workspace_free(&ws);
     scene_clear(&scene);
 }
-
-TEST_FILE(test_winch, cmocka_unit_test(test_axial_grip), cmocka_unit_test(test_profile),
-          cmocka_unit_test(test_trip_and_restart), cmocka_unit_test(test_trip_on_the_ramp),
-          cmocka_unit_test(test_trip_for_good), cmocka_unit_test(test_hold), cmocka_unit_test(test_tension_law),
-          cmocka_unit_test(test_blocks), cmocka_unit_test(test_on_the_line))

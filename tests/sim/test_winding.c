@@ -6,9 +6,8 @@
 static const Winding DRUM = {.barrel = 0.6, .pitch = 0.08, .turns = 6, .line_mass = 12, .inertia = 40};
 
 /* What fits is counted in whole turns and whole layers. */
-static void test_capacity(void **state)
+TEST(test_capacity)
 {
-    (void)state;
     check_between(winding_turns(0.5, 0.08), 5.5, 6.5);
     check_above(winding_turns(0.48, 0.08), 5.5);
     check_below(winding_turns(0.07, 0.08), 0.5);
@@ -19,9 +18,8 @@ static void test_capacity(void **state)
 }
 
 /* The radius is that of the layers, rises over their first turns without a jump, and its slope is its slope. */
-static void test_radius(void **state)
+TEST(test_radius)
 {
-    (void)state;
     const double first = winding_capacity(&DRUM, 0.68), h = 1e-6;
     check_close(winding_radius(&DRUM, 0, NULL), 0.64, 1e-15);
     check_close(winding_radius(&DRUM, first - 1e-9, NULL), 0.64, 1e-12);
@@ -36,9 +34,8 @@ static void test_radius(void **state)
 }
 
 /* What an iteration tries in vain may lie anywhere: a radius all the same. */
-static void test_absurd(void **state)
+TEST(test_absurd)
 {
-    (void)state;
     const double absurd[] = {1e20, 1e70, 1e308, INFINITY, -1e70, NAN};
     for (size_t k = 0; k < sizeof absurd / sizeof *absurd; ++k) {
         const double r = winding_radius(&DRUM, absurd[k], NULL);
@@ -47,9 +44,8 @@ static void test_absurd(void **state)
 }
 
 /* Inertia and angle are the integrals of m r^2 and 1/r. */
-static void test_integrals(void **state)
+TEST(test_integrals)
 {
-    (void)state;
     const double dw = 1e-4;
     double inertia = DRUM.inertia, angle = 0, w = 0;
     for (int k = 0; k < 800000; ++k, w += dw) {
@@ -64,6 +60,3 @@ static void test_integrals(void **state)
     }
     check_close(winding_inertia(&DRUM, 0), 40, 1e-12);
 }
-
-TEST_FILE(test_winding, cmocka_unit_test(test_capacity), cmocka_unit_test(test_radius), cmocka_unit_test(test_absurd),
-          cmocka_unit_test(test_integrals))

@@ -31,9 +31,8 @@ static void numbered_chain(Chain *c)
 
 /* Segments first .. first + n - 1 with their joints; the tail's joint is free, the head's and what lies beyond are
  * those of the whole chain. */
-static void test_chain(void **state)
+TEST(test_chain)
 {
-    (void)state;
     Chain whole, window;
     numbered_chain(&whole);
     for (int first = 0; first < WHOLE; first += 3) {
@@ -67,9 +66,8 @@ static void test_chain(void **state)
 
 /* 13 arrays of n and a tail of other numbers: what stays is copied, the new row is a copy of the tail's, scaled, and
  * shifted in the state only. */
-static void test_map(void **state)
+TEST(test_map)
 {
-    (void)state;
     enum { N = 5, EXTRA = 4 };
     double from[STATE_SIZE * N + EXTRA], to[STATE_SIZE * (N + 1) + EXTRA];
     for (int k = 0; k < STATE_SIZE * N + EXTRA; ++k) from[k] = 1 + k;
@@ -105,9 +103,8 @@ static void double_first(const void *user, N_Vector which, const double *from, d
 }
 
 /* All clones of a vector, and their clones, change their length; those that are gone are forgotten. */
-static void test_family(void **state)
+TEST(test_family)
 {
-    (void)state;
     SUNContext context;
     VectorFamily family = {0};
     double data[3] = {1, 2, 3}, longer[5] = {9, 8, 7, 6, 5};
@@ -133,5 +130,3 @@ static void test_family(void **state)
     vector_family_clear(&family);
     SUNContext_Free(&context);
 }
-
-TEST_FILE(test_window, cmocka_unit_test(test_chain), cmocka_unit_test(test_map), cmocka_unit_test(test_family))

@@ -106,9 +106,8 @@ static void clear(Study *s, Rows *rows, Findings *f)
 }
 
 /* 40 logs: each interval of friction and back tension has the truth inside as often as 95 % may miss. */
-static void intervals_cover(void **state)
+TEST(intervals_cover)
 {
-    (void)state;
     static const char *const set[][2] = {{"friction.mu", "0.17"}, {"drive.tail.tension", "6.2 kN"}};
     const Truth t = truth_of(set, 2);
     int inside[2] = {0};
@@ -135,9 +134,8 @@ static void intervals_cover(void **state)
 }
 
 /* Friction on two stretches, each its own, and what it takes to break away. */
-static void stretches_and_dry_start(void **state)
+TEST(stretches_and_dry_start)
 {
-    (void)state;
     static const char *const set[][2] = {
         {"theory.stretches", "[{from: 0 m, to: 30 m, mu: 0.12, mu_s: 0.21}, {from: 30 m, to: 58.5 m, mu: 0.2}]"}};
     const Truth t = truth_of(set, 1);
@@ -163,9 +161,8 @@ static void stretches_and_dry_start(void **state)
 
 /* The drag of the rope adds the same force everywhere as... nothing else does quite; rope weight and its friction are
  * one product. */
-static void not_told_apart(void **state)
+TEST(not_told_apart)
 {
-    (void)state;
     static const char *const set[][2] = {{"theory.rope_mass", "6 kg/m"}, {"theory.rope_mu", "0.3"}};
     const Truth t = truth_of(set, 2);
     Study *s;
@@ -187,9 +184,8 @@ static void not_told_apart(void **state)
 }
 
 /* Twice the same, by one worker or four, whole or from the samples of a start before. */
-static void goes_on(void **state)
+TEST(goes_on)
 {
-    (void)state;
     static const char *const set[][2] = {{"friction.mu", "0.17"}};
     const Truth t = truth_of(set, 1);
     const char *const text = "case: " CASE "\nparameters: {friction.mu: {range: {from: 0.05, to: 0.5}}}\n"
@@ -292,9 +288,8 @@ static Findings fit_hill(const char *fidelity, Study **s, Rows *rows)
 
 /* Logs that a run has made, with noise, drop-outs and a rest, give friction and mass back within their intervals, as
  * often as 95 % may miss; and to the same from where theory's fit has ended. */
-static void runs_give_them_back(void **state)
+TEST(runs_give_them_back)
 {
-    (void)state;
     const Truth t = run_truth(HILL, "0.23", "21 kg/m");
     int inside[2] = {0};
     Study *s;
@@ -323,9 +318,8 @@ static void runs_give_them_back(void **state)
 }
 
 /* Friction and back tension on a level: one makes up for the other. And a run that does not come as far as the log. */
-static void runs_cannot_tell(void **state)
+TEST(runs_cannot_tell)
 {
-    (void)state;
     const Truth t = run_truth(LEVEL, "0.23", "21 kg/m");
     Study *s;
     Rows rows;
@@ -350,9 +344,8 @@ static void runs_cannot_tell(void **state)
     clear(s, &rows, &f);
 }
 
-static void refused(void **state)
+TEST(refused)
 {
-    (void)state;
     static const char *const wrong[][2] = {
         {"calibrate: {log: nowhere.csv}\n", "nowhere.csv"},
         {"fidelity: run\ncalibrate: {log: pull.csv, starts: true}\n", "a run does not rest where the log does"},
@@ -371,9 +364,8 @@ static void refused(void **state)
 }
 
 /* A length that is wrong once is no place: the parts are those of the others. */
-static void wrong_length(void **state)
+TEST(wrong_length)
 {
-    (void)state;
     static const char *const set[][2] = {{"friction.mu", "0.17"}};
     const Truth t = truth_of(set, 1);
     FILE *const f = fopen(scratch_path("pull.csv"), "w");
@@ -397,7 +389,4 @@ static void wrong_length(void **state)
     clear(s, &rows, &found);
 }
 
-TEST_FILE_IN(test_calibrate, scratch_make, scratch_remove, cmocka_unit_test(intervals_cover),
-             cmocka_unit_test(stretches_and_dry_start), cmocka_unit_test(not_told_apart), cmocka_unit_test(goes_on),
-             cmocka_unit_test(wrong_length), cmocka_unit_test(runs_give_them_back), cmocka_unit_test(runs_cannot_tell),
-             cmocka_unit_test(refused))
+TEST_GROUP(scratch_make, scratch_remove)

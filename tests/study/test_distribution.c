@@ -7,9 +7,8 @@
 
 /* The quantile inverts the share to rounding, in both tails and far out. Values to 16 digits: M. J. Wichura's AS 241
  * gives the first two as its checks. */
-static void normal(void **state)
+TEST(normal)
 {
-    (void)state;
     check_close(normal_quantile(0.25), -0.6744897501960817, 1e-15);
     check_close(normal_quantile(1e-3), -3.090232306167814, 1e-14);
     check_share(normal_quantile(1e-20), -9.262340089798408, 1e-14);
@@ -23,9 +22,8 @@ static void normal(void **state)
 }
 
 /* The share below distribution_quantile(u) is u, by each law's own formula. */
-static void laws(void **state)
+TEST(laws)
 {
-    (void)state;
     const Distribution uniform = {.kind = LAW_UNIFORM, .a = 2, .b = 6};
     const Distribution triangle = {.kind = LAW_TRIANGULAR, .a = 1, .b = 5, .c = 2};
     const Distribution lognormal = {.kind = LAW_LOGNORMAL, .a = 3, .b = 1.5, .low = -INFINITY, .high = INFINITY};
@@ -45,9 +43,8 @@ static void laws(void **state)
     check_close(distribution_quantile(&lognormal, 0.5), 3, 1e-14);
 }
 
-static void choices(void **state)
+TEST(choices)
 {
-    (void)state;
     const double weight[] = {1, 0, 2, 1};
     const Distribution d = {.kind = LAW_DISCRETE, .n = 4, .weight = weight};
     int seen[4] = {0};
@@ -57,9 +54,8 @@ static void choices(void **state)
 
 /* Normal scores have the correlations that were asked for, ranks those that follow, 6/pi asin(r/2); margins stay
  * uniform. */
-static void copula(void **state)
+TEST(copula)
 {
-    (void)state;
     enum { N = 1 << 14 };
     const double r[9] = {1, 0.8, -0.3, 0.8, 1, 0.1, -0.3, 0.1, 1};
     double l[9], scores[9] = {0}, ranks[9] = {0}, mean[3] = {0};
@@ -85,9 +81,8 @@ static void copula(void **state)
 
 /* Wilson's interval: figures of R. G. Newcombe, "Two-sided confidence intervals for the single proportion", Statist.
  * Med. 17 (1998), table I: 81 of 263, 15 of 148, 0 of 20, 1 of 29. */
-static void shares(void **state)
+TEST(shares)
 {
-    (void)state;
     const long row[4][2] = {{81, 263}, {15, 148}, {0, 20}, {1, 29}};
     const double expected[4][2] = {{0.2553, 0.3662}, {0.0624, 0.1605}, {0, 0.1611}, {0.0061, 0.1718}};
     for (int k = 0; k < 4; k++) {
@@ -101,9 +96,8 @@ static void shares(void **state)
 
 /* Of 1000 studies with 100 samples each as many contain the truth as the binomial distribution says of this interval:
  * 97.2 %, within three standard deviations. */
-static void coverage(void **state)
+TEST(coverage)
 {
-    (void)state;
     int inside = 0;
     for (uint64_t study = 0; study < 1000; study++) {
         long hits = 0;
@@ -114,9 +108,8 @@ static void coverage(void **state)
     check_close(inside, 972, 16);
 }
 
-static void spreads(void **state)
+TEST(spreads)
 {
-    (void)state;
     double x[7] = {4, NAN, 1, 3, INFINITY, 2, 5};
     const Spread s = spread_of(7, x);
     check_equal(s.n, 5);
@@ -129,6 +122,3 @@ static void spreads(void **state)
     check_nan(quantile_of_sorted(0, x, 0.5));
     check_nan(spread_of(1, x).sd);
 }
-
-TEST_FILE(test_distribution, cmocka_unit_test(normal), cmocka_unit_test(laws), cmocka_unit_test(choices),
-          cmocka_unit_test(copula), cmocka_unit_test(shares), cmocka_unit_test(coverage), cmocka_unit_test(spreads))

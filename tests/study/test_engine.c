@@ -21,9 +21,8 @@ static const char runs[] = "fidelity: run\n"
                            "grid: [friction.mu, run.duration]\n"
                            "quantities: [pull_force.peak_N, steps, limits.winch.margin, relaxation.reached]\n";
 
-static void workers_alike(void **state)
+TEST(workers_alike)
 {
-    (void)state;
     const char *const lines[] = {drawn, runs};
     for (int k = 0; k < 2; k++) {
         char one[20], two[20], four[20];
@@ -61,9 +60,8 @@ static void pause_ms(double ms)
 
 /* The whole study is killed at twenty moments from its start to its end, and goes on each time. In the end every row is
  * there once, and all is as if nothing had been. */
-static void killed_and_resumed(void **state)
+TEST(killed_and_resumed)
 {
-    (void)state;
     study_compute(drawn, "whole", 2);
     hawser_study *const s = study_open(scratch_path("study.yaml"));
     const hawser_study_options options = {.jobs = 2};
@@ -86,9 +84,8 @@ static void killed_and_resumed(void **state)
 }
 
 /* A row that is cut off in its middle, and one with a wrong bit, are computed again; rows before stay. */
-static void damaged_files(void **state)
+TEST(damaged_files)
 {
-    (void)state;
     study_compute(drawn, "sound", 1);
     study_compute(drawn, "hurt", 1);
     char path[200];
@@ -111,9 +108,8 @@ static void damaged_files(void **state)
 }
 
 /* More samples of the same study use those that are there; another study, or another base case, is refused. */
-static void longer_and_other(void **state)
+TEST(longer_and_other)
 {
-    (void)state;
     char lines[1000];
     study_compute(drawn, "longer", 2);
     const long before = bytes_in("longer");
@@ -163,9 +159,8 @@ static void expect_changed(const char *dir, const char *name, const char *to, co
 
 /* Files that a variant alone reads: a route, and the catalogue of an entry that the base does not take, also by way of
  * another file. */
-static void files_of_variants(void **state)
+TEST(files_of_variants)
 {
-    (void)state;
     static const char *const cable = "{d: 90 mm, mass: %d kg/m, EA: 50 MN, GA: 20 MN, GJ: 8 kN m2, EI: 6 kN m2}";
     static const char *const rest = "drive: {winch: {speed: 6 m/min, to: 1 s}, tail: {tension: 2 kN}}\n"
                                     "run: {duration: 3 s}\nfriction: {mu: 0.2}\n";
@@ -194,9 +189,8 @@ static void files_of_variants(void **state)
 }
 
 /* A list among the files of the workers is not written over. */
-static void what_is_read_stays(void **state)
+TEST(what_is_read_stays)
 {
-    (void)state;
     static const char list[] = "friction.mu\n0.2\n0.3\n";
     hawser_error err;
     const hawser_study_options options = {.jobs = 1};
@@ -210,9 +204,8 @@ static void what_is_read_stays(void **state)
 }
 
 /* What cannot be a case, what takes too long: rows with a reason, and the others are as ever. */
-static void rows_with_reasons(void **state)
+TEST(rows_with_reasons)
 {
-    (void)state;
     scratch_write("list.csv", "friction.mu,run.duration\n0.2,300 ms\n-1,300 ms\n0.2,100000 s\n0.3,300 ms\n");
     study_compute("fidelity: run\nlist: {file: list.csv}\ntime_limit: 1 s\n", "slow", 2);
     Study *s;
@@ -235,9 +228,8 @@ static void rows_with_reasons(void **state)
 
 /* Nearly two hundred thousand segments do not go into 400 MiB; ten do. Sanitizers take more than that for themselves.
  */
-static void too_much_memory(void **state)
+TEST(too_much_memory)
 {
-    (void)state;
 #ifndef __SANITIZE_ADDRESS__
     scratch_write("list.csv", "chain.0.segment,run.duration\n500 mm,300 ms\n0.06 mm,300 ms\n");
     study_compute("fidelity: run\nlist: {file: list.csv}\nmemory: 400\n", "memory", 1);
@@ -266,9 +258,8 @@ static int end_a_worker(void *user, const hawser_study_state *now)
 }
 
 /* Workers that die take at most one sample each along. */
-static void workers_that_die(void **state)
+TEST(workers_that_die)
 {
-    (void)state;
     char lines[2000];
     int ended = 0;
     hawser_error err;
@@ -300,9 +291,8 @@ static int stop_at_once(void *user, const hawser_study_state *now)
     *(hawser_study_state *)user = *now;
     return 1;
 }
-static void stopped(void **state)
+TEST(stopped)
 {
-    (void)state;
     hawser_study_state now = {0};
     hawser_error err;
     char lines[1000];
@@ -390,9 +380,8 @@ static hawser_status on_ranks(hawser_study *s, const char *dir, int others[RANKS
 }
 
 /* The same bytes as by one worker, at once and after half of it was there; who has no folder tells all. */
-static void ranks_alike(void **state)
+TEST(ranks_alike)
 {
-    (void)state;
     static const char half[] = "parameters:\n"
                                "  friction.mu: {uniform: {from: 0.1, to: 0.4}}\n"
                                "  drive.tail.tension: {normal: {mean: 200 N, sd: 50 N}}\n"
@@ -414,8 +403,4 @@ static void ranks_alike(void **state)
     hawser_study_free(s);
 }
 
-TEST_FILE_IN(test_engine, scratch_make, scratch_remove, cmocka_unit_test(workers_alike),
-             cmocka_unit_test(killed_and_resumed), cmocka_unit_test(damaged_files), cmocka_unit_test(longer_and_other),
-             cmocka_unit_test(files_of_variants), cmocka_unit_test(rows_with_reasons),
-             cmocka_unit_test(what_is_read_stays), cmocka_unit_test(too_much_memory),
-             cmocka_unit_test(workers_that_die), cmocka_unit_test(stopped), cmocka_unit_test(ranks_alike))
+TEST_GROUP(scratch_make, scratch_remove)

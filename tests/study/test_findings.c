@@ -38,9 +38,8 @@ static double total_of_paper(const char *mu)
 
 /* Eq. 10 is a straight line in the friction coefficient: its quantiles are those of the coefficient, and the
  * probability of more than any force follows. 512 Sobol points find both to about 1/512 of the range. */
-static void eq_10_is_exact(void **state)
+TEST(eq_10_is_exact)
 {
-    (void)state;
     const double at_1 = total_of_paper("0.1"), at_3 = total_of_paper("0.3"), slope = (at_3 - at_1) / 0.2;
     check_share(total_of_paper("0.2"), (at_1 + at_3) / 2, 1e-9);
     scratch_write("study.yaml", "case: " HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml\n"
@@ -68,9 +67,8 @@ static void eq_10_is_exact(void **state)
 
 /* On a level row the pull is W L mu: with a winch for 600 N of 10 m of 20 kg/m it is not safe above mu = 600/1961.33.
  */
-static void probability_of_a_limit(void **state)
+TEST(probability_of_a_limit)
 {
-    (void)state;
     study_compute("parameters: {friction.mu: {uniform: {from: 0.1, to: 0.4}}}\n"
                   "monte-carlo: {samples: 512}\nquantities: [reference_total_N]\n",
                   "limit", 2);
@@ -114,9 +112,8 @@ static void probability_of_a_limit(void **state)
 /* Runs are made where theory is within a tenth of the limit, and nowhere else; their verdict counts. */
 /* Where some limits cannot be judged, samples that break none of the others are no answer by themselves, but without
  * them all that is judged would be broken: the share is of both, and a least one. */
-static void limits_that_are_not_judged(void **state)
+TEST(limits_that_are_not_judged)
 {
-    (void)state;
     static const char text[] = "case: " HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml\n"
                                "set: {limits: \"{winch_capacity: 15 kN}\"}\n"
                                "parameters: {friction.mu: {uniform: {from: 0.1, to: 0.3}}}\n"
@@ -145,9 +142,8 @@ static void limits_that_are_not_judged(void **state)
 
 /* A sample near the winch's limit is not safe where nothing is known of the pull: no limit of that was given; nor where
  * friction at rest and back tension are assumed, which those farther from the limit are not called safe with either. */
-static void close_to_a_limit_and_not_judged(void **state)
+TEST(close_to_a_limit_and_not_judged)
 {
-    (void)state;
     static const char text[] = "case: " HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml\n"
                                "fidelity: run\n"
                                "set: {limits.winch_capacity: 300 N, chain.0.segment: 250 mm, "
@@ -175,9 +171,8 @@ static void close_to_a_limit_and_not_judged(void **state)
     }
 }
 
-static void theory_and_runs(void **state)
+TEST(theory_and_runs)
 {
-    (void)state;
     study_compute("fidelity: both\nclose: 0.1\n"
                   "parameters: {friction.mu: {values: [0.1, 0.145, 0.15, 0.16, 0.3]}}\ngrid: [friction.mu]\n"
                   "quantities: {theory: [reference_total_N], run: [pull_force.peak_N]}\n",
@@ -215,9 +210,8 @@ static void theory_and_runs(void **state)
 
 /* A pull in proportion to friction, uniform from 0.1 to 0.4, with a parameter that does nothing: the tenths lie at
  * 0.115 and 0.385, ten parts at 0.115, 0.145 ...; the page shows it. */
-static void tornado_and_responses(void **state)
+TEST(tornado_and_responses)
 {
-    (void)state;
     study_compute("parameters:\n"
                   "  cables.power.EI: {uniform: {from: 5 kN m2, to: 20 kN m2}}\n"
                   "  friction.mu: {uniform: {from: 0.1, to: 0.4}}\n"
@@ -252,9 +246,8 @@ static void tornado_and_responses(void **state)
 }
 
 /* Pilots find the band themselves: the verdicts are those of a study that runs everything, by fewer runs. */
-static void pilots_find_the_band(void **state)
+TEST(pilots_find_the_band)
 {
-    (void)state;
     static const char lines[] = "case: " HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml\n"
                                 "set: {route.pieces.row.straight: 12.2 m, run.duration: 3 s, run.steady_from: 2 s, "
                                 "limits.winch_capacity: 600 N, limits.alpha: 2, limits.conductor: \"{material: copper, "
@@ -305,9 +298,8 @@ static void pilots_find_the_band(void **state)
 
 /* Parameters of a few values: those that share one share their rank and their mean, so that one that does nothing has a
  * swing and a correlation of none, in whatever order its samples come. */
-static void ties_in_a_grid(void **state)
+TEST(ties_in_a_grid)
 {
-    (void)state;
     study_compute("parameters:\n"
                   "  friction.mu: {values: [0.1, 0.2, 0.3, 0.4]}\n"
                   "  cables.power.EI: {values: [5 kN m2, 10 kN m2]}\n"
@@ -328,9 +320,8 @@ static void ties_in_a_grid(void **state)
 }
 
 /* The pull W mu with independent factors: variances of a product. mass 18..22, mu 0.1..0.3; the third does nothing. */
-static void indices_of_a_pull(void **state)
+TEST(indices_of_a_pull)
 {
-    (void)state;
     study_compute("parameters:\n"
                   "  friction.mu: {uniform: {from: 0.1, to: 0.3}}\n"
                   "  cables.power.mass: {uniform: {from: 18 kg/m, to: 22 kg/m}}\n"
@@ -351,8 +342,4 @@ static void indices_of_a_pull(void **state)
     clear(s, &rows, &f);
 }
 
-TEST_FILE_IN(test_findings, scratch_make, scratch_remove, cmocka_unit_test(eq_10_is_exact),
-             cmocka_unit_test(probability_of_a_limit), cmocka_unit_test(limits_that_are_not_judged),
-             cmocka_unit_test(close_to_a_limit_and_not_judged), cmocka_unit_test(theory_and_runs),
-             cmocka_unit_test(pilots_find_the_band), cmocka_unit_test(tornado_and_responses),
-             cmocka_unit_test(ties_in_a_grid), cmocka_unit_test(indices_of_a_pull))
+TEST_GROUP(scratch_make, scratch_remove)

@@ -38,9 +38,8 @@ static double curve(double t, const double *x) { return x[0] * exp(x[1] * t) + x
 static double twins(double t, const double *x) { return x[0] + x[1] + x[2] * t; }
 
 /* The normal equations of a line, and the textbook's errors of its two numbers. */
-static void straight_line(void **state)
+TEST(straight_line)
 {
-    (void)state;
     Data d;
     FitResult f;
     const double from[] = {-5, -5}, to[] = {5, 5}, start[] = {4, -4};
@@ -68,9 +67,8 @@ static void straight_line(void **state)
 }
 
 /* Of 200 sets of data with noise 95 % have the truth inside, of each of three numbers: within what chance allows. */
-static void intervals_cover(void **state)
+TEST(intervals_cover)
 {
-    (void)state;
     const double x[] = {2, 1.2, 0.5}, from[] = {0, -3, -3}, to[] = {6, 3, 3}, start[] = {1, 0.1, 0};
     const FitPlan plan = {3, M, from, to, start, 2000, 1e-3, 1e-7};
     int inside[3] = {0};
@@ -86,9 +84,8 @@ static void intervals_cover(void **state)
 }
 
 /* The best slope lies beyond its bound: it stays there, and the other number is the best beside it. */
-static void bounds_hold(void **state)
+TEST(bounds_hold)
 {
-    (void)state;
     Data d;
     FitResult f;
     const double from[] = {-5, -5}, to[] = {5, 1.5}, start[] = {0, 0};
@@ -104,9 +101,8 @@ static void bounds_hold(void **state)
 }
 
 /* Two numbers of which only the sum shows. */
-static void not_told_apart(void **state)
+TEST(not_told_apart)
 {
-    (void)state;
     Data d;
     FitResult f;
     const double from[] = {-5, -5, -5}, to[] = {5, 5, 5}, start[] = {0, 1, 0};
@@ -121,15 +117,11 @@ static void not_told_apart(void **state)
     check_at_most(f.half[2], 0.2);
 }
 
-static void quantiles(void **state)
+TEST(quantiles)
 {
-    (void)state;
     check_close(student_95(1), 12.706, 1e-3);
     check_share(student_95(3), 3.18245, 1e-5);
     check_share(student_95(6), 2.44691, 6e-4);
     check_share(student_95(10), 2.22814, 1e-4);
     check_share(student_95(100), 1.98397, 1e-5);
 }
-
-TEST_FILE(test_least_squares, cmocka_unit_test(straight_line), cmocka_unit_test(intervals_cover),
-          cmocka_unit_test(bounds_hold), cmocka_unit_test(not_told_apart), cmocka_unit_test(quantiles))

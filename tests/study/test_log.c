@@ -6,9 +6,8 @@
 #include "tests/study/log_fixture.h"
 
 /* The same reading in many hands: 12 500 N at 90 s and 9.5 m. */
-static void heads_and_units(void **state)
+TEST(heads_and_units)
 {
-    (void)state;
     static const char *const files[] = {
         "time [s],pull [kN],length [m]\n90,12.5,9.5\n",
         "time_s,winch_force_N,winch_travel_m\n90,12500,9.5\n",
@@ -42,9 +41,8 @@ static void heads_and_units(void **state)
 
 /* Of two fields the first has hours, and that is said, unless the head or a fraction says otherwise; minutes go on past
  * the hour. */
-static void two_fields(void **state)
+TEST(two_fields)
 {
-    (void)state;
     PullLog log = log_of("time,pull [N]\n00:05,1\n1:06,2\n");
     check_close(log.time[1], 3960, 1e-9);
     assert_string_equal(log.note[0],
@@ -64,9 +62,8 @@ static void two_fields(void **state)
 }
 
 /* A clock of twelve hours: noon and midnight are both 12. */
-static void halves_of_the_day(void **state)
+TEST(halves_of_the_day)
 {
-    (void)state;
     PullLog log =
         log_of("time,pull [N]\n12:59:00 AM,1\n01:05:00 am,2\n11:59:59 a.m.,3\n12:00:30 PM,4\n1:05:00.5 p.m.,5\n"
                "13:05 PM,6\n");
@@ -77,9 +74,8 @@ static void halves_of_the_day(void **state)
     log_free(&log);
 }
 
-static void refused(void **state)
+TEST(refused)
 {
-    (void)state;
     static const char *const files[][2] = {
         {"a,b\n1,2\n", "no row names a force and a time or a length"},
         {"time,pull\n1,2\n", "log.csv:1: column 'pull' has no unit: write it"},
@@ -105,9 +101,8 @@ static void refused(void **state)
 }
 
 /* 1 Hz at 6 m/min: a rest of 20 s that ends with 8 kN, three readings without force, a spike, one that is none. */
-static void what_counts(void **state)
+TEST(what_counts)
 {
-    (void)state;
     char text[20000];
     size_t n = (size_t)snprintf(text, sizeof text, "time [s],pull [kN],length [m]\n");
     double length = 0;
@@ -138,9 +133,8 @@ static void what_counts(void **state)
 }
 
 /* A counter of lengths that is set back while the cable rests: what stood before is farther than what comes. */
-static void counter_set_back(void **state)
+TEST(counter_set_back)
 {
-    (void)state;
     char text[8000];
     size_t n = (size_t)snprintf(text, sizeof text, "time [s],pull [kN],length [m],speed [m/min]\n");
     for (int t = 0; t < 160; t++) {
@@ -162,9 +156,8 @@ static void counter_set_back(void **state)
 }
 
 /* A log without lengths gets them from its speed, or from the winch's; the rest does not lengthen it. */
-static void lengths_by_speed(void **state)
+TEST(lengths_by_speed)
 {
-    (void)state;
     char text[8000], plain[8000];
     size_t n = (size_t)snprintf(text, sizeof text, "time [s],pull [kN],speed [m/min]\n"),
            m = (size_t)snprintf(plain, sizeof plain, "time [s],pull [kN]\n");
@@ -185,9 +178,8 @@ static void lengths_by_speed(void **state)
 }
 
 /* A results folder with a run of a straight line, and a log that is 4 % above it. */
-static void agreement(void **state)
+TEST(agreement)
 {
-    (void)state;
     char rows[20000], log[20000], *text;
     hawser_error err;
     size_t n = (size_t)snprintf(rows, sizeof rows,
@@ -228,9 +220,8 @@ static void agreement(void **state)
 }
 
 /* Times are laid from the last reading at rest, in the log as in the run, whatever a start takes. */
-static void aligned_at_the_start(void **state)
+TEST(aligned_at_the_start)
 {
-    (void)state;
     char rows[20000], log[20000], *text;
     hawser_error err;
     size_t n = (size_t)snprintf(rows, sizeof rows, "time_s,winch_force_N,winch_speed_m_per_s,winch_travel_m\n"),
@@ -251,7 +242,4 @@ static void aligned_at_the_start(void **state)
     hawser_text_free(text);
 }
 
-TEST_FILE_IN(test_log, scratch_make, scratch_remove, cmocka_unit_test(heads_and_units), cmocka_unit_test(refused),
-             cmocka_unit_test(two_fields), cmocka_unit_test(halves_of_the_day), cmocka_unit_test(what_counts),
-             cmocka_unit_test(lengths_by_speed), cmocka_unit_test(counter_set_back), cmocka_unit_test(agreement),
-             cmocka_unit_test(aligned_at_the_start))
+TEST_GROUP(scratch_make, scratch_remove)

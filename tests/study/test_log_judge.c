@@ -17,9 +17,8 @@ static void begin(const char *head) { at = (size_t)snprintf(text, sizeof text, "
 
 /* 10 Hz at 0.1 m/s, a rest from 20 s to 40 s, behind it 9 kN that fall to 5 kN with a time of 0.1 s; spikes of 20 kN,
  * 30 readings and 20 s behind that. */
-static void peaks_and_spikes(void **state)
+TEST(peaks_and_spikes)
 {
-    (void)state;
     begin("time [s],pull [kN],length [m]");
     for (int i = 0; i < 800; i++) {
         const double t = 0.1 * i;
@@ -42,9 +41,8 @@ static void peaks_and_spikes(void **state)
 }
 
 /* 10 Hz with stamps of whole seconds, from 0.3 s on: no reading is lost, and each is where it was taken. */
-static void stamps_of_seconds(void **state)
+TEST(stamps_of_seconds)
 {
-    (void)state;
     begin("time,pull [kN],speed [m/min]");
     for (int i = 3; i < 600; i++) ROW("10:%02d:%02d,5,6\n", i / 600, i / 10 % 60);
     PullLog log = log_judged(text, NAN, 0);
@@ -65,9 +63,8 @@ static void stamps_of_seconds(void **state)
 
 /* One time that is far ahead or behind leaves all others; of two courses the longer one stays; what is lost is said
  * first. */
-static void times_astray(void **state)
+TEST(times_astray)
 {
-    (void)state;
     begin("time [s],pull [kN],length [m]");
     for (int i = 0; i < 100; i++) ROW("%d,5,%.1f\n", i == 20 ? 99999 : i == 60 || i == 61 ? 3 : i, 0.1 * i);
     PullLog log = log_judged(text, NAN, 0);
@@ -88,9 +85,8 @@ static void times_astray(void **state)
 }
 
 /* A single wrong length or speed is none; counters that are set back are said; what runs down is refused. */
-static void wrong_once(void **state)
+TEST(wrong_once)
 {
-    (void)state;
     begin("time [s],pull [kN],length [m]");
     for (int i = 0; i < 200; i++) ROW("%d,5,%.1f\n", i, 0.1 * i + (i == 77 ? 30 : 0));
     PullLog log = log_judged(text, NAN, 0);
@@ -127,9 +123,8 @@ static void wrong_once(void **state)
 }
 
 /* 20 Hz and a counter of 0.1 m at 0.1 m/s: motion is motion, a rest a rest; its start keeps its peak. */
-static void coarse_counter(void **state)
+TEST(coarse_counter)
 {
-    (void)state;
     begin("time [s],pull [kN],length [m]");
     for (int i = 0; i < 4000; i++) {
         const double t = 0.05 * i, way = 0.1 * (t < 80 ? t : t < 120 ? 80 : t - 40);
@@ -146,9 +141,8 @@ static void coarse_counter(void **state)
 
 /* By force alone: a low force that rises steadily is a pull from its first reading on, one that does not a rest; either
  * is said. Gaps over which a length is reckoned are said first. */
-static void force_alone(void **state)
+TEST(force_alone)
 {
-    (void)state;
     begin("time [s],pull [kN]");
     for (int i = 0; i < 300; i++) ROW("%d,%.3f\n", i, 0.02 * i + 0.01 * (i % 3));
     PullLog log = log_judged(text, 0.1, 1);
@@ -175,9 +169,8 @@ static void force_alone(void **state)
 
 /* By length alone: readings between which the counter stands are a rest. Where neighbours that differ were taken for
  * motion all readings were in motion. */
-static void length_alone(void **state)
+TEST(length_alone)
 {
-    (void)state;
     begin("length [m],pull [kN]");
     for (int i = 0; i < 150; i++)
         ROW("%.1f,%d\n", 0.1 * (i < 50 ? i : i < 100 ? 50 : i - 50), i < 50 || i >= 100 ? 5 : 2);
@@ -189,9 +182,8 @@ static void length_alone(void **state)
 }
 
 /* Where the pull begins: the last reading that has not moved, by fine and coarse counters, speeds and forces. */
-static void where_it_begins(void **state)
+TEST(where_it_begins)
 {
-    (void)state;
     for (int kind = 0; kind < 4; kind++) {
         static const char *const heads[] = {"time [s],pull [kN],length [m]", "time [s],pull [kN],length [m]",
                                             "time [s],pull [kN],speed [m/s]", "time [s],pull [kN],length [m]"};
@@ -213,7 +205,4 @@ static void where_it_begins(void **state)
     log_free(&log);
 }
 
-TEST_FILE_IN(test_log_judge, scratch_make, scratch_remove, cmocka_unit_test(peaks_and_spikes),
-             cmocka_unit_test(stamps_of_seconds), cmocka_unit_test(times_astray), cmocka_unit_test(wrong_once),
-             cmocka_unit_test(coarse_counter), cmocka_unit_test(force_alone), cmocka_unit_test(where_it_begins),
-             cmocka_unit_test(length_alone))
+TEST_GROUP(scratch_make, scratch_remove)

@@ -12,9 +12,8 @@ typedef struct Forces {
     double force[4]; /* NAN: lost */
 } Forces;
 
-static void marks_between_thousands(void **state)
+TEST(marks_between_thousands)
 {
-    (void)state;
     static const Forces files[] = {
         {"time [s],pull [N]\n1,\"999.5\"\n2,\"1,234.5\"\n3,\"12,345,678.25\"\n", NULL, 3, {999.5, 1234.5, 12345678.25}},
         {"Zeit [s];Kraft [N]\n1;999,5\n2;1.234,5\n3;1.234.567,25\n", NULL, 3, {999.5, 1234.5, 1234567.25}},
@@ -82,9 +81,8 @@ static void marks_between_thousands(void **state)
 }
 
 /* Commas in names and numbers are none of a file with semicolons, nor semicolons of one with commas. */
-static void separators(void **state)
+TEST(separators)
 {
-    (void)state;
     static const char *const files[] = {
         "Zeit [s];Zugkraft [kN], gefiltert, 10 Hz, Mittel;Weg [m]\n1,0;12,5;9,5\n",
         "Zeit [s]\tZugkraft [kN], gefiltert, 10 Hz; Mittel\tWeg [m]\n1,0\t12,5\t9,5\n",
@@ -108,9 +106,8 @@ static void separators(void **state)
 }
 
 /* The head is the last row before the readings that may be one. */
-static void heads(void **state)
+TEST(heads)
 {
-    (void)state;
     static const struct {
         const char *text, *column;
     } files[] = {
@@ -162,9 +159,8 @@ static void times_are(const char *head, const char *const *stamp, int n, const d
     log_free(&log);
 }
 
-static void dates(void **state)
+TEST(dates)
 {
-    (void)state;
     const double day = 86400, s[] = {86399, day + 1, 3 * day + 60, 3 * day + 61};
     static const char *const iso[] = {"2026-02-28 23:59:59", "2026-03-01T00:00:01Z", "2026-03-03 00:01:00", "00:01:01"},
                              *const german[] = {"28.02.2026 23:59:59", "1.3.26 00:00:01", "03.03.2026 00:01:00",
@@ -195,9 +191,8 @@ static void dates(void **state)
 }
 
 /* Without dates each fall of the clock is a midnight; a stamp that the next one does not go on from is none. */
-static void midnights(void **state)
+TEST(midnights)
 {
-    (void)state;
     const double day = 86400, s[] = {82800, day + 3600, 2 * day, 3 * day + 7200},
                  lone[] = {36000, 10800, 36002, 79200, 36004}, noon[] = {46799, 46800, 46801},
                  hour[] = {3599, 3600, 3601}, gone[] = {36000, NAN, 36002};
@@ -216,6 +211,4 @@ static void midnights(void **state)
     times_are("time,pull [N]", unread, 3, gone, NULL);
 }
 
-TEST_FILE_IN(test_log_read, scratch_make, scratch_remove, cmocka_unit_test(marks_between_thousands),
-             cmocka_unit_test(separators), cmocka_unit_test(heads), cmocka_unit_test(dates),
-             cmocka_unit_test(midnights))
+TEST_GROUP(scratch_make, scratch_remove)

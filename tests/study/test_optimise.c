@@ -25,9 +25,8 @@ static void compute(const char *path, const char *dir, int jobs)
 
 /* 196.2 N/m over 30 m, 500 N a roller, 1.6 times the load: 20 rollers at least. The other rows by trying each number.
  */
-static void planted_layout(void **state)
+TEST(planted_layout)
 {
-    (void)state;
     double needed[3] = {0};
     for (int k = 0; k < 3; k++) {
         char text[600], dir[16];
@@ -63,9 +62,8 @@ static void planted_layout(void **state)
     study_free(s);
 }
 
-static void workers_alike(void **state)
+TEST(workers_alike)
 {
-    (void)state;
     compute(scratch_write("study.yaml", layout), "one", 1);
     compute(scratch_path("study.yaml"), "two", 2);
     compute(scratch_path("study.yaml"), "four", 4);
@@ -75,9 +73,8 @@ static void workers_alike(void **state)
 }
 
 /* Bytes in the workers' files of folder/DIR; a row of the layout has a quantity of its own and two usual ones. */
-static void killed_and_resumed(void **state)
+TEST(killed_and_resumed)
 {
-    (void)state;
     hawser_study *const s = study_open(scratch_write("study.yaml", layout));
     const hawser_study_options options = {.jobs = 2};
     for (int k = 0; k < 12; k++) {
@@ -95,9 +92,8 @@ static void killed_and_resumed(void **state)
 }
 
 /* A length that takes hours is a row with its reason, and the search goes on without it. */
-static void hanging_samples(void **state)
+TEST(hanging_samples)
 {
-    (void)state;
     study_compute("fidelity: run\ntime_limit: 1 s\n"
                   "parameters: {run.duration: {values: [100000 s, 300 ms, 350 ms]}, "
                   "drive.tail.tension: {values: [0 N, 100 N]}}\n"
@@ -120,9 +116,8 @@ static void hanging_samples(void **state)
 }
 
 /* What is sought within constraints of its own; the answer says so first. */
-static void constraints_of_its_own(void **state)
+TEST(constraints_of_its_own)
 {
-    (void)state;
     hawser_error err;
     hawser_study *const s = study_open(
         study_write("parameters:\n"
@@ -141,9 +136,8 @@ static void constraints_of_its_own(void **state)
     hawser_study_free(s);
 }
 
-static void refused(void **state)
+TEST(refused)
 {
-    (void)state;
     static const char head[] = "parameters: {friction.mu: {range: {from: 0.1, to: 0.4}}}\n";
     const char *const wrong[][2] = {
         {"optimise: {searches: 2}\n", "give one of least, most"},
@@ -180,6 +174,4 @@ static void refused(void **state)
     }
 }
 
-TEST_FILE_IN(test_optimise, scratch_make, scratch_remove, cmocka_unit_test(planted_layout),
-             cmocka_unit_test(workers_alike), cmocka_unit_test(killed_and_resumed), cmocka_unit_test(hanging_samples),
-             cmocka_unit_test(constraints_of_its_own), cmocka_unit_test(refused))
+TEST_GROUP(scratch_make, scratch_remove)

@@ -7,9 +7,8 @@
 #include "tests/support/check.h"
 
 /* The known answers that Random123 is distributed with (kat_vectors, philox4x32 10). */
-static void known_words(void **state)
+TEST(known_words)
 {
-    (void)state;
     const uint32_t counter[3][4] = {
         {0, 0, 0, 0}, {~0u, ~0u, ~0u, ~0u}, {0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}};
     const uint64_t key[3] = {0, ~(uint64_t)0, 0x299f31d0a4093822u};
@@ -23,9 +22,8 @@ static void known_words(void **state)
 }
 
 /* A permutation of any length, another for another seed. */
-static void orders(void **state)
+TEST(orders)
 {
-    (void)state;
     enum { MOST = 1000 };
     for (uint64_t n = 1; n <= MOST; n = 2 * n + 1) {
         int seen[2 * MOST] = {0}, moved = 0;
@@ -41,9 +39,8 @@ static void orders(void **state)
 }
 
 /* Every layer of every axis of a hypercube holds one point, whatever the number of points. */
-static void latin_layers(void **state)
+TEST(latin_layers)
 {
-    (void)state;
     enum { N = 77 };
     for (int j = 0; j < 5; j++) {
         int seen[N] = {0};
@@ -54,9 +51,8 @@ static void latin_layers(void **state)
 
 /* The sequence before it is scrambled: the first points of the first dimensions, by hand from the direction numbers (1,
  * 3 of x+1 and so on), in the order of the numbers, not of Gray's code. */
-static void plain_sobol(void **state)
+TEST(plain_sobol)
 {
-    (void)state;
     const double expected[8][3] = {{0, 0, 0},
                                    {0.5, 0.5, 0.5},
                                    {0.25, 0.75, 0.75},
@@ -72,9 +68,8 @@ static void plain_sobol(void **state)
 
 /* Every dimension by itself has one point in every one of 2^m intervals, before and after scrambling, and the first two
  * together one in every box of that volume (a (0, m, 2)-net): what the scrambling must keep. */
-static void sobol_strata(void **state)
+TEST(sobol_strata)
 {
-    (void)state;
     enum { M = 10, N = 1 << M };
     for (int j = 0; j < SOBOL_DIMENSIONS; j++) {
         int plain[N] = {0}, scrambled[N] = {0};
@@ -126,9 +121,8 @@ static double error_of(PointKind kind, double (*f)(const double *), uint64_t n)
 /* Orders of convergence: 1/2 at random; 3/2 of a hypercube for sums, where it leaves nothing but the layers' insides
  * (McKay, Beckman, Conover 1979); nearly 3/2 of scrambled nets for anything smooth (Owen 1997). Two powers of 16 apart.
  */
-static void convergence(void **state)
+TEST(convergence)
 {
-    (void)state;
     const struct {
         PointKind kind;
         double (*f)(const double *);
@@ -148,9 +142,8 @@ static void convergence(void **state)
 }
 
 /* Strictly inside, other for another seed, the same again. */
-static void pure(void **state)
+TEST(pure)
 {
-    (void)state;
     for (int kind = POINTS_RANDOM; kind <= POINTS_SOBOL; kind++) {
         for (uint64_t i = 0; i < 200; i++) {
             const double u = points_at((PointKind)kind, 1, i, 200, 4);
@@ -160,7 +153,3 @@ static void pure(void **state)
         }
     }
 }
-
-TEST_FILE(test_points, cmocka_unit_test(known_words), cmocka_unit_test(orders), cmocka_unit_test(latin_layers),
-          cmocka_unit_test(plain_sobol), cmocka_unit_test(sobol_strata), cmocka_unit_test(convergence),
-          cmocka_unit_test(pure))

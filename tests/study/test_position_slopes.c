@@ -123,9 +123,8 @@ static const char FINE[] =
     "route: {head_at: 12 m, pieces: [{straight: 20 m}]}\nrollers: {along: {spacing: 1 m}}\nfriction: {mu: 0.2}\n"
     "drive: {winch: {speed: 6 m/min, to: 1 s}}\nrun: {duration: 2 s}\noutput: {stations: [{name: tail, at: 3 m}]}\n";
 
-static void central_differences(void **state)
+TEST(central_differences)
 {
-    (void)state;
     check_at_most(difference(scratch_write("fine.yaml", FINE), 1.2, "friction.mu", 0.2, ""), 5e-6);
     check_at_most(difference(FLAT, 1.5, "friction.mu", 0.2, ""), 5e-6);
     check_at_most(difference(FLAT, 1.5, "cables.power.mass", 20, "kg/m"), 5e-6);
@@ -134,4 +133,4 @@ static void central_differences(void **state)
     check_at_most(difference(TUNNEL, 16, "drive.tail.tension", 6860.643, "N"), 5e-6);
 }
 
-TEST_FILE_IN(test_position_slopes, scratch_make, scratch_remove, cmocka_unit_test(central_differences))
+TEST_GROUP(scratch_make, scratch_remove)

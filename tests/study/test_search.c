@@ -70,9 +70,8 @@ static double slope_on_rim(double t)
     const double x = cos(t), y = sin(t), b = y - x * x;
     return (-2 * (1 - x) - 400 * x * b) * -y + 200 * b * x;
 }
-static void curved_and_constrained(void **state)
+TEST(curved_and_constrained)
 {
-    (void)state;
     const double from[] = {-1.5, -1.5}, to[] = {1.5, 1.5}, start[] = {-1, 0.5};
     const SearchBox box = {2, from, to, start, (const unsigned char[]){0, 0}};
     double low = 0.5, high = 0.8;
@@ -94,9 +93,8 @@ static double ripple(const double *x, double *broken)
     broken[0] = 40 - (x[0] + x[1] + x[2]);
     return a * a + 3 * b * b + 2 * c * c + a * b + 6 * sin(2.1 * x[0]) + 5 * cos(1.7 * x[1] + x[2]);
 }
-static void whole_numbers(void **state)
+TEST(whole_numbers)
 {
-    (void)state;
     const double from[] = {0, 0, 0}, to[] = {40, 20, 40}, start[] = {20, 10, 20};
     const SearchBox box = {3, from, to, start, (const unsigned char[]){1, 1, 1}};
     double least = INFINITY, broken;
@@ -115,9 +113,8 @@ static void whole_numbers(void **state)
 }
 
 /* All points, shared out among the searches. */
-static void all_points(void **state)
+TEST(all_points)
 {
-    (void)state;
     const double from[] = {10, 0, 20}, to[] = {16, 9, 30}, start[] = {10, 0, 20};
     const SearchBox box = {3, from, to, start, (const unsigned char[]){1, 1, 1}};
     Probe *const p = calloc(1, sizeof *p);
@@ -139,9 +136,8 @@ static double both(const double *x, double *broken)
     (void)broken;
     return x[0] > 0.95 ? NAN : 50 * a * a + (x[1] - 6) * (x[1] - 6) + 1;
 }
-static void numbers_of_both_kinds(void **state)
+TEST(numbers_of_both_kinds)
 {
-    (void)state;
     const double from[] = {0, 0}, to[] = {2, 12}, start[] = {1.5, 11};
     const SearchBox box = {2, from, to, start, (const unsigned char[]){0, 1}};
     const Probe p = seek(&box, SEARCH_RANDOM, 0, 2, 300, both);
@@ -151,9 +147,8 @@ static void numbers_of_both_kinds(void **state)
 }
 
 /* The same search again meets the same points; one that may ask for fewer has met the first of them. */
-static void repeats(void **state)
+TEST(repeats)
 {
-    (void)state;
     const double from[] = {0, 0, 0}, to[] = {40, 20, 40}, start[] = {20, 10, 20};
     const SearchBox box = {3, from, to, start, (const unsigned char[]){1, 1, 1}};
     const SearchPlan plan = {SEARCH_RANDOM, 1, 2, 4, 200, 9, 1e-3};
@@ -166,6 +161,3 @@ static void repeats(void **state)
     for (long k = 0; k < b->asked; k++) assert_memory_equal(a->x[k], b->x[k], sizeof(double[3]));
     free(a);
 }
-
-TEST_FILE(test_search, cmocka_unit_test(curved_and_constrained), cmocka_unit_test(whole_numbers),
-          cmocka_unit_test(all_points), cmocka_unit_test(numbers_of_both_kinds), cmocka_unit_test(repeats))

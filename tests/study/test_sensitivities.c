@@ -95,9 +95,8 @@ static double largest_difference(const char *accuracy)
 }
 
 /* Both the run and its tangents have errors of their steps, which go with the accuracy. */
-static void central_differences(void **state)
+TEST(central_differences)
 {
-    (void)state;
     const double coarse = largest_difference("1e-5"), fine = largest_difference("1e-8");
     check_at_most(coarse, 4e-3);
     check_at_most(fine, 3e-4);
@@ -153,9 +152,8 @@ static double start_difference(const char *file, const char *key, double value, 
 }
 
 /* Where the cable hangs before the pull follows from its parameters: in the plane, and in space. */
-static void the_start_follows(void **state)
+TEST(the_start_follows)
 {
-    (void)state;
     static const char flat[] = HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml",
                       space[] = HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml";
     check_at_most(start_difference(flat, "cables.power.mass", 20, "kg/m"), 1e-5);
@@ -163,9 +161,8 @@ static void the_start_follows(void **state)
     check_at_most(start_difference(space, "cables.power.density", 7801, "kg/m3"), 4e-5);
 }
 
-static void refused(void **state)
+TEST(refused)
 {
-    (void)state;
     static const struct {
         const char *key, *by, *value, *says;
     } row[] = {{"friction.my", NULL, NULL, "the case gives no number other than 0 there"},
@@ -198,9 +195,8 @@ static void run_into(const char *folder, const char *mu)
 }
 
 /* What is written of a run belongs to it, and to no other one. */
-static void the_file_says_of_which_run_it_is(void **state)
+TEST(the_file_says_of_which_run_it_is)
 {
-    (void)state;
     static const char *const key[] = {"friction.mu"};
     hawser_error err;
     char *text, *json;
@@ -219,6 +215,4 @@ static void the_file_says_of_which_run_it_is(void **state)
     hawser_case_free(c);
 }
 
-TEST_FILE_IN(test_sensitivities, scratch_make, scratch_remove, cmocka_unit_test(central_differences),
-             cmocka_unit_test(the_start_follows), cmocka_unit_test(refused),
-             cmocka_unit_test(the_file_says_of_which_run_it_is))
+TEST_GROUP(scratch_make, scratch_remove)

@@ -57,18 +57,16 @@ static void expect_indices(int d, int n, Function f, const double *first, const 
     check_below(worst, near);
 }
 
-static void ishigami_indices(void **state)
+TEST(ishigami_indices)
 {
-    (void)state;
     const double p4 = pow(M_PI, 4), D = 49.0 / 8 + 0.1 * p4 / 5 + 0.01 * p4 * p4 / 18 + 0.5;
     const double one = 0.5 * (1 + 0.1 * p4 / 5) * (1 + 0.1 * p4 / 5) / D, both = 0.01 * p4 * p4 * 8 / 225 / D;
     const double first[3] = {one, 49.0 / 8 / D, 0}, total[3] = {one + both, 49.0 / 8 / D, both};
     expect_indices(3, 1024, ishigami, first, total, 0.06);
 }
 
-static void g_indices(void **state)
+TEST(g_indices)
 {
-    (void)state;
     double part[6], first[6], total[6], all = 1;
     for (int j = 0; j < 6; j++) {
         part[j] = 1 / (3 * (1 + a[j]) * (1 + a[j]));
@@ -82,9 +80,8 @@ static void g_indices(void **state)
 }
 
 /* A block in which a sample failed is left out; the others are judged as before. Without variance there is nothing. */
-static void gaps(void **state)
+TEST(gaps)
 {
-    (void)state;
     enum { N = 256 };
     SobolIndex whole[3], with_gaps[3];
     double *const y = answers(1, 3, N, ishigami);
@@ -105,9 +102,8 @@ static double plane(const double *u) { return 3 * u[0] - 2 * u[2] + 0 * u[1]; }
 static double product(const double *u) { return u[0] * u[1] + u[2]; }
 
 /* Of a plane every effect is its slope, without spread; a product has both. */
-static void morris(void **state)
+TEST(morris)
 {
-    (void)state;
     enum { D = 3, TRAJECTORIES = 40, N = TRAJECTORIES * (D + 1) };
     double y[2][N];
     MorrisEffect effect[D];
@@ -138,6 +134,3 @@ static void morris(void **state)
     check_above(effect[0].sd, 0.2);
     check_below(effect[2].sd, 1e-12);
 }
-
-TEST_FILE(test_sensitivity, cmocka_unit_test(ishigami_indices), cmocka_unit_test(g_indices), cmocka_unit_test(gaps),
-          cmocka_unit_test(morris))

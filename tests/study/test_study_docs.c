@@ -29,9 +29,8 @@ static void allowed_cell(const CaseKey *key, char *cell)
     }
 }
 
-static void documented(void **state)
+TEST(documented)
 {
-    (void)state;
     const CaseSection *all[CASE_SECTIONS_MAX];
     const int n = case_sections(&study_top, all, 0);
     size_t size;
@@ -65,5 +64,3 @@ static void documented(void **state)
     }
     free(text);
 }
-
-TEST_FILE(test_study_docs, cmocka_unit_test(documented))

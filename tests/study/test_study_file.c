@@ -16,9 +16,8 @@ static Study *read_lines(const char *lines)
     return s;
 }
 
-static void monte_carlo(void **state)
+TEST(monte_carlo)
 {
-    (void)state;
     Study *const s = read_lines(good);
     char text[SETTING_MAX];
     double x[3], mean[3] = {0};
@@ -45,9 +44,8 @@ static void monte_carlo(void **state)
 }
 
 /* The point is in the case: by key, and by the name of a list's item. */
-static void settings(void **state)
+TEST(settings)
 {
-    (void)state;
     Study *const s = read_lines(good);
     hawser_case *c;
     hawser_error err;
@@ -63,9 +61,8 @@ static void settings(void **state)
     study_free(s);
 }
 
-static void grid(void **state)
+TEST(grid)
 {
-    (void)state;
     Study *const s =
         read_lines("parameters:\n"
                    "  friction.mu: {steps: {from: 0.1, to: 0.3, count: 3}}\n"
@@ -81,9 +78,8 @@ static void grid(void **state)
     study_free(s);
 }
 
-static void list(void **state)
+TEST(list)
 {
-    (void)state;
     scratch_write(
         "variants.csv",
         "\xef\xbb\xbfmu, \"drive.tail.tension\",run.duration\r\n\r\n0.1, 1 kN,2 s\r\n0.2,,\r\n\"0.3\",2 kN,3 s");
@@ -103,9 +99,8 @@ static void list(void **state)
 }
 
 /* Numbers of a list are told in the unit of the first, whatever each is given in; a bare one is SI. */
-static void mixed_units(void **state)
+TEST(mixed_units)
 {
-    (void)state;
     scratch_write(
         "variants.csv",
         "drive.tail.tension,cables.power.mass\n2 kN,20 kg/m\n2000 N,196.133 N/m\n2000,20\n0.002 MN,2e4 g/m\n");
@@ -119,9 +114,8 @@ static void mixed_units(void **state)
     study_free(s);
 }
 
-static void sensitivities(void **state)
+TEST(sensitivities)
 {
-    (void)state;
     const char *const lines = "parameters:\n"
                               "  friction.mu: {uniform: {from: 0.1, to: 0.3}}\n"
                               "  cables.power.mass: {uniform: {from: 19 kg/m, to: 21 kg/m}}\n"
@@ -153,9 +147,8 @@ static void expect_bad(const char *from, const char *to, const char *part)
     if (!strstr(err.message, part)) fail_msg("'%s' is not in: %s", part, err.message);
 }
 
-static void bad_studies(void **state)
+TEST(bad_studies)
 {
-    (void)state;
     expect_bad("monte-carlo", "monte-karlo",
                "study.yaml:7: key 'monte-karlo': unknown key: did you mean 'monte-carlo'?");
     expect_bad("uniform: {from: 0.1", "uniform: {frm: 0.1",
@@ -202,9 +195,8 @@ static void bad_studies(void **state)
     expect_bad(NULL, "list: {file: none.csv}\n", "none.csv: cannot be opened");
 }
 
-static void bad_quantities(void **state)
+TEST(bad_quantities)
 {
-    (void)state;
     const char *const base = "parameters: {friction.mu: {values: [0.1]}}\ngrid: [friction.mu]\n";
     const char *const row[][2] = {
         {"quantities: [reference_totl_N]\n", "value 'reference_totl_N' is not in the answer of theory"},
@@ -230,9 +222,8 @@ static void bad_quantities(void **state)
     check_has(err.message, "study.yaml:2: key 'fidelity': with 'both' a run is made near a limit");
 }
 
-static void bad_lists(void **state)
+TEST(bad_lists)
 {
-    (void)state;
     const char *const row[][2] = {
         {"", "nothing is in it"},
         {"friction.mu\n", "the list has no rows"},
@@ -251,7 +242,4 @@ static void bad_lists(void **state)
                "key 'parameters.speed': no column of the list has this name");
 }
 
-TEST_FILE_IN(test_study_file, scratch_make, scratch_remove, cmocka_unit_test(monte_carlo), cmocka_unit_test(settings),
-             cmocka_unit_test(grid), cmocka_unit_test(list), cmocka_unit_test(sensitivities),
-             cmocka_unit_test(bad_studies), cmocka_unit_test(bad_quantities), cmocka_unit_test(bad_lists),
-             cmocka_unit_test(mixed_units))
+TEST_GROUP(scratch_make, scratch_remove)

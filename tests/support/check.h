@@ -56,16 +56,25 @@
 /* `part` stands in `text`. */
 #define check_has(text, part) check_part(text, part, CHECK_PLACE("check_has(" #text ", " #part ")"))
 
-/* Ends a test file: its tests are one group, which the folder's program (tests/support/program.c) runs by the file's
- * name. The second form has a set-up and a tear-down of the group. */
-#define TEST_FILE(name, ...) TEST_FILE_IN(name, NULL, NULL, __VA_ARGS__)
-#define TEST_FILE_IN(name, set_up, tear_down, ...)                                                                     \
-    int group_of_##name(void);                                                                                         \
-    int group_of_##name(void)                                                                                          \
+/* A test: TEST(name) { ... }. The tests of a file are one group, which the folder's program (tests/support/program.c)
+ * runs by the file's name, in the order in which they stand. TEST_WITH has a set-up and a tear-down of its own, which
+ * share `*state` with it; TEST_GROUP(set_up, tear_down), once in a file, has those of the whole group. */
+#define TEST(name) TEST_WITH(name, NULL, NULL)
+#define TEST_WITH(name, set_up, tear_down)                                                                             \
+    static void name(void **state);                                                                                    \
+    __attribute__((constructor)) static void register_##name(void)                                                     \
     {                                                                                                                  \
-        const struct CMUnitTest tests[] = {__VA_ARGS__};                                                               \
-        return cmocka_run_group_tests_name(#name, tests, set_up, tear_down);                                           \
+        test_register(__FILE__, __LINE__, (struct CMUnitTest){#name, name, set_up, tear_down, NULL});                  \
+    }                                                                                                                  \
+    static void name(void **state __attribute__((unused)))
+#define TEST_GROUP(set_up, tear_down)                                                                                  \
+    __attribute__((constructor)) static void register_group(void)                                                      \
+    {                                                                                                                  \
+        test_register(__FILE__, 0, (struct CMUnitTest){NULL, NULL, set_up, tear_down, NULL});                          \
     }
+
+/* Keeps a test until main runs it; line 0: the set-up and tear-down of the file's group. */
+void test_register(const char *file, int line, struct CMUnitTest test);
 
 /* Where a check stands. */
 typedef struct CheckPlace {

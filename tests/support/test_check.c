@@ -126,9 +126,8 @@ static void expect_failure(Miss what, const char *first, const char *second, con
 }
 
 /* A miss by a little of each kind. */
-static void a_miss_shows_its_numbers(void **state)
+TEST(a_miss_shows_its_numbers)
 {
-    (void)state;
     expect_failure((Miss){CLOSE, 1.5, 1.25, 0.125}, "check_close(miss.value, miss.other, miss.third)",
                    "found 1.5, expected 1.25", "off by 0.25, tolerance 0.125");
     expect_failure((Miss){SHARE, -1.5, -1.25, 0.125}, "check_share(", "found -1.5, expected -1.25",
@@ -150,9 +149,8 @@ static void a_miss_shows_its_numbers(void **state)
 }
 
 /* NAN in each place of each kind: none of them passes. */
-static void a_nan_fails(void **state)
+TEST(a_nan_fails)
 {
-    (void)state;
     char said[4096];
     for (int kind = 0; kind < FINITE; ++kind) {
         for (int place = 0; place < 3; ++place) {
@@ -170,9 +168,8 @@ static void a_nan_fails(void **state)
 }
 
 /* At the bound, beyond it and with whole numbers. */
-static void what_passes(void **state)
+TEST(what_passes)
 {
-    (void)state;
     check_close(1.5, 1.25, 0.25);
     check_close(1, 1, 0);
     check_share(-8, -10, 0.2);
@@ -194,9 +191,8 @@ static void what_passes(void **state)
 }
 
 /* A NAN wins over every number, from either side, and stays. */
-static void the_worst_keeps_a_nan(void **state)
+TEST(the_worst_keeps_a_nan)
 {
-    (void)state;
     check_equal(larger_of(1, 2), 2);
     check_equal(larger_of(2, 1), 2);
     check_equal(smaller_of(1, 2), 1);
@@ -213,6 +209,3 @@ static void the_worst_keeps_a_nan(void **state)
     check_nan(least);
     check_nan(larger_of(NAN, NAN));
 }
-
-TEST_FILE(test_check, cmocka_unit_test(a_miss_shows_its_numbers), cmocka_unit_test(a_nan_fails),
-          cmocka_unit_test(what_passes), cmocka_unit_test(the_worst_keeps_a_nan))

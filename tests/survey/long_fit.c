@@ -4,9 +4,8 @@
 #include "survey/fit/fit.h"
 #include "tests/survey/noise.h"
 
-static void twenty_kilometres_are_within(void **state)
+TEST(twenty_kilometres_are_within)
 {
-    (void)state;
     Alignment route = rough_route(1, 20000), points = sampled(&route, 1, 0.01), out;
     const FitOptions options = fit_options();
     hawser_error err = {.message = ""};
@@ -19,5 +18,3 @@ static void twenty_kilometres_are_within(void **state)
     alignment_clear(&points);
     alignment_clear(&out);
 }
-
-TEST_FILE(long_fit, cmocka_unit_test(twenty_kilometres_are_within))

@@ -17,9 +17,8 @@ static Vec3 by_quadrature(const PlanElement *e, double s)
     return v3_add(sum, v3(e->x, e->y, 0));
 }
 
-static void clothoids_against_quadrature(void **state)
+TEST(clothoids_against_quadrature)
 {
-    (void)state;
     const PlanElement e[] = {{10, 20, 0.3, 40, 0, 1e-3, 0, 0}, {0, 0, -2, 100, -1.0 / 300, -1e-3, 0, 0},
                              {0, 0, 1, 30, 0.2, -0.2, 0, 0},   {0, 0, 0, 47.7, 0, 1.0 / 124, 0, 0},
                              {1, 2, 0, 500, 0.1, 0.5, 0, 0},   {0, 0, 3, 5, -4, 4, 0, 0}};
@@ -32,9 +31,8 @@ static void clothoids_against_quadrature(void **state)
     }
 }
 
-static void arcs_and_lines(void **state)
+TEST(arcs_and_lines)
 {
-    (void)state;
     const PlanElement arc = {3, 4, 0.5, 7, 0.2, 0.2, 0, 0}, line = {1, 1, 2, 9, 0, 0, 0, 0};
     const PlanElement on_arc = plan_at(&arc, 6), on_line = plan_at(&line, 6);
     check_close(on_arc.x, 3 + 5 * (sin(0.5 + 1.2) - sin(0.5)), 1e-14);
@@ -49,9 +47,8 @@ static void arcs_and_lines(void **state)
 }
 
 /* An arc in the profile lies on its circle, a parabola has its rise; lengths in space by a sum of chords. */
-static void profiles(void **state)
+TEST(profiles)
 {
-    (void)state;
     const ProfileElement arc = {PROFILE_ARC, 100, 50, 5, -0.1, 1.0 / 200},
                          para = {PROFILE_PARABOLA, 0, 80, 3, 0.1, -2e-3};
     const double slope = atan(-0.1), cx = 100 - 200 * sin(slope), cz = 5 + 200 * cos(slope);
@@ -79,9 +76,8 @@ static void profiles(void **state)
 }
 
 /* Corners: an uneven parabola meets both grades and its own middle; an arc touches both. */
-static void corners(void **state)
+TEST(corners)
 {
-    (void)state;
     hawser_error err;
     Alignment a = {0};
     const ProfileCorner corner[] = {{.station = 0, .z = 10},
@@ -109,9 +105,8 @@ static void corners(void **state)
     alignment_clear(&a);
 }
 
-static void reversed(void **state)
+TEST(reversed)
 {
-    (void)state;
     Alignment a = {0};
     *alignment_add_plan(&a) = (PlanElement){5, 6, 0.4, 30, 0, 0, 0, 0};
     *alignment_add_plan(&a) = (PlanElement){.length = 20, .k0 = 0, .k1 = 0.05};
@@ -129,9 +124,8 @@ static void reversed(void **state)
 }
 
 /* A profile that goes on behind the line, as one of a longer road does: its length is the line's. */
-static void profile_beyond_the_line(void **state)
+TEST(profile_beyond_the_line)
 {
-    (void)state;
     hawser_error err;
     const ProfileCorner corner[] = {
         {.station = 0, .z = 10}, {.station = 50, .z = 20}, {.station = 150, .z = 20}, {.station = 300, .z = 50}};
@@ -145,9 +139,8 @@ static void profile_beyond_the_line(void **state)
 }
 
 /* A part that begins where the profile has ended, or ends before it begins, is as it was on the whole line. */
-static void parts_beyond_the_profile(void **state)
+TEST(parts_beyond_the_profile)
 {
-    (void)state;
     static const double part[][2] = {{60, 100}, {5, 15}, {5, 60}, {42, 100}, {25, 90}, {40, 46}, {30, 41}};
     for (size_t k = 0; k < sizeof part / sizeof *part; ++k) {
         hawser_error err;
@@ -163,7 +156,3 @@ static void parts_beyond_the_profile(void **state)
         alignment_clear(&b);
     }
 }
-
-TEST_FILE(test_alignment, cmocka_unit_test(clothoids_against_quadrature), cmocka_unit_test(arcs_and_lines),
-          cmocka_unit_test(profiles), cmocka_unit_test(corners), cmocka_unit_test(reversed),
-          cmocka_unit_test(profile_beyond_the_line), cmocka_unit_test(parts_beyond_the_profile))

@@ -18,9 +18,8 @@ static const Alignment *only(const Survey *s)
     return &s->alignment[0];
 }
 
-static void lines_and_arcs(void **state)
+TEST(lines_and_arcs)
 {
-    (void)state;
     Survey s = drawing(DXF("4", "0\nLINE\n8\nA\n10\n1000\n20\n2000\n11\n4000\n21\n6000\n"));
     check_close(alignment_measure(only(&s)).length, 5, 1e-12);
     assert_string_equal(only(&s)->layer, "A");
@@ -52,9 +51,8 @@ static void lines_and_arcs(void **state)
     survey_clear(&s);
 }
 
-static void polylines(void **state)
+TEST(polylines)
 {
-    (void)state;
     /* a straight, a half circle to the left, back; closed by an arc to the right; at 7 m */
     Survey s = drawing(
         DXF("6",
@@ -83,9 +81,8 @@ static void polylines(void **state)
 }
 
 /* A quarter of a circle as a rational spline of second degree; a cubic against its closed form. */
-static void splines(void **state)
+TEST(splines)
 {
-    (void)state;
     Survey s = drawing(DXF(
         "6", "0\nSPLINE\n8\nS\n70\n4\n71\n2\n72\n6\n73\n3\n40\n0\n40\n0\n40\n0\n40\n1\n40\n1\n40\n1\n"
              "41\n1\n41\n0.70710678118654752\n41\n1\n10\n5\n20\n0\n30\n0\n10\n5\n20\n5\n30\n0\n10\n0\n20\n5\n30\n0\n"));
@@ -115,9 +112,8 @@ static void splines(void **state)
 
 /* A block's base is at (1, 0): its line runs from there by 1 along x. Lines of blocks were dropped, those of anonymous
  * ones without a note. */
-static void insertions(void **state)
+TEST(insertions)
 {
-    (void)state;
     static const struct {
         const char *insert;
         Vec3 start, end;
@@ -145,9 +141,8 @@ static void insertions(void **state)
 
 /* A mirrored arc turns to the other side; scaled unevenly it is part of an ellipse; rows and columns; a layer of its
  * own; an insertion that cannot be followed, an external drawing, a block within itself. */
-static void insertions_of_other_kinds(void **state)
+TEST(insertions_of_other_kinds)
 {
-    (void)state;
     static const char arc[] = "0\nARC\n8\nOWN\n10\n1\n20\n0\n40\n2\n50\n0\n51\n90\n";
     char text[2000];
     const char *const file = HEADER("6") BLOCKS(BLOCK("A", "%s")) ENTITIES("0\nINSERT\n8\nROUTE\n2\nA\n%s");
@@ -186,9 +181,8 @@ static void insertions_of_other_kinds(void **state)
 
 /* What is beside the line and cannot be read does not refuse the drawing, but is noted with its place: each of these
  * did. */
-static void bad_entities(void **state)
+TEST(bad_entities)
 {
-    (void)state;
     static const struct {
         const char *text, *note;
     } cases[] = {{"0\nARC\n8\nC\n10\n0\n20\n0\n40\n0\n50\n0\n51\n90\n",
@@ -213,9 +207,8 @@ static void bad_entities(void **state)
 
 /* Objects within texts (group 101), of which every number was read as the text's and none may be; texts with line
  * breaks, whose other lines may look like anything; a byte-order mark. */
-static void texts(void **state)
+TEST(texts)
 {
-    (void)state;
     static const char embedded[] = "101\nEmbedded Object\n70\n1\n10\n1.0\n20\n0.0\n11\n5.0\n21\n5.0\n46\n0.0\n";
     static const char *const head[] = {
         "0\nMTEXT\n8\nT\n10\n5\n20\n5\n1\nJoint bay 3\n", "0\nATTDEF\n8\nT\n10\n5\n20\n5\n1\nbay\n2\nID\n",
@@ -241,9 +234,8 @@ static void texts(void **state)
 }
 
 /* Half of a circle, and a quarter of an ellipse, by Ramanujan's formula for all of it; names by the code page. */
-static void ellipses_and_pages(void **state)
+TEST(ellipses_and_pages)
 {
-    (void)state;
     const double pi = acos(-1);
     Survey s = drawing(
         DXF("6", "0\nELLIPSE\n8\nE\n10\n0\n20\n0\n30\n0\n11\n3\n21\n0\n31\n0\n40\n1\n41\n0\n42\n3.141592653589793\n"));
@@ -260,9 +252,8 @@ static void ellipses_and_pages(void **state)
 }
 
 /* Layers of old drawings are bytes of a code page; what blocks hold is not read, and said so. */
-static void layers_and_blocks(void **state)
+TEST(layers_and_blocks)
 {
-    (void)state;
     Survey s = drawing(DXF("6", "0\nLINE\n8\nTRASSE_\xDC\n10\n0\n20\n0\n11\n9\n21\n0\n"));
     assert_string_equal(only(&s)->layer, "TRASSE_\xC3\x9C");
     survey_clear(&s);
@@ -275,9 +266,8 @@ static void layers_and_blocks(void **state)
 }
 
 /* A sheet's frame is no line of the ground. */
-static void paper_space(void **state)
+TEST(paper_space)
 {
-    (void)state;
     Survey s = drawing(DXF("6", "0\nLINE\n8\nC\n10\n0\n20\n0\n11\n9\n21\n0\n"
                                 "0\nLINE\n8\nFRAME\n67\n1\n10\n0\n20\n0\n11\n420\n21\n0\n"));
     check_close(alignment_measure(only(&s)).length, 9, 1e-12);
@@ -286,9 +276,8 @@ static void paper_space(void **state)
     survey_clear(&s);
 }
 
-static void marks(void **state)
+TEST(marks)
 {
-    (void)state;
     Survey s = drawing("999\na comment\n" DXF("2", "0\nINSERT\n8\nROLLERS\n66\n1\n2\nCORNER\n10\n10\n20\n20\n30\n5\n50"
                                                    "\n90\n0\nATTRIB\n8\n0\n10\n1\n20\n1\n1\nR12\n2\nID\n"
                                                    "0\nSEQEND\n0\nPOINT\n8\nPITS\n10\n1\n20\n2\n"));
@@ -336,9 +325,8 @@ static void put_number(Bytes *b, int code, double value)
     put(b, &value, sizeof value);
 }
 
-static void binary(void **state)
+TEST(binary)
 {
-    (void)state;
     for (int short_codes = 0; short_codes < 2; ++short_codes) {
         Bytes b = {.short_codes = short_codes};
         const short unit = 4;
@@ -378,9 +366,8 @@ static void binary(void **state)
 /* ------------------------------------------------------------------------------------------------------------- real */
 
 /* A sheet with a profile and a band of curvature at a tenth of the length: the straights and clothoids of the model. */
-static void railway_sheet(void **state)
+TEST(railway_sheet)
 {
-    (void)state;
     Survey s = shared_file("stn01-quadri.dxf"), ifc = shared_file("stn01-quadri.ifc");
     const Alignment *const line = &ifc.alignment[0];
     assert_int_equal(s.n, 110);
@@ -398,9 +385,8 @@ static void railway_sheet(void **state)
 
 /* Units beyond the usual ones, a full circle as an arc, entities that are not to be seen, names in an older drawing's
  * escapes; ezdxf reads the same of such files. */
-static void as_programs_write_them(void **state)
+TEST(as_programs_write_them)
 {
-    (void)state;
     static const struct {
         const char *text;
         double length;
@@ -426,9 +412,8 @@ static void as_programs_write_them(void **state)
     survey_clear(&s);
 }
 
-static void what_is_wrong(void **state)
+TEST(what_is_wrong)
 {
-    (void)state;
     bad("AC1032\x01\x02", "save it as DXF");
     bad("0\nSECTION\n", "no section in the drawing");
     bad("0\nSECTION\n2\nENTITIES\nx\n", "5: 'x' is no group code");
@@ -438,9 +423,3 @@ static void what_is_wrong(void **state)
     bad(DXF("6", "0\nARC\n8\nA\n10\n1\n"), "an ARC without centre");
     bad(DXF("6", "0\nSPLINE\n8\nA\n71\n3\n10\n1\n"), "a SPLINE needs 4 control points");
 }
-
-TEST_FILE(test_dxf, cmocka_unit_test(lines_and_arcs), cmocka_unit_test(polylines), cmocka_unit_test(splines),
-          cmocka_unit_test(paper_space), cmocka_unit_test(layers_and_blocks), cmocka_unit_test(marks),
-          cmocka_unit_test(binary), cmocka_unit_test(railway_sheet), cmocka_unit_test(as_programs_write_them),
-          cmocka_unit_test(what_is_wrong), cmocka_unit_test(insertions), cmocka_unit_test(insertions_of_other_kinds),
-          cmocka_unit_test(bad_entities), cmocka_unit_test(texts), cmocka_unit_test(ellipses_and_pages))

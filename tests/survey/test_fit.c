@@ -71,9 +71,8 @@ static void same_pieces(const Alignment *a, const Alignment *b, double part, dou
 /* ----------------------------------------------------------------------------------------------------------------
  * tests */
 
-static void noisy_route_comes_back(void **state)
+TEST(noisy_route_comes_back)
 {
-    (void)state;
     for (int transitions = 0; transitions < 2; ++transitions) {
         Alignment route = known_route(transitions), points = sampled(&route, 1, 0.01), out;
         const FitReport r = fitted(&points, &out);
@@ -130,9 +129,8 @@ static Alignment random_route(unsigned long long seed, double step, double sigma
 }
 
 /* Bends that points can tell come back with their radii: within 2 %, or three standard deviations. */
-static void radii_that_points_tell(void **state)
+TEST(radii_that_points_tell)
 {
-    (void)state;
     const double step = 1, sigma = 0.01;
     for (unsigned long long seed = 1; seed <= 6; ++seed) {
         Alignment route = random_route(seed, step, sigma), points = sampled(&route, step, sigma), out;
@@ -151,9 +149,8 @@ static void radii_that_points_tell(void **state)
 }
 
 /* On a line of 2.5 km nothing is farther off than is allowed: one bad place does not stop the search elsewhere. */
-static void long_line_is_within(void **state)
+TEST(long_line_is_within)
 {
-    (void)state;
     Alignment route = {.stated_length = NAN}, out;
     for (unsigned long long seed = 1; seed <= 4; ++seed) {
         Alignment part = random_route(seed, 1, 0.01);
@@ -175,9 +172,8 @@ static void long_line_is_within(void **state)
 
 /* Bends of a few points each leave the search in places from which it does not go on downhill: it begins again from
  * other cuts there. */
-static void rough_lines_are_within(void **state)
+TEST(rough_lines_are_within)
 {
-    (void)state;
     static const unsigned long long seeds[] = {9, 20, 24};
     for (int i = 0; i < 3; ++i) {
         Alignment route = rough_route(seeds[i], 400), points = sampled(&route, 1, 0.01), out;
@@ -195,9 +191,8 @@ static void rough_lines_are_within(void **state)
 
 /* Errors of curvatures over the standard deviations that the fit states have a mean square of one: 60 bends. What the
  * file itself says has none, nor has a corner's bend. */
-static void bends_have_error_bars(void **state)
+TEST(bends_have_error_bars)
 {
-    (void)state;
     const double step = 1, sigma = 0.01;
     double sum = 0, worst = 0;
     int n = 0;
@@ -226,9 +221,8 @@ static void bends_have_error_bars(void **state)
 }
 
 /* Whatever the spacing and the noise. */
-static void spacing_and_noise(void **state)
+TEST(spacing_and_noise)
 {
-    (void)state;
     static const struct {
         double step, sigma, part;
     } runs[] = {{0.25, 0.01, 0.02}, {2, 0.01, 0.03}, {1, 0, 0.002}};
@@ -262,9 +256,8 @@ static double legs_off(const Alignment *out, int n, const Vec3 *point)
 
 /* The legs of a drawn line are straight, however alike its corners are: none becomes a bend. Of points alone it is
  * known where corners turn to different sides. */
-static void legs_stay_straight(void **state)
+TEST(legs_stay_straight)
 {
-    (void)state;
     const Vec3 same[] = {{0, 0, 0}, {60, 0, 0}, {116.4, 20.5, 0}, {150, 70, 0}, {160, 130, 0}};
     Vec3 other[10], zigzag[] = {{0, 0, 0}, {60, 0, 0}, {116.4, 20.5, 0}, {176.4, 20.5, 0}};
     for (int i = 0; i < 10; ++i) other[i] = v3(40 * i, i % 2 * 12, 0);
@@ -285,9 +278,8 @@ static void legs_stay_straight(void **state)
 }
 
 /* So are the grades of a profile whose corners have no curves; the deviation is that of the whole line. */
-static void grades_stay_straight(void **state)
+TEST(grades_stay_straight)
 {
-    (void)state;
     Alignment line = {.stated_length = NAN}, out;
     hawser_error err;
     add(&line, 180, 0, 0);
@@ -304,9 +296,8 @@ static void grades_stay_straight(void **state)
 }
 
 /* A drawn line with sharp corners gets bends there, within the deviation, and says that they are sharp. */
-static void corners_get_bends(void **state)
+TEST(corners_get_bends)
 {
-    (void)state;
     const Vec3 point[] = {{0, 0, 2}, {50, 0, 2}, {50, 40, 4}, {100, 90, 4}};
     Alignment line = polyline(4, point), out;
     FitOptions options = fit_options();
@@ -327,9 +318,8 @@ static void corners_get_bends(void **state)
 }
 
 /* What is smooth stays as it is, to the last bit. */
-static void smooth_lines_stay(void **state)
+TEST(smooth_lines_stay)
 {
-    (void)state;
     Alignment route = known_route(1), out;
     const FitReport r = fitted(&route, &out);
     assert_int_equal(r.fitted, 0);
@@ -341,9 +331,8 @@ static void smooth_lines_stay(void **state)
 }
 
 /* A polyline with an arc by its bulge and a corner: the arc keeps its radius, the corner is rounded. */
-static void arcs_are_kept(void **state)
+TEST(arcs_are_kept)
 {
-    (void)state;
     Alignment a = {.stated_length = NAN}, out;
     add(&a, 40, 0, 0);
     add(&a, 12.5 * acos(0), 1 / 12.5, 1 / 12.5);
@@ -364,9 +353,8 @@ static void arcs_are_kept(void **state)
 }
 
 /* Heights from points beside the plan, from a drawn profile, and from one with corners. */
-static void heights_from_elsewhere(void **state)
+TEST(heights_from_elsewhere)
 {
-    (void)state;
     Alignment route = known_route(0), flat, out, drawn = {.stated_length = NAN};
     Alignment points = sampled(&route, 1, 0.003);
     assert_true(alignment_copy(&points, &flat));
@@ -412,9 +400,8 @@ static Alignment ramp(double station, double from, double to)
 
 /* Heights of another file count from the stations of the line, and points stand where they are: z is a tenth of the way
  * along, and nothing is taken that does not reach. */
-static void heights_have_stations(void **state)
+TEST(heights_have_stations)
 {
-    (void)state;
     const Vec3 beyond[] = {{-50, 1, -5}, {100, 2, 10}, {250, 0, 25}},
                back[] = {{250, 0, 25}, {100, 2, 10}, {-50, 1, -5}};
     const Vec3 drawn[] = {{1000, 0, 0}, {1200, 20, 0}}, other[] = {{0, 0, 0}, {200, 20, 0}};
@@ -452,9 +439,8 @@ static void heights_have_stations(void **state)
 
 /* Beyond the ends of a line the distance of a point is square to its direction, whatever that is: with the wrong sign
  * points on the line's own extension were refused as 46.6 m beside it. */
-static void heights_beyond_the_ends(void **state)
+TEST(heights_beyond_the_ends)
 {
-    (void)state;
     const double heading = 0.6, place[] = {-50, 100, 250};
     Alignment line = plain_line(), from = {.name = "P", .stated_length = NAN}, out;
     line.plan[0].heading = heading;
@@ -473,9 +459,8 @@ static void heights_beyond_the_ends(void **state)
 
 /* Points closer together than their scatter are thinned, but the line ends at the last of them, not at the mean of the
  * last few, 0.04 m before it. */
-static void dense_points_reach_the_end(void **state)
+TEST(dense_points_reach_the_end)
 {
-    (void)state;
     Alignment points = {.stated_length = NAN, .flat = 1}, out;
     unsigned long long seed = 88172645463325252ULL;
     for (int i = 0; i <= 250; ++i) *alignment_add_point(&points) = v3(0.04 * i, 0.02 * normal(&seed), 0);
@@ -486,9 +471,8 @@ static void dense_points_reach_the_end(void **state)
     alignment_clear(&out);
 }
 
-static void what_is_wrong(void **state)
+TEST(what_is_wrong)
 {
-    (void)state;
     const Vec3 one[] = {{1, 1, 1}, {1, 1, 1}}, wall[] = {{0, 0, 0}, {10, 0, 0}, {10.5, 0, 40}, {20, 0, 40}};
     FitOptions options = fit_options();
     FitReport r;
@@ -516,9 +500,8 @@ static void what_is_wrong(void **state)
 }
 
 /* A drawn profile of several corners is the same from either side. */
-static void drawn_from_either_side(void **state)
+TEST(drawn_from_either_side)
 {
-    (void)state;
     static const double corner[][2] = {{0, 0}, {33, 5}, {66, 5}, {100, 10}};
     FitOptions options = fit_options();
     FitReport report;
@@ -543,9 +526,8 @@ static void drawn_from_either_side(void **state)
 
 /* Two bends of radius R between straights, drawn with n chords: a row of corners of 0.3 m before, which no cable takes.
  * Corners between long legs stay corners, and a chamfer with a leg of its own too. */
-static void chords_of_bends(void **state)
+TEST(chords_of_bends)
 {
-    (void)state;
     static const struct {
         double radius, turn;
         int n;
@@ -591,13 +573,3 @@ static void chords_of_bends(void **state)
     alignment_clear(&line);
     alignment_clear(&out);
 }
-
-TEST_FILE(test_fit, cmocka_unit_test(noisy_route_comes_back), cmocka_unit_test(radii_that_points_tell),
-          cmocka_unit_test(long_line_is_within), cmocka_unit_test(spacing_and_noise),
-          cmocka_unit_test(corners_get_bends), cmocka_unit_test(legs_stay_straight),
-          cmocka_unit_test(grades_stay_straight), cmocka_unit_test(smooth_lines_stay), cmocka_unit_test(arcs_are_kept),
-          cmocka_unit_test(heights_from_elsewhere), cmocka_unit_test(rough_lines_are_within),
-          cmocka_unit_test(bends_have_error_bars), cmocka_unit_test(heights_have_stations),
-          cmocka_unit_test(what_is_wrong), cmocka_unit_test(drawn_from_either_side),
-          cmocka_unit_test(heights_beyond_the_ends), cmocka_unit_test(dense_points_reach_the_end),
-          cmocka_unit_test(chords_of_bends))

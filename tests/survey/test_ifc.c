@@ -5,9 +5,8 @@
 #define IFC(schema, body)                                                                                              \
     "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('" schema "'));\nENDSEC;\nDATA;\n" body "ENDSEC;\nEND-ISO-10303-21;\n"
 
-static void tunnel(void **state)
+TEST(tunnel)
 {
-    (void)state;
     Survey s = shared_file("tunnel-alignment.ifc");
     assert_int_equal(s.n, 1);
     const Alignment *const a = &s.alignment[0];
@@ -25,9 +24,8 @@ static void tunnel(void **state)
 }
 
 /* Each of these holds one segment; the name says which. */
-static void atoms(void **state)
+TEST(atoms)
 {
-    (void)state;
     Survey s = shared_file("Clothoid_100.0_-300_-1000_1_Meter.ifc");
     check_close(s.alignment[0].plan[0].k0, -1.0 / 300, 1e-15);
     check_close(s.alignment[0].plan[0].k1, -1e-3, 1e-15);
@@ -78,17 +76,15 @@ static void drawn(const char *name)
     free(text);
 }
 
-static void by_curves(void **state)
+TEST(by_curves)
 {
-    (void)state;
     drawn("tunnel-alignment.ifc");
     drawn("stn01-quadri.ifc");
 }
 
 /* Millimetres, degrees, a placement that is turned and moved, comments, a text with quotes. */
-static void units_and_placement(void **state)
+TEST(units_and_placement)
 {
-    (void)state;
     Survey s;
     const char *const text = IFC(
         "IFC4X3",
@@ -114,9 +110,8 @@ static void units_and_placement(void **state)
 }
 
 /* An alignment in plan alone lies at the height of its placements. */
-static void level_at_its_placement(void **state)
+TEST(level_at_its_placement)
 {
-    (void)state;
     Survey s;
     const char *const text = IFC(
         "IFC4X3", "#1=IFCALIGNMENT('a',$,'a',$,$,#20,$,$);\n#2=IFCALIGNMENTHORIZONTAL('b',$,$,$,$,$,$);\n"
@@ -135,9 +130,8 @@ static void level_at_its_placement(void **state)
 }
 
 /* 4x1's curves: an arc to the right, a transition, a crest. And a polyline in space. */
-static void older_schema_and_polyline(void **state)
+TEST(older_schema_and_polyline)
 {
-    (void)state;
     Survey s;
     const char *const text =
         IFC("IFC4X1",
@@ -175,9 +169,8 @@ static void older_schema_and_polyline(void **state)
 
 /* Arcs by three points, level and in space; corners in another order than the list's; lengths as parameters; a clothoid
  * that is run through against its parent; cant over a curve; units of units; names with escapes. */
-static void curves_of_other_kinds(void **state)
+TEST(curves_of_other_kinds)
 {
-    (void)state;
     Survey s;
     const double pi = acos(-1);
     assert_string_equal(
@@ -254,9 +247,8 @@ static void curves_of_other_kinds(void **state)
 }
 
 /* Curves of a higher degree than what they would be read as are refused; those of a lower one are what they are. */
-static void polynomials(void **state)
+TEST(polynomials)
 {
-    (void)state;
     static const char *const plan =
         "#4=IFCCOMPOSITECURVE((#10),.F.);\n"
         "#10=IFCCURVESEGMENT(.CONTINUOUS.,#11,IFCLENGTHMEASURE(0.),IFCLENGTHMEASURE(20.),#13);\n"
@@ -309,9 +301,8 @@ static double share(int kind, double x)
 
 /* 100 m from a straight to 300 m of radius: by what a segment means (AL9), against the midpoint rule, and against the
  * ends that buildingSMART's programs have. As clothoids they ended 0.4 to 0.8 m off. */
-static void transitions(void **state)
+TEST(transitions)
 {
-    (void)state;
     static const char *const type[] = {"BLOSSCURVE", "COSINECURVE", "SINECURVE", "HELMERTCURVE", "VIENNESEBEND"};
     static const double known[][2] = {{99.7468064174602, 4.98981104238495},
                                       {99.7484553576535, 4.94582068772138},
@@ -350,9 +341,8 @@ static void transitions(void **state)
 
 /* A spiral's terms and where on it the segment lies; a parabola whose length is a parameter, which is no length along
  * it: it was 93.9 m long in plan, and is 100 m. */
-static void curves_by_parameter(void **state)
+TEST(curves_by_parameter)
 {
-    (void)state;
     Survey s;
     assert_string_equal(
         read_text(
@@ -377,9 +367,8 @@ static void curves_by_parameter(void **state)
 }
 
 /* The kind of a segment is its own word, not what comes behind it; an arc has one radius. */
-static void kinds_of_segments(void **state)
+TEST(kinds_of_segments)
 {
-    (void)state;
     static const char *const file =
         IFC("IFC4X3", "#1=IFCALIGNMENT('1',$,'al',$,$,$,$,$);\n#2=IFCALIGNMENTHORIZONTAL('2',$,$,$,$,$,$);\n"
                       "#3=IFCRELNESTS($,$,$,$,#1,(#2));\n#4=IFCRELNESTS($,$,$,$,#2,(#5));\n"
@@ -412,9 +401,8 @@ static void kinds_of_segments(void **state)
 
 /* A vertical layout in a child of the alignment that has the plan: the child is a line with both, where its parent is
  * placed; one with a plan of its own is a line beside its parent. */
-static void child_alignments(void **state)
+TEST(child_alignments)
 {
-    (void)state;
     Survey s;
     static const char placed[] =
         IFC("IFC4X3", PARENT("#30") "#15=IFCRELNESTS('n1',$,$,$,#13,(#10));\n#30=IFCLOCALPLACEMENT($,#31);\n"
@@ -438,9 +426,8 @@ static void child_alignments(void **state)
     survey_clear(&s);
 }
 
-static void what_is_wrong(void **state)
+TEST(what_is_wrong)
 {
-    (void)state;
     bad("ISO-10303-21;\nHEADER;", "no section DATA");
     bad(IFC("AP242", ""), "expected IFC");
     bad(IFC("IFC4X3", ""), "no IfcAlignment");
@@ -460,9 +447,3 @@ static void what_is_wrong(void **state)
                       "6=IFCRELNESTS($,$,$,$,#2,(#4));\n"),
         "without point, direction");
 }
-
-TEST_FILE(test_ifc, cmocka_unit_test(tunnel), cmocka_unit_test(atoms), cmocka_unit_test(by_curves),
-          cmocka_unit_test(units_and_placement), cmocka_unit_test(level_at_its_placement),
-          cmocka_unit_test(older_schema_and_polyline), cmocka_unit_test(curves_of_other_kinds),
-          cmocka_unit_test(polynomials), cmocka_unit_test(kinds_of_segments), cmocka_unit_test(child_alignments),
-          cmocka_unit_test(what_is_wrong), cmocka_unit_test(transitions), cmocka_unit_test(curves_by_parameter))

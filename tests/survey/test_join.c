@@ -35,9 +35,8 @@ static Survey joined(const Survey *from, const char *layer, Joined *j)
 
 /* Pieces run as most of their length is drawn, in whatever order they stand in the file; of two lines, both drawn to
  * the right, the second first, the line ran to the left. Half of the length: as the first piece. */
-static void as_most_is_drawn(void **state)
+TEST(as_most_is_drawn)
 {
-    (void)state;
     static const struct {
         double from[3], to[3];
         int n, right;
@@ -76,9 +75,8 @@ static void as_most_is_drawn(void **state)
 
 /* A symbol of a block on the line's layer does not cut the line where two of its pieces meet, but a block's line goes
  * on behind one. */
-static void lines_of_blocks(void **state)
+TEST(lines_of_blocks)
 {
-    (void)state;
     Survey s = {0};
     Joined j;
     straight(&s, "C", v3(50, 0, 0), v3(50, 2, 0))->inserted = 1;
@@ -95,9 +93,8 @@ static void lines_of_blocks(void **state)
 }
 
 /* Three pieces, the middle one an arc drawn from its far end, ends 4 mm apart. */
-static void order_and_direction(void **state)
+TEST(order_and_direction)
 {
-    (void)state;
     Survey s = {0};
     Joined j;
     straight(&s, "C", v3(20, 10, 0), v3(20, 50, 0));
@@ -120,9 +117,8 @@ static void order_and_direction(void **state)
 }
 
 /* A branch: three lines that end there, not one that guesses. A gap of 0.3 m: two lines, and said. */
-static void forks_and_gaps(void **state)
+TEST(forks_and_gaps)
 {
-    (void)state;
     Survey s = {0};
     Joined j;
     straight(&s, "C", v3(0, 0, 0), v3(50, 0, 0));
@@ -149,9 +145,8 @@ static void forks_and_gaps(void **state)
 }
 
 /* Crossings at different heights do not meet; what has heights becomes points, arcs among them. */
-static void heights(void **state)
+TEST(heights)
 {
-    (void)state;
     Survey s = {0};
     Joined j;
     straight(&s, "C", v3(0, 0, 1), v3(10, 0, 2));
@@ -170,9 +165,8 @@ static void heights(void **state)
 
 /* Straights and an arc at one height are elements, as they are at 0 m; where one rises, the arc is chords 0.2 mm beside
  * it, and the straights stay straights. */
-static void arcs_at_a_height(void **state)
+TEST(arcs_at_a_height)
 {
-    (void)state;
     for (int rise = 0; rise < 2; ++rise) {
         Survey s = {0};
         Joined j;
@@ -201,9 +195,8 @@ static void arcs_at_a_height(void **state)
 }
 
 /* Ten thousand pieces of a circle in any order: one closed line. */
-static void many(void **state)
+TEST(many)
 {
-    (void)state;
     enum { N = 10007 };
     Survey s = {0};
     Joined j;
@@ -224,9 +217,8 @@ static void many(void **state)
 /* A piece at a height that joins one that has none: the line has none, and it is said, for it would fall 30 m in a
  * step.
  */
-static void pieces_without_heights(void **state)
+TEST(pieces_without_heights)
 {
-    (void)state;
     Survey s = {0};
     Joined j;
     straight(&s, "C", v3(0, 0, 30), v3(10, 0, 31));
@@ -252,9 +244,8 @@ static void pieces_without_heights(void **state)
 
 /* A shaft that is drawn as a line straight up joins what ends at its foot and at its head, at any height and in any
  * order, pieces at 0 m too, which may have no heights; it was left out, and the line was level. */
-static void shafts(void **state)
+TEST(shafts)
 {
-    (void)state;
     static const double foot[] = {5, 0, -20};
     for (int k = 0; k < 12; ++k) {
         const double z = foot[k % 3];
@@ -279,9 +270,8 @@ static void shafts(void **state)
 }
 
 /* One that stands beside the line, or at its end, is none of it; what it does not reach is a gap in height. */
-static void shafts_beside(void **state)
+TEST(shafts_beside)
 {
-    (void)state;
     Survey s = {0};
     Joined j;
     straight(&s, "C", v3(0, 0, 5), v3(50, 0, 5));
@@ -309,9 +299,8 @@ static void shafts_beside(void **state)
 }
 
 /* The two ends of a short straight are no gap; those of a line that nearly closes are. */
-static void own_ends(void **state)
+TEST(own_ends)
 {
-    (void)state;
     Survey s = {0};
     Joined j;
     straight(&s, "C", v3(0, 0, 0), v3(0.8, 0, 0));
@@ -327,9 +316,8 @@ static void own_ends(void **state)
     survey_clear(&s);
 }
 
-static void choosing(void **state)
+TEST(choosing)
 {
-    (void)state;
     Survey s = {0};
     straight(&s, "A", v3(0, 0, 0), v3(10, 0, 0));
     straight(&s, "B", v3(0, 5, 0), v3(30, 5, 0));
@@ -347,8 +335,3 @@ static void choosing(void **state)
     check_has(err.message, "no line on layer X");
     survey_clear(&s);
 }
-
-TEST_FILE(test_join, cmocka_unit_test(order_and_direction), cmocka_unit_test(forks_and_gaps), cmocka_unit_test(heights),
-          cmocka_unit_test(arcs_at_a_height), cmocka_unit_test(pieces_without_heights), cmocka_unit_test(shafts),
-          cmocka_unit_test(shafts_beside), cmocka_unit_test(own_ends), cmocka_unit_test(many),
-          cmocka_unit_test(choosing), cmocka_unit_test(as_most_is_drawn), cmocka_unit_test(lines_of_blocks))

@@ -8,9 +8,8 @@
     "<Alignments><Alignment name=\"a\" length=\"1\" staStart=\"100\"><CoordGeom>" geometry "</CoordGeom>" rest         \
     "</Alignment></Alignments>"
 
-static void tramway(void **state)
+TEST(tramway)
 {
-    (void)state;
     static const double length[] = {108.360853736, 14.566530746, 47.349749727, 14.578784415,
                                     58.981749834,  39.724959032, 9.190333403};
     Survey s = shared_file("cabling-civil3d.landxml.xml");
@@ -29,9 +28,8 @@ static void tramway(void **state)
     survey_clear(&s);
 }
 
-static void railway(void **state)
+TEST(railway)
 {
-    (void)state;
     Survey s = shared_file("stn01.landxml.xml");
     assert_int_equal(s.n, 1);
     const Alignment *const a = &s.alignment[0];
@@ -53,9 +51,8 @@ static void railway(void **state)
 }
 
 /* Feet, points by name, a curve without its centre on either side and both ways, a spiral, a list of points. */
-static void all_elements(void **state)
+TEST(all_elements)
 {
-    (void)state;
     Survey s;
     const char *const text = XML(
         "<Imperial linearUnit=\"foot\"/>",
@@ -97,9 +94,8 @@ static void all_elements(void **state)
 }
 
 /* Heights without a profile are said, and a curve that goes nowhere; one whose length is a full turn goes around. */
-static void what_is_left_out(void **state)
+TEST(what_is_left_out)
 {
-    (void)state;
     Survey s;
     const char *const text =
         XML(METRIC, ALIGNMENT("<Line><Start>0 0 5</Start><End>0 10 6</End></Line>"
@@ -121,9 +117,8 @@ static void what_is_left_out(void **state)
 
 /* A Curve that its length tells to turn to the other side than rot; a Spiral that does not end where it is said to;
  * heights in another unit; units behind the lines, which would have been taken for metres. */
-static void what_contradicts_itself(void **state)
+TEST(what_contradicts_itself)
 {
-    (void)state;
     Survey s;
     assert_string_equal(
         read_text(XML("<Metric linearUnit=\"meter\" elevationUnit=\"feet\"/>",
@@ -148,9 +143,8 @@ static void what_contradicts_itself(void **state)
         "Units behind what is measured in them");
 }
 
-static void what_is_wrong(void **state)
+TEST(what_is_wrong)
 {
-    (void)state;
     bad("<LandXML><Units>", "no XML");
     bad("<svg/>", "expected <LandXML>");
     bad(XML("<Metric linearUnit=\"cubit\"/>", ""), "3: linearUnit is 'cubit'");
@@ -173,9 +167,8 @@ static void what_is_wrong(void **state)
 }
 
 /* Which way a Spiral turns is said, in any case of letters. */
-static void spirals_turn(void **state)
+TEST(spirals_turn)
 {
-    (void)state;
     static const char *const form =
         "<LandXML><Units><Metric linearUnit=\"meter\"/></Units><Alignments><Alignment name=\"A\"><CoordGeom>"
         "<Spiral %s length=\"40\" radiusStart=\"INF\" radiusEnd=\"100\"><Start>0 50</Start><End>-2.65 89.84</End>"
@@ -192,9 +185,8 @@ static void spirals_turn(void **state)
 
 /* Two points whose names differ behind the 63rd letter are not taken for one another; those that nobody asks for are
  * read over. */
-static void long_names_of_points(void **state)
+TEST(long_names_of_points)
 {
-    (void)state;
 #define LONG "PPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPPP"
 #define POINTS                                                                                                         \
     "<CgPoints><CgPoint name=\"A\">0 0</CgPoint><CgPoint name=\"" LONG "2\">0 100</CgPoint><CgPoint name=\"" LONG      \
@@ -208,9 +200,8 @@ static void long_names_of_points(void **state)
 }
 
 /* Curves of a profile without their lengths are no corners. */
-static void curves_need_lengths(void **state)
+TEST(curves_need_lengths)
 {
-    (void)state;
     bad(XML(METRIC, ALIGNMENT("<Line><Start>0 0</Start><End>0 100</End></Line>",
                               "<Profile><ProfAlign><PVI>0 10</PVI><UnsymParaCurve lengthIn=\"0\" lengthOut=\"40\">50 15"
                               "</UnsymParaCurve><PVI>100 10</PVI></ProfAlign></Profile>")),
@@ -223,9 +214,8 @@ static void curves_need_lengths(void **state)
 
 /* A Curve of more than half a turn that neither a Center nor a length tells: its delta does, in the unit that the file
  * says, or in the one that goes with chord and radius. */
-static void delta_of_a_curve(void **state)
+TEST(delta_of_a_curve)
 {
-    (void)state;
     static const char *const unit[] = {"",
                                        "angularUnit=\"decimal degrees\"",
                                        "angularUnit=\"radians\"",
@@ -268,8 +258,3 @@ static void delta_of_a_curve(void **state)
         "");
     survey_clear(&s);
 }
-
-TEST_FILE(test_landxml, cmocka_unit_test(tramway), cmocka_unit_test(railway), cmocka_unit_test(all_elements),
-          cmocka_unit_test(what_is_left_out), cmocka_unit_test(what_contradicts_itself), cmocka_unit_test(spirals_turn),
-          cmocka_unit_test(what_is_wrong), cmocka_unit_test(long_names_of_points),
-          cmocka_unit_test(curves_need_lengths), cmocka_unit_test(delta_of_a_curve))

@@ -19,9 +19,8 @@ static double meridian(double from, double to)
     return sum * h / 3;
 }
 
-static void projection(void **state)
+TEST(projection)
 {
-    (void)state;
     const MapOrigin origin = {7.25, 51.5};
     double x, y, longitude, latitude;
     map_to_ground(origin, 7.25, 53, &x, &y);
@@ -55,9 +54,8 @@ static void projection(void **state)
     }
 }
 
-static void gpx(void **state)
+TEST(gpx)
 {
-    (void)state;
     Survey s;
     assert_string_equal(
         read_text(
@@ -83,9 +81,8 @@ static void gpx(void **state)
     survey_clear(&s);
 }
 
-static void geojson(void **state)
+TEST(geojson)
 {
-    (void)state;
     Survey s;
     assert_string_equal(
         read_text("{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"properties\":{\"name\":\"a\","
@@ -120,9 +117,8 @@ static void geojson(void **state)
 
 /* The `crs` of old files and of map programs: a geographic system by whatever number is degrees, and it is said how it
  * was taken; what stands in extensions is another program's. */
-static void crs_of_other_names(void **state)
+TEST(crs_of_other_names)
 {
-    (void)state;
     Survey s;
     assert_string_equal(
         read_text(
@@ -157,9 +153,8 @@ static void crs_of_other_names(void **state)
 }
 
 /* Elements within elements: 64 of them, and no more. */
-static void depth(void **state)
+TEST(depth)
 {
-    (void)state;
     char text[1024] = "<gpx>";
     for (int k = 1; k < 64; ++k) strcat(text, "<a>");
     for (int deeper = 0; deeper < 2; ++deeper) {
@@ -175,9 +170,8 @@ static void depth(void **state)
 
 /* A prefix of its own, comments longer than a page and a DOCTYPE before the outermost element; a mark of the order of
  * bytes before JSON. */
-static void what_stands_before(void **state)
+TEST(what_stands_before)
 {
-    (void)state;
     static const char *const track =
         "<trk><trkseg><trkpt lat=\"60\" lon=\"10\"/><trkpt lat=\"60.001\" lon=\"10\"/></trkseg></trk>";
     char text[4000], comment[2000];
@@ -201,9 +195,8 @@ static void what_stands_before(void **state)
     survey_clear(&s);
 }
 
-static void what_is_wrong(void **state)
+TEST(what_is_wrong)
 {
-    (void)state;
     bad("{\"type\":\"LineString\",\n\"coordinates\":[[1,2],[3,", "2: no JSON");
     bad("{\"type\":\"LineString\",\"coordinates\":[[1,2]]}", "fewer than two positions");
     bad("{\"type\":\"LineString\",\"coordinates\":[[1],[2,3]]}", "no list of two or three numbers");
@@ -222,9 +215,8 @@ static void what_is_wrong(void **state)
 
 /* Names in encodings that expat lacks, by iconv: "no XML: unknown encoding" before. One of several bytes a character
  * still is. */
-static void encodings(void **state)
+TEST(encodings)
 {
-    (void)state;
     static const struct {
         const char *name, *bytes, *utf8;
     } cases[] = {{"windows-1252",
@@ -266,9 +258,8 @@ static void encodings(void **state)
 
 /* As Google Earth writes it: a name before and one behind the line, heights of 0 on the ground, a folder's name that is
  * nobody's, coordinates over several lines and with a blank behind a comma. */
-static void kml(void **state)
+TEST(kml)
 {
-    (void)state;
     Survey s;
     assert_string_equal(
         read_text(
@@ -295,9 +286,8 @@ static void kml(void **state)
 }
 
 /* A receiver's track, and parts of one feature, which are one line where they touch. */
-static void kml_tracks_and_parts(void **state)
+TEST(kml_tracks_and_parts)
 {
-    (void)state;
     Survey s;
     assert_string_equal(
         read_text(KML(PLACEMARK("<name>t</name><gx:MultiTrack><altitudeMode>absolute</altitudeMode><gx:Track><when>2020"
@@ -323,9 +313,8 @@ static void kml_tracks_and_parts(void **state)
 
 /* Heights above a ground that is not in the file are none; those of a line on the ground are taken, and both are said.
  * What is no line is named. */
-static void kml_that_leaves_open(void **state)
+TEST(kml_that_leaves_open)
 {
-    (void)state;
     Survey s;
     assert_string_equal(
         read_text(
@@ -350,8 +339,3 @@ static void kml_that_leaves_open(void **state)
     bad(KML(PLACEMARK("<gx:Track><gx:coord>10</gx:coord></gx:Track>")), "'10' is no place");
     bad(KML(PLACEMARK("<gx:Track><gx:coord/></gx:Track>")), "is no place");
 }
-
-TEST_FILE(test_map, cmocka_unit_test(kml), cmocka_unit_test(kml_tracks_and_parts),
-          cmocka_unit_test(kml_that_leaves_open), cmocka_unit_test(projection), cmocka_unit_test(gpx),
-          cmocka_unit_test(geojson), cmocka_unit_test(crs_of_other_names), cmocka_unit_test(what_stands_before),
-          cmocka_unit_test(what_is_wrong), cmocka_unit_test(depth), cmocka_unit_test(encodings))

@@ -70,9 +70,8 @@ static const char *shape_of(double unit, Survey *s)
     return status ? err.message : "";
 }
 
-static void lines_with_names(void **state)
+TEST(lines_with_names)
 {
-    (void)state;
     Survey s;
     write_shape(SHPT_ARC, 2, both, 5, place, metres);
     assert_string_equal(shape_of(NAN, &s), "");
@@ -93,9 +92,8 @@ static void lines_with_names(void **state)
 }
 
 /* Of one line of 150 m, or of feet: by the .prj, by the caller, by a .prj with other words or heights of their own. */
-static void units_of_projections(void **state)
+TEST(units_of_projections)
 {
-    (void)state;
     const struct {
         const char *prj;
         double unit, plan, height;
@@ -115,9 +113,8 @@ static void units_of_projections(void **state)
 }
 
 /* Degrees go through the projection that other maps' go through; without a .prj nobody knows what they are. */
-static void degrees(void **state)
+TEST(degrees)
 {
-    (void)state;
     static const double at[2][3] = {{10, 60, 0}, {10, 60.001, 0}};
     Survey s;
     write_shape(SHPT_ARC, 1, both, 2, at, globe);
@@ -148,9 +145,8 @@ static void patch(const char *ending, long at, const char *bytes, size_t n)
     fclose(file);
 }
 
-static void shapes_that_are_refused(void **state)
+TEST(shapes_that_are_refused)
 {
-    (void)state;
     Survey s;
     write_shape(SHPT_ARC, 1, both, 3, place, world);
     check_has(shape_of(NAN, &s), "metres of a map of the world are too long");
@@ -172,9 +168,8 @@ static void shapes_that_are_refused(void **state)
 }
 
 /* The index is made where it is missing; a table that is no table costs the names, and is said. */
-static void without_what_is_beside(void **state)
+TEST(without_what_is_beside)
 {
-    (void)state;
     Survey s;
     write_shape(SHPT_ARC, 1, both, 3, place, metres);
     unlink(file_at(".shx"));
@@ -190,15 +185,11 @@ static void without_what_is_beside(void **state)
     survey_clear(&s);
 }
 
-TEST_FILE(test_shape, cmocka_unit_test(lines_with_names), cmocka_unit_test(units_of_projections),
-          cmocka_unit_test(degrees), cmocka_unit_test(shapes_that_are_refused),
-          cmocka_unit_test(without_what_is_beside))
 #else
 #include "tests/survey/survey_fixture.h"
 
-static void is_said(void **state)
+TEST(is_said)
 {
-    (void)state;
     Survey s;
     hawser_error err;
     char path[] = "/tmp/hawser-shape-XXXXXX";
@@ -210,5 +201,4 @@ static void is_said(void **state)
     check_has(err.message, "HAWSER_SHAPEFILE");
 }
 
-TEST_FILE(test_shape, cmocka_unit_test(is_said))
 #endif

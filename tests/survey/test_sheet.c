@@ -66,9 +66,8 @@ static const char *read_xlsx(const char *first, const char *second, const char *
 static const double PI_ = 3.14159265358979323846;
 
 /* A title, an empty row, shared and inline texts, a date, a per cent, a formula's kept value, and a number in feet. */
-static void xlsx_as_excel_writes(void **state)
+TEST(xlsx_as_excel_writes)
 {
-    (void)state;
     static const char sheet[] =
         SHEET(ROW(1, INLINE("A1", "Feeder 3")) ROW(3, SHARED("A3", "0") INLINE("B3", "Angle") SHARED("C3", "1")
                                                           SHARED("D3", "3") INLINE("E3", "Slope") SHARED("F3", "2"))
@@ -86,9 +85,8 @@ static void xlsx_as_excel_writes(void **state)
 }
 
 /* A head of two rows: one cell over both, and one over two columns. */
-static void xlsx_merged_heads(void **state)
+TEST(xlsx_merged_heads)
 {
-    (void)state;
     static const char sheet[] = "<worksheet><sheetData>" ROW(1, INLINE("A1", "z (m)") INLINE("B1", "Coordinates")) ROW(
         2, INLINE("B2", "x (m)") INLINE("C2", "y (m)")) ROW(3, NUMBER("A3", "5") NUMBER("B3", "0") NUMBER("C3", "0"))
         ROW(4, NUMBER("A4", "5") NUMBER("B4", "30") NUMBER("C4", "40")) "</sheetData><mergeCells><mergeCell "
@@ -102,9 +100,8 @@ static void xlsx_merged_heads(void **state)
     survey_clear(&s);
 }
 
-static void xlsx_refused(void **state)
+TEST(xlsx_refused)
 {
-    (void)state;
     static const char good[] = SHEET(ROW(1, INLINE("A1", "Length (m)")) ROW(2, NUMBER("A2", "100"))),
                       no_value[] = SHEET(ROW(1, INLINE("A1", "Length (m)")) ROW(2, NUMBER("A2", "100"))
                                              ROW(7, "<c r='A7'><f>B9</f></c>"));
@@ -134,9 +131,8 @@ static void xlsx_refused(void **state)
     "table:table-cell>"
 
 /* Cells and rows that are repeated, decimal commas and units of what is shown, notes on cells, per cent. */
-static void ods_as_libreoffice_writes(void **state)
+TEST(ods_as_libreoffice_writes)
 {
-    (void)state;
     static const char content[] = ODS(ODS_ROW("<table:table-cell table:number-columns-repeated='1024'/>") ODS_ROW(
         ODS_TEXT("Length (m)<text:span/>") ODS_TEXT("Slope") ODS_TEXT(
             "Date")) "<table:table-row table:number-rows-repeated='3'>" ODS_NUMBER("32.808398950131235",
@@ -175,9 +171,8 @@ static void ods_as_libreoffice_writes(void **state)
 }
 
 /* A small file that unpacks to very many cells is refused, within bounds. */
-static void bombs_are_refused(void **state)
+TEST(bombs_are_refused)
 {
-    (void)state;
     static const char content[] = ODS("<table:table-row table:number-rows-repeated='9999999'>" ODS_NUMBER("1", "1")
                                           ODS_NUMBER("2", "2") "</table:table-row>");
     const Part parts[] = {{"content.xml", content}, {NULL, NULL}};
@@ -186,9 +181,8 @@ static void bombs_are_refused(void **state)
 }
 
 /* A KMZ as Google Earth writes it: doc.kml beside its pictures; of further KML it is said that it is not read. */
-static void kmz(void **state)
+TEST(kmz)
 {
-    (void)state;
     static const char map[] = "<kml><Placemark><name>feeder</name><LineString><coordinates>10,60,0 10,60.001,0"
                               "</coordinates></LineString></Placemark></kml>";
     const Part parts[] = {{"files/more.kml", "<kml/>"}, {"doc.kml", map}, {"files/icon.png", "x"}, {NULL, NULL}};
@@ -204,7 +198,3 @@ static void kmz(void **state)
     check_has(read_parts(empty, NULL, &s), "cannot be unpacked");
     check_has(read_parts(broken, NULL, &s), "2: no XML");
 }
-
-TEST_FILE(test_sheet, cmocka_unit_test(kmz), cmocka_unit_test(xlsx_as_excel_writes),
-          cmocka_unit_test(xlsx_merged_heads), cmocka_unit_test(xlsx_refused),
-          cmocka_unit_test(ods_as_libreoffice_writes), cmocka_unit_test(bombs_are_refused))

@@ -24,9 +24,8 @@ static double apart(const Alignment *a, const Alignment *b, double behind)
     return most;
 }
 
-static void railway_as_tables(void **state)
+TEST(railway_as_tables)
 {
-    (void)state;
     Survey s = shared_file("stn01.landxml.xml");
     Alignment a = joined("stn01-horizontal.csv", "stn01-vertical.csv");
     check_close(alignment_measure(&a).plan_length, 1029.3720712725, 1e-3);
@@ -37,9 +36,8 @@ static void railway_as_tables(void **state)
 }
 
 /* Their radii are negative to the left; the first begins where the railway is 153 m old. */
-static void tables_with_other_signs(void **state)
+TEST(tables_with_other_signs)
 {
-    (void)state;
     Survey s = shared_file("stn01.landxml.xml");
     Alignment one = joined("al22-alignment1-horizontal.csv", "al22-alignment1-vertical.csv");
     check_below(alignment_measure(&one).gap, 1e-3);
@@ -54,9 +52,8 @@ static void tables_with_other_signs(void **state)
 }
 
 /* Feet, decimal commas, a slope in per cent, a bend upward, one to the side on the grade. */
-static void planners_pieces(void **state)
+TEST(planners_pieces)
 {
-    (void)state;
     Survey s;
     assert_string_equal(
         read_text("# a duct\nname;length [ft];angle;radius (ft);turn;slope;remark\n"
@@ -85,9 +82,8 @@ static void planners_pieces(void **state)
 }
 
 /* Of several columns that may be names the last one with letters counts; numbers are none. */
-static void rows_have_names(void **state)
+TEST(rows_have_names)
 {
-    (void)state;
     Survey s;
     Alignment copy;
     assert_string_equal(read_text("Entity,ID,Name,x,y,length\nSegment,1, out of the shaft,0,0,5\n-,2,,5,0,5\n", &s),
@@ -99,9 +95,8 @@ static void rows_have_names(void **state)
     alignment_clear(&copy);
 }
 
-static void points_and_corners(void **state)
+TEST(points_and_corners)
 {
-    (void)state;
     Survey s;
     assert_string_equal(read_text("\xEF\xBB\xBF"
                                   "Easting\tNorthing\tElevation\r\n1,5\t2\t3\r\n4,5\t6\t3\r\n",
@@ -123,9 +118,8 @@ static void points_and_corners(void **state)
 
 /* What a German spreadsheet hands over: its own first line, a byte-order mark, umlauts in either code page, decimal
  * commas; a slope under a bare percent sign or in degrees. */
-static void as_spreadsheets_write_them(void **state)
+TEST(as_spreadsheets_write_them)
 {
-    (void)state;
     static const char *const rising[] = {
         "\xEF\xBB\xBFRechtswert;Hochwert;H\xC3\xB6he [m]\r\n453120,25;6712310,5;12,0\r\n453123,25;6712310,5;16,0\r\n",
         "Rechtswert;Hochwert;H\xF6he\n453120,25;6712310,5;12\n453123,25;6712310,5;16\n",
@@ -161,9 +155,8 @@ static void as_spreadsheets_write_them(void **state)
     bad("length,slope (deg)\n5,100\n", "too steep");
 }
 
-static void what_is_wrong(void **state)
+TEST(what_is_wrong)
 {
-    (void)state;
     bad("", "the file is empty");
     bad("length,angle\n", "no rows");
     bad("length (cubits)\n1\n", "a unit that is not known");
@@ -188,9 +181,8 @@ static void what_is_wrong(void **state)
 }
 
 /* What a table says is built or refused: no column of numbers, no cell and no sign is left out without a word. */
-static void nothing_is_dropped(void **state)
+TEST(nothing_is_dropped)
 {
-    (void)state;
     bad("length,slope\n100,5,2\n", "2: '2' is cell 3 of a row, and there are 2 columns");
     bad("length,angle,radius,turn\n,90%,20,left\n", "2: '90%' is no number");
     bad("length,angle,radius,turn\n,-90,20,left\n", "2: a negative angle is to the right or down");
@@ -217,9 +209,8 @@ static void nothing_is_dropped(void **state)
 }
 
 /* Slopes of a straight of 100 m, in every way that a header and a cell can have them. */
-static void slopes_have_signs(void **state)
+TEST(slopes_have_signs)
 {
-    (void)state;
     static const struct {
         const char *text;
         double grade;
@@ -239,9 +230,8 @@ static void slopes_have_signs(void **state)
 }
 
 /* Words for the side, beside radii and angles with and without signs. */
-static void turns_have_sides(void **state)
+TEST(turns_have_sides)
 {
-    (void)state;
     Survey s;
     assert_string_equal(read_text("x,y,direction,length,radius,turn\n0,0,0,50,,\n50,0,0,31.415926536,20,right\n"
                                   "70,-20,270,50,,\n70,-70,270,31.415926536,-20,left\n",
@@ -257,9 +247,8 @@ static void turns_have_sides(void **state)
 
 /* Stations beside points, elements and pieces are the way along them, or the table is refused: a part of the line would
  * be another. Along a slope they may be longer, and that is said. */
-static void stations_are_the_way(void **state)
+TEST(stations_are_the_way)
 {
-    (void)state;
     Survey s;
     bad("station,x,y,z\n0,0,0,10\n150,100,0,10\n300,200,0,10\n",
         "3: station 150 m is 150 m from the first one, and the way "
@@ -278,9 +267,8 @@ static void stations_are_the_way(void **state)
 }
 
 /* "inf" is a straight where a radius is asked for, as a whole word; what only begins so is no number. */
-static void infinite_radii(void **state)
+TEST(infinite_radii)
 {
-    (void)state;
     static const char *const words[] = {"inf", "INF", "-Infinity ", "infinite", "\xE2\x88\x9E"};
     for (size_t i = 0; i < sizeof words / sizeof *words; ++i) {
         char text[200];
@@ -298,9 +286,8 @@ static void infinite_radii(void **state)
 
 /* A radius without an end gradient ends with the next row's gradient; a column of radii at one end alone does not say
  * what is at the other. */
-static void radii_have_two_ends(void **state)
+TEST(radii_have_two_ends)
 {
-    (void)state;
     Survey s;
     assert_string_equal(read_text("station,z,start gradient,length,radius\n0,10,-0.01,48,\n48,9.52,-0.01,4,200\n"
                                   "52,9.52,0.01,48,\n",
@@ -317,10 +304,3 @@ static void radii_have_two_ends(void **state)
     bad("x,y,length,end radius\n0,0,50,\n50,0,31.4159265,20\n",
         "a column of end radii, and none of start: elements need both");
 }
-
-TEST_FILE(test_table, cmocka_unit_test(railway_as_tables), cmocka_unit_test(tables_with_other_signs),
-          cmocka_unit_test(planners_pieces), cmocka_unit_test(rows_have_names), cmocka_unit_test(points_and_corners),
-          cmocka_unit_test(as_spreadsheets_write_them), cmocka_unit_test(what_is_wrong),
-          cmocka_unit_test(nothing_is_dropped), cmocka_unit_test(slopes_have_signs), cmocka_unit_test(turns_have_sides),
-          cmocka_unit_test(stations_are_the_way), cmocka_unit_test(infinite_radii),
-          cmocka_unit_test(radii_have_two_ends))

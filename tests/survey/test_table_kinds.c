@@ -37,9 +37,8 @@ static const char *ignoring(const char *text, const char *ignore, Survey *s)
 static const double PI_ = 3.14159265358979323846;
 
 /* A straight of 100 m on a slope under heads of six languages, and a bend of 90 deg and 10 m to the left. */
-static void heads_in_six_languages(void **state)
+TEST(heads_in_six_languages)
 {
-    (void)state;
     static const char *const texts[] = {
         "Length (m),Angle (deg),Radius (m),Turn,Slope %\n100,,,,3\n,90,10,left,\n",
         "Section length,Bend angle,Bend radius,Turn direction,Grade %\n100 m,,,,3\n,90,10 m,L,\n",
@@ -67,9 +66,8 @@ static void heads_in_six_languages(void **state)
 }
 
 /* 18.86 kN and NOT SAFE where a column 'Grade %' was left out and the route taken for level. */
-static void slopes_are_not_dropped(void **state)
+TEST(slopes_are_not_dropped)
 {
-    (void)state;
     check_close(measured("Length,Grade %\n300,20\n100,0\n").end.z, 300 * 0.2 / sqrt(1.04), 1e-9); /* was 0 */
     check_close(measured("Length,Gradient (1 in n)\n300,5\n100,0\n").end.z, 300 * 0.2 / sqrt(1.04), 1e-9);
     check_close(measured("Horizontal length,Slope %\n300,20\n100,0\n").end.z, 60, 1e-9); /* 300 m along it */
@@ -87,9 +85,8 @@ static void slopes_are_not_dropped(void **state)
 }
 
 /* What is no part of a route is said to be unused, and can be silenced. */
-static void other_columns_are_said(void **state)
+TEST(other_columns_are_said)
 {
-    (void)state;
     Survey s = good("length,cost,sheet,date,notes\n300,1200,4,2026-01-02,wet\n100,800,5,2026-01-03,\n");
     assert_int_equal(s.n_ignored, 4);
     assert_string_equal(s.ignored[0].what, "column 'cost'");
@@ -102,9 +99,8 @@ static void other_columns_are_said(void **state)
 }
 
 /* A row that is the sum of those above was a piece: 831.4 m in place of 415.7 m. */
-static void totals_are_no_pieces(void **state)
+TEST(totals_are_no_pieces)
 {
-    (void)state;
     static const char *const totals[] = {
         "name,length,angle,radius,turn\nA,300,,,\nB,,90,10,left\nC,100,,,\nTotal,415.7,,,\n",
         "length,angle,radius,turn,remark\n300,,,,\n,90,10,left,\n100,,,,\n415.7,,,,Summe\n",
@@ -119,9 +115,8 @@ static void totals_are_no_pieces(void **state)
 }
 
 /* Titles above, units and repeated heads below, notes, blank lines, encodings and commas of numbers. */
-static void tables_with_much_around(void **state)
+TEST(tables_with_much_around)
 {
-    (void)state;
     static const char *const texts[] = {
         "Cable route, section 4\nPlot no. 12,,\n\nx,y,z\nm,m,m\n0,0,0\n\n100,0,0\nx,y,z\n200,0,0\nchecked by N.N.,,\n",
         "\xEF\xBB\xBFTrasse;;\nRechtswert;Hochwert;H\xC3\xB6he\n0,0;0,0;0,0\n100,0;0,0;0,0\n200,0;0,0;0,0\n",
@@ -145,9 +140,8 @@ static void tables_with_much_around(void **state)
 }
 
 /* UTF-16 of both orders; it was refused. */
-static void as_unicode_text(void **state)
+TEST(as_unicode_text)
 {
-    (void)state;
     const char *const text = "L\xE4nge;Steigung %\r\n300;20\r\n100;0\r\n";
     for (int big = 0; big < 2; ++big) {
         char path[] = "/tmp/hawser-kinds-XXXXXX", wide[200];
@@ -172,9 +166,8 @@ static void as_unicode_text(void **state)
 }
 
 /* Distance and bearing was one straight of 400 m; degrees, gons, quadrants, minutes. */
-static void traverses(void **state)
+TEST(traverses)
 {
-    (void)state;
     static const char *const legs[] = {"Distance,Bearing\n300,90\n100,0\n",
                                        "Distance,Azimuth (gon)\n300,100\n100,0\n",
                                        "Distance,Bearing\n300,N90E\n100,N 0\xC2\xB0"
@@ -206,9 +199,8 @@ static void traverses(void **state)
 }
 
 /* x, y and a radius for each corner, in plan and with heights; a corner without one is said with what it may be. */
-static void corner_lists(void **state)
+TEST(corner_lists)
 {
-    (void)state;
     Survey s = good("x,y,radius\n0,0,\n300,0,10\n300,100,5\n400,100,\n");
     const Alignment *const a = &s.alignment[0];
     assert_int_equal(a->n_plan, 5);
@@ -228,9 +220,8 @@ static void corner_lists(void **state)
 }
 
 /* Degrees in x and y were a route of 2 mm; a profile alone a level route of 150 m. */
-static void maps_and_profiles(void **state)
+TEST(maps_and_profiles)
 {
-    (void)state;
     bad("x,y\n8.0000,50.0000\n8.0010,50.0000\n8.0020,50.0000\n", "degrees? Heads 'longitude' and 'latitude' say so");
     static const char *const texts[] = {"lon,lat\n8.0000,50.0000\n8.0010,50.0000\n8.0020,50.0000\n",
                                         "Latitude;L\xC3\xA4ngengrad\n50,0;8,0\n50,0;8,001\n50,0;8,002\n",
@@ -245,9 +236,8 @@ static void maps_and_profiles(void **state)
 }
 
 /* Stations as road people write them. */
-static void stations_with_a_plus(void **state)
+TEST(stations_with_a_plus)
 {
-    (void)state;
     static const char *const texts[] = {"station,x,y\n0+000,0,0\n0+100,100,0\n1+000,1000,0\n",
                                         "Chainage;x;y\nK0+000;0;0\nK0+100,0;100;0\nK1+000;1000;0\n",
                                         "PK,x,y\nPK 2+000,0,0\nPK 2+100.0,100,0\nPK 3+000,1000,0\n",
@@ -260,8 +250,3 @@ static void stations_with_a_plus(void **state)
     bad("length,angle,radius,turn\n0+050,,,\n", "is no number");
     bad("station,angle,radius,turn\n300,90,10,left\n", "bends at stations, and no lengths");
 }
-
-TEST_FILE(test_table_kinds, cmocka_unit_test(heads_in_six_languages), cmocka_unit_test(slopes_are_not_dropped),
-          cmocka_unit_test(other_columns_are_said), cmocka_unit_test(totals_are_no_pieces),
-          cmocka_unit_test(tables_with_much_around), cmocka_unit_test(as_unicode_text), cmocka_unit_test(traverses),
-          cmocka_unit_test(corner_lists), cmocka_unit_test(maps_and_profiles), cmocka_unit_test(stations_with_a_plus))

@@ -9,15 +9,12 @@
 
 static const char UNREADABLE[] = "/proc/self/mem";
 
-static void test_unreadable(void **state)
+TEST(test_unreadable)
 {
     Survey survey;
     hawser_error err = {0};
     const SurveyOptions options = {.unit = NAN};
-    (void)state;
     if (access(UNREADABLE, R_OK)) skip();
     assert_int_equal(survey_read(UNREADABLE, &options, &survey, &err), HAWSER_ERR_INPUT);
     check_has(err.message, strerror(EIO));
 }
-
-TEST_FILE(test_unreadable, cmocka_unit_test(test_unreadable))

@@ -26,9 +26,8 @@ static double there_and_back(const Alignment *a, const char *system, WriteFormat
     return most;
 }
 
-static void within_a_tenth_of_a_millimetre(void **state)
+TEST(within_a_tenth_of_a_millimetre)
 {
-    (void)state;
     for (int rise = 0; rise < 2; ++rise) {
         Alignment a = winding_line(rise, 1, 20);
         static const WriteFormat formats[] = {WRITE_ELEMENTS, WRITE_DXF, WRITE_GEOJSON};
@@ -46,9 +45,8 @@ static void within_a_tenth_of_a_millimetre(void **state)
 }
 
 /* From degrees to metres and back, about an origin away from the line. */
-static void by_the_projection(void **state)
+TEST(by_the_projection)
 {
-    (void)state;
     Alignment a = winding_line(1, 1, 20);
     char system[SURVEY_NAME_MAX];
     map_system_write((MapOrigin){10.123456789, 59.987654321}, system);
@@ -65,9 +63,8 @@ static void by_the_projection(void **state)
 }
 
 /* Pieces begin at 0, 0, 0 along x: the same shape. */
-static void planners_pieces(void **state)
+TEST(planners_pieces)
 {
-    (void)state;
     Alignment a = winding_line(0, 0, 20);
     a.plan[0].x = a.plan[0].y = a.plan[0].heading = 0;
     alignment_chain(&a);
@@ -84,9 +81,8 @@ static void planners_pieces(void **state)
     alignment_clear(&a);
 }
 
-static void points(void **state)
+TEST(points)
 {
-    (void)state;
     Alignment a = {.stated_length = NAN};
     *alignment_add_point(&a) = v3(671234.5678, 6712345.6789, 1);
     *alignment_add_point(&a) = v3(671244.5678, 6712345.6789, 2);
@@ -103,9 +99,8 @@ static void points(void **state)
 }
 
 /* The section as a case has it; that it is the same route is a test of cases. */
-static void as_a_case(void **state)
+TEST(as_a_case)
 {
-    (void)state;
     Alignment a = winding_line(1, 1, 20);
     char *text = NULL;
     size_t size;
@@ -125,9 +120,8 @@ static void as_a_case(void **state)
     alignment_clear(&a);
 }
 
-static void endings(void **state)
+TEST(endings)
 {
-    (void)state;
     assert_int_equal(write_format("a/b.DXF"), WRITE_DXF);
     assert_int_equal(write_format("b.yaml"), WRITE_CASE);
     assert_int_equal(write_format("b.dwg"), -1);
@@ -136,7 +130,3 @@ static void endings(void **state)
     assert_int_equal(alignment_write(&a, "", WRITE_DXF, "/nowhere/a.dxf", &err), HAWSER_ERR_OUTPUT);
     alignment_clear(&a);
 }
-
-TEST_FILE(test_write, cmocka_unit_test(within_a_tenth_of_a_millimetre), cmocka_unit_test(by_the_projection),
-          cmocka_unit_test(planners_pieces), cmocka_unit_test(points), cmocka_unit_test(as_a_case),
-          cmocka_unit_test(endings))

@@ -7,9 +7,8 @@ static int below(void *what, double x) { return x <= *(double *)what; }
 static int above(void *what, double x) { return x >= *(double *)what; }
 
 /* (PN9). */
-static void the_search(void **state)
+TEST(the_search)
 {
-    (void)state;
     for (double bound = 0.02; bound < 100; bound *= 2.3) {
         const SearchDef most = {below, &bound, 1, 1e3}, least = {above, &bound, 1, 1e-3};
         const SearchBound a = search_bound(&most), b = search_bound(&least);
@@ -38,9 +37,8 @@ static int asked_below(void *what, double x)
     return x <= a->bound;
 }
 
-static void no_further_than_told(void **state)
+TEST(no_further_than_told)
 {
-    (void)state;
     for (double bound = 0.5; bound < 2e4; bound *= 1.7) {
         Asked a = {bound, INFINITY, 0};
         const SearchDef def = {asked_below, &a, 1, 1e3};
@@ -69,9 +67,8 @@ static double hill(void *what, double x)
     return value;
 }
 
-static void the_top(void **state)
+TEST(the_top)
 {
-    (void)state;
     for (double at = 2; at <= 5; at += 0.23) {
         for (int steps = 0; steps < 40; steps += 13) {
             Looked l = {at, -INFINITY, 0};
@@ -83,6 +80,3 @@ static void the_top(void **state)
         }
     }
 }
-
-TEST_FILE(test_bound_search, cmocka_unit_test(the_search), cmocka_unit_test(no_further_than_told),
-          cmocka_unit_test(the_top))

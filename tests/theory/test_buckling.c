@@ -17,9 +17,8 @@ static SpanLaw duct(void)
 }
 
 /* Straight, snaking, on its way to the helix, a helix. */
-static void regimes(void **state)
+TEST(regimes)
 {
-    (void)state;
     const SpanLaw p = duct();
     const double snakes = 2 * sqrt(EI * W / ROOM);
     for (double share = -2; share <= 1; share += 0.25) check_equal(span_normal(&p, 0, -share * snakes), W);
@@ -36,9 +35,8 @@ static void regimes(void **state)
 }
 
 /* The slope by tension and by weight against differences, on a straight and in a level bend. */
-static void slopes(void **state)
+TEST(slopes)
 {
-    (void)state;
     for (int bend = 0; bend < 2; ++bend) {
         SpanLaw p = duct();
         if (bend) p.line = (SpanLine){.curvature = 0.02, .turning = 0.02, .bz = 1};
@@ -54,9 +52,8 @@ static void slopes(void **state)
 }
 
 /* In a bend without weight snaking begins at 4 EI/(r R), (BK4): curvature raises the load. */
-static void in_a_bend(void **state)
+TEST(in_a_bend)
 {
-    (void)state;
     const double R = 40, begins = 4 * EI / (ROOM * R);
     SpanLaw p = duct();
     p.weight = 0;
@@ -67,9 +64,8 @@ static void in_a_bend(void **state)
 
 /* From a push of ten times the load of snaking, the length to where nothing is left: (BK9) less what the infinite push
  * has before that, 4 EI/(mu r F). */
-static void locks_up(void **state)
+TEST(locks_up)
 {
-    (void)state;
     const SpanLaw p = duct();
     const double snakes = 2 * sqrt(EI * W / ROOM), begins = 1000 * snakes;
     double low = 0, high = 1000;
@@ -79,6 +75,3 @@ static void locks_up(void **state)
     }
     check_share(low + 4 * EI / (MU * ROOM * begins), 4.26 / MU * sqrt(EI / (W * ROOM)), 2e-3);
 }
-
-TEST_FILE(test_buckling, cmocka_unit_test(regimes), cmocka_unit_test(slopes), cmocka_unit_test(in_a_bend),
-          cmocka_unit_test(locks_up))

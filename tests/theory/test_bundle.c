@@ -13,9 +13,8 @@ static BundleShape shape_of(const BundleSet *set)
     return shape;
 }
 
-static void equal_cables(void **state)
+TEST(equal_cables)
 {
-    (void)state;
     const double circle[] = {1, 2, 1 + 2 / sqrt(3), 1 + sqrt(2)}, pitch[] = {0, 0.5, 1 / sqrt(3), sqrt(0.5)};
     for (int n = 1; n <= 4; n++) {
         const BundleSet set = {.kinds = 1, .count = {n}, .diameter = {0.04}};
@@ -33,9 +32,8 @@ static void equal_cables(void **state)
 
 /* Three phases of 2.111 in and an earth of 0.402 in in a duct of 6.03 in: an often asked example, of which the jam
  * ratio is that of the phases, 3.00. The earth counts for weight, fill and the weight factor's 1.4. */
-static void three_and_earth(void **state)
+TEST(three_and_earth)
 {
-    (void)state;
     const double in = 0.0254;
     const BundleSet set = {.kinds = 2, .count = {1, 3}, .diameter = {0.402 * in, 2.111 * in}};
     const BundleShape shape = shape_of(&set);
@@ -59,9 +57,8 @@ static void three_and_earth(void **state)
 }
 
 /* Three unlike ones jam by their mean; two and a thin one too; one thick and thin ones lie as one. */
-static void unlike_cables(void **state)
+TEST(unlike_cables)
 {
-    (void)state;
     const BundleSet set = {.kinds = 3, .count = {1, 1, 1}, .diameter = {0.03, 0.05, 0.04}};
     BundleShape shape = shape_of(&set);
     check_close(shape.jam_diameter, 0.04, 1e-15);
@@ -103,9 +100,8 @@ static double compliance(double a, double L, double B, double C, int along)
     return sum;
 }
 
-static void twisted(void **state)
+TEST(twisted)
 {
-    (void)state;
     const double B = 50, C = 20, L = 0.7;
     const BundleSet set = {.kinds = 1, .count = {3}, .diameter = {0.04}, .twisted = 1, .lay = L};
     const BundleShape shape = shape_of(&set);
@@ -131,9 +127,8 @@ static void twisted(void **state)
     check_close(load.weight_factor, 1 / sqrt(1 - x * x), 1e-14);
 }
 
-static void refused(void **state)
+TEST(refused)
 {
-    (void)state;
     static const struct {
         BundleSet set;
         const char *why;
@@ -155,6 +150,3 @@ static void refused(void **state)
     assert_int_equal(shape.cables, 24);
     assert_string_equal(weight_correction_name(CORRECT_STRAIGHTS), "straights");
 }
-
-TEST_FILE(test_bundle, cmocka_unit_test(equal_cables), cmocka_unit_test(three_and_earth),
-          cmocka_unit_test(unlike_cables), cmocka_unit_test(twisted), cmocka_unit_test(refused))

@@ -28,9 +28,8 @@ static double integrated(double slope, double R, double turn, double plane, doub
 }
 
 /* references: mu 0.2, W 200 N/m, R 5 m, theta 40 deg, T1 5000 N. */
-static void reference_numbers(void **state)
+TEST(reference_numbers)
 {
-    (void)state;
     const double expected[] = {5856.2709, 6143.4932, 5642.1698, 5354.9474};
     const double slope[] = {0, 40, 0, -40}, plane[] = {1, 3, 3, 1};
     double T2 = 0;
@@ -49,9 +48,8 @@ static void reference_numbers(void **state)
 }
 
 /* The four named forms are the general one, wherever they hold; both agree with the integrated law. */
-static void general_form_and_law_agree(void **state)
+TEST(general_form_and_law_agree)
 {
-    (void)state;
     int compared = 0;
     for (int i = 0; i < 240; i++) {
         const double mu = 0.05 + 0.06 * (i % 10), turn = (5 + 85.0 * (i % 7) / 6) * DEG, R = 1.5 + i % 5;
@@ -71,9 +69,8 @@ static void general_form_and_law_agree(void **state)
 }
 
 /* Bends between any two slopes, sags included in which the cable lifts off or settles on the way. */
-static void bends_between_any_slopes(void **state)
+TEST(bends_between_any_slopes)
 {
-    (void)state;
     int crossings = 0;
     for (int i = 0; i < 300; i++) {
         const double a = (-80 + 13.3 * (i % 12)) * DEG, b = (75 - 11.7 * (i % 13)) * DEG, mu = 0.1 * (i % 6);
@@ -87,9 +84,8 @@ static void bends_between_any_slopes(void **state)
     check_above(crossings, 30);
 }
 
-static void straights_and_slopes(void **state)
+TEST(straights_and_slopes)
 {
-    (void)state;
     check_close(slope_tension(1000, 200, 0.2, 30, 0), 1000 + 0.2 * 200 * 30, 1e-12);
     check_close(slope_tension(1000, 200, 0.2, 30, 10 * DEG), 1000 + 6000 * (0.2 * cos(10 * DEG) + sin(10 * DEG)),
                 1e-12);
@@ -97,9 +93,8 @@ static void straights_and_slopes(void **state)
                 1e-12);
 }
 
-static void rollers(void **state)
+TEST(rollers)
 {
-    (void)state;
     double T2 = 0;
     assert_int_equal(roller_tension(1000, 0.2, 60 * DEG, &T2, NULL), HAWSER_OK);
     check_close(T2, 1000 * (1 + 0.2 / sqrt(3)) / (1 - 0.2 / sqrt(3)), 1e-9);
@@ -119,9 +114,8 @@ static void rollers(void **state)
 }
 
 /* A refused form says why and leaves the result alone. */
-static void refusals_have_reasons(void **state)
+TEST(refusals_have_reasons)
 {
-    (void)state;
     hawser_error err;
     double T2 = -77;
     assert_int_equal(bend_vertical_tension(SAG_LEVEL_UP, 900, 200, 0.2, 5, 0.5, &T2, &err), HAWSER_ERR_INPUT);
@@ -142,9 +136,8 @@ static void refusals_have_reasons(void **state)
 }
 
 /* A sag's form holds from T = w R cos on, at either end: refused just below, with the slope and the bound in words. */
-static void the_bottom_of_a_sag(void **state)
+TEST(the_bottom_of_a_sag)
 {
-    (void)state;
     const double w = 190, R = 7, wR = w * R, turn = 30 * DEG;
     hawser_error err;
     double T2 = 0;
@@ -179,9 +172,8 @@ static void the_bottom_of_a_sag(void **state)
 
 /* Without friction tension is height, whichever regimes a sag goes through; with friction and lifted all along, or on
  * the bottom all along, each regime's own closed form joins the others where the cable lifts off. */
-static void where_a_sag_lifts_off(void **state)
+TEST(where_a_sag_lifts_off)
 {
-    (void)state;
     const double w = 250, R = 6, wR = w * R;
     double T2 = 0, joint = 0, end = 0;
     for (int i = 0; i < 40; i++) {
@@ -211,9 +203,8 @@ static void where_a_sag_lifts_off(void **state)
 }
 
 /* Every piece of a route that has a closed form, in both directions, against the integrated law. */
-static void pieces_of_a_route(void **state)
+TEST(pieces_of_a_route)
 {
-    (void)state;
     const RoutePieceDef def[] = {
         {.kind = ROUTE_STRAIGHT, .length = 12},
         {.kind = ROUTE_BEND, .radius = 4, .angle = 0.9, .plane = 0},
@@ -250,8 +241,3 @@ static void pieces_of_a_route(void **state)
     }
     route_clear(&route);
 }
-
-TEST_FILE(test_closed_form, cmocka_unit_test(reference_numbers), cmocka_unit_test(general_form_and_law_agree),
-          cmocka_unit_test(bends_between_any_slopes), cmocka_unit_test(straights_and_slopes), cmocka_unit_test(rollers),
-          cmocka_unit_test(refusals_have_reasons), cmocka_unit_test(the_bottom_of_a_sag),
-          cmocka_unit_test(where_a_sag_lifts_off), cmocka_unit_test(pieces_of_a_route))

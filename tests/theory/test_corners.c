@@ -21,9 +21,8 @@ static Route route_of(int n, const RoutePieceDef *def, double slope)
 
 /* A cable without friction or weight keeps its tension, and presses most at a parabola's vertex, where 1/R is k:
  * between the looks along the curve as well as at one, either way. */
-static void pressure_at_a_vertex(void **state)
+TEST(pressure_at_a_vertex)
 {
-    (void)state;
     for (int i = 0; i < 16; ++i) {
         const double from = 0.11 + 0.03 * i, to = -0.4, length = 30, k = (tan(from) - tan(to)) / length;
         const RoutePieceDef def = {
@@ -52,9 +51,8 @@ static void pressure_at_a_vertex(void **state)
 
 /* A rope without weight does not need its frame: by the reference law it grows round a bend as round a capstan, pushed
  * or pulled, by the other law it stays. */
-static void bare_ropes_in_bends(void **state)
+TEST(bare_ropes_in_bends)
 {
-    (void)state;
     const double mu = 0.2, angle = 1.3, tension[] = {900, -900};
     const RoutePieceDef def = {.kind = ROUTE_BEND, .radius = 5, .angle = angle, .plane = 0.7};
     Route route = route_of(1, &def, 0.1);
@@ -79,9 +77,8 @@ static void bare_ropes_in_bends(void **state)
 
 /* Without a distance, or with one that no gap exceeds, the rows of a series are its corners: ends of pieces and of
  * stretches, machines and what is just ahead of them; with half of a gap there is one row more in it. */
-static void rows_of_a_series(void **state)
+TEST(rows_of_a_series)
 {
-    (void)state;
     const RoutePieceDef pieces[] = {{.kind = ROUTE_STRAIGHT, .length = 40},
                                     {.kind = ROUTE_BEND, .radius = 10, .angle = 1, .plane = 0},
                                     {.kind = ROUTE_STRAIGHT, .length = 30}};
@@ -112,9 +109,8 @@ static void rows_of_a_series(void **state)
 
 /* Up a ramp and along a level, where without friction the force does not change: of the places with the largest force
  * the peak is the first, at speed and from rest. One that is largest at the pull's start, or end, is there. */
-static void plateaus_of_the_force(void **state)
+TEST(plateaus_of_the_force)
 {
-    (void)state;
     const RoutePieceDef pieces[] = {{.kind = ROUTE_STRAIGHT, .length = 40},
                                     {.kind = ROUTE_STRAIGHT, .length = 50, .sloped = 1, .slope = 0},
                                     {.kind = ROUTE_STRAIGHT, .length = 20}};
@@ -137,9 +133,8 @@ static void plateaus_of_the_force(void **state)
 }
 
 /* Wear by place may begin with a factor of 1 and may stay what it is; it may not fall. By cable it may. */
-static void wear_that_stays(void **state)
+TEST(wear_that_stays)
 {
-    (void)state;
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 60};
     Route route = route_of(1, &straight, 0);
     const PullStretch cable = {.weight = 200, .mu = 0.25};
@@ -176,9 +171,8 @@ static void wear_that_stays(void **state)
 }
 
 /* Supports before the route's start and past its end bear what lies half way to their neighbours, once. */
-static void supports_off_the_route(void **state)
+TEST(supports_off_the_route)
 {
-    (void)state;
     const RoutePieceDef pieces[] = {{.kind = ROUTE_STRAIGHT, .length = 10}, {.kind = ROUTE_STRAIGHT, .length = 12}};
     Route route = route_of(2, pieces, 0);
     const PullStretch cable = {.from = -1e9, .weight = 150};
@@ -204,9 +198,8 @@ static void supports_off_the_route(void **state)
 /* A long sag through which the tension grows: the cable lifts with the reserve from some place of the bend on. Holding
  * rollers stand from there to its end, evenly, each in the middle of its share; more of them than the list has room for
  * at first. */
-static void lifts_within_a_bend(void **state)
+TEST(lifts_within_a_bend)
 {
-    (void)state;
     const RoutePieceDef pieces[] = {{.kind = ROUTE_STRAIGHT, .length = 10},
                                     {.kind = ROUTE_BEND, .radius = 30, .angle = 0.55, .plane = M_PI / 2},
                                     {.kind = ROUTE_STRAIGHT, .length = 6}};
@@ -243,9 +236,8 @@ static void lifts_within_a_bend(void **state)
 }
 
 /* Not to be trusted, and no limit would be broken: of those nothing is said. */
-static void nothing_broken_besides(void **state)
+TEST(nothing_broken_besides)
 {
-    (void)state;
     const hawser_limit holds = {
         .name = "pull", .unit = "N", .value = 50, .limit = 100, .margin = 0.5, .judged = 1, .ok = 1};
     const hawser_condition doubt = {.name = "a", .remedy = "smaller steps"};
@@ -255,9 +247,8 @@ static void nothing_broken_besides(void **state)
 }
 
 /* What has been given back is empty, and may be given back again. */
-static void given_back_twice(void **state)
+TEST(given_back_twice)
 {
-    (void)state;
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .length = 60};
     Route route = route_of(1, &straight, 0);
     const PullStretch cable = {.weight = 200, .mu = 0.25};
@@ -283,9 +274,8 @@ static void given_back_twice(void **state)
 }
 
 /* Ducts that are alike: the first one is named, for each limit of ducts. */
-static void ducts_that_are_alike(void **state)
+TEST(ducts_that_are_alike)
 {
-    (void)state;
     LimitsDef def;
     limits_defaults(&def);
     const DuctLoad load = {
@@ -306,9 +296,8 @@ static void ducts_that_are_alike(void **state)
 
 /* A cable without weight on whole carriers round a level bend: they bear what it presses with, T/R, though nothing lies
  * on them. */
-static void carriers_of_no_weight(void **state)
+TEST(carriers_of_no_weight)
 {
-    (void)state;
     const RoutePieceDef def = {.kind = ROUTE_BEND, .radius = 4, .angle = 1.5, .plane = 0};
     Route route = route_of(1, &def, 0);
     const PullStretch bare = {.from = -1e9};
@@ -328,9 +317,8 @@ static void carriers_of_no_weight(void **state)
 
 /* What carriers and guides of a piece bear at most is borne somewhere on it: no more than a look along the piece finds,
  * and no less than at its ends, pulled either way. */
-static void most_is_borne_somewhere(void **state)
+TEST(most_is_borne_somewhere)
 {
-    (void)state;
     const RoutePieceDef pieces[] = {{.kind = ROUTE_BEND, .radius = 12, .angle = 0.9, .plane = M_PI / 2},
                                     {.kind = ROUTE_BEND, .radius = 9, .angle = 1.2, .plane = 0.5},
                                     {.kind = ROUTE_BEND, .radius = 10, .angle = 1, .plane = 3 * M_PI / 2}};
@@ -367,10 +355,3 @@ static void most_is_borne_somewhere(void **state)
     }
     route_clear(&route);
 }
-
-TEST_FILE(test_corners, cmocka_unit_test(pressure_at_a_vertex), cmocka_unit_test(bare_ropes_in_bends),
-          cmocka_unit_test(rows_of_a_series), cmocka_unit_test(plateaus_of_the_force),
-          cmocka_unit_test(wear_that_stays), cmocka_unit_test(supports_off_the_route),
-          cmocka_unit_test(lifts_within_a_bend), cmocka_unit_test(nothing_broken_besides),
-          cmocka_unit_test(given_back_twice), cmocka_unit_test(most_is_borne_somewhere),
-          cmocka_unit_test(ducts_that_are_alike), cmocka_unit_test(carriers_of_no_weight))

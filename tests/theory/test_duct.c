@@ -14,9 +14,8 @@ static DuctLoad load(double ratio, int cables, DuctLayout layout)
     return out;
 }
 
-static void factors(void **state)
+TEST(factors)
 {
-    (void)state;
     const DuctLoad one = load(1.5, 1, DUCT_AUTO), two = load(3, 2, DUCT_AUTO), three = load(2.4, 3, DUCT_AUTO);
     const DuctLoad cradle = load(3, 3, DUCT_AUTO), four = load(3, 4, DUCT_AUTO);
     check_close(one.weight_factor, 1, 0);
@@ -34,9 +33,8 @@ static void factors(void **state)
 
 /* The normal forces that the cables' own equilibria leave add up to the weight factor: three cradled cables,
  * solved one by one with the wall's and the contact's directions. */
-static void cradle_balances(void **state)
+TEST(cradle_balances)
 {
-    (void)state;
     const double ratio = 2.8, x = 1 / (ratio - 1), half = asin(x), beta = 2 * half;
     /* Outer cable: wall force N toward the centre, contact force F along the line of centres, weight 1. */
     const double det = -sin(beta) * sin(half) - cos(half) * cos(beta);
@@ -49,9 +47,8 @@ static void cradle_balances(void **state)
     check_close(found.sidewall_factor, bottom / 3, 1e-14);
 }
 
-static void layouts_follow_the_ratio(void **state)
+TEST(layouts_follow_the_ratio)
 {
-    (void)state;
     assert_int_equal(load(2.49, 3, DUCT_AUTO).layout, DUCT_TRIANGLE);
     assert_int_equal(load(2.51, 3, DUCT_AUTO).layout, DUCT_CRADLE);
     assert_int_equal(load(4, 3, DUCT_TRIANGLE).layout, DUCT_TRIANGLE);
@@ -60,9 +57,8 @@ static void layouts_follow_the_ratio(void **state)
 }
 
 /* Clearance: what is left above; zero where the cables just fit. */
-static void clearances(void **state)
+TEST(clearances)
 {
-    (void)state;
     check_close(load(1.5, 1, DUCT_AUTO).clearance, 0.025, 1e-16);
     check_close(load(2 + 1e-9, 2, DUCT_AUTO).clearance, 0, 1e-5);
     check_close(load(1 + 2 / sqrt(3) + 1e-9, 3, DUCT_TRIANGLE).clearance, 0, 1e-7);
@@ -75,9 +71,8 @@ static void clearances(void **state)
 
 /* Cables set into the duct one by one, by circles that touch: the way from the uppermost, lifted straight up, to the
  * wall; every layout, in ducts from tight to wide. */
-static void clearances_by_places(void **state)
+TEST(clearances_by_places)
 {
-    (void)state;
     const double d = 0.05;
     for (int i = 0; i < 12; i++) {
         const double ratio = 2.45 + 0.11 * i, D = ratio * d, r = (D - d) / 2;
@@ -106,9 +101,8 @@ static void clearances_by_places(void **state)
 
 /* What stands on an edge: bands begin with their lower bound, layouts change at 2.5, and a lone cable may fill its duct
  * but for a hair. */
-static void edges(void **state)
+TEST(edges)
 {
-    (void)state;
     static const double edge[] = {2.4, 2.5, 2.6, 2.9, 3.0, 3.2};
     static const JamRisk from[] = {JAM_SMALL, JAM_MODERATE, JAM_SIGNIFICANT, JAM_MODERATE, JAM_SMALL, JAM_VERY_SMALL};
     static const JamRisk below[] = {JAM_VERY_SMALL, JAM_SMALL, JAM_MODERATE, JAM_SIGNIFICANT, JAM_MODERATE, JAM_SMALL};
@@ -160,9 +154,8 @@ static void edges(void **state)
 }
 
 /* (BU8): where the middle of the cables lies, from their places one by one; nowhere to go where they just fit. */
-static void rooms(void **state)
+TEST(rooms)
 {
-    (void)state;
     const double d = 0.05, D = 3 * d, r = (D - d) / 2, x = 0.5, b = asin(x);
     check_close(load(1.5, 1, DUCT_AUTO).room, 0.0125, 1e-16);
     check_close(load(3, 2, DUCT_AUTO).room, r * cos(b), 1e-15);
@@ -176,9 +169,8 @@ static void rooms(void **state)
     check_close(load(1 + sqrt(2) + 1e-9, 4, DUCT_AUTO).room, 0, 1e-7);
 }
 
-static void jamming(void **state)
+TEST(jamming)
 {
-    (void)state;
     const double ratio[] = {2.27, 2.35, 2.45, 2.6, 2.8, 2.95, 3.1};
     const JamRisk risk[] = {JAM_VERY_SMALL, JAM_SMALL, JAM_MODERATE,  JAM_SIGNIFICANT,
                             JAM_MODERATE,   JAM_SMALL, JAM_VERY_SMALL};
@@ -199,9 +191,8 @@ static void refuse(DuctDef def, const char *why)
     if (!strstr(err.message, why)) fail_msg("\"%s\" does not say \"%s\"", err.message, why);
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     refuse((DuctDef){.duct_diameter = 0.1, .cable_diameter = 0.1, .cables = 1}, "do not fit");
     refuse((DuctDef){.duct_diameter = 0.1, .cable_diameter = 0.051, .cables = 2}, "do not fit");
     refuse((DuctDef){.duct_diameter = 0.1, .cable_diameter = 0.051, .cables = 2},
@@ -233,9 +224,8 @@ static DuctLoad beside(double D, double a, int lying, double b, double friction)
 
 /* (T33) of one lying cable: both circles touch where they should, and the two forces, found from two frictions, balance
  * the weight. */
-static void beside_one(void **state)
+TEST(beside_one)
 {
-    (void)state;
     static const double cable[][2] = {{0.03, 0.03}, {0.03, 0.04}, {0.05, 0.02}, {0.02, 0.05}, {0.035, 0.06}};
     for (size_t k = 0; k < sizeof cable / sizeof *cable; ++k) {
         const double R = 0.1, a = cable[k][0], b = cable[k][1];
@@ -260,9 +250,8 @@ static void beside_one(void **state)
 
 /* On two that lie on a floor 0.5 is the sine of the lean; in a duct the nip that drags most counts; three in all may
  * jam. */
-static void beside_more(void **state)
+TEST(beside_more)
 {
-    (void)state;
     check_close(beside(1e6, 0.03, 2, 0.03, 2).weight_factor, 2 / cos(3.14159265358979323846 / 6), 1e-3);
     const DuctLoad two = beside(0.2, 0.03, 2, 0.03, 1);
     assert_true(two.weight_factor > 1 && two.clearance > 0);
@@ -271,8 +260,3 @@ static void beside_more(void **state)
     assert_int_equal(beside(0.18, 0.03, 2, 0.03, 1).jam_risk, JAM_SMALL);
     assert_true(beside(0.3, 0.03, 3, 0.03, 1).weight_factor > two.fill);
 }
-
-TEST_FILE(test_duct, cmocka_unit_test(factors), cmocka_unit_test(beside_one), cmocka_unit_test(beside_more),
-          cmocka_unit_test(cradle_balances), cmocka_unit_test(layouts_follow_the_ratio), cmocka_unit_test(clearances),
-          cmocka_unit_test(rooms), cmocka_unit_test(jamming), cmocka_unit_test(refusals),
-          cmocka_unit_test(clearances_by_places), cmocka_unit_test(edges))

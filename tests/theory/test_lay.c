@@ -14,9 +14,8 @@ static double apart(double place[][2], int i, int k)
 }
 
 /* From the left to the right about the middle; a duct has to be as wide as the outermost axes. */
-static void flat(void **state)
+TEST(flat)
 {
-    (void)state;
     double place[MOST][2];
     for (int n = 1; n <= MOST; n++) {
         LayDef lay = {.pattern = LAY_FLAT, .spacing = 0.07};
@@ -34,9 +33,8 @@ static void flat(void **state)
 }
 
 /* On the circle, neighbours as far apart as said, alike on both sides, up to its middle's height and no further. */
-static void cradled(void **state)
+TEST(cradled)
 {
-    (void)state;
     double place[MOST][2];
     for (int n = 1; n <= MOST; n++) {
         LayDef lay = {.pattern = LAY_CRADLED, .spacing = 0.07, .radius = 0.3};
@@ -66,9 +64,8 @@ static void cradled(void **state)
 }
 
 /* Corners of a regular polygon, the first on top, the next to its right. */
-static void round_a_middle(void **state)
+TEST(round_a_middle)
 {
-    (void)state;
     double place[MOST][2];
     for (int k = 0; k < 2; k++) {
         LayDef lay = {.pattern = k ? LAY_TRIPLEXED : LAY_TRIANGULAR, .spacing = 0.07};
@@ -97,9 +94,8 @@ static void round_a_middle(void **state)
 
 /* splitmix64 from the seed 0 begins with e220a8397b1dcdaf, 6e789e6aa1b965f4 (Steele, Lea and Flood's generator, as
  * published); the first is the share of the circle's area, the second the angle. */
-static void random_numbers(void **state)
+TEST(random_numbers)
 {
-    (void)state;
     const LayDef lay = {.pattern = LAY_RANDOM, .spacing = 0.01, .radius = 2};
     const double area = ldexp((double)0xe220a8397b1dcdafu, -64), turn = ldexp((double)0x6e789e6aa1b965f4u, -64);
     double place[1][2];
@@ -109,9 +105,8 @@ static void random_numbers(void **state)
 }
 
 /* In the circle and clear of each other, the same from the same seed, anywhere in the circle over many. */
-static void anywhere(void **state)
+TEST(anywhere)
 {
-    (void)state;
     enum { SEEDS = 400 };
     double place[MOST][2], again[MOST][2], area = 0, x = 0, y = 0, tight = 1;
     for (long seed = 1; seed <= SEEDS; seed++) {
@@ -141,6 +136,3 @@ static void anywhere(void **state)
     assert_int_equal(lay_places(&none, 1, place), 1);
     assert_int_equal(lay_places(&none, 2, place), 0);
 }
-
-TEST_FILE(test_lay, cmocka_unit_test(flat), cmocka_unit_test(cradled), cmocka_unit_test(round_a_middle),
-          cmocka_unit_test(random_numbers), cmocka_unit_test(anywhere))

@@ -19,9 +19,8 @@ static LimitsDef given(void)
 }
 
 /* Eq. 11 and table 4 of the paper, the two columns of TB 889, by hand in N. */
-static void allowable_pull(void **state)
+TEST(allowable_pull)
 {
-    (void)state;
     static const struct {
         int code, attachment, material, cores;
         double mm2, K, expected;
@@ -55,9 +54,8 @@ static void allowable_pull(void **state)
 }
 
 /* Whatever the codes say can be said otherwise. */
-static void overrides(void **state)
+TEST(overrides)
 {
-    (void)state;
     char source[160];
     LimitsDef def = given();
     def.area = 500e-6, def.stress = 55e6;
@@ -104,9 +102,8 @@ static void overrides(void **state)
 /* ICEA S-68-516 in makers' manuals (IEWC, Southwire), in pounds by hand: T = 0.008 n cmil of copper, 0.006 of
  * aluminium; four fifths of it above three conductors; 4712 t (D - t) for a lead sheath of thickness t, inches. IEEE
  * 1185 is the same. */
-static void american_pulls(void **state)
+TEST(american_pulls)
 {
-    (void)state;
     static const struct {
         int cables, cores, metal;
         double kcmil, lbf;
@@ -138,9 +135,8 @@ static void american_pulls(void **state)
 
 /* Of eyes and nets: 10 000 lbf (Southwire), 1000 lbf a grip (ICEA), 4.45 kN a grip on metal (TES-P-104.05, 4.2.2 b), or
  * the device's rating if that is less. */
-static void attachments(void **state)
+TEST(attachments)
 {
-    (void)state;
     char source[160];
     LimitsDef def = given();
     check_nan(limits_attachment(&def, source)); /* the paper has none */
@@ -163,9 +159,8 @@ static void attachments(void **state)
 
 /* VDE as Nexans quotes it: 50 and 30 N/mm2 under eye and stocking, three single cables as two. TES-P-104.05, 4.2.2 a:
  * 10.342 N/mm2 of lead. */
-static void other_codes(void **state)
+TEST(other_codes)
 {
-    (void)state;
     char source[160];
     LimitsDef def = given();
     def.code = CODE_IEC, def.area = 240e-6;
@@ -197,9 +192,8 @@ static void other_codes(void **state)
 
 /* General Cable's sidewall pressures by type, lbf/ft, and ICEA's radii; only where a type is given the pressure is more
  * than the least of all. */
-static void cable_types(void **state)
+TEST(cable_types)
 {
-    (void)state;
     static const double lbf_per_foot[] = {300, 500, 1000, 1000, 300}, diameters[] = {20, 20, 8, 12, 20};
     char source[160];
     LimitsDef def = given();
@@ -235,9 +229,8 @@ static hawser_limit judged_alone(const LimitsDef *def, hawser_limit_kind kind, F
 
 /* A trip must lie above what the winch needs, 20 kN here, and below what gives first: 56 kN at the cable and 2 kN of
  * rope beyond it, a rope of 300/5 kN, a winch of 50 kN. 1.5 times 20 kN are advised. */
-static void trips(void **state)
+TEST(trips)
 {
-    (void)state;
     LimitsDef def = given();
     def.area = 800e-6;
     Finding f = {.value = 30e3, .steady = 20e3, .beyond = 2e3};
@@ -271,9 +264,8 @@ static void trips(void **state)
 }
 
 /* A brake that is missing breaks its limit whatever its size; the verdict says how large it must be. */
-static void run_away(void **state)
+TEST(run_away)
 {
-    (void)state;
     const LimitsDef def = given();
     char text[HAWSER_VERDICT_MAX];
     hawser_limit l = judged_alone(&def, HAWSER_LIMIT_RUN_AWAY, (Finding){.value = 0, .rating = 8e3});
@@ -288,9 +280,8 @@ static void run_away(void **state)
 }
 
 /* Every limit just held and just broken: bounds 100 kN/1.6, 30 kN/5 ... with nothing else in the way. */
-static void held_and_broken(void **state)
+TEST(held_and_broken)
 {
-    (void)state;
     LimitsDef def = given();
     def.area = 800e-6, def.rope_strength = 30e3, def.attachment_rating = 50e3, def.winch_capacity = 5e3;
     def.push = 8e3, def.squeeze = 10e3, def.weight_correction = 1.4, def.contact = 7e3;
@@ -330,9 +321,8 @@ static void expect_verdict(int n, const hawser_limit *limit, int broken, const c
     assert_string_equal(text, expected);
 }
 
-static void verdicts(void **state)
+TEST(verdicts)
 {
-    (void)state;
     hawser_limit l[3] = {
         {.kind = HAWSER_LIMIT_PULL,
          .name = "pull",
@@ -376,9 +366,8 @@ static void verdicts(void **state)
 }
 
 /* What is not known is said, never passed over as safe. */
-static void not_judged(void **state)
+TEST(not_judged)
 {
-    (void)state;
     LimitsDef def = given();
     Finding f[LIMIT_KINDS] = {{0}};
     hawser_limit out[HAWSER_LIMITS_MAX];
@@ -416,9 +405,8 @@ static void not_judged(void **state)
 }
 
 /* The band in which three cables jam has two ends; the worst duct counts, each limit by itself. */
-static void ducts(void **state)
+TEST(ducts)
 {
-    (void)state;
     const LimitsDef def = given();
     const DuctLoad wide = {.jam_risk = JAM_SMALL,
                            .jam_ratio = 3.7,
@@ -463,9 +451,8 @@ static void ducts(void **state)
 
 /* A margin that is smaller than the error of what was found is none; where a limit is broken whatever the error nothing
  * is open. */
-static void undecided(void **state)
+TEST(undecided)
 {
-    (void)state;
     hawser_limit l[3] = {{.judged = 1, .ok = 1, .value = 90, .limit = 100, .error = 9},
                          {.judged = 1, .ok = 1, .value = 8, .limit = 10, .error = 2},
                          {.value = 7, .limit = NAN, .error = 700}};
@@ -485,9 +472,8 @@ static void undecided(void **state)
 }
 
 /* The verdict of a run: reasons not to trust it come first, the first in words and the others by number. */
-static void trust_comes_first(void **state)
+TEST(trust_comes_first)
 {
-    (void)state;
     const hawser_limit broken = {
         .name = "pull", .unit = "N", .where = "", .value = 150, .limit = 100, .margin = -0.5, .judged = 1};
     hawser_condition c[3] = {{.name = "a", .holds = 1, .remedy = "first"},
@@ -518,9 +504,8 @@ static void trust_comes_first(void **state)
 }
 
 /* What a limit says of where it comes from, letter for letter: numbers and units are the planner's only hint. */
-static void sources_in_words(void **state)
+TEST(sources_in_words)
 {
-    (void)state;
     char source[160];
     LimitsDef def = given();
     Finding f = {.value = 4000, .rating = 5600, .cables = 1};
@@ -579,9 +564,3 @@ static void sources_in_words(void **state)
     check_share(limits_attachment(&def, source), 9e3, 1e-15);
     assert_string_equal(source, "limits.attachment_rating");
 }
-
-TEST_FILE(test_limits, cmocka_unit_test(allowable_pull), cmocka_unit_test(ducts), cmocka_unit_test(overrides),
-          cmocka_unit_test(held_and_broken), cmocka_unit_test(verdicts), cmocka_unit_test(not_judged),
-          cmocka_unit_test(american_pulls), cmocka_unit_test(attachments), cmocka_unit_test(other_codes),
-          cmocka_unit_test(cable_types), cmocka_unit_test(trips), cmocka_unit_test(run_away),
-          cmocka_unit_test(undecided), cmocka_unit_test(trust_comes_first), cmocka_unit_test(sources_in_words))

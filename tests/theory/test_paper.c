@@ -19,9 +19,8 @@ static const PaperTermDef TERMS[] = {
 };
 enum { N_TERMS = sizeof TERMS / sizeof *TERMS };
 
-static void every_term(void **state)
+TEST(every_term)
 {
-    (void)state;
     const double expected[N_TERMS] = {6860.64, 22.80, 134.75, 2649.34, 901.68, 47.11, 2286.88};
     for (int i = 0; i < N_TERMS; i++) check_close(paper_term_force(&TERMS[i], W, MU, G), expected[i], 0.005);
     check_close(paper_total(N_TERMS, TERMS, W, MU, G), 12903.21, 0.005);
@@ -37,9 +36,8 @@ static double slope_length(double h1, double R1, double theta1)
 }
 
 /* Eq. 4 as printed: 9.8 W {h1 - R1 [1 - sin(pi/2 - theta1)]} csc theta1 (mu cos theta1 - sin theta1). */
-static void eq_4_from_its_height(void **state)
+TEST(eq_4_from_its_height)
 {
-    (void)state;
     const double h1 = 0.57694, R1 = 60, t = 5 * DEG;
     check_close(slope_length(h1, R1, t), 4.0, 1e-4);
     const double printed = G * W * (h1 - R1 * (1 - sin(PI / 2 - t))) / sin(t) * (MU * cos(t) - sin(t));
@@ -49,18 +47,16 @@ static void eq_4_from_its_height(void **state)
 }
 
 /* Eq. 5 as printed: 9.8 mu W R cos(pi/2 - theta) - 9.8 W R + 9.8 W sqrt(R^2 - [R cos(pi/2 - theta)]^2). */
-static void eq_5_as_printed(void **state)
+TEST(eq_5_as_printed)
 {
-    (void)state;
     const double R = 60, c = R * cos(PI / 2 - 5 * DEG);
     const double printed = G * MU * W * c - G * W * R + G * W * sqrt(R * R - c * c);
     check_close(paper_term_force(&TERMS[2], W, MU, G), printed, 1e-10);
 }
 
 /* Arcs of all kinds against the sum of many short slopes. */
-static void arcs_are_integrals(void **state)
+TEST(arcs_are_integrals)
 {
-    (void)state;
     const double ends[][2] = {{-0.3, 0}, {0, 0.5}, {0.4, -0.2}, {0.1, 0.6}, {-0.2, -0.7}};
     for (int k = 0; k < 5; k++) {
         const PaperTermDef arc = {.kind = PAPER_ARC, .radius = 7, .slope = ends[k][0], .slope_end = ends[k][1]};
@@ -76,9 +72,8 @@ static void arcs_are_integrals(void **state)
     }
 }
 
-static void tension_on_the_way(void **state)
+TEST(tension_on_the_way)
 {
-    (void)state;
     const double arc = 60 * 5 * DEG;
     check_close(paper_tension(N_TERMS, TERMS, W, MU, G, 0), 6860.64, 0.005);
     check_close(paper_tension(N_TERMS, TERMS, W, MU, G, -3), 6860.64, 0.005);
@@ -95,9 +90,8 @@ static void tension_on_the_way(void **state)
 }
 
 /* The same theory for a route: a route of the terms' pieces gives the terms' tensions everywhere. */
-static void route_without_capstan_agrees(void **state)
+TEST(route_without_capstan_agrees)
 {
-    (void)state;
     const RoutePieceDef def[] = {
         {.kind = ROUTE_STRAIGHT, .length = 4},
         {.kind = ROUTE_BEND, .radius = 60, .angle = 5 * DEG, .plane = PI / 2},
@@ -125,7 +119,3 @@ static void route_without_capstan_agrees(void **state)
     pull_clear(&pull);
     route_clear(&route);
 }
-
-TEST_FILE(test_paper, cmocka_unit_test(every_term), cmocka_unit_test(eq_4_from_its_height),
-          cmocka_unit_test(eq_5_as_printed), cmocka_unit_test(arcs_are_integrals), cmocka_unit_test(tension_on_the_way),
-          cmocka_unit_test(route_without_capstan_agrees))

@@ -35,9 +35,8 @@ static Pull pull_make(const Route *route, double start)
 
 /* Points beside the line, below and above it, before its start and past its end find the place that they came from
  * (PC1), in space; points in its height in plan too. */
-static void points_find_their_place(void **state)
+TEST(points_find_their_place)
 {
-    (void)state;
     Route route = route_make();
     RouteGrid grid;
     hawser_error err;
@@ -64,9 +63,8 @@ static void points_find_their_place(void **state)
 }
 
 /* A figure of eight in plan: the point over the crossing has two places, told apart by its height. */
-static void crossings_have_two_places(void **state)
+TEST(crossings_have_two_places)
 {
-    (void)state;
     const RoutePieceDef pieces[] = {{.kind = ROUTE_STRAIGHT, .length = 20},
                                     {.kind = ROUTE_BEND, .radius = 5, .angle = 1.5 * M_PI, .plane = 0.05},
                                     {.kind = ROUTE_STRAIGHT, .length = 20}};
@@ -87,9 +85,8 @@ static void crossings_have_two_places(void **state)
 
 /* A hairpin: beside one leg the other is no second place, unless the point is about as far from both; which of the two
  * is found first makes no difference. A straight has none, wherever between the grid's points one looks. */
-static void second_places(void **state)
+TEST(second_places)
 {
-    (void)state;
     const double half = 5 * M_PI;
     const RoutePieceDef pieces[] = {{.kind = ROUTE_STRAIGHT, .length = 20},
                                     {.kind = ROUTE_BEND, .radius = 5, .angle = M_PI, .plane = 0},
@@ -161,9 +158,8 @@ static int count_on(const Route *route, int n, const PlacedRoller *r, PlaceSide 
 
 /* Spacings of the rule and of what one may bear, a roller in every bend, guides on the inside, hold-downs in the sag
  * alone. */
-static void rule_places(void **state)
+TEST(rule_places)
 {
-    (void)state;
     Route route = route_make();
     Pull pull = pull_make(&route, 6000);
     const PlaceLine line = {.route = &route, .pull = &pull, .weight = W, .to = route.length};
@@ -203,9 +199,8 @@ static void rule_places(void **state)
 
 /* A line of half a newton a metre: what one roller may bear sets the spacing of carriers, by weight alone where guides
  * stand beside them. */
-static void spacing_of_a_light_line(void **state)
+TEST(spacing_of_a_light_line)
 {
-    (void)state;
     const RoutePieceDef piece = {.kind = ROUTE_STRAIGHT, .length = 12};
     Route route;
     hawser_error err;
@@ -231,9 +226,8 @@ static void spacing_of_a_light_line(void **state)
 
 /* (PC9): all carriers and hold-downs together bear what (PC3) gives; a guide in mid bend bears T d/R, carriers on
  * straights w d. */
-static void loads_are_shared(void **state)
+TEST(loads_are_shared)
 {
-    (void)state;
     Route route = route_make();
     Pull pull = pull_make(&route, 6000);
     const PlaceLine line = {.route = &route, .pull = &pull, .weight = W, .to = route.length};
@@ -265,9 +259,8 @@ static void loads_are_shared(void **state)
 
 /* Rollers stand between the ends that are asked for, also before and behind the route, by rising place; guides in bends
  * to their side and nowhere else; exactly as many as there may be are no error. */
-static void rule_keeps_to_its_stretch(void **state)
+TEST(rule_keeps_to_its_stretch)
 {
-    (void)state;
     const RoutePieceDef pieces[] = {{.kind = ROUTE_STRAIGHT, .length = 10},
                                     {.kind = ROUTE_BEND, .radius = 8, .angle = 1, .plane = 0},
                                     {.kind = ROUTE_STRAIGHT, .length = 10},
@@ -323,9 +316,8 @@ static void rule_keeps_to_its_stretch(void **state)
 
 /* One support alone bears all of it, two halve what lies between them, those of other sides do not count; a carrier
  * without guides beside it bears the turning force too. */
-static void shares_of_the_load(void **state)
+TEST(shares_of_the_load)
 {
-    (void)state;
     const RoutePieceDef pieces[] = {{.kind = ROUTE_STRAIGHT, .length = 10},
                                     {.kind = ROUTE_BEND, .radius = 8, .angle = 1, .plane = M_PI},
                                     {.kind = ROUTE_STRAIGHT, .length = 12}};
@@ -370,8 +362,3 @@ static void shares_of_the_load(void **state)
     pull_clear(&pull);
     route_clear(&route);
 }
-
-TEST_FILE(test_place, cmocka_unit_test(points_find_their_place), cmocka_unit_test(crossings_have_two_places),
-          cmocka_unit_test(second_places), cmocka_unit_test(rule_places), cmocka_unit_test(spacing_of_a_light_line),
-          cmocka_unit_test(loads_are_shared), cmocka_unit_test(rule_keeps_to_its_stretch),
-          cmocka_unit_test(shares_of_the_load))

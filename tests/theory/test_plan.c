@@ -29,9 +29,8 @@ static PlanDef hill_def(const Route *route, const PullStretch *cable)
     return (PlanDef){.route = route, .n_stretches = 1, .stretch = cable, .reel_length = 15, .rope_length = 5};
 }
 
-static void both_directions(void **state)
+TEST(both_directions)
 {
-    (void)state;
     Route route = hill_route();
     const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_static = 0.3};
     PlanDef def = hill_def(&route, &cable);
@@ -67,9 +66,8 @@ static void both_directions(void **state)
     route_clear(&route);
 }
 
-static void closed_forms_by_piece(void **state)
+TEST(closed_forms_by_piece)
 {
-    (void)state;
     Route route = hill_route();
     const PullStretch cable = {.weight = WEIGHT, .mu = MU};
     const PlanDef def = hill_def(&route, &cable);
@@ -89,9 +87,8 @@ static void closed_forms_by_piece(void **state)
 }
 
 /* A conveyor lowers the tension where it stands and everything beyond it, in either direction. */
-static void conveyors(void **state)
+TEST(conveyors)
 {
-    (void)state;
     Route route = hill_route();
     const PullStretch cable = {.weight = WEIGHT, .mu = MU};
     const PullStep conveyor = {.at = 80, .force = 3000};
@@ -115,9 +112,8 @@ static void conveyors(void **state)
 }
 
 /* Pushes of their own for the way back; a belt that brakes; gaps between rollers piece by piece. */
-static void ways_of_their_own(void **state)
+TEST(ways_of_their_own)
 {
-    (void)state;
     Route route = hill_route();
     const PullStretch cable = {.weight = WEIGHT, .mu = MU};
     const PullStep there = {.at = 80, .force = 3000}, back = {.at = 80, .force = -500};
@@ -143,9 +139,8 @@ static void ways_of_their_own(void **state)
 }
 
 /* Three cables in a duct: friction by the weight factor, pressure by the worst cable's share. */
-static void duct_corrections(void **state)
+TEST(duct_corrections)
 {
-    (void)state;
     Route route = hill_route();
     const PullStretch cable = {.weight = 3 * WEIGHT, .mu = MU, .mu_static = 0.3};
     const DuctDef duct = {.duct_diameter = 0.15, .cable_diameter = 0.05, .cables = 3};
@@ -178,9 +173,8 @@ static void refuse(const PlanDef *def, const char *why)
     assert_null(plan.way[0].piece);
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     Route route = hill_route();
     PullStretch cable = {.weight = WEIGHT, .mu = MU};
     const PlanDef good = hill_def(&route, &cable);
@@ -208,9 +202,8 @@ static void refusals(void **state)
 
 /* A bend that is shorter than the supports are apart turns no more than it has; each part of a bend has what the whole
  * has; one support beside a level bend bears T times its angle. */
-static void loads_of_short_bends(void **state)
+TEST(loads_of_short_bends)
 {
-    (void)state;
     enum { PARTS = 3 };
     static const double angle = 0.3, radius = 4, spacing = 2;
     double load[2];
@@ -242,9 +235,8 @@ static void loads_of_short_bends(void **state)
 
 /* Two bends close together: a roller's neighbours stand behind both, or within the other. What counts is the route, not
  * how it is cut. */
-static void loads_of_cut_routes(void **state)
+TEST(loads_of_cut_routes)
 {
-    (void)state;
     enum { MOST = 24 };
     static const int cuts[] = {1, 2, 3, 5, 1, 2, 3, 5};
     double load[2] = {0};
@@ -281,9 +273,8 @@ static void loads_of_cut_routes(void **state)
 
 /* What holds back less at times does so where the cable is slackest; a pull begins with the reel, not with its first
  * pit. */
-static void held_back_least(void **state)
+TEST(held_back_least)
 {
-    (void)state;
     Route route = hill_route();
     const PullStretch cable = {.weight = WEIGHT, .mu = MU};
     const PullStep pit = {.at = 80, .force = 700, .kind = STEP_ANEW};
@@ -319,9 +310,8 @@ static void held_back_least(void **state)
 
 /* Over a crest without friction the lightest piece lies where weight holds and the heaviest where it runs ahead, and
  * for the largest tension the other way round (T28). */
-static void unlike_pieces_over_a_crest(void **state)
+TEST(unlike_pieces_over_a_crest)
 {
-    (void)state;
     const RoutePieceDef crest = {.kind = ROUTE_BEND, .radius = 50, .angle = 0.6, .plane = 3 * M_PI / 2};
     Route route;
     assert_int_equal(route_build(&route, 1, &crest, V3_ZERO, 0, 0.3, NULL), HAWSER_OK);
@@ -341,9 +331,8 @@ static void unlike_pieces_over_a_crest(void **state)
 
 /* In a valley out of which the tension lifts the cable, a metre holds back the less the more it weighs: for the largest
  * tension the lightest counts all the way, for the least one the heaviest. */
-static void unlike_pieces_in_a_lifted_sag(void **state)
+TEST(unlike_pieces_in_a_lifted_sag)
 {
-    (void)state;
     const RoutePieceDef sag = {.kind = ROUTE_BEND, .radius = 50, .angle = 0.6, .plane = M_PI / 2};
     Route route;
     assert_int_equal(route_build(&route, 1, &sag, V3_ZERO, 0, -0.3, NULL), HAWSER_OK);
@@ -384,9 +373,8 @@ static double best_rate(const SpanLaw *law, double s, double tension)
 }
 
 /* (T28), (T28a) in bends that lie in any plane, whatever the tension: no weight between makes more, or less. */
-static void unlike_weights_one_by_one(void **state)
+TEST(unlike_weights_one_by_one)
 {
-    (void)state;
     const double planes[] = {0, 0.4, M_PI / 2, 2, 4, 3 * M_PI / 2};
     int between = 0;
     for (size_t p = 0; p < sizeof planes / sizeof *planes; p++) {
@@ -417,9 +405,8 @@ static void unlike_weights_one_by_one(void **state)
 
 /* A span in one go is as good as in two, whatever the tension: the steps' estimate may be zero by chance, and corners
  * are met. Largest differences of the tension that were seen: 3e-9 of it, of unlike weights 1e-8. */
-static void spans_in_two(void **state)
+TEST(spans_in_two)
 {
-    (void)state;
     const RoutePieceDef bend = {.kind = ROUTE_BEND, .radius = 60, .angle = 0.9, .plane = M_PI / 2};
     Route route;
     assert_int_equal(route_build(&route, 1, &bend, V3_ZERO, 0, -0.4, NULL), HAWSER_OK);
@@ -438,10 +425,3 @@ static void spans_in_two(void **state)
     }
     route_clear(&route);
 }
-
-TEST_FILE(test_plan, cmocka_unit_test(both_directions), cmocka_unit_test(closed_forms_by_piece),
-          cmocka_unit_test(conveyors), cmocka_unit_test(ways_of_their_own), cmocka_unit_test(duct_corrections),
-          cmocka_unit_test(loads_of_short_bends), cmocka_unit_test(loads_of_cut_routes),
-          cmocka_unit_test(held_back_least), cmocka_unit_test(unlike_pieces_over_a_crest),
-          cmocka_unit_test(unlike_pieces_in_a_lifted_sag), cmocka_unit_test(unlike_weights_one_by_one),
-          cmocka_unit_test(spans_in_two), cmocka_unit_test(refusals))

@@ -96,9 +96,8 @@ static Seen see(const Case *c, int way)
 
 static double slope(double before, double after, double by) { return (after - before) / (2 * by); }
 
-static void central_differences(void **state)
+TEST(central_differences)
 {
-    (void)state;
     const struct {
         int separate, steps;
         PullLaw law;
@@ -152,9 +151,8 @@ static void central_differences(void **state)
 
 /* The adjoint: a newton more at a place. A push there of so much takes off what the sweep from the end says, and the
  * sweep over all of the route gives the derivative by the start. */
-static void both_ways_round(void **state)
+TEST(both_ways_round)
 {
-    (void)state;
     for (int way = 0; way < PLAN_WAYS; way++) {
         Case c;
         Plan plan;
@@ -179,9 +177,8 @@ static void both_ways_round(void **state)
 }
 
 /* A level bend without weight: F = T exp(mu angle). */
-static void capstan(void **state)
+TEST(capstan)
 {
-    (void)state;
     const double mu = 0.3, angle = 1.1;
     const RoutePieceDef piece[] = {{.kind = ROUTE_BEND, .name = "turn", .radius = 5, .angle = angle, .plane = 0}};
     Route route;
@@ -202,9 +199,8 @@ static void capstan(void **state)
 
 /* A machine that takes just what arrives: its values are for less tension, and that is said. With a little less or
  * more the derivative is 0 or that of the rest of the way. */
-static void at_a_corner(void **state)
+TEST(at_a_corner)
 {
-    (void)state;
     const RoutePieceDef piece[] = {{.kind = ROUTE_STRAIGHT, .name = "level", .length = 100}};
     Route route;
     assert_int_equal(route_build(&route, 1, piece, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
@@ -247,9 +243,8 @@ static SpanLaw bend_law(double tz, double nz, double bz, int separate)
 
 /* (SN2), (SN3) against differences of the support forces, in frames of all directions, pulled and pushed; and their
  * limits: an upright bend, no tension, no bend. */
-static void slopes_of_supports(void **state)
+TEST(slopes_of_supports)
 {
-    (void)state;
     const double by = 1e-3;
     for (int i = 0; i < 400; i++) {
         const double up = 0.1 + 2.9 * (i % 20) / 20, turn = 0.2 + 6.2 * (i / 20) / 20, T = (i % 7 - 3.3) * 700;
@@ -285,9 +280,8 @@ static void slopes_of_supports(void **state)
 
 /* (SN4) against differences of the integrated law, where a cable lifts off, settles, and is pushed before it is pulled;
  * either way along the route. */
-static void gains_across_corners(void **state)
+TEST(gains_across_corners)
 {
-    (void)state;
     const double L = 11;
     int lifts = 0, tightens = 0;
     for (int i = 0; i < 120; i++) {
@@ -321,9 +315,8 @@ static void gains_across_corners(void **state)
 
 /* A pit forgets what came before it, a machine that takes all too, one that takes less forgets nothing: on a straight,
  * where every derivative is a length. */
-static void steps_forget(void **state)
+TEST(steps_forget)
 {
-    (void)state;
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "s", .length = 60};
     Route route;
     assert_int_equal(route_build(&route, 1, &straight, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
@@ -360,9 +353,8 @@ static void steps_forget(void **state)
 
 /* A machine at the very end of the pull: one that takes all that arrives leaves nothing of any cause, one that takes
  * less leaves all of it, and just as much as arrives is a corner. */
-static void machine_at_the_end(void **state)
+TEST(machine_at_the_end)
 {
-    (void)state;
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "s", .length = 60};
     Route route;
     assert_int_equal(route_build(&route, 1, &straight, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
@@ -398,9 +390,8 @@ static void machine_at_the_end(void **state)
 
 /* On separate supports a level bend has T' = mu (w + |T|/R): from a push to a pull, and back along the route, gains by
  * the closed form, across the corner at T = 0. */
-static void gains_by_closed_forms(void **state)
+TEST(gains_by_closed_forms)
 {
-    (void)state;
     const double mu = 0.3, w = 200, R = 10, c = w * R;
     const double starts[] = {-1500, -400, 0, 300};
     for (int i = 0; i < 4; i++) {
@@ -432,9 +423,8 @@ static void gains_by_closed_forms(void **state)
 
 /* Where nothing arrives at a machine, as at the reel without a brake, it takes what more would come, and has nothing to
  * take of less: a corner too. Not for one that takes nothing, and not behind another one that takes all. */
-static void machine_without_work(void **state)
+TEST(machine_without_work)
 {
-    (void)state;
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "s", .length = 60};
     Route route;
     assert_int_equal(route_build(&route, 1, &straight, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
@@ -466,8 +456,3 @@ static void machine_without_work(void **state)
     }
     route_clear(&route);
 }
-
-TEST_FILE(test_plan_change, cmocka_unit_test(central_differences), cmocka_unit_test(both_ways_round),
-          cmocka_unit_test(capstan), cmocka_unit_test(at_a_corner), cmocka_unit_test(slopes_of_supports),
-          cmocka_unit_test(gains_across_corners), cmocka_unit_test(steps_forget), cmocka_unit_test(machine_at_the_end),
-          cmocka_unit_test(machine_without_work), cmocka_unit_test(gains_by_closed_forms))

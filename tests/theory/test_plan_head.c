@@ -45,9 +45,8 @@ static Plan plan_of(const PlanDef *def)
 }
 
 /* (PN6): a rope without weight goes round the bends ahead as round a capstan; one with weight is dragged as well. */
-static void rope_ahead(void **state)
+TEST(rope_ahead)
 {
-    (void)state;
     Route route = level_route();
     const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_static = 0.3, .mu_rope = 0.15};
     PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &cable, .reel_length = 15, .rope_length = 5};
@@ -71,9 +70,8 @@ static void rope_ahead(void **state)
 }
 
 /* The last place of the head is the whole pull; the series holds the corners; its peak is no smaller than any row. */
-static void the_last_place_is_the_pull(void **state)
+TEST(the_last_place_is_the_pull)
 {
-    (void)state;
     Route route = level_route();
     const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_static = 0.3, .mu_rope = 0.15};
     const PullStep machine = {.at = 50, .force = 2500, .kind = STEP_TAKE};
@@ -114,9 +112,8 @@ static void the_last_place_is_the_pull(void **state)
 }
 
 /* Over a crest and down a slope on which the cable runs by itself: the winch has most to do before the end. */
-static void the_peak_lies_on_the_crest(void **state)
+TEST(the_peak_lies_on_the_crest)
 {
-    (void)state;
     const double up = 0.4, R = 30;
     const RoutePieceDef pieces[] = {
         {.kind = ROUTE_STRAIGHT, .name = "up", .length = 50},
@@ -141,9 +138,8 @@ static void the_peak_lies_on_the_crest(void **state)
 }
 
 /* (PN3): what is pulled from a pit is a route that begins there. */
-static void sections_are_cut_routes(void **state)
+TEST(sections_are_cut_routes)
 {
-    (void)state;
     Route route = level_route();
     const double cut = route.piece[2].s0, back = 700;
     const RoutePieceDef before[] = {
@@ -188,9 +184,8 @@ static void sections_are_cut_routes(void **state)
 }
 
 /* (PN2): what arrives, up to the push; the rope runs through it. */
-static void machines_take_off(void **state)
+TEST(machines_take_off)
 {
-    (void)state;
     Route route = level_route();
     const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_rope = 0.1};
     const PullStep strong = {.at = 20, .force = 5000, .kind = STEP_TAKE},
@@ -212,9 +207,8 @@ static void machines_take_off(void **state)
 }
 
 /* (PN4): by the cable's way, and by what has passed. On a straight of 40 m, friction twice as much from 15 m on. */
-static void friction_by_length(void **state)
+TEST(friction_by_length)
 {
-    (void)state;
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "s", .length = 40};
     Route route = route_of(1, &straight, 0);
     const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_rope = 0.1};
@@ -238,9 +232,8 @@ static void friction_by_length(void **state)
 }
 
 /* Pushed at the feed end: on the level -F + mu w s, and round a bend a pushed cable presses outward, |T| mu/R. */
-static void pushed_at_the_feed(void **state)
+TEST(pushed_at_the_feed)
 {
-    (void)state;
     Route route = level_route();
     const PullStretch cable = {.weight = WEIGHT, .mu = MU};
     const PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &cable, .feed = 5000};
@@ -258,9 +251,8 @@ static void pushed_at_the_feed(void **state)
 }
 
 /* (PN8): down a slope the brake is the whole loss of tension, w L (sin - mu cos), and lifts the winch by as much. */
-static void brake_on_a_slope(void **state)
+TEST(brake_on_a_slope)
 {
-    (void)state;
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "shaft", .length = 60};
     Route route = route_of(1, &straight, -1.2);
     const PullStretch cable = {.weight = WEIGHT, .mu = MU};
@@ -282,9 +274,8 @@ static void brake_on_a_slope(void **state)
 }
 
 /* A mirror of the route, forward, is the route backward. */
-static void mirrored(void **state)
+TEST(mirrored)
 {
-    (void)state;
     const RoutePieceDef there[] = {
         {.kind = ROUTE_STRAIGHT, .name = "a", .length = 40},
         {.kind = ROUTE_BEND, .name = "turn", .radius = 8, .angle = 1.1, .plane = 0},
@@ -321,9 +312,8 @@ static double crest_top(double T1, double mu, double R, double a, double b, doub
 
 /* A crest that is steeper on one side, gone over both ways, with few rows and with many: the peak lies behind the
  * largest row one time and ahead of it another; at speed and from rest by the closed form of a crest. */
-static void peaks_between_rows(void **state)
+TEST(peaks_between_rows)
 {
-    (void)state;
     const double up = 0.2, down = 0.6, R = 30, arc = R * (up + down), before = 50, after = 80, reel = 4;
     const RoutePieceDef pieces[] = {
         {.kind = ROUTE_STRAIGHT, .name = "up", .length = before},
@@ -372,9 +362,8 @@ static void peaks_between_rows(void **state)
 }
 
 /* A row a billionth of the route ahead of what pushes, either way, and none behind it. */
-static void a_row_just_ahead(void **state)
+TEST(a_row_just_ahead)
 {
-    (void)state;
     for (int k = 0; k < 8; k++) {
         const int way = k & 1, conveyor = k & 2;
         const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "s", .length = k & 4 ? 4000 : 3};
@@ -403,9 +392,8 @@ static void a_row_just_ahead(void **state)
 
 /* (PN8): what holds back already is counted once; where a pit begins anew no brake at the reel helps, and what is said
  * then is the pull without one. */
-static void brakes_on_top(void **state)
+TEST(brakes_on_top)
 {
-    (void)state;
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "shaft", .length = 60};
     Route route = route_of(1, &straight, -1.2);
     const PullStretch cable = {.weight = WEIGHT, .mu = MU};
@@ -437,9 +425,8 @@ static void brakes_on_top(void **state)
 
 /* A push counts as soon as the head is there, a pit once the head is past it; wear and a duct's factors do not reach
  * the rope, and a stretch's own share does. */
-static void what_the_head_has_reached(void **state)
+TEST(what_the_head_has_reached)
 {
-    (void)state;
     const RoutePieceDef straight = {.kind = ROUTE_STRAIGHT, .name = "s", .length = 60};
     Route route = route_of(1, &straight, 0);
     const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_rope = 0.1};
@@ -483,9 +470,8 @@ static void what_the_head_has_reached(void **state)
     route_clear(&route);
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     Route route = level_route();
     const PullStretch cable = {.weight = WEIGHT, .mu = MU};
     const PlanDef good = {.route = &route, .n_stretches = 1, .stretch = &cable};
@@ -506,9 +492,8 @@ static void refusals(void **state)
 }
 
 /* Sections one by one, pits in no order, either way; and what carries the rope presses with the rope's own tension. */
-static void sections_in_order(void **state)
+TEST(sections_in_order)
 {
-    (void)state;
     Route route = level_route();
     const PullStretch cable = {.weight = WEIGHT, .mu = MU, .mu_rope = 0.1, .share = 0.5};
     const PullStep step[] = {{.at = 90, .force = 90, .kind = STEP_ANEW},
@@ -566,10 +551,3 @@ static void sections_in_order(void **state)
     }
     route_clear(&route);
 }
-
-TEST_FILE(test_plan_head, cmocka_unit_test(rope_ahead), cmocka_unit_test(the_last_place_is_the_pull),
-          cmocka_unit_test(the_peak_lies_on_the_crest), cmocka_unit_test(sections_are_cut_routes),
-          cmocka_unit_test(machines_take_off), cmocka_unit_test(friction_by_length),
-          cmocka_unit_test(pushed_at_the_feed), cmocka_unit_test(brake_on_a_slope), cmocka_unit_test(mirrored),
-          cmocka_unit_test(peaks_between_rows), cmocka_unit_test(a_row_just_ahead), cmocka_unit_test(brakes_on_top),
-          cmocka_unit_test(what_the_head_has_reached), cmocka_unit_test(refusals), cmocka_unit_test(sections_in_order))

@@ -40,9 +40,8 @@ static void check_peaks(const PlanDef *def)
     }
 }
 
-static void as_the_rows_have_them(void **state)
+TEST(as_the_rows_have_them)
 {
-    (void)state;
     Route route = crest_route();
     const PullStretch lies[] = {{.from = -1, .weight = 200, .mu = 0.25, .mu_static = 0.4, .mu_rope = 0.3},
                                 {.from = 90, .weight = 200, .mu = 0.1, .mu_static = 0.1, .mu_rope = 0.2}};
@@ -109,9 +108,8 @@ static void check_rope(const PlanDef *def, int way, int restart)
 }
 
 /* Rope ahead is tighter while the head is on the crest than when it comes down. */
-static void the_tightest_rope(void **state)
+TEST(the_tightest_rope)
 {
-    (void)state;
     Route route = crest_route();
     const PullStretch lies[] = {{.from = -1, .weight = 200, .mu = 0.25, .mu_static = 0.4, .mu_rope = 0.3},
                                 {.from = 90, .weight = 200, .mu = 0.1, .mu_static = 0.1, .mu_rope = 0.2}};
@@ -127,9 +125,8 @@ static void the_tightest_rope(void **state)
 
 /* With the head at one place it is that pull's; before it, and beyond what was asked for, nothing is touched; where the
  * head begins behind all places there is none. */
-static void the_rope_of_one_head(void **state)
+TEST(the_rope_of_one_head)
 {
-    (void)state;
     Route route = crest_route();
     const PullStretch lies = {.weight = 200, .mu = 0.25, .mu_static = 0.25, .mu_rope = 0.3};
     const PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &lies, .reel_length = 15, .rope_weight = 8};
@@ -162,10 +159,9 @@ static void the_rope_of_one_head(void **state)
 }
 
 /* Of thousands of corners only some have a row; the peak is that of all of them. */
-static void rows_of_many_corners(void **state)
+TEST(rows_of_many_corners)
 {
     enum { PIECES = 2500 };
-    (void)state;
     RoutePieceDef *const piece = calloc(PIECES, sizeof *piece);
     assert_non_null(piece);
     for (int i = 0; i < PIECES; ++i) {
@@ -192,9 +188,8 @@ static void rows_of_many_corners(void **state)
 }
 
 /* What is of no interest is not followed: a tension beyond `enough` ends the pull, one below it changes nothing. */
-static void enough_is_enough(void **state)
+TEST(enough_is_enough)
 {
-    (void)state;
     Route route = crest_route();
     const PullStretch lies = {.weight = 200, .mu = 0.25, .mu_static = 0.25, .mu_rope = 0.3};
     PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &lies, .reel_length = 15};
@@ -213,7 +208,3 @@ static void enough_is_enough(void **state)
     plan_clear(&all);
     route_clear(&route);
 }
-
-TEST_FILE(test_plan_peaks, cmocka_unit_test(as_the_rows_have_them), cmocka_unit_test(rows_of_many_corners),
-          cmocka_unit_test(enough_is_enough), cmocka_unit_test(the_tightest_rope),
-          cmocka_unit_test(the_rope_of_one_head))

@@ -64,9 +64,8 @@ static double plain_integral(const Route *route, int direction, double w, double
 }
 
 /* 1e-8 of the tension: the reference's corners, where a force changes side, cost it that. */
-static void agrees_with_a_reference_integration(void **state)
+TEST(agrees_with_a_reference_integration)
 {
-    (void)state;
     enum { LOOKS = 2000 };
     for (size_t i = 0; i < sizeof lines / sizeof *lines; ++i) {
         Route route;
@@ -95,5 +94,3 @@ static void agrees_with_a_reference_integration(void **state)
         route_clear(&route);
     }
 }
-
-TEST_FILE(test_pull_curves, cmocka_unit_test(agrees_with_a_reference_integration))

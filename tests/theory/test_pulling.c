@@ -73,9 +73,8 @@ static double separate_rate(const Route *route, int direction, double w, double 
 
 /* The rates at many places of the winding route; they exceed those of one support in bends to a side, and nowhere fall
  * below. */
-static void separate_supports(void **state)
+TEST(separate_supports)
 {
-    (void)state;
     Route route = winding_route();
     PullStretch cable = {.weight = 150, .mu = 0.2, .separate = 1};
     const PullDef def = simple_def(&route, &cable, 2000);
@@ -101,9 +100,8 @@ static void separate_supports(void **state)
 }
 
 /* (LI2) in a level bend; a bend in a vertical plane, whose cable lifts on the way, does not know the difference. */
-static void separate_closed_forms(void **state)
+TEST(separate_closed_forms)
 {
-    (void)state;
     const RoutePieceDef def[] = {{.kind = ROUTE_BEND, .radius = 8, .angle = 1.1, .plane = 0},
                                  {.kind = ROUTE_BEND, .radius = 40, .angle = 0.9, .plane = PI / 2}};
     Route route;
@@ -127,9 +125,8 @@ static void separate_closed_forms(void **state)
     route_clear(&route);
 }
 
-static void independent_integration_agrees(void **state)
+TEST(independent_integration_agrees)
 {
-    (void)state;
     Route route = winding_route();
     for (int i = 0; i < 8; i++) {
         const PullStretch cable = {.weight = 150, .mu = 0.08 + 0.05 * i};
@@ -146,9 +143,8 @@ static void independent_integration_agrees(void **state)
 
 /* The law has no direction of its own: what is pulled one way over a route is pulled the other way over its
  * mirror. */
-static void mirrored_routes_agree(void **state)
+TEST(mirrored_routes_agree)
 {
-    (void)state;
     const RoutePieceDef there[] = {{.kind = ROUTE_STRAIGHT, .length = 10},
                                    {.kind = ROUTE_BEND, .radius = 5, .angle = 0.6, .plane = PI / 2},
                                    {.kind = ROUTE_STRAIGHT, .length = 7},
@@ -188,9 +184,8 @@ static void mirrored_routes_agree(void **state)
 }
 
 /* Stations between: splitting a pull anywhere changes nothing, and pull_at is the solution of the law. */
-static void points_on_the_way(void **state)
+TEST(points_on_the_way)
 {
-    (void)state;
     Route route = winding_route();
     const PullStretch cable = {.weight = 150, .mu = 0.2};
     PullDef def = simple_def(&route, &cable, 1200);
@@ -216,9 +211,8 @@ static void points_on_the_way(void **state)
 }
 
 /* Changes of weight and friction (a frictionless lead-in, a cable with rope ahead) and tension steps. */
-static void stretches_and_steps(void **state)
+TEST(stretches_and_steps)
 {
-    (void)state;
     const RoutePieceDef level = {.kind = ROUTE_STRAIGHT, .length = 100};
     Route route;
     assert_int_equal(route_build(&route, 1, &level, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
@@ -277,9 +271,8 @@ static void stretches_and_steps(void **state)
 }
 
 /* Of equal tensions the first is told. */
-static void equal_tensions(void **state)
+TEST(equal_tensions)
 {
-    (void)state;
     const RoutePieceDef def[] = {{.kind = ROUTE_STRAIGHT, .length = 50}, {.kind = ROUTE_STRAIGHT, .length = 30}};
     Route route;
     assert_int_equal(route_build(&route, 2, def, v3(0, 0, 0), 0, 0, NULL), HAWSER_OK);
@@ -305,9 +298,8 @@ static void equal_tensions(void **state)
 
 /* A downhill, level, uphill trough: the least tension lies at a corner of the slope, the greatest at the end.
  */
-static void extremes(void **state)
+TEST(extremes)
 {
-    (void)state;
     const RoutePieceDef def[] = {{.kind = ROUTE_STRAIGHT, .length = 50},
                                  {.kind = ROUTE_BEND, .radius = 20, .angle = 0.6, .plane = PI / 2},
                                  {.kind = ROUTE_STRAIGHT, .length = 30}};
@@ -346,9 +338,8 @@ static void extremes(void **state)
 
 /* Where the weight's part out of the bend's plane is small, the normal force almost vanishes: a sharp bow,
  * not a corner. */
-static void nearly_planar_sags(void **state)
+TEST(nearly_planar_sags)
 {
-    (void)state;
     const PullStretch cable = {.weight = 200, .mu = 0.3};
     double flat = 0;
     for (int i = 0; i < 14; i++) {
@@ -372,9 +363,8 @@ static void nearly_planar_sags(void **state)
 }
 
 /* No weight, no friction, no tension, or almost a full circle: nothing divides by zero or runs away. */
-static void limiting_cases(void **state)
+TEST(limiting_cases)
 {
-    (void)state;
     Route route = winding_route();
     PullStretch cable = {.weight = 0, .mu = 0.3};
     PullDef def = simple_def(&route, &cable, 0);
@@ -410,9 +400,8 @@ static void refuse(const PullDef *def, const char *why)
     assert_null(pull.span);
 }
 
-static void bad_input_is_refused(void **state)
+TEST(bad_input_is_refused)
 {
-    (void)state;
     Route route = winding_route();
     PullStretch cable[2] = {{.weight = 150, .mu = 0.2}, {.from = 5, .weight = 150, .mu = 0.2}};
     PullStep step = {.at = 3, .force = NAN};
@@ -436,9 +425,3 @@ static void bad_input_is_refused(void **state)
     refuse(&def, "past all bounds");
     route_clear(&route);
 }
-
-TEST_FILE(test_pulling, cmocka_unit_test(independent_integration_agrees), cmocka_unit_test(separate_supports),
-          cmocka_unit_test(separate_closed_forms), cmocka_unit_test(mirrored_routes_agree),
-          cmocka_unit_test(points_on_the_way), cmocka_unit_test(stretches_and_steps), cmocka_unit_test(equal_tensions),
-          cmocka_unit_test(extremes), cmocka_unit_test(nearly_planar_sags), cmocka_unit_test(limiting_cases),
-          cmocka_unit_test(bad_input_is_refused))

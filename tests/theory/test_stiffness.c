@@ -7,9 +7,8 @@
 #include "tests/support/check.h"
 
 /* From an evaluation of (CS1) to (CS7) by another program, to its digits. */
-static void numbers(void **state)
+TEST(numbers)
 {
-    (void)state;
     static const struct {
         CableMake make;
         double ea, ei, factor;
@@ -33,9 +32,8 @@ static void numbers(void **state)
 
 /* A bar of solid copper is stranded copper of the same size, less the stranding; a cable without metal is its plastic.
  */
-static void limits(void **state)
+TEST(limits)
 {
-    (void)state;
     const double d = 0.03, section = acos(-1.0) * d * d / 4, inertia = section * d * d / 16;
     const CableMake full = {d, 8890 * section, section, METAL_COPPER, 1}, none = {d, 900 * section, 0, METAL_COPPER, 1};
     const StiffnessEstimate bar = stiffness_estimate(&full), plastic = stiffness_estimate(&none);
@@ -47,9 +45,8 @@ static void limits(void **state)
 }
 
 /* EI of dynamic cables of 3 x 95 to 3 x 800 mm2 by FAModel's coefficients of their diameter: within the factor said. */
-static void public_cables(void **state)
+TEST(public_cables)
 {
-    (void)state;
     static const double areas[] = {95, 150, 300, 400, 630, 800};
     for (size_t k = 0; k < sizeof areas / sizeof *areas; k++) {
         const double D = 3 * sqrt(areas[k]) + 89, mass = 0.005418 * D * D - 0.93 * D + 51.586;
@@ -59,5 +56,3 @@ static void public_cables(void **state)
         check_between(ei / e.ei, 1 / e.ei_factor, e.ei_factor);
     }
 }
-
-TEST_FILE(test_stiffness, cmocka_unit_test(numbers), cmocka_unit_test(limits), cmocka_unit_test(public_cables))

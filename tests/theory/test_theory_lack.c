@@ -137,9 +137,8 @@ static hawser_status grids(const Scene *s, double *value, hawser_error *err)
     return status;
 }
 
-static void every_allocation(void **state)
+TEST(every_allocation)
 {
-    (void)state;
     static const Allocating each[] = {plans, one_head, heads, ropes, brakes, changes, rollers, grids};
     Scene s;
     if (!lack_works()) skip();
@@ -166,5 +165,3 @@ static void every_allocation(void **state)
     }
     scene_free(&s);
 }
-
-TEST_FILE(test_theory_lack, cmocka_unit_test(every_allocation))

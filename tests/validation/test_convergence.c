@@ -16,12 +16,9 @@ static double pull_mean(int split, double accuracy)
     return out.pull_mean_N;
 }
 
-static void test_refinement(void **state)
+TEST(test_refinement)
 {
-    (void)state;
     const double pull = pull_mean(1, 1e-3), fine = pull_mean(2, 1e-3), exact = pull_mean(1, 1e-4);
     check_share(fine, pull, 2e-3);
     check_share(exact, pull, 5e-5);
 }
-
-TEST_FILE(test_convergence, cmocka_unit_test(test_refinement))

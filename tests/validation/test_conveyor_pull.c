@@ -74,9 +74,8 @@ static Shared shared_run(SceneDef *def, double duration, int threads)
 }
 
 /* Belts that run ahead slip all the time and push with their whole grip: the winch has the rest. */
-static void test_slipping_ahead(void **state)
+TEST(test_slipping_ahead)
 {
-    (void)state;
     SceneDef def;
     shared_row(&def, 1, 2000);
     def.conveyors[0].sync = 0;
@@ -93,9 +92,8 @@ static void test_slipping_ahead(void **state)
 }
 
 /* A belt that is too slow brakes by as much. */
-static void test_slow_belt(void **state)
+TEST(test_slow_belt)
 {
-    (void)state;
     SceneDef def;
     shared_row(&def, 1, 1000);
     def.conveyors[0].sync = 0;
@@ -122,9 +120,8 @@ static Shared synchronised(double accuracy)
  * along it the winch has half of that stretch's friction and pushes half from behind. The stretch begins where the
  * belts take over, in the front half of the machine (the cable brings its own stretch into it): near its end, by as
  * much as a segment is long. Micrometres decide, and yet the default accuracy does: (WI21). */
-static void test_synchronised(void **state)
+TEST(test_synchronised)
 {
-    (void)state;
     const Shared r = synchronised(1e-3), fine = synchronised(1e-5);
     const double whole = ROW.mu * row_weight(&ROW), half = whole / 2 / 40;
     print_message("pull %.2f N, with small steps %.2f N; by elasticity %.2f to %.2f N\n", r.summary.pull_mean_N,
@@ -138,9 +135,8 @@ static void test_synchronised(void **state)
 }
 
 /* Several machines, one limited by its drive, one without a clamp; on two threads to the last bit. */
-static void test_several(void **state)
+TEST(test_several)
 {
-    (void)state;
     Shared r[2];
     for (int threads = 1; threads <= 2; ++threads) {
         SceneDef def;
@@ -168,9 +164,8 @@ static void test_several(void **state)
 }
 
 /* Synchronised belts stand still with a winch that has tripped, and start with it again. */
-static void test_trip(void **state)
+TEST(test_trip)
 {
-    (void)state;
     SceneDef def;
     hawser_error err = {0};
     Sim *s = NULL;
@@ -193,6 +188,3 @@ static void test_trip(void **state)
     check_close(last, 0, 1e-5);
     sim_free(s);
 }
-
-TEST_FILE(test_conveyor_pull, cmocka_unit_test(test_slipping_ahead), cmocka_unit_test(test_slow_belt),
-          cmocka_unit_test(test_synchronised), cmocka_unit_test(test_several), cmocka_unit_test(test_trip))

@@ -101,28 +101,21 @@ static double downward(double T1, double R, double turn)
     return T2;
 }
 
-static void test_level_bend(void **state)
-{
-    (void)state;
-    bend_check((RoutePieceDef){.kind = ROUTE_BEND, .radius = 5, .angle = 1.2, .plane = 0}, level);
-}
+TEST(test_level_bend) { bend_check((RoutePieceDef){.kind = ROUTE_BEND, .radius = 5, .angle = 1.2, .plane = 0}, level); }
 
-static void test_upward_bend(void **state)
+TEST(test_upward_bend)
 {
-    (void)state;
     bend_check((RoutePieceDef){.kind = ROUTE_BEND, .radius = 5, .angle = 0.6, .plane = M_PI / 2}, upward);
 }
 
-static void test_downward_bend(void **state)
+TEST(test_downward_bend)
 {
-    (void)state;
     bend_check((RoutePieceDef){.kind = ROUTE_BEND, .radius = 5, .angle = 0.5, .plane = 1.5 * M_PI}, downward);
 }
 
 /* An S in three dimensions: up to the left, then down to the right. */
-static void test_s_bend(void **state)
+TEST(test_s_bend)
 {
-    (void)state;
     const RoutePieceDef route[] = {{.kind = ROUTE_STRAIGHT, .length = 4},
                                    {.kind = ROUTE_BEND, .radius = 5, .angle = 0.8, .plane = 0.6},
                                    {.kind = ROUTE_BEND, .radius = 6, .angle = 0.9, .plane = M_PI + 0.4},
@@ -139,9 +132,8 @@ static void test_s_bend(void **state)
 }
 
 /* Longer segments, the same pull: two points a segment are enough. */
-static void test_segments(void **state)
+TEST(test_segments)
 {
-    (void)state;
     const RoutePieceDef route[] = {{.kind = ROUTE_STRAIGHT, .length = 6},
                                    {.kind = ROUTE_BEND, .radius = 5, .angle = 1.2, .plane = 0},
                                    {.kind = ROUTE_STRAIGHT, .length = 4}};
@@ -166,9 +158,8 @@ static void test_segments(void **state)
 }
 
 /* One thread and two: the same state to the last bit. */
-static void test_threads(void **state)
+TEST(test_threads)
 {
-    (void)state;
     const RoutePieceDef route[] = {{.kind = ROUTE_STRAIGHT, .length = 4},
                                    {.kind = ROUTE_BEND, .radius = 5, .angle = 0.8, .plane = 0.6},
                                    {.kind = ROUTE_STRAIGHT, .length = 4}};
@@ -222,9 +213,8 @@ static Sim *release(SceneDef *def, double end)
 }
 
 /* Let go 50 mm above a floor the cable comes to rest on it, and the floor bears its weight. */
-static void test_fall(void **state)
+TEST(test_fall)
 {
-    (void)state;
     SceneDef def;
     plane_scene(&def, 0, 0.05, 0.3);
     const double k = def.line_impact.k;
@@ -241,9 +231,8 @@ static void test_fall(void **state)
 }
 
 /* Down a slope steeper than its friction it slides with g (sin - mu cos). */
-static void test_slide(void **state)
+TEST(test_slide)
 {
-    (void)state;
     SceneDef def;
     const double slope = 0.4, mu = 0.2, exact = -G * (sin(slope) - mu * cos(slope));
     plane_scene(&def, slope, 0, mu);
@@ -255,7 +244,3 @@ static void test_slide(void **state)
     check_share((after - before) / 0.5, exact, 1e-5);
     sim_free(s);
 }
-
-TEST_FILE(test_ducts, cmocka_unit_test(test_level_bend), cmocka_unit_test(test_upward_bend),
-          cmocka_unit_test(test_downward_bend), cmocka_unit_test(test_s_bend), cmocka_unit_test(test_segments),
-          cmocka_unit_test(test_threads), cmocka_unit_test(test_fall), cmocka_unit_test(test_slide))

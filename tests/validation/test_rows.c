@@ -22,9 +22,8 @@ static hawser_summary row_pulled(const RowChoice *row)
 }
 
 /* The mean pull is mu m g N, with both geometries. */
-static void test_level_row(void **state)
+TEST(test_level_row)
 {
-    (void)state;
     for (int geometry = 0; geometry < 2; ++geometry) {
         const RowChoice row = {.segments = 60, .pitch = 2, .mu = 0.2, .geometry = (ContactGeometry)geometry};
         row_pulled(&row);
@@ -34,9 +33,8 @@ static void test_level_row(void **state)
 /* In a long row the smooth line ripples at least ten times less than the capsules, whose joints pass all rollers at
  * once. (In a short one, or with rollers so far apart that the ends droop, what is left are the ends as they meet
  * rollers.) */
-static void test_ripple(void **state)
+TEST(test_ripple)
 {
-    (void)state;
     double ripple[2];
     for (int geometry = 0; geometry < 2; ++geometry) {
         const RowChoice row = {.segments = 370, .pitch = 1, .mu = 0.2, .geometry = (ContactGeometry)geometry};
@@ -46,9 +44,8 @@ static void test_ripple(void **state)
 }
 
 /* At rest on smooth rollers the winch carries the weight's part along the slope, W L sin(slope). */
-static void test_slope_at_rest(void **state)
+TEST(test_slope_at_rest)
 {
-    (void)state;
     const double slope[] = {0.05, 0.2, 0.6};
     for (int k = 0; k < 3; ++k) {
         const RowChoice row = {.segments = 40, .pitch = 1, .slope = slope[k]};
@@ -71,9 +68,8 @@ static void test_slope_at_rest(void **state)
 }
 
 /* Pulled up the slope, friction adds mu W L cos(slope). */
-static void test_slope_up(void **state)
+TEST(test_slope_up)
 {
-    (void)state;
     const RowChoice row = {.segments = 40, .pitch = 1, .slope = 0.2, .mu = 0.15};
     const double exact = row_weight(&row) * (sin(row.slope) + row.mu * cos(row.slope));
     SceneDef def;
@@ -89,9 +85,8 @@ static void test_slope_up(void **state)
  * the mass times 1.5 v / s. Looked at where the steps end: between steps the stiff springs feel how far the method's
  * polynomial is from the winch's motion; and held by two steps, as peaks are (EB14): a single one that is cut short has
  * its error in speed as a force. */
-static void test_ramp_peak(void **state)
+TEST(test_ramp_peak)
 {
-    (void)state;
     const RowChoice row = {.segments = 60, .pitch = 2, .mu = 0.2};
     const double exact = row_weight(&row) * (row.mu + 1.5 * 0.1 / ROW_G);
     SceneDef def;
@@ -114,6 +109,3 @@ static void test_ramp_peak(void **state)
     check_share(peak, exact, 0.01);
     sim_free(s);
 }
-
-TEST_FILE(test_rows, cmocka_unit_test(test_level_row), cmocka_unit_test(test_ripple),
-          cmocka_unit_test(test_slope_at_rest), cmocka_unit_test(test_slope_up), cmocka_unit_test(test_ramp_peak))

@@ -10,9 +10,8 @@
 static const ValidationCase some = {.name = "some", .source = "somewhere"};
 
 /* Inside, at and beyond each kind of tolerance; what is not a number is never inside. */
-static void test_verdicts(void **state)
+TEST(test_verdicts)
 {
-    (void)state;
     ValidationLog log = {.now = &some};
     log_share(&log, "share", "N", 200, 200.9, 0.5);
     log_share(&log, "share", "N", 200, 198.9, 0.5);
@@ -37,9 +36,8 @@ static void test_verdicts(void **state)
 }
 
 /* Every case has a name of its own and says what it proves by which source; the document knows all of them. */
-static void test_cases(void **state)
+TEST(test_cases)
 {
-    (void)state;
     static char document[1 << 18];
     FILE *const f = fopen(HAWSER_SOURCE_DIR "/docs/validation.md", "r");
     assert_non_null(f);
@@ -60,9 +58,8 @@ static void test_cases(void **state)
 }
 
 /* Names choose; there are none twice; a filter that fits nothing runs nothing. */
-static void test_choice(void **state)
+TEST(test_choice)
 {
-    (void)state;
     ValidationLog log;
     int ran;
     assert_int_equal(validation_run("no such case", 0, &log, &ran, NULL), HAWSER_OK);
@@ -79,9 +76,8 @@ static void test_choice(void **state)
 }
 
 /* Every order is within its tolerance, by four refinements or more. */
-static void test_convergence(void **state)
+TEST(test_convergence)
 {
-    (void)state;
     ValidationLog log;
     int ran, orders = 0, refinements = 0;
     assert_int_equal(validation_run("convergence", 0, &log, &ran, NULL), HAWSER_OK);
@@ -101,6 +97,3 @@ static void test_convergence(void **state)
     assert_int_equal(validation_outside(&log), 0);
     validation_clear(&log);
 }
-
-TEST_FILE(test_suite, cmocka_unit_test(test_verdicts), cmocka_unit_test(test_cases), cmocka_unit_test(test_choice),
-          cmocka_unit_test(test_convergence))

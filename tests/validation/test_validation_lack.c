@@ -11,10 +11,9 @@
 
 enum { MOST = 2000 };
 
-static void test_every_allocation(void **state)
+TEST(test_every_allocation)
 {
     long told = 0, without = 0;
-    (void)state;
     if (!lack_works()) skip();
     for (long k = 0, met = 1; met; ++k) {
         check_below(k, MOST);
@@ -37,5 +36,3 @@ static void test_every_allocation(void **state)
     check_above(told, 100);
     check_at_most(without, told / 10);
 }
-
-TEST_FILE(test_validation_lack, cmocka_unit_test(test_every_allocation))

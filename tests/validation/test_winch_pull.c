@@ -37,9 +37,8 @@ static void tension_row(SceneDef *def, double force)
 }
 
 /* A force above the friction accelerates cable and drum: (F - mu m g)/(m + drum). */
-static void test_acceleration(void **state)
+TEST(test_acceleration)
 {
-    (void)state;
     const double mass = row_weight(&ROW) / ROW_G, friction = ROW.mu * row_weight(&ROW), force = 1.2 * friction;
     const double exact = (force - friction) / (mass + 700);
     SceneDef def;
@@ -57,9 +56,8 @@ static void test_acceleration(void **state)
 }
 
 /* With a limit the speed settles where the falling force meets the friction: STEP = friction/force. */
-static void test_speed_limit(void **state)
+TEST(test_speed_limit)
 {
-    (void)state;
     const double friction = ROW.mu * row_weight(&ROW), force = 2 * friction; /* STEP = 1/2: the middle of the band */
     SceneDef def;
     tension_row(&def, force);
@@ -78,9 +76,8 @@ static void test_speed_limit(void **state)
 }
 
 /* Less than the friction moves nothing but what the regularised law lets creep: v_s/3 at half the friction or so. */
-static void test_too_little(void **state)
+TEST(test_too_little)
 {
-    (void)state;
     const double friction = ROW.mu * row_weight(&ROW);
     SceneDef def;
     tension_row(&def, 0.5 * friction);
@@ -149,9 +146,8 @@ static TripRun trip_run(double limit, int threads)
 }
 
 /* The trip, the stop, the restart; the force is kept near the limit and breaks the cable away again by mu_s. */
-static void test_trip(void **state)
+TEST(test_trip)
 {
-    (void)state;
     const double weight = row_weight(&ROW), limit = 0.2 * weight + 2500;
     const TripRun r = trip_run(limit, 1);
     for (int i = 0; i < r.n; ++i)
@@ -177,9 +173,8 @@ static void test_trip(void **state)
 }
 
 /* Two threads change no bit of a run with trips, nor does a limit that is never reached one of a run without. */
-static void test_trip_threads(void **state)
+TEST(test_trip_threads)
 {
-    (void)state;
     const double limit = 0.2 * row_weight(&ROW) + 2500;
     const TripRun one = trip_run(limit, 1), two = trip_run(limit, 2), high = trip_run(1e9, 1), none = trip_run(0, 1);
     assert_memory_equal(&one, &two, sizeof one);
@@ -189,9 +184,8 @@ static void test_trip_threads(void **state)
 }
 
 /* A trip that ends the run: the end comes nearer, and the run is told from one that was finished. */
-static void test_trip_ends_the_run(void **state)
+TEST(test_trip_ends_the_run)
 {
-    (void)state;
     SceneDef def;
     trip_row(&def, 0.2 * row_weight(&ROW) + 2500);
     def.winch.trip.restarts = 0;
@@ -208,9 +202,8 @@ static void test_trip_ends_the_run(void **state)
 }
 
 /* By a factor of what the theory expects; a theory that expects nothing is no measure. */
-static void test_trip_factor(void **state)
+TEST(test_trip_factor)
 {
-    (void)state;
     SceneDef def;
     hawser_error err = {0};
     trip_row(&def, 0);
@@ -228,7 +221,3 @@ static void test_trip_factor(void **state)
     check_has(err.message, "drive.winch.trip.factor");
     scene_def_clear(&def);
 }
-
-TEST_FILE(test_winch_pull, cmocka_unit_test(test_acceleration), cmocka_unit_test(test_speed_limit),
-          cmocka_unit_test(test_too_little), cmocka_unit_test(test_trip), cmocka_unit_test(test_trip_threads),
-          cmocka_unit_test(test_trip_ends_the_run), cmocka_unit_test(test_trip_factor))
