@@ -11,15 +11,12 @@
 static long pull_allocations_with(LinKind kind, int threads, int planar, int moving)
 {
     SceneDef def;
-    Sim *s = NULL;
     hawser_error err = {0};
     (planar ? fixture_planar : fixture_pull)(&def, &(FixtureChoice){0});
     if (moving) fixture_moving_rollers(&def, 1, 1);
     def.solver.linear.kind = kind;
     def.contact_reach = 0.05; /* so that candidates are renewed while we count */
-    if (sim_new(&def, threads, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(&def);
-    assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
+    Sim *const s = sim_at_rest(&def, threads);
     if (sim_advance(s, 0.1, 0, &err)) fail_msg("%s", err.message); /* makes the integrator */
     const long before = lack_calls();
     hawser_status status = HAWSER_OK;
@@ -126,11 +123,9 @@ TEST(test_history)
     long k = 0;
     for (; status; ++k) {
         SceneDef def;
-        Sim *s = NULL;
         hawser_error err = {0};
         define_space(&def);
-        if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
-        scene_def_clear(&def);
+        Sim *const s = sim_made(&def, 1);
         lack_after(k);
         status = sim_advance(s, 0.01, 1, &err);
         const int reached = lack_end();

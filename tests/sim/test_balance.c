@@ -7,12 +7,10 @@
 /* A run to the definition's end, with its balance. */
 static hawser_balance balance_of(SceneDef *def, int threads, int relax)
 {
-    Sim *s = NULL;
     hawser_error err = {0};
     hawser_summary summary;
     const double end = def->duration;
-    if (sim_new(def, threads, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(def);
+    Sim *const s = sim_made(def, threads);
     if (relax) assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
     hawser_sim_summary(s, &summary);
     assert_null(summary.balance);

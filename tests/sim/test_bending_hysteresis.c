@@ -270,8 +270,7 @@ TEST(test_threads)
         SceneDef def;
         hawser_error err = {0};
         tabled_pull(&def);
-        if (sim_new(&def, 1 + k, &sim[k], &err)) fail_msg("%s", err.message);
-        scene_def_clear(&def);
+        sim[k] = sim_made(&def, 1 + k);
         if (sim_relax(sim[k], NULL, &err) || sim_advance(sim[k], 1, 0, &err)) fail_msg("%s", err.message);
     }
     const hawser_sample *const a = hawser_sim_sample(sim[0]), *const b = hawser_sim_sample(sim[1]);

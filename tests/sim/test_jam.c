@@ -35,13 +35,10 @@ typedef struct Window {
 
 static Sim *run(SceneDef *def, int threads, int n, Window window[])
 {
-    Sim *s = NULL;
     hawser_error err = {0};
     int count[MOST] = {0};
     const double end = def->duration;
-    if (sim_new(def, threads, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(def);
-    assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
+    Sim *const s = sim_at_rest(def, threads);
     for (int k = 1; k * 0.02 <= end + 1e-9; ++k) {
         if (sim_advance(s, k * 0.02, 0, &err)) fail_msg("%s", err.message);
         const double t = hawser_sim_time(s), pull = hawser_sim_sample(s)->winch_force;
@@ -194,15 +191,12 @@ TEST(test_spinning)
     def.duration = 40;
     def.solver.max_step = 5e-3; /* a step over the moment at which the grip turns round is the books' largest error */
     Window window[3] = {{3, 13, 0}, {15, 25, 0}, {27, 37, 0}};
-    Sim *s = NULL;
     hawser_error err = {0};
     int count[3] = {0};
     const double radius = def.rollers[MIDDLE].radius, metre = ROW_MASS * ROW_G;
     const double bearing = 0.01 * 0.01 / radius * row_weight(&ROW);
     double fastest = 0;
-    if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(&def);
-    assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
+    Sim *const s = sim_at_rest(&def, 1);
     for (int k = 1; k <= 2000; ++k) {
         if (sim_advance(s, k * 0.02, 0, &err)) fail_msg("%s", err.message);
         const hawser_sample *const look = hawser_sim_sample(s);
@@ -233,7 +227,6 @@ TEST(test_joins)
         SceneDef def;
         hawser_error err = {0};
         hawser_summary sum;
-        Sim *s = NULL;
         reel_pull(&def, &(ReelChoice){.payout = 1, .take_in = 1});
         JamDef *const jam = jams_of(&def, jammed);
         assert_in_range(def.n_rollers, 4, 100);
@@ -244,9 +237,7 @@ TEST(test_joins)
         }
         def.duration = 20;
         def.output.steady_from = 3;
-        if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
-        scene_def_clear(&def);
-        assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
+        Sim *const s = sim_at_rest(&def, 1);
         int count = 0;
         for (int k = 1; k <= 900; ++k) {
             if (sim_advance(s, 0.02 * k, 0, &err)) fail_msg("%s", err.message);
@@ -271,7 +262,6 @@ TEST(test_repeats)
     for (int k = 0; k < 3; ++k) {
         SceneDef def;
         hawser_error err = {0};
-        Sim *s = NULL;
         fixture_pull(&def, &(FixtureChoice){0});
         fixture_moving_rollers(&def, 1, 1);
         JamDef *const jam = jams_of(&def, 3);
@@ -281,9 +271,7 @@ TEST(test_repeats)
             jam[i].release = 0.7;
         }
         def.duration = 1.5;
-        if (sim_new(&def, k == 2 ? 2 : 1, &s, &err)) fail_msg("%s", err.message);
-        scene_def_clear(&def);
-        assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
+        Sim *const s = sim_at_rest(&def, k == 2 ? 2 : 1);
         for (int i = 0; i < 4; ++i) {
             if (sim_advance(s, 0.15 + 0.4 * i, 0, &err)) fail_msg("%s", err.message);
             force[k][i] = hawser_sim_sample(s)->winch_force;

@@ -243,9 +243,7 @@ TEST(test_threads)
         hawser_error err = {0};
         fixture_pull(&def, &(FixtureChoice){0});
         fixture_moving_rollers(&def, 1, 1);
-        if (sim_new(&def, k + 1, &sim[k], &err)) fail_msg("%s", err.message);
-        scene_def_clear(&def);
-        assert_int_equal(sim_relax(sim[k], NULL, &err), HAWSER_OK);
+        sim[k] = sim_at_rest(&def, k + 1);
         if (sim_advance(sim[k], 1.5, 0, &err)) fail_msg("%s", err.message);
         look[k] = hawser_sim_sample(sim[k]);
     }

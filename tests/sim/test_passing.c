@@ -9,8 +9,6 @@
 static Sim *sim_over(int planes, double length)
 {
     SceneDef def;
-    hawser_error err = {0};
-    Sim *sim;
     fixture_planar(&def, &(FixtureChoice){0});
     if (planes) {
         def.n_surfaces = 1;
@@ -25,8 +23,7 @@ static Sim *sim_over(int planes, double length)
         def.surfaces[0].friction = def.friction;
         def.n_rollers = 0;
     }
-    if (sim_new(&def, 1, &sim, &err)) fail_msg("%s", err.message);
-    scene_def_clear(&def);
+    Sim *const sim = sim_made(&def, 1);
     return sim;
 }
 
@@ -81,8 +78,6 @@ static Sim *rod_over(double x)
 {
     RodFixture f = {.n = 10, .length = 2, .steps = 1};
     SceneDef def;
-    hawser_error err = {0};
-    Sim *sim;
     rod_hold(&f.rod.end[ROD_TAIL], 0);
     rod_define(&def, &f);
     def.n_surfaces = 1;
@@ -95,8 +90,7 @@ static Sim *rod_over(double x)
                                            .fade = 0.1};
     snprintf(def.surfaces[0].name, sizeof def.surfaces[0].name, "table");
     def.surfaces[0].friction = def.friction;
-    if (sim_new(&def, 1, &sim, &err)) fail_msg("%s", err.message);
-    scene_def_clear(&def);
+    Sim *const sim = sim_made(&def, 1);
     return sim;
 }
 

@@ -16,14 +16,12 @@ static void pull_at_reach(Pulled *out, PlanarChoice planar, ContactGeometry geom
                           double reach)
 {
     SceneDef def;
-    Sim *s = NULL;
     hawser_error err = {0};
     hawser_relaxation relaxation;
     fixture_planar(&def, &(FixtureChoice){.geometry = geometry, .heading = 37 * M_PI / 180, .accuracy = accuracy});
     def.solver.planar = planar;
     def.contact_reach = reach;
-    if (sim_new(&def, threads, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(&def);
+    Sim *const s = sim_made(&def, threads);
     assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
     assert_true(relaxation.reached);
     hawser_sim_record(s);
@@ -112,12 +110,10 @@ TEST(test_rows)
     hawser_summary summary[2];
     for (int whole = 0; whole < 2; ++whole) {
         SceneDef def;
-        Sim *s = NULL;
         hawser_error err = {0};
         fixture_planar(&def, &(FixtureChoice){0});
         def.output.steady_from = 0.5;
-        if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
-        scene_def_clear(&def);
+        Sim *const s = sim_made(&def, 1);
         for (int k = 0; k <= 20; ++k) {
             if (sim_advance(s, k * 0.05, 0, &err)) fail_msg("%s", err.message);
             (whole ? hawser_sim_record : sim_record_row)(s);

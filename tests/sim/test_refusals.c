@@ -144,10 +144,7 @@ TEST(test_positions_where)
     def.analysis.positions = (PositionsDef){.n = 3, .at = fixture_array(3, sizeof(double))};
     const double at[] = {4.25, 3.5, 4};
     memcpy(def.analysis.positions.at, at, sizeof at);
-    Sim *s = NULL;
-    hawser_error err = {0};
-    if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(&def);
+    Sim *s = sim_made(&def, 1);
     assert_int_equal(s->positions.n, 3);
     /* 0.3 m lie behind the ramp's end, 3 s; then 0.2 m/s */
     for (int k = 0; k < 3; ++k) check_close(s->positions.time[k], 3 + ((double[]){3.5, 4, 4.25}[k] - 3.3) / 0.2, 1e-9);
@@ -156,8 +153,7 @@ TEST(test_positions_where)
     placed(&def);
     def.analysis.kind = ANALYSIS_POSITIONS;
     def.analysis.positions = (PositionsDef){.from = NAN, .to = NAN, .step = NAN};
-    if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(&def);
+    s = sim_made(&def, 1);
     assert_int_equal(s->positions.n, 4); /* 1.4 m in parts of a segment, half a metre, at most */
     check_close(s->positions.time[0], 3, 1e-9);
     check_close(s->positions.time[3], 10, 1e-9);

@@ -16,11 +16,8 @@ typedef struct Result {
 static Sim *pull_new(const FixtureChoice *choice, int threads)
 {
     SceneDef def;
-    Sim *s = NULL;
-    hawser_error err = {0};
     fixture_pull(&def, choice);
-    if (sim_new(&def, threads, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(&def);
+    Sim *const s = sim_made(&def, threads);
     return s;
 }
 

@@ -166,12 +166,11 @@ Vec3 rod_front(const Stage *stage, int i)
 double payout_pull(int n, int turns, double from, double until)
 {
     SceneDef def;
-    Sim *sim;
     hawser_error err = {0};
     double mean = 0;
     int count = 0;
     wound_case(&def, n, turns, 0.2);
-    if (sim_new(&def, 1, &sim, &err)) fail_msg("%s", err.message);
+    Sim *const sim = sim_made(&def, 1);
     for (double t = 0.02; t < until; t += 0.02) {
         if (sim_advance(sim, t, 0, &err)) fail_msg("%s", err.message);
         if (t <= from) continue;
@@ -179,18 +178,15 @@ double payout_pull(int n, int turns, double from, double until)
         ++count;
     }
     sim_free(sim);
-    scene_def_clear(&def);
     return mean / count;
 }
 
 void pull_record(SceneDef *def, double duration, hawser_summary *out)
 {
-    Sim *s = NULL;
     hawser_relaxation relaxation;
     hawser_error err = {0};
     def->duration = duration;
-    if (sim_new(def, 1, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(def);
+    Sim *const s = sim_made(def, 1);
     assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
     assert_true(relaxation.reached);
     hawser_sim_record(s);

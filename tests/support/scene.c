@@ -1,5 +1,7 @@
 #include "tests/support/scene.h"
 
+#include "sim/run/sim.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -425,4 +427,21 @@ void equipment_shake(const Scene *scene, double *y, double shift, double turn, d
     double *const e = y + STATE_SIZE * scene->chain.n;
     for (int i = 0; i < q->spins; ++i) e[i] = spin * fixture_random(seed);
     if (q->mounts) state_shake(e + q->spins, q->mounts, shift, turn, speed, spin, seed);
+}
+
+Sim *sim_made(SceneDef *def, int threads)
+{
+    Sim *s = NULL;
+    hawser_error err = {0};
+    if (sim_new(def, threads, &s, &err)) fail_msg("%s", err.message);
+    scene_def_clear(def);
+    return s;
+}
+
+Sim *sim_at_rest(SceneDef *def, int threads)
+{
+    Sim *const s = sim_made(def, threads);
+    hawser_error err = {0};
+    if (sim_relax(s, NULL, &err)) fail_msg("%s", err.message);
+    return s;
 }

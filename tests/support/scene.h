@@ -139,4 +139,8 @@ void planar_shake(double *y, int n, double shift, double turn, double speed, dou
 void equipment_shake(const Scene *scene, double *y, double shift, double turn, double speed, double spin,
                      uint64_t *seed);
 
+/* A simulation of the definition, which is taken apart; sim_at_rest: after the relaxation. */
+hawser_sim *sim_made(SceneDef *def, int threads);
+hawser_sim *sim_at_rest(SceneDef *def, int threads);
+
 #endif

@@ -42,12 +42,10 @@ static void shared_row(SceneDef *def, int n, double clamp)
 static Shared shared_run(SceneDef *def, double duration, int threads)
 {
     Shared out = {0};
-    Sim *s = NULL;
     hawser_relaxation relaxation;
     hawser_error err = {0};
     def->duration = duration;
-    if (sim_new(def, threads, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(def);
+    Sim *const s = sim_made(def, threads);
     assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
     assert_true(relaxation.reached);
     hawser_sim_record(s);
@@ -168,13 +166,10 @@ TEST(test_trip)
 {
     SceneDef def;
     hawser_error err = {0};
-    Sim *s = NULL;
     shared_row(&def, 1, 2000);
     def.winch.trip = (TripDef){.force = 2000, .brake = 0.2, .pause = 1, .ramp = 1, .restarts = 0};
     def.duration = 3;
-    if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(&def);
-    assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
+    Sim *const s = sim_at_rest(&def, 1);
     double fastest = 0, last = 1;
     while (hawser_sim_time(s) < 3) {
         if (sim_advance(s, 3, 1, &err)) fail_msg("%s", err.message);

@@ -44,12 +44,10 @@ static void scene_stations(SceneDef *def, int n, const double *s)
 /* Relaxes, runs to the end, records every 50 ms. The definition is taken apart. */
 static Sim *pull(SceneDef *def, int threads)
 {
-    Sim *s = NULL;
     hawser_relaxation relaxation;
     hawser_error err = {0};
     const double end = def->duration;
-    if (sim_new(def, threads, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(def);
+    Sim *const s = sim_made(def, threads);
     assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
     check_at_most(relaxation.residual_N, relaxation.tolerance_N);
     hawser_sim_record(s);
@@ -203,11 +201,9 @@ static void plane_scene(SceneDef *def, double slope, double above, double mu)
 /* Runs without relaxing. */
 static Sim *release(SceneDef *def, double end)
 {
-    Sim *s = NULL;
     hawser_error err = {0};
     def->duration = end;
-    if (sim_new(def, 1, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(def);
+    Sim *const s = sim_made(def, 1);
     if (sim_advance(s, end, 0, &err)) fail_msg("%s", err.message);
     return s;
 }

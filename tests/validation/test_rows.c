@@ -51,12 +51,10 @@ TEST(test_slope_at_rest)
         const RowChoice row = {.segments = 40, .pitch = 1, .slope = slope[k]};
         const double exact = row_weight(&row) * sin(slope[k]);
         SceneDef def;
-        Sim *s = NULL;
         hawser_error err = {0};
         hawser_relaxation relaxation;
         row_scene(&def, &row);
-        if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
-        scene_def_clear(&def);
+        Sim *const s = sim_made(&def, 1);
         assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
         const double force = hawser_sim_sample(s)->winch_force;
         print_message("slope %.2f: winch %.3f N, exact %.3f N (%.4f %%)\n", slope[k], force, exact,
@@ -90,15 +88,12 @@ TEST(test_ramp_peak)
     const RowChoice row = {.segments = 60, .pitch = 2, .mu = 0.2};
     const double exact = row_weight(&row) * (row.mu + 1.5 * 0.1 / ROW_G);
     SceneDef def;
-    Sim *s = NULL;
     hawser_error err = {0};
     double peak = 0, before = 0;
     row_scene(&def, &row);
     def.duration = 1.5;
     def.solver.accuracy = 1e-4;
-    if (sim_new(&def, 1, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(&def);
-    assert_int_equal(sim_relax(s, NULL, &err), HAWSER_OK);
+    Sim *const s = sim_at_rest(&def, 1);
     while (hawser_sim_time(s) < 1.5) {
         if (sim_advance(s, 1.5, 1, &err)) fail_msg("%s", err.message);
         const double now = hawser_sim_sample(s)->winch_force;

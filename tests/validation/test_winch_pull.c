@@ -7,12 +7,10 @@ static const RowChoice ROW = {.segments = 40, .pitch = 1, .mu = 0.2};
 
 static Sim *started(SceneDef *def, double duration, int threads)
 {
-    Sim *s = NULL;
     hawser_error err = {0};
     hawser_relaxation relaxation;
     def->duration = duration;
-    if (sim_new(def, threads, &s, &err)) fail_msg("%s", err.message);
-    scene_def_clear(def);
+    Sim *const s = sim_made(def, threads);
     assert_int_equal(sim_relax(s, &relaxation, &err), HAWSER_OK);
     assert_true(relaxation.reached);
     return s;
