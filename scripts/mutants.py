@@ -13,6 +13,9 @@ Usage: mutants.py make   [--count N] [--seed S] [--folders F ...]     a tree wit
                                                                       which reading past an array, or losing memory, is a failure
        mutants.py renew  [--labels L ...]                             takes the tests as they are committed now, for `run --again`
        mutants.py report                                              shares by folder, and what survived
+With --faults each of them works on faults of memory instead, in build/faults: reading or writing past an end, use after free, values that
+nobody has set, shifts by too much, as many of each kind; built like the preset `asan`. `run` tries the tests of the default tier,
+`run --full --again` then those of `full` with what survived.
 Needs python3-clang-14 (installed by scripts/setup.sh --mutants); run it with /usr/bin/python3.
 """
 import argparse
@@ -30,14 +33,16 @@ import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-WORK = ROOT / "build" / "mutants"
+FAULTS = "--faults" in sys.argv
+WORK = ROOT / "build" / ("faults" if FAULTS else "mutants")
 TREE, MISTAKES, RESULTS = (WORK / name for name in ("tree", "mistakes.json", "results.jsonl"))
 BUILD, SANITIZED = WORK / "build", WORK / "sanitized"
 SANITIZERS = " -g -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined"  # CMakePresets.json, debug
 FOLDERS = ["core", "contact", "linsolve", "theory", "sim", "io", "survey", "study", "fmi"]
-LABELS = [*FOLDERS, "support", "validation"]
+LABELS = [*FOLDERS, "support", "validation", *(["fuzz"] if FAULTS else [])]
 OTHER = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+", "*": "/", "/": "*",
          "&&": "||", "||": "&&", "+=": "-=", "-=": "+="}
+SIZES = {"calloc": (0, "-"), "malloc": (0, "-"), "realloc": (1, "-"), "memcpy": (2, "+"), "memmove": (2, "+"), "memset": (2, "+")}
 DEEPEST = 2  # mistakes within one another: each doubles the text it stands in
 
 SWITCH_H = """#ifndef HAWSER_MISTAKE_H
@@ -86,6 +91,14 @@ class Place:
             return f"({k} ? (({left}) {OTHER[operator]} ({right})) : ({left} {operator} {right}))"
         if self.kind == "sign":
             return f"({k} ? ({parts[0]}) : ({text[self.start]}({parts[0]})))"
+        if self.kind in ("past end", "size", "shift"):
+            return f"(({parts[0]}) {self.say} * {k})"
+        if self.kind == "after free":
+            return f"if ({k}) {parts[1]} {parts[0]} if (!{k}) {parts[1]}"
+        if self.kind == "not set":
+            return f"{parts[0]}; if (!{k}) __builtin_memset(&{self.say}, 0, sizeof {self.say});"
+        if self.kind == "not cleared":
+            return f"({k} ? malloc(({parts[0]}) * ({parts[1]})) : calloc({parts[0]}, {parts[1]}))"
         return f"({k} ? ({parts[0]}) + 1 : ({parts[0]}))"  # a number
 
 
@@ -118,9 +131,9 @@ class Finder:
             return
         if cursor.kind.name in ("CXX_UNARY_EXPR", "STATIC_ASSERT", "ENUM_DECL"):  # constants to the compiler
             return
-        self.take(cursor, children)
+        (self.take_fault if FAULTS else self.take)(cursor, children)
         for child in children:
-            if cursor.kind == kinds.COMPOUND_STMT:
+            if cursor.kind == kinds.COMPOUND_STMT and not FAULTS:
                 self.take_statement(child)
             self.visit(child)
 
@@ -160,6 +173,52 @@ class Finder:
         if semicolon and end > start and (assigns or child.kind == kinds.CALL_EXPR) and self.text[start:start + 1].isidentifier() \
                 and not self.text[start:end].startswith(("assert", "free", "va_")):
             self.places.append(Place("statement", start, end + semicolon.end(), [(start, end + semicolon.end())], "left out"))
+
+    def take_fault(self, cursor, children):
+        """A loop that goes one further along an array, a size that is one less than needed, a shift by 64 more."""
+        kinds, text = self.kinds, self.text
+        if cursor.kind == kinds.FOR_STMT:
+            for child in children[:-1]:
+                parts = list(child.get_children())
+                if child.kind == kinds.BINARY_OPERATOR and len(parts) == 2 and self.between(*parts) == "<" \
+                        and re.search(rf"\[[^]]*\b{re.escape(self.written(parts[0]))}\b", self.written(children[-1])):
+                    self.take_part("past end", parts[1], "+ 1")
+        elif cursor.kind == kinds.BINARY_OPERATOR and len(children) == 2 and self.between(*children) in ("<<", ">>"):
+            self.take_part("shift", children[1], "+ 64")
+        elif cursor.kind == kinds.CALL_EXPR and cursor.spelling in SIZES and self.written(cursor).startswith(cursor.spelling):
+            which, sign = SIZES[cursor.spelling]
+            arguments = list(cursor.get_arguments())
+            self.take_part("size", arguments[which], f"{sign} 1")
+            if cursor.spelling == "calloc":
+                self.places.append(Place("not cleared", *self.span(cursor), [self.span(a) for a in arguments], ""))
+        elif cursor.kind == kinds.COMPOUND_STMT:
+            for before, child in zip([None, *children], children):
+                self.take_free(before, child)
+                variable = list(child.get_children())[-1] if child.kind == kinds.DECL_STMT else None
+                begin = re.fullmatch(r"([^,=()]+?) = \{0\};", self.written(child))
+                if variable is not None and begin and not re.search(r"\b(const|static)\b", begin[1]):
+                    start, end = self.span(child)
+                    self.places.append(Place("not set", start, end, [(start, start + len(begin[1]))], variable.spelling))
+
+    def take_free(self, before, child):
+        """What is freed before the statement that uses it last."""
+        kinds, text = self.kinds, self.text
+        freed = re.fullmatch(r"free\((\w+)\S*\)", self.written(child))
+        if before is None or not freed or before.kind in (kinds.DECL_STMT, kinds.RETURN_STMT) or not re.search(rf"\b{freed[1]}\b", self.written(before)):
+            return
+        ends = [self.span(c)[1] + len(re.match(r"\s*;|", text[self.span(c)[1]:])[0]) for c in (before, child)]
+        self.places.append(Place("after free", self.span(before)[0], ends[1], [(self.span(c)[0], e) for c, e in zip((before, child), ends)], ""))
+
+    def take_part(self, kind, cursor, say):
+        start, end = self.span(cursor)
+        if start < end:
+            self.places.append(Place(kind, start, end, [(start, end)], say))
+
+    def written(self, cursor):
+        return self.text[slice(*self.span(cursor))]
+
+    def between(self, left, right):
+        return self.text[self.span(left)[1]:self.span(right)[0]].strip()
 
 
 # ------------------------------------------------------------------------------------------------ writing them in
@@ -216,7 +275,11 @@ def find_all(folders):
 
 def configure(build=BUILD):
     flags = "-O1 -w -include " + str(WORK / "mistake.h") + (SANITIZERS if build == SANITIZED else "")
-    subprocess.run(["cmake", "-S", TREE, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=RelWithDebInfo", "-DHAWSER_BENCH=OFF",
+    asan = next(p["cacheVariables"] for p in json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"] if p["name"] == "asan")
+    options = [f"-D{key}={asan[key]}" for key in ("CMAKE_C_FLAGS", "HAWSER_ONE_ISA")] if FAULTS else []
+    if FAULTS:
+        flags = flags.replace("-O1", "-g1")
+    subprocess.run(["cmake", "-S", TREE, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=RelWithDebInfo", "-DHAWSER_BENCH=OFF", *options,
                     "-DCMAKE_C_FLAGS_RELWITHDEBINFO=" + flags,
                     "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"], check=True, stdout=subprocess.DEVNULL)
 
@@ -267,6 +330,10 @@ def make(args):
     places = find_all(args.folders)
     everything = [(path, place) for path, found in places.items() for place in found]
     random.Random(args.seed).shuffle(everything)
+    if FAULTS:  # as many of each kind
+        seen = collections.Counter()
+        ranks = {id(place): seen.update([place.kind]) or seen[place.kind] for _, place in everything}
+        everything.sort(key=lambda e: ranks[id(e[1])])
     groups = [[e for e in everything if e[0].is_relative_to(TREE / f)] for f in args.folders] if args.each else [everything]
     taken = [e for group in groups for e in group[:args.count]]
     print(f"{len(everything)} places in {len(places)} files; {len(taken)} are taken")
@@ -297,14 +364,14 @@ def renew(args):
 # ------------------------------------------------------------------------------------------------ trying them
 
 
-def tests_of_build(build, wanted):
+def tests_of_build(build, wanted, full=False):
     listed = json.loads(subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], check=True, capture_output=True,
                                        text=True).stdout)
     tests = []
     for test in listed["tests"]:
         properties = {p["name"]: p["value"] for p in test["properties"]}
         labels = properties.get("LABELS", [])
-        if "command" in test and any(l in wanted for l in labels) and "full" not in labels:
+        if "command" in test and any(l in wanted for l in labels) and (full or "full" not in labels):
             tests.append({"name": test["name"], "command": test["command"], "folder": labels[0],
                           "cwd": properties.get("WORKING_DIRECTORY", str(build))})
     return tests
@@ -326,7 +393,8 @@ def attempt(test, environment, limit):
         os.nice(10)
         resource.setrlimit(resource.RLIMIT_CPU, (int(limit) + 1, int(limit) + 2))
     before, asleep = resource.getrusage(resource.RUSAGE_CHILDREN), []
-    process = subprocess.Popen(test["command"], cwd=test["cwd"], env={**os.environ, **environment}, stdout=subprocess.DEVNULL,
+    options = {"ASAN_OPTIONS": "detect_leaks=1:strict_string_checks=1:quarantine_size_mb=32"}  # scripts/test.sh
+    process = subprocess.Popen(test["command"], cwd=test["cwd"], env={**options, **os.environ, **environment}, stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL, preexec_fn=limited)
     while process.poll() is None:
         try:
@@ -380,7 +448,7 @@ def run(args):
     if args.sanitized:
         configure(build)
         subprocess.run(["cmake", "--build", build, "-j2", *targets(args.labels)], check=True, stdout=subprocess.DEVNULL)
-    tests = reached(build, tests_of_build(build, args.labels), max(m["number"] for m in mistakes) + 1, args.longest)
+    tests = reached(build, tests_of_build(build, args.labels, args.full), max(m["number"] for m in mistakes) + 1, args.longest)
     end = time.monotonic() + 60 * args.minutes
     outcomes = {None} if not (args.again or args.sanitized) else {"survived", "not met"}
     todo = [m for m in sorted(mistakes, key=lambda m: m["number"]) if known.get(m["number"], {}).get("outcome") in outcomes]
@@ -422,6 +490,8 @@ def main():
     parser.add_argument("--each", action="store_true")
     parser.add_argument("--again", action="store_true")
     parser.add_argument("--sanitized", action="store_true")
+    parser.add_argument("--full", action="store_true")
+    parser.add_argument("--faults", action="store_true")
     args = parser.parse_args()
     {"make": make, "run": run, "renew": renew, "report": report}[args.what](args)
 

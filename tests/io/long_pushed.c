@@ -139,19 +139,13 @@ TEST(an_end_between_guides)
         "friction: {mu: 0.2}\n"
         "drive: {winch: {speed: 0.15 m/s, to: 2 s, grip: axial}, tail: {tension: 800 N}}\n"
         "run: {duration: 12 s, steady_from: 6 s}\n";
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
-    hawser_error err;
-    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
-    assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
-    assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, &err), HAWSER_OK);
+    hawser_sim *const sim = run_of(text, NULL);
     hawser_summary sum;
     hawser_sim_summary(sim, &sum);
     check_share(sum.pull_mean_N, sum.reference_total_N, 0.05);
     check_below(sum.pull_peak_N, 2500);
     for (int i = 0; i < sum.n_conditions; ++i) assert_true(sum.conditions[i].holds);
     hawser_sim_free(sim);
-    hawser_case_free(c);
 }
 
 /* 1e9 N at the tail of cases/duct-bends.yaml: steps of 8e-12 s for ever are an end that says where. */

@@ -5,16 +5,13 @@
 #include <stdio.h>
 
 #include "hawser/hawser.h"
+#include "tests/io/example_fixture.h"
 #include "tests/support/check.h"
 
 static hawser_sim *tunnel_run(void)
 {
     hawser_error err = {0};
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
-    assert_int_equal(hawser_case_load(HAWSER_SOURCE_DIR "/cases/tunnel-879.yaml", &c, &err), HAWSER_OK);
-    assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_OK);
-    hawser_case_free(c);
+    hawser_sim *const sim = example_sim("tunnel-879", NULL);
     if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
     return sim;
 }

@@ -223,10 +223,9 @@ TEST(answers)
 static char *told_of(const char *text, int *lines)
 {
     static const hawser_theory_options terminal = {.width = 80};
-    hawser_case *c = NULL;
     hawser_error err = {0};
     char *said = NULL;
-    if (hawser_case_parse(text, NAME, &c, &err)) fail_msg("%s", err.message);
+    hawser_case *const c = case_with(text, NULL);
     if (hawser_case_theory_shown(c, HAWSER_TABLE, &terminal, &said, NULL, &err)) fail_msg("%s", err.message);
     hawser_case_free(c);
     *lines = 0;
@@ -404,9 +403,8 @@ TEST(the_margin_is_the_cables)
         " {bend: 90 deg, radius: 5 m, plane: up}, {straight: 60 m}]}\n"
         "surfaces: {ducts: [{radius: 75 mm}]}\nfriction: {mu: 0.2}\n"
         "drive: {tail: {tension: 80 kN}}\nlimits: {pull: 200 kN, sidewall: 50 kN/m, bend_radius: 1 m}\n";
-    hawser_case *c = NULL;
     char *text = NULL;
-    assert_int_equal(hawser_case_parse(shaft, NAME, &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(shaft, NULL);
     assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, NULL), HAWSER_OK);
     check_has(text, "in the cable 109.8 kN");
     hawser_text_free(text);

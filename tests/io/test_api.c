@@ -1,5 +1,6 @@
 /* The public interface: cases, simulations side by side, runs with and without a folder, stopping, errors. */
 #include "results_fixture.h"
+#include "tests/io/case_fixture.h"
 #include "tests/support/check.h"
 #include "tests/support/data.h"
 
@@ -9,9 +10,7 @@
 
 static hawser_case *make_case(void)
 {
-    hawser_case *c = NULL;
-    hawser_error err = {HAWSER_OK, ""};
-    if (hawser_case_parse(data_text("short-pull"), "pull.yaml", &c, &err)) fail_msg("%s", err.message);
+    hawser_case *const c = case_with(data_text("short-pull"), NULL);
     return c;
 }
 

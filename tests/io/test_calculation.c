@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "hawser/hawser.h"
+#include "tests/io/case_fixture.h"
 #include "tests/support/check.h"
 #include "tests/support/scratch.h"
 
@@ -23,10 +24,9 @@ static const char text[] = "title: \"" EVIL "\"\n"
 /* The whole page of the case; free it. */
 static char *page_of(hawser_units units, hawser_word *word)
 {
-    hawser_case *c = NULL;
     hawser_error err = {0};
     const char *const path = scratch_path("calculation.html");
-    if (hawser_case_parse(text, "case.yaml", &c, &err)) fail_msg("%s", err.message);
+    hawser_case *const c = case_with(text, NULL);
     if (hawser_case_calculation(c, units, path, word, &err)) fail_msg("%s", err.message);
     hawser_case_free(c);
     return file_text(path);
@@ -90,10 +90,9 @@ TEST(tables_without_rows)
                                "surfaces: {ducts: [{radius: 70 mm, friction: {mu_d: 0.3, mu_s: 0.4}}]}\n"
                                "drive: {tail: {tension: 100 N}}\nlimits: {pull: 20 kN, sidewall: 3 kN/m}\n";
     const hawser_theory_options remedies = {.tables = "facts,remedies"}, unknown = {.tables = "facts,remedy"};
-    hawser_case *c = NULL;
     hawser_error err = {0};
     char *said = NULL;
-    assert_int_equal(hawser_case_parse(safe, "safe.yaml", &c, &err), HAWSER_OK);
+    hawser_case *const c = case_with(safe, NULL);
     assert_int_equal(hawser_case_theory_shown(c, HAWSER_JSON, &remedies, &said, NULL, &err), HAWSER_OK);
     check_has(said, "\"verdict_code\": \"safe\"");
     assert_null(strstr(said, "\"remedies\""));

@@ -168,9 +168,8 @@ typedef struct Ran {
 static Ran run(const char *text, const char *const *settings)
 {
     Ran r = {.sim = NULL};
-    hawser_case *c = NULL;
     hawser_error err;
-    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(text, NULL);
     for (int i = 0; settings && settings[i]; i += 2)
         assert_int_equal(hawser_case_set(c, settings[i], settings[i + 1], NULL), HAWSER_OK);
     if (hawser_sim_new(c, NULL, &r.sim, &err)) fail_msg("%s", err.message);
@@ -210,9 +209,8 @@ TEST(runs_as_theory_says)
 TEST(limits_of_all)
 {
     const Ran r = run(data_text("bundle"), NULL);
-    hawser_case *c = NULL;
     char *text = NULL;
-    assert_int_equal(hawser_case_parse(data_text("bundle"), NAME, &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(data_text("bundle"), NULL);
     assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &text, NULL), HAWSER_OK);
     json_t *const o = json_loads(text, 0, NULL);
     assert_non_null(o);
@@ -266,8 +264,7 @@ TEST(terms_are_said)
     json_decref(o);
     hawser_text_free(text);
     hawser_sim_free(r.sim);
-    hawser_case *c = NULL;
-    assert_int_equal(hawser_case_parse(data_text("bundle"), NAME, &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(data_text("bundle"), NULL);
     assert_int_equal(hawser_case_describe(c, HAWSER_TABLE, &text, NULL), HAWSER_OK);
     check_has(text, "3 x phase");
     check_has(text, "cables pulled together");
@@ -283,10 +280,9 @@ TEST(factor_on_straights)
     static const char *const where[] = {"straights", "everywhere", "none"};
     double force[3];
     for (int k = 0; k < 3; k++) {
-        hawser_case *c = NULL;
         char *text = NULL;
-        assert_int_equal(hawser_case_parse(data_text("bundle-tes"), NAME, &c, NULL), HAWSER_OK);
-        assert_int_equal(hawser_case_set(c, "bundle.weight_correction", where[k], NULL), HAWSER_OK);
+        hawser_case *const c =
+            case_with(data_text("bundle-tes"), (const char *const[]){"bundle.weight_correction", where[k], NULL});
         assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &text, NULL), HAWSER_OK);
         json_t *const o = json_loads(text, 0, NULL), *const way = json_array_get(json_object_get(o, "directions"), 0);
         force[k] = json_number_value(json_object_get(way, "force_N"));

@@ -52,18 +52,11 @@ TEST(wrong_ones)
 /* The largest winch force, N, with this launch. */
 static double peak_of(const char *along)
 {
-    hawser_case *c;
-    hawser_sim *sim;
-    hawser_error err = {0};
     hawser_summary summary;
-    if (hawser_case_load(HAWSER_SOURCE_DIR "/tests/data/running-pull.yaml", &c, &err)) fail_msg("%s", err.message);
-    if (hawser_case_set(c, "launch.along", along, &err)) fail_msg("%s", err.message);
-    if (hawser_sim_new(c, NULL, &sim, &err)) fail_msg("%s", err.message);
-    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim *const sim = run_of(data_text("running-pull"), (const char *const[]){"launch.along", along, NULL});
     hawser_sim_summary(sim, &summary);
     check_share(summary.pull_mean_N, 0.2 * 200 * 9.81, 0.02);
     hawser_sim_free(sim);
-    hawser_case_free(c);
     return summary.pull_peak_N;
 }
 
@@ -80,19 +73,14 @@ TEST(rest_knows_no_speed)
 {
     static const char *const plane[] = {"on", "off"};
     for (int k = 0; k < 2; ++k) {
-        hawser_case *c;
-        hawser_sim *sim;
         hawser_error err = {0};
         hawser_relaxation relaxation;
-        if (hawser_case_load(HAWSER_SOURCE_DIR "/tests/data/short-pull.yaml", &c, &err)) fail_msg("%s", err.message);
-        assert_int_equal(hawser_case_set(c, "drive.winch.ramp", "none", &err), HAWSER_OK);
-        assert_int_equal(hawser_case_set(c, "solver.planar", plane[k], &err), HAWSER_OK);
-        if (hawser_sim_new(c, NULL, &sim, &err)) fail_msg("%s", err.message);
+        hawser_sim *const sim = sim_of(data_text("short-pull"), (const char *const[]){"drive.winch.ramp", "none",
+                                                                                      "solver.planar", plane[k], NULL});
         if (hawser_sim_relax(sim, &relaxation, &err)) fail_msg("%s", err.message);
         assert_true(relaxation.reached);
         check_close(hawser_sim_sample(sim)->position[3 * 19], 11.75, 1e-6); /* the head: 12 m less half a segment */
         hawser_sim_free(sim);
-        hawser_case_free(c);
     }
 }
 

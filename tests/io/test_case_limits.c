@@ -7,8 +7,7 @@
 /* A run's limits; the simulation is given back through *sim. */
 static int judged(const char *key, const char *value, hawser_limit *limit, hawser_sim **sim)
 {
-    hawser_case *c = NULL;
-    assert_int_equal(hawser_case_parse(data_text("limits"), NAME, &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(data_text("limits"), NULL);
     if (key) assert_int_equal(hawser_case_set(c, key, value, NULL), HAWSER_OK);
     assert_int_equal(hawser_sim_new(c, NULL, sim, NULL), HAWSER_OK);
     hawser_case_free(c);
@@ -105,12 +104,9 @@ TEST(each_can_break)
 /* Before the run nothing is judged; summary.json says so, and afterwards has all. */
 TEST(summary_has_them)
 {
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     char *text;
-    assert_int_equal(hawser_case_parse(data_text("limits"), NAME, &c, NULL), HAWSER_OK);
-    assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
+    hawser_sim *const sim = sim_of(data_text("limits"), NULL);
     const int before = hawser_sim_limits(sim, limit);
     for (int i = 0; i < before; i++) { /* but what the case alone says */
         if (strcmp(limit[i].name, "speed") != 0) assert_false(limit[i].judged);
@@ -142,13 +138,11 @@ TEST(summary_has_them)
     }
     json_decref(o);
     hawser_sim_free(sim);
-    hawser_case_free(c);
 }
 
 /* What is not asked for costs nothing and changes nothing: the same run without limits, to the last bit. */
 TEST(limits_change_nothing)
 {
-    hawser_case *c = NULL;
     hawser_sim *with, *without;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     hawser_summary a, b;
@@ -156,9 +150,7 @@ TEST(limits_change_nothing)
     assert_non_null(text);
     *strstr(text, "limits:") = 0;
     judged(NULL, NULL, limit, &with);
-    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
-    assert_int_equal(hawser_sim_new(c, NULL, &without, NULL), HAWSER_OK);
-    assert_int_equal(hawser_sim_run(without, NULL, NULL, NULL, NULL), HAWSER_OK);
+    without = run_of(text, NULL);
     hawser_sim_summary(with, &a);
     hawser_sim_summary(without, &b);
     check_equal(a.pull_peak_N, b.pull_peak_N);
@@ -166,16 +158,14 @@ TEST(limits_change_nothing)
     assert_int_equal(hawser_sim_limits(without, limit), 0);
     hawser_sim_free(with);
     hawser_sim_free(without);
-    hawser_case_free(c);
     free(text);
 }
 
 static json_t *theory(const char *text, const char *key, const char *value)
 {
-    hawser_case *c = NULL;
     char *out;
     hawser_error err;
-    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(text, NULL);
     if (key) assert_int_equal(hawser_case_set(c, key, value, NULL), HAWSER_OK);
     if (hawser_case_theory(c, HAWSER_JSON, &out, &err)) fail_msg("%s", err.message);
     json_t *o = json_loads(out, 0, NULL);
@@ -237,10 +227,9 @@ TEST(theory_of_ducts_and_sags)
     json_decref(o);
     /* pulled backward up the duct with nothing behind it but 15 m of cable: T > 0 everywhere, so the form holds */
     o = theory(data_text("limits-duct"), "theory.reel", "0 m");
-    hawser_case *c = NULL;
     hawser_error err;
-    assert_int_equal(hawser_case_parse(data_text("limits-duct"), NAME, &c, NULL), HAWSER_OK);
-    assert_int_equal(hawser_case_set(c, "surfaces.ducts.0.radius", "50 mm", NULL), HAWSER_OK);
+    hawser_case *const c =
+        case_with(data_text("limits-duct"), (const char *const[]){"surfaces.ducts.0.radius", "50 mm", NULL});
     char *text = NULL;
     assert_int_equal(hawser_case_theory(c, HAWSER_JSON, &text, &err), HAWSER_ERR_INPUT);
     check_has(err.message, "duct 'tube'");
@@ -342,20 +331,15 @@ TEST(shaft_needs_a_brake)
 /* The same from a run: its cable is held by the winch alone, which theory knows. */
 TEST(run_runs_away)
 {
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
     hawser_limit limit[HAWSER_LIMITS_MAX];
-    assert_int_equal(hawser_case_parse(data_text("limits-shaft"), NAME, &c, NULL), HAWSER_OK);
-    assert_int_equal(hawser_case_set(c, "route.pieces", "[{name: shaft, straight: 60 m}]", NULL), HAWSER_OK);
-    assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
-    assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, NULL), HAWSER_OK);
+    hawser_sim *const sim = run_of(data_text("limits-shaft"),
+                                   (const char *const[]){"route.pieces", "[{name: shaft, straight: 60 m}]", NULL});
     const int n = hawser_sim_limits(sim, limit);
     const hawser_limit *const l = find(n, limit, "run_away");
     assert_true(l->judged && !l->ok);
     /* 8 m on the slope, forward by half of what the window lets it move */
     check_share(l->value, 8 * 20 * 9.81 * (sin(80 * M_PI / 180) - 0.2 * cos(80 * M_PI / 180)), 1e-4);
     hawser_sim_free(sim);
-    hawser_case_free(c);
 }
 
 /* Rope round a corner on two guides of 240 mm, of 45 deg each: 15 times its diameter; on ten it is the bend's own. A
@@ -363,8 +347,6 @@ TEST(run_runs_away)
 TEST(ropes_and_conveyors)
 {
     json_t *o = theory(data_text("limits-conveyor"), NULL, NULL);
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
     hawser_limit limit[HAWSER_LIMITS_MAX];
     check_share(limit_number(o, "rope_bend", "value"), 240.0 / 16, 1e-12);
     check_share(limit_number(o, "squeeze", "value"), 9e3 / 1.8, 1e-12);
@@ -377,15 +359,12 @@ TEST(ropes_and_conveyors)
     o = theory(data_text("limits-conveyor"), "limits.sheave", "200 mm");
     check_share(limit_number(o, "rope_bend", "value"), 200.0 / 16, 1e-12);
     json_decref(o);
-    assert_int_equal(hawser_case_parse(data_text("limits-conveyor"), NAME, &c, NULL), HAWSER_OK);
-    assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
-    assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, NULL), HAWSER_OK);
+    hawser_sim *const sim = run_of(data_text("limits-conveyor"), NULL);
     const int n = hawser_sim_limits(sim, limit);
     check_share(find(n, limit, "rope_bend")->value, 240.0 / 16, 1e-12);
     check_share(find(n, limit, "push")->value, 500, 1e-3);
     assert_string_equal(find(n, limit, "push")->where, "K");
     hawser_sim_free(sim);
-    hawser_case_free(c);
 }
 
 /* Nothing under the cable and no friction given: a pull of 784.8 N "SAFE by 96 %" is nobody's. With a friction it is

@@ -1,6 +1,7 @@
 /* Rods in case files: what they become, mistakes that no table of keys can see, and the cases of cases/. */
 #include "hawser/hawser.h"
 #include "tests/io/case_fixture.h"
+#include "tests/io/example_fixture.h"
 
 TEST(a_rod_is_read)
 {
@@ -142,13 +143,9 @@ TEST(cases_run)
 TEST(modes_run)
 {
     hawser_error err = {0};
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
     const hawser_mode *mode;
     const double expected[6] = {8.957, 2 * 8.957, 56.13, 2 * 56.13, 157.2, 2 * 157.2};
-    assert_int_equal(hawser_case_load(HAWSER_SOURCE_DIR "/cases/rod-modes.yaml", &c, &err), HAWSER_OK);
-    assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_OK);
-    hawser_case_free(c);
+    hawser_sim *const sim = example_sim("rod-modes", NULL);
     assert_int_equal(hawser_sim_modes(sim, &mode), 0);
     if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
     assert_int_equal(hawser_sim_modes(sim, &mode), 6);

@@ -244,12 +244,11 @@ static int stop_at_once(void *user, const hawser_certify_state *state)
 TEST(refused)
 {
     hawser_error err = {0};
-    hawser_case *c = NULL;
     hawser_sim *sim = NULL;
     hawser_certificate *cert = NULL;
     int calls = 0;
     const hawser_certify_options wrong = {.tolerance = 1.5}, stop = {.progress = stop_at_once, .user = &calls};
-    assert_int_equal(hawser_case_parse(data_text("certify"), NAME, &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(data_text("certify"), NULL);
     assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
     assert_int_equal(hawser_certify(c, sim, NULL, &cert, &err), HAWSER_ERR_INPUT);
     check_has(err.message, "a run that ended at 0 s of 4 s cannot be certified");

@@ -5,6 +5,7 @@
  * rises: a step of 1.5 ms more or less in a window of 0.5 s makes 2.5 N * 1.5 ms / 0.5 s = 8 mN of 386 N, 2e-5. No
  * accuracy makes that smaller than by the length of its steps, and the bar's part of time does not know of it. */
 #include "hawser/hawser.h"
+#include "tests/io/case_fixture.h"
 #include "tests/support/check.h"
 #include "tests/support/data.h"
 
@@ -14,10 +15,9 @@
 static hawser_summary pulled(const char *solver, hawser_sim **s)
 {
     static const char *const set[][2] = {{"solver.accuracy", "1e-6"}, {"solver.planar", "off"}, {"output.states", "0"}};
-    hawser_case *c = NULL;
     hawser_error err = {0};
     hawser_summary sum;
-    if (hawser_case_parse(data_text("short-pull"), "short-pull", &c, &err)) fail_msg("%s", err.message);
+    hawser_case *const c = case_with(data_text("short-pull"), NULL);
     for (size_t k = 0; k < sizeof set / sizeof *set; k++)
         if (hawser_case_set(c, set[k][0], set[k][1], &err)) fail_msg("%s", err.message);
     if (hawser_case_set(c, "solver.linear_solver", solver, &err)) fail_msg("%s", err.message);
@@ -45,13 +45,12 @@ TEST(the_whole_system_pulls_the_same)
 TEST(a_checkpoint_holds_the_whole_system)
 {
     hawser_sim *first;
-    hawser_case *c = NULL;
     hawser_error err = {0};
     double at[2];
     (void)pulled("klu-full", &first);
     hawser_sim_free(first);
-    if (hawser_case_parse(data_text("short-pull"), "short-pull", &c, &err)) fail_msg("%s", err.message);
-    assert_int_equal(hawser_case_set(c, "solver.linear_solver", "klu-full", &err), HAWSER_OK);
+    hawser_case *const c =
+        case_with(data_text("short-pull"), (const char *const[]){"solver.linear_solver", "klu-full", NULL});
     hawser_sim *sim[2];
     void *bytes = NULL;
     size_t size = 0;

@@ -38,10 +38,9 @@ static void case_of_entry(const LibraryEntry *e, char *text)
 static void case_accepts(const LibraryEntry *e)
 {
     char text[TEXT_MAX], *description = NULL;
-    hawser_case *c = NULL;
     hawser_error err;
     case_of_entry(e, text);
-    assert_int_equal(hawser_case_parse(text, NAME, &c, &err), HAWSER_OK);
+    hawser_case *const c = case_with(text, NULL);
     if (hawser_case_describe(c, HAWSER_TABLE, &description, &err)) fail_msg("%s: %s", e->name, err.message);
     assert_non_null(strstr(description, e->name)); /* check says where the figures are from */
     hawser_text_free(description);

@@ -265,9 +265,8 @@ TEST(there_is_an_end_to_it)
 
 TEST(check_says_who_asks)
 {
-    hawser_case *c = NULL;
     char *text = NULL;
-    assert_int_equal(hawser_case_parse(narrow_duct(), NAME, &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(narrow_duct(), NULL);
     assert_int_equal(hawser_case_describe(c, HAWSER_TABLE, &text, NULL), HAWSER_OK);
     check_has(text, "bend at 2 m, R 3 m, room 1 mm");
     check_has(text, "too long: the run will not be trusted; chain.0.segment: auto takes");
@@ -281,13 +280,9 @@ TEST(strain_within_a_segment)
 {
     static const char *const lengths[] = {"2.5 m", "500 mm", "170 mm"};
     for (int k = 0; k < 3; ++k) {
-        hawser_case *c = NULL;
-        hawser_sim *sim = NULL;
         hawser_summary sum;
-        assert_int_equal(hawser_case_parse(data_text("rod-end"), NAME, &c, NULL), HAWSER_OK);
-        assert_int_equal(hawser_case_set(c, "chain.0.segment", lengths[k], NULL), HAWSER_OK);
-        assert_int_equal(hawser_sim_new(c, NULL, &sim, NULL), HAWSER_OK);
-        assert_int_equal(hawser_sim_run(sim, NULL, NULL, NULL, NULL), HAWSER_OK);
+        hawser_sim *const sim =
+            run_of(data_text("rod-end"), (const char *const[]){"chain.0.segment", lengths[k], NULL});
         hawser_sim_summary(sim, &sum);
         assert_int_equal(sum.n_probes, 3);
         for (int i = 0; i < 3; ++i) {
@@ -296,6 +291,5 @@ TEST(strain_within_a_segment)
             check_share(p->rotation[0], 0.1 * p->at, 1e-6);
         }
         hawser_sim_free(sim);
-        hawser_case_free(c);
     }
 }

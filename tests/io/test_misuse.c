@@ -9,11 +9,11 @@
 #include "tests/support/data.h"
 
 #include "hawser/hawser.h"
+#include "tests/io/case_fixture.h"
 
 static hawser_case *case_new(void)
 {
-    hawser_case *c = NULL;
-    assert_int_equal(hawser_case_parse(data_text("short-pull"), "pull.yaml", &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(data_text("short-pull"), NULL);
     return c;
 }
 
@@ -121,14 +121,10 @@ TEST(wrong_order)
     hawser_sim_on_step(s, NULL, NULL);
     assert_int_equal(hawser_sim_run(s, NULL, NULL, NULL, &error), HAWSER_OK);
     hawser_sim_free(s);
-    hawser_case *c = NULL;
-    hawser_sim *resting = NULL;
-    assert_int_equal(hawser_case_parse(data_text("rod-column"), "rod.yaml", &c, &error), HAWSER_OK);
-    assert_int_equal(hawser_sim_new(c, NULL, &resting, &error), HAWSER_OK);
+    hawser_sim *const resting = sim_of(data_text("rod-column"), NULL);
     REFUSED(hawser_sim_force(resting, 1, NULL, 1, &error), nothing);
     check_has(error.message, "dynamics");
     hawser_sim_free(resting);
-    hawser_case_free(c);
 }
 
 /* Key, file and line of a wrong case; segment and time of a run that fails. */

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "hawser/hawser.h"
+#include "tests/io/example_fixture.h"
 #include "tests/support/check.h"
 #include "validate/build.h"
 
@@ -10,14 +11,10 @@ TEST(test_same)
 {
     static const double TIME = 4; /* s */
     hawser_error err = {0};
-    hawser_case *c;
-    hawser_sim *by_file;
     Sim *by_code;
     SceneDef def;
     hawser_summary a, b;
-    assert_int_equal(hawser_case_load(HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml", &c, &err), HAWSER_OK);
-    assert_int_equal(hawser_sim_new(c, NULL, &by_file, &err), HAWSER_OK);
-    hawser_case_free(c);
+    hawser_sim *const by_file = example_sim("huangjiahu", NULL);
     assert_int_equal(hawser_sim_relax(by_file, NULL, &err), HAWSER_OK);
     assert_int_equal(paper_scene(&(PaperChoice){0}, &def, &err), HAWSER_OK);
     assert_int_equal(pull_start(&def, &by_code, &err), HAWSER_OK);

@@ -26,10 +26,9 @@ static const double G = 9.81;
 /* Settings are pairs of key and value, NULL behind the last. */
 static json_t *theory(const char *text, const char *const set[])
 {
-    hawser_case *c = NULL;
     hawser_error err;
     char *out = NULL;
-    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(text, NULL);
     for (int i = 0; set && set[i]; i += 2) {
         if (hawser_case_set(c, set[i], set[i + 1], &err)) fail_msg("%s", err.message);
     }
@@ -98,10 +97,9 @@ TEST(what_is_needed)
     check_share(number(o, "friction"), 0.3, 1e-12);
     assert_null(json_object_get(o, "run")); /* nothing says that one is meant */
     json_decref(o);
-    hawser_case *c = NULL;
     hawser_sim *sim = NULL;
     hawser_error err;
-    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(text, NULL);
     assert_int_equal(hawser_sim_new(c, NULL, &sim, &err), HAWSER_ERR_INPUT);
     check_has(err.message, "key 'run.duration': missing");
     /* with a winch: 12 m to go at 0.5 m/s, and a ramp of 4 s that costs half of its time */
@@ -139,9 +137,8 @@ TEST(one_force_and_right_names)
     check_has(word(o, "verdict_forward"), "(second)"); /* where it ends, and so does the largest pressure in it */
     check_has(word(o, "verdict_backward"), "(bend)");
     json_decref(o);
-    hawser_case *c = NULL;
     char *text = NULL;
-    assert_int_equal(hawser_case_parse(data_text("planner"), NAME, &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(data_text("planner"), NULL);
     assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, NULL), HAWSER_OK);
     assert_null(strstr(text, "T/R"));
     hawser_text_free(text);
@@ -380,9 +377,8 @@ TEST(headline_is_the_largest_winch)
     check_close(number(o, "largest_force_head_m"), 400, 1e-6);
     check_share(number(o, "reference_total_N"), last, 1e-9); /* as documented: at the end */
     json_decref(o);
-    hawser_case *c = NULL;
     char *out = NULL;
-    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(text, NULL);
     assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &out, NULL), HAWSER_OK);
     check_has(out, "pull           11.77 kN at the winch (P, the head at 400 m), 11.77 kN from rest");
     check_has(out, "pulled back    11.77 kN at the winch (the end, the head at 0 m), 11.77 kN from rest");
@@ -432,10 +428,8 @@ TEST(unusual_values_are_questioned)
     static const char text[] = "cables: {power: {d: 90 mm, mass: 10 kg/m}}\nroute: {pieces: [{straight: 500 m}]}\n"
                                "friction: {mu: 0.3}\nlimits: {pull: 10 kN}\n";
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
-        hawser_case *c = NULL;
         char *out = NULL;
-        assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
-        assert_int_equal(hawser_case_set(c, row[k].key, row[k].value, NULL), HAWSER_OK);
+        hawser_case *const c = case_with(text, (const char *const[]){row[k].key, row[k].value, NULL});
         assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &out, NULL), HAWSER_OK);
         check_has(out, row[k].says);
         const char *const verdict = strstr(out, "SAFE"), *const judged = strstr(out, "NOT JUDGED");
@@ -457,10 +451,9 @@ TEST(changes_along_the_route)
                                         {"tension_by_friction_N", "support_by_friction_N_per_m"},
                                         {"tension_by_weight_m", "support_by_weight"}};
     const double w = 20 * 9.81, mu = 0.2, reach[] = {7, 20, 20};
-    hawser_case *c = NULL;
     hawser_error err;
     char *out = NULL;
-    assert_int_equal(hawser_case_parse(text, NAME, &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(text, NULL);
     if (hawser_case_sensitivities(c, HAWSER_JSON, &out, &err)) fail_msg("%s", err.message);
     json_t *const o = json_loads(out, 0, NULL);
     assert_int_equal(json_array_size(json_object_get(o, "along")), 3); /* the station, two ends of pieces */

@@ -86,11 +86,9 @@ static void run_compare(const char *rope, double mean_most, double each_most)
     static double row[ROWS][2];
     int rows = 0;
     hawser_error err;
-    hawser_case *c = NULL;
     hawser_sim *dynamic = NULL;
     const hawser_place *place;
-    if (hawser_case_parse(data_text("positions"), "positions", &c, &err)) fail_msg("%s", err.message);
-    if (hawser_case_set(c, "cables.rope.d", rope, &err)) fail_msg("%s", err.message);
+    hawser_case *const c = case_with(data_text("positions"), (const char *const[]){"cables.rope.d", rope, NULL});
     if (hawser_sim_new(c, NULL, &dynamic, &err) || hawser_sim_relax(dynamic, NULL, &err)) fail_msg("%s", err.message);
     for (double t = 0.1; t < 75 && rows < ROWS; t += 0.1) {
         if (hawser_sim_advance(dynamic, t, 0, &err)) fail_msg("%s", err.message);

@@ -1,6 +1,7 @@
 /* The page about a run: what stands in it is what the results say, whatever the run is called. */
 #define _GNU_SOURCE /* memmem */
 #include "hawser/hawser.h"
+#include "tests/io/case_fixture.h"
 #include "tests/support/check.h"
 #include "tests/support/data.h"
 #include "tests/support/scratch.h"
@@ -25,10 +26,9 @@ static int stop_after(void *user, const hawser_sample *sample, double wall, doub
 
 static void run_pull(const char *title, const char *into, int stop)
 {
-    hawser_case *c = NULL;
     hawser_sim *s = NULL;
     hawser_error err = {0};
-    if (hawser_case_parse(data_text("cli-pull"), "pull.yaml", &c, &err)) fail_msg("%s", err.message);
+    hawser_case *const c = case_with(data_text("cli-pull"), NULL);
     if (title && hawser_case_set(c, "title", title, &err)) fail_msg("%s", err.message);
     if (hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
     calls_left = stop;
@@ -241,16 +241,11 @@ TEST_WITH(results_h5_may_be_anything, scratch_make, scratch_remove)
 /* Reel and winch stand where the case puts them. */
 TEST_WITH(machines_are_drawn, scratch_make, scratch_remove)
 {
-    hawser_case *c = NULL;
-    hawser_sim *s = NULL;
     hawser_error err = {0};
-    if (hawser_case_parse(data_text("reel-payout"), "reel.yaml", &c, &err)) fail_msg("%s", err.message);
-    if (hawser_case_set(c, "run.duration", "20 ms", &err)) fail_msg("%s", err.message);
-    if (hawser_case_set(c, "run.keep_going", "true", &err)) fail_msg("%s", err.message);
-    if (hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
+    hawser_sim *const s = sim_of(data_text("reel-payout"),
+                                 (const char *const[]){"run.duration", "20 ms", "run.keep_going", "true", NULL});
     assert_int_equal(hawser_sim_run(s, scratch_folder(), NULL, NULL, &err), HAWSER_OK);
     hawser_sim_free(s);
-    hawser_case_free(c);
     json_t *const all = report_on(scratch_folder()), *const drawn = json_object_get(first_run(all), "geometry");
     const json_t *const reel = json_object_get(drawn, "reel"), *const winch = json_object_get(drawn, "winch");
     static const struct {

@@ -274,9 +274,8 @@ TEST(wrong_cases)
     };
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; ++k) expect_bad(text, wrong[k][0], wrong[k][1], wrong[k][2]);
     expect_bad(text, "route.profile.layer", "CENTRE", "'route.file'");
-    hawser_case *c = NULL;
     hawser_error err;
-    assert_int_equal(hawser_case_parse(text, NAME, &c, &err), HAWSER_OK);
+    hawser_case *const c = case_with(text, NULL);
     assert_int_equal(hawser_case_check(c, &err), HAWSER_ERR_INPUT);
     check_has(err.message, NAME ":14: key 'route.file': value 'route.dxf': a case that is a text has no folder");
     hawser_case_free(c);

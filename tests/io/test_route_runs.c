@@ -6,14 +6,8 @@
 
 static void pull_is_theorys(const char *name)
 {
-    hawser_error err = {0};
-    hawser_case *c = NULL;
-    hawser_sim *sim = NULL;
     hawser_summary s;
-    if (hawser_case_parse(data_text(name), name, &c, &err)) fail_msg("%s", err.message);
-    if (hawser_sim_new(c, NULL, &sim, &err)) fail_msg("%s", err.message);
-    hawser_case_free(c);
-    if (hawser_sim_run(sim, NULL, NULL, NULL, &err)) fail_msg("%s", err.message);
+    hawser_sim *const sim = run_of(data_text(name), NULL);
     hawser_sim_summary(sim, &s);
     check_close(s.pull_mean_N / s.reference_total_N, 1, 0.005);
     hawser_sim_free(sim);

@@ -1,6 +1,7 @@
 /* What holds a run up: why its steps are short and where, in the summary, in the message of a failure, and as the run
  * goes on. */
 #include "hawser/hawser.h"
+#include "tests/io/case_fixture.h"
 #include "tests/support/check.h"
 #include "tests/support/data.h"
 
@@ -12,10 +13,9 @@ typedef struct Set {
 
 static hawser_sim *sim_with(const char *name, int n, const Set *set)
 {
-    hawser_case *c = NULL;
     hawser_sim *s = NULL;
     hawser_error err = {0};
-    if (hawser_case_parse(data_text(name), name, &c, &err)) fail_msg("%s", err.message);
+    hawser_case *const c = case_with(data_text(name), NULL);
     for (int k = 0; k < n; k++)
         if (hawser_case_set(c, set[k].key, set[k].value, &err)) fail_msg("%s", err.message);
     if (hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);

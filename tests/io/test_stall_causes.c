@@ -2,6 +2,7 @@
 #include "hawser/hawser.h"
 #include "io/api/api_handles.h"
 #include "sim/run/stall.h"
+#include "tests/io/case_fixture.h"
 #include "tests/support/check.h"
 #include "tests/support/data.h"
 
@@ -12,12 +13,8 @@ enum { STEPS = 60 };
 
 static hawser_sim *sim_after_steps(void)
 {
-    hawser_case *c = NULL;
-    hawser_sim *s = NULL;
     hawser_error err = {HAWSER_OK, ""};
-    if (hawser_case_parse(data_text("short-pull"), "short-pull", &c, &err)) fail_msg("%s", err.message);
-    if (hawser_sim_new(c, NULL, &s, &err)) fail_msg("%s", err.message);
-    hawser_case_free(c);
+    hawser_sim *const s = sim_of(data_text("short-pull"), NULL);
     assert_int_equal(hawser_sim_relax(s, NULL, &err), HAWSER_OK);
     for (int k = 0; k < STEPS; ++k) assert_int_equal(hawser_sim_advance(s, hawser_sim_end_time(s), 1, &err), HAWSER_OK);
     return s;

@@ -230,9 +230,8 @@ TEST(three_cables_jam)
     for (int k = 0; k < 4; k++) check_has(j.verdict, broken[k]);
     hawser_sim_free(j.sim);
     for (int wide = 0; wide < 2; wide++) {
-        hawser_case *c = NULL;
         char *text = NULL;
-        assert_int_equal(hawser_case_parse(data_text("trust-jam"), NAME, &c, NULL), HAWSER_OK);
+        hawser_case *const c = case_with(data_text("trust-jam"), NULL);
         if (wide) assert_int_equal(hawser_case_set(c, "surfaces.ducts.0.radius", "45 mm", NULL), HAWSER_OK);
         assert_int_equal(hawser_case_theory(c, HAWSER_TABLE, &text, NULL), HAWSER_OK);
         for (int k = 0; k < 4 && !wide; k++) check_has(text, broken[k]);
@@ -248,9 +247,8 @@ TEST(a_shaft_without_a_brake)
     const char *const route = "route: {head_at: 20 m, pieces: [{straight: 24 m}]}";
     const char *const shaft =
         "route: {slope: -89 deg, pieces: [{straight: 60 m}, {bend: 89 deg, radius: 3 m, plane: up}, {straight: 40 m}]}";
-    hawser_case *c = NULL;
     char *text = NULL;
-    assert_int_equal(hawser_case_parse(data_with("trust", route, shaft), NAME, &c, NULL), HAWSER_OK);
+    hawser_case *const c = case_with(data_with("trust", route, shaft), NULL);
     assert_int_equal(hawser_case_set(c, "rollers",
                                      "{along: {from: 0 m, to: 100 m, spacing: 2 m, radius: 0.1 m, width: 0.4 m}}",
                                      NULL),
