@@ -244,18 +244,6 @@ TEST(vectors_in_the_plane)
     }
 }
 
-TEST(largest_and_smallest)
-{
-    check_equal(larger_of(1, 2), 2);
-    check_equal(larger_of(2, 1), 2);
-    check_equal(smaller_of(1, 2), 1);
-    check_equal(smaller_of(2, 1), 1);
-    check_nan(larger_of(NAN, 1));
-    check_nan(larger_of(1, NAN));
-    check_nan(smaller_of(NAN, 1));
-    check_nan(smaller_of(1, NAN));
-}
-
 typedef struct Shares {
     int n, rank[4];
 } Shares;

@@ -18,51 +18,10 @@ static Rig *rig_new(const FixtureChoice *choice, LinKind kind, double spin, uint
         const double length = 1 + 0.01 * fixture_random(&r->seed);
         for (int c = 0; c < 4; ++c) r->y[(STATE_Q + c) * N + i] *= length;
     }
-    assert_int_equal(dynamics_refresh(&r->scene, &r->ws, T, r->y, 1, NULL), HAWSER_OK);
-    dynamics_rates(&r->scene, &r->ws, T, r->y, 1, r->rate);
-    dynamics_blocks(&r->scene, &r->ws, T, r->y, r->rate, 1, &r->newton.k, &r->newton.d);
-    newton_point(&r->newton, &r->scene, &r->ws.kin, r->y);
+    r->t = T;
+    rig_refresh(r);
+    rig_linearise(r);
     return r;
-}
-
-/* Which of position, quaternion, velocity, angular velocity an entry of the state is. */
-static int kind_of(int k)
-{
-    const int c = k / N;
-    return c < STATE_Q ? 0 : c < STATE_V ? 1 : c < STATE_W ? 2 : 3;
-}
-
-/* J x by the central difference along x, with a step that moves no coordinate by more than 4e-6. */
-static void jacobian_times(Rig *r, const double *x, double *jx)
-{
-    double size = 0, y[SIZE], minus[SIZE];
-    for (int k = 0; k < SIZE; ++k) size = larger_of(size, fabs(x[k]));
-    const double e = 4e-6 / size;
-    for (int k = 0; k < SIZE; ++k) y[k] = r->y[k] + e * x[k];
-    dynamics_rates(&r->scene, &r->ws, T, y, 1, jx);
-    for (int k = 0; k < SIZE; ++k) y[k] = r->y[k] - e * x[k];
-    dynamics_rates(&r->scene, &r->ws, T, y, 1, minus);
-    for (int k = 0; k < SIZE; ++k) jx[k] = (jx[k] - minus[k]) / (2 * e);
-}
-
-/* Largest |x - gamma J x - b|, kind by kind, over the size of the terms that cancel in it: those of x, b and gamma J z
- * with z the numbers of x in disorder. */
-static double solve_error(Rig *r, double gamma)
-{
-    double b[SIZE], x[SIZE], z[SIZE], jx[SIZE], jz[SIZE], error[4] = {0}, term[4] = {0}, worst = 0;
-    for (int k = 0; k < SIZE; ++k) b[k] = fixture_random(&r->seed);
-    memcpy(x, b, sizeof x);
-    assert_int_equal(newton_solve(&r->newton, x), 0);
-    for (int k = 0; k < SIZE; ++k) z[k] = fixture_random(&r->seed) > 0 ? x[k] : -x[k];
-    jacobian_times(r, x, jx);
-    jacobian_times(r, z, jz);
-    for (int k = 0; k < SIZE; ++k) {
-        const int kind = kind_of(k);
-        error[kind] = larger_of(error[kind], fabs(x[k] - gamma * jx[k] - b[k]));
-        term[kind] = larger_of(term[kind], larger_of(fabs(x[k]), larger_of(fabs(gamma * jz[k]), fabs(b[k]))));
-    }
-    for (int kind = 0; kind < 4; ++kind) worst = larger_of(worst, error[kind] / term[kind]);
-    return worst;
 }
 
 /* From tiny to large gamma, without new blocks in between. */
@@ -73,7 +32,7 @@ static double gammas_error(Rig *r)
         const double gamma = pow(10, k);
         newton_form(&r->newton, gamma);
         assert_int_equal(newton_factor(&r->newton), 0);
-        worst = larger_of(worst, solve_error(r, gamma));
+        worst = larger_of(worst, rig_solve_error(r, gamma, 6e-6));
     }
     return worst;
 }
@@ -100,7 +59,7 @@ TEST(test_spin)
     Rig *const r = rig_new(&(FixtureChoice){.soft = 1}, LIN_AUTO, 40, 9);
     newton_form(&r->newton, 0.3);
     assert_int_equal(newton_factor(&r->newton), 0);
-    const double error = solve_error(r, 0.3);
+    const double error = rig_solve_error(r, 0.3, 6e-6);
     print_message("relative residual %.2g\n", error);
     check_below(error, 1e-6);
     rig_free(r);

@@ -7,18 +7,9 @@
 #include "sim/equipment/rooms.h"
 #include "sim/newton/newton.h"
 #include "sim/newton/newton_leaves.h"
-#include "tests/support/scene.h"
+#include "tests/support/rig.h"
 
 static const double T = 0.7; /* s: the winch is speeding up, the tail tension rising */
-
-typedef struct Rig {
-    Scene scene;
-    Workspace ws;
-    Newton newton;
-    int size;
-    double *y, *rate, *scratch[6];
-    uint64_t seed;
-} Rig;
 
 typedef struct RigChoice {
     int spins, mounts, sheave, cylinder, jams, motors;
@@ -36,14 +27,6 @@ static void motors_add(SceneDef *def)
         spin->motor = (MotorDef){.kind = kind, .limit = 20, .speed_limit = 0.2, .droop = 0.4};
         spin->motor.set = (Profile){.kind = PROFILE_STEP, .t1 = 1, .v1 = kind == MOTOR_TORQUE ? 30 : 0.1};
     }
-}
-
-static void rig_linearise(Rig *r)
-{
-    dynamics_rates(&r->scene, &r->ws, T, r->y, 1, r->rate);
-    dynamics_blocks(&r->scene, &r->ws, T, r->y, r->rate, 1, &r->newton.k, &r->newton.d);
-    newton_point(&r->newton, &r->scene, &r->ws.kin, r->y);
-    newton_point_equipment(&r->newton, r->ws.equipment, r->y, 1);
 }
 
 /* Every roller jams at 0.5 s over 0.4 s, so that all are half-way at T. */
@@ -70,9 +53,7 @@ static void jams_begin(Scene *scene)
 
 static Rig *rig_new(const RigChoice *choice, uint64_t seed)
 {
-    Rig *const r = fixture_array(1, sizeof *r);
     SceneDef def;
-    hawser_error err = {0};
     const ContactGeometry geometry = choice->cylinder ? GEOMETRY_CYLINDER : GEOMETRY_SMOOTH;
     fixture_pull(&def, &(FixtureChoice){.soft = 1, .geometry = geometry, .heading = 1.1});
     if (choice->sheave) fixture_sheave(&def, 0.02);
@@ -81,91 +62,22 @@ static Rig *rig_new(const RigChoice *choice, uint64_t seed)
     if (choice->sheave) roller_mount(&def.rollers[def.n_rollers - 1]);
     if (choice->jams) jams_define(&def);
     if (choice->motors) motors_add(&def);
-    fixture_build(&def, &r->scene);
+    Rig *const r = rig_make(&def, &(LinOptions){.kind = choice->kind, .threads = 1});
     if (choice->jams) jams_begin(&r->scene);
     r->seed = seed;
-    r->size = scene_state_size(&r->scene);
-    assert_true(workspace_alloc(&r->ws, &r->scene, NULL));
-    const LinOptions options = {.kind = choice->kind, .threads = 1};
-    if (newton_new(&r->newton, &r->scene, &options, &err)) fail_msg("%s", err.message);
-    r->y = fixture_array(r->size, sizeof(double));
-    r->rate = fixture_array(r->size, sizeof(double));
-    for (int k = 0; k < 6; ++k) r->scratch[k] = fixture_array(r->size, sizeof(double));
-    scene_initial_state(&r->scene, r->y);
-    state_shake(r->y, r->scene.chain.n, 3e-3, 0.02, 0.05, 5, &r->seed);
+    r->t = T;
+    state_shake(r->y, r->n, 3e-3, 0.02, 0.05, 5, &r->seed);
     equipment_shake(&r->scene, r->y, 2e-3, 0.02, 0.05, 2, &r->seed);
-    assert_int_equal(dynamics_refresh(&r->scene, &r->ws, T, r->y, 1, NULL), HAWSER_OK);
+    rig_refresh(r);
     rig_linearise(r);
     return r;
-}
-
-static void rig_free(Rig *r)
-{
-    newton_free(&r->newton);
-    workspace_free(&r->ws);
-    scene_clear(&r->scene);
-    for (int k = 0; k < 6; ++k) free(r->scratch[k]);
-    free(r->y);
-    free(r->rate);
-    free(r);
-}
-
-/* Position, quaternion, velocity, angular velocity of segments 0..3 and mounts 4..7; 8: a spin. */
-static int kind_of(const Rig *r, int k)
-{
-    const int chain = STATE_SIZE * r->scene.chain.n, spins = r->scene.equipment->spins;
-    if (k >= chain && k < chain + spins) return 8;
-    const int c = k < chain ? k / r->scene.chain.n : (k - chain - spins) / r->scene.equipment->mounts;
-    return (k < chain ? 0 : 4) + (c < STATE_Q ? 0 : c < STATE_V ? 1 : c < STATE_W ? 2 : 3);
-}
-
-/* The rates at y + e x, times `share`, onto sum. */
-static void rates_add(Rig *r, const double *x, double e, double share, double *sum)
-{
-    double *const y = r->scratch[4], *const rate = r->scratch[5];
-    for (int k = 0; k < r->size; ++k) y[k] = r->y[k] + e * x[k];
-    dynamics_rates(&r->scene, &r->ws, T, y, 1, rate);
-    for (int k = 0; k < r->size; ++k) sum[k] += share * rate[k];
-}
-
-/* J x by the central difference of fourth order along x, with steps that move no coordinate by more than 2 step. */
-static void jacobian_times(Rig *r, const double *x, double step, double *jx)
-{
-    double size = 0;
-    for (int k = 0; k < r->size; ++k) size = larger_of(size, fabs(x[k]));
-    const double e = step / size;
-    memset(jx, 0, (size_t)r->size * sizeof *jx);
-    rates_add(r, x, 2 * e, -1 / (12 * e), jx);
-    rates_add(r, x, e, 8 / (12 * e), jx);
-    rates_add(r, x, -e, -8 / (12 * e), jx);
-    rates_add(r, x, -2 * e, 1 / (12 * e), jx);
-}
-
-/* Largest |x - gamma J x - b| of each kind over the size of the terms that cancel in it, as in test_newton.c. */
-static double step_error(Rig *r, double gamma, double step)
-{
-    double error[9] = {0}, term[9] = {0}, worst = 0;
-    double *const b = r->scratch[0], *const x = r->scratch[1], *const jx = r->scratch[2], *const jz = r->scratch[3];
-    for (int k = 0; k < r->size; ++k) x[k] = b[k] = fixture_random(&r->seed);
-    assert_int_equal(newton_solve(&r->newton, x), 0);
-    jacobian_times(r, x, step, jx);
-    double *const z = r->rate; /* not needed any more */
-    for (int k = 0; k < r->size; ++k) z[k] = fixture_random(&r->seed) > 0 ? x[k] : -x[k];
-    jacobian_times(r, z, step, jz);
-    for (int k = 0; k < r->size; ++k) {
-        const int kind = kind_of(r, k);
-        error[kind] = larger_of(error[kind], fabs(x[k] - gamma * jx[k] - b[k]));
-        term[kind] = larger_of(term[kind], larger_of(fabs(x[k]), larger_of(fabs(gamma * jz[k]), fabs(b[k]))));
-    }
-    for (int kind = 0; kind < 9; ++kind) worst = larger_of(worst, term[kind] <= 0 ? 0 : error[kind] / term[kind]);
-    return worst;
 }
 
 /* The better of two steps and right-hand sides: a larger step crosses a contact's kink now and then, a smaller one has
  * more rounding. */
 static double solve_error(Rig *r, double gamma)
 {
-    return smaller_of(step_error(r, gamma, 1.5e-5), step_error(r, gamma, 4e-6));
+    return smaller_of(rig_solve_error(r, gamma, 1.5e-5), rig_solve_error(r, gamma, 4e-6));
 }
 
 static double gammas_error(Rig *r)

@@ -35,6 +35,58 @@ Rig *rig_free(Rig *r)
 
 void rig_refresh(Rig *r) { assert_int_equal(dynamics_refresh(&r->scene, &r->ws, r->t, r->y, 1, NULL), HAWSER_OK); }
 
+void rig_linearise(Rig *r)
+{
+    dynamics_rates(&r->scene, &r->ws, r->t, r->y, 1, r->rate);
+    dynamics_blocks(&r->scene, &r->ws, r->t, r->y, r->rate, 1, &r->newton.k, &r->newton.d);
+    newton_point(&r->newton, &r->scene, &r->ws.kin, r->y);
+    if (r->ws.equipment) newton_point_equipment(&r->newton, r->ws.equipment, r->y, 1);
+}
+
+/* Position, quaternion, velocity, angular velocity of segments 0..3 and mounts 4..7; 8: a spin. */
+static int kind_of(const Rig *r, int k)
+{
+    const int chain = STATE_SIZE * r->n, spins = r->scene.equipment ? r->scene.equipment->spins : 0;
+    if (k >= chain && k < chain + spins) return 8;
+    const int c = k < chain ? k / r->n : (k - chain - spins) / r->scene.equipment->mounts;
+    return (k < chain ? 0 : 4) + (c < STATE_Q ? 0 : c < STATE_V ? 1 : c < STATE_W ? 2 : 3);
+}
+
+/* J x; scratch: [2 size]. */
+static void jacobian_times(Rig *r, const double *x, double step, double *scratch, double *jx)
+{
+    static const double at[] = {2, 1, -1, -2}, share[] = {-1, 8, -8, 1};
+    double size = 0, *const y = scratch, *const rate = scratch + r->size;
+    for (int k = 0; k < r->size; ++k) size = larger_of(size, fabs(x[k]));
+    const double e = step / size;
+    memset(jx, 0, (size_t)r->size * sizeof *jx);
+    for (int i = 0; i < 4; ++i) {
+        for (int k = 0; k < r->size; ++k) y[k] = r->y[k] + at[i] * e * x[k];
+        dynamics_rates(&r->scene, &r->ws, r->t, y, 1, rate);
+        for (int k = 0; k < r->size; ++k) jx[k] += share[i] / (12 * e) * rate[k];
+    }
+}
+
+double rig_solve_error(Rig *r, double gamma, double step)
+{
+    double error[9] = {0}, term[9] = {0}, worst = 0, *const room = fixture_array(7 * r->size, sizeof *room);
+    double *const b = room, *const x = b + r->size, *const z = x + r->size, *const jx = z + r->size;
+    double *const jz = jx + r->size, *const scratch = jz + r->size;
+    for (int k = 0; k < r->size; ++k) x[k] = b[k] = fixture_random(&r->seed);
+    assert_int_equal(newton_solve(&r->newton, x), 0);
+    for (int k = 0; k < r->size; ++k) z[k] = fixture_random(&r->seed) > 0 ? x[k] : -x[k];
+    jacobian_times(r, x, step, scratch, jx);
+    jacobian_times(r, z, step, scratch, jz);
+    for (int k = 0; k < r->size; ++k) {
+        const int kind = kind_of(r, k);
+        error[kind] = larger_of(error[kind], fabs(x[k] - gamma * jx[k] - b[k]));
+        term[kind] = larger_of(term[kind], larger_of(fabs(x[k]), larger_of(fabs(gamma * jz[k]), fabs(b[k]))));
+    }
+    for (int kind = 0; kind < 9; ++kind) worst = larger_of(worst, term[kind] <= 0 ? 0 : error[kind] / term[kind]);
+    free(room);
+    return worst;
+}
+
 Motion *rig_motion(Rig *r) { return spatial_init(&r->spatial, &r->scene, &r->ws, &r->newton); }
 
 hawser_status rig_run(Rig *r, double to, hawser_error *err)

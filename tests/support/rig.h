@@ -29,6 +29,14 @@ Rig *rig_free(Rig *r);
 void rig_refresh(Rig *r);
 Motion *rig_motion(Rig *r);
 
+/* Rates and Newton's blocks at (t, y) of the rig. */
+void rig_linearise(Rig *r);
+
+/* Largest |x - gamma J x - b| of each kind of entry over the size of the terms that cancel in it: those of x, b and
+ * gamma J z with z the numbers of x in disorder. b is drawn, x is newton_solve's, J x the central difference of fourth
+ * order of the rates along x, with steps that move no coordinate by more than 2 step. */
+double rig_solve_error(Rig *r, double gamma, double step);
+
 /* Integrates until time `to` (s). */
 hawser_status rig_run(Rig *r, double to, hawser_error *err);
 void rig_advance(Rig *r, double to);
