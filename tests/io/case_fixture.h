@@ -102,4 +102,19 @@ static inline const hawser_condition *condition_of(const hawser_summary *sum, co
     return NULL;
 }
 
+/* A limit by its name, of n; of a run, where it is judged. */
+static inline const hawser_limit *limit_named(int n, const hawser_limit *limit, const char *name)
+{
+    for (int i = 0; i < n; i++)
+        if (!strcmp(limit[i].name, name)) return &limit[i];
+    fail_msg("no limit %s", name);
+    return NULL;
+}
+
+static inline hawser_limit run_limit(hawser_sim *sim, const char *name)
+{
+    hawser_limit limit[HAWSER_LIMITS_MAX];
+    return *limit_named(hawser_sim_limits(sim, limit), limit, name);
+}
+
 #endif

@@ -1,4 +1,4 @@
-/* The scene that the tests of pushed cables share, and the row of a limit. */
+/* The scene that the tests of pushed cables share. */
 #ifndef HAWSER_TESTS_PUSHED_FIXTURE_H
 #define HAWSER_TESTS_PUSHED_FIXTURE_H
 
@@ -12,17 +12,5 @@ static const char DUCT[] =
     "friction: {mu: 0.2}\ndrive: {winch: {speed: 0.2 m/s, to: 5 s, grip: axial}}\n"
     "conveyors: [{name: pusher, from: 20 m, to: 24 m, clamp: 40 kN, mu: 0.3, factor: 1.05, limit: 12 kN}]\n"
     "limits: {pull: 56 kN, sidewall: 3 kN/m, bend_radius: 2 m, push: 25 kN}\nrun: {duration: 60 s}\n";
-
-/* The first row of that limit; NULL: there is none. */
-static inline json_t *limit_row(const json_t *answer, const char *name)
-{
-    json_t *limit;
-    size_t i;
-    json_array_foreach(json_object_get(answer, "limits"), i, limit)
-    {
-        if (!strcmp(json_string_value(json_object_get(limit, "name")), name)) return limit;
-    }
-    return NULL;
-}
 
 #endif

@@ -1,8 +1,6 @@
 /* Limits from a case file to the verdict: each held and broken in a short run, what a run finds against the run's own
  * tables, the theory's tables, and mistakes that no table of keys can see. */
-#include "tests/io/case_fixture.h"
-
-#include <jansson.h>
+#include "tests/io/theory_fixture.h"
 
 /* A run's limits; the simulation is given back through *sim. */
 static int judged(const char *key, const char *value, hawser_limit *limit, hawser_sim **sim)
@@ -13,15 +11,6 @@ static int judged(const char *key, const char *value, hawser_limit *limit, hawse
     hawser_case_free(c);
     assert_int_equal(hawser_sim_run(*sim, NULL, NULL, NULL, NULL), HAWSER_OK);
     return hawser_sim_limits(*sim, limit);
-}
-
-static const hawser_limit *find(int n, const hawser_limit *limit, const char *name)
-{
-    for (int i = 0; i < n; i++) {
-        if (!strcmp(limit[i].name, name)) return &limit[i];
-    }
-    fail_msg("no limit %s", name);
-    return NULL;
 }
 
 /* The values beside what the run's own tables say. */
@@ -42,27 +31,27 @@ TEST(values_of_a_run)
     for (int i = 0; i < n; i++) {
         if (limit[i].judged && !(limit[i].ok && limit[i].margin > 0)) fail_msg("%s does not hold", limit[i].name);
     }
-    assert_false(find(n, limit, "trip")->judged); /* the case sets none */
+    assert_false(limit_named(n, limit, "trip")->judged); /* the case sets none */
     /* without a rope the winch pulls at the cable itself */
-    check_share(find(n, limit, "pull")->value, sum.pull_peak_N, 1e-3);
-    check_share(find(n, limit, "rope")->value, sum.pull_peak_N, 1e-12);
-    check_share(find(n, limit, "rope")->limit, 20e3, 1e-12);
-    check_share(find(n, limit, "winch")->value, sum.pull_peak_N, 1e-12);
-    check_share(find(n, limit, "attachment")->value, sum.pull_peak_N, 1e-3);
-    check_close(find(n, limit, "speed")->value, 0.1, 1e-15);
-    check_close(find(n, limit, "run_away")->value, 0, 0);
-    check_share(find(n, limit, "pull")->limit, 56e3, 1e-12);
+    check_share(limit_named(n, limit, "pull")->value, sum.pull_peak_N, 1e-3);
+    check_share(limit_named(n, limit, "rope")->value, sum.pull_peak_N, 1e-12);
+    check_share(limit_named(n, limit, "rope")->limit, 20e3, 1e-12);
+    check_share(limit_named(n, limit, "winch")->value, sum.pull_peak_N, 1e-12);
+    check_share(limit_named(n, limit, "attachment")->value, sum.pull_peak_N, 1e-3);
+    check_close(limit_named(n, limit, "speed")->value, 0.1, 1e-15);
+    check_close(limit_named(n, limit, "run_away")->value, 0, 0);
+    check_share(limit_named(n, limit, "pull")->limit, 56e3, 1e-12);
     /* what lasts while a segment passes: a little more than the window's mean */
-    check_between(1 - find(n, limit, "roller_steady")->margin, (1.6 - 1e-12) * steady, 1.6 * 1.1 * steady);
-    check_share(1 - find(n, limit, "roller_peak")->margin, peak, 1e-12);
+    check_between(1 - limit_named(n, limit, "roller_steady")->margin, (1.6 - 1e-12) * steady, 1.6 * 1.1 * steady);
+    check_share(1 - limit_named(n, limit, "roller_peak")->margin, peak, 1e-12);
     /* the tension in the bend lies between the tail's and the winch's */
-    const double sidewall = find(n, limit, "sidewall")->value;
+    const double sidewall = limit_named(n, limit, "sidewall")->value;
     check_between(sidewall, 2000 / 12.0, sum.pull_peak_N / 12);
-    check_has(find(n, limit, "sidewall")->where, "bend");
+    check_has(limit_named(n, limit, "sidewall")->where, "bend");
     /* on corner rollers a cable of this stiffness is a polygon with somewhat tighter corners than the route */
-    const double radius = find(n, limit, "bend_radius")->value;
+    const double radius = limit_named(n, limit, "bend_radius")->value;
     check_between(radius, 4, 12.01);
-    const double alpha = find(n, limit, "alpha")->value;
+    const double alpha = limit_named(n, limit, "alpha")->value;
     check_between(alpha, 0.9, 1.3);
     hawser_sim_free(sim);
 }
@@ -97,7 +86,7 @@ TEST(each_can_break)
     }
     /* every roller too weak for the first load: steady and peak */
     const int n = judged("rollers.along.0.rating", "100 N", limit, &sim);
-    assert_false(find(n, limit, "roller_steady")->ok || find(n, limit, "roller_peak")->ok);
+    assert_false(limit_named(n, limit, "roller_steady")->ok || limit_named(n, limit, "roller_peak")->ok);
     hawser_sim_free(sim);
 }
 
@@ -163,16 +152,7 @@ TEST(limits_change_nothing)
 
 static json_t *theory(const char *text, const char *key, const char *value)
 {
-    char *out;
-    hawser_error err;
-    hawser_case *const c = case_with(text, NULL);
-    if (key) assert_int_equal(hawser_case_set(c, key, value, NULL), HAWSER_OK);
-    if (hawser_case_theory(c, HAWSER_JSON, &out, &err)) fail_msg("%s", err.message);
-    json_t *o = json_loads(out, 0, NULL);
-    hawser_text_free(out);
-    hawser_case_free(c);
-    assert_non_null(o);
-    return o;
+    return theory_of(text, (const char *const[]){key, value, NULL});
 }
 
 static double number(json_t *o, const char *table, size_t row, const char *key)
@@ -271,21 +251,10 @@ TEST(a_run_with_weight_aslant_has_no_theory)
     check_finite(sum.pull_peak_N);
     assert_true(isnan(sum.reference_total_N));
     for (int i = hawser_sim_stations(sim, &station) - 1; i >= 0; i--) assert_true(isnan(station[i].reference_N));
-    assert_false(find(n, limit, "alpha")->judged);
-    assert_false(find(n, limit, "run_away")->judged);
-    assert_true(find(n, limit, "winch")->judged);
+    assert_false(limit_named(n, limit, "alpha")->judged);
+    assert_false(limit_named(n, limit, "run_away")->judged);
+    assert_true(limit_named(n, limit, "winch")->judged);
     hawser_sim_free(sim);
-}
-
-/* The row of a limit in theory's table, forward; NULL: it is not listed. */
-static json_t *limit_row(json_t *o, const char *name)
-{
-    json_t *const list = json_object_get(o, "limits");
-    for (size_t i = 0; i < json_array_size(list); i++) {
-        json_t *const l = json_array_get(list, i);
-        if (!strcmp(json_string_value(json_object_get(l, "name")), name)) return l;
-    }
-    return NULL;
 }
 
 static double limit_number(json_t *o, const char *name, const char *key)
@@ -335,7 +304,7 @@ TEST(run_runs_away)
     hawser_sim *const sim = run_of(data_text("limits-shaft"),
                                    (const char *const[]){"route.pieces", "[{name: shaft, straight: 60 m}]", NULL});
     const int n = hawser_sim_limits(sim, limit);
-    const hawser_limit *const l = find(n, limit, "run_away");
+    const hawser_limit *const l = limit_named(n, limit, "run_away");
     assert_true(l->judged && !l->ok);
     /* 8 m on the slope, forward by half of what the window lets it move */
     check_share(l->value, 8 * 20 * 9.81 * (sin(80 * M_PI / 180) - 0.2 * cos(80 * M_PI / 180)), 1e-4);
@@ -361,9 +330,9 @@ TEST(ropes_and_conveyors)
     json_decref(o);
     hawser_sim *const sim = run_of(data_text("limits-conveyor"), NULL);
     const int n = hawser_sim_limits(sim, limit);
-    check_share(find(n, limit, "rope_bend")->value, 240.0 / 16, 1e-12);
-    check_share(find(n, limit, "push")->value, 500, 1e-3);
-    assert_string_equal(find(n, limit, "push")->where, "K");
+    check_share(limit_named(n, limit, "rope_bend")->value, 240.0 / 16, 1e-12);
+    check_share(limit_named(n, limit, "push")->value, 500, 1e-3);
+    assert_string_equal(limit_named(n, limit, "push")->where, "K");
     hawser_sim_free(sim);
 }
 

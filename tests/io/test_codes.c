@@ -4,18 +4,6 @@
 #include "tests/io/theory_fixture.h"
 #include "tests/support/scratch.h"
 
-static const json_t *limit_row(const json_t *answer, const char *name)
-{
-    json_t *limit;
-    size_t i;
-    json_array_foreach(json_object_get(answer, "limits"), i, limit)
-    {
-        if (!strcmp(json_string_value(json_object_get(limit, "name")), name)) return limit;
-    }
-    fail_msg("no limit %s", name);
-    return NULL;
-}
-
 static const char *text_of(const json_t *row, const char *key) { return json_string_value(json_object_get(row, key)); }
 
 static const char bundled[] = "cables: {power: {type: xlpe-132kv-1000-cu}}\n"

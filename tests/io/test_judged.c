@@ -9,15 +9,6 @@ static hawser_sim *judged(const char *const *settings, int *n, hawser_limit *lim
     return sim;
 }
 
-static const hawser_limit *find(int n, const hawser_limit *limit, const char *name)
-{
-    for (int i = 0; i < n; i++) {
-        if (!strcmp(limit[i].name, name)) return &limit[i];
-    }
-    fail_msg("no limit %s", name);
-    return NULL;
-}
-
 /* Ratings of listed rollers were not asked for where no row stands. Theory knows nothing of them, and says so. */
 TEST(ratings_of_listed_rollers)
 {
@@ -32,7 +23,8 @@ TEST(ratings_of_listed_rollers)
     hawser_limit limit[HAWSER_LIMITS_MAX];
     int n;
     hawser_sim *const sim = judged(settings, &n, limit);
-    const hawser_limit *const steady = find(n, limit, "roller_steady"), *const peak = find(n, limit, "roller_peak");
+    const hawser_limit *const steady = limit_named(n, limit, "roller_steady"), *const peak =
+                                                                                   limit_named(n, limit, "roller_peak");
     assert_true(steady->judged && !steady->ok && peak->judged && !peak->ok);
     check_above(peak->value, 150);
     hawser_sim_free(sim);
@@ -88,8 +80,8 @@ TEST(the_speed_that_was)
         hawser_limit limit[HAWSER_LIMITS_MAX];
         int n;
         hawser_sim *const sim = judged(settings, &n, limit);
-        check_above(find(n, limit, "speed")->value, row[k].least);
-        assert_false(find(n, limit, "speed")->ok);
+        check_above(limit_named(n, limit, "speed")->value, row[k].least);
+        assert_false(limit_named(n, limit, "speed")->ok);
         hawser_sim_free(sim);
     }
     const char *const tension[] = {row[0].key, row[0].value, NULL};
@@ -113,8 +105,8 @@ TEST(the_clamp_that_was)
         hawser_limit limit[HAWSER_LIMITS_MAX];
         int n;
         hawser_sim *const sim = judged(settings[k], &n, limit);
-        found[k] = find(n, limit, "squeeze")->value;
-        assert_int_equal(find(n, limit, "squeeze")->ok, k == 0);
+        found[k] = limit_named(n, limit, "squeeze")->value;
+        assert_int_equal(limit_named(n, limit, "squeeze")->ok, k == 0);
         hawser_sim_free(sim);
     }
     check_share(found[1], 20 * found[0], 1e-9);
@@ -287,11 +279,11 @@ TEST(joined_cables)
     hawser_summary sum;
     int n;
     hawser_sim *const sim = judged(settings, &n, limit);
-    check_share(find(n, limit, "bend_radius")->limit, 20 * 0.08, 1e-12);
-    assert_false(find(n, limit, "pull")->judged);
-    check_has(find(n, limit, "pull")->source, "limits.conductor");
-    check_share(find(n, limit, "rope")->limit, 50e3 / 5, 1e-12);
-    check_share(find(n, limit, "rope_bend")->value, 400 / 20.0, 1e-12);
+    check_share(limit_named(n, limit, "bend_radius")->limit, 20 * 0.08, 1e-12);
+    assert_false(limit_named(n, limit, "pull")->judged);
+    check_has(limit_named(n, limit, "pull")->source, "limits.conductor");
+    check_share(limit_named(n, limit, "rope")->limit, 50e3 / 5, 1e-12);
+    check_share(limit_named(n, limit, "rope_bend")->value, 400 / 20.0, 1e-12);
     hawser_sim_summary(sim, &sum);
     check_finite(sum.reference_total_N);
     hawser_sim_free(sim);

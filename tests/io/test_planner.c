@@ -17,28 +17,9 @@
  * - settled as the run ends, means of nothing: test_stats, cli/run, cli/limits
  * - `bend: 5`, `sidewall: 300 lb/ft`: test_units bare_angles_are_questioned, pounds_in_place_of_pounds_of_force
  * - EA to EI and a duration for theory: what_is_needed here, test_library stiffness_is_estimated, cli/examples */
-#include "tests/io/case_fixture.h"
-
-#include <jansson.h>
+#include "tests/io/theory_fixture.h"
 
 static const double G = 9.81;
-
-/* Settings are pairs of key and value, NULL behind the last. */
-static json_t *theory(const char *text, const char *const set[])
-{
-    hawser_error err;
-    char *out = NULL;
-    hawser_case *const c = case_with(text, NULL);
-    for (int i = 0; set && set[i]; i += 2) {
-        if (hawser_case_set(c, set[i], set[i + 1], &err)) fail_msg("%s", err.message);
-    }
-    if (hawser_case_theory(c, HAWSER_JSON, &out, &err)) fail_msg("%s", err.message);
-    json_t *o = json_loads(out, 0, NULL);
-    assert_non_null(o);
-    hawser_text_free(out);
-    hawser_case_free(c);
-    return o;
-}
 
 static json_t *row(json_t *o, const char *table, size_t i)
 {
@@ -92,7 +73,7 @@ TEST(what_is_needed)
     const char *const text = "cables: {c: {d: 60 mm, mass: 8 kg/m}}\n"
                              "route: {pieces: [{straight: 100 m}]}\n"
                              "friction: {mu: 0.3}\n";
-    json_t *o = theory(text, NULL);
+    json_t *o = theory_of(text, NULL);
     check_share(number(o, "reference_total_N"), 0.3 * 8 * G * 100, 1e-9);
     check_share(number(o, "friction"), 0.3, 1e-12);
     assert_null(json_object_get(o, "run")); /* nothing says that one is meant */
@@ -121,7 +102,7 @@ TEST(one_force_and_right_names)
     static const char *const run[] = {"run", "{duration: 10 s}", "drive",
                                       "{winch: {speed: 0.1 m/s, from: 0 s, to: 2 s}}", NULL};
     static const char *const tight[] = {"limits.sidewall", "500 N/m", NULL};
-    json_t *o = theory(data_text("planner"), run);
+    json_t *o = theory_of(data_text("planner"), run);
     json_t *const there = row(o, "directions", 0), *const back = row(o, "directions", 1);
     check_equal(number(o, "reference_total_N"), number(there, "force_N"));
     check_equal(number(o, "backward_total_N"), number(back, "force_N"));
@@ -133,7 +114,7 @@ TEST(one_force_and_right_names)
     assert_null(json_object_get(o, "friction_least"));
     assert_int_equal(json_array_size(json_object_get(o, "run")), 1);
     json_decref(o);
-    o = theory(data_text("planner"), tight);
+    o = theory_of(data_text("planner"), tight);
     check_has(word(o, "verdict_forward"), "(second)"); /* where it ends, and so does the largest pressure in it */
     check_has(word(o, "verdict_backward"), "(bend)");
     json_decref(o);
@@ -149,7 +130,7 @@ TEST(one_force_and_right_names)
 TEST(friction_from_to)
 {
     static const char *const parts[] = {"theory.stretches", "[{from: 10 m, to: 20 m, mu: 0.1, mu_s: 0.7}]", NULL};
-    json_t *o = theory(data_text("planner"), parts);
+    json_t *o = theory_of(data_text("planner"), parts);
     check_share(number(o, "friction"), 0.5, 1e-12);
     check_share(number(o, "friction_least"), 0.1, 1e-12);
     const double w = 8 * G;
@@ -171,7 +152,7 @@ TEST(a_straight_the_other_way_round)
     static const char *const heavy[] = {"friction", "{mu_d: 0.9, mu_s: 0.9}", "drive", "{tail: {tension: 500 N}}",
                                         NULL};
     const double w = 8 * G, free = 10e3 - 500;
-    json_t *o = theory(STRAIGHT, tail);
+    json_t *o = theory_of(STRAIGHT, tail);
     for (int k = 0; k < 2; k++) {
         const char *const way = k ? "backward" : "forward";
         check_share(number(answer(o, way, "largest friction"), "value"), free / (w * 200), 1e-9);
@@ -182,13 +163,13 @@ TEST(a_straight_the_other_way_round)
     json_decref(o);
     /* from rest up to 1.5 times as much where only one coefficient is given: the largest is the last that is SAFE; it
      * was that of the pull at speed, with which the answer is SAFE ONLY IF */
-    o = theory(STRAIGHT, open);
+    o = theory_of(STRAIGHT, open);
     check_share(number(answer(o, "forward", "largest friction"), "value"), free / (w * 200) / 1.5, 1e-9);
     check_share(number(answer(o, "forward", "longest length"), "value"), free / (0.3 * w) / 1.5, 1e-9);
     assert_string_equal(word(answer(o, "forward", "longest length"), "binds"), "restart");
     json_decref(o);
     /* three times the friction: 500 + 14126 N for 10 kN, so three machines of 2 kN; each as soon as 2 kN arrive */
-    o = theory(STRAIGHT, heavy);
+    o = theory_of(STRAIGHT, heavy);
     check_share(number(answer(o, "forward", "longest length"), "value"), free / (0.9 * w), 1e-9);
     check_equal(number(answer(o, "forward", "least number"), "value"), 3);
     for (size_t i = 0; i < 3; i++) {
@@ -207,7 +188,7 @@ TEST(put_back)
 #define KNOWN "drive", "{tail: {tension: 0 N}}", "surfaces.ducts.0.friction"
     static const char *const roomy[] = {"limits.rope_strength",   "90 kN", FLEXIBLE, KNOWN,
                                         "{mu_d: 0.5, mu_s: 0.5}", NULL};
-    json_t *o = theory(data_text("planner"), roomy);
+    json_t *o = theory_of(data_text("planner"), roomy);
     for (int k = 0; k < 2; k++) {
         const char *const way = k ? "backward" : "forward";
         json_t *const mu = answer(o, way, "largest friction"), *const radius = answer(o, way, "smallest bend radius");
@@ -216,7 +197,7 @@ TEST(put_back)
         const char *const wider[] = {"route.pieces",         pieces,  KNOWN,    "{mu_d: 0.5, mu_s: 0.5}",
                                      "limits.rope_strength", "90 kN", FLEXIBLE, NULL};
         snprintf(value, sizeof value, "{mu_d: %.12g, mu_s: %.12g}", number(mu, "value"), number(mu, "value"));
-        json_t *again = theory(data_text("planner"), smoother);
+        json_t *again = theory_of(data_text("planner"), smoother);
         check_between(number(limit(again, way, word(mu, "binds")), "margin"), -1e-6, 1e-6);
         json_decref(again);
         const double factor = number(radius, "value") / 5;
@@ -227,7 +208,7 @@ TEST(put_back)
                  "{name: between, straight: 50 m}, {name: second, bend: 30 deg, radius: %s, plane: right}, "
                  "{name: out, straight: 30 m}]",
                  first, second);
-        again = theory(data_text("planner"), wider);
+        again = theory_of(data_text("planner"), wider);
         check_between(number(limit(again, way, word(radius, "binds")), "margin"), -1e-6, 1e-6);
         json_decref(again);
     }
@@ -237,7 +218,7 @@ TEST(put_back)
     snprintf(out, sizeof out, "%.12g m", 30 + number(length, "value") - number(o, "length_m"));
     const char *const longer[] = {"route.pieces.4.straight", out,     KNOWN,    "{mu_d: 0.5, mu_s: 0.5}",
                                   "limits.rope_strength",    "90 kN", FLEXIBLE, NULL};
-    json_t *const again = theory(data_text("planner"), longer);
+    json_t *const again = theory_of(data_text("planner"), longer);
     check_between(number(limit(again, "forward", word(length, "binds")), "margin"), -1e-6, 1e-6);
     json_decref(again);
     json_decref(o);
@@ -247,7 +228,7 @@ TEST(put_back)
 TEST(machines_put_back)
 {
     static const char *const tight[] = {"limits.pull", "7 kN", "theory.machine_push", "1.5 kN", FLEXIBLE, NULL};
-    json_t *o = theory(data_text("planner"), tight);
+    json_t *o = theory_of(data_text("planner"), tight);
     check_has(word(o, "verdict_forward"), "NOT SAFE");
     const int n = (int)number(answer(o, "forward", "least number"), "value");
     check_above(n, 0);
@@ -261,7 +242,7 @@ TEST(machines_put_back)
         }
         strcat(list, "]");
         const char *const set[] = {"limits.pull", "7 kN", "theory.machines", list, FLEXIBLE, NULL};
-        json_t *again = theory(data_text("planner"), set);
+        json_t *again = theory_of(data_text("planner"), set);
         if (few) check_has(word(again, "verdict_forward"), "NOT SAFE");
         if (!few) assert_memory_equal(word(again, "verdict_forward"), "SAFE", 4);
         json_decref(again);
@@ -274,7 +255,7 @@ TEST(what_stays_broken)
 {
     static const char *const narrow[] = {FLEXIBLE, "surfaces.ducts.0.radius", "32 mm", NULL};
     static const char *const flexible[] = {FLEXIBLE, NULL};
-    json_t *wide = theory(data_text("planner"), flexible), *o = theory(data_text("planner"), narrow);
+    json_t *wide = theory_of(data_text("planner"), flexible), *o = theory_of(data_text("planner"), narrow);
     check_share(number(answer(o, "forward", "largest friction"), "value"),
                 number(answer(wide, "forward", "largest friction"), "value"), 1e-9);
     check_has(word(answer(o, "forward", "largest friction"), "result"), "clearance, fill stay");
@@ -286,7 +267,7 @@ TEST(what_stays_broken)
 TEST(by_sections)
 {
     static const char *const pit[] = {"theory.pits", "[{name: manhole, at: 60 m, back: 300 N}]", NULL};
-    json_t *o = theory(data_text("planner"), pit);
+    json_t *o = theory_of(data_text("planner"), pit);
     const double w = 8 * G;
     assert_int_equal(json_array_size(json_object_get(o, "sections")), 4);
     assert_string_equal(word(row(o, "sections", 0), "ends_at"), "manhole");
@@ -303,7 +284,7 @@ TEST(down_a_shaft)
 {
     static const char *const down[] = {"route.slope", "-60 deg", "route.pieces", "[{name: shaft, straight: 60 m}]",
                                        NULL};
-    json_t *o = theory(data_text("planner"), down);
+    json_t *o = theory_of(data_text("planner"), down);
     const double w = 8 * G, brake = 60 * w * (sin(M_PI / 3) - 0.5 * cos(M_PI / 3));
     assert_int_equal(json_array_size(json_object_get(o, "brakes")), 1);
     check_share(number(row(o, "brakes", 0), "brake_N"), brake, 1e-7);
@@ -318,10 +299,10 @@ TEST(down_a_shaft)
 TEST(trip_setting)
 {
     static const char *const rope[] = {"limits.rope_strength", "40 kN", "limits.alpha", "3", NULL};
-    json_t *o = theory(data_text("planner"), NULL);
+    json_t *o = theory_of(data_text("planner"), NULL);
     check_share(number(row(o, "directions", 0), "trip_N"), 1.5 * number(o, "largest_force_N"), 1e-9);
     json_decref(o);
-    o = theory(data_text("planner"), rope);
+    o = theory_of(data_text("planner"), rope);
     check_share(number(row(o, "directions", 0), "trip_N"), 8000, 1e-9);
     check_has(word(row(o, "directions", 0), "trip_by"), "rope");
     json_decref(o);
@@ -332,14 +313,14 @@ TEST(notes)
 {
     static const char *const cold[] = {"theory", "{temperature: -15, feed: 2 kN}", NULL};
     static const char *const weak[] = {"theory", "{feed: 2 kN, bears: 1 kN}", NULL};
-    json_t *warm = theory(data_text("planner"), NULL), *o = theory(data_text("planner"), cold);
+    json_t *warm = theory_of(data_text("planner"), NULL), *o = theory_of(data_text("planner"), cold);
     assert_null(json_object_get(warm, "notes"));
     check_has(word(row(o, "notes", 0), "note"), "-15 C");
     check_has(word(row(o, "notes", 1), "note"), "theory.bears");
     check_share(number(o, "start_tension_N"), -2000, 1e-12);
     assert_memory_equal(word(o, "verdict_forward"), "SAFE", 4); /* pushed by what is meant to */
     json_decref(o);
-    o = theory(data_text("planner"), weak);
+    o = theory_of(data_text("planner"), weak);
     check_has(word(o, "verdict_forward"), "NOT TRUSTED");
     json_decref(o);
     json_decref(warm);
@@ -370,7 +351,7 @@ TEST(headline_is_the_largest_winch)
                                "theory: {pits: [{name: P, at: 400 m}]}\n"
                                "limits: {pull: 10 kN}\n";
     const double largest = 0.3 * 10 * G * 400, last = 0.3 * 10 * G * 100;
-    json_t *const o = theory(text, NULL);
+    json_t *const o = theory_of(text, NULL);
     check_share(number(o, "largest_force_N"), largest, 1e-9);
     check_share(number(o, "largest_restart_N"), largest, 1e-9);
     check_share(number(o, "backward_largest_force_N"), largest, 1e-9);

@@ -19,16 +19,6 @@ static char *case_of(const char *rest)
     return strcat(text, rest);
 }
 
-static hawser_limit judged(hawser_sim *sim, const char *name)
-{
-    hawser_limit limit[HAWSER_LIMITS_MAX];
-    const int n = hawser_sim_limits(sim, limit);
-    for (int i = 0; i < n; i++)
-        if (!strcmp(limit[i].name, name)) return limit[i];
-    fail_msg("no limit %s", name);
-    return limit[0];
-}
-
 /* ------------------------------------------------------------------------------------------------- pushed */
 
 static const char SLOPE[] = "lead_in: {}\n"
@@ -46,20 +36,20 @@ TEST(pushed_for_a_while)
 {
     char *const text = case_of(SLOPE);
     hawser_sim *sim = run_of(text, NULL);
-    hawser_limit l = judged(sim, "run_away");
+    hawser_limit l = run_limit(sim, "run_away");
     assert_true(l.judged && l.ok);
     assert_true(l.value <= 0);
     hawser_sim_free(sim);
     const char *const lets_go[] = {
         "drive.tail", "{table: [[0 s, 1.6 kN], [10 s, 1.6 kN], [16 s, 400 N], [18 s, 400 N], [30 s, 1.6 kN]]}", NULL};
     sim = run_of(text, lets_go);
-    l = judged(sim, "run_away");
+    l = run_limit(sim, "run_away");
     assert_true(l.judged && !l.ok);
     check_has(l.source, "it was pushed with");
     hawser_sim_free(sim);
     const char *const held_so[] = {"drive.tail.tension", "400 N", NULL};
     sim = run_of(text, held_so);
-    const hawser_limit always = judged(sim, "run_away");
+    const hawser_limit always = run_limit(sim, "run_away");
     assert_true(always.judged && !always.ok);
     print_message("pushed with %.1f N; a brake of %.1f N is missing where it is so all along\n", l.value, always.value);
     check_share(l.value, always.value, 0.1);
@@ -75,13 +65,13 @@ TEST(pushed_while_friction_fails)
                                                                "[{at: 10 s, do: friction, factor: 0.3, ramp: 2 s}, "
                                                                "{at: 18 s, do: friction, factor: 1, ramp: 2 s}]",
                                                                NULL});
-    const hawser_limit l = judged(sim, "run_away");
+    const hawser_limit l = run_limit(sim, "run_away");
     assert_true(l.judged && !l.ok);
     check_has(l.source, "it was pushed with");
     hawser_sim_free(sim);
     hawser_sim *const all_along =
         run_of(text, (const char *const[]){"drive.tail.tension", "1.1 kN", "friction.mu", "0.06", NULL});
-    const hawser_limit always = judged(all_along, "run_away");
+    const hawser_limit always = run_limit(all_along, "run_away");
     print_message("pushed with %.1f N; a brake of %.1f N is missing with that friction\n", l.value, always.value);
     check_share(l.value, always.value, 0.25); /* friction comes and goes within 2 s, of which 6 are full */
     hawser_sim_free(all_along);
@@ -108,7 +98,7 @@ TEST(pushed_by_inches)
         "0.02 m/s, to: 2 s}}\nrun: {duration: 60 s, steady_from: 45 s}\nsolver: {passes: 1}\n");
     for (int k = 0; k < 2; k++) {
         hawser_sim *const sim = run_of(text, (const char *const[]){"drive.winch", winch[k], NULL});
-        const hawser_limit l = judged(sim, "run_away");
+        const hawser_limit l = run_limit(sim, "run_away");
         print_message("pushed with %.1f N\n", l.value);
         assert_true(l.judged && !l.ok);
         check_share(l.value, 443, 0.15);
@@ -130,7 +120,7 @@ TEST(pushed_beside_an_open_belt)
         "[{at: 7 s, do: conveyor_clamp, of: K, clamp: 0 N, ramp: 1 s}]",
         NULL};
     hawser_sim *const sim = run_of(text, settings);
-    const hawser_limit l = judged(sim, "run_away");
+    const hawser_limit l = run_limit(sim, "run_away");
     print_message("pushed with %.1f N\n", l.value);
     assert_true(l.judged && !l.ok);
     check_share(l.value, 194, 0.1); /* as without a belt */
@@ -150,7 +140,7 @@ TEST(at_rest_on_a_slope)
         hawser_sim *const sim =
             run_of(text, (const char *const[]){"route.pieces.1.slope", "-8 deg", "drive.tail.tension", "100 N",
                                                "drive.winch.to", k ? "16 s" : "4 s", row[k][0], row[k][1], NULL});
-        const hawser_limit l = judged(sim, "run_away");
+        const hawser_limit l = run_limit(sim, "run_away");
         print_message("%s: pushed with %.1f N\n", row[k][0], l.value);
         assert_true(l.judged && l.ok);
         hawser_sim_free(sim);
@@ -170,7 +160,7 @@ TEST(pushed_by_what_is_there)
         {"conveyors", "[{name: K, from: 4.2 m, to: 5.8 m, clamp: 2 kN, mu: 0.3, belt: {speed: 0.25 m/s, to: 1 s}}]"}};
     for (int k = 0; k < 2; k++) {
         hawser_sim *const sim = run_of(text, (const char *const[]){row[k][0], row[k][1], NULL});
-        const hawser_limit l = judged(sim, "run_away");
+        const hawser_limit l = run_limit(sim, "run_away");
         print_message("%s: %g N\n", row[k][0], l.value);
         assert_true(l.judged && l.ok);
         hawser_sim_free(sim);
@@ -196,7 +186,7 @@ TEST(as_far_as_the_front_came)
     hawser_sim *const sim = run_of(text, NULL);
     hawser_summary sum;
     char *json = NULL;
-    const hawser_limit alpha = judged(sim, "alpha");
+    const hawser_limit alpha = run_limit(sim, "alpha");
     const double w = 14 * 9.81, far = 5 + 0.25 * 48, behind = 300 + 0.2 * w * 10.5, rope = 0.2 * 0.9 * 9.81;
     assert_true(alpha.judged && !alpha.ok);
     assert_int_equal(alpha.where[0], 'B');
@@ -230,12 +220,12 @@ TEST(as_far_back_as_the_tail_is)
     static const char *const even[] = {"rollers", "{along: [{from: 0 m, to: 35 m, spacing: 1 m, name: A}]}", NULL};
     const double w = 14 * 9.81;
     hawser_sim *sim = run_of(text, NULL);
-    const hawser_limit braked = judged(sim, "alpha");
+    const hawser_limit braked = run_limit(sim, "alpha");
     print_message("alpha %.3f at %s\n", braked.value, braked.where);
     check_share(braked.value, (100 + 0.8 * w * 8) / (100 + 0.2 * w * 8), 0.12); /* 8 m of cable on them */
     hawser_sim_free(sim);
     sim = run_of(text, even);
-    const hawser_limit alpha = judged(sim, "alpha");
+    const hawser_limit alpha = run_limit(sim, "alpha");
     const hawser_position *row;
     const int n = hawser_sim_positions(sim, &row);
     print_message("alpha %.3f at %s\n", alpha.value, alpha.where);
@@ -258,7 +248,7 @@ TEST(a_cable_that_passes_by)
         "route: {head_at: 5 m, pieces: [{straight: 35 m}]}\nrollers: {along: [{spacing: 1 m, name: A}]}\n"
         "drive: {winch: {speed: 0.3 m/s, to: 4 s}, tail: {tension: 100 N, ramp: none}}\nrun: {duration: 70 s}\n");
     hawser_sim *const sim = run_of(text, NULL);
-    const hawser_limit alpha = judged(sim, "alpha");
+    const hawser_limit alpha = run_limit(sim, "alpha");
     print_message("alpha %.3f at %s\n", alpha.value, alpha.where);
     check_below(alpha.value, 1.2);
     hawser_sim_free(sim);
@@ -280,7 +270,7 @@ TEST(rope_that_hangs_down_in_a_run)
         "run: {duration: 8 s, steady_from: 4 s}\n");
     const char *const settings[] = {"cables.rope.mass", "4 kg/m", "friction.mu", "0.05", "limits.pull", "2 kN", NULL};
     hawser_sim *const sim = run_of(text, settings);
-    const hawser_limit trip = judged(sim, "trip");
+    const hawser_limit trip = run_limit(sim, "trip");
     print_message("the trip may be %.1f N\n", trip.limit);
     assert_true(trip.judged && !trip.ok);
     /* the transitions of 4 m have some of the fall, and rope on the level ahead brakes a little */
@@ -305,7 +295,7 @@ TEST(a_bend_between_joints)
     for (int k = 0; k < 3; k++) {
         hawser_sim *const sim = run_of(text, (const char *const[]){"cables.c.d", "40 mm", "cables.c.EI", "0.3 kN m2",
                                                                    "route.head_at", head[k], NULL});
-        const hawser_limit l = judged(sim, "sidewall");
+        const hawser_limit l = run_limit(sim, "sidewall");
         found[k] = l.value;
         assert_true(l.judged && !l.ok);
         hawser_sim_free(sim);
@@ -450,7 +440,7 @@ TEST(a_slope_behind_a_belt)
         "run: {duration: 4 s, steady_from: 3 s}\nsolver: {passes: 1}\n");
     for (int k = 0; k < 2; k++) {
         hawser_sim *const sim = run_of(text, (const char *const[]){"drive.tail.tension", k ? "700 N" : "100 N", NULL});
-        const hawser_limit l = judged(sim, "run_away");
+        const hawser_limit l = run_limit(sim, "run_away");
         print_message("%g N\n", l.value);
         assert_int_equal(l.ok, k);
         if (!k) check_between(l.value, 60, 200);

@@ -7,17 +7,6 @@ static const hawser_condition *of_run(hawser_sim *sim, hawser_summary *sum, cons
     return condition_of(sum, name);
 }
 
-/* A limit that was judged. */
-static hawser_limit judged(hawser_sim *sim, const char *name)
-{
-    hawser_limit limit[HAWSER_LIMITS_MAX];
-    const int n = hawser_sim_limits(sim, limit);
-    int i = 0;
-    while (i < n && strcmp(limit[i].name, name) != 0) i++;
-    assert_true(i < n && limit[i].judged);
-    return limit[i];
-}
-
 /* ------------------------------------------------------------------------------------------------------- a reel */
 
 /* 2 m of cable are wound, whose end is fastened; the winch pulls `duration` times 0.5 m/s off it. */
@@ -132,7 +121,8 @@ TEST(drawn_by_belts)
                  "run: {duration: 2 s, steady_from: 1500 ms}\nlimits: {pull: 20 kN}\n",
                  row[k].v_s, belts, row[k].script);
         hawser_sim *const sim = run_of(text, NULL);
-        const hawser_limit speed = judged(sim, "speed");
+        const hawser_limit speed = run_limit(sim, "speed");
+        assert_true(speed.judged);
         const hawser_condition *const c = of_run(sim, &sum, "friction_speed");
         check_share(speed.value, row[k].speed, 0.03);
         assert_int_equal(speed.ok, !row[k].fast);
@@ -206,7 +196,8 @@ TEST(a_load_that_comes_late)
         "friction: {mu: 0.1}\ndrive: {winch: {speed: 1 m/s, to: 1 s}, tail: {tension: 1 kN}}\n"
         "run: {duration: 6.5 s, steady_from: 1500 ms}\nlimits: {pull: 30 kN}\n";
     hawser_sim *const sim = run_of(text, NULL);
-    const hawser_limit steady = judged(sim, "roller_steady");
+    const hawser_limit steady = run_limit(sim, "roller_steady");
+    assert_true(steady.judged);
     check_share(steady.value, 20 * 9.81 * hypot(1, 0.1), 0.05); /* where it begins it bends, and bears 4 % more */
     check_below(roller_at(sim, 11)->steady_N, 0.9 * steady.value);
     assert_false(steady.ok);

@@ -39,6 +39,18 @@ static inline void verdict_has(const json_t *answer, const char *part)
     check_has(verdict, part);
 }
 
+/* The first row of that limit; NULL: there is none. */
+static inline json_t *limit_row(const json_t *answer, const char *name)
+{
+    json_t *limit;
+    size_t i;
+    json_array_foreach(json_object_get(answer, "limits"), i, limit)
+    {
+        if (!strcmp(json_string_value(json_object_get(limit, "name")), name)) return limit;
+    }
+    return NULL;
+}
+
 /* The value of a limit, pulled forward. */
 static inline double limit_of(const json_t *answer, const char *name)
 {
