@@ -89,6 +89,32 @@ TEST(test_there_and_back)
     }
 }
 
+/* A state of before the start begins at the start, wherever the instance has come to with the same parameters. */
+TEST(test_before_the_start)
+{
+    for (int version = 2; version <= 3; ++version) {
+        Fmu fmu;
+        FmuInstance i;
+        double first[2 * LOOKS], again[2 * LOOKS];
+        void *early = NULL;
+        fmu_of(&fmu, data_text("short-pull"), version);
+        instance_new(&i, &fmu, fmu.token, fmu.resources);
+        if (!cannot(&i)) {
+            assert_int_equal(state_get(&i, &early), 0);
+            for (int k = 0; k < 2; ++k) {
+                if (k > 0) assert_int_equal(state_set(&i, early), 0);
+                assert_int_equal(instance_begin(&i, 0), 0);
+                assert_int_equal(instance_settle(&i), 0);
+                go_on(&i, k ? again : first);
+            }
+            check_same(first, again);
+            assert_int_equal(state_free(&i, &early), 0);
+        }
+        instance_free(&i);
+        fmu_close(&fmu);
+    }
+}
+
 /* Into another instance that was built with other parameters. */
 TEST(test_bytes)
 {

@@ -72,6 +72,7 @@ TEST(by_hand)
         ++at;
     }
     assert_int_equal(found, 2);
+    check_has(page, "<br>T/R = "); /* behind the bend's force */
     free(page);
 }
 

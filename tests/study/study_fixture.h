@@ -75,4 +75,17 @@ static inline void rows_of(const char *dir, Study **s, Rows *rows)
     if (store_read(*s, scratch_path(dir), rows, &err)) fail_msg("%s", err.message);
 }
 
+/* A study of 200 samples of theory. */
+static const char drawn[] = "parameters:\n"
+                            "  friction.mu: {uniform: {from: 0.1, to: 0.4}}\n"
+                            "  drive.tail.tension: {normal: {mean: 200 N, sd: 50 N}}\n"
+                            "monte-carlo: {samples: 200, seed: 3}\n";
+/* One of runs of a few milliseconds. */
+static const char runs[] = "fidelity: run\n"
+                           "parameters:\n"
+                           "  friction.mu: {steps: {from: 0.1, to: 0.5, count: 6}}\n"
+                           "  run.duration: {values: [300 ms, 350 ms]}\n"
+                           "grid: [friction.mu, run.duration]\n"
+                           "quantities: [pull_force.peak_N, steps, limits.winch.margin, relaxation.reached]\n";
+
 #endif

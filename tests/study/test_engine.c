@@ -1,5 +1,5 @@
-/* Worker processes: the same bytes whatever their number, nothing lost or double after a kill, a row with its reason
- * for a sample that cannot be, hangs, eats memory or takes its process along. */
+/* Worker processes: nothing lost or double after a kill, a row with its reason for a sample that cannot be, hangs, eats
+ * memory or takes its process along. That their number changes no byte: test_workers.c. */
 #include <signal.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -8,34 +8,6 @@
 
 #include "hawser/hawser.h"
 #include "tests/study/study_fixture.h"
-
-static const char drawn[] = "parameters:\n"
-                            "  friction.mu: {uniform: {from: 0.1, to: 0.4}}\n"
-                            "  drive.tail.tension: {normal: {mean: 200 N, sd: 50 N}}\n"
-                            "monte-carlo: {samples: 200, seed: 3}\n";
-/* Of runs of a few milliseconds. */
-static const char runs[] = "fidelity: run\n"
-                           "parameters:\n"
-                           "  friction.mu: {steps: {from: 0.1, to: 0.5, count: 6}}\n"
-                           "  run.duration: {values: [300 ms, 350 ms]}\n"
-                           "grid: [friction.mu, run.duration]\n"
-                           "quantities: [pull_force.peak_N, steps, limits.winch.margin, relaxation.reached]\n";
-
-TEST(workers_alike)
-{
-    const char *const lines[] = {drawn, runs};
-    for (int k = 0; k < 2; k++) {
-        char one[20], two[20], four[20];
-        snprintf(one, sizeof one, "one%d", k);
-        snprintf(two, sizeof two, "two%d", k);
-        snprintf(four, sizeof four, "four%d", k);
-        study_compute(lines[k], one, 1);
-        study_compute(lines[k], two, 2);
-        study_compute(lines[k], four, 4);
-        expect_alike(one, two);
-        expect_alike(one, four);
-    }
-}
 
 /* Bytes in the workers' files of folder/DIR. */
 static long bytes_in(const char *dir)

@@ -28,6 +28,7 @@ TEST(marks_between_thousands)
          NULL,
          4,
          {999.5, 1234.5, 1234.567, -1234}},
+        {"time [s];pull [N]\r1;52\r2;53\r", NULL, 2, {52, 53}}, /* lines that end as old Macintoshes had them */
         /* a comma or point before three digits, by the column's other cells */
         {"time [s];pull [kN]\n1;1,234\n2;1,5\n", NULL, 2, {1234, 1500}},
         {"time [s];pull [kN]\n1;1.234\n2;0.500\n", NULL, 2, {1234, 500}},

@@ -164,6 +164,7 @@ TEST(what_is_wrong)
     bad("length\n1\n-3\n", "3: a straight needs a length above 0");
     bad("length\n1e999\n", "2: '1e999' is no number");
     bad("length\n0x10\n", "is no number");
+    bad("length,angle,radius,turn\n,45,R20,left\n", "2: 'R20' is no number"); /* L45 and R45 are angles */
     bad("angle,radius\n10,5\n", "a bend needs a turn");
     bad("angle,turn\n10,left\n", "a radius above 0");
     bad("angle,turn,radius\n10,sideways,5\n", "turn 'sideways'");
@@ -178,6 +179,15 @@ TEST(what_is_wrong)
     bad("x,y,direction,length,radius\n0,0,0,1e9,1\n", "only lines with an element that turns more than 100 times");
     bad("x,y\n0,0\n1e300,1\n", "only lines with a place or a length beyond a million km");
     bad("colour,size\nred,3\n", "the columns are none of these");
+}
+
+/* Exponents as Fortran writes them. */
+TEST(exponents)
+{
+    Survey s;
+    assert_string_equal(read_text("length\n1.5D1\n1d1\n", &s), "");
+    check_close(alignment_measure(&s.alignment[0]).plan_length, 25, 1e-12);
+    survey_clear(&s);
 }
 
 /* What a table says is built or refused: no column of numbers, no cell and no sign is left out without a word. */
