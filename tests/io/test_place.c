@@ -49,9 +49,8 @@ static const json_t *row_of(const json_t *doc, const char *help)
 
 static double number(const json_t *row, const char *key) { return json_number_value(json_object_get(row, key)); }
 
-static void fewest_by_closed_form(void **state)
+TEST(fewest_by_closed_form)
 {
-    (void)state;
     const double whole = BACK + MU * W * LENGTH, section = (ALLOWED - BACK) / (MU * W);
     hawser_word word = HAWSER_NOT_SAFE;
     json_t *const doc = placed(REST "theory: {machine_push: 4 kN}\n", NULL, &word);
@@ -73,9 +72,8 @@ static void fewest_by_closed_form(void **state)
 
 /* Assumed friction at rest may be 1.5 times as much: what keeps the limits only as taken is no proposal that is SAFE.
  */
-static void with_what_is_assumed(void **state)
+TEST(with_what_is_assumed)
 {
-    (void)state;
     char text[512];
     snprintf(text, sizeof text, "%s", REST);
     char *const at = strstr(text, "mu_d: 0.4, mu_s: 0.4");
@@ -89,9 +87,8 @@ static void with_what_is_assumed(void **state)
 }
 
 /* In whatever way the section stands there, its own words and items stay, and the case with the items says the same. */
-static void written_into_the_case(void **state)
+TEST(written_into_the_case)
 {
-    (void)state;
     static const struct {
         const char *behind, *kept;
     } way[] = {{"# end", "# end"},
@@ -122,9 +119,8 @@ static void written_into_the_case(void **state)
     }
 }
 
-static void dry_and_lubricated(void **state)
+TEST(dry_and_lubricated)
 {
-    (void)state;
     size_t i;
     const json_t *row;
     double force[3] = {0}, mu[3] = {0};
@@ -142,9 +138,8 @@ static void dry_and_lubricated(void **state)
     json_decref(doc);
 }
 
-static void refused(void **state)
+TEST(refused)
 {
-    (void)state;
     static const struct {
         const char *text, *why;
         hawser_place_options options;
@@ -170,9 +165,8 @@ static void refused(void **state)
 
 /* A straight duct with a cable in it: the pull is that of the empty one times 1 + 1.2 (T33), and with the friction that
  * the remedy asks for the case is safe. */
-static void occupied_duct(void **state)
+TEST(occupied_duct)
 {
-    (void)state;
     static const char duct[] = "cables: {c: {d: 60 mm, mass: 4 kg/m}}\nroute: {pieces: [{straight: 100 m}]}\nfriction: "
                                "{mu_d: 0.4, mu_s: 0.4}\n"
                                "drive: {tail: {tension: 0 N}}\nlimits: {pull: 3 kN, sidewall: 3 kN/m, fill: 0.5}\n"
@@ -201,6 +195,4 @@ static void occupied_duct(void **state)
     hawser_case_free(c);
 }
 
-TEST_FILE_IN(test_place, scratch_make, scratch_remove, cmocka_unit_test(occupied_duct),
-             cmocka_unit_test(fewest_by_closed_form), cmocka_unit_test(with_what_is_assumed),
-             cmocka_unit_test(written_into_the_case), cmocka_unit_test(dry_and_lubricated), cmocka_unit_test(refused))
+TEST_GROUP(scratch_make, scratch_remove)
