@@ -59,7 +59,7 @@ static const char library_help[] =
     "Usage: hawser library [KIND [PATTERN]] [options]\n"
     "\n"
     "Lists the catalogue, to which a case refers by 'type: NAME': figures, ranges, marks and sources. KIND is cables,\n"
-    "ropes, rollers, ducts or friction; PATTERN a part of the names. docs/library.md says more.\n"
+    "ropes, rollers, ducts, friction or reels; PATTERN a part of the names. docs/library.md says more.\n"
     "\n" FORMAT "\n"
     "The files are in share/hawser/library beside the program, or where the environment's HAWSER_LIBRARY says.\n"
     "Exit status: 0 done; 2 there is no such kind or name, or no catalogue.\n";
@@ -226,7 +226,7 @@ static int schema(const Arguments *args)
 
 const Command command_schema = {"schema", "what a case may hold, as a JSON Schema for editors", "-", schema_help,
                                 schema};
-const Command command_library = {"library", "lists cables, ropes, rollers, ducts and friction by name", "fu+",
+const Command command_library = {"library", "lists cables, ropes, rollers, ducts, friction and reels by name", "fu+",
                                  library_help, library};
 const Command command_check = {"check", "checks a case and prints what would be built", "sfu", check_help, check};
 const Command command_theory = {"theory", "the pulling calculation alone: verdict, forces, limits; in milliseconds",

@@ -70,7 +70,7 @@ _hawser() {
         case $previous in
         --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--format --units --help --version' 'cables ropes rollers ducts friction' ;;
+        *) _hawser_word '--format --units --help --version' 'cables ropes rollers ducts friction reels' ;;
         esac
         ;;
     route)

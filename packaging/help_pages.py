@@ -16,7 +16,7 @@ VALUES = {"FILE": "files", "DIR": "folders", "FORMAT": "table json csv", "UNITS"
           "KIND": "auto block bordered klu klu-full band dense", "UNIT": "mm m ft", "LENGTH": "", "STATION": "",
           "SHARE": "1% 0.5% 2%", "P": "5% 10% 20%", "WAY": "length start", "X": "", "VERSION": "2 3", "KEY": "", "KEYS": "", "NAME": "", "NAMES": "all facts pieces limits heads sections", "LAYER": "", "TEXT": ""}
 # What a command is about, by the first word of its usage.
-SUBJECTS = {"CASE": "*.yaml", "STUDY": "*.yaml", "JOB": "*.yaml", "[CASE]": "*.yaml", "FILE": "*", "RESULTS": "/", "[KIND": "cables ropes rollers ducts friction",
+SUBJECTS = {"CASE": "*.yaml", "STUDY": "*.yaml", "JOB": "*.yaml", "[CASE]": "*.yaml", "FILE": "*", "RESULTS": "/", "[KIND": "cables ropes rollers ducts friction reels",
             "[options]": ""}
 
 
@@ -97,7 +97,7 @@ def manual(about, version, commands, helps):
     page.append(".SH OPTIONS OF EVERY COMMAND\n")
     page.extend(roff_option(o) for o in helps[0].options if o.name in ("--help", "--version"))
     page.append(".SH ENVIRONMENT\n.TP\n.B HAWSER_LIBRARY\nthe folder with the catalogue of cables, ropes, rollers, ducts "
-                "and friction\n.TP\n.B HAWSER_ISA\nthe instruction set of the kernels: generic, avx2 or avx512\n"
+                "friction and reels\n.TP\n.B HAWSER_ISA\nthe instruction set of the kernels: generic, avx2 or avx512\n"
                 ".TP\n.B SOURCE_DATE_EPOCH\na report carries this time, in s since 1970, in place of that of its making\n"
                 ".SH SEE ALSO\nThe documents are in share/doc/hawser/docs: the format of cases in case\\-format.md, a first "
                 "pull in tutorial.md; example cases in share/doc/hawser/cases.\n")

@@ -25,10 +25,10 @@ typedef struct hawser_assumption {
 int hawser_sim_assumptions(const hawser_sim *s, const hawser_assumption **out);
 
 /* The shipped catalogue with figures, ranges, marks and sources: of one kind ("cables", "ropes", "rollers", "ducts",
- * "friction"; NULL or empty: all), and of it the entries whose names hold `pattern` (NULL or empty: all). It is looked
- * for in the folder that the environment variable HAWSER_LIBRARY names, else in share/hawser/library beside the program
- * or the library. *text is malloc'ed (hawser_text_free). Errors: INPUT (no such kind, no such entry, no catalogue),
- * MEMORY. */
+ * "friction", "reels"; NULL or empty: all), and of it the entries whose names hold `pattern` (NULL or empty: all). It
+ * is looked for in the folder that the environment variable HAWSER_LIBRARY names, else in share/hawser/library beside
+ * the program or the library. *text is malloc'ed (hawser_text_free). Errors: INPUT (no such kind, no such entry, no
+ * catalogue), MEMORY. */
 hawser_status hawser_library(const char *kind, const char *pattern, hawser_format format, char **text,
                              hawser_error *err);
 

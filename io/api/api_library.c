@@ -145,7 +145,8 @@ hawser_status hawser_library(const char *kind, const char *pattern, hawser_forma
     *text = NULL;
     if (!kinds) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "'%.80s' is no kind of the catalogue: expected cables, ropes, rollers, ducts or friction",
+                         "'%.80s' is no kind of the catalogue: expected cables, ropes, rollers, ducts, friction "
+                         "or reels",
                          kind);
     }
     Library *const library = library_new();

@@ -15,7 +15,8 @@ typedef enum PlausibleKind {
     PLAUSIBLE_SPEED,
     PLAUSIBLE_TENSION,
     PLAUSIBLE_ROOM,
-    PLAUSIBLE_CONDUCTOR
+    PLAUSIBLE_CONDUCTOR,
+    PLAUSIBLE_WIDTH
 } PlausibleKind;
 
 static const struct {
@@ -31,6 +32,7 @@ static const struct {
     [PLAUSIBLE_TENSION] = {"tension", "kN", 0, 1000},
     [PLAUSIBLE_ROOM] = {"inside diameter over the cable's", "", 1.02, 3},
     [PLAUSIBLE_CONDUCTOR] = {"conductors over the cable's cross-section", "", 0.01, 0.85},
+    [PLAUSIBLE_WIDTH] = {"width less 30 mm over the cable's diameter", "", 1.5, 1000},
 };
 
 /* The rows as they are found. */
@@ -53,12 +55,31 @@ static void look(Notes *notes, PlausibleKind kind, const char *of, double value)
     snprintf(row->of, sizeof row->of, "%s", of);
 }
 
+/* The thickest cable of the chain, m. */
+static double thickest(const SceneDef *def)
+{
+    double diameter = 0;
+    for (int k = 0; k < scene_def_eye(def); ++k) diameter = fmax(diameter, def->cables[def->pieces[k].cable].diameter);
+    return diameter;
+}
+
+/* The narrowest flat roller that carries the cable along the route: by the catalogue's rule 1.5 diameters and 30 mm. */
+static void look_at_rollers(Notes *notes, const SceneDef *def)
+{
+    const RollerDef *narrow = NULL;
+    for (int i = 0; i < def->n_rollers; ++i) {
+        const RollerDef *const r = &def->rollers[i];
+        const int carries = isfinite(r->s) && !r->hold_down && r->profile == SHAPE_CYLINDER && fabs(r->axis.z) < 0.5;
+        if (carries && (!narrow || r->width < narrow->width)) narrow = r;
+    }
+    if (narrow) look(notes, PLAUSIBLE_WIDTH, narrow->name, (narrow->width - 30e-3) / thickest(def));
+}
+
 /* Ducts of one power cable; thin ones lie in whatever duct there is. */
 static void look_at_ducts(Notes *notes, const SceneDef *def)
 {
     static const double POWER = 30e-3; /* m, diameter */
-    double diameter = 0;
-    for (int k = 0; k < scene_def_eye(def); ++k) diameter = fmax(diameter, def->cables[def->pieces[k].cable].diameter);
+    const double diameter = thickest(def);
     if (diameter > 0)
         look(notes, PLAUSIBLE_CONDUCTOR, "limits",
              def->limits.area > 0 ? def->limits.area * def->limits.cores / (M_PI / 4 * diameter * diameter) : NAN);
@@ -86,6 +107,7 @@ int plausible_find(const SceneDef *def, const Route *route, PlausibleRow row[PLA
     if (def->rod.present) return 0;
     look_at_cables(&notes, def);
     look_at_ducts(&notes, def);
+    look_at_rollers(&notes, def);
     look(&notes, PLAUSIBLE_FRICTION, "friction", fmax(def->friction.mu_s, def->friction.mu_d));
     for (int i = 0; i < def->n_surfaces; ++i) {
         const FrictionLaw *const law = &def->surfaces[i].friction;

@@ -40,6 +40,7 @@ static SECTION(reel_brake, "reel.brake", brake_keys);
 
 /* Which keys belong to which model the tables below say. */
 static const CaseKey reel_keys[] = {
+    {"type", KEY_ANY, .otherwise = "none", .form = "a name of the catalogue"},
     {"model", KEY_CHOICE, .fallback = "payout", .choices = models, AT(ReelRecord, model)},
     {"length", KEY_NUMBER, DIM_LENGTH, .otherwise = "none: `weight` needs it", FROM(0, LONG), AT(ReelRecord, length)},
     RAMP_KEYS(offsetof(ReelRecord, back), "step"),

@@ -6,10 +6,11 @@
 
 #include "core/base/error.h"
 
-const char *const library_kinds[] = {"cables", "ropes", "rollers", "ducts", "friction", NULL};
+const char *const library_kinds[] = {"cables", "ropes", "rollers", "ducts", "friction", "reels", NULL};
 
 /* What may stand beside the kinds at the top of a file. */
-static const char *const top_keys[] = {"cables", "ropes", "rollers", "ducts", "friction", "sources", "include"};
+static const char *const top_keys[] = {"cables",   "ropes", "rollers", "ducts",
+                                       "friction", "reels", "sources", "include"};
 static const char *const about_keys[] = {"source", "range", "mark", "note", NULL};
 static const char *const marks[] = {"typical", "estimated", NULL};
 
@@ -173,7 +174,7 @@ static hawser_status section_read(Library *library, const CaseTree *file, const 
     if (nearest) return case_key_error(err, node, NULL, "unknown key: did you mean '%s'?", nearest);
     return case_key_error(
         err, node, NULL,
-        "unknown key: a file of the catalogue has cables, ropes, rollers, ducts, friction, sources, include");
+        "unknown key: a file of the catalogue has cables, ropes, rollers, ducts, friction, reels, sources, include");
 }
 
 hawser_status library_read(Library *library, const char *path, int shipped, CaseTree **out, hawser_error *err)

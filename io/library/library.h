@@ -1,6 +1,6 @@
-/* The catalogue: cables, ropes, rollers, ducts and friction that a case refers to by name (docs/library.md). Entries
- * are maps of the case's own keys, in files of YAML: those that are shipped and those that a case includes. What is
- * said of an entry itself stands beside its keys: `source`, `range`, `mark`, `note`. */
+/* The catalogue: cables, ropes, rollers, ducts, friction and reels that a case refers to by name (docs/library.md).
+ * Entries are maps of the case's own keys, in files of YAML: those that are shipped and those that a case includes.
+ * What is said of an entry itself stands beside its keys: `source`, `range`, `mark`, `note`. */
 #ifndef HAWSER_IO_LIBRARY_LIBRARY_H
 #define HAWSER_IO_LIBRARY_LIBRARY_H
 
@@ -12,6 +12,7 @@ typedef enum LibraryKind {
     LIBRARY_ROLLERS,
     LIBRARY_DUCTS,
     LIBRARY_FRICTION,
+    LIBRARY_REELS,
     LIBRARY_KINDS
 } LibraryKind;
 

@@ -10,7 +10,8 @@ enum {
     LINES = 1u << LIBRARY_CABLES | 1u << LIBRARY_ROPES,
     ROLLERS = 1u << LIBRARY_ROLLERS,
     DUCTS = 1u << LIBRARY_DUCTS,
-    FRICTION = 1u << LIBRARY_FRICTION
+    FRICTION = 1u << LIBRARY_FRICTION,
+    REELS = 1u << LIBRARY_REELS
 };
 
 /* What a key that the case gives takes the place of, beside itself: it says the same in other words. NULL behind the
@@ -43,6 +44,7 @@ static unsigned kinds_of(const CaseNode *map)
     const CaseNode *const p = map->parent;
     if (map->kind != NODE_MAP || !p) return 0;
     if (map->key && (strcmp(map->key, "friction") == 0 || strcmp(map->key, "cable_friction") == 0)) return FRICTION;
+    if (is_under(map, NULL, "reel")) return REELS;
     if (is_under(p, NULL, "cables")) return LINES;
     if (map->key && strcmp(map->key, "rollers") == 0 && is_under(p->parent, "drawing", "layers")) return ROLLERS;
     if (is_under(map, "rollers", "along") || is_under(p, "rollers", "along") || is_under(p, "rollers", "list"))

@@ -1,4 +1,4 @@
-"""The shipped catalogue of cables, ropes, rollers, ducts and friction (docs/library.md), and what a case may hold."""
+"""The shipped catalogue of cables, ropes, rollers, ducts, friction and reels (docs/library.md), and what a case may hold."""
 from __future__ import annotations
 
 import json
@@ -14,7 +14,7 @@ from hawser.errors import c_text, check, taken
 def library(kind: str | None = None, pattern: str | None = None) -> pd.DataFrame:
     """The catalogue's entries with figures, ranges, marks and sources.
 
-    kind:    "cables", "ropes", "rollers", "ducts" or "friction"; None: all
+    kind:    "cables", "ropes", "rollers", "ducts", "friction" or "reels"; None: all
     pattern: of it those whose names hold this text; None: all
     """
     error, text = ffi.new("hawser_error *"), ffi.new("char **")

@@ -404,6 +404,8 @@ TEST(unusual_values_are_questioned)
         {"cables.power.d", "900 mm", "  unusual        diameter of power: 900 mm"},
         {"friction", "{mu: 3}", "  unusual        friction coefficient of friction: 3"},
         {"surfaces", "{ducts: [{name: D, radius: 180 mm}]}", "  unusual        inside diameter over the cable's of"},
+        {"rollers", "{along: {spacing: 2 m, width: 160 mm}}",
+         "  unusual        width less 30 mm over the cable's diameter of R1: 1.444, usually 1.5 to"},
         {"limits.conductor", "{material: copper, area: 9000 mm2}", "  unusual        conductors over the cable's"},
         {"route.pieces.0.straight", "5e5 m", "  unusual        length of the route of route"}};
     static const char text[] = "cables: {power: {d: 90 mm, mass: 10 kg/m}}\nroute: {pieces: [{straight: 500 m}]}\n"

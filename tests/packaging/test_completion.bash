@@ -31,6 +31,6 @@ completes "si us" hawser run --units ""
 completes "pull.yaml" hawser check pu
 completes "results" hawser run -o re
 completes "notes.txt pull.yaml results" hawser route ""
-completes "rollers ropes" hawser library r
+completes "reels rollers ropes" hawser library r
 completes "study" hawser help st
 exit $((failures > 0))
