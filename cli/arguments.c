@@ -485,6 +485,11 @@ static int take_resumed(int argc, char **argv, Arguments *args)
 static int take_case(const Command *command, int argc, char **argv, Arguments *args)
 {
     if (strchr(command->options, '+')) {
+        if (optind < argc && strcmp(argv[optind], "add") == 0) {
+            args->words = argv + optind + 1;
+            args->n_words = argc - optind - 1;
+            return ARGUMENTS_GO_ON;
+        }
         if (optind < argc) args->kind = argv[optind++];
         if (optind < argc) args->filter = argv[optind++];
         if (optind == argc) return ARGUMENTS_GO_ON;

@@ -64,8 +64,8 @@ typedef struct Command {
     const char *name;
     const char *summary; /* a line for the list of commands */
     const char *options; /* the letters of the options it takes, see arguments.c; '-': it takes no case; '+': a kind and
-                            a pattern; '/': a file of routes; '?': a case or none; 'J': a study; '*': words of its own,
-                            one at least */
+                            a pattern, or add and words; '/': a file of routes; '?': a case or none; 'J': a study; '*':
+                            words of its own, one at least */
     const char *help;    /* the text of --help */
     int (*run)(const Arguments *args); /* returns the exit status */
 } Command;

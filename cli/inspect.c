@@ -60,9 +60,14 @@ static const char library_help[] =
     "\n"
     "Lists the catalogue, to which a case refers by 'type: NAME': figures, ranges, marks and sources. KIND is cables,\n"
     "ropes, rollers, ducts, friction or reels; PATTERN a part of the names. docs/library.md says more.\n"
+    "\n"
+    "hawser library add FILE KIND NAME KEY=VALUE ... puts an entry with a data sheet's values into FILE, a catalogue\n"
+    "of your own that a case includes. Values are a case's, as in d=91.5mm mass=15.2kg/m 'conductor={material: "
+    "copper,\n"
+    "area: 800 mm2}'; beside them source, note, mark and range. Nothing is written over.\n"
     "\n" FORMAT "\n"
     "The files are in share/hawser/library beside the program, or where the environment's HAWSER_LIBRARY says.\n"
-    "Exit status: 0 done; 2 there is no such kind or name, or no catalogue.\n";
+    "Exit status: 0 done; 2 there is no such kind, name, key or value, or no catalogue; 4 FILE cannot be written.\n";
 
 static const char schema_help[] = "Usage: hawser schema [options]\n"
                                   "\n"
@@ -203,10 +208,30 @@ static int validate(const Arguments *args)
     return finish_stdout(exit_status(status, &err));
 }
 
+/* Words: file, kind, name, and a value at least. */
+static int library_add(const Arguments *args)
+{
+    char *const *const word = args->words;
+    hawser_error err = {HAWSER_OK, ""};
+    if (args->n_words < 4) {
+        complain(
+            "library add needs a file, a kind, a name and values, as in: hawser library add mine.yaml cables drum-17 "
+            "d=91.5mm mass=15.2kg/m");
+        return EXIT_USAGE;
+    }
+    const hawser_status status =
+        hawser_library_add(word[0], word[1], word[2], args->n_words - 3, (const char *const *)(word + 3), &err);
+    if (!status)
+        tell("%s: '%s' is among its %s; a case takes it with 'include: %s' and 'type: %s'", word[0], word[2], word[1],
+             word[0], word[2]);
+    return finish_stdout(exit_status(status, &err));
+}
+
 static int library(const Arguments *args)
 {
     hawser_error err = {HAWSER_OK, ""};
     char *text = NULL;
+    if (args->words) return library_add(args);
     const hawser_status status = hawser_library(args->kind, args->filter, args->format, &text, &err);
     if (!status) fputs(text, stdout);
     hawser_text_free(text);

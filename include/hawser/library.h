@@ -32,6 +32,14 @@ int hawser_sim_assumptions(const hawser_sim *s, const hawser_assumption **out);
 hawser_status hawser_library(const char *kind, const char *pattern, hawser_format format, char **text,
                              hawser_error *err);
 
+/* Adds an entry to a catalogue of one's own, which is made if it is not there: of one kind, with a name and `n` values
+ * as "KEY=VALUE", keys of a case or `source`, `note`, `mark`, `range`, values as in a case ("91.5 mm", "{material:
+ * copper, area: 800 mm2}"). All else in the file stays as it is; its kind must not stand in brackets. Errors: INPUT (no
+ * such kind, key or value, a name that is taken, a file that is no catalogue), OUTPUT, MEMORY; the file is as before
+ * then. */
+hawser_status hawser_library_add(const char *file, const char *kind, const char *name, int n, const char *const *values,
+                                 hawser_error *err);
+
 /* Where the files are looked for that the case's `include` names; what hawser_case_load has set for a file. A case from
  * hawser_case_parse has no folder, and may include nothing, until it is given one. Errors: MEMORY. */
 hawser_status hawser_case_folder(hawser_case *c, const char *folder, hawser_error *err);

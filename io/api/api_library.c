@@ -143,12 +143,7 @@ hawser_status hawser_library(const char *kind, const char *pattern, hawser_forma
     const unsigned kinds = kinds_asked(kind);
     if (!text) return error_argument(err, "text");
     *text = NULL;
-    if (!kinds) {
-        return error_set(err, HAWSER_ERR_INPUT,
-                         "'%.80s' is no kind of the catalogue: expected cables, ropes, rollers, ducts, friction "
-                         "or reels",
-                         kind);
-    }
+    if (!kinds) return library_kind_error(kind, err);
     Library *const library = library_new();
     Units *const units = units_new();
     hawser_status status = library && units ? library_ship(library, err) : error_memory(err);

@@ -177,6 +177,23 @@ static hawser_status section_read(Library *library, const CaseTree *file, const 
         "unknown key: a file of the catalogue has cables, ropes, rollers, ducts, friction, reels, sources, include");
 }
 
+hawser_status library_kind_error(const char *kind, hawser_error *err)
+{
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "'%.80s' is no kind of the catalogue: expected cables, ropes, rollers, ducts, friction or reels",
+                     kind);
+}
+
+hawser_status library_take(Library *library, CaseTree *file, int shipped, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    library->file[library->n_files++] = file;
+    for (const CaseNode *node = file->root->first; node && !status; node = node->next) {
+        status = section_read(library, file, node, shipped, err);
+    }
+    return status;
+}
+
 hawser_status library_read(Library *library, const char *path, int shipped, CaseTree **out, hawser_error *err)
 {
     CaseTree *file = NULL;
@@ -184,11 +201,7 @@ hawser_status library_read(Library *library, const char *path, int shipped, Case
         return error_set(err, HAWSER_ERR_INPUT, "%s: too many files: at most %d", path, LIBRARY_FILES_MAX);
     }
     hawser_status status = case_tree_load(path, &file, err);
-    if (status) return status;
-    library->file[library->n_files++] = file;
-    for (const CaseNode *node = file->root->first; node && !status; node = node->next) {
-        status = section_read(library, file, node, shipped, err);
-    }
-    if (out) *out = file;
+    if (!status) status = library_take(library, file, shipped, err);
+    if (!status && out) *out = file;
     return status;
 }

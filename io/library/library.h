@@ -18,6 +18,8 @@ typedef enum LibraryKind {
 
 /* The names of the kinds, as sections of the files; NULL behind the last. */
 extern const char *const library_kinds[];
+/* INPUT: what is none of them. */
+hawser_status library_kind_error(const char *kind, hawser_error *err);
 
 typedef struct LibraryEntry {
     LibraryKind kind;
@@ -44,6 +46,8 @@ Library *library_free(Library *library);
 /* Adds a file's entries. Errors: INPUT with file and line (not readable, no YAML, unknown keys, an entry that is no
  * map, a name that another file of the same origin has too, too many), MEMORY. */
 hawser_status library_read(Library *library, const char *path, int shipped, CaseTree **out, hawser_error *err);
+/* The same of a tree that has been read, which is the library's from then on. */
+hawser_status library_take(Library *library, CaseTree *file, int shipped, hawser_error *err);
 /* Adds the files that a case's `include` names, and those that these include, each once. Errors: as above, and INPUT
  * with the file and line of the include: no text, a file that is not there or no file, in a circle, too deep, too
  * large; a case without a folder. */

@@ -76,6 +76,8 @@ static void cases(void)
     REFUSED("c", hawser_fmu_write, NULL, HAWSER_FMI_3, "x");
     REFUSED("path", hawser_fmu_write, c, HAWSER_FMI_3, NULL);
     REFUSED("text", hawser_library, NULL, NULL, HAWSER_JSON, NULL);
+    REFUSED("file", hawser_library_add, NULL, "ducts", "x", 1, (const char *const[]){"radius=1m"});
+    REFUSED("values", hawser_library_add, "x.yaml", "ducts", "x", 1, NULL);
     hawser_case_free(NULL);
     hawser_text_free(NULL);
     assert_true(hawser_version_number() > 0 && *hawser_version());

@@ -20,6 +20,7 @@ import declarations  # noqa: E402
 NOT_WRAPPED = {
     "hawser_desk_write": "a page for people without Python, by the command",
     "hawser_case_upgrade": "a file is rewritten by the command",
+    "hawser_library_add": "a file is extended by the command",
     "hawser_limits_verdict": "hawser_verdict says the same, with the conditions",
     "hawser_verdict_word": "the text of a verdict begins with its word",
     "hawser_case_theory_shown": "what chooses tables for a terminal; Theory has them all",
