@@ -15,7 +15,7 @@ import sys
 NEAR = 0.01
 OF_ALL = " of all"
 LBF, FOOT = 4.4482216152605, 0.3048
-UNITS = {"1": 1, "N": 1, "kN": 1e3, "lbf": LBF, "N/m": 1, "kN/m": 1e3, "lbf/ft": LBF / FOOT, "mm": 1e-3}
+UNITS = {"1": 1, "N": 1, "kN": 1e3, "lbf": LBF, "kgf": 9.80665, "N/m": 1, "kN/m": 1e3, "lbf/ft": LBF / FOOT, "mm": 1e-3}
 HEAD = "| source | case | figure | published | ours | difference | why |\n|---|---|---|---:|---:|---:|---|\n"
 BEGIN, END = "<!-- figures -->\n", "<!-- end -->\n"
 
