@@ -169,6 +169,7 @@ typedef struct SceneDef {
     Vec3 route_origin; /* m, of the case's coordinates: all others here, and those of results, count from it */
     Vec3 route_start;
     double route_heading, route_slope;
+    double route_north; /* rad from x toward y; NAN: not known */
     int slopes_open; /* no radius is given for changes of slope */
     double head_at;  /* m along the route where the cable's front (the eye before the last rope piece) is at t = 0 */
     LeadInDef lead_in;

@@ -82,6 +82,7 @@ typedef struct Survey {
     SurveyMark *mark;
     SurveyIgnored *ignored;
     char system[SURVEY_NAME_MAX]; /* the system of coordinates by the file's own word; empty: not said */
+    int mapped;                   /* y is north by the format: a map, or LandXML */
     char unit[SURVEY_NAME_MAX];   /* which unit of length was taken, and why */
     double drawn_unit;            /* m in it, if a drawing alone says so, or says nothing; else 0 */
 } Survey;

@@ -98,16 +98,16 @@ typedef struct VerticalArc {
     double w, mu, R, k, side;
 } VerticalArc;
 
-/* (T16): the particular solution -k c (2 m sin + (1 - m^2) cos), m = k mu side. */
-static double arc_particular(const VerticalArc *arc, double m, double slope)
+double bend_vertical_particular(double w, double R, double k, double m, double slope)
 {
-    return -arc->k * arc->w * arc->R / (1 + m * m) * (2 * m * sin(slope) + (1 - m * m) * cos(slope));
+    return -k * w * R / (1 + m * m) * (2 * m * sin(slope) + (1 - m * m) * cos(slope));
 }
 
 static double arc_tension(const VerticalArc *arc, double T1, double a, double b)
 {
     const double m = arc->k * arc->mu * arc->side;
-    return arc_particular(arc, m, b) + exp(m * (b - a)) * (T1 - arc_particular(arc, m, a));
+    const double from = bend_vertical_particular(arc->w, arc->R, arc->k, m, a);
+    return bend_vertical_particular(arc->w, arc->R, arc->k, m, b) + exp(m * (b - a)) * (T1 - from);
 }
 
 /* side (T - w R cos(slope)) at slope b: negative where the regime no longer holds. */
@@ -145,16 +145,21 @@ static double sag_side(double T, const VerticalArc *arc, double a)
     return g < 0 ? -1 : 1;
 }
 
-/* A sag goes through at most three regimes: lifted, on the bottom, lifted again. */
-static double sag_tension(VerticalArc arc, double T, double a, double b)
+/* A sag goes through at most three regimes: lifted, on the bottom, lifted again; a crest has one. */
+int bend_vertical_parts(double T1, double w, double mu, double R, double a, double b, VerticalPart part[VERTICAL_PARTS])
 {
-    for (int i = 0; i < 3 && a < b; i++) {
-        arc.side = sag_side(T, &arc, a);
-        const double end = i < 2 ? arc_regime_end(&arc, T, a, b) : b;
-        T = arc_tension(&arc, T, a, end);
+    VerticalArc arc = {.w = w, .mu = mu, .R = R, .k = b > a ? 1 : -1, .side = 1};
+    const int crest = !(b > a);
+    int n = 0;
+    do {
+        if (!crest) arc.side = sag_side(T1, &arc, a);
+        const double end = !crest && n + 1 < VERTICAL_PARTS ? arc_regime_end(&arc, T1, a, b) : b;
+        const double out = arc_tension(&arc, T1, a, end);
+        part[n++] = (VerticalPart){a, end, arc.side, T1, out};
+        T1 = out;
         a = end;
-    }
-    return T;
+    } while (!crest && n < VERTICAL_PARTS && a < b);
+    return n;
 }
 
 hawser_status bend_any_vertical_tension(double T1, double w, double mu, double R, double a, double b, double *T2,
@@ -165,8 +170,9 @@ hawser_status bend_any_vertical_tension(double T1, double w, double mu, double R
         return error_set(err, HAWSER_ERR_INPUT, "the bend goes past the vertical, from %.4g deg to %.4g deg",
                          a * 90 / HALF_PI, b * 90 / HALF_PI);
     }
-    const VerticalArc arc = {.w = w, .mu = mu, .R = R, .k = b > a ? 1 : -1, .side = 1};
-    return give_bend(T1, b > a ? sag_tension(arc, T1, a, b) : arc_tension(&arc, T1, a, b), T2, err);
+    VerticalPart part[VERTICAL_PARTS];
+    const int n = bend_vertical_parts(T1, w, mu, R, a, b, part);
+    return give_bend(T1, part[n - 1].out, T2, err);
 }
 
 hawser_status roller_tension(double T1, double mu, double turn, double *T2, hawser_error *err)
@@ -186,15 +192,20 @@ double roller_load(double T1, double T2, double turn)
     return sqrt((T1 - T2) * (T1 - T2) + 4 * T1 * T2 * half * half);
 }
 
-/* Slopes at both ends of a bend in a vertical plane: the tangent's vertical component, and the side of the
- * centre, say by how much the slope rises. */
-static hawser_status vertical_piece(const RoutePiece *p, int direction, double T1, double w, double mu, double *T2,
-                                    hawser_error *err)
+PieceLie piece_lie(const RoutePiece *piece)
+{
+    if (piece->kind == ROUTE_STRAIGHT) return LIES_STRAIGHT;
+    if (piece->kind != ROUTE_BEND) return LIES_OTHERWISE;
+    if (fabs(piece->tangent.z) < PLANE_TOLERANCE && fabs(piece->centre.z) < PLANE_TOLERANCE) return LIES_LEVEL;
+    return fabs(v3_cross(piece->tangent, piece->centre).z) < PLANE_TOLERANCE ? LIES_UPRIGHT : LIES_OTHERWISE;
+}
+
+void piece_slopes(const RoutePiece *p, int direction, double *a, double *b)
 {
     const double start = atan2(p->tangent.z, hypot(p->tangent.x, p->tangent.y));
     const double end = start + (p->centre.z > 0 ? p->angle : -p->angle);
-    const double a = direction > 0 ? start : -end, b = direction > 0 ? end : -start;
-    return bend_any_vertical_tension(T1, w, mu, p->radius, a, b, T2, err);
+    *a = direction > 0 ? start : -end;
+    *b = direction > 0 ? end : -start;
 }
 
 hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, double w, double mu, int separate,
@@ -208,12 +219,16 @@ hawser_status piece_tension(const RoutePiece *piece, int direction, double T1, d
     if (piece->kind != ROUTE_BEND) {
         return error_set(err, HAWSER_ERR_INPUT, "a %s: no closed form", route_piece_word(piece));
     }
-    const double aside = fabs(v3_cross(piece->tangent, piece->centre).z);
-    if (fabs(piece->tangent.z) < PLANE_TOLERANCE && fabs(piece->centre.z) < PLANE_TOLERANCE) {
+    const PieceLie lie = piece_lie(piece);
+    if (lie == LIES_LEVEL) {
         const double R = piece->radius, turn = piece->angle;
         return separate ? bend_separate_tension(T1, w, mu, R, turn, T2, err)
                         : bend_level_tension(T1, w, mu, R, turn, T2, err);
     }
-    if (aside < PLANE_TOLERANCE) return vertical_piece(piece, direction, T1, w, mu, T2, err);
+    if (lie == LIES_UPRIGHT) {
+        double a, b;
+        piece_slopes(piece, direction, &a, &b);
+        return bend_any_vertical_tension(T1, w, mu, piece->radius, a, b, T2, err);
+    }
     return error_set(err, HAWSER_ERR_INPUT, "the bend is neither level nor in a vertical plane: no closed form");
 }

@@ -33,12 +33,29 @@ hawser_status bend_vertical_tension(VerticalBend kind, double T1, double w, doub
 hawser_status bend_any_vertical_tension(double T1, double w, double mu, double R, double a, double b, double *T2,
                                         hawser_error *err);
 
+/* The same part by part: a sag's normal force changes sign at most twice. Slopes, the side that the cable bears on (1:
+ * the inner one), tensions in and out, with no regard to their signs. Returns how many. */
+enum { VERTICAL_PARTS = 3 };
+typedef struct VerticalPart {
+    double from, to, side, in, out;
+} VerticalPart;
+int bend_vertical_parts(double T1, double w, double mu, double R, double a, double b,
+                        VerticalPart part[VERTICAL_PARTS]);
+/* (T16): the particular solution at a slope, m = k mu side; k = 1 in a sag, -1 over a crest. */
+double bend_vertical_particular(double w, double R, double k, double m, double slope);
+
 /* One roller over which a weightless cable turns by `turn`: T1 (1 + mu tan(turn/2)) / (1 - mu tan(turn/2));
  * refuses where it locks, mu tan(turn/2) >= 1. (T17) */
 hawser_status roller_tension(double T1, double mu, double turn, double *T2, hawser_error *err);
 /* Size of the force on a roller between tensions T1 and T2 that turn by `turn`, N. (T18) */
 double roller_load(double T1, double T2, double turn);
 
+/* How a piece of a route lies: bends level or in a vertical plane have closed forms, other turns have none. */
+typedef enum PieceLie { LIES_STRAIGHT, LIES_LEVEL, LIES_UPRIGHT, LIES_OTHERWISE } PieceLie;
+PieceLie piece_lie(const RoutePiece *piece);
+/* Slopes (rad) at which a bend in a vertical plane is entered and left: the tangent's vertical component, and the side
+ * of the centre, say by how much the slope rises. */
+void piece_slopes(const RoutePiece *piece, int direction, double *a, double *b);
 /* The closed form that fits a piece of a route, pulled toward growing s (direction +1) or back (-1), its supports
  * separate or not. Refuses what has none: bends that are neither level nor in a vertical plane, and those that the
  * functions above refuse. */

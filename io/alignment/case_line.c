@@ -94,6 +94,7 @@ static hawser_status line_find(const CaseReader *r, const CaseNode *node, const 
     if (!status) line_notes_say(&s, line);
     if (!status) status = line_unit_check(&s, line, err);
     if (!status) status = line_use(line, options, used, err);
+    if (!status) used->mapped = s.mapped;
     if (!status) status = found_say(r, node, line, options, used);
     if (!status && *used->sharp && used->sharpest < LEAST_BEND) {
         status = error_set(err, HAWSER_ERR_INPUT, "%s", used->sharp);

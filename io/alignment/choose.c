@@ -208,6 +208,7 @@ hawser_status lines_read(const LinePick *pick, Survey *out, hawser_error *err)
     pieces.mark = NULL;
     pieces.ignored = NULL;
     memcpy(out->system, pieces.system, sizeof out->system);
+    out->mapped = pieces.mapped;
     memcpy(out->unit, pieces.unit, sizeof out->unit);
     out->drawn_unit = pieces.drawn_unit;
     survey_clear(&pieces);

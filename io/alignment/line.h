@@ -58,6 +58,7 @@ typedef struct UsedLine {
     int rounded;                 /* its bends are corners that got a radius */
     char sharp[SURVEY_NAME_MAX]; /* corners without a radius, as wide as the tolerance allows, in words; "": none */
     double sharpest;             /* m, the least radius of those */
+    int mapped;                  /* y is north by the file */
     int fitted;                  /* it is not the file's own elements */
     double deviation; /* m, the largest from the file's line, chains and corners included, in plan or height */
     double rms;       /* m, of the fit */

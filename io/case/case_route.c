@@ -16,7 +16,7 @@ static const double PI = 3.14159265358979323846;
 /* The section without its lists. */
 typedef struct RouteRecord {
     Vec3 start;
-    double heading, slope, head_at, transition, radius, station;
+    double heading, slope, north, head_at, transition, radius, station;
     int spline;
     LineRecord line; /* of a file */
     int reverse;
@@ -35,6 +35,8 @@ static const CaseKey route_keys[] = {
     {"heading", KEY_NUMBER, DIM_ANGLE, .fallback = "0 deg", FROM(DEGREES(-360), DEGREES(360)),
      AT(RouteRecord, heading)},
     {"slope", KEY_NUMBER, DIM_SLOPE, .fallback = "0 deg", FROM(DEGREES(-90), DEGREES(90)), AT(RouteRecord, slope)},
+    {"north", KEY_NUMBER, DIM_ANGLE, .otherwise = "the file's, if its coordinates have one; else not known",
+     FROM(DEGREES(-360), DEGREES(360)), AT(RouteRecord, north)},
     {"head_at", KEY_NUMBER, DIM_LENGTH, .otherwise = "the route's end", FROM(0, LONG), AT(RouteRecord, head_at)},
     {"transition_radius", KEY_NUMBER, DIM_LENGTH,
      .otherwise = "`limits.bend_radius`, else 20 times the largest diameter", ABOVE(0, LONG),
@@ -470,6 +472,7 @@ static hawser_status file_line(CaseReader *r, const CaseNode *node, const RouteR
         status = line_route(&used, &options, r->def->route_origin, out, &why);
         if (status) status = case_key_cause(r->err, node, "file", in->line.file, &why);
     }
+    r->def->route_north = used.mapped ? PI / 2 : NAN;
     r->route_station = used.line.station;
     r->stations = in->reverse ? -1 : 1;
     line_clear(&used);
@@ -581,6 +584,7 @@ static hawser_status head_check(const CaseReader *r, const CaseNode *node)
 hawser_status case_route_read(CaseReader *r, const CaseNode *node)
 {
     SceneDef *const def = r->def;
+    def->route_north = NAN;
     if (def->rod.present) return HAWSER_OK;
     if (!node) return case_key_error(r->err, r->root, "route", "missing: give it, or a 'rod'");
     RouteRecord in = {.start = V3_ZERO};
@@ -596,6 +600,7 @@ hawser_status case_route_read(CaseReader *r, const CaseNode *node)
     def->route_heading = line.heading;
     def->route_slope = line.slope;
     def->head_at = in.head_at;
+    if (!isnan(in.north)) def->route_north = in.north;
     status = route_build(&r->route, def->n_route, def->route, def->route_start, def->route_heading, def->route_slope,
                          r->err);
     if (!status && !case_node_key(r->root, "chain")) def->pieces[0].length = r->route.length;

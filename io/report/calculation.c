@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "io/report/svg.h"
+#include "theory/closed_form.h"
 
 /* Figures are as wide as the page but for the margins; more bends than BENDS_NAMED have no words beside them. */
 enum { WIDTH = 960, LEFT = 92, RIGHT = 24, TOP = 66, BELOW = 52, PLAN_MOST = 420, PROFILE = 150, FIGURE = 240 };
@@ -174,6 +175,9 @@ static void plan_draw(const Calculation *page, const Along *a, Text *out)
     svg_arrow(&svg, &x, &y, a->x[m], a->y[m], a->x[m + 1] - a->x[m], a->y[m + 1] - a->y[m], SVG_FIRST);
     svg_words(&svg, axis_pixel(&x, a->x[0]) + 8, axis_pixel(&y, a->y[0]) - 8, "start");
     svg_words(&svg, axis_pixel(&x, a->x[a->n - 1]) + 8, axis_pixel(&y, a->y[a->n - 1]) - 8, "end");
+    svg_scale(&svg, &x, WIDTH - RIGHT - 70, 42, a->metres.unit);
+    const double north = page->setup->def->route_north;
+    if (!isnan(north)) svg_north(&svg, WIDTH - RIGHT - 28, 32, north, "N");
     svg_into(&svg, out);
 }
 
@@ -302,69 +306,207 @@ static void ducts_write(const Calculation *page, Text *out)
 
 /* ----------------------------------------------------------------------------------------------------- by hand */
 
-/* The piece of that kind whose tension grows most and that its closed form fits; -1: there is none. */
-static int piece_shown(const Calculator *c, RoutePieceKind kind)
+/* How a piece is worked out: by the law of its kind, or by steps where it has none. */
+typedef enum Hand { HAND_STRAIGHT, HAND_BEND, HAND_STEPS, HANDS } Hand;
+
+/* The one span of a piece pulled forward; NULL: friction, weight or a push changes on it. */
+static const PullSpan *span_whole(const Calculator *c, int p)
 {
-    int most = -1;
-    for (int p = 0; p < c->plan.n; ++p) {
-        const PlanPiece *const piece = c->plan.way[PLAN_FORWARD].piece;
-        const RoutePiece *const on = &c->route->piece[p];
-        const int level = fabs(on->tangent.z) < 1e-9 && fabs(on->centre.z) < 1e-9;
-        if (on->kind != kind || (kind == ROUTE_BEND && !level)) continue;
-        if (!(fabs(piece[p].closed - piece[p].t_out) <= 1e-6 * fabs(piece[p].t_out) + 1e-6)) continue;
-        if (most < 0 || piece[p].t_out - piece[p].t_in > piece[most].t_out - piece[most].t_in) most = p;
+    const Pull *const pull = &c->plan.way[PLAN_FORWARD].pull;
+    const double length = c->route->piece[p].length;
+    for (int i = 0; i < pull->n; ++i)
+        if (pull->span[i].piece == p && fabs(fabs(pull->span[i].s1 - pull->span[i].s0) - length) <= 1e-9 * length)
+            return &pull->span[i];
+    return NULL;
+}
+
+/* Force per length on the support as the page has it: tension and weight toward the centre, weight across. */
+static double hand_normal(const PullSpan *span, double s, double T)
+{
+    const SpanFrame f = span_frame(&span->law.line, s);
+    return hypot(T * f.curvature - span->law.weight * f.nz, span->law.weight * f.bz);
+}
+
+/* One place of a step. */
+typedef struct HandRow {
+    double s, T, N, rate;
+    SpanFrame frame;
+} HandRow;
+enum { STEPS_MOST = 4, ROWS_STEP = 4 };
+
+/* (T5) by n steps of Runge and Kutta's fourth order; row [ROWS_STEP n]. Returns the tension at the end. */
+static double hand_steps(const PullSpan *span, int n, HandRow *row)
+{
+    const double h = (span->s1 - span->s0) / n;
+    double T = span->t0;
+    for (int i = 0; i < n; ++i) {
+        static const double part[ROWS_STEP] = {0, 0.5, 0.5, 1}, weight[ROWS_STEP] = {1, 2, 2, 1};
+        double rate = 0, sum = 0;
+        for (int k = 0; k < ROWS_STEP; ++k, ++row) {
+            row->s = span->s0 + (i + part[k]) * h;
+            row->T = T + part[k] * h * rate;
+            row->frame = span_frame(&span->law.line, row->s);
+            row->N = hand_normal(span, row->s, row->T);
+            rate = row->rate = span->law.mu * row->N + span->law.weight * row->frame.tz;
+            sum += weight[k] * rate;
+        }
+        T += h / 6 * sum;
     }
+    return T;
+}
+
+/* Steps that come to what the integration has, to a thousandth; 0: so few do not. */
+static int hand_enough(const PullSpan *span)
+{
+    HandRow row[ROWS_STEP * STEPS_MOST];
+    for (int n = 1; n <= STEPS_MOST; n *= 2)
+        if (fabs(hand_steps(span, n, row) - span->t1) <= 1e-3 * fabs(span->t1)) return n;
+    return 0;
+}
+
+/* Whether a piece can be worked out so. */
+static int is_by(const Calculator *c, int p, Hand hand)
+{
+    const PlanPiece *const piece = &c->plan.way[PLAN_FORWARD].piece[p];
+    const RoutePiece *const on = &c->route->piece[p];
+    const PullSpan *const span = span_whole(c, p);
+    const PieceLie lie = piece_lie(on);
+    if (!span || (lie == LIES_STRAIGHT) != (hand == HAND_STRAIGHT) || (lie == LIES_OTHERWISE) != (hand == HAND_STEPS))
+        return 0;
+    if (hand != HAND_STEPS) return fabs(piece->closed - span->t1) <= 1e-6 * fabs(span->t1) + 1e-6;
+    const double N = span_normal(&span->law, span->s0, span->t0);
+    return !(span->law.lightest > 0) && fabs(N - hand_normal(span, span->s0, span->t0)) <= 1e-9 * N &&
+           hand_enough(span);
+}
+
+/* That of them whose tension grows most; -1: there is none. */
+static int piece_shown(const Calculator *c, Hand hand)
+{
+    const PlanPiece *const piece = c->plan.way[PLAN_FORWARD].piece;
+    int most = -1;
+    for (int p = 0; p < c->plan.n; ++p)
+        if (is_by(c, p, hand) && (most < 0 || piece[p].t_out - piece[p].t_in > piece[most].t_out - piece[most].t_in))
+            most = p;
     return most;
 }
 
+static void hand_straight(const RoutePiece *on, double T, double w, double mu, Text *out)
+{
+    const double slope = asin(fmax(-1, fmin(1, on->tangent.z)));
+    text_print(
+        out,
+        ", L = %.3f m, \xCE\xB1 = %.3f\xC2\xB0<br>T<sub>2</sub> = T<sub>1</sub> + w L (\xCE\xBC cos \xCE\xB1 + sin "
+        "\xCE\xB1) = %.1f + %.3f \xC3\x97 %.3f \xC3\x97 (%.4g \xC3\x97 %.5f + %.5f) = <b>%.1f N</b>",
+        on->length, slope * DEGREES, T, w, on->length, mu, cos(slope), sin(slope),
+        slope_tension(T, w, mu, on->length, slope));
+}
+
+static void hand_level(const RoutePiece *on, double T, double w, double mu, int separate, Text *out)
+{
+    const double R = on->radius, turn = on->angle;
+    text_print(out, ", R = %.3f m, \xCE\xB8 = %.3f\xC2\xB0 = %.5f<br>", R, turn * DEGREES, turn);
+    if (separate)
+        text_print(out,
+                   "weight and turning force on supports of their own: T<sub>2</sub> = (T<sub>1</sub> + w R) "
+                   "e<sup>\xCE\xBC\xCE\xB8</sup> \xE2\x88\x92 w R = (%.1f + %.1f) \xC3\x97 %.5f \xE2\x88\x92 %.1f = "
+                   "<b>%.1f N</b>",
+                   T, w * R, exp(mu * turn), w * R, (T + w * R) * exp(mu * turn) - w * R);
+    else
+        text_print(out,
+                   "T<sub>2</sub> = T<sub>1</sub> cosh \xCE\xBC\xCE\xB8 + \xE2\x88\x9A(T<sub>1</sub>\xC2\xB2 + (w "
+                   "R)\xC2\xB2) sinh "
+                   "\xCE\xBC\xCE\xB8 = %.1f \xC3\x97 %.5f + \xE2\x88\x9A(%.1f\xC2\xB2 + %.1f\xC2\xB2) \xC3\x97 %.5f = "
+                   "<b>%.1f N</b>",
+                   T, cosh(mu * turn), T, w * R, sinh(mu * turn),
+                   T * cosh(mu * turn) + hypot(T, w * R) * sinh(mu * turn));
+}
+
+/* (T16) part by part: in a sag the cable may lift off and come down again. */
+static void hand_upright(const RoutePiece *on, double T, double w, double mu, Text *out)
+{
+    VerticalPart part[VERTICAL_PARTS];
+    double a, b;
+    piece_slopes(on, 1, &a, &b);
+    const int n = bend_vertical_parts(T, w, mu, on->radius, a, b, part);
+    const double k = b > a ? 1 : -1, c = w * on->radius / (1 + mu * mu);
+    text_print(
+        out,
+        ", R = %.3f m, \xCF\x86<sub>1</sub> = %.3f\xC2\xB0, \xCF\x86<sub>2</sub> = %.3f\xC2\xB0<br>T<sub>2</sub> = "
+        "P(\xCF\x86<sub>2</sub>) + (T<sub>1</sub> \xE2\x88\x92 P(\xCF\x86<sub>1</sub>)) e<sup>m(\xCF\x86<sub>2</sub> "
+        "\xE2\x88\x92 \xCF\x86<sub>1</sub>)</sup>, P(\xCF\x86) = %s w R / (1 + m\xC2\xB2) \xC3\x97 (2 m sin \xCF\x86 + "
+        "(1 "
+        "\xE2\x88\x92 m\xC2\xB2) cos \xCF\x86), w R / (1 + m\xC2\xB2) = %.2f",
+        on->radius, a * DEGREES, b * DEGREES, k > 0 ? "\xE2\x88\x92" : "", c);
+    for (int i = 0; i < n; ++i) {
+        const double m = k * mu * part[i].side, P1 = bend_vertical_particular(w, on->radius, k, m, part[i].from),
+                     P2 = bend_vertical_particular(w, on->radius, k, m, part[i].to);
+        text_add(out, "<br>");
+        text_add(out, k < 0              ? "over the crest"
+                      : part[i].side > 0 ? "in the sag, on the inner side"
+                                         : "in the sag, on the bottom");
+        text_print(out,
+                   ", m = %.4g, %.3f\xC2\xB0 \xE2\x80\xA6 %.3f\xC2\xB0: T<sub>2</sub> = %.2f + (%.2f \xE2\x88\x92 "
+                   "(%.2f)) \xC3\x97 "
+                   "%.5f = <b>%.1f N</b>",
+                   m, part[i].from * DEGREES, part[i].to * DEGREES, P2, part[i].in, P1,
+                   exp(m * (part[i].to - part[i].from)), part[i].out);
+    }
+}
+
+/* What has no closed form, by steps that a pocket calculator can follow. */
+static void hand_by_steps(const PullSpan *span, Text *out)
+{
+    HandRow row[ROWS_STEP * STEPS_MOST];
+    const int n = hand_enough(span);
+    const double h = (span->s1 - span->s0) / n, last = hand_steps(span, n, row);
+    text_print(
+        out,
+        ", L = %.3f m<br>dT/ds = \xCE\xBC N + w t<sub>z</sub>, N = \xE2\x88\x9A((T \xCE\xBA \xE2\x88\x92 w "
+        "n<sub>z</sub>)\xC2\xB2 + (w b<sub>z</sub>)\xC2\xB2), h = L / %d = %.4f m; k<sub>1</sub> \xE2\x80\xA6 "
+        "k<sub>4</sub> = dT/ds, T<sub>2</sub> = T<sub>1</sub> + h/6 (k<sub>1</sub> + 2 k<sub>2</sub> + 2 k<sub>3</sub> "
+        "+ k<sub>4</sub>)</p>\n<div class=\"wide\"><table class=\"steps\"><thead><tr><th>s<br><small>m</small></th><th>"
+        "T<br><small>N</small></th><th>\xCE\xBA<br><small>1/m</small></th><th>t<sub>z</sub></th><th>n<sub>z</sub></th>"
+        "<th>b<sub>z</sub></th><th>N<br><small>N/m</small></th><th>dT/ds<br><small>N/m</small></th></tr></"
+        "thead><tbody>\n",
+        span->s1 - span->s0, n, h);
+    for (int i = 0; i < ROWS_STEP * n; ++i)
+        text_print(out,
+                   "<tr><td>%.3f</td><td>%.1f</td><td>%.5f</td><td>%.5f</td><td>%.5f</td><td>%.5f</td><td>%.2f</td><td>"
+                   "%.2f</td></tr>\n",
+                   row[i].s, row[i].T, row[i].frame.curvature, row[i].frame.tz, row[i].frame.nz, row[i].frame.bz,
+                   row[i].N, row[i].rate);
+    text_print(out, "</tbody></table></div>\n<p>T<sub>2</sub> = <b>%.1f N</b>", last);
+}
+
 /* In SI, so that a pocket calculator does. */
-static void hand_piece(const Calculation *page, int p, Text *out)
+static void hand_piece(const Calculation *page, int p, Hand hand, Text *out)
 {
     const RoutePiece *const on = &page->c->route->piece[p];
-    const PlanPiece *const piece = &page->c->plan.way[PLAN_FORWARD].piece[p];
-    const PullStretch *const at = stretch_at(page->c->def.n_stretches, page->c->def.stretch, on->s0 + on->length / 2);
-    const double T = piece->t_in, w = at->weight, mu = at->mu, R = on->radius, turn = on->angle,
-                 slope = asin(fmax(-1, fmin(1, on->tangent.z)));
+    const PullSpan *const span = span_whole(page->c, p);
+    const double T = span->t0, w = span->law.weight, mu = span->law.mu;
     text_words(out, "<p><b>", on->name, "</b>");
     text_print(out, ", from %.2f m on: T<sub>1</sub> = %.1f N, w = %.3f N/m, \xCE\xBC = %.4g", on->s0, T, w, mu);
-    if (on->kind == ROUTE_STRAIGHT)
-        text_print(out,
-                   ", L = %.3f m, slope \xCE\xB1 = %.3f\xC2\xB0<br>T<sub>2</sub> = T<sub>1</sub> + w L (\xCE\xBC cos "
-                   "\xCE\xB1 + sin "
-                   "\xCE\xB1) = %.1f + %.3f \xC3\x97 %.3f \xC3\x97 (%.4g \xC3\x97 %.5f + %.5f) = <b>%.1f N</b>",
-                   on->length, slope * DEGREES, T, w, on->length, mu, cos(slope), sin(slope),
-                   T + w * on->length * (mu * cos(slope) + sin(slope)));
-    else if (at->separate)
-        text_print(out,
-                   ", R = %.3f m, \xCE\xB8 = %.3f\xC2\xB0 = %.5f<br>weight and turning force on supports of their own: "
-                   "T<sub>2</sub> = (T<sub>1</sub> + w R) e<sup>\xCE\xBC\xCE\xB8</sup> \xE2\x88\x92 w R = (%.1f + "
-                   "%.1f) \xC3\x97 %.5f "
-                   "\xE2\x88\x92 %.1f = <b>%.1f N</b>",
-                   R, turn * DEGREES, turn, T, w * R, exp(mu * turn), w * R, (T + w * R) * exp(mu * turn) - w * R);
-    else
-        text_print(
-            out,
-            ", R = %.3f m, \xCE\xB8 = %.3f\xC2\xB0 = %.5f<br>T<sub>2</sub> = T<sub>1</sub> cosh \xCE\xBC\xCE\xB8 + "
-            "\xE2\x88\x9A(T<sub>1</sub>\xC2\xB2 + (w R)\xC2\xB2) sinh \xCE\xBC\xCE\xB8 = %.1f \xC3\x97 %.5f + "
-            "\xE2\x88\x9A(%.1f\xC2\xB2 + %.1f\xC2\xB2) \xC3\x97 %.5f = <b>%.1f N</b>",
-            R, turn * DEGREES, turn, T, cosh(mu * turn), T, w * R, sinh(mu * turn),
-            T * cosh(mu * turn) + hypot(T, w * R) * sinh(mu * turn));
-    text_print(out, "; the table of pieces has %.1f N", piece->t_out);
-    if (R > 0 && on->kind != ROUTE_STRAIGHT)
-        text_print(out, "<br>T/R = %.1f / %.3f = %.1f N/m%s", piece->t_out, R, piece->t_out / R,
+    if (hand == HAND_STRAIGHT) hand_straight(on, T, w, mu, out);
+    if (hand == HAND_BEND && piece_lie(on) == LIES_LEVEL) hand_level(on, T, w, mu, span->law.separate, out);
+    if (hand == HAND_BEND && piece_lie(on) == LIES_UPRIGHT) hand_upright(on, T, w, mu, out);
+    if (hand == HAND_STEPS) hand_by_steps(span, out);
+    text_print(out, "; the table of pieces has %.1f N", span->t1);
+    if (on->radius > 0 && hand != HAND_STRAIGHT)
+        text_print(out, "<br>T/R = %.1f / %.3f = %.1f N/m%s", span->t1, on->radius, span->t1 / on->radius,
                    page->c->cables > 1 ? " of all cables together" : "");
     text_add(out, "</p>\n");
 }
 
 static void hand_write(const Calculation *page, Text *out)
 {
-    const int straight = piece_shown(page->c, ROUTE_STRAIGHT), bend = piece_shown(page->c, ROUTE_BEND);
-    if (straight < 0 && bend < 0) return;
+    int shown[HANDS], any = 0;
+    for (int hand = 0; hand < HANDS; ++hand) any |= (shown[hand] = piece_shown(page->c, (Hand)hand)) >= 0;
+    if (!any) return;
     text_add(out,
              "<h2>To be followed by hand</h2>\n<p>Pulled forward at speed, of all cables together; the weight of a "
              "bundle is in w, its weight correction in \xCE\xBC.</p>\n");
-    if (straight >= 0) hand_piece(page, straight, out);
-    if (bend >= 0) hand_piece(page, bend, out);
+    for (int hand = 0; hand < HANDS; ++hand)
+        if (shown[hand] >= 0) hand_piece(page, shown[hand], (Hand)hand, out);
 }
 
 void calculation_body(const Calculation *page, Text *out)

@@ -214,6 +214,30 @@ void svg_arrow(Svg *svg, const Axis *x, const Axis *y, double u, double v, doubl
                px - back * tx + aside * ty, py - back * ty - aside * tx);
 }
 
+void svg_scale(Svg *svg, const Axis *x, double right, double y, const char *unit)
+{
+    const double length = round_step(x->to - x->from, 5), left = right - length * x->length / (x->to - x->from);
+    text_print(&svg->out,
+               "<path class=\"edge\" d=\"M%.1f %.1fv8m0 -4H%.1fm0 -4v8\"/>\n<text class=\"small\" x=\"%.1f\" "
+               "y=\"%.1f\" text-anchor=\"middle\">%g ",
+               left, y - 4, right, (left + right) / 2, y - 6, length);
+    text_html(&svg->out, unit, 20);
+    text_add(&svg->out, "</text>\n");
+}
+
+void svg_north(Svg *svg, double x, double y, double angle, const char *word)
+{
+    const double size = 17, tx = cos(angle), ty = -sin(angle), tip = 0.35 * size; /* pixels count down */
+    text_print(&svg->out,
+               "<path class=\"edge\" d=\"M%.1f %.1fL%.1f %.1f\"/><path class=\"grey\" d=\"M%.1f %.1fL%.1f "
+               "%.1fL%.1f %.1fz\"/><text class=\"small\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">",
+               x - size * tx, y - size * ty, x + size * tx, y + size * ty, x + size * tx, y + size * ty,
+               x + tip * tx - 5 * ty, y + tip * ty + 5 * tx, x + tip * tx + 5 * ty, y + tip * ty - 5 * tx,
+               x - (size + 9) * tx, y - (size + 9) * ty + 4);
+    text_html(&svg->out, word, 20);
+    text_add(&svg->out, "</text>\n");
+}
+
 void svg_bars(Svg *svg, const Axis *x, const Axis *y, int n, const double *xs, const double *ys, double width,
               double shift, SvgStyle style)
 {

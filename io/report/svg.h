@@ -54,6 +54,11 @@ void svg_marks(Svg *svg, const Axis *x, const Axis *y, int n, const double *xs, 
 void svg_words(Svg *svg, double x, double y, const char *words);
 /* An arrow's head at a point, which shows where (dx, dy) goes; nothing of no length. */
 void svg_arrow(Svg *svg, const Axis *x, const Axis *y, double u, double v, double dx, double dy, SvgStyle style);
+/* A bar of a round length of the axis, about a fifth of it, that ends at `right`, with its length above it. */
+void svg_scale(Svg *svg, const Axis *x, double right, double y, const char *unit);
+/* An arrow about a place in pixels that points to north, `angle` (rad) from x toward y, with its word in the middle of
+ * its foot. */
+void svg_north(Svg *svg, double x, double y, double angle, const char *word);
 /* Bars from 0, `width` in pixels, moved aside by `shift`. */
 void svg_bars(Svg *svg, const Axis *x, const Axis *y, int n, const double *xs, const double *ys, double width,
               double shift, SvgStyle style);

@@ -467,6 +467,8 @@ static void begin(void *data, const char *name, const char **attributes)
     if (r->skipped || r->status) return;
     if (r->depth == 1 && strcmp(name, "LandXML")) {
         FAIL(r, "the outermost element is <%.40s>: expected <LandXML>", name);
+    } else if (r->depth == 1) {
+        r->in->out->mapped = 1;
     } else if (!strcmp(name, "Metric") || !strcmp(name, "Imperial")) {
         units_read(r, attributes);
     } else if (!strcmp(name, "CoordinateSystem")) {

@@ -99,6 +99,7 @@ hawser_status map_unit(MapPlaces *p)
 
 hawser_status map_place(MapPlaces *p, double longitude, double latitude, double height, Vec3 *at)
 {
+    p->in->out->mapped = !p->plain || *p->in->out->system;
     *at = v3(longitude, latitude, isnan(height) ? 0 : height);
     if (!isfinite(longitude + latitude) || isinf(height)) return input_error(p->in, "a place without two numbers");
     if (p->plain) {
