@@ -15,6 +15,7 @@
 #include "def/cable_def.h"
 #include "def/command_def.h"
 #include "def/flight_def.h"
+#include "def/language.h"
 #include "def/friction_known.h"
 #include "def/output_def.h"
 #include "def/reel_def.h"
@@ -148,6 +149,7 @@ typedef struct JamDef {
 
 /* What stands in the head and the foot of a calculation that is handed on. */
 typedef struct JobDef {
+    Language language;
     char client[96], project[96], drawing[64], author[64], checker[64], revision[32], date[32];
 } JobDef;
 

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "io/results/words.h"
 #include "theory/cannot.h"
 
 enum { OPEN_MAX = 400, INDENT = 17, WIDE_ENOUGH = 40 };
@@ -15,6 +16,18 @@ static void add(Answer *a, const char *text, int n)
 {
     const int written = snprintf(a->text + a->used, a->size - a->used, "%.*s", n, text);
     a->used += (size_t)written < a->size - a->used ? (size_t)written : a->size - a->used - 1;
+}
+
+/* A sentence of a page, in its language. */
+static void add_page_line(Answer *a, const char *word, const char *sentence)
+{
+    char said[WORDS_MAX], shown[WORDS_MAX];
+    const char *const first = words_in(a->language, word, said);
+    add(a, first, (int)strlen(first));
+    add(a, "\t", 1);
+    const char *const rest = hawser_show_text(words_in(a->language, sentence, said), a->units, shown, sizeof shown);
+    add(a, rest, (int)strlen(rest));
+    add(a, "\n", 1);
 }
 
 /* Adds a sentence that begins at column `at`, in the reader's units, cut at blanks into lines that begin at `indent`.
@@ -45,12 +58,22 @@ void answer_line(Answer *a, const char *word, const char *format, ...)
     va_start(args, format);
     vsnprintf(sentence, sizeof sentence, format, args);
     va_end(args);
+    if (a->page) {
+        add_page_line(a, word, sentence);
+        return;
+    }
     const int at = snprintf(first, sizeof first, "  %-14s ", word);
     add(a, first, at);
     add_sentence(a, sentence, at, INDENT);
 }
 
-void answer_verdict(Answer *a, const char *verdict) { add_sentence(a, verdict, 0, 2); }
+void answer_verdict(Answer *a, const char *verdict)
+{
+    if (a->page)
+        add_page_line(a, "", verdict);
+    else
+        add_sentence(a, verdict, 0, 2);
+}
 
 void answer_assumed(Answer *a, const Setup *setup, int n)
 {

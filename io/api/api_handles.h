@@ -149,6 +149,8 @@ typedef struct Answer {
     hawser_units units; /* of what is said; what is still in SI is turned into them */
     int width;          /* of a line, at most; 0: ANSWER_WIDTH */
     int brief;          /* as short as can be */
+    int page;           /* of a page: each line whole, in `language`, its word before a tab */
+    Language language;
 } Answer;
 enum { ANSWER_WIDTH = 118, TERMINAL_WIDTH = 80 };
 

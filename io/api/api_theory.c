@@ -693,7 +693,7 @@ hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **te
 
 /* A piece of the route, for the page alone. */
 typedef struct PieceLine {
-    const char *name;
+    const char *name, *turns;
     double from, to, radius, angle, slope, mu, mu_rest; /* m, m, m, degrees, degrees, 1, 1 */
     struct {
         double in, out, rest, sidewall;
@@ -711,13 +711,27 @@ static const Column line_column[] = {
     {COLUMN("name", TEXT, PieceLine, name), .label = "piece"},
     {COLUMN("from_m", NUMBER, PieceLine, from), .label = "from, m", .decimals = 2},
     {COLUMN("to_m", NUMBER, PieceLine, to), .label = "to, m", .decimals = 2},
-    {COLUMN("angle_deg", NUMBER, PieceLine, angle), .label = "angle, deg", .decimals = 1},
+    {COLUMN("angle_deg", NUMBER, PieceLine, angle), .label = "angle, deg", .decimals = 2},
     {COLUMN("radius_m", NUMBER, PieceLine, radius), .label = "R, m", .decimals = 2},
-    {COLUMN("slope_deg", NUMBER, PieceLine, slope), .label = "slope, deg", .decimals = 1},
+    {COLUMN("turns", TEXT, PieceLine, turns), .label = "turns"},
+    {COLUMN("slope_deg", NUMBER, PieceLine, slope), .label = "slope, deg", .decimals = 2},
     {COLUMN("mu", NUMBER, PieceLine, mu), .label = "friction", .decimals = 3},
     {COLUMN("mu_rest", NUMBER, PieceLine, mu_rest), .label = "at rest", .decimals = 3},
     WAY_COLUMNS("forward", "forward", PLAN_FORWARD),
     WAY_COLUMNS("back", "back", PLAN_BACKWARD)};
+
+/* Which way a piece turns, by its middle; "" for straights. */
+static const char *turn_of(const Route *route, const RoutePiece *piece)
+{
+    static const char *const words[3][3] = {
+        {"right, down", "down", "left, down"}, {"right", "", "left"}, {"right, up", "up", "left, up"}};
+    const double s = piece->s0 + piece->length / 2;
+    const RoutePoint at = route_at(route, s);
+    const Vec3 left = route_left(route, s), up = v3_cross(at.tangent, left);
+    const double aside = v3_dot(at.curvature, left), rise = v3_dot(at.curvature, up), most = 1e-6 * hypot(aside, rise);
+    if (piece->kind == ROUTE_STRAIGHT) return "";
+    return words[1 + (rise > most) - (rise < -most)][1 + (aside > most) - (aside < -most)];
+}
 
 /* line [pieces], of one way. Errors: as plan_pull. */
 static hawser_status lines_fill(const Theory *t, int way, PieceLine *line, hawser_error *err)
@@ -732,6 +746,7 @@ static hawser_status lines_fill(const Theory *t, int way, PieceLine *line, hawse
         const PullStretch *const at = stretch_at(c->def.n_stretches, c->def.stretch, piece->s0 + piece->length / 2);
         const int bend = piece->kind != ROUTE_STRAIGHT;
         line->name = piece->name;
+        line->turns = turn_of(c->route, piece);
         line->from = piece->s0;
         line->to = piece->s0 + piece->length;
         line->radius = bend ? piece->radius : NAN;
@@ -784,7 +799,9 @@ static hawser_status body_write(Theory *t, const hawser_case *c, int way, hawser
     fill_places(t);
     few_places(t);
     page_make(t, title_of(c), 0, &page);
-    Answer answer = {t->answer, sizeof t->answer, 0, units, 0, 0};
+    page.doc.language = c->def->job.language;
+    const Language language = c->def->job.language;
+    Answer answer = {.text = t->answer, .size = sizeof t->answer, .units = units, .page = 1, .language = language};
     answer_theory(&answer, &t->setup, &t->calculator, &t->inverse, t->verdict);
     const int pieces = t->calculator.plan.n;
     PieceLine *const line = calloc((size_t)pieces + 1, sizeof *line);
@@ -804,7 +821,8 @@ static hawser_status body_write(Theory *t, const hawser_case *c, int way, hawser
                                .more = more,
                                .setup = &t->setup,
                                .c = &t->calculator,
-                               .units = units};
+                               .units = units,
+                               .language = language};
     if (!status) calculation_body(&sheet, out);
     free(line);
     free(tables);

@@ -15,6 +15,8 @@ static const char *const passes_choices[] = {"auto", "1", "2", "3", NULL};
 static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
 static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
 
+static const char *const languages[] = {"en", "zh", "de", NULL};
+
 /* Whose calculation it is. */
 static const CaseKey job_keys[] = {
     {"client", KEY_TEXT, .fallback = "", AT(JobDef, client)},
@@ -24,6 +26,7 @@ static const CaseKey job_keys[] = {
     {"checker", KEY_TEXT, .fallback = "", AT(JobDef, checker)},
     {"revision", KEY_TEXT, .fallback = "", AT(JobDef, revision)},
     {"date", KEY_TEXT, .fallback = "", AT(JobDef, date)},
+    {"language", KEY_CHOICE, .fallback = "en", .choices = languages, AT(JobDef, language)},
 };
 static SECTION(case_job, "job", job_keys);
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "io/report/svg.h"
+#include "io/results/words.h"
 #include "theory/closed_form.h"
 
 /* Figures are as wide as the page but for the margins; more bends than BENDS_NAMED have no words beside them. */
@@ -26,7 +27,7 @@ static const char style[] =
     "max-content auto;gap:2px 16px;margin:6px 0}dt{opacity:.75}dd{margin:0}.verdict{font-size:17px;font-weight:600;"
     "padding:8px 12px;border-left:6px solid #8b949e;background:#8b949e22}.safe{border-color:#1a7f37}.safe_if{"
     "border-color:#9a6700}.not_safe,.not_trusted{border-color:#cf222e}.job{margin:2px 0 "
-    "12px}.ducts{display:flex;gap:24px;"
+    "12px}.answer dt{font-weight:600}.ducts{display:flex;gap:24px;"
     "flex-wrap:wrap}@media print{body{max-width:none;margin:0;font-size:11px}table{font-size:9.5px}th,td{padding:1px "
     "4px}.wide{overflow:visible}pre{font-size:9.5px}details{display:none}}@page{size:A4;margin:16mm 14mm 18mm;";
 
@@ -37,6 +38,13 @@ static void css_add(Text *out, const char *words)
     for (const char *at = words; *at; ++at)
         if (!strchr("\"\\<>\n\r", *at)) text_bytes(out, at, 1);
     text_add(out, "\"");
+}
+
+/* A text of the program's in the page's language, between two pieces of the page. */
+static void say(Text *out, Language language, const char *before, const char *english, const char *after)
+{
+    char words[WORDS_MAX];
+    text_words(out, before, words_in(language, english, words), after);
 }
 
 /* ------------------------------------------------------------------------------------------------------------- head */
@@ -51,7 +59,9 @@ static const struct {
 
 void calculation_head(const JobDef *job, const char *kind, const char *title, const char *file, Text *out)
 {
-    text_add(out, "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta http-equiv="
+    char heading[WORDS_MAX];
+    text_print(out, "<!doctype html>\n<html lang=\"%s\">", language_tags[job->language]);
+    text_add(out, "<head><meta charset=\"utf-8\">\n<meta http-equiv="
                   "\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n<meta name="
                   "\"color-scheme\" content=\"light dark\">\n<style>");
     text_add(out, style);
@@ -63,37 +73,46 @@ void calculation_head(const JobDef *job, const char *kind, const char *title, co
     css_add(out, job->client);
     text_add(out,
              "}@bottom-right{font:9px system-ui,sans-serif;content:counter(page) \" / \" counter(pages)}}</style>\n");
-    text_words(out, "<title>", kind, ": ");
+    const char *const what = words_in(job->language, kind, heading);
+    text_words(out, "<title>", what, ": ");
     text_words(out, "", title, "</title></head><body>\n");
-    text_words(out, "<h1>", kind, ": ");
+    text_words(out, "<h1>", what, ": ");
     text_words(out, "", title, "</h1>\n<dl class=\"job\">\n");
     for (size_t k = 0; k < sizeof job_rows / sizeof *job_rows; ++k) {
         const char *const value = (const char *)job + job_rows[k].at;
         if (!*value) continue;
-        text_words(out, "<dt>", job_rows[k].label, "</dt>");
+        say(out, job->language, "<dt>", job_rows[k].label, "</dt>");
         text_words(out, "<dd>", value, "</dd>\n");
     }
-    text_words(out, "<dt>Case</dt><dd>", file, "</dd>\n");
-    text_words(out, "<dt>Calculated by</dt><dd>hawser ", hawser_version(), "</dd>\n</dl>\n");
+    say(out, job->language, "<dt>", "Case", "</dt>");
+    text_words(out, "<dd>", file, "</dd>\n");
+    say(out, job->language, "<dt>", "Calculated by", "</dt>");
+    text_words(out, "<dd>hawser ", hawser_version(), "</dd>\n</dl>\n");
 }
 
+/* The verdict's word, and below it the lines of the answer: what they are about, and the sentence. */
 static void answer_write(const Calculation *page, Text *out)
 {
-    char word[HAWSER_VERDICT_MAX];
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(page->verdict, ":"), page->verdict);
+    char line[WORDS_MAX];
+    snprintf(line, sizeof line, "%.*s", (int)strcspn(page->verdict, ":"), page->verdict);
+    if (!strncmp(line, "SAFE ONLY IF", 12)) line[12] = 0;
     text_print(out, "<p class=\"verdict %s\">", page->code);
-    text_words(out, "", word, "</p>\n<pre>");
-    for (const char *line = page->answer; *line; line += strcspn(line, "\n"), line += *line == '\n') {
-        snprintf(word, sizeof word, "%.*s", (int)strcspn(line, "\n"), line);
-        text_words(out, "", word, "\n");
+    say(out, page->language, "", line, "</p>\n<dl class=\"answer\">\n");
+    for (const char *at = page->answer; *at; at += strcspn(at, "\n"), at += *at == '\n') {
+        const int n = (int)strcspn(at, "\n"), word = (int)strcspn(at, "\t");
+        snprintf(line, sizeof line, "%.*s", word, at);
+        text_words(out, "<dt>", line, "</dt>");
+        snprintf(line, sizeof line, "%.*s", n - word - 1, at + word + 1);
+        text_words(out, "<dd>", line, "</dd>\n");
     }
-    text_add(out, "</pre>\n");
+    text_add(out, "</dl>\n");
 }
 
 /* ---------------------------------------------------------------------------------------------- along the route */
 
 /* What is drawn over the route. */
 typedef struct Along {
+    Language language;
     int n;
     double *s, *x, *y, *z;                            /* [n] m; one block, owned by s */
     double *tension[PLAN_WAYS], *sidewall[PLAN_WAYS]; /* in the figure's unit */
@@ -105,7 +124,7 @@ static int along_make(const Calculation *page, Along *a)
     const Route *const route = page->c->route;
     const PlanWay *const way = page->c->plan.way;
     double most = 0, press = 0;
-    *a = (Along){.n = POINTS, .s = calloc(8 * POINTS, sizeof *a->s)};
+    *a = (Along){.language = page->language, .n = POINTS, .s = calloc(8 * POINTS, sizeof *a->s)};
     if (!a->s) return 0;
     double **const part[] = {&a->x, &a->y, &a->z, &a->tension[0], &a->tension[1], &a->sidewall[0], &a->sidewall[1]};
     for (size_t k = 0; k < sizeof part / sizeof *part; ++k) *part[k] = a->s + (k + 1) * POINTS;
@@ -132,9 +151,10 @@ static int along_make(const Calculation *page, Along *a)
     return 1;
 }
 
-static void label_of(const char *what, const Scale *scale, char text[64])
+static void label_of(Language language, const char *what, const Scale *scale, char text[96])
 {
-    snprintf(text, 64, "%s, %s", what, scale->unit);
+    char words[WORDS_MAX];
+    snprintf(text, 96, "%.60s, %s", words_in(language, what, words), scale->unit);
 }
 
 /* Bends by name, radius and angle. */
@@ -159,25 +179,26 @@ static void bends_draw(const Calculation *page, const Along *a, Svg *svg, const 
 static void plan_draw(const Calculation *page, const Along *a, Text *out)
 {
     double range[2][2] = {{INFINITY, -INFINITY}, {INFINITY, -INFINITY}};
-    char label[2][64];
+    char label[2][96], words[WORDS_MAX];
     Svg svg;
-    label_of("x", &a->metres, label[0]);
-    label_of("y", &a->metres, label[1]);
+    label_of(a->language, "x", &a->metres, label[0]);
+    label_of(a->language, "y", &a->metres, label[1]);
     Axis x = {.label = label[0]}, y = {.label = label[1]};
     range_grow(range[0], a->n, a->x);
     range_grow(range[1], a->n, a->y);
     axes_to_scale(LEFT, WIDTH - LEFT - RIGHT, TOP, PLAN_MOST, range[0], range[1], &x, &y);
-    svg_begin(&svg, WIDTH, y.at + BELOW, "Plan, to scale");
+    svg_begin(&svg, WIDTH, y.at + BELOW, words_in(a->language, "Plan, to scale", words));
     svg_frame(&svg, &x, &y);
     svg_line(&svg, &x, &y, a->n, a->x, a->y, SVG_FIRST);
     bends_draw(page, a, &svg, &x, &y);
     const int m = a->n / 2;
     svg_arrow(&svg, &x, &y, a->x[m], a->y[m], a->x[m + 1] - a->x[m], a->y[m + 1] - a->y[m], SVG_FIRST);
-    svg_words(&svg, axis_pixel(&x, a->x[0]) + 8, axis_pixel(&y, a->y[0]) - 8, "start");
-    svg_words(&svg, axis_pixel(&x, a->x[a->n - 1]) + 8, axis_pixel(&y, a->y[a->n - 1]) - 8, "end");
+    svg_words(&svg, axis_pixel(&x, a->x[0]) + 8, axis_pixel(&y, a->y[0]) - 8, words_in(a->language, "start", words));
+    svg_words(&svg, axis_pixel(&x, a->x[a->n - 1]) + 8, axis_pixel(&y, a->y[a->n - 1]) - 8,
+              words_in(a->language, "end", words));
     svg_scale(&svg, &x, WIDTH - RIGHT - 70, 42, a->metres.unit);
     const double north = page->setup->def->route_north;
-    if (!isnan(north)) svg_north(&svg, WIDTH - RIGHT - 28, 32, north, "N");
+    if (!isnan(north)) svg_north(&svg, WIDTH - RIGHT - 28, 32, north, words_in(a->language, "N", words));
     svg_into(&svg, out);
 }
 
@@ -187,22 +208,24 @@ static void figure_draw(const Along *a, const char *title, const char *what, con
 {
     static const char *const names[] = {"pulled forward", "pulled back"};
     double range[2] = {0, -INFINITY};
-    char label[2][64];
+    char label[2][96], words[WORDS_MAX];
     Svg svg;
     for (int k = 0; k < n; ++k) range_grow(range, a->n, line[k]);
     if (n == 1) range[0] = INFINITY, range_grow(range, a->n, line[0]);
     const double room = fmax(0.06 * (range[1] - range[0]), n == 1 ? 0.02 * a->s[a->n - 1] : 0);
     const double top = allowed > range[1] && allowed < 3 * range[1] ? 1.05 * allowed : range[1] + room;
-    label_of("along the route", &a->metres, label[0]);
-    label_of(what, scale, label[1]);
+    label_of(a->language, "along the route", &a->metres, label[0]);
+    label_of(a->language, what, scale, label[1]);
     const Axis x = {0, a->s[a->n - 1], LEFT, WIDTH - LEFT - RIGHT, label[0]},
                y = {n == 1 ? range[0] - room : range[0], top > range[0] ? top : range[0] + 1, TOP + height, -height,
                     label[1]};
-    svg_begin(&svg, WIDTH, y.at + BELOW, title);
+    svg_begin(&svg, WIDTH, y.at + BELOW, words_in(a->language, title, words));
     if (n > 1) svg_legend_at(&svg, LEFT, 50);
-    for (int k = 0; k < n && n > 1; ++k) svg_legend(&svg, names[k], k ? SVG_SECOND : SVG_FIRST, 0);
+    for (int k = 0; k < n && n > 1; ++k)
+        svg_legend(&svg, words_in(a->language, names[k], words), k ? SVG_SECOND : SVG_FIRST, 0);
     svg_frame(&svg, &x, &y);
-    if (allowed >= y.from && allowed <= y.to) svg_level(&svg, &x, &y, allowed, "allowed", SVG_LIMIT);
+    if (allowed >= y.from && allowed <= y.to)
+        svg_level(&svg, &x, &y, allowed, words_in(a->language, "allowed", words), SVG_LIMIT);
     for (int k = 0; k < n; ++k) svg_line(&svg, &x, &y, a->n, a->s, line[k], k ? SVG_SECOND : SVG_FIRST);
     svg_into(&svg, out);
 }
@@ -269,13 +292,13 @@ static void duct_draw(const Calculation *page, const CalculatorDuct *duct, Text 
     const double R = s->bore > 0 ? s->bore : s->shape.radius;
     const double d = bundle_diameter(page->setup->def), scale = 0.45 * DUCT_SIZE / R, middle = DUCT_SIZE / 2.0;
     double place[4][2];
-    char inside[HAWSER_SHOWN_MAX], cable[HAWSER_SHOWN_MAX], room[HAWSER_SHOWN_MAX];
+    char inside[HAWSER_SHOWN_MAX], cable[HAWSER_SHOWN_MAX], room[HAWSER_SHOWN_MAX], words[WORDS_MAX];
     const int n = cables_place(duct->load.layout, R, d / 2, place);
     if (duct->load.layout == DUCT_BESIDE) memcpy(place[0], duct->load.at, sizeof place[0]);
     text_print(out,
-               "<figure style=\"margin:0\"><svg width=\"%d\" height=\"%d\" role=\"img\" aria-label=\"cross-section\" "
+               "<figure style=\"margin:0\"><svg width=\"%d\" height=\"%d\" role=\"img\" aria-label=\"%s\" "
                "fill=\"none\" stroke=\"currentColor\"><circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" stroke-width=\"3\"/>",
-               DUCT_SIZE, DUCT_SIZE, middle, middle, scale * R);
+               DUCT_SIZE, DUCT_SIZE, words_in(page->language, "cross-section", words), middle, middle, scale * R);
     for (int i = 0; i < n; ++i)
         text_print(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"#8b949e55\"/>", middle + scale * place[i][0],
                    middle - scale * place[i][1], scale * d / 2);
@@ -284,24 +307,28 @@ static void duct_draw(const Calculation *page, const CalculatorDuct *duct, Text 
         text_print(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"#8b949ecc\"/>",
                    middle + scale * (R - a) * sin(angle), middle + scale * (R - a) * cos(angle), scale * a);
     }
-    text_words(out, "</svg><figcaption>", s->name, "");
-    text_print(out, ": inside %s, %d \xC3\x97 %s, fill %.3g %%, clearance %s",
-               hawser_show(2 * R, "m", page->units, inside), n, hawser_show(d, "m", page->units, cable),
-               100 * duct->load.fill, hawser_show(duct->load.clearance, "m", page->units, room));
+    text_words(out, "</svg><figcaption>", s->name, ": ");
+    int size = snprintf(words, sizeof words, "inside %s, %d \xC3\x97 %s, fill %.3g %%, clearance %s",
+                        hawser_show(2 * R, "m", page->units, inside), n, hawser_show(d, "m", page->units, cable),
+                        100 * duct->load.fill, hawser_show(duct->load.clearance, "m", page->units, room));
     if (s->lying.cables > 0)
-        text_print(out, ", beside %d \xC3\x97 %s that lie there", s->lying.cables,
-                   hawser_show(s->lying.diameter, "m", page->units, cable));
-    if (duct->load.jam_risk != JAM_NONE) text_print(out, ", jam ratio %.3g", duct->load.jam_ratio);
+        size += snprintf(words + size, sizeof words - (size_t)size, ", beside %d \xC3\x97 %s", s->lying.cables,
+                         hawser_show(s->lying.diameter, "m", page->units, cable));
+    if (duct->load.jam_risk != JAM_NONE)
+        snprintf(words + size, sizeof words - (size_t)size, ", jam ratio %.3g", duct->load.jam_ratio);
+    say(out, page->language, "", words, "");
     text_add(out, "</figcaption></figure>\n");
 }
 
 static void ducts_write(const Calculation *page, Text *out)
 {
     if (page->c->n_ducts == 0) return;
-    text_add(out, "<h2>Ducts</h2>\n<div class=\"ducts\">\n");
+    char more[32];
+    say(out, page->language, "<h2>", "Ducts", "</h2>\n<div class=\"ducts\">\n");
     for (int i = 0; i < page->c->n_ducts && i < DUCTS_DRAWN; ++i) duct_draw(page, &page->c->duct[i], out);
     text_add(out, "</div>\n");
-    if (page->c->n_ducts > DUCTS_DRAWN) text_print(out, "<p>and %d more</p>\n", page->c->n_ducts - DUCTS_DRAWN);
+    snprintf(more, sizeof more, "and %d more", page->c->n_ducts - DUCTS_DRAWN);
+    if (page->c->n_ducts > DUCTS_DRAWN) say(out, page->language, "<p>", more, "</p>\n");
 }
 
 /* ----------------------------------------------------------------------------------------------------- by hand */
@@ -401,17 +428,18 @@ static void hand_straight(const RoutePiece *on, double T, double w, double mu, T
         slope_tension(T, w, mu, on->length, slope));
 }
 
-static void hand_level(const RoutePiece *on, double T, double w, double mu, int separate, Text *out)
+static void hand_level(const RoutePiece *on, double T, double w, double mu, int separate, Language language, Text *out)
 {
     const double R = on->radius, turn = on->angle;
     text_print(out, ", R = %.3f m, \xCE\xB8 = %.3f\xC2\xB0 = %.5f<br>", R, turn * DEGREES, turn);
-    if (separate)
-        text_print(out,
-                   "weight and turning force on supports of their own: T<sub>2</sub> = (T<sub>1</sub> + w R) "
-                   "e<sup>\xCE\xBC\xCE\xB8</sup> \xE2\x88\x92 w R = (%.1f + %.1f) \xC3\x97 %.5f \xE2\x88\x92 %.1f = "
-                   "<b>%.1f N</b>",
-                   T, w * R, exp(mu * turn), w * R, (T + w * R) * exp(mu * turn) - w * R);
-    else
+    if (separate) {
+        say(out, language, "", "weight and turning force on supports of their own", ": ");
+        text_print(
+            out,
+            "T<sub>2</sub> = (T<sub>1</sub> + w R) e<sup>\xCE\xBC\xCE\xB8</sup> \xE2\x88\x92 w R = (%.1f + %.1f) "
+            "\xC3\x97 %.5f \xE2\x88\x92 %.1f = <b>%.1f N</b>",
+            T, w * R, exp(mu * turn), w * R, (T + w * R) * exp(mu * turn) - w * R);
+    } else {
         text_print(out,
                    "T<sub>2</sub> = T<sub>1</sub> cosh \xCE\xBC\xCE\xB8 + \xE2\x88\x9A(T<sub>1</sub>\xC2\xB2 + (w "
                    "R)\xC2\xB2) sinh "
@@ -419,10 +447,11 @@ static void hand_level(const RoutePiece *on, double T, double w, double mu, int 
                    "<b>%.1f N</b>",
                    T, cosh(mu * turn), T, w * R, sinh(mu * turn),
                    T * cosh(mu * turn) + hypot(T, w * R) * sinh(mu * turn));
+    }
 }
 
 /* (T16) part by part: in a sag the cable may lift off and come down again. */
-static void hand_upright(const RoutePiece *on, double T, double w, double mu, Text *out)
+static void hand_upright(const RoutePiece *on, double T, double w, double mu, Language language, Text *out)
 {
     VerticalPart part[VERTICAL_PARTS];
     double a, b;
@@ -440,10 +469,11 @@ static void hand_upright(const RoutePiece *on, double T, double w, double mu, Te
     for (int i = 0; i < n; ++i) {
         const double m = k * mu * part[i].side, P1 = bend_vertical_particular(w, on->radius, k, m, part[i].from),
                      P2 = bend_vertical_particular(w, on->radius, k, m, part[i].to);
-        text_add(out, "<br>");
-        text_add(out, k < 0              ? "over the crest"
-                      : part[i].side > 0 ? "in the sag, on the inner side"
-                                         : "in the sag, on the bottom");
+        say(out, language, "<br>",
+            k < 0              ? "over the crest"
+            : part[i].side > 0 ? "in the sag, on the inner side"
+                               : "in the sag, on the bottom",
+            "");
         text_print(out,
                    ", m = %.4g, %.3f\xC2\xB0 \xE2\x80\xA6 %.3f\xC2\xB0: T<sub>2</sub> = %.2f + (%.2f \xE2\x88\x92 "
                    "(%.2f)) \xC3\x97 "
@@ -484,17 +514,40 @@ static void hand_piece(const Calculation *page, int p, Hand hand, Text *out)
     const RoutePiece *const on = &page->c->route->piece[p];
     const PullSpan *const span = span_whole(page->c, p);
     const double T = span->t0, w = span->law.weight, mu = span->law.mu;
+    const double end = span_frame(&span->law.line, span->s1).curvature;
+    char words[96];
     text_words(out, "<p><b>", on->name, "</b>");
-    text_print(out, ", from %.2f m on: T<sub>1</sub> = %.1f N, w = %.3f N/m, \xCE\xBC = %.4g", on->s0, T, w, mu);
+    snprintf(words, sizeof words, "from %.2f m on", on->s0);
+    say(out, page->language, ", ", words, ": ");
+    text_print(out, "T<sub>1</sub> = %.1f N, w = %.3f N/m, \xCE\xBC = %.4g", T, w, mu);
     if (hand == HAND_STRAIGHT) hand_straight(on, T, w, mu, out);
-    if (hand == HAND_BEND && piece_lie(on) == LIES_LEVEL) hand_level(on, T, w, mu, span->law.separate, out);
-    if (hand == HAND_BEND && piece_lie(on) == LIES_UPRIGHT) hand_upright(on, T, w, mu, out);
+    if (hand == HAND_BEND && piece_lie(on) == LIES_LEVEL)
+        hand_level(on, T, w, mu, span->law.separate, page->language, out);
+    if (hand == HAND_BEND && piece_lie(on) == LIES_UPRIGHT) hand_upright(on, T, w, mu, page->language, out);
     if (hand == HAND_STEPS) hand_by_steps(span, out);
-    text_print(out, "; the table of pieces has %.1f N", span->t1);
-    if (on->radius > 0 && hand != HAND_STRAIGHT)
-        text_print(out, "<br>T/R = %.1f / %.3f = %.1f N/m%s", span->t1, on->radius, span->t1 / on->radius,
-                   page->c->cables > 1 ? " of all cables together" : "");
+    snprintf(words, sizeof words, "the table of pieces has %.1f N", span->t1);
+    say(out, page->language, "; ", words, "");
+    if (fabs(end * on->radius - 1) < 1e-6) { /* the radius of a piece is its least, and may lie elsewhere */
+        text_print(out, "<br>T/R = %.1f / %.3f = %.1f N/m", span->t1, on->radius, span->t1 / on->radius);
+        if (page->c->cables > 1) say(out, page->language, " ", "of all cables together", "");
+    }
     text_add(out, "</p>\n");
+}
+
+/* From the first piece to the winch. */
+static void hand_total(const Calculation *page, Text *out)
+{
+    const PlanWay *const way = &page->c->plan.way[PLAN_FORWARD];
+    char words[240];
+    say(out, page->language, "<p>",
+        "What comes out of a piece goes into the next one, unless a machine takes off or a pit begins anew between "
+        "them.",
+        "");
+    snprintf(
+        words, sizeof words,
+        "Total: %.1f N at the start, %.1f N out of the last piece, %.1f N of drag on the rope: %.1f N at the winch",
+        way->start, way->force - way->rope, way->rope, way->force);
+    say(out, page->language, "<br>", words, "</p>\n");
 }
 
 static void hand_write(const Calculation *page, Text *out)
@@ -502,11 +555,14 @@ static void hand_write(const Calculation *page, Text *out)
     int shown[HANDS], any = 0;
     for (int hand = 0; hand < HANDS; ++hand) any |= (shown[hand] = piece_shown(page->c, (Hand)hand)) >= 0;
     if (!any) return;
-    text_add(out,
-             "<h2>To be followed by hand</h2>\n<p>Pulled forward at speed, of all cables together; the weight of a "
-             "bundle is in w, its weight correction in \xCE\xBC.</p>\n");
+    say(out, page->language, "<h2>", "To be followed by hand", "</h2>\n");
+    say(out, page->language, "<p>",
+        "Pulled forward at speed, of all cables together; the weight of a bundle is in w, its weight correction in "
+        "\xCE\xBC.",
+        "</p>\n");
     for (int hand = 0; hand < HANDS; ++hand)
         if (shown[hand] >= 0) hand_piece(page, shown[hand], (Hand)hand, out);
+    hand_total(page, out);
 }
 
 void calculation_body(const Calculation *page, Text *out)
@@ -516,7 +572,7 @@ void calculation_body(const Calculation *page, Text *out)
     ducts_write(page, out);
     text_add(out, page->tables);
     hand_write(page, out);
-    text_add(out, "<details><summary>All values</summary>\n");
+    say(out, page->language, "<details><summary>", "All values", "</summary>\n");
     text_add(out, page->more);
     text_add(out, "</details>\n");
 }

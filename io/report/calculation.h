@@ -1,5 +1,5 @@
 /* The pulling calculation as one page for the screen and for paper: answer, figures along the route, cross-sections of
- * ducts, all tables, and one straight and one bend worked out by hand. docs/report.md, "The calculation". */
+ * ducts, all tables, and pieces of the route worked out by hand. docs/report.md, "The calculation". */
 #ifndef HAWSER_IO_REPORT_CALCULATION_H
 #define HAWSER_IO_REPORT_CALCULATION_H
 
@@ -10,11 +10,12 @@
 typedef struct Calculation {
     const char *title, *file;
     const char *code, *verdict; /* of the pull forward: "safe", and in words */
-    const char *answer;         /* whole lines */
+    const char *answer;         /* in the page's language: lines of a word, a tab and a sentence */
     const char *tables, *more;  /* HTML: what is shown, and what stands behind "all values" */
     const Setup *setup;
     const Calculator *c;
     hawser_units units;
+    Language language;
 } Calculation;
 
 /* A page's head with its style, up to the first thing below title and job; `kind` says what it is: "Pulling

@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "def/language.h"
 #include "hawser/hawser.h"
 
 /* Of summary.json and of what theory prints as JSON: one more whenever a key goes or changes its meaning. 2: verdicts
@@ -120,6 +121,7 @@ typedef struct Document {
     const Fact *fact;   /* [n_facts] */
     const Table *table; /* [n_tables] */
     const Table *csv;   /* the one table that CSV can hold; NULL: the facts */
+    Language language;  /* of a page */
     const char *answer; /* for people, below the title and above all figures: whole lines; NULL: none */
 } Document;
 

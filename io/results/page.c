@@ -6,8 +6,9 @@
 #include <string.h>
 
 #include "io/results/column.h"
+#include "io/results/words.h"
 
-enum { CELL_MAX = 256, COLUMNS_MAX = 32, PAGE = 118, WRAP_MIN = 30, DIGITS = 5 };
+enum { CELL_MAX = 640, COLUMNS_MAX = 32, PAGE = 118, WRAP_MIN = 30, DIGITS = 5 };
 
 /* A column of a table as it is shown. */
 typedef struct Shape {
@@ -325,28 +326,47 @@ static void print_escaped(FILE *f, const char *text, int length)
     }
 }
 
+/* A text of the program's in the page's language. */
+static void print_words(FILE *f, Language language, const char *english)
+{
+    char text[WORDS_MAX];
+    print_escaped(f, words_in(language, english, text), WORDS_MAX);
+}
+
+/* Names of the case stay as they are; what else stands in a column may be words. */
+static int has_names(const Column *column)
+{
+    static const char *const labels[] = {"piece", "duct", "pushed by", "of"};
+    int names = !strcmp(column->key, "piece") || !strcmp(column->key, "where");
+    for (size_t k = 0; k < sizeof labels / sizeof *labels; ++k) names |= !strcmp(column->label, labels[k]);
+    return names;
+}
+
 /* Numbers in classless cells to the right, words in cells of class "w". */
-static void print_html_table(FILE *f, const Table *t, hawser_units units)
+static void print_html_table(FILE *f, const Table *t, hawser_units units, Language language)
 {
     Page page = {.table = t, .units = units};
     char text[CELL_MAX];
     for (int c = 0; c < t->columns.n; ++c) add_column(&page, &t->columns.column[c]);
-    const char *const heading = hawser_show_text(t->heading, units, text, sizeof text);
     fputs("<h2>", f);
-    print_escaped(f, heading, CELL_MAX);
+    print_words(f, language, hawser_show_text(t->heading, units, text, sizeof text));
     fputs("</h2>\n<div class=\"wide\"><table><thead><tr>", f);
     for (int c = 0; c < page.n; ++c) {
         const Shape *const s = &page.shape[c];
+        snprintf(text, sizeof text, "%.*s", s->label, s->column->label);
         fputs(s->left ? "<th class=\"w\">" : "<th>", f);
-        print_escaped(f, s->column->label, s->label);
+        print_words(f, language, text);
         if (*s->scale.unit) fprintf(f, "<br><small>%s</small>", s->scale.unit);
     }
     fputs("</tr></thead><tbody>\n", f);
     for (int r = 0; r < t->n; ++r) {
         fputs("<tr>", f);
         for (int c = 0; c < page.n; ++c) {
-            fputs(page.shape[c].left ? "<td class=\"w\">" : "<td>", f);
-            print_escaped(f, say_cell(&page, &page.shape[c], r, text), CELL_MAX);
+            const Shape *const s = &page.shape[c];
+            fputs(s->left ? "<td class=\"w\">" : "<td>", f);
+            const char *const said = say_cell(&page, s, r, text);
+            const int name = !s->left || (has_names(s->column) && strncmp(said, "the ", 4) != 0);
+            print_words(f, name ? LANGUAGE_ENGLISH : language, said);
         }
         fputs("</tr>\n", f);
     }
@@ -360,12 +380,12 @@ int document_print_html(FILE *f, const Document *doc, int units)
     for (int i = 0; i < doc->n_facts; ++i) {
         if (!doc->fact[i].label) continue;
         fputs("<dt>", f);
-        print_escaped(f, doc->fact[i].label, FACT_MAX);
+        print_words(f, doc->language, doc->fact[i].label);
         fputs("</dt><dd>", f);
-        print_escaped(f, say_fact(&doc->fact[i], (hawser_units)units, text), FACT_MAX);
+        print_words(f, doc->language, say_fact(&doc->fact[i], (hawser_units)units, text));
         fputs("</dd>\n", f);
     }
     if (doc->n_facts > 0) fputs("</dl>\n", f);
-    for (int i = 0; i < doc->n_tables; ++i) print_html_table(f, &doc->table[i], (hawser_units)units);
+    for (int i = 0; i < doc->n_tables; ++i) print_html_table(f, &doc->table[i], (hawser_units)units, doc->language);
     return !ferror(f);
 }
