@@ -93,6 +93,21 @@ typedef struct TheoryWish {
  * hawser_case_theory. */
 hawser_status case_theory_values(hawser_case *c, const TheoryWish *wish, struct json_t **out, hawser_error *err);
 
+/* The winch's force at speed with the head at places along the route, pulled forward, with every friction so many times
+ * the case's. */
+struct Theory;
+typedef struct CaseHeads {
+    struct Theory *theory;           /* owned */
+    double begins, ends;             /* m along the route: where the head is at first, and the route's end */
+    double friction, friction_least; /* the case's largest and least coefficient */
+} CaseHeads;
+/* Errors: as hawser_case_theory. case_heads_free follows in any case. */
+hawser_status case_heads_new(hawser_case *c, CaseHeads *out, hawser_error *err);
+void case_heads_free(CaseHeads *h);
+/* head, force [n] m, N. Errors: as pull_solve, MEMORY. */
+hawser_status case_heads_force(const CaseHeads *h, double share, int n, const double *head, double *force,
+                               hawser_error *err);
+
 /* The calculation of one chain as a part of a page, below its head (io/report/calculation.h), under the verdict of a
  * way of pulling. word: of that, or NULL. Errors: as hawser_case_theory. */
 hawser_status case_calculation_body(hawser_case *c, int way, hawser_units units, Text *out, hawser_word *word,

@@ -5,6 +5,7 @@
 #include "theory/cannot.h"
 #include "theory/expected.h"
 #include "theory/paper.h"
+#include "theory/plan_head.h"
 #include "theory/plan_pull.h"
 
 #include "io/report/calculation.h"
@@ -916,5 +917,50 @@ hawser_status case_theory_values(hawser_case *c, const TheoryWish *wish, json_t 
     hawser_status status = theory_new(c, wish, &t, err);
     if (!status) status = list_theory(t, title_of(c), wish, out, err);
     theory_free(t);
+    return status;
+}
+
+hawser_status case_heads_new(hawser_case *c, CaseHeads *out, hawser_error *err)
+{
+    static const char *const none[] = {NULL};
+    const TheoryWish wish = {.table = none, .no_inverse = 1};
+    *out = (CaseHeads){NULL, 0, 0, NAN, NAN};
+    const hawser_status status = theory_new(c, &wish, &out->theory, err);
+    if (status) return status;
+    const Calculator *const calculator = &out->theory->calculator;
+    out->ends = calculator->route->length;
+    out->begins = c->def->head_at < out->ends - 1e-6 ? c->def->head_at : 0;
+    out->friction = calculator->mu_largest;
+    out->friction_least = calculator->mu_least;
+    return HAWSER_OK;
+}
+
+void case_heads_free(CaseHeads *h)
+{
+    theory_free(h->theory);
+    h->theory = NULL;
+}
+
+hawser_status case_heads_force(const CaseHeads *h, double share, int n, const double *head, double *force,
+                               hawser_error *err)
+{
+    const Calculator *const c = &h->theory->calculator;
+    PullStretch *const stretch = malloc(((size_t)c->def.n_stretches + 1) * sizeof *stretch);
+    hawser_status status = stretch ? HAWSER_OK : error_memory(err);
+    PlanDef def = c->def;
+    for (int i = 0; i < def.n_stretches && stretch; ++i) {
+        stretch[i] = def.stretch[i];
+        stretch[i].mu *= share;
+        stretch[i].mu_static *= share;
+        stretch[i].mu_rope *= share;
+        stretch[i].mu_rope_static *= share;
+    }
+    def.stretch = stretch;
+    for (int i = 0; i < n && !status; ++i) {
+        HeadForce at;
+        status = plan_head(&def, &c->plan.duct, PLAN_FORWARD, head[i], &at, err);
+        if (!status) force[i] = at.force;
+    }
+    free(stretch);
     return status;
 }

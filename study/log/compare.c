@@ -1,18 +1,22 @@
-/* A measured pull beside a run's and theory's: figures of agreement, and a page. */
+/* A measured pull beside what was planned, by a run and theory or by theory alone: figures of agreement, planned
+ * against pulled by the place of the head, and a page. */
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include <sys/stat.h>
+
 #include "core/base/error.h"
+#include "io/api/api_handles.h"
 #include "io/report/folder.h"
 #include "io/results/results_file.h"
 #include "study/log/log.h"
 #include "study/maths/estimate.h"
 #include "study/page/page.h"
 
-enum { BINS = 200, NAME_BYTES = 160 };
+enum { BINS = 200, PLANNED_PARTS = 12, NAME_BYTES = 160 };
 
 /* A model's force over the axis: columns of series.csv. */
 typedef struct Model {
@@ -29,6 +33,18 @@ typedef struct Agreement {
     double peak_log, peak_model, peak_pct;
 } Agreement;
 
+/* What was planned and what was pulled with the head on one part of its way. */
+typedef struct PlannedPart {
+    double from, to; /* m, or s with by_start */
+    long readings;
+    double pulled, pulled_most, planned, ratio; /* N, means at speed; pulled over planned */
+} PlannedPart;
+
+/* A largest force and where it is. */
+typedef struct PlannedPeak {
+    double force, at; /* NAN: there is none */
+} PlannedPeak;
+
 /* All of a comparison. */
 typedef struct Comparison {
     hawser_compare_options options;
@@ -40,6 +56,12 @@ typedef struct Comparison {
     Model model[2];
     LogPoint *point;
     Agreement agreement[2];
+    CaseHeads heads; /* of a case; no theory: of results */
+    int n_parts;
+    PlannedPart part[PLANNED_PARTS];
+    PlannedPeak planned, pulled;
+    double
+        share; /* of the planned friction, which explains the mean of what was pulled; NAN: of results, or none does */
 } Comparison;
 
 /* The force at a place of the axis; NAN: the model does not reach it. */
@@ -150,6 +172,76 @@ static hawser_status agreement_find(Comparison *c, const Model *m, Agreement *a,
     return HAWSER_OK;
 }
 
+/* ------------------------------------------------------------------------------------------- planned and pulled */
+
+/* The model that says what was planned: theory where it is known. */
+static const Model *planned_by(const Comparison *c) { return &c->model[c->n_models - 1]; }
+
+/* Readings at speed over equal parts of what log and model have in common, and the peaks of both there. */
+static void parts_find(Comparison *c)
+{
+    const Model *const m = planned_by(c);
+    const double width = (c->to - c->from) / PLANNED_PARTS;
+    PlannedPart part[PLANNED_PARTS] = {{0}};
+    c->planned = c->pulled = (PlannedPeak){NAN, NAN};
+    for (int p = 0; p < PLANNED_PARTS; p++) part[p].from = c->from + p * width, part[p].to = c->from + (p + 1) * width;
+    for (long i = 0; i < c->log.n; i++) {
+        const double at = c->axis[i], force = c->log.force[i],
+                     planned = c->log.use[i] == LOG_MOVING ? model_at(m, at) : NAN;
+        if (isnan(planned)) continue;
+        PlannedPart *const p = &part[(int)fmin(fmax((at - c->from) / width, 0), PLANNED_PARTS - 1)];
+        p->readings++;
+        p->pulled += force;
+        p->planned += planned;
+        p->pulled_most = fmax(p->pulled_most, force);
+        if (!(force <= c->pulled.force)) c->pulled = (PlannedPeak){force, at};
+        if (!(planned <= c->planned.force)) c->planned = (PlannedPeak){planned, at};
+    }
+    c->n_parts = 0;
+    for (int p = 0; p < PLANNED_PARTS; p++) {
+        if (part[p].readings == 0) continue;
+        part[p].pulled /= (double)part[p].readings;
+        part[p].planned /= (double)part[p].readings;
+        part[p].ratio = part[p].planned > 0 ? part[p].pulled / part[p].planned : NAN;
+        c->part[c->n_parts++] = part[p];
+    }
+}
+
+/* By how much theory with that share of friction pulls more than the log, N: the mean over the parts (LO11). */
+static hawser_status share_more(const Comparison *c, double share, double *more, hawser_error *err)
+{
+    double head[PLANNED_PARTS], force[PLANNED_PARTS];
+    for (int p = 0; p < c->n_parts; p++) head[p] = (c->part[p].from + c->part[p].to) / 2;
+    const hawser_status status = case_heads_force(&c->heads, share, c->n_parts, head, force, err);
+    *more = 0;
+    for (int p = 0; p < c->n_parts && !status; p++) {
+        const double middle = model_at(planned_by(c), head[p]);
+        *more += (force[p] + c->part[p].planned - middle - c->part[p].pulled) / c->n_parts;
+    }
+    return status;
+}
+
+/* The share of the planned friction with which theory has the log's mean (LO11). */
+static hawser_status share_find(Comparison *c, hawser_error *err)
+{
+    static const double MOST = 8, NEAR = 1e-5;
+    double low = 0, high = MOST, less, more;
+    c->share = NAN;
+    if (!c->heads.theory) return HAWSER_OK;
+    hawser_status status = share_more(c, low, &less, err);
+    if (!status) status = share_more(c, high, &more, err);
+    if (status == HAWSER_ERR_INPUT) status = HAWSER_OK, more = INFINITY; /* it has grown past all bounds */
+    if (status || less > 0 || more < 0) return status;
+    while (!status && high - low > NEAR) {
+        const double middle = (low + high) / 2;
+        status = share_more(c, middle, &more, err);
+        if (status == HAWSER_ERR_INPUT) status = HAWSER_OK, more = INFINITY;
+        *(more > 0 ? &high : &low) = middle;
+    }
+    c->share = (low + high) / 2;
+    return status;
+}
+
 /* ------------------------------------------------------------------------------------------------------------ to say
  */
 
@@ -171,15 +263,70 @@ static const Column agreement_columns[] = {
     {COLUMN("points", LONG, Agreement, points), .label = "parts"},
 };
 
+static const Column part_columns[] = {
+    {COLUMN("from_m", NUMBER, PlannedPart, from), .label = "head from, m", .decimals = 1},
+    {COLUMN("to_m", NUMBER, PlannedPart, to), .label = "to, m", .decimals = 1},
+    {COLUMN("planned_N", NUMBER, PlannedPart, planned), .label = "planned, N", .decimals = 0},
+    {COLUMN("pulled_N", NUMBER, PlannedPart, pulled), .label = "pulled, N", .decimals = 0},
+    {COLUMN("ratio", NUMBER, PlannedPart, ratio), .label = "pulled over planned", .decimals = 3},
+    {COLUMN("pulled_most_N", NUMBER, PlannedPart, pulled_most), .label = "pulled at most, N", .decimals = 0},
+    {COLUMN("readings", LONG, PlannedPart, readings), .label = "readings"},
+};
+static const Column time_columns[] = {
+    {COLUMN("from_s", NUMBER, PlannedPart, from), .label = "from, s", .decimals = 1},
+    {COLUMN("to_s", NUMBER, PlannedPart, to), .label = "to, s", .decimals = 1},
+    {COLUMN("planned_N", NUMBER, PlannedPart, planned), .label = "planned, N", .decimals = 0},
+    {COLUMN("pulled_N", NUMBER, PlannedPart, pulled), .label = "pulled, N", .decimals = 0},
+    {COLUMN("ratio", NUMBER, PlannedPart, ratio), .label = "pulled over planned", .decimals = 3},
+    {COLUMN("pulled_most_N", NUMBER, PlannedPart, pulled_most), .label = "pulled at most, N", .decimals = 0},
+    {COLUMN("readings", LONG, PlannedPart, readings), .label = "readings"},
+};
+
+/* Both tables, on paper and on the page. */
+static void tables_make(const Comparison *c, Table table[2])
+{
+    const Columns by_place = COLUMNS(PlannedPart, part_columns), by_time = COLUMNS(PlannedPart, time_columns);
+    table[0] = (Table){"planned", "Planned against pulled, means at speed", c->options.by_start ? by_time : by_place,
+                       c->n_parts, c->part};
+    table[1] = (Table){"agreement", "Agreement", COLUMNS(Agreement, agreement_columns), c->n_models, c->agreement};
+}
+
+/* The peaks, and the friction that would explain the pull. */
+static int planned_say(const Comparison *c, char *text, size_t size)
+{
+    const char *const unit = c->options.by_start ? "s" : "m";
+    int n = snprintf(text, size,
+                     "  peak      planned %.4g kN at %.1f %s, pulled %.4g kN at %.1f %s: %.3g of what was planned\n",
+                     c->planned.force / 1e3, c->planned.at, unit, c->pulled.force / 1e3, c->pulled.at, unit,
+                     c->pulled.force / c->planned.force);
+    if (!c->heads.theory) return n;
+    if (isnan(c->share))
+        return n + snprintf(text + n, size - (size_t)n,
+                            "  friction  no friction explains what was pulled: look at weight and back tension\n");
+    const int one = c->heads.friction - c->heads.friction_least < 1e-9;
+    if (one)
+        n += snprintf(text + n, size - (size_t)n,
+                      "  friction  %.3g would explain the mean, planned %.3g: %.3g times as much\n",
+                      c->share * c->heads.friction, c->heads.friction, c->share);
+    else
+        n += snprintf(text + n, size - (size_t)n,
+                      "  friction  %.3g to %.3g would explain the mean, planned %.3g to %.3g: %.3g times as much\n",
+                      c->share * c->heads.friction_least, c->share * c->heads.friction, c->heads.friction_least,
+                      c->heads.friction, c->share);
+    return n;
+}
+
 static const char *answer_say(const Comparison *c, char *text, size_t size)
 {
     const Agreement *const a = &c->agreement[0];
     const long *const k = c->log.count;
     int n = snprintf(text, size,
-                     "The run pulls %.1f %% %s than the log, RMS %.1f %%; %.0f %% lie within %.3g %%\n"
+                     "%s pulls %.1f %% %s than the log, RMS %.1f %%; %.0f %% lie within %.3g %%\n"
                      "  compared  %.4g to %.4g %s, %ld readings at speed; %ld starts\n",
-                     fabs(a->bias_pct), a->bias < 0 ? "less" : "more", a->rms_pct, a->within_pct, 100 * c->options.band,
-                     c->from, c->to, c->options.by_start ? "s" : "m", k[LOG_MOVING], c->log.starts);
+                     c->heads.theory ? "Theory" : "The run", fabs(a->bias_pct), a->bias < 0 ? "less" : "more",
+                     a->rms_pct, a->within_pct, 100 * c->options.band, c->from, c->to, c->options.by_start ? "s" : "m",
+                     k[LOG_MOVING], c->log.starts);
+    n += planned_say(c, text + n, size - (size_t)n);
     n += snprintf(text + n, size - (size_t)n,
                   "  left out  %ld at rest or starting, %ld no reading, %ld drop-outs, %ld spikes\n",
                   k[LOG_AT_REST] + k[LOG_RESTART], k[LOG_LOST], k[LOG_DROPPED], k[LOG_SPIKE]);
@@ -210,13 +357,20 @@ static hawser_status document_make(const Comparison *c, const char *results, con
                          {"lost", NULL, "", cell_number((double)k[LOG_LOST])},
                          {"dropped", NULL, "", cell_number((double)k[LOG_DROPPED])},
                          {"spikes", NULL, "", cell_number((double)k[LOG_SPIKE])},
+                         {"planned_peak_N", NULL, "N", cell_number(c->planned.force)},
+                         {"planned_peak_at", NULL, "", cell_number(c->planned.at)},
+                         {"pulled_peak_N", NULL, "N", cell_number(c->pulled.force)},
+                         {"pulled_peak_at", NULL, "", cell_number(c->pulled.at)},
+                         {"friction_planned", NULL, "", cell_number(c->heads.theory ? c->heads.friction : NAN)},
+                         {"friction_share", NULL, "", cell_number(c->share)},
                          {"notes", NULL, "", cell_text(notes)}};
-    const Table table = {"agreement", "Agreement", COLUMNS(Agreement, agreement_columns), c->n_models, c->agreement};
+    Table table[2];
+    tables_make(c, table);
     const Document doc = {.title = "A measured pull",
                           .n_facts = sizeof fact / sizeof *fact,
-                          .n_tables = 1,
+                          .n_tables = 2,
                           .fact = fact,
-                          .table = &table,
+                          .table = table,
                           .answer = answer_say(c, answer, sizeof answer)};
     return document_write(&doc, c->options.format, text, err);
 }
@@ -243,7 +397,9 @@ static void figures_add(Text *page, const Comparison *c, double *scratch)
         curve[k + 1] = (Curve){c->model[k].name, c->model[k].n, c->model[k].at, c->model[k].force, styles[k], 1, 0};
         difference[k] = (Curve){c->model[k].name, n, x, off[k], styles[k], 1, 0};
     }
-    const char *const axis = c->options.by_start ? "time since the start, s" : "winch's travel, m";
+    const char *const axis = c->options.by_start ? "time since the start, s"
+                             : c->heads.theory   ? "place of the head along the route, m"
+                                                 : "winch's travel, m";
     page_chart(page, &(Chart){"Force at the winch", axis, "force, kN", c->n_models + 1, curve, 960, 420, NAN, ""});
     page_chart(page, &(Chart){"Model less log", axis, "difference, kN", c->n_models, difference, 960, 300, 0, "none"});
 }
@@ -251,18 +407,18 @@ static void figures_add(Text *page, const Comparison *c, double *scratch)
 static hawser_status page_write_to(const Comparison *c, const char *results, const char *log, hawser_error *err)
 {
     char answer[4096], title[NAME_BYTES];
-    const Table table = {"agreement", "Agreement", COLUMNS(Agreement, agreement_columns), c->n_models, c->agreement};
+    Table table[2];
     double *const scratch = malloc(((size_t)c->n_points * 4 + 1) * sizeof *scratch);
     Text page = {0};
     if (!scratch) return error_memory(err);
     snprintf(title, sizeof title, "%.70s against %.70s", log, results);
     page_begin(&page, title);
     page_lines(&page, answer_say(c, answer, sizeof answer));
-    page_table(&page, &table);
+    tables_make(c, table);
+    for (int k = 0; k < 2; k++) page_table(&page, &table[k]);
     figures_add(&page, c, scratch);
     page_end(&page);
-    const hawser_status status =
-        page.failed ? error_memory(err) : out_file(c->options.page, page.at, page.size, err);
+    const hawser_status status = page.failed ? error_memory(err) : out_file(c->options.page, page.at, page.size, err);
     text_clear(&page);
     free(scratch);
     return status;
@@ -270,6 +426,31 @@ static hawser_status page_write_to(const Comparison *c, const char *results, con
 
 /* ---------------------------------------------------------------------------------------------------------- as a whole
  */
+
+/* Theory's force by the place of the head. */
+static hawser_status heads_model(const CaseHeads *heads, Model *m, hawser_error *err)
+{
+    *m = (Model){"theory", BINS + 1, malloc((BINS + 1) * sizeof(double)), malloc((BINS + 1) * sizeof(double))};
+    if (!m->at || !m->force) return error_memory(err);
+    for (int i = 0; i <= BINS; i++) m->at[i] = heads->begins + (heads->ends - heads->begins) * i / BINS;
+    return case_heads_force(heads, 1, m->n, m->at, m->force, err);
+}
+
+/* What log and models have in common. */
+static hawser_status range_find(Comparison *c, hawser_error *err)
+{
+    c->from = INFINITY;
+    c->to = -INFINITY;
+    for (long i = 0; i < c->log.n; i++) {
+        if (c->log.use[i] != LOG_MOVING || isnan(model_at(&c->model[0], c->axis[i]))) continue;
+        c->from = fmin(c->from, c->axis[i]);
+        c->to = fmax(c->to, c->axis[i]);
+    }
+    if (c->to > c->from) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "the log and %s have no stretch in common: try another alignment, or shift it",
+                     c->heads.theory ? "the case" : "the results");
+}
 
 /* The models on the axis, and the stretch that run and log have in common. */
 static hawser_status models_make(Comparison *c, const Folder *folder, hawser_error *err)
@@ -284,17 +465,7 @@ static hawser_status models_make(Comparison *c, const Folder *folder, hawser_err
     }
     if (status) return status;
     c->n_models = c->model[1].n < 2 ? 1 : 2;
-    c->from = INFINITY;
-    c->to = -INFINITY;
-    for (long i = 0; i < c->log.n; i++) {
-        if (c->log.use[i] != LOG_MOVING || isnan(model_at(&c->model[0], c->axis[i]))) continue;
-        c->from = fmin(c->from, c->axis[i]);
-        c->to = fmax(c->to, c->axis[i]);
-    }
-    if (c->to > c->from) return HAWSER_OK;
-    return error_set(err, HAWSER_ERR_INPUT,
-                     "the log and the results have no stretch in common: try another alignment, "
-                     "or shift it");
+    return range_find(c, err);
 }
 
 static void comparison_clear(Comparison *c)
@@ -305,6 +476,7 @@ static void comparison_clear(Comparison *c)
     }
     free(c->axis);
     free(c->point);
+    case_heads_free(&c->heads);
     log_free(&c->log);
 }
 
@@ -328,31 +500,85 @@ static double usual_speed(const Folder *folder)
     return most;
 }
 
+/* All that is left when log and models are there. */
+static hawser_status compared(Comparison *c, const char *with, const char *log, char **text, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; k < c->n_models && !status; k++) status = agreement_find(c, &c->model[k], &c->agreement[k], err);
+    parts_find(c);
+    if (!status) status = share_find(c, err);
+    if (!status) {
+        c->n_points = log_points(&c->log, c->axis, c->from, c->to, BINS, &c->point);
+        if (c->n_points < 0) status = error_memory(err);
+    }
+    if (!status && c->options.page) status = page_write_to(c, with, log, err);
+    return status ? status : document_make(c, with, log, text, err);
+}
+
+/* Against theory alone, whose head begins where the case has it; the log's lengths count from there. */
+static hawser_status compare_case(Comparison *c, const char *path, const char *log, char **text, hawser_error *err)
+{
+    FileMarks files = {0};
+    hawser_case *planned = NULL;
+    if (c->options.by_start)
+        return error_set(err, HAWSER_ERR_INPUT, "%.400s: a case has no times: align the log by length", path);
+    hawser_status status = hawser_case_load(path, &planned, err);
+    if (!status) status = case_heads_new(planned, &c->heads, err);
+    if (!status) status = log_read(log, &c->log, err);
+    if (!status) status = log_judge(&c->log, NAN, c->options.raw, err);
+    c->options.shift += c->heads.begins;
+    if (!status) status = axis_make(c, err);
+    if (!status) status = heads_model(&c->heads, &c->model[0], err);
+    c->n_models = 1;
+    if (!status) status = range_find(c, err);
+    if (!status && c->options.page) status = file_marks_add(&files, log, err);
+    if (!status && c->options.page) status = file_marks_add(&files, path, err);
+    if (!status && c->options.page) status = file_marks_spare(&files, c->options.page, err);
+    file_marks_free(&files);
+    if (!status) status = compared(c, path, log, text, err);
+    case_heads_free(&c->heads); /* it borrows from the case */
+    hawser_case_free(planned);
+    return status;
+}
+
+static hawser_status compare_results(Comparison *c, const char *results, const char *log, char **text,
+                                     hawser_error *err)
+{
+    Folder folder = {0};
+    hawser_status status = folder_read(results, &folder, err);
+    c->unended = !status && is_running(folder.summary);
+    if (!status) status = log_read(log, &c->log, err);
+    if (!status) status = log_judge(&c->log, usual_speed(&folder), c->options.raw, err);
+    if (!status) status = axis_make(c, err);
+    if (!status) status = models_make(c, &folder, err);
+    if (!status && c->options.page) status = page_spare(&folder, log, c->options.page, err);
+    if (!status) status = compared(c, results, log, text, err);
+    folder_clear(&folder);
+    return status;
+}
+
+/* An error of the log names its file. */
+static hawser_status name_log(hawser_status status, const char *log, hawser_error *err)
+{
+    static const char of_log[] = "the log";
+    const hawser_error why = *err;
+    if (status != HAWSER_ERR_INPUT || strncmp(why.message, of_log, strlen(of_log)) != 0) return status;
+    return error_set(err, status, "%.400s: %s", log, why.message);
+}
+
 hawser_status hawser_compare(const char *results, const char *log, const hawser_compare_options *options, char **text,
                              hawser_error *err)
 {
     hawser_error local;
     hawser_error *const e = err ? err : &local;
-    Folder folder = {0};
+    struct stat what;
     Comparison c = {.options = options ? *options : (hawser_compare_options){0}};
     if (!results || !log || !text) return error_argument(err, !results ? "results" : !log ? "log" : "text");
     *text = NULL;
     if (c.options.band == 0) c.options.band = 0.1;
-    hawser_status status = folder_read(results, &folder, e);
-    c.unended = !status && is_running(folder.summary);
-    if (!status) status = log_read(log, &c.log, e);
-    if (!status) status = log_judge(&c.log, usual_speed(&folder), c.options.raw, e);
-    if (!status) status = axis_make(&c, e);
-    if (!status) status = models_make(&c, &folder, e);
-    for (int k = 0; k < c.n_models && !status; k++) status = agreement_find(&c, &c.model[k], &c.agreement[k], e);
-    if (!status) {
-        c.n_points = log_points(&c.log, c.axis, c.from, c.to, BINS, &c.point);
-        if (c.n_points < 0) status = error_memory(e);
-    }
-    if (!status && c.options.page) status = page_spare(&folder, log, c.options.page, e);
-    if (!status && c.options.page) status = page_write_to(&c, results, log, e);
-    if (!status) status = document_make(&c, results, log, text, e);
+    const int file = stat(results, &what) == 0 && !S_ISDIR(what.st_mode);
+    const hawser_status status =
+        file ? compare_case(&c, results, log, text, e) : compare_results(&c, results, log, text, e);
     comparison_clear(&c);
-    folder_clear(&folder);
-    return status;
+    return name_log(status, log, e);
 }
