@@ -12,6 +12,7 @@ void limits_defaults(LimitsDef *def)
                        .pull = NAN,
                        .grips = 1,
                        .attachment_rating = NAN,
+                       .swivel_rating = NAN,
                        .sidewall = NAN,
                        .contact = NAN,
                        .bend_factor = NAN,

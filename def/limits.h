@@ -14,6 +14,16 @@ typedef enum LimitPractice {
     PRACTICE_AEIC,
     PRACTICE_ROLLERS
 } LimitPractice;
+/* What joins the rope to the cable, in words: the first three pull at the conductors, as an ATTACH_EYE, the others at
+ * the sheath, as an ATTACH_NET. */
+typedef enum AttachmentDevice {
+    DEVICE_EYE,
+    DEVICE_HEAD,
+    DEVICE_COMPRESSION,
+    DEVICE_NET,
+    DEVICE_STOCKING,
+    DEVICE_BASKET
+} AttachmentDevice;
 /* The section `limits` of a case. NAN: not given, the code or practice says it. */
 typedef struct LimitsDef {
     int present;
@@ -26,6 +36,8 @@ typedef struct LimitsDef {
     double K;                          /* correction factor of eq. 11: 1 power cables, 0.6 control cables */
     int grips;                         /* eyes or nets that share the pull */
     double attachment_rating;          /* N, of each */
+    int device;                        /* an AttachmentDevice */
+    double swivel_rating;              /* N, of the swivel between rope and cable */
     double stress, pull;               /* Pa; N */
     double sidewall;                   /* N/m, of T/R */
     double contact;                    /* N/m, of what surfaces really bear */
@@ -87,9 +99,10 @@ int limits_jams(const LimitsDef *def, const DuctLoad *load);
 /* Allowable pulling force at the head of `cables` equal cables, N, by eq. 11 (LI3) and what the code adds to it (LI9);
  * NAN with the reason and the key that is missing in `source` if it cannot be told. source: 160 bytes. */
 double limits_pull(const LimitsDef *def, int cables, char *source);
-/* Allowable force of the eyes or nets, N (LI10); sidewall pressure, N/m; smallest radius of a cable of diameter d, m;
- * likewise. */
-double limits_attachment(const LimitsDef *def, char *source);
+/* Allowable force of the eyes or nets and of the swivel, N (LI10), (LI10b), of which what is not known is not needed
+ * where `pull`, N, breaks the other (INFINITY: the least that is known); sidewall pressure, N/m; smallest radius of a
+ * cable of diameter d, m; likewise. */
+double limits_attachment(const LimitsDef *def, double pull, char *source);
 double limits_sidewall(const LimitsDef *def, char *source);
 double limits_radius(const LimitsDef *def, double d, char *source);
 /* At which force a winch should stop, and why not at more. */

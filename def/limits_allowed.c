@@ -75,18 +75,29 @@ double limits_pull(const LimitsDef *def, int cables, char *source)
     return share.value * def->K * at.stress.value * area; /* (LI3), (LI9) */
 }
 
-double limits_attachment(const LimitsDef *def, char *source)
+/* What all eyes or nets bear together. */
+static double devices_bear(const LimitsDef *def, char *source)
 {
+    static const char *const of[] = {"", " of the pulling head", " of the compression eye",
+                                     "", " of the stocking",     " of the basket"};
     const Allowed usual = code_rule(RULE_ATTACHMENT, def->code, def->attachment, def->sheath);
     const int own = !isnan(def->attachment_rating) && !(usual.value < def->attachment_rating);
     const double each = own ? def->attachment_rating : usual.value;
-    snprintf(source, SOURCE_SIZE, "%s", own ? "limits.attachment_rating" : usual.source);
-    if (isnan(each)) snprintf(source, SOURCE_SIZE, "%s", "needs limits.attachment_rating");
+    snprintf(source, SOURCE_SIZE, "%s%s", own ? "limits.attachment_rating" : usual.source, own ? of[def->device] : "");
+    if (isnan(each)) snprintf(source, SOURCE_SIZE, "%s%s", "needs limits.attachment_rating", of[def->device]);
     if (def->grips > 1 && !isnan(each)) {
         const size_t used = strlen(source);
         snprintf(source + used, SOURCE_SIZE - used, ", %d of them", def->grips);
     }
     return def->grips * each; /* (LI10) */
+}
+
+double limits_attachment(const LimitsDef *def, double pull, char *source)
+{
+    const double all = devices_bear(def, source), swivel = def->swivel_rating;
+    if (isnan(swivel) || all <= swivel || (isnan(all) && !(pull > swivel))) return all;
+    snprintf(source, SOURCE_SIZE, "%s", "limits.swivel_rating"); /* (LI10b): what is broken by it alone is known */
+    return swivel;
 }
 
 /* Of whom sidewall pressure and bend radius are. */
@@ -130,7 +141,7 @@ static TripSetting winch_most(const LimitsDef *def, int cables, double beyond)
 {
     char source[SOURCE_SIZE];
     const TripSetting each[] = {{limits_pull(def, cables, source) + beyond, "what the cable may be pulled with"},
-                                {limits_attachment(def, source) + beyond, "what the eye or net bears"},
+                                {limits_attachment(def, INFINITY, source) + beyond, "what the eye or net bears"},
                                 {rope_allowed(def, source), "what the rope may be pulled with"},
                                 {def->winch_capacity, "what the winch can pull"}};
     TripSetting least = {NAN, "nothing is known that gives first"};
@@ -277,7 +288,7 @@ double limits_allowed(const LimitsDef *def, hawser_limit_kind kind, double diame
     case HAWSER_LIMIT_RESTART:
         return limits_pull(def, cables, source);
     case HAWSER_LIMIT_ATTACHMENT:
-        return limits_attachment(def, source);
+        return limits_attachment(def, f->value, source);
     case HAWSER_LIMIT_SIDEWALL:
         return limits_sidewall(def, source);
     case HAWSER_LIMIT_CONTACT_PRESSURE:

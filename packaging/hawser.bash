@@ -112,7 +112,7 @@ _hawser() {
         --band) _hawser_offer '5% 10% 20%' ;;
         --page) _hawser_offer 'files' ;;
         --units) _hawser_offer 'si us' ;;
-        *) _hawser_word '--align --shift --band --raw --page --json --units --help --version' '/' ;;
+        *) _hawser_word '--align --shift --band --raw --page --report --json --units --help --version' '*' ;;
         esac
         ;;
     fmu)

@@ -16,7 +16,7 @@ VALUES = {"FILE": "files", "DIR": "folders", "FORMAT": "table json csv", "UNITS"
           "KIND": "auto block bordered klu klu-full band dense", "UNIT": "mm m ft", "LENGTH": "", "STATION": "",
           "SHARE": "1% 0.5% 2%", "P": "5% 10% 20%", "WAY": "length start", "X": "", "VERSION": "2 3", "KEY": "", "KEYS": "", "NAME": "", "NAMES": "all facts pieces limits heads sections", "LAYER": "", "TEXT": ""}
 # What a command is about, by the first word of its usage.
-SUBJECTS = {"CASE": "*.yaml", "STUDY": "*.yaml", "JOB": "*.yaml", "[CASE]": "*.yaml", "FILE": "*", "RESULTS": "/", "[KIND": "cables ropes rollers ducts friction reels",
+SUBJECTS = {"CASE": "*.yaml", "STUDY": "*.yaml", "JOB": "*.yaml", "[CASE]": "*.yaml", "FILE": "*", "RESULTS": "/", "RESULTS|CASE": "*", "[KIND": "cables ropes rollers ducts friction reels",
             "[options]": ""}
 
 

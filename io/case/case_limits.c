@@ -7,7 +7,7 @@ static const char *const practices[] = {"auto", "chinese", "fujikura", "aeic", "
 static const char *const types[] = {"unknown", "control", "power", "shielded", "armoured", "separate", NULL};
 static const char *const ropes[] = {"steel", "fibre", NULL};
 static const char *const wears[] = {"cable", "place", NULL};
-static const char *const attachments[] = {"eye", "net", NULL};
+static const char *const devices[] = {"eye", "pulling_head", "compression", "net", "stocking", "basket", NULL};
 static const char *const metals[] = {"copper", "aluminium", NULL};
 static const char *const sheaths[] = {"pe", "xlpe", "lead", "copper", "aluminium", NULL};
 
@@ -50,7 +50,7 @@ static SECTION(sheath, "limits.sheath", sheath_keys);
 /* Straight into LimitsDef, the two sections included. Which values exclude each other case_limits_read says. */
 static const CaseKey limits_keys[] = {
     {"code", KEY_CHOICE, .fallback = "paper", .choices = codes, AT(LimitsDef, code)},
-    {"attachment", KEY_CHOICE, .fallback = "eye", .choices = attachments, AT(LimitsDef, attachment)},
+    {"attachment", KEY_CHOICE, .fallback = "eye", .choices = devices, AT(LimitsDef, device)},
     {"conductor", KEY_MAP, .otherwise = "not known", .section = &conductor},
     {"sheath", KEY_MAP, .otherwise = "not known", .section = &sheath},
     {"K", KEY_NUMBER, .fallback = "1", ABOVE(0, 1), AT(LimitsDef, K)},
@@ -59,6 +59,7 @@ static const CaseKey limits_keys[] = {
     {"grips", KEY_INTEGER, .fallback = "1", FROM(1, 4), AT(LimitsDef, grips)},
     {"attachment_rating", KEY_NUMBER, DIM_FORCE, .otherwise = "by `code`", ABOVE(0, STRONG),
      AT(LimitsDef, attachment_rating)},
+    {"swivel_rating", KEY_NUMBER, DIM_FORCE, .otherwise = "not known", ABOVE(0, STRONG), AT(LimitsDef, swivel_rating)},
     {"practice", KEY_CHOICE, .fallback = "auto", .choices = practices, AT(LimitsDef, practice)},
     {"cable_type", KEY_CHOICE, .fallback = "unknown", .choices = types, AT(LimitsDef, cable_type)},
     {"sidewall", KEY_NUMBER, DIM_LINE_FORCE, .otherwise = "by `practice`", ABOVE(0, STRONG), AT(LimitsDef, sidewall)},
@@ -115,6 +116,7 @@ hawser_status case_limits_read(CaseReader *r, const CaseNode *node)
     const CaseNode *const metal = case_node_key(node, "conductor"), *const cover = case_node_key(node, "sheath");
     if (!node) return HAWSER_OK; /* nothing is judged */
     hawser_status status = case_section_read(r, node, &case_limits, limits);
+    limits->attachment = limits->device < DEVICE_NET ? ATTACH_EYE : ATTACH_NET;
     if (!status && metal) status = case_section_read(r, metal, &conductor, limits);
     if (!status && cover) status = case_section_read(r, cover, &sheath, limits);
     if (!status) status = either_check(r, node, "pull", "stress");
@@ -125,7 +127,7 @@ hawser_status case_limits_read(CaseReader *r, const CaseNode *node)
                                   " is out of order: 'jam_from' is %g, 'jam_to' %g", band.from, band.to);
     }
     if (!status && limits->attachment == ATTACH_EYE && cover && !metal) {
-        status = case_key_error(r->err, cover, NULL, "only counts with 'attachment: net'");
+        status = case_key_error(r->err, cover, NULL, "only counts with 'attachment: net', stocking or basket");
     }
     limits->present = 1;
     return status;

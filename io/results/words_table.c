@@ -398,6 +398,10 @@ const WordsRow words_rows[] = {
     {{"a softer start: a longer {1}, ramp step5", "更平缓起动：加长 {1}，采用 step5 曲线", "ein sanfteres Anfahren: längeres {1}, Rampe step5"}},
     /* What limits rest on */
     {{"needs {1}", "需给定 {1}", "braucht {1}"}},
+    {{"limits.attachment_rating of the pulling head", "limits.attachment_rating（牵引头）", "limits.attachment_rating des Ziehkopfs"}},
+    {{"limits.attachment_rating of the compression eye", "limits.attachment_rating（压接牵引端）", "limits.attachment_rating der Pressöse"}},
+    {{"limits.attachment_rating of the stocking", "limits.attachment_rating（牵引网套）", "limits.attachment_rating des Ziehstrumpfs"}},
+    {{"limits.attachment_rating of the basket", "limits.attachment_rating（吊笼网套）", "limits.attachment_rating des Korbs"}},
     {{"needs {1} or {2}", "需给定 {1} 或 {2}", "braucht {1} oder {2}"}},
     {{"needs {1}, or a rope in chain", "需给定 {1}，或在 chain 中给出牵引绳", "braucht {1}, oder ein Seil in chain"}},
     {{"needs limits.conductor or limits.pull; {1} are needed anyway", "需给定 limits.conductor 或 limits.pull；无论如何需要 {1}", "braucht limits.conductor oder limits.pull; {1} sind jedenfalls nötig"}},

@@ -139,22 +139,41 @@ TEST(attachments)
 {
     char source[160];
     LimitsDef def = given();
-    check_nan(limits_attachment(&def, source)); /* the paper has none */
+    check_nan(limits_attachment(&def, 0, source)); /* the paper has none */
     check_has(source, "needs limits.attachment_rating");
     def.code = CODE_IEEE1185;
-    check_share(limits_attachment(&def, source), 10000 * LBF, 1e-12);
+    check_share(limits_attachment(&def, 0, source), 10000 * LBF, 1e-12);
     def.attachment_rating = 60e3;
-    check_share(limits_attachment(&def, source), 10000 * LBF, 1e-12);
+    check_share(limits_attachment(&def, 0, source), 10000 * LBF, 1e-12);
     def.attachment_rating = 20e3;
-    check_close(limits_attachment(&def, source), 20e3, 0);
+    check_close(limits_attachment(&def, 0, source), 20e3, 0);
     assert_string_equal(source, "limits.attachment_rating");
     def.attachment_rating = NAN, def.attachment = ATTACH_NET, def.grips = 3;
-    check_share(limits_attachment(&def, source), 3000 * LBF, 1e-12);
+    check_share(limits_attachment(&def, 0, source), 3000 * LBF, 1e-12);
     check_has(source, ", 3 of them");
     def.code = CODE_TES, def.grips = 1, def.sheath = SHEATH_ALUMINIUM;
-    check_close(limits_attachment(&def, source), 4450, 0);
+    check_close(limits_attachment(&def, 0, source), 4450, 0);
     def.sheath = SHEATH_LEAD;
-    check_nan(limits_attachment(&def, source));
+    check_nan(limits_attachment(&def, 0, source));
+}
+
+/* The swivel bears the whole pull, eyes and nets each its share; a swivel alone breaks the limit, and does not keep it.
+ */
+TEST(swivel)
+{
+    char source[160];
+    LimitsDef def = given();
+    def.swivel_rating = 15e3;
+    check_nan(limits_attachment(&def, 14e3, source));
+    check_has(source, "needs limits.attachment_rating");
+    check_close(limits_attachment(&def, 16e3, source), 15e3, 0);
+    assert_string_equal(source, "limits.swivel_rating");
+    check_close(limits_attachment(&def, INFINITY, source), 15e3, 0);
+    def.attachment_rating = 9e3, def.grips = 2, def.device = DEVICE_STOCKING, def.attachment = ATTACH_NET;
+    check_close(limits_attachment(&def, 0, source), 15e3, 0);
+    def.swivel_rating = 20e3;
+    check_close(limits_attachment(&def, 0, source), 18e3, 0);
+    assert_string_equal(source, "limits.attachment_rating of the stocking, 2 of them");
 }
 
 /* VDE as Nexans quotes it: 50 and 30 N/mm2 under eye and stocking, three single cables as two. TES-P-104.05, 4.2.2 a:
@@ -558,9 +577,9 @@ TEST(sources_in_words)
     check_nan(limits_allowed(&def, HAWSER_LIMIT_TRIP, 0.1, 1, &f, source));
     check_has(source, "see run_away");
     def.attachment_rating = 9e3, def.grips = 2, def.code = CODE_PAPER;
-    check_share(limits_attachment(&def, source), 18e3, 1e-15);
+    check_share(limits_attachment(&def, 0, source), 18e3, 1e-15);
     assert_string_equal(source, "limits.attachment_rating, 2 of them");
     def.grips = 1;
-    check_share(limits_attachment(&def, source), 9e3, 1e-15);
+    check_share(limits_attachment(&def, 0, source), 9e3, 1e-15);
     assert_string_equal(source, "limits.attachment_rating");
 }
