@@ -16,9 +16,8 @@ static int marks(const char *text, char digit, const char *opening)
 }
 
 /* Every text in every language, each mark of the others once in English, and no English text twice. */
-static void rows(void **state)
+TEST(rows)
 {
-    (void)state;
     assert_true(words_rows_n > 500);
     for (int k = 0; k < words_rows_n; ++k) {
         const WordsRow *const row = &words_rows[k];
@@ -42,9 +41,8 @@ static void check_known(const char *english)
 }
 
 /* A new limit or a new clause of a code needs its words. */
-static void limits_and_codes(void **state)
+TEST(limits_and_codes)
 {
-    (void)state;
     CodeRule rule;
     char source[300];
     int codes = 0;
@@ -65,9 +63,8 @@ static void check_says(Language language, const char *english, const char *expec
 }
 
 /* Sentences are taken apart where printf has put them together; names and keys stay. */
-static void sentences(void **state)
+TEST(sentences)
 {
-    (void)state;
     check_says(LANGUAGE_GERMAN, "SAFE", "SICHER");
     check_says(LANGUAGE_CHINESE, "sidewall", "侧压力");
     check_says(LANGUAGE_ENGLISH, "sidewall", "sidewall");
@@ -91,5 +88,3 @@ static void sentences(void **state)
                "Füllgrad 0.5 bei \x02"
                "duct\x03; zulässig 0.4: 25 % darüber");
 }
-
-TEST_FILE(test_words, cmocka_unit_test(rows), cmocka_unit_test(limits_and_codes), cmocka_unit_test(sentences))
