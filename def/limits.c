@@ -9,61 +9,31 @@ void limits_defaults(LimitsDef *def)
     *def = (LimitsDef){.cores = 1,
                        .K = 1,
                        .stress = NAN,
-                       .pull = NAN,
                        .grips = 1,
                        .attachment_rating = NAN,
                        .swivel_rating = NAN,
-                       .sidewall = NAN,
-                       .contact = NAN,
                        .bend_factor = NAN,
-                       .bend_radius = NAN,
                        .roller_factor = 1.6,
                        .rope_strength = NAN,
                        .rope_factor = 5,
                        .rope_diameter = NAN,
-                       .rope_bend = NAN,
                        .sheave = NAN,
-                       .winch_capacity = NAN,
-                       .push = NAN,
-                       .squeeze = NAN,
-                       .speed = NAN,
-                       .alpha = 1.5,
                        .jam_from = NAN,
-                       .jam_to = NAN,
-                       .clearance = NAN,
-                       .fill = NAN,
-                       .weight_correction = NAN};
+                       .jam_to = NAN};
+    for (int k = 0; k < LIMIT_KINDS; k++) def->own[k] = NAN;
+    def->own[HAWSER_LIMIT_ALPHA] = 1.5;
 }
 
-/* Names and units by kind. */
 static const struct {
     const char *name, *unit;
+    int traits;
 } kinds[LIMIT_KINDS] = {
-    [HAWSER_LIMIT_PULL] = {"pull", "N"},
-    [HAWSER_LIMIT_RESTART] = {"restart", "N"},
-    [HAWSER_LIMIT_ATTACHMENT] = {"attachment", "N"},
-    [HAWSER_LIMIT_SIDEWALL] = {"sidewall", "N/m"},
-    [HAWSER_LIMIT_CONTACT_PRESSURE] = {"contact_pressure", "N/m"},
-    [HAWSER_LIMIT_BEND_RADIUS] = {"bend_radius", "m"},
-    [HAWSER_LIMIT_ROPE_BEND] = {"rope_bend", "1"},
-    [HAWSER_LIMIT_ROLLER_STEADY] = {"roller_steady", "N"},
-    [HAWSER_LIMIT_ROLLER_PEAK] = {"roller_peak", "N"},
-    [HAWSER_LIMIT_ROPE] = {"rope", "N"},
-    [HAWSER_LIMIT_WINCH] = {"winch", "N"},
-    [HAWSER_LIMIT_PUSH] = {"push", "N"},
-    [HAWSER_LIMIT_BUCKLING] = {"buckling", "N"},
-    [HAWSER_LIMIT_SQUEEZE] = {"squeeze", "N/m"},
-    [HAWSER_LIMIT_RUN_AWAY] = {"run_away", "N"},
-    [HAWSER_LIMIT_ALPHA] = {"alpha", "1"},
-    [HAWSER_LIMIT_TRIP] = {"trip", "N"},
-    [HAWSER_LIMIT_SPEED] = {"speed", "m/s"},
-    [HAWSER_LIMIT_JAM_RATIO] = {"jam_ratio", "1"},
-    [HAWSER_LIMIT_CLEARANCE] = {"clearance", "m"},
-    [HAWSER_LIMIT_FILL] = {"fill", "1"},
-    [HAWSER_LIMIT_WEIGHT_CORRECTION] = {"weight_correction", "1"},
+#define LIMIT(kind, ...) [HAWSER_LIMIT_##kind] = {__VA_ARGS__},
+#include "def/limit_kinds.h"
 };
 
 const char *limits_name(hawser_limit_kind kind) { return kinds[kind].name; }
+int limits_is(hawser_limit_kind kind, int traits) { return (int)kind < LIMIT_KINDS && (kinds[kind].traits & traits); }
 
 hawser_limit_kind limits_kind(const char *name)
 {
@@ -199,8 +169,7 @@ int limits_judge(const LimitsDef *def, double diameter, int cables, const Findin
     int n = 0;
     if (!def->present) return 0;
     for (int k = 0; k < LIMIT_KINDS; k++) {
-        if (finding[k].absent || (k == HAWSER_LIMIT_CONTACT_PRESSURE && isnan(def->contact)))
-            continue; /* no code has one */
+        if (finding[k].absent || (kinds[k].traits & LIMIT_OPTIONAL && isnan(def->own[k]))) continue;
         judge(def, (hawser_limit_kind)k, diameter, cables, &finding[k], &out[n++]);
     }
     return n;

@@ -24,6 +24,24 @@ typedef enum AttachmentDevice {
     DEVICE_STOCKING,
     DEVICE_BASKET
 } AttachmentDevice;
+/* The limits are listed in the order of their kinds; def/limit_kinds.h has a row for each. */
+enum {
+    LIMIT_KINDS = 0
+#define LIMIT(...) +1
+#include "def/limit_kinds.h"
+};
+/* What is true of some kinds. */
+enum {
+    LIMIT_ESSENTIAL = 1, /* a pull is not called safe where this is not judged */
+    LIMIT_AT_LEAST = 2,  /* the bound is the least that is allowed */
+    LIMIT_PULLS = 4,     /* a force at the cable's head or the winch, which more pull adds to */
+    LIMIT_TENSION = 8,   /* a tension, or one over something exact: a run's is as uncertain as the largest pull */
+    LIMIT_STARTS = 16,   /* no tension, but a start from rest makes more of it, too */
+    LIMIT_MENDED = 32,   /* a wider bend, another duct or less friction may make it hold */
+    LIMIT_OF_DUCT = 64,  /* how the cables lie in a duct */
+    LIMIT_OPTIONAL = 128 /* no code has a bound: it is judged where the case gives one */
+};
+
 /* The section `limits` of a case. NAN: not given, the code or practice says it. */
 typedef struct LimitsDef {
     int present;
@@ -38,27 +56,16 @@ typedef struct LimitsDef {
     double attachment_rating;          /* N, of each */
     int device;                        /* an AttachmentDevice */
     double swivel_rating;              /* N, of the swivel between rope and cable */
-    double stress, pull;               /* Pa; N */
-    double sidewall;                   /* N/m, of T/R */
-    double contact;                    /* N/m, of what surfaces really bear */
-    double bend_factor, bend_radius;   /* of the cable's diameter; m */
+    double own[LIMIT_KINDS];           /* the bound that the case gives, in the kind's unit; of `pull` of one cable */
+    double stress;                     /* Pa */
+    double bend_factor;                /* of the cable's diameter */
     double roller_factor;              /* rating over load at steady speed */
     double rope_strength, rope_factor; /* N, breaking; strength over pull */
     int rope_kind;                     /* a RopeKind */
     double rope_diameter;              /* m */
-    double rope_bend;                  /* what it is bent round over its diameter */
     double sheave;                     /* m, diameter of the smallest sheave or drum that it runs round */
-    double winch_capacity;             /* N */
-    double push, squeeze;              /* N, of one machine; N/m, of belts on the cable */
-    double speed;                      /* m/s */
-    double alpha;                      /* largest overload factor of eq. 12 */
     double jam_from, jam_to;           /* jam ratio of three cables in a duct: not between these */
-    double clearance, fill;   /* m, over the uppermost cable in a duct, at least; share of it that is filled, at most */
-    double weight_correction; /* w_c of (T20) */
 } LimitsDef;
-
-/* The limits are listed in the order of their kinds. */
-enum { LIMIT_KINDS = HAWSER_LIMIT_WEIGHT_CORRECTION + 1 };
 
 /* What a calculation or a simulation found. */
 typedef struct Finding {
@@ -83,8 +90,8 @@ hawser_limit_kind limits_kind(const char *name);
 /* "SAFE", or "SAFE ONLY IF friction at rest <= 0.2 (restart)", of limits that all hold. Returns how many conditions it
  * has. */
 int limits_only_if(int n, const hawser_limit *limit, char *text, size_t size);
-/* Whether nothing is known of a pull without that limit: it is not called safe where this one is not judged. */
-int limits_essential(hawser_limit_kind kind);
+/* Whether one of these is true of the kind. */
+int limits_is(hawser_limit_kind kind, int traits);
 /* The jam ratios at which three cables may jam, in a triangle or not. */
 typedef struct JamBand {
     double from, to;
@@ -96,15 +103,6 @@ int limits_jams(const LimitsDef *def, const DuctLoad *load);
 
 /* ------------------------------------------------------------------------------- what is allowed: limits_allowed.c */
 
-/* Allowable pulling force at the head of `cables` equal cables, N, by eq. 11 (LI3) and what the code adds to it (LI9);
- * NAN with the reason and the key that is missing in `source` if it cannot be told. source: 160 bytes. */
-double limits_pull(const LimitsDef *def, int cables, char *source);
-/* Allowable force of the eyes or nets and of the swivel, N (LI10), (LI10b), of which what is not known is not needed
- * where `pull`, N, breaks the other (INFINITY: the least that is known); sidewall pressure, N/m; smallest radius of a
- * cable of diameter d, m; likewise. */
-double limits_attachment(const LimitsDef *def, double pull, char *source);
-double limits_sidewall(const LimitsDef *def, char *source);
-double limits_radius(const LimitsDef *def, double d, char *source);
 /* At which force a winch should stop, and why not at more. */
 typedef struct TripSetting {
     double force; /* N; NAN: not known */
@@ -113,8 +111,9 @@ typedef struct TripSetting {
 /* What the winch should be set to trip at: alpha times the force that theory gives it, or what cable, eye, rope and
  * winch bear if that is less (LI11). beyond: as in a Finding. */
 TripSetting limits_trip(const LimitsDef *def, int cables, double force, double beyond);
-/* The bound of any kind for what was found, in its unit, (LI3)-(LI12); likewise. And whether it is the least that is
- * allowed, not the most. */
+/* The bound of any kind for what was found, of `cables` equal cables of that diameter (m), in its unit, (LI3)-(LI12);
+ * NAN with the reason and the key that is missing in `source` if it cannot be told. source: 160 bytes. And whether it
+ * is the least that is allowed, not the most. */
 double limits_allowed(const LimitsDef *def, hawser_limit_kind kind, double diameter, int cables, const Finding *f,
                       char *source);
 int limits_at_least(const LimitsDef *def, hawser_limit_kind kind, const Finding *f);

@@ -13,11 +13,25 @@ static Allowed given_or(double given, const char *key, Allowed rule)
     return isnan(given) ? rule : (Allowed){given, key, -1, KNOWN_READ};
 }
 
+/* The case's keys for the bounds of its own. */
+static const char *const keys[LIMIT_KINDS] = {
+#define LIMIT_KEY(kind, key, ...) [HAWSER_LIMIT_##kind] = "limits." key,
+#include "def/limit_kinds.h"
+};
+
 /* A bound that only the case can give. */
-static double given(double value, const char *key, char *source)
+static double given(const LimitsDef *def, hawser_limit_kind kind, char *source)
 {
-    snprintf(source, SOURCE_SIZE, isnan(value) ? "needs limits.%s" : "limits.%s", key);
-    return value;
+    snprintf(source, SOURCE_SIZE, "%s%s", isnan(def->own[kind]) ? "needs " : "", keys[kind]);
+    return def->own[kind];
+}
+
+/* A rule of one number that the case may replace. */
+static double by_rule(const LimitsDef *def, hawser_limit_kind kind, Allowed rule, char *source)
+{
+    const Allowed a = given_or(def->own[kind], keys[kind], rule);
+    allowed_say(a, source, SOURCE_SIZE);
+    return a.value;
 }
 
 /* What is pulled at: its stress, Pa, its cross-section, m2, and the key that gives it. */
@@ -49,16 +63,16 @@ static Allowed together(const LimitsDef *def, int cables)
     return isnan(share.value) ? (Allowed){1, "", -1, KNOWN_READ} : share;
 }
 
-double limits_pull(const LimitsDef *def, int cables, char *source)
+static double pull_allowed(const LimitsDef *def, int cables, char *source)
 {
     Grasp at = grasp_of(def, cables);
     const Allowed share = together(def, cables);
     at.stress = given_or(def->stress, "limits.stress", at.stress);
-    if (!isnan(def->pull)) { /* of one cable, with what the code says of its own conductors */
+    if (!isnan(def->own[HAWSER_LIMIT_PULL])) { /* of one cable, with what the code says of its own conductors */
         const double of_several = share.value / together(def, 1).value;
         snprintf(source, SOURCE_SIZE, "limits.pull%s%s", of_several < 1 ? "; " : "",
                  of_several < 1 ? share.source : "");
-        return of_several * cables * def->pull; /* (LI9) */
+        return of_several * cables * def->own[HAWSER_LIMIT_PULL]; /* (LI9) */
     }
     if (isnan(at.stress.value)) {
         snprintf(source, SOURCE_SIZE, "code %s has no stress for this %s: needs limits.stress or limits.pull",
@@ -92,7 +106,8 @@ static double devices_bear(const LimitsDef *def, char *source)
     return def->grips * each; /* (LI10) */
 }
 
-double limits_attachment(const LimitsDef *def, double pull, char *source)
+/* (LI10), (LI10b): of eyes or nets and swivel what is not known is not needed where `pull`, N, breaks the other. */
+static double attachment_allowed(const LimitsDef *def, double pull, char *source)
 {
     const double all = devices_bear(def, source), swivel = def->swivel_rating;
     if (isnan(swivel) || all <= swivel || (isnan(all) && !(pull > swivel))) return all;
@@ -107,19 +122,11 @@ static int practice_code(const LimitsDef *def)
     return def->practice == PRACTICE_AUTO ? def->code : code[def->practice];
 }
 
-double limits_sidewall(const LimitsDef *def, char *source)
-{
-    const Allowed a = given_or(def->sidewall, "limits.sidewall",
-                               code_rule(RULE_SIDEWALL, practice_code(def), def->cable_type, def->cores > 1));
-    allowed_say(a, source, SOURCE_SIZE);
-    return a.value;
-}
-
-double limits_radius(const LimitsDef *def, double d, char *source)
+static double radius_allowed(const LimitsDef *def, double d, char *source)
 {
     char by[SOURCE_SIZE];
     snprintf(source, SOURCE_SIZE, "%s", "limits.bend_radius");
-    if (!isnan(def->bend_radius)) return def->bend_radius;
+    if (!isnan(def->own[HAWSER_LIMIT_BEND_RADIUS])) return def->own[HAWSER_LIMIT_BEND_RADIUS];
     const Allowed k =
         given_or(def->bend_factor, "limits.bend_factor", code_rule(RULE_BEND, practice_code(def), def->cable_type, 0));
     allowed_say(k, by, sizeof by);
@@ -130,7 +137,8 @@ double limits_radius(const LimitsDef *def, double d, char *source)
 /* What the rope may be pulled with, N. */
 static double rope_allowed(const LimitsDef *def, char *source)
 {
-    if (isnan(given(def->rope_strength, "rope_strength", source))) return NAN;
+    snprintf(source, SOURCE_SIZE, "needs limits.rope_strength");
+    if (isnan(def->rope_strength)) return NAN;
     snprintf(source, SOURCE_SIZE, "strength %g kN over a safety factor of %g", def->rope_strength / 1e3,
              def->rope_factor);
     return def->rope_strength / def->rope_factor;
@@ -140,10 +148,10 @@ static double rope_allowed(const LimitsDef *def, char *source)
 static TripSetting winch_most(const LimitsDef *def, int cables, double beyond)
 {
     char source[SOURCE_SIZE];
-    const TripSetting each[] = {{limits_pull(def, cables, source) + beyond, "what the cable may be pulled with"},
-                                {limits_attachment(def, INFINITY, source) + beyond, "what the eye or net bears"},
+    const TripSetting each[] = {{pull_allowed(def, cables, source) + beyond, "what the cable may be pulled with"},
+                                {attachment_allowed(def, INFINITY, source) + beyond, "what the eye or net bears"},
                                 {rope_allowed(def, source), "what the rope may be pulled with"},
-                                {def->winch_capacity, "what the winch can pull"}};
+                                {def->own[HAWSER_LIMIT_WINCH], "what the winch can pull"}};
     TripSetting least = {NAN, "nothing is known that gives first"};
     for (size_t i = 0; i < sizeof each / sizeof *each; i++) {
         if (!isnan(each[i].force) && !(each[i].force >= least.force)) least = each[i];
@@ -153,7 +161,7 @@ static TripSetting winch_most(const LimitsDef *def, int cables, double beyond)
 
 TripSetting limits_trip(const LimitsDef *def, int cables, double force, double beyond)
 {
-    const TripSetting usual = {force > 0 ? def->alpha * force : NAN, "alpha times the largest force"},
+    const TripSetting usual = {force > 0 ? def->own[HAWSER_LIMIT_ALPHA] * force : NAN, "alpha times the largest force"},
                       most = winch_most(def, cables, beyond);
     return isnan(usual.force) || most.force < usual.force ? most : usual;
 }
@@ -224,93 +232,87 @@ static double jam_allowed(const LimitsDef *def, const Finding *f, char *source)
     return jams_above(def, f) ? band.to : band.from;
 }
 
-/* A rule of one number that the case may replace. */
-static double by_rule(double own, const char *key, Allowed rule, char *source)
+/* What of a pull a bound depends on. */
+typedef struct Asked {
+    const LimitsDef *def;
+    hawser_limit_kind kind;
+    double diameter; /* m */
+    int cables;
+    const Finding *found;
+} Asked;
+
+static double pull_of(const Asked *q, char *source) { return pull_allowed(q->def, q->cables, source); }
+static double attachment_of(const Asked *q, char *source) { return attachment_allowed(q->def, q->found->value, source); }
+static double radius_of(const Asked *q, char *source) { return radius_allowed(q->def, q->diameter, source); }
+static double rope_of(const Asked *q, char *source) { return rope_allowed(q->def, source); }
+static double trip_of(const Asked *q, char *source) { return trip_allowed(q->def, q->cables, q->found, source); }
+static double jam_of(const Asked *q, char *source) { return jam_allowed(q->def, q->found, source); }
+
+static double roller_of(const Asked *q, char *source)
 {
-    const Allowed a = given_or(own, key, rule);
-    allowed_say(a, source, SOURCE_SIZE);
-    return a.value;
+    return roller_allowed(q->def, q->found, q->kind == HAWSER_LIMIT_ROLLER_STEADY, source);
 }
 
-/* What is allowed of ducts. */
-static double duct_allowed(const LimitsDef *def, hawser_limit_kind kind, const Finding *f, char *source)
+static double buckling_of(const Asked *q, char *source)
 {
-    switch (kind) {
-    case HAWSER_LIMIT_JAM_RATIO:
-        return jam_allowed(def, f, source);
-    case HAWSER_LIMIT_CLEARANCE:
-        return by_rule(def->clearance, "limits.clearance", code_rule(RULE_CLEARANCE, def->code, 0, 0), source);
-    case HAWSER_LIMIT_WEIGHT_CORRECTION:
-        if (isnan(given(def->weight_correction, "weight_correction", source)))
-            snprintf(source, SOURCE_SIZE, "%s", "no code has a bound: needs limits.weight_correction");
-        return def->weight_correction;
-    default:
-        return by_rule(def->fill, "limits.fill", code_rule(RULE_FILL, def->code, f->cables, 0), source);
-    }
+    snprintf(source, SOURCE_SIZE, "%s", q->found->why);
+    return q->found->rating;
 }
 
-/* What machines, rope and winch allow. */
-static double machine_allowed(const LimitsDef *def, hawser_limit_kind kind, int cables, const Finding *f, char *source)
+static double run_away_of(const Asked *q, char *source)
 {
-    switch (kind) {
-    case HAWSER_LIMIT_ROLLER_STEADY:
-    case HAWSER_LIMIT_ROLLER_PEAK:
-        return roller_allowed(def, f, kind == HAWSER_LIMIT_ROLLER_STEADY, source);
-    case HAWSER_LIMIT_ROPE:
-        return rope_allowed(def, source);
-    case HAWSER_LIMIT_ROPE_BEND:
-        return by_rule(def->rope_bend, "limits.rope_bend", code_rule(RULE_ROPE_BEND, CODE_USUAL, def->rope_kind, 0),
-                       source);
-    case HAWSER_LIMIT_WINCH:
-        return given(def->winch_capacity, "winch_capacity", source);
-    case HAWSER_LIMIT_PUSH:
-        return given(def->push, "push", source);
-    case HAWSER_LIMIT_BUCKLING:
-        snprintf(source, SOURCE_SIZE, "%s", f->why);
-        return f->rating;
-    case HAWSER_LIMIT_SQUEEZE:
-        return given(def->squeeze, "squeeze", source);
-    case HAWSER_LIMIT_TRIP:
-        return trip_allowed(def, cables, f, source);
-    case HAWSER_LIMIT_SPEED:
-        return by_rule(def->speed, "limits.speed", code_rule(RULE_SPEED, def->code, 0, 0), source);
-    default:
-        snprintf(source, SOURCE_SIZE, "%s", "eq. 12: 1.2 to 1.5 are usual");
-        return def->alpha;
-    }
+    snprintf(source, SOURCE_SIZE, "%s",
+             q->found->value > 0 || *q->found->why ? q->found->why : "a cable cannot be pushed");
+    return 0;
 }
+
+static double alpha_of(const Asked *q, char *source)
+{
+    snprintf(source, SOURCE_SIZE, "%s", "eq. 12: 1.2 to 1.5 are usual");
+    return q->def->own[HAWSER_LIMIT_ALPHA];
+}
+
+static double weight_of(const Asked *q, char *source)
+{
+    const double own = given(q->def, q->kind, source);
+    if (isnan(own)) snprintf(source, SOURCE_SIZE, "%s", "no code has a bound: needs limits.weight_correction");
+    return own;
+}
+
+/* Bounds that take more than the case's own number and a rule of one. */
+static double (*const bound_of[LIMIT_KINDS])(const Asked *q, char *source) = {
+    [HAWSER_LIMIT_PULL] = pull_of,
+    [HAWSER_LIMIT_RESTART] = pull_of,
+    [HAWSER_LIMIT_ATTACHMENT] = attachment_of,
+    [HAWSER_LIMIT_BEND_RADIUS] = radius_of,
+    [HAWSER_LIMIT_ROLLER_STEADY] = roller_of,
+    [HAWSER_LIMIT_ROLLER_PEAK] = roller_of,
+    [HAWSER_LIMIT_ROPE] = rope_of,
+    [HAWSER_LIMIT_BUCKLING] = buckling_of,
+    [HAWSER_LIMIT_RUN_AWAY] = run_away_of,
+    [HAWSER_LIMIT_ALPHA] = alpha_of,
+    [HAWSER_LIMIT_TRIP] = trip_of,
+    [HAWSER_LIMIT_JAM_RATIO] = jam_of,
+    [HAWSER_LIMIT_WEIGHT_CORRECTION] = weight_of,
+};
 
 double limits_allowed(const LimitsDef *def, hawser_limit_kind kind, double diameter, int cables, const Finding *f,
                       char *source)
 {
-    switch (kind) {
-    case HAWSER_LIMIT_PULL:
-    case HAWSER_LIMIT_RESTART:
-        return limits_pull(def, cables, source);
-    case HAWSER_LIMIT_ATTACHMENT:
-        return limits_attachment(def, f->value, source);
-    case HAWSER_LIMIT_SIDEWALL:
-        return limits_sidewall(def, source);
-    case HAWSER_LIMIT_CONTACT_PRESSURE:
-        return given(def->contact, "contact_pressure", source);
-    case HAWSER_LIMIT_BEND_RADIUS:
-        return limits_radius(def, diameter, source);
-    case HAWSER_LIMIT_RUN_AWAY:
-        snprintf(source, SOURCE_SIZE, "%s", f->value > 0 || *f->why ? f->why : "a cable cannot be pushed");
-        return 0;
-    case HAWSER_LIMIT_JAM_RATIO:
-    case HAWSER_LIMIT_CLEARANCE:
-    case HAWSER_LIMIT_FILL:
-    case HAWSER_LIMIT_WEIGHT_CORRECTION:
-        return duct_allowed(def, kind, f, source);
+    const Asked asked = {def, kind, diameter, cables, f};
+    if (bound_of[kind]) return bound_of[kind](&asked, source);
+    switch ((int)kind) {
+#define LIMIT_RULE(named, rule, ...)                                                                                   \
+    case HAWSER_LIMIT_##named:                                                                                         \
+        return by_rule(def, kind, code_rule(rule, __VA_ARGS__), source);
+#include "def/limit_kinds.h"
     default:
-        return machine_allowed(def, kind, cables, f, source);
+        return given(def, kind, source);
     }
 }
 
 int limits_at_least(const LimitsDef *def, hawser_limit_kind kind, const Finding *f)
 {
-    return kind == HAWSER_LIMIT_BEND_RADIUS || kind == HAWSER_LIMIT_ROPE_BEND || kind == HAWSER_LIMIT_CLEARANCE ||
-           (kind == HAWSER_LIMIT_JAM_RATIO && jams_above(def, f)) ||
+    return limits_is(kind, LIMIT_AT_LEAST) || (kind == HAWSER_LIMIT_JAM_RATIO && jams_above(def, f)) ||
            (kind == HAWSER_LIMIT_TRIP && f->value < f->steady);
 }

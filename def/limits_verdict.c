@@ -78,8 +78,6 @@ static void add_broken(Line *line, const hawser_limit *l, int first)
     add(line, "%s%s", *l->where ? " at " : "", l->where);
 }
 
-int limits_essential(hawser_limit_kind kind) { return kind == HAWSER_LIMIT_PULL || kind == HAWSER_LIMIT_SIDEWALL; }
-
 /* "; 2 not judged: rope, winch". */
 static void add_not_judged(Line *line, int n, const hawser_limit *limit, int unknown)
 {
@@ -101,7 +99,7 @@ static Tally tally_of(int n, const hawser_limit *limit)
     Tally t = {0};
     for (int i = 0; i < n; i++) {
         const hawser_limit *const l = &limit[i];
-        if (!l->judged && !t.missing && (limits_essential(l->kind) || l->at_speed)) t.missing = l;
+        if (!l->judged && !t.missing && (limits_is(l->kind, LIMIT_ESSENTIAL) || l->at_speed)) t.missing = l;
         if (!l->judged) continue;
         t.judged++;
         t.broken += !l->ok;

@@ -522,8 +522,8 @@ static hawser_status places_vary(const Setup *setup, const Calculator *base, con
 static int peaks_count(const Setup *setup)
 {
     const LimitsDef *const limits = &setup->def->limits;
-    return !isnan(limits->rope_strength) || !isnan(limits->winch_capacity) || setup->def->winch.trip.force > 0 ||
-           setup->def->winch.trip.factor > 0;
+    return !isnan(limits->rope_strength) || !isnan(limits->own[HAWSER_LIMIT_WINCH]) ||
+           setup->def->winch.trip.force > 0 || setup->def->winch.trip.factor > 0;
 }
 
 hawser_status calculator_vary(const Setup *setup, const Calculator *base, const Variation *by, Calculator *out,

@@ -8,22 +8,24 @@
 #include "core/profile.h"
 #include "theory/calculator.h"
 
+/* Names and units by kind, and what holds; those of a run alone are in sim/judge/trust.c. */
+static const struct {
+    const char *name, *unit;
+} kinds[] = {
+    [HAWSER_CONDITION_SUPPORTED] = {"supported", "1"}, /* of theory: the cable is held up and to the side all along */
+    [HAWSER_CONDITION_FRICTION] = {"friction", "1"},   /* of theory: there is as much friction as the surfaces have */
+    [HAWSER_CONDITION_MEDIUM] = {"medium", "1"},       /* of theory: the medium resists little */
+    [HAWSER_CONDITION_DRIVE] = {"drive", "1"},         /* of theory: machines act as theory takes them to */
+    [HAWSER_CONDITION_PULLED] = {"pulled", "N"},       /* of theory: the cable is in tension everywhere */
+    [HAWSER_CONDITION_STIFFNESS] = {"stiffness", "N"}, /* of theory: bending stiffness breaks no limit */
+    [HAWSER_CONDITION_OVERLAP] = {"overlap", "1"},     /* cables do not lie inside each other */
+};
+
 hawser_condition theory_condition(hawser_condition_kind kind, double value, double allowed)
 {
-    static const struct {
-        const char *name, *unit;
-    } kinds[] = {
-        [HAWSER_CONDITION_SUPPORTED] = {"supported", "1"}, [HAWSER_CONDITION_FRICTION] = {"friction", "1"},
-        [HAWSER_CONDITION_MEDIUM] = {"medium", "1"},       [HAWSER_CONDITION_DRIVE] = {"drive", "1"},
-        [HAWSER_CONDITION_PULLED] = {"pulled", "N"},       [HAWSER_CONDITION_STIFFNESS] = {"stiffness", "N"},
-        [HAWSER_CONDITION_OVERLAP] = {"overlap", "1"},
-    };
-    return (hawser_condition){.kind = kind,
-                              .name = kinds[kind].name,
-                              .unit = kinds[kind].unit,
-                              .value = value,
-                              .allowed = allowed,
-                              .holds = value <= allowed};
+    hawser_condition out = {.kind = kind, .value = value, .allowed = allowed, .holds = value <= allowed};
+    if ((size_t)kind < sizeof kinds / sizeof *kinds) out.name = kinds[kind].name, out.unit = kinds[kind].unit;
+    return out;
 }
 
 /* What carries the cable does so all along, whatever its tension. */

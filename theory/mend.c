@@ -18,12 +18,6 @@ static const double STEP = 0.85, LEAST = 0.02; /* of friction, which is looked f
 
 static const double WIDEST = 8, DUCT_STEP = 1.005; /* times the diameter: how far, and in which steps it is looked */
 
-static int is_duct_limit(hawser_limit_kind kind)
-{
-    return kind == HAWSER_LIMIT_JAM_RATIO || kind == HAWSER_LIMIT_CLEARANCE || kind == HAWSER_LIMIT_FILL ||
-           kind == HAWSER_LIMIT_WEIGHT_CORRECTION;
-}
-
 /* Whether a duct's own limits hold with that inside diameter. */
 static int duct_holds(const SceneDef *def, const SurfaceDef *duct, double diameter)
 {
@@ -37,7 +31,7 @@ static int duct_holds(const SceneDef *def, const SurfaceDef *duct, double diamet
     for (int k = 0; k < LIMIT_KINDS; ++k) finding[k] = (Finding){.absent = 1};
     limits_duct(&def->limits, bundle_cables_in(def, duct), duct->name, &load, finding);
     const int n = limits_judge(&def->limits, bundle_diameter(def), bundle_pulled(def), finding, limit);
-    for (int i = 0; i < n; ++i) holds &= !is_duct_limit(limit[i].kind) || !limit[i].judged || limit[i].ok;
+    for (int i = 0; i < n; ++i) holds &= !limits_is(limit[i].kind, LIMIT_OF_DUCT) || !limit[i].judged || limit[i].ok;
     return holds;
 }
 
@@ -263,11 +257,9 @@ static void radii_reset(const Trial *t)
 /* Whether the pull itself is more than a limit allows: a wider bend is longer, and takes nothing off. */
 static int is_overpulled(const Trial *t, const Calculator *c)
 {
-    static const unsigned kinds = 1U << HAWSER_LIMIT_PULL | 1U << HAWSER_LIMIT_RESTART | 1U << HAWSER_LIMIT_ATTACHMENT |
-                                  1U << HAWSER_LIMIT_ROPE | 1U << HAWSER_LIMIT_WINCH;
     for (int i = 0; i < c->n_limits; ++i) {
         const hawser_limit *const l = &c->limit[t->way][i];
-        if (l->judged && !l->ok && (kinds & 1U << l->kind)) return 1;
+        if (l->judged && !l->ok && limits_is(l->kind, LIMIT_PULLS)) return 1;
     }
     return 0;
 }
@@ -425,7 +417,7 @@ static hawser_status find(Trial *t, Mend *out)
     out->conditional = limits_only_if(t->n_limits, t->limit, out->word, sizeof out->word);
     for (int i = 0; i < t->n_limits; ++i) {
         const hawser_limit *const l = &t->limit[i];
-        if (l->judged || !limits_essential(l->kind)) continue;
+        if (l->judged || !limits_is(l->kind, LIMIT_ESSENTIAL)) continue;
         snprintf(out->word, sizeof out->word, "NOT JUDGED: %.40s", l->name);
         out->unjudged = 1;
     }

@@ -157,17 +157,8 @@ static hawser_status start_find(const Setup *setup, const Calculator *c, const P
 /* What a limit is of, of these two; NAN: it is of neither. */
 static double started_of(const hawser_limit *limit, double head, double winch)
 {
-    switch (limit->kind) {
-    case HAWSER_LIMIT_PULL:
-    case HAWSER_LIMIT_RESTART:
-    case HAWSER_LIMIT_ATTACHMENT:
-        return head;
-    case HAWSER_LIMIT_ROPE:
-    case HAWSER_LIMIT_WINCH:
-        return winch;
-    default:
-        return NAN;
-    }
+    if (!limits_is(limit->kind, LIMIT_PULLS)) return NAN;
+    return limit->kind == HAWSER_LIMIT_ROPE || limit->kind == HAWSER_LIMIT_WINCH ? winch : head;
 }
 
 hawser_status started_judge(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err)

@@ -113,18 +113,9 @@ static double way_takes(const Setup *setup, const Calculator *c, int way, double
 static double left_of(const hawser_limit *limit, const PlanWay *way)
 {
     if (!limit->judged || !limit->ok) return INFINITY;
-    switch (limit->kind) {
-    case HAWSER_LIMIT_PULL:
-    case HAWSER_LIMIT_RESTART:
-    case HAWSER_LIMIT_ATTACHMENT:
-    case HAWSER_LIMIT_ROPE:
-    case HAWSER_LIMIT_WINCH:
-        return limit->limit - limit->value;
-    case HAWSER_LIMIT_SIDEWALL:
-        return limit->value > 0 ? way->pull.max_tension * (limit->limit / limit->value - 1) : INFINITY;
-    default:
-        return INFINITY;
-    }
+    if (limits_is(limit->kind, LIMIT_PULLS)) return limit->limit - limit->value;
+    if (limit->kind != HAWSER_LIMIT_SIDEWALL || !(limit->value > 0)) return INFINITY;
+    return way->pull.max_tension * (limit->limit / limit->value - 1);
 }
 
 double limits_left(const Calculator *c, int way, const hawser_limit **least)

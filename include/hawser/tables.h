@@ -96,7 +96,6 @@ typedef struct hawser_place {
 
 /* Which condition it is. Numbers stay; new kinds come behind. */
 typedef enum hawser_condition_kind {
-    /* of a run */
     HAWSER_CONDITION_FINISHED,          /* the run reached its end */
     HAWSER_CONDITION_STEADY_WINDOW,     /* the run reached the steady window */
     HAWSER_CONDITION_EQUILIBRIUM,       /* the cable came to rest before t = 0; of positions, each is in equilibrium */
@@ -123,13 +122,12 @@ typedef enum hawser_condition_kind {
     HAWSER_CONDITION_START_JOLT,        /* the largest pull is not the jolt of the start */
     HAWSER_CONDITION_PEAK,              /* the largest pull is no single spike */
     HAWSER_CONDITION_WAVES,             /* segments are short enough for the waves of a cable that is pushed */
-    /* of theory */
-    HAWSER_CONDITION_SUPPORTED, /* the cable is held up and to the side all along */
-    HAWSER_CONDITION_FRICTION,  /* there is as much friction as the surfaces have */
-    HAWSER_CONDITION_MEDIUM,    /* the medium resists little */
-    HAWSER_CONDITION_DRIVE,     /* machines act as theory takes them to */
-    HAWSER_CONDITION_PULLED,    /* the cable is in tension everywhere */
-    HAWSER_CONDITION_STIFFNESS  /* bending stiffness breaks no limit */
+    HAWSER_CONDITION_SUPPORTED,         /* of theory: the cable is held up and to the side all along */
+    HAWSER_CONDITION_FRICTION,          /* of theory: there is as much friction as the surfaces have */
+    HAWSER_CONDITION_MEDIUM,            /* of theory: the medium resists little */
+    HAWSER_CONDITION_DRIVE,             /* of theory: machines act as theory takes them to */
+    HAWSER_CONDITION_PULLED,            /* of theory: the cable is in tension everywhere */
+    HAWSER_CONDITION_STIFFNESS          /* of theory: bending stiffness breaks no limit */
 } hawser_condition_kind;
 
 /* A condition under which a run is worth judging (docs/limits.md, "Trust"). */

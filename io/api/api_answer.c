@@ -148,7 +148,7 @@ static const hawser_limit *limit_of(int n, const hawser_limit *limit, hawser_lim
 /* Whether what is said for all together is about that limit, too. */
 static int is_told(const Mend *mend, const hawser_limit *l)
 {
-    return mend && (mend->safe ? !(mend->beside & 1U << l->kind) : limit_is_mended(l));
+    return mend && (mend->safe ? !(mend->beside & 1U << l->kind) : limits_is(l->kind, LIMIT_MENDED));
 }
 
 /* What was found at its worst place, and what to do if that is too much, unless that was `said` just before, or is said
@@ -306,7 +306,7 @@ static void inverse_lines(Answer *a, const Setup *setup, const Calculator *c, co
     const InverseMachines *const machines = &inverse->machines[way];
     int unknown = 0;
     for (int i = 0; i < c->n_limits; ++i)
-        unknown |= !c->limit[way][i].judged && limits_essential(c->limit[way][i].kind);
+        unknown |= !c->limit[way][i].judged && limits_is(c->limit[way][i].kind, LIMIT_ESSENTIAL);
     const char *const limits = unknown ? "limits that can be judged" : "limits";
     for (int i = 0; i < inverse->n; ++i) {
         const InverseAnswer *const b = &inverse->answer[i];

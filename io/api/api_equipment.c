@@ -142,8 +142,8 @@ static void others_list(Crew *c)
     if (!def->winch.present) return;
     Placed *const row = line_row(c, "winch", "winch", end);
     row->load = way->force;
-    if (!(def->limits.winch_capacity > 0)) return;
-    row->rating = def->limits.winch_capacity;
+    if (!(def->limits.own[HAWSER_LIMIT_WINCH] > 0)) return;
+    row->rating = def->limits.own[HAWSER_LIMIT_WINCH];
     row->margin = 100 * (1 - row->load / row->rating);
 }
 

@@ -197,8 +197,6 @@ Remedy friction_part(const Setup *setup, double now, double most);
 /* What a mended pull needs, in the order in which it is said; codes "do_...". Returns how many there are. */
 enum { MEND_PARTS_MAX = MEND_BENDS_MAX + MEND_DUCTS_MAX + 1 };
 int mend_parts(const Setup *setup, const Mend *m, Remedy part[MEND_PARTS_MAX]);
-/* Whether it is one of the limits that a mended pull is about. */
-int limit_is_mended(const hawser_limit *l);
 /* What would keep a run's limits limit[n] together, of which one that theory knows is broken, by theory with the run's
  * figures. 0: none is, or nothing does. */
 int mend_run(const hawser_sim *s, int n, const hawser_limit *limit, Mend *out);

@@ -90,37 +90,26 @@ static void duct_remedy(const Setup *setup, const hawser_limit *l, Remedy *r)
     surface_key(setup->def, i, "radius", r->key);
 }
 
-/* Remedies that are the limit itself, or what is missing to it, and the keys that would do it. */
+/* Remedies that are the limit itself, or what is missing to it, the keys that would do it, and the sentence, below. */
 typedef enum Bound { BOUND_NONE, BOUND_LEAST, BOUND_MOST, BOUND_OVER } Bound;
 static const struct SimpleRemedy {
-    hawser_limit_kind kind;
     Bound bound;
-    const char *code, *key;
-} simple[] = {
-    {HAWSER_LIMIT_PULL, BOUND_OVER, "less_pull", ""},
-    {HAWSER_LIMIT_RESTART, BOUND_OVER, "less_pull", ""},
-    {HAWSER_LIMIT_ATTACHMENT, BOUND_OVER, "less_pull", ""},
-    {HAWSER_LIMIT_WINCH, BOUND_OVER, "less_pull", ""},
-    {HAWSER_LIMIT_BUCKLING, BOUND_OVER, "less_push", "conveyors.N.limit"},
-    {HAWSER_LIMIT_BEND_RADIUS, BOUND_LEAST, "bend_radius", ""},
-    {HAWSER_LIMIT_ROPE_BEND, BOUND_LEAST, "sheaves", ""},
-    {HAWSER_LIMIT_PUSH, BOUND_MOST, "more_machines", ""},
-    {HAWSER_LIMIT_SQUEEZE, BOUND_MOST, "longer_conveyors", ""},
-    {HAWSER_LIMIT_TRIP, BOUND_MOST, "trip", "drive.winch.trip"},
-    {HAWSER_LIMIT_SPEED, BOUND_MOST, "slower", "drive.winch.speed"},
-    {HAWSER_LIMIT_ALPHA, BOUND_NONE, "softer_start", "drive.winch.to"},
+    const char *code, *key, *text;
+} simple[LIMIT_KINDS] = {
+#define LIMIT_REMEDY(kind, ...) [HAWSER_LIMIT_##kind] = {__VA_ARGS__},
+#include "def/limit_kinds.h"
 };
 
 static void simple_remedy(const hawser_limit *l, Remedy *r)
 {
-    for (size_t k = 0; k < sizeof simple / sizeof *simple; ++k) {
-        if (l->kind != simple[k].kind) continue;
-        r->code = simple[k].code;
+    const struct SimpleRemedy *const by = (int)l->kind < LIMIT_KINDS ? &simple[l->kind] : NULL;
+    if (by && by->code) {
+        r->code = by->code;
         r->unit = l->unit;
-        snprintf(r->key, sizeof r->key, "%s", simple[k].key);
-        if (simple[k].bound == BOUND_LEAST) r->least = l->limit;
-        if (simple[k].bound == BOUND_MOST) *(l->value < l->limit ? &r->least : &r->most) = l->limit;
-        if (simple[k].bound == BOUND_OVER) r->least = l->value - l->limit;
+        snprintf(r->key, sizeof r->key, "%s", by->key);
+        if (by->bound == BOUND_LEAST) r->least = l->limit;
+        if (by->bound == BOUND_MOST) *(l->value < l->limit ? &r->least : &r->most) = l->limit;
+        if (by->bound == BOUND_OVER) r->least = l->value - l->limit;
     }
     if (!strcmp(l->where, "theory.feed")) {
         r->code = "less_feed";
@@ -244,20 +233,10 @@ int mend_parts(const Setup *setup, const Mend *m, Remedy part[MEND_PARTS_MAX])
     return n;
 }
 
-int limit_is_mended(const hawser_limit *l)
-{
-    static const hawser_limit_kind kinds[] = {HAWSER_LIMIT_PULL,      HAWSER_LIMIT_RESTART,     HAWSER_LIMIT_ATTACHMENT,
-                                              HAWSER_LIMIT_SIDEWALL,  HAWSER_LIMIT_BEND_RADIUS, HAWSER_LIMIT_WINCH,
-                                              HAWSER_LIMIT_JAM_RATIO, HAWSER_LIMIT_CLEARANCE,   HAWSER_LIMIT_FILL};
-    int mended = 0;
-    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; ++k) mended |= l->kind == kinds[k];
-    return mended;
-}
-
 int mend_run(const hawser_sim *s, int n, const hawser_limit *limit, Mend *out)
 {
     int broken = 0;
-    for (int i = 0; i < n; ++i) broken |= limit[i].judged && !limit[i].ok && limit_is_mended(&limit[i]);
+    for (int i = 0; i < n; ++i) broken |= limit[i].judged && !limit[i].ok && limits_is(limit[i].kind, LIMIT_MENDED);
     if (!broken) return 0;
     const Setup *const setup = &s->stage.scene.setup;
     Calculator c;
@@ -269,8 +248,8 @@ int mend_run(const hawser_sim *s, int n, const hawser_limit *limit, Mend *out)
 
 /* ------------------------------------------------------------------------------------------------------- sentences */
 
-/* Of each code. {NAME} is a value; what stands in [...] goes where one of its values is not there, or becomes what
- * stands behind its '|'. */
+/* Of each code that the kinds do not have. {NAME} is a value; what stands in [...] goes where one of its values is not
+ * there, or becomes what stands behind its '|'. */
 static const struct RemedySentence {
     const char *code, *text;
 } sentence[] = {
@@ -278,8 +257,6 @@ static const struct RemedySentence {
                "less tension "
                "there"},
     {"less_tension", "{percent} % less tension there, or what presses less"},
-    {"less_pull", "{least} less pull: conveyors, a pit, or a lubricant"},
-    {"less_push", "{least} less push ({key}), a narrower duct, or guides and carriers closer together"},
     {"rope_strength", "a rope that breaks at {least} ({key}), or less pull"},
     {"wider_duct", "an inside diameter of at least {least}[ and at most {most}] in '{where}' would keep its limits "
                    "(now {now}, twice {key})"},
@@ -298,15 +275,17 @@ static const struct RemedySentence {
      "rollers there at {share} of their spacing, or rated {least} times as high[, or a softer start ({also})]"},
     {"brake", "a brake of {least} more where the pull begins ({key})[, or less feed ({also})]"},
     {"brake_each", "a brake of {least} more where the pull begins ({key}, of each cable)[, or less feed ({also})]"},
-    {"bend_radius", "a radius of at least {least} there"},
-    {"sheaves", "sheaves and bends of at least {least} times the rope's diameter"},
-    {"more_machines", "more conveyors or machines, each with at most {most}"},
-    {"longer_conveyors", "longer conveyors or more of them, pressing with at most {most}"},
-    {"trip", "a winch that stops at [{most}|{least}] ({key})"},
-    {"slower", "a winch that pulls with at most {most} ({key})"},
     {"less_feed", "less feed ({key}): at most {most}"},
-    {"softer_start", "a softer start: a longer {key}, ramp step5"},
 };
+
+static const char *sentence_of(const Remedy *r)
+{
+    for (size_t k = 0; r->code && k < sizeof sentence / sizeof *sentence; ++k)
+        if (!strcmp(sentence[k].code, r->code)) return sentence[k].text;
+    for (int k = 0; r->code && k < LIMIT_KINDS; ++k)
+        if (simple[k].text && !strcmp(simple[k].code, r->code)) return simple[k].text;
+    return NULL;
+}
 
 /* The value called name [n]; "" if there is none. */
 static const char *remedy_value(const Remedy *r, const char *name, size_t n, hawser_units units, char text[64])
@@ -337,11 +316,7 @@ void remedy_say(const Remedy *r, hawser_units units, char text[REMEDY_MAX])
     size_t whole = 0;        /* where it has ended, while what would replace it is passed over */
     int missing = 0;         /* a value of the group */
     char value[64];
-    const char *from = "";
-    for (size_t k = 0; k < sizeof sentence / sizeof *sentence; ++k) {
-        if (r->code && !strcmp(sentence[k].code, r->code)) from = sentence[k].text;
-    }
-    for (; *from; ++from) {
+    for (const char *from = sentence_of(r); from && *from; ++from) {
         const char *piece = from;
         size_t size = 1;
         if (*from == '{') {

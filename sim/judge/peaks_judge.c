@@ -77,12 +77,8 @@ static Finding roller_finding(const Peaks *peaks, const Stats *stats, int steady
 /* What is a tension, or one over something exact, is as uncertain as the largest pull. */
 static void errors_of_tension(Finding f[LIMIT_KINDS], double share)
 {
-    static const hawser_limit_kind of_tension[] = {HAWSER_LIMIT_PULL, HAWSER_LIMIT_ATTACHMENT, HAWSER_LIMIT_SIDEWALL,
-                                                   HAWSER_LIMIT_ROPE, HAWSER_LIMIT_WINCH,      HAWSER_LIMIT_ALPHA};
-    for (size_t k = 0; k < sizeof of_tension / sizeof *of_tension; ++k) {
-        Finding *const it = &f[of_tension[k]];
-        if (it->value > 0) it->error = share * it->value;
-    }
+    for (int k = 0; k < LIMIT_KINDS; ++k)
+        if (limits_is((hawser_limit_kind)k, LIMIT_TENSION) && f[k].value > 0) f[k].error = share * f[k].value;
 }
 
 /* The largest acceleration of the winch by its profile, m/s2; INFINITY: it jumps, or a table may. */
@@ -135,11 +131,9 @@ static double start_share(const Scene *scene, double pull)
 /* Positions are at speed: what else a start makes of tensions and of loads. */
 static void starts_of_tension(const Scene *scene, double pull, Finding f[LIMIT_KINDS])
 {
-    static const hawser_limit_kind of_tension[] = {
-        HAWSER_LIMIT_PULL,  HAWSER_LIMIT_ATTACHMENT, HAWSER_LIMIT_SIDEWALL,    HAWSER_LIMIT_ROPE,
-        HAWSER_LIMIT_WINCH, HAWSER_LIMIT_ALPHA,      HAWSER_LIMIT_ROLLER_PEAK, HAWSER_LIMIT_CONTACT_PRESSURE};
     const double share = start_share(scene, pull);
-    for (size_t k = 0; k < sizeof of_tension / sizeof *of_tension; ++k) f[of_tension[k]].start = share;
+    for (int k = 0; k < LIMIT_KINDS; ++k)
+        if (limits_is((hawser_limit_kind)k, LIMIT_TENSION | LIMIT_STARTS)) f[k].start = share;
 }
 
 static Finding alpha_finding(const Peaks *peaks, const Scene *scene, const PeaksTheory *theory)

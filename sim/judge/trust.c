@@ -151,36 +151,37 @@ typedef struct List {
     int n;
 } List;
 
-/* Names and units by kind; those of theory are in theory/calculator_known.c. */
+/* Names and units by kind, and what holds; those of theory are in theory/calculator_known.c. The public enumeration is
+ * made of both (tests/house/check_kinds.py ROOT --update). */
 static const struct {
     const char *name, *unit;
 } kinds[] = {
-    [HAWSER_CONDITION_FINISHED] = {"finished", "s"},
-    [HAWSER_CONDITION_STEADY_WINDOW] = {"steady_window", "s"},
-    [HAWSER_CONDITION_EQUILIBRIUM] = {"equilibrium", "N"},
-    [HAWSER_CONDITION_TAUT] = {"taut", "1"},
-    [HAWSER_CONDITION_STABLE] = {"stable", "1"},
-    [HAWSER_CONDITION_ENERGY] = {"energy", "1"},
-    [HAWSER_CONDITION_MOMENTUM] = {"momentum", "1"},
-    [HAWSER_CONDITION_NUMERICAL_DAMPING] = {"numerical_damping", "1"},
-    [HAWSER_CONDITION_ON_ROUTE] = {"on_route", "m"},
-    [HAWSER_CONDITION_PASSED] = {"passed", "1"},
-    [HAWSER_CONDITION_START] = {"start", "N"},
-    [HAWSER_CONDITION_EDGE] = {"edge", "1"},
-    [HAWSER_CONDITION_OVERLAP] = {"overlap", "1"},
-    [HAWSER_CONDITION_ORIENTATION] = {"orientation", "1"},
-    [HAWSER_CONDITION_MESH] = {"mesh", "1"},
-    [HAWSER_CONDITION_FRICTION_SPEED] = {"friction_speed", "1"},
-    [HAWSER_CONDITION_NUMERICAL_ERROR] = {"numerical_error", "1"},
-    [HAWSER_CONDITION_NUMERICAL_PEAK] = {"numerical_peak", "1"},
-    [HAWSER_CONDITION_DECIDED] = {"decided", "1"},
-    [HAWSER_CONDITION_PUSHED] = {"pushed", "N"},
-    [HAWSER_CONDITION_DRAWN] = {"drawn", "1"},
-    [HAWSER_CONDITION_SHARED] = {"shared", "1"},
-    [HAWSER_CONDITION_STEADY] = {"steady", "1"},
-    [HAWSER_CONDITION_START_JOLT] = {"start_jolt", "1"},
-    [HAWSER_CONDITION_PEAK] = {"peak", "1"},
-    [HAWSER_CONDITION_WAVES] = {"waves", "1"},
+    [HAWSER_CONDITION_FINISHED] = {"finished", "s"},           /* the run reached its end */
+    [HAWSER_CONDITION_STEADY_WINDOW] = {"steady_window", "s"}, /* the run reached the steady window */
+    [HAWSER_CONDITION_EQUILIBRIUM] =
+        {"equilibrium", "N"}, /* the cable came to rest before t = 0; of positions, each is in equilibrium */
+    [HAWSER_CONDITION_TAUT] = {"taut", "1"},                           /* of positions, nothing is pushed */
+    [HAWSER_CONDITION_STABLE] = {"stable", "1"},                       /* the equilibrium is stable */
+    [HAWSER_CONDITION_ENERGY] = {"energy", "1"},                       /* the balance of energy closes */
+    [HAWSER_CONDITION_MOMENTUM] = {"momentum", "1"},                   /* the balance of momentum closes */
+    [HAWSER_CONDITION_NUMERICAL_DAMPING] = {"numerical_damping", "1"}, /* steps in time take little of the motion */
+    [HAWSER_CONDITION_ON_ROUTE] = {"on_route", "m"},                   /* the cable stays near the route */
+    [HAWSER_CONDITION_PASSED] = {"passed", "1"},                       /* no segment passes through a support */
+    [HAWSER_CONDITION_START] = {"start", "N"},                         /* the chain does not begin inside a support */
+    [HAWSER_CONDITION_EDGE] = {"edge", "1"},                     /* the cable does not rest at the edge of a roller */
+    [HAWSER_CONDITION_ORIENTATION] = {"orientation", "1"},       /* neither head nor joints have turned over */
+    [HAWSER_CONDITION_MESH] = {"mesh", "1"},                     /* segments are short enough */
+    [HAWSER_CONDITION_FRICTION_SPEED] = {"friction_speed", "1"}, /* the pull is faster than friction needs to come in */
+    [HAWSER_CONDITION_NUMERICAL_ERROR] = {"numerical_error", "1"}, /* error bound of the mean pull */
+    [HAWSER_CONDITION_NUMERICAL_PEAK] = {"numerical_peak", "1"},   /* error bound of the largest pull */
+    [HAWSER_CONDITION_DECIDED] = {"decided", "1"},       /* limits hold by more than their figures may be off */
+    [HAWSER_CONDITION_PUSHED] = {"pushed", "N"},         /* the cable does not push the winch */
+    [HAWSER_CONDITION_DRAWN] = {"drawn", "1"},           /* the cable moves in the steady window */
+    [HAWSER_CONDITION_SHARED] = {"shared", "1"},         /* it is decided how a belt and the winch share the pull */
+    [HAWSER_CONDITION_STEADY] = {"steady", "1"},         /* the pull is even over the steady window */
+    [HAWSER_CONDITION_START_JOLT] = {"start_jolt", "1"}, /* the largest pull is not the jolt of the start */
+    [HAWSER_CONDITION_PEAK] = {"peak", "1"},             /* the largest pull is no single spike */
+    [HAWSER_CONDITION_WAVES] = {"waves", "1"}, /* segments are short enough for the waves of a cable that is pushed */
 };
 
 const char *trust_name(hawser_condition_kind kind) { return kinds[kind].name; }
@@ -193,12 +194,8 @@ static void add(List *list, hawser_condition_kind kind, double value, double all
 {
     hawser_condition *const c = &list->out[list->n++];
     va_list args;
-    *c = (hawser_condition){.kind = kind,
-                            .name = kinds[kind].name,
-                            .unit = kinds[kind].unit,
-                            .value = value,
-                            .allowed = allowed,
-                            .holds = value <= allowed};
+    *c = theory_condition(kind, value, allowed);
+    if (!c->name) c->name = kinds[kind].name, c->unit = kinds[kind].unit;
     va_start(args, format);
     vsnprintf(c->remedy, sizeof c->remedy, format, args);
     va_end(args);

@@ -183,7 +183,7 @@ static void assumed_add(const Sim *s, int n, hawser_limit *limit)
     const Setup setup = scene_setup(&s->stage.scene);
     if (!assumed_judge(&setup, NULL, 1, 1, n, &limit, &err)) return;
     for (int i = 0; i < n; ++i) {
-        if (!limits_essential(limit[i].kind)) continue;
+        if (!limits_is(limit[i].kind, LIMIT_ESSENTIAL)) continue;
         limit[i].judged = limit[i].ok = 0;
         snprintf(limit[i].source, sizeof limit[i].source, "theory cannot vary what is assumed: %.120s", err.message);
     }

@@ -100,7 +100,7 @@ static int essential_missing(const json_t *limits)
     {
         const hawser_limit_kind kind = limits_kind(json_string_value(json_object_get(limit, "name")));
         const char *const direction = json_string_value(json_object_get(limit, "direction"));
-        const int counts = limits_essential(kind) && !(direction && strcmp(direction, "forward") != 0);
+        const int counts = limits_is(kind, LIMIT_ESSENTIAL) && !(direction && strcmp(direction, "forward") != 0);
         if (counts && isnan(number_of(json_object_get(limit, "margin")))) return 1;
     }
     return 0;

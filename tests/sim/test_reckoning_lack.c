@@ -43,7 +43,11 @@ static void define_limited(SceneDef *def)
 {
     define_conveyor(def);
     def->n_jams = 0;
-    def->limits = (LimitsDef){.present = 1, .K = 1, .grips = 1, .pull = 3000, .sidewall = 2000, .winch_capacity = 5000};
+    def->limits =
+        (LimitsDef){.present = 1,
+                    .K = 1,
+                    .grips = 1,
+                    .own = {[HAWSER_LIMIT_PULL] = 3000, [HAWSER_LIMIT_SIDEWALL] = 2000, [HAWSER_LIMIT_WINCH] = 5000}};
     TheoryDef *const t = &def->theory;
     t->machine_push = 500;
     t->n_machines = t->n_pits = 1;

@@ -18,6 +18,13 @@ static LimitsDef given(void)
     return def;
 }
 
+/* What is allowed of so many cables of diameter d, m, whatever was found. */
+static double allowed(const LimitsDef *def, hawser_limit_kind kind, double d, int cables, char *source)
+{
+    const Finding none = {0};
+    return limits_allowed(def, kind, d, cables, &none, source);
+}
+
 /* Eq. 11 and table 4 of the paper, the two columns of TB 889, by hand in N. */
 TEST(allowable_pull)
 {
@@ -44,12 +51,12 @@ TEST(allowable_pull)
         } else {
             def.metal = row[i].material, def.area = row[i].mm2 * 1e-6;
         }
-        check_share(limits_pull(&def, 1, source), row[i].expected, 1e-14);
+        check_share(allowed(&def, HAWSER_LIMIT_PULL, 0, 1, source), row[i].expected, 1e-14);
         check_has(source, def.code == CODE_PAPER ? "table 4" : "TB 889");
         /* TB 889 has 50 N/mm2 of copper for three in a triangle (was 3 x 60) */
         const double each =
             def.code == CODE_TB889 && def.metal == METAL_COPPER ? 50e6 * def.area * def.cores : row[i].expected;
-        check_close(limits_pull(&def, 3, source), 3 * each, 1e-13 * each);
+        check_close(allowed(&def, HAWSER_LIMIT_PULL, 0, 3, source), 3 * each, 1e-13 * each);
     }
 }
 
@@ -59,43 +66,43 @@ TEST(overrides)
     char source[160];
     LimitsDef def = given();
     def.area = 500e-6, def.stress = 55e6;
-    check_close(limits_pull(&def, 1, source), 27500, 1e-8);
+    check_close(allowed(&def, HAWSER_LIMIT_PULL, 0, 1, source), 27500, 1e-8);
     check_has(source, "limits.stress");
     check_has(source, "S = 500 mm2");
     def.area = NAN;
-    assert_true(isnan(limits_pull(&def, 1, source)));
+    assert_true(isnan(allowed(&def, HAWSER_LIMIT_PULL, 0, 1, source)));
     check_has(source, "needs limits.conductor.area or limits.pull");
-    def.pull = 12e3;
-    check_close(limits_pull(&def, 2, source), 24e3, 1e-9);
+    def.own[HAWSER_LIMIT_PULL] = 12e3;
+    check_close(allowed(&def, HAWSER_LIMIT_PULL, 0, 2, source), 24e3, 1e-9);
     assert_string_equal(source, "limits.pull");
     def.code = CODE_AEIC;
     for (int cables = 1; cables <= 3; cables++) { /* four fifths of four and more, nothing less of fewer */
-        check_close(limits_pull(&def, cables, source), cables * 12e3, 1e-9);
+        check_close(allowed(&def, HAWSER_LIMIT_PULL, 0, cables, source), cables * 12e3, 1e-9);
         assert_string_equal(source, "limits.pull");
     }
-    check_close(limits_pull(&def, 4, source), 0.8 * 4 * 12e3, 1e-9);
+    check_close(allowed(&def, HAWSER_LIMIT_PULL, 0, 4, source), 0.8 * 4 * 12e3, 1e-9);
     check_has(source, "limits.pull; ");
     check_has(source, "80 %");
     def.cores = 5; /* what the code takes off for them is in what is said of one cable */
-    check_close(limits_pull(&def, 1, source), 12e3, 1e-9);
+    check_close(allowed(&def, HAWSER_LIMIT_PULL, 0, 1, source), 12e3, 1e-9);
     assert_string_equal(source, "limits.pull");
     def.code = CODE_PAPER, def.cores = 1;
     /* by the code, Chinese, Fujikura, AEIC's least of 300 lbf/ft, rollers */
     static const double sidewall[] = {3000, 3000, 4900, 300 * LBF / FOOT, 500}, factor[] = {20, 20, 12, 20, 20};
     for (int k = 0; k < 5; k++) {
         def.practice = k;
-        check_share(limits_sidewall(&def, source), sidewall[k], 1e-12);
+        check_share(allowed(&def, HAWSER_LIMIT_SIDEWALL, 0, 1, source), sidewall[k], 1e-12);
         check_above(strlen(source), 0);
-        check_close(limits_radius(&def, 0.1, source), factor[k] * 0.1, 1e-12);
+        check_close(allowed(&def, HAWSER_LIMIT_BEND_RADIUS, 0.1, 1, source), factor[k] * 0.1, 1e-12);
         check_has(source, factor[k] > 15 ? "20 D, D = 100 mm (" : "12 D, D = 100 mm (");
     }
-    def.sidewall = 1234, def.bend_factor = 15;
-    check_close(limits_sidewall(&def, source), 1234, 0);
+    def.own[HAWSER_LIMIT_SIDEWALL] = 1234, def.bend_factor = 15;
+    check_close(allowed(&def, HAWSER_LIMIT_SIDEWALL, 0, 1, source), 1234, 0);
     assert_string_equal(source, "limits.sidewall");
-    check_close(limits_radius(&def, 0.1, source), 1.5, 1e-12);
+    check_close(allowed(&def, HAWSER_LIMIT_BEND_RADIUS, 0.1, 1, source), 1.5, 1e-12);
     assert_string_equal(source, "15 D, D = 100 mm (limits.bend_factor)");
-    def.bend_radius = 2.5;
-    check_close(limits_radius(&def, 0.1, source), 2.5, 0);
+    def.own[HAWSER_LIMIT_BEND_RADIUS] = 2.5;
+    check_close(allowed(&def, HAWSER_LIMIT_BEND_RADIUS, 0.1, 1, source), 2.5, 0);
     assert_string_equal(source, "limits.bend_radius");
 }
 
@@ -118,7 +125,7 @@ TEST(american_pulls)
         for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
             def = given();
             def.code = name, def.metal = row[i].metal, def.cores = row[i].cores, def.area = cmil(1000 * row[i].kcmil);
-            check_share(limits_pull(&def, row[i].cables, source), row[i].lbf * LBF, 1e-12);
+            check_share(allowed(&def, HAWSER_LIMIT_PULL, 0, row[i].cables, source), row[i].lbf * LBF, 1e-12);
             check_has(source, "ICEA");
         }
     }
@@ -126,10 +133,11 @@ TEST(american_pulls)
     def = given();
     def.code = CODE_AEIC, def.attachment = ATTACH_NET, def.sheath = SHEATH_LEAD;
     def.sheath_area = M_PI * 0.1 * (2 - 0.1) * INCH * INCH;
-    check_share(limits_pull(&def, 1, source), 4712 * 0.1 * (2 - 0.1) * LBF, 1e-4); /* 1500 pi = 4712.4 */
+    check_share(allowed(&def, HAWSER_LIMIT_PULL, 0, 1, source), 4712 * 0.1 * (2 - 0.1) * LBF,
+                1e-4); /* 1500 pi = 4712.4 */
     /* a grip over a plastic sheath: no more than the conductors either */
     def.sheath = SHEATH_PE, def.area = cmil(100e3);
-    check_share(limits_pull(&def, 1, source), 800 * LBF, 1e-12);
+    check_share(allowed(&def, HAWSER_LIMIT_PULL, 0, 1, source), 800 * LBF, 1e-12);
     check_has(source, "under a grip");
 }
 
@@ -139,22 +147,22 @@ TEST(attachments)
 {
     char source[160];
     LimitsDef def = given();
-    check_nan(limits_attachment(&def, 0, source)); /* the paper has none */
+    check_nan(allowed(&def, HAWSER_LIMIT_ATTACHMENT, 0, 1, source)); /* the paper has none */
     check_has(source, "needs limits.attachment_rating");
     def.code = CODE_IEEE1185;
-    check_share(limits_attachment(&def, 0, source), 10000 * LBF, 1e-12);
+    check_share(allowed(&def, HAWSER_LIMIT_ATTACHMENT, 0, 1, source), 10000 * LBF, 1e-12);
     def.attachment_rating = 60e3;
-    check_share(limits_attachment(&def, 0, source), 10000 * LBF, 1e-12);
+    check_share(allowed(&def, HAWSER_LIMIT_ATTACHMENT, 0, 1, source), 10000 * LBF, 1e-12);
     def.attachment_rating = 20e3;
-    check_close(limits_attachment(&def, 0, source), 20e3, 0);
+    check_close(allowed(&def, HAWSER_LIMIT_ATTACHMENT, 0, 1, source), 20e3, 0);
     assert_string_equal(source, "limits.attachment_rating");
     def.attachment_rating = NAN, def.attachment = ATTACH_NET, def.grips = 3;
-    check_share(limits_attachment(&def, 0, source), 3000 * LBF, 1e-12);
+    check_share(allowed(&def, HAWSER_LIMIT_ATTACHMENT, 0, 1, source), 3000 * LBF, 1e-12);
     check_has(source, ", 3 of them");
     def.code = CODE_TES, def.grips = 1, def.sheath = SHEATH_ALUMINIUM;
-    check_close(limits_attachment(&def, 0, source), 4450, 0);
+    check_close(allowed(&def, HAWSER_LIMIT_ATTACHMENT, 0, 1, source), 4450, 0);
     def.sheath = SHEATH_LEAD;
-    check_nan(limits_attachment(&def, 0, source));
+    check_nan(allowed(&def, HAWSER_LIMIT_ATTACHMENT, 0, 1, source));
 }
 
 /* The swivel bears the whole pull, eyes and nets each its share; a swivel alone breaks the limit, and does not keep it.
@@ -163,16 +171,17 @@ TEST(swivel)
 {
     char source[160];
     LimitsDef def = given();
+    Finding f = {.value = 14e3};
     def.swivel_rating = 15e3;
-    check_nan(limits_attachment(&def, 14e3, source));
+    check_nan(limits_allowed(&def, HAWSER_LIMIT_ATTACHMENT, 0, 1, &f, source));
     check_has(source, "needs limits.attachment_rating");
-    check_close(limits_attachment(&def, 16e3, source), 15e3, 0);
+    f.value = 16e3;
+    check_close(limits_allowed(&def, HAWSER_LIMIT_ATTACHMENT, 0, 1, &f, source), 15e3, 0);
     assert_string_equal(source, "limits.swivel_rating");
-    check_close(limits_attachment(&def, INFINITY, source), 15e3, 0);
     def.attachment_rating = 9e3, def.grips = 2, def.device = DEVICE_STOCKING, def.attachment = ATTACH_NET;
-    check_close(limits_attachment(&def, 0, source), 15e3, 0);
+    check_close(allowed(&def, HAWSER_LIMIT_ATTACHMENT, 0, 1, source), 15e3, 0);
     def.swivel_rating = 20e3;
-    check_close(limits_attachment(&def, 0, source), 18e3, 0);
+    check_close(allowed(&def, HAWSER_LIMIT_ATTACHMENT, 0, 1, source), 18e3, 0);
     assert_string_equal(source, "limits.attachment_rating of the stocking, 2 of them");
 }
 
@@ -186,26 +195,27 @@ TEST(other_codes)
     for (int net = 0; net < 2; net++) {
         static const double counted[] = {1, 2, 2, 2};
         def.attachment = net ? ATTACH_NET : ATTACH_EYE;
-        for (int n = 1; n <= 4; n++) check_share(limits_pull(&def, n, source), counted[n - 1] * 50 * 240, 1e-12);
+        for (int n = 1; n <= 4; n++)
+            check_share(allowed(&def, HAWSER_LIMIT_PULL, 0, n, source), counted[n - 1] * 50 * 240, 1e-12);
     }
-    def.pull = 10e3; /* the maker's word is of one cable: several share a rope no better for it */
-    check_share(limits_pull(&def, 3, source), 20e3, 1e-12);
+    def.own[HAWSER_LIMIT_PULL] = 10e3; /* the maker's word is of one cable: several share a rope no better for it */
+    check_share(allowed(&def, HAWSER_LIMIT_PULL, 0, 3, source), 20e3, 1e-12);
     check_has(source, "limits.pull; 3 single cables count as 2");
     def.code = CODE_AEIC, def.cores = 4; /* has the share of its own conductors in it already */
-    check_share(limits_pull(&def, 3, source), 30e3, 1e-12);
+    check_share(allowed(&def, HAWSER_LIMIT_PULL, 0, 3, source), 30e3, 1e-12);
     def.cores = 3;
-    check_share(limits_pull(&def, 3, source), 24e3, 1e-12);
-    check_share(limits_pull(&def, 1, source), 10e3, 1e-12);
-    def.pull = NAN, def.code = CODE_IEC, def.cores = 1;
+    check_share(allowed(&def, HAWSER_LIMIT_PULL, 0, 3, source), 24e3, 1e-12);
+    check_share(allowed(&def, HAWSER_LIMIT_PULL, 0, 1, source), 10e3, 1e-12);
+    def.own[HAWSER_LIMIT_PULL] = NAN, def.code = CODE_IEC, def.cores = 1;
     def.metal = METAL_ALUMINIUM;
-    check_share(limits_pull(&def, 1, source), 30 * 240, 1e-12);
+    check_share(allowed(&def, HAWSER_LIMIT_PULL, 0, 1, source), 30 * 240, 1e-12);
     def.code = CODE_TES, def.attachment = ATTACH_NET, def.sheath = SHEATH_LEAD, def.sheath_area = 500e-6;
-    check_share(limits_pull(&def, 1, source), 10.342 * 500, 1e-12);
+    check_share(allowed(&def, HAWSER_LIMIT_PULL, 0, 1, source), 10.342 * 500, 1e-12);
     def.attachment = ATTACH_EYE; /* of its conductors no public source was found */
-    check_nan(limits_pull(&def, 1, source));
+    check_nan(allowed(&def, HAWSER_LIMIT_PULL, 0, 1, source));
     check_has(source, "code tes has no stress for this conductor: needs limits.stress or limits.pull");
     def.code = CODE_PAPER, def.attachment = ATTACH_NET, def.sheath = SHEATH_COPPER;
-    check_nan(limits_pull(&def, 1, source));
+    check_nan(allowed(&def, HAWSER_LIMIT_PULL, 0, 1, source));
     check_has(source, "code paper has no stress for this sheath");
 }
 
@@ -219,11 +229,11 @@ TEST(cable_types)
     def.code = CODE_AEIC;
     for (int type = TYPE_UNKNOWN; type <= TYPE_ARMOURED; type++) {
         def.cable_type = type;
-        check_share(limits_sidewall(&def, source), lbf_per_foot[type] * LBF / FOOT, 1e-12);
-        check_share(limits_radius(&def, 0.05, source), diameters[type] * 0.05, 1e-12);
+        check_share(allowed(&def, HAWSER_LIMIT_SIDEWALL, 0, 1, source), lbf_per_foot[type] * LBF / FOOT, 1e-12);
+        check_share(allowed(&def, HAWSER_LIMIT_BEND_RADIUS, 0.05, 1, source), diameters[type] * 0.05, 1e-12);
     }
     def.code = CODE_TB889; /* types are of American practice alone */
-    check_close(limits_sidewall(&def, source), 3000, 0);
+    check_close(allowed(&def, HAWSER_LIMIT_SIDEWALL, 0, 1, source), 3000, 0);
 }
 
 static const hawser_limit *named(int n, const hawser_limit *limit, const char *name)
@@ -258,7 +268,7 @@ TEST(trips)
     check_share(l.limit, 58e3, 1e-12);
     check_has(l.source, "from 20 kN, needed, to 58 kN, allowed; advised 30 kN");
     def.rope_strength = 300e3;
-    def.winch_capacity = 50e3;
+    def.own[HAWSER_LIMIT_WINCH] = 50e3;
     f.value = 55e3;
     l = judged_alone(&def, HAWSER_LIMIT_TRIP, f);
     assert_false(l.ok);
@@ -273,7 +283,7 @@ TEST(trips)
     check_has(l.source, "needs drive.winch.trip: set it to 30 kN");
     check_has(judged_alone(&def, HAWSER_LIMIT_TRIP, (Finding){.value = 30e3, .steady = NAN}).source, "see run_away");
     check_share(limits_trip(&def, 1, 40e3, 2e3).force, 50e3, 1e-12); /* 1.5 x 40 kN are more than the winch has */
-    def.area = 0, def.rope_strength = def.winch_capacity = NAN;
+    def.area = 0, def.rope_strength = def.own[HAWSER_LIMIT_WINCH] = NAN;
     f.value = 30e3;
     l = judged_alone(&def, HAWSER_LIMIT_TRIP, f);
     assert_false(l.judged);
@@ -302,8 +312,9 @@ TEST(run_away)
 TEST(held_and_broken)
 {
     LimitsDef def = given();
-    def.area = 800e-6, def.rope_strength = 30e3, def.attachment_rating = 50e3, def.winch_capacity = 5e3;
-    def.push = 8e3, def.squeeze = 10e3, def.weight_correction = 1.4, def.contact = 7e3;
+    def.area = 800e-6, def.rope_strength = 30e3, def.attachment_rating = 50e3, def.own[HAWSER_LIMIT_WINCH] = 5e3;
+    def.own[HAWSER_LIMIT_PUSH] = 8e3, def.own[HAWSER_LIMIT_SQUEEZE] = 10e3,
+    def.own[HAWSER_LIMIT_WEIGHT_CORRECTION] = 1.4, def.own[HAWSER_LIMIT_CONTACT_PRESSURE] = 7e3;
     static const double bound[LIMIT_KINDS] = {56e3, 56e3,  50e3, 3000, 7e3, 1.6, 20,   62500, 100e3,   6000, 5e3,
                                               8e3,  100e3, 10e3, 0,    1.5, 5e3, 0.25, 2.6,   6.35e-3, 0.53, 1.4};
     for (int broken = 0; broken < 2; broken++) {
@@ -444,7 +455,7 @@ TEST(ducts)
     for (int k = 0; k < 3; k++) assert_true(out[k].ok);
     assert_false(out[3].judged); /* no code has a bound of the weight correction */
     LimitsDef bounded = def;
-    bounded.weight_correction = 1.4;
+    bounded.own[HAWSER_LIMIT_WEIGHT_CORRECTION] = 1.4;
     limits_judge(&bounded, 0.08, 3, f, out);
     assert_false(out[3].ok);
     check_close(out[3].value, 1.5, 0);
@@ -548,10 +559,10 @@ TEST(sources_in_words)
         check_share(limits_allowed(&def, HAWSER_LIMIT_FILL, 0.1, 1, &f, source), fill[k].share, 1e-15);
         assert_string_equal(source, fill[k].words);
     }
-    check_share(limits_radius(&def, 0.0873, source), 20 * 0.0873, 1e-15);
+    check_share(allowed(&def, HAWSER_LIMIT_BEND_RADIUS, 0.0873, 1, source), 20 * 0.0873, 1e-15);
     assert_string_equal(source, "20 D, D = 87.3 mm (paper has none; usual: 20 D at 110 kV (not verified))");
     def.bend_factor = 12;
-    check_share(limits_radius(&def, 0.0873, source), 12 * 0.0873, 1e-15);
+    check_share(allowed(&def, HAWSER_LIMIT_BEND_RADIUS, 0.0873, 1, source), 12 * 0.0873, 1e-15);
     assert_string_equal(source, "12 D, D = 87.3 mm (limits.bend_factor)");
     check_nan(limits_allowed(&def, HAWSER_LIMIT_ROPE, 0.1, 1, &f, source));
     assert_string_equal(source, "needs limits.rope_strength");
@@ -570,16 +581,16 @@ TEST(sources_in_words)
     check_equal(limits_allowed(&def, HAWSER_LIMIT_TRIP, 0.1, 1, &f, source), 20e3);
     f.value = 20e3; /* just what is needed: not too low */
     check_nan(limits_allowed(&def, HAWSER_LIMIT_TRIP, 0.1, 1, &f, source));
-    def.pull = 50e3;
+    def.own[HAWSER_LIMIT_PULL] = 50e3;
     check_equal(limits_allowed(&def, HAWSER_LIMIT_TRIP, 0.1, 1, &f, source), 50e3);
     assert_string_equal(source, "from 20 kN, needed, to 50 kN, allowed; advised 30 kN");
     f.steady = NAN;
     check_nan(limits_allowed(&def, HAWSER_LIMIT_TRIP, 0.1, 1, &f, source));
     check_has(source, "see run_away");
     def.attachment_rating = 9e3, def.grips = 2, def.code = CODE_PAPER;
-    check_share(limits_attachment(&def, 0, source), 18e3, 1e-15);
+    check_share(allowed(&def, HAWSER_LIMIT_ATTACHMENT, 0, 1, source), 18e3, 1e-15);
     assert_string_equal(source, "limits.attachment_rating, 2 of them");
     def.grips = 1;
-    check_share(limits_attachment(&def, 0, source), 9e3, 1e-15);
+    check_share(allowed(&def, HAWSER_LIMIT_ATTACHMENT, 0, 1, source), 9e3, 1e-15);
     assert_string_equal(source, "limits.attachment_rating");
 }
