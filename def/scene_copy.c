@@ -1,4 +1,4 @@
-/* What a definition owns, named once: copying and clearing go over it. */
+/* Copying and clearing a definition: both go over what it owns. */
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,41 +11,9 @@ typedef struct OwnedArray {
     size_t pointer, count, size;
 } OwnedArray;
 
-#define OWNED(array, n)                                                                                                \
-    {                                                                                                                  \
-        offsetof(SceneDef, array), offsetof(SceneDef, n), sizeof *((SceneDef *)NULL)->array                            \
-    }
+#define OWNED(array, n) {offsetof(SceneDef, array), offsetof(SceneDef, n), sizeof *((SceneDef *)NULL)->array},
 
-static const OwnedArray owned[] = {
-    OWNED(cables, n_cables),
-    OWNED(pieces, n_pieces),
-    OWNED(route, n_route),
-    OWNED(rollers, n_rollers),
-    OWNED(surfaces, n_surfaces),
-    OWNED(conveyors, n_conveyors),
-    OWNED(jams, n_jams),
-    OWNED(script, n_script),
-    OWNED(stations, n_stations),
-    OWNED(paper, n_paper),
-    OWNED(launch.row, launch.n_rows),
-    OWNED(output.speed_segments, output.n_speed_segments),
-    OWNED(output.load_rollers, output.n_load_rollers),
-    OWNED(output.probes, output.n_probes),
-    OWNED(analysis.positions.at, analysis.positions.n),
-    OWNED(drawn, n_drawn),
-    OWNED(assumptions, n_assumptions),
-    OWNED(inputs, inputs_size),
-    OWNED(files.mark, files.n),
-    OWNED(theory.wear, theory.n_wear),
-    OWNED(theory.friction, theory.n_friction),
-    OWNED(theory.machines, theory.n_machines),
-    OWNED(theory.pits, theory.n_pits),
-    OWNED(rod.points, rod.n_points),
-    OWNED(rod.masses, rod.n_masses),
-    OWNED(rod.loads, rod.n_loads),
-    OWNED(rod.end[ROD_TAIL].motions, rod.end[ROD_TAIL].n_motions),
-    OWNED(rod.end[ROD_HEAD].motions, rod.end[ROD_HEAD].n_motions),
-};
+static const OwnedArray owned[] = {SCENE_OWNED(OWNED)};
 enum { OWNED_ARRAYS = sizeof owned / sizeof *owned };
 
 int scene_def_sticks(const SceneDef *def)

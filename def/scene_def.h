@@ -230,6 +230,38 @@ typedef struct SceneDef {
     FileMarks files;                /* from which it was read */
 } SceneDef;
 
+/* What a definition owns: OWNED(array, n) for each; copying and clearing go over it. Tables of profiles and the chains
+ * beside it are in def/scene_copy.c. */
+#define SCENE_OWNED(OWNED)                                                                                             \
+    OWNED(cables, n_cables)                                                                                            \
+    OWNED(pieces, n_pieces)                                                                                            \
+    OWNED(route, n_route)                                                                                              \
+    OWNED(rollers, n_rollers)                                                                                          \
+    OWNED(surfaces, n_surfaces)                                                                                        \
+    OWNED(conveyors, n_conveyors)                                                                                      \
+    OWNED(jams, n_jams)                                                                                                \
+    OWNED(script, n_script)                                                                                            \
+    OWNED(stations, n_stations)                                                                                        \
+    OWNED(paper, n_paper)                                                                                              \
+    OWNED(launch.row, launch.n_rows)                                                                                   \
+    OWNED(output.speed_segments, output.n_speed_segments)                                                              \
+    OWNED(output.load_rollers, output.n_load_rollers)                                                                  \
+    OWNED(output.probes, output.n_probes)                                                                              \
+    OWNED(analysis.positions.at, analysis.positions.n)                                                                 \
+    OWNED(drawn, n_drawn)                                                                                              \
+    OWNED(assumptions, n_assumptions)                                                                                  \
+    OWNED(inputs, inputs_size)                                                                                         \
+    OWNED(files.mark, files.n)                                                                                         \
+    OWNED(theory.wear, theory.n_wear)                                                                                  \
+    OWNED(theory.friction, theory.n_friction)                                                                          \
+    OWNED(theory.machines, theory.n_machines)                                                                          \
+    OWNED(theory.pits, theory.n_pits)                                                                                  \
+    OWNED(rod.points, rod.n_points)                                                                                    \
+    OWNED(rod.masses, rod.n_masses)                                                                                    \
+    OWNED(rod.loads, rod.n_loads)                                                                                      \
+    OWNED(rod.end[ROD_TAIL].motions, rod.end[ROD_TAIL].n_motions)                                                      \
+    OWNED(rod.end[ROD_HEAD].motions, rod.end[ROD_HEAD].n_motions)
+
 /* What is known of a key of the case, for those who read the results: its dotted name, its value as it was written, the
  * unit of that if it is a number, "given", "catalogue", "estimated" or "default", file and line, and where a value
  * comes from that was not given. */
