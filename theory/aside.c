@@ -410,7 +410,7 @@ static hawser_status cable_take(const Gates *g, int way, Press *worst, Shed *she
     if (!(plan->restart_max > plan->pull.max_tension * (1 + 1e-9))) return HAWSER_OK;
     const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};
     Pull rest;
-    const hawser_status status = plan_pull(&c->def, &c->plan.duct, &from_rest, &rest, err);
+    const hawser_status status = plan_pull(&c->def, &from_rest, &rest, err);
     if (status) return status;
     worst_take(route_press(g, &(Drawn){.pull = &rest}, NULL), worst);
     pull_clear(&rest);
@@ -424,7 +424,7 @@ static hawser_status rope_take(const Gates *g, int way, Press *worst, hawser_err
     const double begins = way == PLAN_BACKWARD ? g->to : g->from, apart = fmax(APART, c->route->length / MOST);
     for (int restart = 0; restart < 2; ++restart) {
         RopeSeries rope;
-        const hawser_status status = plan_rope(&c->def, &c->plan.duct, way, restart, begins, apart, &rope, err);
+        const hawser_status status = plan_rope(&c->def, way, restart, begins, apart, &rope, err);
         if (status) return status;
         worst_take(route_press(g, &(Drawn){.rope = &rope}, NULL), worst);
         plan_rope_free(&rope);

@@ -149,7 +149,6 @@ static double pusher_push(void *of, int i, double arriving)
  * not reach has what arrives at its end. */
 static hawser_status pushes_find(const Setup *setup, Calculator *c, int way, hawser_error *err)
 {
-    const DuctLoad single = {.weight_factor = 1, .sidewall_factor = 1};
     const PlanPullDef whole = {.way = way, .whole = 1};
     PullStep *const push = c->push[way];
     Pushing pushing = {setup, push};
@@ -162,7 +161,7 @@ static hawser_status pushes_find(const Setup *setup, Calculator *c, int way, haw
     def.push = def.push_back = push;
     def.pushes = &law;
     def.enough = 0; /* the pushes to come may take it off */
-    const hawser_status status = plan_pull(&def, &single, &whole, &pull, err);
+    const hawser_status status = plan_pull(&def, &whole, &pull, err);
     if (status) return status;
     for (int i = 0; i < setup->n_pushers; ++i)
         if (isnan(push[i].force)) pusher_push(&pushing, i, pull_at(&pull, push[i].at).tension);
@@ -409,12 +408,12 @@ static hawser_status solve(const Setup *setup, double apart, Calculator *c, haws
     if (!status) status = plan_build(&c->def, &c->plan, err);
     for (int k = 0; k < PLAN_WAYS && !status; ++k) {
         if (c->def.skip[k] || isnan(apart)) continue;
-        status = apart < INFINITY ? plan_heads(&c->def, &c->plan.duct, k, apart, &c->heads[k], err)
-                                  : plan_peaks(&c->def, &c->plan.duct, k, &c->heads[k], err);
+        status = apart < INFINITY ? plan_heads(&c->def, k, apart, &c->heads[k], err)
+                                  : plan_peaks(&c->def, k, &c->heads[k], err);
     }
     for (int k = 0; k < PLAN_WAYS && !status; ++k) {
         double relief = 0;
-        if (!c->def.skip[k] && !isnan(apart)) status = plan_relief(&c->def, &c->plan.duct, k, &relief, err);
+        if (!c->def.skip[k] && !isnan(apart)) status = plan_relief(&c->def, k, &relief, err);
         c->beyond[k] = c->plan.way[k].rope - c->def.drawn[k] - relief;
     }
     return status ? status : calculator_judge(setup, c, err);

@@ -321,8 +321,8 @@ static hawser_status least_needed(const Setup *setup, const Calculator *c, int w
     const double forth = way == PLAN_BACKWARD ? -1 : 1, begins = fmax(0, setup->front);
     const double first = way == PLAN_BACKWARD ? c->route->length - begins : begins;
     HeadSeries fronts = {0};
-    hawser_status status = plan_head(&c->def, &c->plan.duct, way, first, least, err);
-    if (!status) status = plan_heads(&c->def, &c->plan.duct, way, INFINITY, &fronts, err);
+    hawser_status status = plan_head(&c->def, way, first, least, err);
+    if (!status) status = plan_heads(&c->def, way, INFINITY, &fronts, err);
     for (int i = 0; i < fronts.n; ++i)
         if (forth * (fronts.row[i].head - first) > 0 && fronts.row[i].force < least->force) *least = fronts.row[i];
     plan_heads_free(&fronts);
@@ -374,11 +374,11 @@ static hawser_status without_belts(const Setup *setup, const Calculator *c, int 
         if (!*first) *first = &setup->pusher[i];
     }
     def.push = def.push_back = push;
-    hawser_status status = *first ? plan_peaks(&def, &c->plan.duct, way, &heads, err) : HAWSER_OK;
+    hawser_status status = *first ? plan_peaks(&def, way, &heads, err) : HAWSER_OK;
     if (!status && *first) {
         *more = heads.peak.force - c->heads[way].peak.force;
         plan_heads_free(&heads);
-        status = plan_pull(&def, &c->plan.duct, &whole, &pull, err);
+        status = plan_pull(&def, &whole, &pull, err);
     }
     if (!status && *first) {
         *more = fmax(*more, pull.max_tension - c->plan.way[way].pull.max_tension);

@@ -282,7 +282,7 @@ static hawser_status largest_push(const Setup *setup, const Calculator *c, int w
     machines_push(c, &c->plan.way[way].pull, &f);
     if (has_machines(c)) {
         Pull rest;
-        const hawser_status status = plan_pull(&c->def, &c->plan.duct, &from_rest, &rest, err);
+        const hawser_status status = plan_pull(&c->def, &from_rest, &rest, err);
         if (status) return status;
         machines_push(c, &rest, &f);
         pull_clear(&rest);

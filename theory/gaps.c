@@ -70,7 +70,7 @@ static hawser_status way_judge(const Setup *setup, const Calculator *c, int way,
     Pull pull;
     hawser_status status = calculator_loosen(setup, c, &loose, &own, err);
     const PlanDef slack = plan_slack(&loose);
-    if (!status) status = plan_pull(&slack, &c->plan.duct, &whole, &pull, err);
+    if (!status) status = plan_pull(&slack, &whole, &pull, err);
     free(own);
     if (status) return status;
     for (Span span = {0, 0}; next_span(map, span.to, &span);) {

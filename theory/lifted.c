@@ -257,7 +257,7 @@ static hawser_status rope_lift(const Setup *setup, const Calculator *c, Lift *mo
 {
     const double begins = fmax(0, setup->front), apart = fmax(STEP, c->route->length / MOST);
     RopeSeries rope;
-    hawser_status status = plan_rope(&c->def, &c->plan.duct, PLAN_FORWARD, 0, begins, apart, &rope, err);
+    hawser_status status = plan_rope(&c->def, PLAN_FORWARD, 0, begins, apart, &rope, err);
     if (status) return status;
     RopeSeries ahead = rope; /* with the front at one place */
     ahead.tension = malloc(((size_t)rope.n + 1) * sizeof *ahead.tension);

@@ -54,16 +54,16 @@ hawser_status calculator_loosen(const Setup *setup, const Calculator *c, PlanDef
 
 hawser_status calculator_brake(const Setup *setup, const Calculator *c, int way, Brake *out, hawser_error *err)
 {
-    if (c->away[way] != AWAY_LOOSENED) return plan_brake(&c->def, &c->plan.duct, way, out, err);
+    if (c->away[way] != AWAY_LOOSENED) return plan_brake(&c->def, way, out, err);
     PlanDef loose, braked = c->def;
     PullStretch *own;
     Brake needed;
     hawser_status status = calculator_loosen(setup, c, &loose, &own, err);
-    if (!status) status = plan_brake(&loose, &c->plan.duct, way, &needed, err);
+    if (!status) status = plan_brake(&loose, way, &needed, err);
     free(own);
     if (status) return status;
     if (!isnan(needed.brake)) braked.back_tension += needed.brake;
-    status = plan_brake(&braked, &c->plan.duct, way, out, err); /* the winch pulls with all of the friction */
+    status = plan_brake(&braked, way, out, err); /* the winch pulls with all of the friction */
     out->brake = needed.brake;
     out->where = needed.where;
     out->piece = needed.piece;

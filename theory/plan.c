@@ -8,59 +8,21 @@
 #include "theory/closed_form.h"
 #include "theory/plan_pull.h"
 
-static int is_length(double x) { return x >= 0 && isfinite(x); }
-
-/* Rope, push, machines and wear. */
-static hawser_status check_planner(const PlanDef *def, hawser_error *err)
-{
-    if (!is_length(def->rope_weight) || !is_length(def->feed)) {
-        return error_set(err, HAWSER_ERR_INPUT, "a rope of %g N/m and a push of %g N must not be negative",
-                         def->rope_weight, def->feed);
-    }
-    if (!isfinite(def->beyond) || def->route->length + def->beyond <= 0) {
-        return error_set(err, HAWSER_ERR_INPUT, "a pull that ends %g m beyond a route of %g m has no length",
-                         def->beyond, def->route->length);
-    }
-    for (int i = 0; i < def->n_steps; i++) {
-        if (!is_length(def->step[i].force)) {
-            return error_set(err, HAWSER_ERR_INPUT, "the machine or pit at %g m: %g N must not be negative",
-                             def->step[i].at, def->step[i].force);
-        }
-    }
-    for (int k = 0; k < def->n_wear; k++) {
-        const PlanWear *w = &def->wear[k];
-        const int later = k == 0 || w->from > w[-1].from;
-        const int more = def->wear_by == WEAR_CABLE || w->factor >= (k > 0 ? w[-1].factor : 1);
-        if (!(w->factor > 0 && isfinite(w->factor)) || !is_length(w->from) || !later || !more) {
-            return error_set(err, HAWSER_ERR_INPUT,
-                             "wear from %g m on by %g: lengths must rise, factors be positive and, by place, not fall",
-                             w->from, w->factor);
-        }
-    }
-    return HAWSER_OK;
-}
-
+/* What lies along the route may stand beyond it; all else the case's keys have checked. */
 static hawser_status check_def(const PlanDef *def, hawser_error *err)
 {
-    assert(def->route && def->n_stretches >= 1 && def->n_pushes >= 0);
-    if (!is_length(def->reel_length) || !is_length(def->rope_length) || !is_length(def->roller_spacing)) {
-        return error_set(err, HAWSER_ERR_INPUT, "reel %g m, rope %g m and roller spacing %g m must not be negative",
-                         def->reel_length, def->rope_length, def->roller_spacing);
-    }
-    if (!is_length(def->back_tension)) {
-        return error_set(err, HAWSER_ERR_INPUT, "the back tension of %g N must not be negative", def->back_tension);
-    }
+    assert(def->route && def->n_stretches >= 1 && def->reel_length >= 0 && def->rope_length >= 0);
+    assert(def->back_tension >= 0 && def->rope_weight >= 0 && def->feed >= 0);
+    assert(def->route->length + def->beyond > 0);
     for (int i = 0; i < def->n_pushes; i++) {
         const PullStep *c = &def->push[i];
-        if (!isfinite(c->force) || (def->push_back && !isfinite(def->push_back[i].force))) {
+        if (!isfinite(c->force) || (def->push_back && !isfinite(def->push_back[i].force)))
             return error_set(err, HAWSER_ERR_INPUT, "push %d is not a number", i);
-        }
-        if (!(c->at >= 0 && c->at <= def->route->length)) {
+        if (!(c->at >= 0 && c->at <= def->route->length))
             return error_set(err, HAWSER_ERR_INPUT, "push %d at %g m is off the route of %g m", i, c->at,
                              def->route->length);
-        }
     }
-    return check_planner(def, err);
+    return HAWSER_OK;
 }
 
 /* One span's outcome by the closed form, where the piece is a single span. */
@@ -187,13 +149,12 @@ static void spans_take(const Pull *low, Pull *pull)
 }
 
 /* The least tension is that with the least back tension. */
-static hawser_status least_take(const PlanDef *def, const DuctLoad *load, const PlanPullDef *what, Pull *pull,
-                                hawser_error *err)
+static hawser_status least_take(const PlanDef *def, const PlanPullDef *what, Pull *pull, hawser_error *err)
 {
     const PlanDef slack = plan_slack(def);
     Pull low;
     if (!plan_slackens(def)) return HAWSER_OK;
-    const hawser_status status = plan_pull(&slack, load, what, &low, err);
+    const hawser_status status = plan_pull(&slack, what, &low, err);
     if (status) return status;
     if (low.min_tension < pull->min_tension) {
         pull->min_tension = low.min_tension;
@@ -206,13 +167,13 @@ static hawser_status least_take(const PlanDef *def, const DuctLoad *load, const 
 }
 
 /* The route pulled one way: reel, pull, rope; then again from rest. */
-static hawser_status solve_way(const PlanDef *def, const DuctLoad *load, int k, PlanWay *way, hawser_error *err)
+static hawser_status solve_way(const PlanDef *def, int k, PlanWay *way, hawser_error *err)
 {
     PlanPullDef what = {.way = k, .whole = 1, .restart = 1};
     Pull restart;
     way->start = plan_section(def, k, 0).start;
     way->rope = plan_allowance(def, k);
-    hawser_status status = plan_pull(def, load, &what, &restart, err);
+    hawser_status status = plan_pull(def, &what, &restart, err);
     if (status) return status;
     way->restart_force = restart.end_tension + way->rope;
     way->restart_max = restart.max_tension;
@@ -223,8 +184,8 @@ static hawser_status solve_way(const PlanDef *def, const DuctLoad *load, int k, 
     way->restart_sidewall_piece = restart.sidewall_piece;
     pull_clear(&restart);
     what.restart = 0;
-    status = plan_pull(def, load, &what, &way->pull, err);
-    if (!status) status = least_take(def, load, &what, &way->pull, err);
+    status = plan_pull(def, &what, &way->pull, err);
+    if (!status) status = least_take(def, &what, &way->pull, err);
     if (status) return status;
     way->force = way->pull.end_tension + way->rope;
     way->piece = calloc((size_t)def->route->n, sizeof *way->piece);
@@ -234,11 +195,10 @@ static hawser_status solve_way(const PlanDef *def, const DuctLoad *load, int k, 
 
 hawser_status plan_build(const PlanDef *def, Plan *out, hawser_error *err)
 {
-    *out = (Plan){.duct = {.layout = DUCT_SINGLE, .weight_factor = 1, .sidewall_factor = 1}};
+    *out = (Plan){0};
     hawser_status status = check_def(def, err);
-    if (!status && def->duct) status = duct_load(def->duct, &out->duct, err);
     for (int k = 0; k < PLAN_WAYS && !status; k++) {
-        if (!def->skip[k]) status = solve_way(def, &out->duct, k, &out->way[k], err);
+        if (!def->skip[k]) status = solve_way(def, k, &out->way[k], err);
     }
     if (status) {
         plan_clear(out);

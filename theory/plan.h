@@ -39,13 +39,11 @@ typedef struct PlanWay {
 typedef struct Plan {
     int n; /* pieces */
     PlanWay way[PLAN_WAYS];
-    DuctLoad duct; /* weight and sidewall factor 1 without a duct */
-    int better;    /* the way that needs the smaller force */
+    int better; /* the way that needs the smaller force */
 } Plan;
 
-/* Errors: INPUT as pull_solve and duct_load give them, negative lengths, spacings, pushes
- * that are no numbers or off the route; MEMORY. Nothing is left allocated then. The plan borrows
- * nothing. */
+/* Errors: INPUT as pull_solve gives them, pushes that are no numbers or off the route; MEMORY. Nothing is left
+ * allocated then. The plan borrows nothing. */
 hawser_status plan_build(const PlanDef *def, Plan *out, hawser_error *err);
 void plan_clear(Plan *plan);
 

@@ -16,14 +16,14 @@ static int at_corner(double tension, double takes)
     return takes > 0 && fmin(fabs(tension), fabs(tension - takes)) <= CORNER * takes;
 }
 
-/* What a unit of cause k adds to the friction of a span, by (PN4) and the duct's factor, and to its weight. */
-static double friction_by(const PlanDef *def, const DuctLoad *load, int way, const PullSpan *span, int k)
+/* What a unit of cause k adds to the friction of a span, by (PN4), and to its weight. */
+static double friction_by(const PlanDef *def, int way, const PullSpan *span, int k)
 {
     const double middle = (span->s0 + span->s1) / 2;
     const PullStretch *const on = stretch_at(def->n_stretches, def->stretch, middle);
     const int own =
         k >= CHANGE_OTHERS && k < CHANGE_OTHERS + def->n_stretches && on == &def->stretch[k - CHANGE_OTHERS];
-    return k == CHANGE_FRICTION || own ? plan_friction_factor(def, load, way, plan_last(def, way), middle) : 0;
+    return k == CHANGE_FRICTION || own ? plan_friction_factor(def, way, plan_last(def, way), middle) : 0;
 }
 
 /* What a step at s makes of all changes of the tension (SN5), in the order in which the pull takes them: pushes, then
@@ -50,7 +50,7 @@ static double steps_change(const PlanDef *def, int way, double s, double before,
 }
 
 /* From the start to the end: (SN4) span by span, (SN5) between. */
-static void go_forward(const PlanDef *def, const DuctLoad *load, int way, PlanChange *c)
+static void go_forward(const PlanDef *def, int way, PlanChange *c)
 {
     const Pull *const pull = c->pull;
     const size_t n = (size_t)c->n;
@@ -65,7 +65,7 @@ static void go_forward(const PlanDef *def, const DuctLoad *load, int way, PlanCh
         const SpanGain gain = span_gain(&span->law, span->s0, span->t0, span->s1);
         c->reach[i] = gain.tension;
         for (int k = 0; k < c->n; k++) {
-            const double mu = friction_by(def, load, way, span, k);
+            const double mu = friction_by(def, way, span, k);
             c->start[(size_t)i * n + (size_t)k] = d[k];
             c->inside[(size_t)i * n + (size_t)k] = mu;
             d[k] = gain.tension * d[k] + gain.friction * mu + gain.weight * c->weight[k];
@@ -99,7 +99,7 @@ hawser_status plan_change(const PlanDef *def, const Plan *plan, int way, PlanCha
     out->reach = calloc(spans, sizeof *out->reach);
     out->force = calloc(n, sizeof *out->force);
     if (!out->start || !out->inside || !out->weight || !out->reach || !out->force) return error_memory(err);
-    go_forward(def, &plan->duct, way, out);
+    go_forward(def, way, out);
     go_back(def, way, out);
     return HAWSER_OK;
 }

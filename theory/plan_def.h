@@ -15,7 +15,6 @@ typedef struct PlanDef {
     PullLaw law;
     int n_stretches; /* >= 1: weight of all cables together (N/m) and friction, without a duct's correction */
     const PullStretch *stretch;
-    const DuctDef *duct;     /* NULL: none; else its weight and sidewall factors apply on the whole route */
     double reel_length;      /* m of cable whose weight is the reel's back tension (eq. 3: 15) */
     double rope_length;      /* m of cable whose weight is the allowance for the rope (eq. 9: 5) */
     double back_tension;     /* N, added to the reel's: a brake */

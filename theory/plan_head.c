@@ -21,8 +21,8 @@ static int restarts_alike(const PlanDef *def)
 
 /* One place. before[2]: what was solved for another, at speed and from rest, of which spans are taken over; it becomes
  * this place's. */
-static hawser_status head_solve(const PlanDef *def, const DuctLoad *load, int way, double head, Pull before[2],
-                                HeadForce *out, hawser_error *err)
+static hawser_status head_solve(const PlanDef *def, int way, double head, Pull before[2], HeadForce *out,
+                                hawser_error *err)
 {
     const int alike = restarts_alike(def);
     *out = (HeadForce){.head = head};
@@ -30,7 +30,7 @@ static hawser_status head_solve(const PlanDef *def, const DuctLoad *load, int wa
         const PlanPullDef what = {
             .way = way, .restart = restart, .head = head, .forces_only = 1, .like = &before[restart]};
         Pull pull;
-        const hawser_status status = plan_pull(def, load, &what, &pull, err);
+        const hawser_status status = plan_pull(def, &what, &pull, err);
         if (status) return status;
         const double force = pull.end_tension + plan_allowance(def, way);
         if (!restart) out->tension = pull_at(&pull, head).tension;
@@ -42,11 +42,10 @@ static hawser_status head_solve(const PlanDef *def, const DuctLoad *load, int wa
     return HAWSER_OK;
 }
 
-hawser_status plan_head(const PlanDef *def, const DuctLoad *load, int way, double head, HeadForce *out,
-                        hawser_error *err)
+hawser_status plan_head(const PlanDef *def, int way, double head, HeadForce *out, hawser_error *err)
 {
     Pull solved[2] = {{0}, {0}};
-    const hawser_status status = head_solve(def, load, way, head, solved, out, err);
+    const hawser_status status = head_solve(def, way, head, solved, out, err);
     pull_clear(&solved[0]);
     pull_clear(&solved[1]);
     return status;
@@ -131,7 +130,6 @@ static void peak_take(const HeadForce *f, int restart, HeadForce *peak)
 /* A peak that is looked for closer. */
 typedef struct Refine {
     const PlanDef *def;
-    const DuctLoad *load;
     int way, restart;
     Pull *before; /* [2], as head_solve's */
     HeadForce *peak;
@@ -144,23 +142,22 @@ static double peak_look(void *what, double head)
     Refine *const r = what;
     HeadForce here = {0};
     if (r->status) return 0;
-    r->status = head_solve(r->def, r->load, r->way, head, r->before, &here, r->err);
+    r->status = head_solve(r->def, r->way, head, r->before, &here, r->err);
     if (!r->status) peak_take(&here, r->restart, r->peak);
     return force_of(&here, r->restart);
 }
 
 /* The largest between two places on both sides of a row that is larger than they are. */
-static hawser_status peak_refine(const PlanDef *def, const DuctLoad *load, int way, int restart, double a, double b,
-                                 Pull before[2], HeadForce *peak, hawser_error *err)
+static hawser_status peak_refine(const PlanDef *def, int way, int restart, double a, double b, Pull before[2],
+                                 HeadForce *peak, hawser_error *err)
 {
-    Refine r = {def, load, way, restart, before, peak, HAWSER_OK, err};
+    Refine r = {def, way, restart, before, peak, HAWSER_OK, err};
     search_top(peak_look, &r, a, b, 24);
     return r.status;
 }
 
 /* Both peaks: of the rows, and beside those that stand above their neighbours. */
-static hawser_status peaks_find(const PlanDef *def, const DuctLoad *load, int way, Pull before[2], HeadSeries *s,
-                                hawser_error *err)
+static hawser_status peaks_find(const PlanDef *def, int way, Pull before[2], HeadSeries *s, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
     for (int restart = 0; restart < 2 && !status; restart++) {
@@ -175,7 +172,7 @@ static hawser_status peaks_find(const PlanDef *def, const DuctLoad *load, int wa
         }
         *peak = s->row[top];
         if (top == 0 || top == s->n - 1) continue;
-        status = peak_refine(def, load, way, restart, s->row[top - 1].head, s->row[top + 1].head, before, peak, err);
+        status = peak_refine(def, way, restart, s->row[top - 1].head, s->row[top + 1].head, before, peak, err);
     }
     return status;
 }
@@ -218,15 +215,15 @@ typedef struct Course {
 /* The place of the head, of those of the section that begins with place i, at which the winch needs most, and that
  * force. Of two ropes the one that is tighter at a place is so at the section's end: only the tightest is followed. i
  * becomes the next section's. */
-static hawser_status section_top(const PlanDef *def, const DuctLoad *load, int way, int restart, Course *course,
-                                 int *top, double *most, hawser_error *err)
+static hawser_status section_top(const PlanDef *def, int way, int restart, Course *course, int *top, double *most,
+                                 hawser_error *err)
 {
     const Places *const places = course->places;
     const int first = course->i;
     const PlanSection section = plan_section_at(def, way, places->s[first]);
     const PlanPullDef what = {.way = way, .restart = restart, .head = section.to, .forces_only = 1};
     Pull cable;
-    hawser_status status = plan_pull(def, load, &what, &cable, err);
+    hawser_status status = plan_pull(def, &what, &cable, err);
     if (status) return status;
     double tightest = -INFINITY;
     int span = 0, i = first;
@@ -246,8 +243,8 @@ static hawser_status section_top(const PlanDef *def, const DuctLoad *load, int w
 }
 
 /* One of both peaks: the place by all sections, then beside it. */
-static hawser_status peak_find(const PlanDef *def, const DuctLoad *load, int way, int restart, const Places *places,
-                               Pull before[2], HeadForce *peak, hawser_error *err)
+static hawser_status peak_find(const PlanDef *def, int way, int restart, const Places *places, Pull before[2],
+                               HeadForce *peak, hawser_error *err)
 {
     int top = 0;
     double most = -INFINITY;
@@ -256,35 +253,35 @@ static hawser_status peak_find(const PlanDef *def, const DuctLoad *load, int way
     do {
         int here = course.i;
         double force;
-        const hawser_status status = section_top(def, load, way, restart, &course, &here, &force, err);
+        const hawser_status status = section_top(def, way, restart, &course, &here, &force, err);
         if (status) return status;
         if (force > most) top = here;
         most = fmax(force, most);
     } while (course.i < places->n);
-    const hawser_status status = head_solve(def, load, way, places->s[top], before, peak, err);
+    const hawser_status status = head_solve(def, way, places->s[top], before, peak, err);
     if (status || top == 0 || top == places->n - 1) return status;
-    return peak_refine(def, load, way, restart, places->s[top - 1], places->s[top + 1], before, peak, err);
+    return peak_refine(def, way, restart, places->s[top - 1], places->s[top + 1], before, peak, err);
 }
 
-static hawser_status peaks_by_sections(const PlanDef *def, const DuctLoad *load, int way, const Places *places,
-                                       HeadSeries *s, hawser_error *err)
+static hawser_status peaks_by_sections(const PlanDef *def, int way, const Places *places, HeadSeries *s,
+                                       hawser_error *err)
 {
     Pull before[2] = {{0}, {0}};
-    hawser_status status = peak_find(def, load, way, 0, places, before, &s->peak, err);
+    hawser_status status = peak_find(def, way, 0, places, before, &s->peak, err);
     s->restart_peak = s->peak;
-    if (!status && !restarts_alike(def)) status = peak_find(def, load, way, 1, places, before, &s->restart_peak, err);
+    if (!status && !restarts_alike(def)) status = peak_find(def, way, 1, places, before, &s->restart_peak, err);
     pull_clear(&before[0]);
     pull_clear(&before[1]);
     return status;
 }
 
-hawser_status plan_peaks(const PlanDef *def, const DuctLoad *load, int way, HeadSeries *out, hawser_error *err)
+hawser_status plan_peaks(const PlanDef *def, int way, HeadSeries *out, hawser_error *err)
 {
     Places places;
-    if (wears_by_head(def)) return plan_heads(def, load, way, INFINITY, out, err);
+    if (wears_by_head(def)) return plan_heads(def, way, INFINITY, out, err);
     *out = (HeadSeries){0};
     hawser_status status = places_find(def, way, INFINITY, &places, err);
-    if (!status) status = peaks_by_sections(def, load, way, &places, out, err);
+    if (!status) status = peaks_by_sections(def, way, &places, out, err);
     free(places.s);
     return status;
 }
@@ -300,8 +297,8 @@ static void places_begin(Places *places, int way, double from)
     memmove(places->s, places->s + before, (size_t)places->n * sizeof *places->s);
 }
 
-hawser_status plan_rope(const PlanDef *def, const DuctLoad *load, int way, int restart, double from, double apart,
-                        RopeSeries *out, hawser_error *err)
+hawser_status plan_rope(const PlanDef *def, int way, int restart, double from, double apart, RopeSeries *out,
+                        hawser_error *err)
 {
     Places places;
     *out = (RopeSeries){0};
@@ -317,7 +314,7 @@ hawser_status plan_rope(const PlanDef *def, const DuctLoad *load, int way, int r
     while (!status && course.i < places.n) {
         int here;
         double force;
-        status = section_top(def, load, way, restart, &course, &here, &force, err);
+        status = section_top(def, way, restart, &course, &here, &force, err);
     }
     if (status) plan_rope_free(out);
     return status;
@@ -376,8 +373,7 @@ static void places_thin(Places *places)
     }
 }
 
-hawser_status plan_heads(const PlanDef *def, const DuctLoad *load, int way, double apart, HeadSeries *out,
-                         hawser_error *err)
+hawser_status plan_heads(const PlanDef *def, int way, double apart, HeadSeries *out, hawser_error *err)
 {
     Places places;
     Pull before[2] = {{0}, {0}};
@@ -391,16 +387,16 @@ hawser_status plan_heads(const PlanDef *def, const DuctLoad *load, int way, doub
         if (!out->row) status = error_memory(err);
     }
     for (; !status && out->n < places.n; out->n++) {
-        status = head_solve(def, load, way, places.s[out->n], before, &out->row[out->n], err);
+        status = head_solve(def, way, places.s[out->n], before, &out->row[out->n], err);
     }
     const int thinned = places.n < all && !wears_by_head(def);
     free(places.s);
-    if (!status && !thinned) status = peaks_find(def, load, way, before, out, err);
+    if (!status && !thinned) status = peaks_find(def, way, before, out, err);
     pull_clear(&before[0]);
     pull_clear(&before[1]);
     if (!status && thinned) {
         HeadSeries peaks;
-        status = plan_peaks(def, load, way, &peaks, err);
+        status = plan_peaks(def, way, &peaks, err);
         out->peak = peaks.peak;
         out->restart_peak = peaks.restart_peak;
     }
@@ -415,7 +411,7 @@ void plan_heads_free(HeadSeries *s)
 }
 
 /* Rope all along a section, held by its weight and the friction of that: in bends there is more. */
-hawser_status plan_relief(const PlanDef *def, const DuctLoad *load, int way, double *relief, hawser_error *err)
+hawser_status plan_relief(const PlanDef *def, int way, double *relief, hawser_error *err)
 {
     PlanDef rope = *def;
     rope.law = PULL_NO_CAPSTAN;
@@ -426,7 +422,7 @@ hawser_status plan_relief(const PlanDef *def, const DuctLoad *load, int way, dou
         const double ahead = sign_of(way) * JUST_AHEAD * def->route->length;
         const PlanPullDef what = {.way = way, .head = plan_section(def, way, i).from + ahead};
         Pull pull;
-        const hawser_status status = plan_pull(&rope, load, &what, &pull, err);
+        const hawser_status status = plan_pull(&rope, &what, &pull, err);
         if (status) return status;
         *relief = fmax(*relief, pull.max_tension - pull.end_tension);
         pull_clear(&pull);
@@ -439,7 +435,6 @@ hawser_status plan_relief(const PlanDef *def, const DuctLoad *load, int way, dou
 /* A brake that is tried. */
 typedef struct BrakeTrial {
     PlanDef def;
-    const DuctLoad *load;
     int way;
     double before, enough; /* N, back tension without it; compression that is rounding only */
     hawser_status status;
@@ -453,7 +448,7 @@ static int brake_holds(void *what, double brake)
     Pull pull;
     if (t->status) return 0;
     t->def.back_tension = t->before + brake;
-    t->status = plan_pull(&t->def, t->load, &whole, &pull, t->err);
+    t->status = plan_pull(&t->def, &whole, &pull, t->err);
     if (t->status) return 0;
     const int held = pull.min_tension >= -t->enough;
     pull_clear(&pull);
@@ -461,34 +456,34 @@ static int brake_holds(void *what, double brake)
 }
 
 /* The winch's force with the brake, over all places of the head. */
-static hawser_status brake_force(const PlanDef *def, const DuctLoad *load, int way, Brake *out, hawser_error *err)
+static hawser_status brake_force(const PlanDef *def, int way, Brake *out, hawser_error *err)
 {
     const PlanPullDef whole = {.way = way, .whole = 1};
     Pull pull;
     HeadSeries heads;
-    hawser_status status = plan_pull(def, load, &whole, &pull, err);
+    hawser_status status = plan_pull(def, &whole, &pull, err);
     if (status) return status;
     out->max_tension = pull.max_tension;
     out->force = pull.end_tension + plan_allowance(def, way);
     if (fabs(out->force) < 1e-9 * pull.max_tension) out->force = 0; /* rounding */
     pull_clear(&pull);
-    status = plan_peaks(def, load, way, &heads, err);
+    status = plan_peaks(def, way, &heads, err);
     if (status) return status;
     out->peak = heads.peak.force;
     plan_heads_free(&heads);
     return HAWSER_OK;
 }
 
-hawser_status plan_brake(const PlanDef *def, const DuctLoad *load, int way, Brake *out, hawser_error *err)
+hawser_status plan_brake(const PlanDef *def, int way, Brake *out, hawser_error *err)
 {
     const PlanPullDef whole = {.way = way, .whole = 1};
     const PlanDef slack = plan_slack(def);
     Pull pull;
     *out = (Brake){0};
-    hawser_status status = plan_pull(&slack, load, &whole, &pull, err);
+    hawser_status status = plan_pull(&slack, &whole, &pull, err);
     if (status) return status;
     const double pushed = -pull.min_tension;
-    BrakeTrial t = {slack, load, way, slack.back_tension, 1e-9 * fmax(1, pull.max_tension), HAWSER_OK, err};
+    BrakeTrial t = {slack, way, slack.back_tension, 1e-9 * fmax(1, pull.max_tension), HAWSER_OK, err};
     out->where = pull.min_at;
     out->piece = pull.min_piece;
     pull_clear(&pull);
@@ -502,5 +497,5 @@ hawser_status plan_brake(const PlanDef *def, const DuctLoad *load, int way, Brak
     }
     t.def.back_tension += def->back_fall;
     t.def.slack = 0;
-    return brake_force(&t.def, load, way, out, err);
+    return brake_force(&t.def, way, out, err);
 }

@@ -20,17 +20,15 @@ typedef struct HeadSeries {
     HeadForce restart_peak; /* likewise from rest */
 } HeadSeries;
 
-/* One place. `load` as plan_pull's. Errors: as pull_solve. */
-hawser_status plan_head(const PlanDef *def, const DuctLoad *load, int way, double head, HeadForce *out,
-                        hawser_error *err);
+/* One place. Errors: as pull_solve. */
+hawser_status plan_head(const PlanDef *def, int way, double head, HeadForce *out, hawser_error *err);
 /* All of them; between corners no farther apart than `apart` m (INFINITY: corners only); of more than a thousand
  * corners only some have a row. plan_heads_free gives them back. Errors: as pull_solve, MEMORY; nothing is left
  * allocated then. */
-hawser_status plan_heads(const PlanDef *def, const DuctLoad *load, int way, double apart, HeadSeries *out,
-                         hawser_error *err);
+hawser_status plan_heads(const PlanDef *def, int way, double apart, HeadSeries *out, hawser_error *err);
 /* The peaks alone, in a time that is linear in the number of corners (but where friction goes by the length that has
  * passed a place): rows are none then. Give it back likewise. */
-hawser_status plan_peaks(const PlanDef *def, const DuctLoad *load, int way, HeadSeries *out, hawser_error *err);
+hawser_status plan_peaks(const PlanDef *def, int way, HeadSeries *out, hawser_error *err);
 void plan_heads_free(HeadSeries *s);
 
 /* The most that rope ahead is drawn with at a place, wherever the head is behind it (PN6a). */
@@ -43,8 +41,8 @@ typedef struct RopeSeries {
 /* from: m along the route, where the head begins; `apart` as plan_heads'; friction that goes by the length that has
  * passed a place is that of the section's end. Errors: as pull_solve, MEMORY; nothing is left allocated then.
  * plan_rope_free gives it back. */
-hawser_status plan_rope(const PlanDef *def, const DuctLoad *load, int way, int restart, double from, double apart,
-                        RopeSeries *out, hawser_error *err);
+hawser_status plan_rope(const PlanDef *def, int way, int restart, double from, double apart, RopeSeries *out,
+                        hawser_error *err);
 void plan_rope_free(RopeSeries *rope);
 /* The same with the head at `head` and no farther: writes tension [n] at the places from there to `until`, or to the
  * section's end, all m along the route; the others are left as they are. */
@@ -60,7 +58,7 @@ double drawn_at(const Drawn *drawn, double s);
 
 /* N, by which the rope ahead pulls at the cable's head by its own weight, so that the winch has less than the head: the
  * most of all places of the head (LI11a). 0: nowhere. Errors: as pull_solve, MEMORY. */
-hawser_status plan_relief(const PlanDef *def, const DuctLoad *load, int way, double *relief, hawser_error *err);
+hawser_status plan_relief(const PlanDef *def, int way, double *relief, hawser_error *err);
 
 /* The smallest brake where the pull begins with which the cable is nowhere pushed, and the pull with it (PN8). */
 typedef struct Brake {
@@ -72,6 +70,6 @@ typedef struct Brake {
     double max_tension; /* N, of the cable then */
 } Brake;
 /* Errors: as pull_solve, MEMORY. */
-hawser_status plan_brake(const PlanDef *def, const DuctLoad *load, int way, Brake *out, hawser_error *err);
+hawser_status plan_brake(const PlanDef *def, int way, Brake *out, hawser_error *err);
 
 #endif

@@ -146,14 +146,13 @@ static double wear_place(const PlanDef *def, int way, double head, double length
     return def->wear_by == WEAR_CABLE ? plan_first(def, way) + sign_of(way) * length : head - sign_of(way) * length;
 }
 
-double plan_friction_factor(const PlanDef *def, const DuctLoad *load, int way, double head, double s)
+double plan_friction_factor(const PlanDef *def, int way, double head, double s)
 {
-    return load->weight_factor * wear_at(def, wear_length(def, way, head, s));
+    return wear_at(def, wear_length(def, way, head, s));
 }
 
 /* Cable up to the head and rope beyond it, friction by wear, the duct's correction on the cable. */
-static PullStretch stretch_make(const PlanDef *def, const DuctLoad *load, int way, double head, double begin,
-                                double middle)
+static PullStretch stretch_make(const PlanDef *def, int way, double head, double begin, double middle)
 {
     PullStretch s = *stretch_at(def->n_stretches, def->stretch, middle);
     s.from = begin;
@@ -165,17 +164,15 @@ static PullStretch stretch_make(const PlanDef *def, const DuctLoad *load, int wa
         s.room = 0; /* nobody pushes a rope */
         return s;
     }
-    const double factor = plan_friction_factor(def, load, way, head, middle);
+    const double factor = plan_friction_factor(def, way, head, middle);
     s.mu *= factor;
     s.mu_static *= factor;
-    if (def->duct) s.share = load->sidewall_factor;
     s.lightest = fmin(def->lightest, s.weight);
     return s;
 }
 
 /* Every place at which something changes, then what lies between. */
-static hawser_status course_make(const PlanDef *def, const DuctLoad *load, int way, double head, Course *out,
-                                 hawser_error *err)
+static hawser_status course_make(const PlanDef *def, int way, double head, Course *out, hawser_error *err)
 {
     out->stretch = malloc((size_t)(def->n_stretches + def->n_wear + 1) * sizeof *out->stretch);
     if (!out->stretch) return error_memory(err);
@@ -188,7 +185,7 @@ static hawser_status course_make(const PlanDef *def, const DuctLoad *load, int w
     out->n = 0;
     for (int i = 0; i < n; i++) {
         const double begin = s[i].from, end = i + 1 < n ? s[i + 1].from : begin + 2;
-        if (end > begin) s[out->n++] = stretch_make(def, load, way, head, begin, begin + (end - begin) / 2);
+        if (end > begin) s[out->n++] = stretch_make(def, way, head, begin, begin + (end - begin) / 2);
     }
     return HAWSER_OK;
 }
@@ -235,7 +232,7 @@ int plan_slackens(const PlanDef *def)
     return def->back_fall > 0 || def->behind > def->behind_least || def->lightest > 0;
 }
 
-hawser_status plan_pull(const PlanDef *def, const DuctLoad *load, const PlanPullDef *what, Pull *out, hawser_error *err)
+hawser_status plan_pull(const PlanDef *def, const PlanPullDef *what, Pull *out, hawser_error *err)
 {
     PlanSection section = plan_section_at(def, what->way, what->whole ? plan_first(def, what->way) : what->head);
     if (what->whole) section.to = plan_last(def, what->way);
@@ -243,7 +240,7 @@ hawser_status plan_pull(const PlanDef *def, const DuctLoad *load, const PlanPull
     Course course = {0};
     *out = (Pull){0};
     PullStep *const step = malloc((size_t)(def->n_pushes + def->n_steps + 1) * sizeof *step);
-    hawser_status status = step ? course_make(def, load, what->way, head, &course, err) : error_memory(err);
+    hawser_status status = step ? course_make(def, what->way, head, &course, err) : error_memory(err);
     if (!status) {
         const PullDef pull = {.route = def->route,
                               .law = def->law,

@@ -26,8 +26,8 @@ PlanSection plan_section(const PlanDef *def, int way, int i);
 /* The one in which the head is at `head`, m along the route: at a pit the one that ends there. */
 PlanSection plan_section_at(const PlanDef *def, int way, double head);
 
-/* What the friction of a stretch is multiplied by at s, with the cable's head at `head`: duct and wear (PN4). */
-double plan_friction_factor(const PlanDef *def, const DuctLoad *load, int way, double head, double s);
+/* What the friction of a stretch is multiplied by at s, with the cable's head at `head`: wear (PN4). */
+double plan_friction_factor(const PlanDef *def, int way, double head, double s);
 
 /* The same when it is held back least (the place at which it slackens or runs away first), and whether that is less. */
 PlanDef plan_slack(const PlanDef *def);
@@ -42,8 +42,7 @@ typedef struct PlanPullDef {
     const Pull *like; /* likewise */
 } PlanPullDef;
 
-/* Solves it. `load`: the duct's, factors 1 without one. Errors: as pull_solve. */
-hawser_status plan_pull(const PlanDef *def, const DuctLoad *load, const PlanPullDef *what, Pull *out,
-                        hawser_error *err);
+/* Solves it. Errors: as pull_solve. */
+hawser_status plan_pull(const PlanDef *def, const PlanPullDef *what, Pull *out, hawser_error *err);
 
 #endif

@@ -107,7 +107,7 @@ static hawser_status pull_at_least(const Asked *a, HeldBy at, Pull *out, hawser_
     PlanDef slack = plan_slack(&a->def);
     if (at.back) slack.back_tension = *at.back;
     slack.enough = 0; /* what pushes may take it off */
-    return plan_pull(&slack, &a->c->plan.duct, &what, out, err);
+    return plan_pull(&slack, &what, out, err);
 }
 
 /* --------------------------------------------------------------------------- a back tension that comes in late */

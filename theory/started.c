@@ -131,12 +131,11 @@ static const Pusher *last_belt(const Setup *setup, const Calculator *c, double *
 static hawser_status start_find(const Setup *setup, const Calculator *c, const Pusher *by, double factor, double *head,
                                 double *winch, hawser_error *err)
 {
-    const DuctLoad single = {.weight_factor = 1, .sidewall_factor = 1};
     const PlanPullDef what = {.way = PLAN_FORWARD, .restart = 1, .head = setup->front};
     Pull pull;
     Line line = {.pull = &pull};
     *head = *winch = -INFINITY;
-    hawser_status status = plan_pull(&c->def, c->def.duct ? &c->plan.duct : &single, &what, &pull, err);
+    hawser_status status = plan_pull(&c->def, &what, &pull, err);
     if (status) return status == HAWSER_ERR_INPUT ? HAWSER_OK : status;
     while (line.first < pull.n && pull.span[line.first].s0 < by->at) ++line.first;
     if (line.first < pull.n) status = line_fill(setup, &line, err);

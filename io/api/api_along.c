@@ -29,7 +29,7 @@ static hawser_status along_solve(const hawser_sim *s, Along *a, hawser_error *er
     if (!status) {
         PlanDef plan = a->calculator.def;
         plan.law = PULL_NO_CAPSTAN;
-        status = plan_pull(&plan, &a->calculator.plan.duct, &whole, &a->paper, &quiet);
+        status = plan_pull(&plan, &whole, &a->paper, &quiet);
         a->with_paper = !status;
     }
     if (status != HAWSER_ERR_MEMORY) {

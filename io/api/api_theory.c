@@ -121,7 +121,7 @@ static hawser_status solve_paper(Theory *t, hawser_error *err)
     const PlanPullDef whole = {.way = PLAN_FORWARD, .whole = 1};
     PlanDef plan = t->calculator.def;
     plan.law = PULL_NO_CAPSTAN;
-    const hawser_status status = plan_pull(&plan, &t->calculator.plan.duct, &whole, &t->paper, err);
+    const hawser_status status = plan_pull(&plan, &whole, &t->paper, err);
     if (status) return status;
     t->paper_total = t->paper.end_tension + t->calculator.plan.way[PLAN_FORWARD].rope;
     const double g = v3_norm(def->gravity);
@@ -740,7 +740,7 @@ static hawser_status lines_fill(const Theory *t, int way, PieceLine *line, hawse
     const Calculator *const c = &t->calculator;
     const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};
     Pull rest;
-    const hawser_status status = plan_pull(&c->def, &c->plan.duct, &from_rest, &rest, err);
+    const hawser_status status = plan_pull(&c->def, &from_rest, &rest, err);
     for (int p = 0; p < c->plan.n && !status; p++, line++) {
         const RoutePiece *const piece = &c->route->piece[p];
         const PlanPiece *const moving = &c->plan.way[way].piece[p];

@@ -10,8 +10,6 @@
 #include "theory/plan_change.h"
 #include "theory/plan_head.h"
 
-static const DuctLoad SINGLE = {.weight_factor = 1, .sidewall_factor = 1};
-
 static Route route_of(int n, const RoutePieceDef *def, double slope)
 {
     Route route;
@@ -92,7 +90,7 @@ TEST(rows_of_a_series)
     for (int way = 0; way < PLAN_WAYS; ++way) {
         for (int k = 0; k < 5; ++k) {
             HeadSeries s;
-            assert_int_equal(plan_heads(&def, &SINGLE, way, apart[k], &s, NULL), HAWSER_OK);
+            assert_int_equal(plan_heads(&def, way, apart[k], &s, NULL), HAWSER_OK);
             assert_int_equal(s.n, 7 + more[k]);
             for (int i = 0; i < s.n && !more[k]; ++i) {
                 const int c = way == PLAN_BACKWARD ? 6 - i : i;
@@ -118,14 +116,14 @@ TEST(plateaus_of_the_force)
     const PullStretch cable = {.weight = 200};
     const PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &cable, .back_tension = 500};
     HeadSeries s;
-    assert_int_equal(plan_heads(&def, &SINGLE, PLAN_FORWARD, INFINITY, &s, NULL), HAWSER_OK);
+    assert_int_equal(plan_heads(&def, PLAN_FORWARD, INFINITY, &s, NULL), HAWSER_OK);
     check_share(s.peak.force, 500 + 200 * 40 * sin(0.3), 1e-12);
     check_equal(s.peak.head, 40);
     check_equal(s.restart_peak.head, 40);
     check_equal(s.restart_peak.restart, s.peak.force);
     plan_heads_free(&s);
     /* back again: no force but at first */
-    assert_int_equal(plan_heads(&def, &SINGLE, PLAN_BACKWARD, INFINITY, &s, NULL), HAWSER_OK);
+    assert_int_equal(plan_heads(&def, PLAN_BACKWARD, INFINITY, &s, NULL), HAWSER_OK);
     check_equal(s.peak.head, 110);
     check_share(s.peak.force, 500, 1e-12);
     plan_heads_free(&s);
@@ -259,7 +257,7 @@ TEST(given_back_twice)
     HeadSeries heads;
     assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
     assert_int_equal(plan_change(&def, &plan, PLAN_FORWARD, &change, NULL), HAWSER_OK);
-    assert_int_equal(plan_heads(&def, &SINGLE, PLAN_FORWARD, 10, &heads, NULL), HAWSER_OK);
+    assert_int_equal(plan_heads(&def, PLAN_FORWARD, 10, &heads, NULL), HAWSER_OK);
     assert_int_equal(route_grid_build(&route, 1, &grid, NULL), HAWSER_OK);
     for (int k = 0; k < 2; ++k) {
         plan_change_free(&change);

@@ -138,31 +138,6 @@ TEST(ways_of_their_own)
     route_clear(&route);
 }
 
-/* Three cables in a duct: friction by the weight factor, pressure by the worst cable's share. */
-TEST(duct_corrections)
-{
-    Route route = hill_route();
-    const PullStretch cable = {.weight = 3 * WEIGHT, .mu = MU, .mu_static = 0.3};
-    const DuctDef duct = {.duct_diameter = 0.15, .cable_diameter = 0.05, .cables = 3};
-    PlanDef def = hill_def(&route, &cable);
-    def.duct = &duct;
-    Plan plan, same;
-    assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_OK);
-    check_close(plan.duct.weight_factor, 4.0 / 3, 1e-14);
-    const PullStretch corrected = {.weight = 3 * WEIGHT, .mu = MU * 4 / 3, .mu_static = 0.3 * 4 / 3};
-    def.duct = NULL;
-    def.stretch = &corrected;
-    assert_int_equal(plan_build(&def, &same, NULL), HAWSER_OK);
-    check_close(plan.way[0].force, same.way[0].force, 1e-8);
-    check_close(plan.way[0].restart_force, same.way[0].restart_force, 1e-8);
-    check_above(plan.way[0].restart_force, plan.way[0].force);
-    check_close(plan.way[0].pull.max_sidewall, same.way[0].pull.max_sidewall * 2 / 3, 1e-8);
-    check_close(plan.way[0].piece[3].sidewall, same.way[0].piece[3].sidewall * 2 / 3, 1e-8);
-    plan_clear(&plan);
-    plan_clear(&same);
-    route_clear(&route);
-}
-
 static void refuse(const PlanDef *def, const char *why)
 {
     Plan plan;
@@ -179,19 +154,12 @@ TEST(refusals)
     PullStretch cable = {.weight = WEIGHT, .mu = MU};
     const PlanDef good = hill_def(&route, &cable);
     const PullStep conveyor = {.at = 3, .force = NAN};
-    const DuctDef duct = {.duct_diameter = 0.05, .cable_diameter = 0.06, .cables = 1};
     PlanDef def = good;
-    def.reel_length = -1;
-    refuse(&def, "must not be negative");
-    def = good, def.back_tension = NAN;
-    refuse(&def, "back tension");
-    def = good, def.n_pushes = 1, def.push = &conveyor;
+    def.n_pushes = 1, def.push = &conveyor;
     refuse(&def, "push 0");
     const PullStep far = {.at = route.length + 1, .force = 5};
     def.push = &far;
     refuse(&def, "off the route");
-    def = good, def.duct = &duct;
-    refuse(&def, "do not fit");
     cable.mu = -1;
     refuse(&good, "must be >= 0");
     /* What only fails at a restart is refused too, with nothing left behind. */

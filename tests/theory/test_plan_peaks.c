@@ -7,8 +7,6 @@
 
 #include "tests/support/check.h"
 
-static const DuctLoad SINGLE = {.weight_factor = 1, .sidewall_factor = 1};
-
 /* Up, round, steeply down, round, a little up: the largest force lies within. */
 static Route crest_route(void)
 {
@@ -29,8 +27,8 @@ static void check_peaks(const PlanDef *def)
 {
     for (int way = 0; way < PLAN_WAYS; ++way) {
         HeadSeries rows, alone;
-        assert_int_equal(plan_heads(def, &SINGLE, way, INFINITY, &rows, NULL), HAWSER_OK);
-        assert_int_equal(plan_peaks(def, &SINGLE, way, &alone, NULL), HAWSER_OK);
+        assert_int_equal(plan_heads(def, way, INFINITY, &rows, NULL), HAWSER_OK);
+        assert_int_equal(plan_peaks(def, way, &alone, NULL), HAWSER_OK);
         check_share(alone.peak.force, rows.peak.force, 1e-12);
         check_share(alone.restart_peak.restart, rows.restart_peak.restart, 1e-12);
         check_close(alone.peak.head, rows.peak.head, 1e-9);
@@ -72,7 +70,7 @@ static double tension_with(const PlanDef *def, int way, int restart, double head
 {
     const PlanPullDef what = {.way = way, .restart = restart, .head = head};
     Pull pull;
-    assert_int_equal(plan_pull(def, &SINGLE, &what, &pull, NULL), HAWSER_OK);
+    assert_int_equal(plan_pull(def, &what, &pull, NULL), HAWSER_OK);
     const double tension = pull_at(&pull, s).tension;
     pull_clear(&pull);
     return tension;
@@ -89,7 +87,7 @@ static int is_step(const PlanDef *def, double s)
 static void check_rope(const PlanDef *def, int way, int restart)
 {
     RopeSeries rope;
-    assert_int_equal(plan_rope(def, &SINGLE, way, restart, way ? 200 : 0, 5, &rope, NULL), HAWSER_OK);
+    assert_int_equal(plan_rope(def, way, restart, way ? 200 : 0, 5, &rope, NULL), HAWSER_OK);
     int earlier = 0; /* places at which the rope was tighter before the head came there */
     for (int i = 0; i < rope.n; i += 3) {
         double most = -INFINITY;
@@ -133,10 +131,10 @@ TEST(the_rope_of_one_head)
     for (int way = 0; way < PLAN_WAYS; ++way) {
         const double head = way ? 150.3 : 66.7, until = way ? 31 : 161;
         RopeSeries rope;
-        assert_int_equal(plan_rope(&def, &SINGLE, way, 0, head, 4, &rope, NULL), HAWSER_OK);
+        assert_int_equal(plan_rope(&def, way, 0, head, 4, &rope, NULL), HAWSER_OK);
         check_equal(drawn_at(&(Drawn){.rope = &rope}, way ? 170 : 20), 0);
         plan_rope_free(&rope);
-        assert_int_equal(plan_rope(&def, &SINGLE, way, 0, way ? route.length : 0, 4, &rope, NULL), HAWSER_OK);
+        assert_int_equal(plan_rope(&def, way, 0, way ? route.length : 0, 4, &rope, NULL), HAWSER_OK);
         double *const tension = calloc((size_t)rope.n, sizeof *tension);
         assert_non_null(tension);
         const double there = rope.tension[0];
@@ -150,7 +148,7 @@ TEST(the_rope_of_one_head)
         }
         free(tension);
         plan_rope_free(&rope);
-        assert_int_equal(plan_rope(&def, &SINGLE, way, 0, way ? -5 : 1e4, 4, &rope, NULL), HAWSER_OK);
+        assert_int_equal(plan_rope(&def, way, 0, way ? -5 : 1e4, 4, &rope, NULL), HAWSER_OK);
         assert_int_equal(rope.n, 0);
         check_equal(drawn_at(&(Drawn){.rope = &rope}, 20), 0);
         plan_rope_free(&rope);
@@ -175,8 +173,8 @@ TEST(rows_of_many_corners)
     const PullStretch lies = {.weight = 150, .mu = 0.2, .mu_static = 0.2, .mu_rope = 0.2};
     const PlanDef def = {.route = &route, .n_stretches = 1, .stretch = &lies, .reel_length = 15, .rope_weight = 5};
     HeadSeries rows, alone;
-    assert_int_equal(plan_heads(&def, &SINGLE, PLAN_FORWARD, 10, &rows, NULL), HAWSER_OK);
-    assert_int_equal(plan_peaks(&def, &SINGLE, PLAN_FORWARD, &alone, NULL), HAWSER_OK);
+    assert_int_equal(plan_heads(&def, PLAN_FORWARD, 10, &rows, NULL), HAWSER_OK);
+    assert_int_equal(plan_peaks(&def, PLAN_FORWARD, &alone, NULL), HAWSER_OK);
     assert_in_range(rows.n, 100, 500);
     check_close(rows.row[rows.n - 1].head, route.length, 0);
     check_equal(rows.peak.force, alone.peak.force);

@@ -71,7 +71,7 @@ static hawser_status plans(const Scene *s, double *value, hawser_error *err)
 static hawser_status one_head(const Scene *s, double *value, hawser_error *err)
 {
     HeadForce force = {0};
-    const hawser_status status = plan_head(&s->def, &s->plan.duct, PLAN_FORWARD, 45, &force, err);
+    const hawser_status status = plan_head(&s->def, PLAN_FORWARD, 45, &force, err);
     *value = force.force;
     return status;
 }
@@ -79,7 +79,7 @@ static hawser_status one_head(const Scene *s, double *value, hawser_error *err)
 static hawser_status heads(const Scene *s, double *value, hawser_error *err)
 {
     HeadSeries series;
-    const hawser_status status = plan_heads(&s->def, &s->plan.duct, PLAN_BACKWARD, 9, &series, err);
+    const hawser_status status = plan_heads(&s->def, PLAN_BACKWARD, 9, &series, err);
     *value = status ? NAN : series.peak.force + series.restart_peak.restart;
     if (status) assert_null(series.row);
     if (!status) plan_heads_free(&series);
@@ -89,7 +89,7 @@ static hawser_status heads(const Scene *s, double *value, hawser_error *err)
 static hawser_status ropes(const Scene *s, double *value, hawser_error *err)
 {
     RopeSeries rope;
-    const hawser_status status = plan_rope(&s->def, &s->plan.duct, PLAN_FORWARD, 1, 12, 9, &rope, err);
+    const hawser_status status = plan_rope(&s->def, PLAN_FORWARD, 1, 12, 9, &rope, err);
     *value = status ? NAN : rope.tension[rope.n - 1];
     if (status) assert_null(rope.tension);
     if (!status) plan_rope_free(&rope);
@@ -101,7 +101,7 @@ static hawser_status brakes(const Scene *s, double *value, hawser_error *err)
     PlanDef def = s->def;
     def.back_tension = 0;
     Brake brake;
-    const hawser_status status = plan_brake(&def, &s->plan.duct, PLAN_FORWARD, &brake, err);
+    const hawser_status status = plan_brake(&def, PLAN_FORWARD, &brake, err);
     *value = status ? NAN : brake.brake + brake.peak;
     return status;
 }
