@@ -223,10 +223,6 @@ TEST(friction_by_length)
         check_close(head_at(&def, way, at).tension, w * 45, 1e-9);
         check_close(head_at(&def, way, way ? 30 : 10).force, w * 10, 1e-9);
     }
-    Plan plan;
-    const PlanWear falling = {15, 0.5};
-    def.wear = &falling;
-    assert_int_equal(plan_build(&def, &plan, NULL), HAWSER_ERR_INPUT);
     route_clear(&route);
 }
 
