@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "theory/calculator.h"
+#include "theory/search.h"
 
 static const double LEANS = .05;     /* tangent of the least angle by which a roller leans or is grooved */
 static const double STRAIGHT = 1e-8; /* rad: less is no turn */
@@ -165,12 +166,6 @@ static void gates_join(Gates *g)
     g->n = n;
 }
 
-static int compare_gates(const void *a, const void *b)
-{
-    const double x = ((const Gate *)a)->s, y = ((const Gate *)b)->s;
-    return (x > y) - (x < y);
-}
-
 /* What weighs on each: half way to those that carry beside it. */
 static void gates_weigh(Gates *g)
 {
@@ -206,7 +201,7 @@ static hawser_status gates_find(Gates *g, hawser_error *err)
         }
     }
     surfaces_take(g);
-    qsort(g->gate, (size_t)g->n, sizeof *g->gate, compare_gates);
+    qsort(g->gate, (size_t)g->n, sizeof *g->gate, compare_first);
     gates_join(g);
     gates_weigh(g);
     return HAWSER_OK;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "theory/search.h"
 
 /* --------------------------------------------------------------------------------- cables, ducts, pushes */
 
@@ -230,15 +231,7 @@ static void bearers_add(const Supports *map, Part bend, int piece, Calculator *c
  * which something else has the cable. Returns how many of them are ends; -1: it stands at or beyond one. */
 static int neighbours_of(const Supports *map, double s, int n, const double *place, double near[2])
 {
-    int low = 0, high = n; /* the first that is not before s */
-    while (low < high) {
-        const int middle = (low + high) / 2;
-        if (place[middle] < s)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    while (high < n && place[high] <= s) high++;
+    const int low = items_before(n, place, sizeof *place, s, 0), high = items_before(n, place, sizeof *place, s, 1);
     near[0] = low > 0 ? place[low - 1] : 0;
     near[1] = high < n ? place[high] : map->route->length;
     int ends = (low == 0) + (high == n);

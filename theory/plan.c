@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "theory/closed_form.h"
 #include "theory/plan_pull.h"
+#include "theory/search.h"
 
 /* What lies along the route may stand beyond it; all else the case's keys have checked. */
 static hawser_status check_def(const PlanDef *def, hawser_error *err)
@@ -51,16 +52,10 @@ static void piece_closed(const Route *route, const PullSpan *span, PlanPiece *pi
 /* By how much the route turns from its start up to s, rad; turned[k]: up to piece k. */
 static double turned_at(const Route *route, const double *turned, double s)
 {
-    int low = 0, high = route->n - 1;
-    while (low < high) {
-        const int middle = (low + high + 1) / 2;
-        if (route->piece[middle].s0 <= s)
-            low = middle;
-        else
-            high = middle - 1;
-    }
-    const RoutePiece *const p = &route->piece[low];
-    return turned[low] + p->angle * fmin(fmax((s - p->s0) / p->length, 0), 1);
+    const int begun = items_before(route->n, &route->piece->s0, sizeof *route->piece, s, 1),
+              k = begun > 0 ? begun - 1 : 0;
+    const RoutePiece *const p = &route->piece[k];
+    return turned[k] + p->angle * fmin(fmax((s - p->s0) / p->length, 0), 1);
 }
 
 /* What is largest on the piece of which span i is the first: a piece's spans follow each other. A support bears no more

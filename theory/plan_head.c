@@ -59,12 +59,6 @@ typedef struct Places {
     double *s; /* [n] m */
 } Places;
 
-static int compare_places(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Where the force has corners: ends of pieces, of stretches, machines. Ahead of a machine, as it has not begun to push
  * yet, the force is as large as anywhere near, and just behind a pit, from which the cable is pulled anew, it may be:
  * these places too, by this much of the route. */
@@ -102,7 +96,7 @@ static hawser_status places_find(const PlanDef *def, int way, double apart, Plac
         return error_memory(err);
     }
     const int n = corners_collect(def, way, corner);
-    qsort(corner, (size_t)n, sizeof *corner, compare_places);
+    qsort(corner, (size_t)n, sizeof *corner, compare_first);
     double last = -INFINITY;
     for (int i = 0; i < n; i++) {
         if (!(corner[i] >= low && corner[i] <= high) || !(corner[i] > last)) continue;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
+#include "theory/search.h"
 
 static int sign_of(int way) { return way == PLAN_BACKWARD ? -1 : 1; }
 
@@ -121,12 +122,6 @@ typedef struct Course {
     PullStretch *stretch; /* [n] */
 } Course;
 
-static int compare_places(const void *a, const void *b)
-{
-    const double x = ((const PullStretch *)a)->from, y = ((const PullStretch *)b)->from;
-    return (x > y) - (x < y);
-}
-
 /* The factor of friction at a length, that of the last row that begins before it; 1 ahead of the first. */
 static double wear_at(const PlanDef *def, double length)
 {
@@ -181,7 +176,7 @@ static hawser_status course_make(const PlanDef *def, int way, double head, Cours
     for (int i = 0; i < def->n_stretches; i++) s[n++].from = def->stretch[i].from;
     for (int k = 0; k < def->n_wear; k++) s[n++].from = wear_place(def, way, head, def->wear[k].from);
     s[n++].from = head;
-    qsort(s, (size_t)n, sizeof *s, compare_places);
+    qsort(s, (size_t)n, sizeof *s, compare_first);
     out->n = 0;
     for (int i = 0; i < n; i++) {
         const double begin = s[i].from, end = i + 1 < n ? s[i + 1].from : begin + 2;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/base/error.h"
+#include "theory/search.h"
 
 /* Everything a user can get wrong in one pull, each with its reason. */
 static hawser_status check_def(const PullDef *def, hawser_error *err)
@@ -34,12 +35,6 @@ static hawser_status check_def(const PullDef *def, hawser_error *err)
     return HAWSER_OK;
 }
 
-static int compare_doubles(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Corners of the data strictly inside the pull, and its ends: cut[0] < ... < cut[n-1]; returns n. cut must
  * hold n_pieces + 1 + n_stretches + n_steps + 2. */
 static int collect_cuts(const PullDef *def, double *cut)
@@ -52,7 +47,7 @@ static int collect_cuts(const PullDef *def, double *cut)
     cut[n++] = def->route->length;
     for (int i = 0; i < def->n_stretches; i++) cut[n++] = def->stretch[i].from;
     for (int i = 0; i < def->n_steps; i++) cut[n++] = def->step[i].at;
-    qsort(cut, (size_t)n, sizeof *cut, compare_doubles);
+    qsort(cut, (size_t)n, sizeof *cut, compare_first);
     int kept = 0;
     for (int i = 0; i < n; i++) {
         const int inside = cut[i] >= low && cut[i] <= high;
@@ -63,16 +58,8 @@ static int collect_cuts(const PullDef *def, double *cut)
 
 const PullStretch *stretch_at(int n, const PullStretch *stretch, double s)
 {
-    int low = 0, high = n; /* the last one that begins at or before s is from low on, before high */
-    while (high - low > 1) {
-        const int middle = low + (high - low) / 2;
-        if (stretch[middle].from <= s) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return &stretch[low];
+    const int begun = items_before(n, &stretch->from, sizeof *stretch, s, 1);
+    return &stretch[begun > 0 ? begun - 1 : 0];
 }
 
 /* The law that holds on stretch a around `middle`, between two neighbouring cuts. */

@@ -5,23 +5,12 @@
 
 #include "core/base/error.h"
 #include "theory/expected.h"
+#include "theory/search.h"
 #include "theory/stretches.h"
 
 /* Rollers that turn the rope by this much each are sheaves to it (our choice: less is no wrap), rad. */
 static const double WRAPPED = 30 * M_PI / 180;
 static const double REACH = 5; /* m: farther from a bend in which no roller stands something else bears the rope */
-
-/* The first of n that stands at `s` or beyond. */
-static int turner_from(int n, const SupportRoller *turner, double s)
-{
-    int low = 0;
-    for (int high = n; low < high;) {
-        const int middle = low + (high - low) / 2;
-        if (turner[middle].s < s) low = middle + 1;
-        if (!(turner[middle].s < s)) high = middle;
-    }
-    return low;
-}
 
 /* The nearest one from `begin` to `end`, seen from `from`, that a bend with this curvature presses the rope on, or the
  * nearest carrier; NULL: there is none. */
@@ -30,7 +19,7 @@ static const SupportRoller *nearest_turner(int n, const SupportRoller *turner, d
 {
     double least[2] = {INFINITY, INFINITY};
     const SupportRoller *nearest[2] = {NULL, NULL};
-    for (int i = turner_from(n, turner, begin); i < n && turner[i].s <= end; ++i) {
+    for (int i = items_before(n, &turner->s, sizeof *turner, begin, 0); i < n && turner[i].s <= end; ++i) {
         const double away = fabs(turner[i].s - from);
         const int inner = bend_side(turner[i].off, curvature) > 0;
         if (!(inner || turner[i].kind == SUPPORT_ROLLER) || away >= least[inner]) continue;
@@ -125,7 +114,7 @@ static double bent_round(const Setup *setup, const Route *route, int p, int to, 
     const int n = setup->supports.n_rollers;
     double radius = INFINITY;
     for (int k = p; k <= to; ++k) radius = fmin(radius, route->piece[k].radius);
-    for (int i = turner_from(n, turner, begin); i < n && turner[i].s <= end; ++i) {
+    for (int i = items_before(n, &turner->s, sizeof *turner, begin, 0); i < n && turner[i].s <= end; ++i) {
         const int inner = turner[i].inner > 0;
         if (inner || (turner[i].kind == SUPPORT_ROLLER && turner[i].inner == 0)) wrap_roller(&wrap[inner], &turner[i]);
     }

@@ -4,6 +4,31 @@
 #ifndef HAWSER_THEORY_SEARCH_H
 #define HAWSER_THEORY_SEARCH_H
 
+#include <stddef.h>
+
+/* How many of n items before s, or at it too (`at`), of items that rise by a double each: `first` of them, `size` bytes
+ * apart. */
+static inline int items_before(int n, const double *first, size_t size, double s, int at)
+{
+    int low = 0;
+    for (int high = n; low < high;) {
+        const int middle = low + (high - low) / 2;
+        const double its = *(const double *)(const void *)((const char *)first + (size_t)middle * size);
+        if (at ? its <= s : its < s)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* For qsort: items that rise by the double with which they begin. */
+static inline int compare_first(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
 /* Whether it holds at x. What cannot be computed there does not hold; errors that end the search the caller keeps in
  * `what`, and answers 0 from then on. */
 typedef int (*SearchHolds)(void *what, double x);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/base/error.h"
+#include "theory/search.h"
 
 /* Where the first stretch begins, m along the route: behind any lead-in. */
 static const double FAR_BEHIND = -1e9;
@@ -46,12 +47,6 @@ static void corners_free(Corners *c)
     free(c->guided);
 }
 
-static int compare_places(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static hawser_status corners_find(const Supports *map, Corners *c, hawser_error *err)
 {
     const BundleDef *const bundle = &map->def->bundle;
@@ -75,23 +70,15 @@ static hawser_status corners_find(const Supports *map, Corners *c, hawser_error 
         c->s[c->n++] = part.from;
         c->s[c->n++] = part.to;
     }
-    qsort(c->s, (size_t)c->n, sizeof *c->s, compare_places);
+    qsort(c->s, (size_t)c->n, sizeof *c->s, compare_first);
     return HAWSER_OK;
 }
 
 /* Whether the supports at s are separate: guides, or a floor with upright sides. */
 static int is_separate(const Corners *c, const SurfaceDef *surface, double s)
 {
-    int low = 0; /* how many guided parts begin at s or before */
-    for (int high = c->n_guided; low < high;) {
-        const int middle = low + (high - low) / 2;
-        if (c->guided[middle].from <= s) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    if (low > 0 && s < c->guided[low - 1].to) return 1;
+    const int begun = items_before(c->n_guided, &c->guided->from, sizeof *c->guided, s, 1);
+    if (begun > 0 && s < c->guided[begun - 1].to) return 1;
     return surface && surface->shape.kind == SURFACE_FLAT && surface->shape.height > 0;
 }
 

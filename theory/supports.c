@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "theory/place.h"
+#include "theory/search.h"
 
 /* ------------------------------------------------------------------------------------------------------- rollers */
 
@@ -72,16 +73,7 @@ static hawser_status rollers_find(Supports *map, hawser_error *err)
 
 int supports_from(const Supports *map, double s)
 {
-    int low = 0;
-    for (int high = map->n_rollers; low < high;) {
-        const int middle = low + (high - low) / 2;
-        if (map->roller[middle].s < s) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
+    return items_before(map->n_rollers, &map->roller->s, sizeof *map->roller, s, 0);
 }
 
 /* ------------------------------------------------------------------------------------------------------- lengths */
@@ -164,16 +156,7 @@ const SurfaceDef *supports_surface(const Supports *map, double s)
 /* How many lengths begin at s or before. */
 static int lengths_to(const Supports *map, double s)
 {
-    int low = 0;
-    for (int high = map->n_lengths; low < high;) {
-        const int middle = low + (high - low) / 2;
-        if (map->length[middle].from <= s) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
+    return items_before(map->n_lengths, &map->length->from, sizeof *map->length, s, 1);
 }
 
 double supports_covered(const Supports *map, double s)
