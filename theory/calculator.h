@@ -98,20 +98,16 @@ int guide_stands_outside(const Route *route, const RollerDef *guide);
 hawser_status calculator_know(const Setup *setup, Calculator *c, hawser_error *err);
 /* Whether the case gives friction for theory alone at s (m along the route), or along all of it if that is NAN. */
 int friction_is_given(const Setup *setup, double s);
-/* Whether the cable sags too far where nothing carries it (T29), into a condition that holds: gaps.c. Errors: as
+/* Whether the cable sags too far where nothing carries it (T29), its tension lifts it off its route, pulled forward
+ * (T31), or something holds it to the side where it turns (T30), into a condition that holds: supported.c. Errors: as
  * plan_build. */
-hawser_status gaps_judge(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err);
-/* Whether its tension lifts it off its route, pulled forward (T31), into a condition that holds: lifted.c. Errors:
- * MEMORY. */
-hawser_status lifted_judge(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err);
+hawser_status supported_judge(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err);
 /* N, of what more pull the limits that hold allow, and the limit that allows least; NULL: none says anything of it. */
 double limits_left(const Calculator *c, int way, const hawser_limit **least);
 /* Whether what bending stiffness takes, about (its `value`, N of the winch's force), would break a limit that holds
  * without (T32): stiffened.c. */
 hawser_condition stiffened_judge(const Setup *setup, const Calculator *c, int way);
-/* Whether something holds it to the side where it turns (T30), into a condition that holds: aside.c. Errors: MEMORY. */
-hawser_status aside_judge(const Setup *setup, const Calculator *c, hawser_condition *out, hawser_error *err);
-/* Whether the route crosses itself within the cable's length, into a condition that holds: crossing.c. Errors: MEMORY.
+/* Whether the route crosses itself within the cable's length, into a condition that holds: cannot.c. Errors: MEMORY.
  */
 hawser_status crossing_judge(const Setup *setup, hawser_condition *out, hawser_error *err);
 /* Whether limits hold, pulled forward, while belts that run ahead of the winch come to their force at the start (WI24),

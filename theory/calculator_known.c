@@ -28,14 +28,6 @@ hawser_condition theory_condition(hawser_condition_kind kind, double value, doub
     return out;
 }
 
-/* What carries the cable does so all along, whatever its tension. */
-static hawser_status held_by(const Setup *setup, const Calculator *c, hawser_condition *result, hawser_error *err)
-{
-    hawser_status status = gaps_judge(setup, c, result, err);
-    if (!status && result->holds) status = lifted_judge(setup, c, result, err);
-    return status || !result->holds ? status : aside_judge(setup, c, result, err);
-}
-
 /* Friction on nothing is nobody's: a case for theory alone may leave supports out, not friction as well. One that says
  * how it runs is a pull in which the cable would fall. */
 static hawser_status supported_by(const Setup *setup, const Calculator *c, hawser_condition *result, hawser_error *err)
@@ -55,7 +47,7 @@ static hawser_status supported_by(const Setup *setup, const Calculator *c, hawse
     }
     *result = out;
     if (hangs) return HAWSER_OK;
-    hawser_status status = theory->simulated ? held_by(setup, c, result, err) : HAWSER_OK;
+    hawser_status status = theory->simulated ? supported_judge(setup, c, result, err) : HAWSER_OK;
     return status || !result->holds ? status : crossing_judge(setup, result, err);
 }
 

@@ -5,14 +5,6 @@
 
 #include "theory/setup.h"
 
-/* Where a route crosses itself at one level with cable in both places. */
-typedef struct Crossing {
-    double overlap; /* share of the diameter by which the cable lies inside itself */
-    char says[200]; /* empty: nowhere */
-} Crossing;
-/* Errors: MEMORY. */
-hawser_status crossing_find(const Setup *setup, Crossing *out, hawser_error *err);
-
 enum { CANNOT_SAYS = 280 };
 /* A winch pulls at the cable's or the rope's end along the route's end: round a bend that is through the wall. Writes
  * what is wrong; returns the key to change, NULL if the end is on the last straight, or all but. Theory has a rope

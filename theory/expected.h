@@ -52,39 +52,27 @@ hawser_status expected_relief(const Setup *setup, double to, double *relief, haw
 double expected_push(const Setup *setup, const Expected *e, const char *name);
 void expected_free(Expected *e);
 
-/* ---------------------------------------------------------------- what holds back where the route begins: starts.c */
+/* ---------------------------------------------------------------- what holds back where the route begins */
 
 /* Of the tail or the reel, N. */
 const Profile *starts_back(const Setup *setup);
 /* The fastest that winch and script pull, m/s. */
 double starts_fastest(const Setup *setup);
 
-/* What the reel's brake and bearing hold back with at full speed, and the back tension, with the cable's front at
- * `front` (m along the route), N; 0 once the cable has left it. */
-double starts_reel(const Setup *setup, double front, double back);
-
 /* Where the cable's front is when its end leaves the drum, m along the route; INFINITY: it never does. */
 double starts_leaves(const Setup *setup);
 /* Whether it has left it with the front there. */
 int starts_left(const Setup *setup, double front);
 
-/* Of the cable behind the route's start, what of its weight along the slope the lead-in leaves to it, N; `length` m lie
- * there. */
-double starts_weight(const Setup *setup, double length);
-/* How much of it lies there, m, when the front begins to move and when it is at the route's end, of what holds the
- * cable back at all; and whether on supports with friction. */
+/* How much cable lies behind the route's start, m, when the front begins to move and when it is at the route's end, of
+ * what holds the cable back at all; and whether on supports with friction. */
 typedef struct Behind {
     double first, last;
     int slides;
 } Behind;
 Behind starts_behind(const Setup *setup);
 
-/* The tension there while the front goes from where it begins to the route's end. */
-typedef struct Starts {
-    double largest, least; /* N; least: once the back tension has risen from where it begins */
-} Starts;
-Starts starts_of_pull(const Setup *setup);
-/* The least of it, N, were the back tension always what it is at time t. */
+/* The least tension where the route begins, N, were the back tension always what it is at time t. */
 double starts_least_at(const Setup *setup, double t);
 
 /* ------------------------------------------------------------------------------------------------------ findings */
