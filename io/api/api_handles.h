@@ -139,11 +139,6 @@ void theory_conditions(const Calculator *c, int way, hawser_condition held[THEOR
 /* The texts are the calculator's, the answers' and the scene's, which must stay. Errors: MEMORY. */
 hawser_status theory_tables_make(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *out,
                                  hawser_error *err);
-/* Adds what the planner asks: places of the head, sections, brake, machines, answers the other way round, notes.
- * Returns 0 without memory. */
-int theory_planner_add(const Setup *setup, const Calculator *c, const Inverse *inverse, TheoryTables *t);
-/* Gives a table n rows of its own; NULL without memory. */
-void *theory_table_add(TheoryTables *t, const char *key, const char *heading, Columns columns, int n);
 extern const char *const theory_ways[PLAN_WAYS];
 void theory_tables_free(TheoryTables *t);
 
