@@ -958,7 +958,7 @@ hawser_status case_heads_force(const CaseHeads *h, double share, int n, const do
     def.stretch = stretch;
     for (int i = 0; i < n && !status; ++i) {
         HeadForce at;
-        status = plan_head(&def, &c->plan.duct, PLAN_FORWARD, head[i], &at, err);
+        status = plan_head(&def, PLAN_FORWARD, head[i], &at, err);
         if (!status) force[i] = at.force;
     }
     free(stretch);

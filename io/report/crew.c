@@ -71,7 +71,7 @@ static hawser_status mark_make(const Sheet *sheet, double at, Mark *mark, hawser
     const Calculator *const c = sheet->page->c;
     const double head = sheet->way == PLAN_FORWARD ? at : sheet->length - at;
     HeadForce found;
-    const hawser_status status = plan_head(&c->def, &c->plan.duct, sheet->way, head, &found, err);
+    const hawser_status status = plan_head(&c->def, sheet->way, head, &found, err);
     if (status) return status;
     *mark = (Mark){.come = at,
                    .station = sheet->way == PLAN_FORWARD ? NAN : head,
