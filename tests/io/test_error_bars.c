@@ -42,6 +42,7 @@ TEST(coarse_segments)
     const hawser_summary coarse = pulled("trust-duct", NULL), finer = pulled("trust-duct", fine);
     expect_within(&coarse, finer.pull_mean_N, 20);
     check_below(finer.pull_mean_error.mesh, coarse.pull_mean_error.mesh);
+    check_at_least(coarse.pull_peak_error.mesh, coarse.pull_mean_error.mesh);
 }
 
 /* Accuracy: the error falls, and the bar's part of it with it. */
@@ -77,12 +78,20 @@ TEST(a_drum_weighs_nothing)
     check_at_most(sum.pull_mean_error.mesh, 0.1 * sum.pull_mean_N);
 }
 
-/* Loads have two and three times the parts of a tension (EB7): half of v_s, where friction lacks 1/0.6875 - 1. */
+/* Loads have two and three times the parts of a tension (EB7): half of v_s, where friction lacks 1/0.6875 - 1. A
+ * station's tension has what the pull has. */
 TEST(loads_have_wider_bars)
 {
-    const char *const slow[] = {"friction.v_s", "200 mm/s", "friction.v_d", "400 mm/s", NULL};
+    const char *const slow[] = {"friction.v_s",
+                                "200 mm/s",
+                                "friction.v_d",
+                                "400 mm/s",
+                                "output.stations",
+                                "{list: [{name: A, at: 10 m}]}",
+                                NULL};
     const double lacks = 1 / 0.6875 - 1;
     const hawser_roller *row;
+    const hawser_station *station;
     hawser_sim *const s = run_of(data_text("trust"), slow);
     hawser_summary sum;
     hawser_sim_summary(s, &sum); /* bars are as of the last one */
@@ -93,6 +102,9 @@ TEST(loads_have_wider_bars)
         check_at_least(row[r].steady_error_N, 3 * (lacks - 1e-3) * row[r].steady_N);
         check_at_least(row[r].peak_error_N, 2 * (lacks - 1e-3) * row[r].peak_N);
     }
+    assert_int_equal(hawser_sim_stations(s, &station), 1);
+    check_between(station->mean_error_N / station->mean_N, lacks - 1e-3, 2 * lacks);
+    check_between(station->peak_error_N / station->peak_N, lacks - 1e-3, 2 * lacks);
     hawser_sim_free(s);
 }
 

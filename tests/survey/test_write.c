@@ -73,6 +73,8 @@ TEST(planners_pieces)
     Survey back;
     check_below(there_and_back(&a, "", WRITE_PIECES, &back), 1e-5);
     survey_clear(&back);
+    check_below(there_and_back(&a, "", WRITE_DXF, &back), 1e-4); /* as a level line it would lie 8.5 m too low */
+    survey_clear(&back);
     alignment_clear(&a);
     hawser_error err = {.message = ""};
     a = winding_line(0, 1, 20);
