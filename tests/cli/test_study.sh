@@ -46,7 +46,7 @@ exists pulled.html
 run_hawser 0 compare pulled "$source/cases/studies/pull.csv" --align start --json
 says out '"aligned_by": "start"'
 run_hawser 2 compare pulled
-says err "compare needs a folder with results and a log"
+says err "compare needs results or a case, and a log"
 run_hawser 2 compare pulled "$source/cases/studies/pull.csv" --align end
 says err "--align end: 'length' or 'start' can be used"
 run_hawser 2 compare pulled "$source/cases/studies/friction.yaml"
