@@ -179,6 +179,12 @@ typedef struct TheoryVerdict {
 void answer_theory(Answer *a, const Setup *setup, const Calculator *c, const Inverse *inverse,
                    const TheoryVerdict verdict[PLAN_WAYS]);
 
+/* The route piece by piece, of a calculation that stays; free *rows. Errors: as plan_pull, MEMORY. */
+hawser_status piece_lines(const Calculator *c, PieceLine **rows, int *n, hawser_error *err);
+/* The same of what a run is compared with; none of a rod, or where theory has no answer. *c is the calculation, which
+ * calculator_free follows in any case. Errors: MEMORY. */
+hawser_status run_pieces(const hawser_sim *s, Calculator *c, PieceLine **rows, int *n, hawser_error *err);
+
 /* The rows of route.csv, malloc'ed; none for a scene without a route. Theory that cannot be computed there is NAN.
  * Errors: MEMORY; *rows is NULL then. */
 hawser_status along_rows(hawser_sim *s, AlongRow **rows, int *n, hawser_error *err);

@@ -234,7 +234,13 @@ hawser_status sim_summary_text(const hawser_sim *s, const OutDir *dir, char **te
     labels.remedy = remedy;
     labels.n_assumed = labels.n_limits > 0 ? assumed_list(&scene->setup, assumed) : 0;
     labels.assumed = assumed;
-    status = summary_json(&summary, &labels, text, err);
+    Calculator calculator = {0};
+    PieceLine *piece = NULL;
+    if (dir) status = run_pieces(s, &calculator, &piece, &labels.n_pieces, err);
+    labels.piece = piece;
+    if (!status) status = summary_json(&summary, &labels, text, err);
+    calculator_free(&calculator);
+    free(piece);
     free(overload);
     return status;
 }

@@ -692,78 +692,6 @@ hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **te
     return hawser_case_theory_shown(c, format, &(hawser_theory_options){.tables = "all"}, text, NULL, err);
 }
 
-/* A piece of the route, for the page alone. */
-typedef struct PieceLine {
-    const char *name, *turns;
-    double from, to, radius, angle, slope, mu, mu_rest; /* m, m, m, degrees, degrees, 1, 1 */
-    struct {
-        double in, out, rest, sidewall;
-    } way[PLAN_WAYS];
-} PieceLine;
-
-#define WAY_COLUMNS(key, words, k)                                                                                     \
-    {COLUMN(key "_start_N", NUMBER, PieceLine, way[k].in), .label = words ": in, N", .decimals = 1},                   \
-        {COLUMN(key "_end_N", NUMBER, PieceLine, way[k].out), .label = "out, N", .decimals = 1},                       \
-        {COLUMN(key "_rest_N", NUMBER, PieceLine, way[k].rest), .label = "out from rest, N", .decimals = 1},           \
-    {                                                                                                                  \
-        COLUMN(key "_sidewall_N_per_m", NUMBER, PieceLine, way[k].sidewall), .label = "T/R, N/m", .decimals = 1        \
-    }
-static const Column line_column[] = {
-    {COLUMN("name", TEXT, PieceLine, name), .label = "piece"},
-    {COLUMN("from_m", NUMBER, PieceLine, from), .label = "from, m", .decimals = 2},
-    {COLUMN("to_m", NUMBER, PieceLine, to), .label = "to, m", .decimals = 2},
-    {COLUMN("angle_deg", NUMBER, PieceLine, angle), .label = "angle, deg", .decimals = 2},
-    {COLUMN("radius_m", NUMBER, PieceLine, radius), .label = "R, m", .decimals = 2},
-    {COLUMN("turns", TEXT, PieceLine, turns), .label = "turns"},
-    {COLUMN("slope_deg", NUMBER, PieceLine, slope), .label = "slope, deg", .decimals = 2},
-    {COLUMN("mu", NUMBER, PieceLine, mu), .label = "friction", .decimals = 3},
-    {COLUMN("mu_rest", NUMBER, PieceLine, mu_rest), .label = "at rest", .decimals = 3},
-    WAY_COLUMNS("forward", "forward", PLAN_FORWARD),
-    WAY_COLUMNS("back", "back", PLAN_BACKWARD)};
-
-/* Which way a piece turns, by its middle; "" for straights. */
-static const char *turn_of(const Route *route, const RoutePiece *piece)
-{
-    static const char *const words[3][3] = {
-        {"right, down", "down", "left, down"}, {"right", "", "left"}, {"right, up", "up", "left, up"}};
-    const double s = piece->s0 + piece->length / 2;
-    const RoutePoint at = route_at(route, s);
-    const Vec3 left = route_left(route, s), up = v3_cross(at.tangent, left);
-    const double aside = v3_dot(at.curvature, left), rise = v3_dot(at.curvature, up), most = 1e-6 * hypot(aside, rise);
-    if (piece->kind == ROUTE_STRAIGHT) return "";
-    return words[1 + (rise > most) - (rise < -most)][1 + (aside > most) - (aside < -most)];
-}
-
-/* line [pieces], of one way. Errors: as plan_pull. */
-static hawser_status lines_fill(const Theory *t, int way, PieceLine *line, hawser_error *err)
-{
-    const Calculator *const c = &t->calculator;
-    const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};
-    Pull rest;
-    const hawser_status status = plan_pull(&c->def, &from_rest, &rest, err);
-    for (int p = 0; p < c->plan.n && !status; p++, line++) {
-        const RoutePiece *const piece = &c->route->piece[p];
-        const PlanPiece *const moving = &c->plan.way[way].piece[p];
-        const PullStretch *const at = stretch_at(c->def.n_stretches, c->def.stretch, piece->s0 + piece->length / 2);
-        const int bend = piece->kind != ROUTE_STRAIGHT;
-        line->name = piece->name;
-        line->turns = turn_of(c->route, piece);
-        line->from = piece->s0;
-        line->to = piece->s0 + piece->length;
-        line->radius = bend ? piece->radius : NAN;
-        line->angle = bend ? piece->angle * 180 / M_PI : NAN;
-        line->slope = route_slope(c->route, piece->s0) * 180 / M_PI;
-        line->mu = at->mu;
-        line->mu_rest = fmax(at->mu, at->mu_static);
-        line->way[way].in = moving->t_in;
-        line->way[way].out = moving->t_out;
-        line->way[way].rest = pull_at(&rest, way == PLAN_FORWARD ? line->to : line->from).tension;
-        line->way[way].sidewall = moving->sidewall;
-    }
-    if (!status) pull_clear(&rest);
-    return status;
-}
-
 /* Tables of the page, in their order; the others stand behind "all values". */
 static const char *const page_tables[] = {"lines",    "sections", "limits",  "remedies", "answers",
                                           "machines", "brakes",   "assumed", "notes"};
@@ -804,13 +732,12 @@ static hawser_status body_write(Theory *t, const hawser_case *c, int way, hawser
     const Language language = c->def->job.language;
     Answer answer = {.text = t->answer, .size = sizeof t->answer, .units = units, .page = 1, .language = language};
     answer_theory(&answer, &t->setup, &t->calculator, &t->inverse, t->verdict);
-    const int pieces = t->calculator.plan.n;
-    PieceLine *const line = calloc((size_t)pieces + 1, sizeof *line);
+    PieceLine *line;
+    int pieces;
+    hawser_status status = piece_lines(&t->calculator, &line, &pieces, err);
     page.table[page.doc.n_tables++] =
         (Table){"lines", "The route piece by piece, full of cable (friction with the weight correction of ducts)",
-                COLUMNS(PieceLine, line_column), pieces, line};
-    hawser_status status = line ? lines_fill(t, PLAN_FORWARD, line, err) : error_memory(err);
-    if (!status) status = lines_fill(t, PLAN_BACKWARD, line, err);
+                piece_line_columns, pieces, line};
     if (!status) status = page_part(&page, 1, units, &tables, err);
     if (!status) status = page_part(&page, 0, units, &more, err);
     const Calculation sheet = {.title = title_of(c),

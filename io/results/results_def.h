@@ -67,6 +67,16 @@ typedef struct FileSum {
     char sum[SUM_SIZE];
 } FileSum;
 
+/* A piece of the route as the calculation's page and a run's have it: what goes in and comes out with the route full of
+ * cable, pulled forward and back. */
+typedef struct PieceLine {
+    const char *name, *turns;
+    double from, to, radius, angle, slope, mu, mu_rest; /* m, m, m, degrees, degrees, 1, 1 */
+    struct {
+        double in, out, rest, sidewall;
+    } way[2]; /* N, N, N, N/m */
+} PieceLine;
+
 /* What the summary says beside the figures. */
 typedef struct SummaryLabels {
     const char *title, *case_name;
@@ -90,6 +100,8 @@ typedef struct SummaryLabels {
     int n_overloads;
     const Overload *overload; /* [n_overloads], by roller */
     double trip_N;            /* that follows from the largest overload factor allowed; NAN without limits */
+    int n_pieces;
+    const PieceLine *piece; /* [n_pieces] */
 } SummaryLabels;
 
 /* The text of summary.json, malloc'ed; what is not known (NAN) becomes null. Errors: MEMORY. */

@@ -134,8 +134,8 @@ hawser_status companion_write(const char *dir, const char *name, const char *tex
 /* -------------------------------------------------------------------------------------------------------- CSV */
 
 /* Of summary.json, stations.csv, rollers.csv, modes.csv. */
-extern const Columns summary_columns, station_columns, roller_columns, shape_columns, route_columns, place_columns,
-    assumed_columns;
+extern const Columns piece_line_columns, summary_columns, station_columns, roller_columns, shape_columns, route_columns,
+    place_columns, assumed_columns;
 
 /* The columns' names, flushed, so that a table that cannot be written is noticed before the run; and n rows. All errors
  * here: OUTPUT. */

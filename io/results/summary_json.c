@@ -335,6 +335,9 @@ static const Column file_column[] = {
 };
 static const Columns file_columns = COLUMNS(FileSum, file_column);
 
+/* Summaries of a folder alone have them. */
+static int is_piece(const void *row) { return row != NULL; }
+
 static const Column summary_column[] = {
     /* what was run, by what, and how it ended */
     {COLUMN("format", COUNT, Summary, format)},
@@ -404,6 +407,7 @@ static const Column summary_column[] = {
     {LIST("moving_rollers", Summary, l.roller, l.n_rollers, moving_columns), .keep = roller_moves},
     {LIST("assumptions", Summary, l.assumption, l.n_assumptions, assumption_columns), .keep = is_assumption},
     {LIST("assumed", Summary, l.assumed, l.n_assumed, assumed_columns)},
+    {LIST("pieces", Summary, l.piece, l.n_pieces, piece_line_columns), .keep = is_piece},
     {LIST("limits", Summary, l.limit, l.n_limits, limit_columns)},
     {LIST("remedies", Summary, l.remedy, l.n_remedies, remedy_columns)},
     {LIST("trust", Summary, s.conditions, s.n_conditions, condition_columns)},

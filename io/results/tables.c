@@ -297,3 +297,26 @@ hawser_status modes_write(OutFile *out, int n, int segments, const hawser_mode *
     }
     return status;
 }
+
+/* ------------------------------------------------------------------------------------------- the route by pieces */
+
+#define WAY_COLUMNS(key, words, k)                                                                                     \
+    {COLUMN(key "_start_N", NUMBER, PieceLine, way[k].in), .label = words ": in, N", .decimals = 1},                   \
+        {COLUMN(key "_end_N", NUMBER, PieceLine, way[k].out), .label = "out, N", .decimals = 1},                       \
+        {COLUMN(key "_rest_N", NUMBER, PieceLine, way[k].rest), .label = "out from rest, N", .decimals = 1},           \
+    {                                                                                                                  \
+        COLUMN(key "_sidewall_N_per_m", NUMBER, PieceLine, way[k].sidewall), .label = "T/R, N/m", .decimals = 1        \
+    }
+static const Column piece_column[] = {
+    {COLUMN("name", TEXT, PieceLine, name), .label = "piece"},
+    {COLUMN("from_m", NUMBER, PieceLine, from), .label = "from, m", .decimals = 2},
+    {COLUMN("to_m", NUMBER, PieceLine, to), .label = "to, m", .decimals = 2},
+    {COLUMN("angle_deg", NUMBER, PieceLine, angle), .label = "angle, deg", .decimals = 2},
+    {COLUMN("radius_m", NUMBER, PieceLine, radius), .label = "R, m", .decimals = 2},
+    {COLUMN("turns", TEXT, PieceLine, turns), .label = "turns"},
+    {COLUMN("slope_deg", NUMBER, PieceLine, slope), .label = "slope, deg", .decimals = 2},
+    {COLUMN("mu", NUMBER, PieceLine, mu), .label = "friction", .decimals = 3},
+    {COLUMN("mu_rest", NUMBER, PieceLine, mu_rest), .label = "at rest", .decimals = 3},
+    WAY_COLUMNS("forward", "forward", 0),
+    WAY_COLUMNS("back", "back", 1)};
+const Columns piece_line_columns = COLUMNS(PieceLine, piece_column);

@@ -45,6 +45,8 @@ export interface Summary {
   surfaces?: Record<string, Value | string>[];
   pull_by_position?: Record<string, Value>[];
   events?: PullEvent[];
+  /** Of results that are older than it: none. */
+  pieces?: Record<string, Value | string>[];
   limits?: Limit[];
   trust?: Trust[];
   passes?: Passes | null;

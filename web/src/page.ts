@@ -12,6 +12,7 @@ import { limitsSection } from './section/limits';
 import { conveyorsSection, motorsSection, reelSection, surfacesSection } from './section/machines';
 import { aboutSection, eventsSection, inputsSection, trustSection } from './section/record';
 import { note } from './section/parts';
+import { piecesSection } from './section/pieces';
 import { rollersSection } from './section/rollers';
 import { verdictSection } from './section/verdict';
 import type { Store } from './state';
@@ -23,6 +24,7 @@ const BEFORE_VIEW: Section[] = [
   keyFiguresSection,
   compareSection,
   limitsSection,
+  piecesSection,
   alongSection,
   routeSection,
 ];
