@@ -7,8 +7,8 @@ Usage: mutants.py make   [--count N] [--seed S] [--folders F ...]     a tree wit
                          [--labels L ...]                             only the tests of these labels
                          [--each]                                     N of each folder
        mutants.py run    [--jobs J] [--minutes M]                     tries them; goes on where it was stopped
-                         [--labels L ...] [--longest S] [--again]     with the tests of these labels that take less than S seconds; the
-                         [--sanitized]                                survivors of what was tried before alone; those once more, built
+                         [--labels L ...] [--shortest S] [--longest S] with the tests of these labels that take so many seconds; the
+                         [--again] [--sanitized]                      survivors of what was tried before alone; those once more, built
                                                                       with the sanitizers that the project's own tests run under, to
                                                                       which reading past an array, or losing memory, is a failure
        mutants.py renew  [--labels L ...]                             takes the tests as they are committed now, for `run --again`
@@ -203,11 +203,12 @@ class Finder:
     def take_free(self, before, child):
         """What is freed before the statement that uses it last."""
         kinds, text = self.kinds, self.text
-        freed = re.fullmatch(r"free\((\w+)\S*\)", self.written(child))
-        if before is None or not freed or before.kind in (kinds.DECL_STMT, kinds.RETURN_STMT) or not re.search(rf"\b{freed[1]}\b", self.written(before)):
+        freed = re.fullmatch(r"free\((.+)\)", self.written(child))
+        if before is None or not freed or before.kind in (kinds.DECL_STMT, kinds.RETURN_STMT) \
+                or not re.search(rf"\b{re.escape(freed[1])}\b", self.written(before)):
             return
-        ends = [self.span(c)[1] + len(re.match(r"\s*;|", text[self.span(c)[1]:])[0]) for c in (before, child)]
-        self.places.append(Place("after free", self.span(before)[0], ends[1], [(self.span(c)[0], e) for c, e in zip((before, child), ends)], ""))
+        parts = [(start, end + len(re.match(r"\s*;|", text[end:])[0])) for start, end in map(self.span, (before, child))]
+        self.places.append(Place("after free", parts[0][0], parts[1][1], parts, ""))
 
     def take_part(self, kind, cursor, say):
         start, end = self.span(cursor)
@@ -275,9 +276,11 @@ def find_all(folders):
 
 def configure(build=BUILD):
     flags = "-O1 -w -include " + str(WORK / "mistake.h") + (SANITIZERS if build == SANITIZED else "")
-    asan = next(p["cacheVariables"] for p in json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"] if p["name"] == "asan")
-    options = [f"-D{key}={asan[key]}" for key in ("CMAKE_C_FLAGS", "HAWSER_ONE_ISA")] if FAULTS else []
+    options = []
     if FAULTS:
+        presets = json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]
+        asan = next(p["cacheVariables"] for p in presets if p["name"] == "asan")
+        options = [f"-D{key}={asan[key]}" for key in ("CMAKE_C_FLAGS", "HAWSER_ONE_ISA")]
         flags = flags.replace("-O1", "-g1")
     subprocess.run(["cmake", "-S", TREE, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=RelWithDebInfo", "-DHAWSER_BENCH=OFF", *options,
                     "-DCMAKE_C_FLAGS_RELWITHDEBINFO=" + flags,
@@ -408,7 +411,7 @@ def attempt(test, environment, limit):
     return process.returncode == 0, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-def reached(build, tests, count, longest):
+def reached(build, tests, count, shortest, longest):
     """Times of the tests that pass without a mistake, and the mistakes that each meets; what was found out once is kept."""
     met_file, known_file = build / "met", build / "met.json"
     known = json.loads(known_file.read_text()) if known_file.exists() else {}
@@ -421,8 +424,9 @@ def reached(build, tests, count, longest):
             known_file.write_text(json.dumps(known))
         found = known[test["name"]]
         test["seconds"], test["meets"] = found["seconds"], set(found["meets"])
-        if not found["passed"] or found["seconds"] >= longest:
-            print(f"{test['name']}: left out ({'takes too long' if found['passed'] else 'fails without a mistake'})")
+        if not found["passed"]:
+            print(f"{test['name']}: left out (fails without a mistake)")
+        if not found["passed"] or not shortest <= found["seconds"] < longest:
             test["meets"] = set()
     return [t for t in tests if t["meets"]]
 
@@ -448,7 +452,7 @@ def run(args):
     if args.sanitized:
         configure(build)
         subprocess.run(["cmake", "--build", build, "-j2", *targets(args.labels)], check=True, stdout=subprocess.DEVNULL)
-    tests = reached(build, tests_of_build(build, args.labels, args.full), max(m["number"] for m in mistakes) + 1, args.longest)
+    tests = reached(build, tests_of_build(build, args.labels, args.full), max(m["number"] for m in mistakes) + 1, args.shortest, args.longest)
     end = time.monotonic() + 60 * args.minutes
     outcomes = {None} if not (args.again or args.sanitized) else {"survived", "not met"}
     todo = [m for m in sorted(mistakes, key=lambda m: m["number"]) if known.get(m["number"], {}).get("outcome") in outcomes]
@@ -487,6 +491,7 @@ def main():
     parser.add_argument("--minutes", type=float, default=600)
     parser.add_argument("--labels", nargs="*", default=LABELS)
     parser.add_argument("--longest", type=float, default=30)
+    parser.add_argument("--shortest", type=float, default=0)
     parser.add_argument("--each", action="store_true")
     parser.add_argument("--again", action="store_true")
     parser.add_argument("--sanitized", action="store_true")
