@@ -816,7 +816,8 @@ static hawser_status page_file(hawser_case *c, const char *kind, BodyWrite write
     if (!c || !path) return error_argument(err, c ? "path" : "c");
     hawser_status status = hawser_case_spares(c, path, err);
     if (!status) status = case_ensure_read(c, err);
-    if (!status) calculation_head(&c->def->job, kind, title_of(c), c->name, &out);
+    const Language language = !status && write == body_write ? c->def->job.language : LANGUAGE_ENGLISH;
+    if (!status) calculation_head(&c->def->job, language, kind, title_of(c), c->name, &out);
     if (!status) status = body_of(c, write, PLAN_FORWARD, units, &out, word, err);
     calculation_end(&out);
     if (!status && out.failed) status = error_memory(err);

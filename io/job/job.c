@@ -747,7 +747,8 @@ static hawser_status calculations_write(const hawser_job *job, hawser_units unit
     document_make(job, 1, &d);
     hawser_status status = document_html(&d.doc, units, &tables, err);
     if (status) return status;
-    calculation_head(&job->pull->c->def->job, "Pulling calculation", d.doc.title, job->tree->path, out);
+    calculation_head(&job->pull->c->def->job, LANGUAGE_ENGLISH, "Pulling calculation", d.doc.title, job->tree->path,
+                     out);
     text_print(out, "<p class=\"verdict %s\">", hawser_word_code(worst_word(job)));
     text_words(out, "", d.answer, "</p>\n");
     text_add(out, tables);
@@ -775,8 +776,8 @@ static hawser_status calculations_write(const hawser_job *job, hawser_units unit
 static hawser_status crews_write(const hawser_job *job, hawser_units units, Text *out, hawser_error *err)
 {
     hawser_status status = HAWSER_OK;
-    calculation_head(&job->pull->c->def->job, "Crew's sheets", *job->title ? job->title : job->tree->path,
-                     job->tree->path, out);
+    calculation_head(&job->pull->c->def->job, LANGUAGE_ENGLISH, "Crew's sheets",
+                     *job->title ? job->title : job->tree->path, job->tree->path, out);
     for (int p = 0; p < job->n_pulls && !status; ++p) {
         const JobPull *const pull = &job->pull[p];
         text_print(out, "<section%s>\n", p ? " style=\"break-before:page\"" : "");

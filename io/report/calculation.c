@@ -57,10 +57,11 @@ static const struct {
                 {"Checked by", offsetof(JobDef, checker)}, {"Revision", offsetof(JobDef, revision)},
                 {"Date", offsetof(JobDef, date)}};
 
-void calculation_head(const JobDef *job, const char *kind, const char *title, const char *file, Text *out)
+void calculation_head(const JobDef *job, Language language, const char *kind, const char *title, const char *file,
+                      Text *out)
 {
     char heading[WORDS_MAX];
-    text_print(out, "<!doctype html>\n<html lang=\"%s\">", language_tags[job->language]);
+    text_print(out, "<!doctype html>\n<html lang=\"%s\">", language_tags[language]);
     text_add(out, "<head><meta charset=\"utf-8\">\n<meta http-equiv="
                   "\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n<meta name="
                   "\"color-scheme\" content=\"light dark\">\n<style>");
@@ -73,7 +74,7 @@ void calculation_head(const JobDef *job, const char *kind, const char *title, co
     css_add(out, job->client);
     text_add(out,
              "}@bottom-right{font:9px system-ui,sans-serif;content:counter(page) \" / \" counter(pages)}}</style>\n");
-    const char *const what = words_in(job->language, kind, heading);
+    const char *const what = words_in(language, kind, heading);
     text_words(out, "<title>", what, ": ");
     text_words(out, "", title, "</title></head><body>\n");
     text_words(out, "<h1>", what, ": ");
@@ -81,12 +82,12 @@ void calculation_head(const JobDef *job, const char *kind, const char *title, co
     for (size_t k = 0; k < sizeof job_rows / sizeof *job_rows; ++k) {
         const char *const value = (const char *)job + job_rows[k].at;
         if (!*value) continue;
-        say(out, job->language, "<dt>", job_rows[k].label, "</dt>");
+        say(out, language, "<dt>", job_rows[k].label, "</dt>");
         text_words(out, "<dd>", value, "</dd>\n");
     }
-    say(out, job->language, "<dt>", "Case", "</dt>");
+    say(out, language, "<dt>", "Case", "</dt>");
     text_words(out, "<dd>", file, "</dd>\n");
-    say(out, job->language, "<dt>", "Calculated by", "</dt>");
+    say(out, language, "<dt>", "Calculated by", "</dt>");
     text_words(out, "<dd>hawser ", hawser_version(), "</dd>\n</dl>\n");
 }
 

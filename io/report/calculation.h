@@ -19,8 +19,9 @@ typedef struct Calculation {
 } Calculation;
 
 /* A page's head with its style, up to the first thing below title and job; `kind` says what it is: "Pulling
- * calculation". No memory is out->failed, here and below. */
-void calculation_head(const JobDef *job, const char *kind, const char *title, const char *file, Text *out);
+ * calculation", in a language. No memory is out->failed, here and below. */
+void calculation_head(const JobDef *job, Language language, const char *kind, const char *title, const char *file,
+                      Text *out);
 /* What stands below the head of one calculation. */
 void calculation_body(const Calculation *page, Text *out);
 void calculation_end(Text *out);

@@ -84,6 +84,51 @@ TEST(american)
     free(page);
 }
 
+/* Of a route with one key more, "" for none; free it. */
+static char *page_at(const char *route, const char *name)
+{
+    char whole[800];
+    hawser_case *c;
+    hawser_error err = {0};
+    const char *const path = scratch_path("north.html");
+    snprintf(whole, sizeof whole,
+             "cables: {c: {d: 50 mm, mass: 4 kg/m}}\nroute: {%s}\nfriction: {mu: 0.2}\n"
+             "surfaces: {ducts: [{radius: 70 mm}]}\n",
+             route);
+    file_write(scratch_path(name), whole);
+    if (hawser_case_load(scratch_path(name), &c, &err)) fail_msg("%s", err.message);
+    if (hawser_case_calculation(c, HAWSER_SI, path, NULL, &err)) fail_msg("%s", err.message);
+    hawser_case_free(c);
+    return file_text(path);
+}
+
+/* North where the case or a map's file has it, and nowhere else; a scale bar always. The arrow's word stands behind its
+ * foot: below it where y is north, to its right where -x is. */
+TEST(north)
+{
+    static const struct {
+        const char *route, *word;
+    } rows[] = {
+        {"pieces: [{straight: 100 m}, {bend: 60 deg, radius: 9 m, plane: left}]", NULL},
+        {"north: 90 deg, pieces: [{straight: 100 m}, {bend: 60 deg, radius: 9 m, plane: left}]",
+         "x=\"908.0\" y=\"62.0\" text-anchor=\"middle\">N</text>"},
+        {"north: 180 deg, pieces: [{straight: 100 m}, {bend: 60 deg, radius: 9 m, plane: left}]",
+         "x=\"934.0\" y=\"36.0\" text-anchor=\"middle\">N</text>"},
+        {"file: " HAWSER_SOURCE_DIR "/cases/routes/tunnel.gpx, tolerance: 20 mm",
+         "x=\"908.0\" y=\"62.0\" text-anchor=\"middle\">N</text>"},
+        {"file: " HAWSER_SOURCE_DIR "/cases/routes/tunnel.xml, tolerance: 20 mm",
+         "x=\"908.0\" y=\"62.0\" text-anchor=\"middle\">N</text>"},
+        {"file: " HAWSER_SOURCE_DIR "/cases/routes/tunnel.dxf, layer: CENTRE", NULL},
+    };
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; ++k) {
+        char *const page = page_at(rows[k].route, "north.yaml");
+        if (rows[k].word) check_has(page, rows[k].word);
+        if (!rows[k].word) assert_null(strstr(page, ">N</text>"));
+        check_has(page, " m</text>");
+        free(page);
+    }
+}
+
 /* A table that a case has no rows for is left out; "no table 'remedies'" was an error for a pull that needs none. */
 TEST(tables_without_rows)
 {
