@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 
-enum { WANTED_MAX = 128, NAMES_MAX = 32, NUMBER_MAX = 32 };
+enum { WANTED_MAX = 128, NAMES_MAX = 64, NUMBER_MAX = 32 };
 
 const char *const case_ramps[] = {"none", "step", "step5", NULL};
 
