@@ -16,13 +16,14 @@ static const double LUBRICANT = 0.00073;
 
 /* The pull with one friction and one kind of help, as theory of the whole case says. */
 typedef struct PlaceRow {
-    const char *friction; /* "as given", "dry", "lubricated" */
-    double mu;            /* of the ducts; NAN: the case's */
-    const char *help;     /* "nothing", "machines", "pits" */
-    double count;         /* NAN: no number of them keeps the limits */
-    char at[160];         /* their places, m */
-    double force;         /* N, of the winch, at most */
-    const char *code;     /* of the verdict */
+    const char *friction;               /* "as given", "dry", "lubricated" */
+    double mu;                          /* of the ducts; NAN: the case's */
+    const char *help;                   /* "nothing", "machines", "pits" */
+    double count;                       /* NAN: no number of them keeps the limits */
+    char at[12 * INVERSE_MACHINES_MAX]; /* their places */
+    double force;                       /* N, of the winch, at most; NAN: nothing is proposed */
+    hawser_word word;
+    const char *code; /* of the word; "-": nothing is proposed */
     char verdict[HAWSER_VERDICT_MAX];
     int n;
     char *row[INVERSE_MACHINES_MAX]; /* [n] its items; owned */
@@ -35,7 +36,7 @@ static const Column place_column[] = {
     {COLUMN("count", NUMBER, PlaceRow, count), .label = "number", .decimals = 0},
     {COLUMN("force_N", NUMBER, PlaceRow, force), .label = "winch, N", .decimals = 0},
     {COLUMN("verdict_code", TEXT, PlaceRow, code), .label = "verdict"},
-    {COLUMN("at", CHARS, PlaceRow, at), .label = "at, m"},
+    {COLUMN("at", CHARS, PlaceRow, at), .label = "at"},
 };
 
 enum { VARIANTS = 3, HELPS = 3, ROWS_MAX = VARIANTS * HELPS };
@@ -152,17 +153,16 @@ static hawser_status list_set(Placing *p, hawser_case *c, const char *key, const
 static hawser_status row_judge(Placing *p, hawser_case *c, PlaceRow *row)
 {
     static const char *const tables[] = {"limits", NULL};
-    const TheoryWish wish = {tables, 0, 1};
+    const TheoryWish wish = {.table = tables};
     json_t *found = NULL;
     const hawser_status status = case_theory_values(c, &wish, &found, p->err);
     if (status) return status;
     row->force = fmax(json_number_value(json_object_get(found, "largest_force_N")),
                       json_number_value(json_object_get(found, "largest_restart_N")));
-    const char *const said = json_string_value(json_object_get(found, "verdict_forward")),
-                      *const code = json_string_value(json_object_get(found, "verdict_code"));
+    const char *const said = json_string_value(json_object_get(found, "verdict_forward"));
     snprintf(row->verdict, sizeof row->verdict, "%s", said ? said : "");
-    for (int k = 0; k < HAWSER_WORDS; ++k)
-        if (code && !strcmp(code, hawser_word_code((hawser_word)k))) row->code = hawser_word_code((hawser_word)k);
+    row->word = hawser_word_of(row->verdict);
+    row->code = hawser_word_code(row->word);
     json_decref(found);
     return HAWSER_OK;
 }
@@ -181,8 +181,8 @@ static hawser_status row_place(Placing *p, const hawser_case *variant, const Sol
         const double at = pits ? found.at[i] : round(found.at[i] * 1e3) / 1e3;
         row->row[row->n++] = item_of(pits, at, force);
         if (!row->row[i]) status = error_memory(p->err);
-        if (used < sizeof row->at - 16)
-            used += (size_t)snprintf(row->at + used, sizeof row->at - used, "%s%.1f", i ? ", " : "", at);
+        if (used < sizeof row->at)
+            used += (size_t)snprintf(row->at + used, sizeof row->at - used, "%s%.1f m", i ? ", " : "", at);
     }
     if (!status) status = hawser_case_copy(variant, &c, p->err);
     if (!status) status = list_set(p, c, pits ? "theory.pits" : "theory.machines", row);
@@ -222,19 +222,13 @@ static hawser_status variant_place(Placing *p, int k)
 
 /* ------------------------------------------------------------------------------------------------------ answer */
 
-static int keeps(const PlaceRow *row)
-{
-    return !strcmp(row->code, hawser_word_code(HAWSER_SAFE)) ||
-           !strcmp(row->code, hawser_word_code(HAWSER_SAFE_ONLY_IF));
-}
-
-/* Of the friction as given: SAFE before all else, then the fewest. */
+/* Of the friction as given: SAFE before SAFE ONLY IF, then the fewest. */
 static void best_choose(Placing *p)
 {
-    for (int i = 0; i < p->n && !strcmp(p->row[i].friction, p->row->friction); ++i) {
+    for (int i = 0; i < p->n && p->row[i].friction == p->row->friction; ++i) {
         const PlaceRow *const row = &p->row[i], *const best = p->best;
-        if (!keeps(row)) continue;
-        const int safe = !strcmp(row->code, "safe"), was = best && !strcmp(best->code, "safe");
+        const int safe = row->word == HAWSER_SAFE, was = best && best->word == HAWSER_SAFE;
+        if (isnan(row->force) || (!safe && row->word != HAWSER_SAFE_ONLY_IF)) continue;
         if (!best || safe > was || (safe == was && row->count < best->count)) p->best = row;
     }
 }
@@ -247,7 +241,7 @@ static void answer_make(Placing *p, hawser_units units)
     if (!best) answer_line(&a, "proposal", "none: nothing that was tried keeps all limits (hawser theory says which)");
     if (best == p->row) answer_line(&a, "proposal", "nothing is needed");
     if (best && best != p->row)
-        answer_line(&a, "proposal", "%.0f %.*s at %s m", best->count, (int)strlen(best->help) - (best->count == 1),
+        answer_line(&a, "proposal", "%.0f %.*s at %s", best->count, (int)strlen(best->help) - (best->count == 1),
                     best->help, best->at);
     answer_line(&a, "then", "%s", best ? best->verdict : p->row->verdict);
     if (p->lubricant > 0)
@@ -277,7 +271,9 @@ static hawser_status page_write(const Placing *p, hawser_format format, char **t
     return document_write(&doc, format, text, p->err);
 }
 
-/* The case's text with the best proposal, which is read and judged again before it is written. */
+static int steps_of(const hawser_case *c) { return c->def->theory.n_machines + c->def->theory.n_pits; }
+
+/* The case's text with the best proposal, which is read again, with as many machines and pits, before it is written. */
 static hawser_status case_write(Placing *p, const hawser_case *c)
 {
     char *old = NULL, *text = NULL;
@@ -291,6 +287,11 @@ static hawser_status case_write(Placing *p, const hawser_case *c)
     if (!status && p->best->n > 0)
         status = case_theory_insert(old, c->name, list, p->best->n, p->best->row, &text, p->err);
     if (!status && text) status = hawser_case_parse(text, c->name, &again, p->err);
+    if (!status && text && c->tree->folder) status = hawser_case_folder(again, c->tree->folder, p->err);
+    if (!status && text) status = case_ensure_read(again, p->err);
+    if (!status && text && steps_of(again) != steps_of(c) + p->best->n)
+        status = error_set(p->err, HAWSER_ERR_INPUT,
+                           "key 'theory.%s': it is not the file's own list, nothing is written", list);
     if (!status) status = out_file(p->options->to, text ? text : old, strlen(text ? text : old), p->err);
     hawser_case_free(again);
     free(old);
@@ -320,9 +321,7 @@ hawser_status hawser_case_place(hawser_case *c, const hawser_place_options *opti
     if (!status) answer_make(p, format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI);
     if (!status && p->options->to) status = case_write(p, c);
     if (!status) status = page_write(p, format, text);
-    if (!status && word) *word = HAWSER_NOT_SAFE;
-    for (int k = 0; !status && word && p->best && k < HAWSER_WORDS; ++k)
-        if (!strcmp(p->best->code, hawser_word_code((hawser_word)k))) *word = (hawser_word)k;
+    if (!status && word) *word = p->best ? p->best->word : HAWSER_NOT_SAFE;
     for (int k = 0; k < VARIANTS; ++k) hawser_case_free(p->variant[k]);
     for (int i = 0; i < ROWS_MAX; ++i)
         for (int k = 0; k < INVERSE_MACHINES_MAX; ++k) free(p->row[i].row[k]);

@@ -263,24 +263,17 @@ static const Column agreement_columns[] = {
     {COLUMN("points", LONG, Agreement, points), .label = "parts"},
 };
 
-static const Column part_columns[] = {
-    {COLUMN("from_m", NUMBER, PlannedPart, from), .label = "head from, m", .decimals = 1},
-    {COLUMN("to_m", NUMBER, PlannedPart, to), .label = "to, m", .decimals = 1},
-    {COLUMN("planned_N", NUMBER, PlannedPart, planned), .label = "planned, N", .decimals = 0},
-    {COLUMN("pulled_N", NUMBER, PlannedPart, pulled), .label = "pulled, N", .decimals = 0},
-    {COLUMN("ratio", NUMBER, PlannedPart, ratio), .label = "pulled over planned", .decimals = 3},
-    {COLUMN("pulled_most_N", NUMBER, PlannedPart, pulled_most), .label = "pulled at most, N", .decimals = 0},
-    {COLUMN("readings", LONG, PlannedPart, readings), .label = "readings"},
-};
-static const Column time_columns[] = {
-    {COLUMN("from_s", NUMBER, PlannedPart, from), .label = "from, s", .decimals = 1},
-    {COLUMN("to_s", NUMBER, PlannedPart, to), .label = "to, s", .decimals = 1},
-    {COLUMN("planned_N", NUMBER, PlannedPart, planned), .label = "planned, N", .decimals = 0},
-    {COLUMN("pulled_N", NUMBER, PlannedPart, pulled), .label = "pulled, N", .decimals = 0},
-    {COLUMN("ratio", NUMBER, PlannedPart, ratio), .label = "pulled over planned", .decimals = 3},
-    {COLUMN("pulled_most_N", NUMBER, PlannedPart, pulled_most), .label = "pulled at most, N", .decimals = 0},
-    {COLUMN("readings", LONG, PlannedPart, readings), .label = "readings"},
-};
+#define PART_COLUMNS(unit)                                                                                             \
+    {                                                                                                                  \
+        {COLUMN("from_" unit, NUMBER, PlannedPart, from), .label = "from, " unit, .decimals = 1},                      \
+            {COLUMN("to_" unit, NUMBER, PlannedPart, to), .label = "to, " unit, .decimals = 1},                        \
+            {COLUMN("planned_N", NUMBER, PlannedPart, planned), .label = "planned, N", .decimals = 0},                 \
+            {COLUMN("pulled_N", NUMBER, PlannedPart, pulled), .label = "pulled, N", .decimals = 0},                    \
+            {COLUMN("ratio", NUMBER, PlannedPart, ratio), .label = "pulled over planned", .decimals = 3},              \
+            {COLUMN("pulled_most_N", NUMBER, PlannedPart, pulled_most), .label = "pulled at most, N", .decimals = 0},  \
+            {COLUMN("readings", LONG, PlannedPart, readings), .label = "readings"},                                    \
+    }
+static const Column part_columns[] = PART_COLUMNS("m"), time_columns[] = PART_COLUMNS("s");
 
 /* Both tables, on paper and on the page. */
 static void tables_make(const Comparison *c, Table table[2])

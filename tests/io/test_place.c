@@ -60,9 +60,9 @@ TEST(fewest_by_closed_form)
     check_close(number(machines, "count"), ceil((whole - ALLOWED) / PUSH), 0);
     check_close(number(pits, "count"), ceil(LENGTH / section) - 1, 0);
     double first = 0, at[3];
-    assert_int_equal(sscanf(json_string_value(json_object_get(machines, "at")), "%lf,", &first), 1);
+    assert_int_equal(sscanf(json_string_value(json_object_get(machines, "at")), "%lf m,", &first), 1);
     check_close(first, (PUSH - BACK) / (MU * W), 0.06); /* where its whole push can be used */
-    const int n = sscanf(json_string_value(json_object_get(pits, "at")), "%lf, %lf, %lf", &at[0], &at[1], &at[2]);
+    const int n = sscanf(json_string_value(json_object_get(pits, "at")), "%lf m, %lf m, %lf m", &at[0], &at[1], &at[2]);
     assert_int_equal(n, (int)number(pits, "count"));
     for (int i = 0; i < n; ++i) check_close(at[i], LENGTH * (i + 1) / (n + 1), 0.25); /* even */
     check_close(number(pits, "force_N"), BACK + MU * W * LENGTH / (n + 1), 5);
@@ -84,6 +84,29 @@ TEST(with_what_is_assumed)
     assert_int_equal(word, HAWSER_SAFE);
     check_close(number(row_of(doc, "pits"), "count"), ceil(LENGTH / section) - 1, 0);
     json_decref(doc);
+}
+
+/* What is printed is theory's own sentence, of which the bound was the friction that was taken, 0.4; in other units
+ * every place is turned, where the first of two stayed in metres. */
+TEST(as_theory_says)
+{
+    char text[512];
+    snprintf(text, sizeof text, "%s", REST);
+    memcpy(strstr(text, "mu_d: 0.4, mu_s: 0.4"), "mu: 0.4             ", 20);
+    memcpy(strstr(text, "pull: 6 kN"), "pull: 20kN", 10);
+    for (int k = 0; k < 2; ++k) {
+        hawser_case *c = NULL;
+        hawser_error err = {0};
+        char *said = NULL;
+        const hawser_place_options options = {.only = k ? HAWSER_PLACE_PITS : HAWSER_PLACE_MACHINES};
+        if (hawser_case_load(scratch_write("said.yaml", k ? REST : text), &c, &err)) fail_msg("%s", err.message);
+        if (hawser_case_place(c, &options, k ? HAWSER_TABLE_US : HAWSER_TABLE, &said, NULL, &err))
+            fail_msg("%s", err.message);
+        if (!k) check_has(said, "SAFE ONLY IF friction at rest <= 0.49");
+        if (k) check_has(said, "2 pits at 1094 ft, 2188 ft");
+        hawser_text_free(said);
+        hawser_case_free(c);
+    }
 }
 
 /* In whatever way the section stands there, its own words and items stay, and the case with the items says the same. */
