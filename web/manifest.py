@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 """Sums of what the page is made of and of what was made: web/dist/MANIFEST.
 
+Also whether the files that the desk's engine is built of, cmake/Desk.cmake, are there: the build that names them is no part of the default one.
+
 Usage: python3 web/manifest.py [--write]    (without --write: compares; status 1 and the names of the files that differ)
 """
 import hashlib
+import re
 import sys
 from pathlib import Path
 
@@ -24,6 +27,10 @@ def main():
     if sys.argv[1:] == ["--write"]:
         MANIFEST.write_text(found)
         return
+    root = WEB.parent
+    gone = [name for name in re.findall(r"[\w/]+\.c\b", (root / "cmake" / "Desk.cmake").read_text()) if not (root / name).is_file()]
+    if gone:
+        sys.exit(f"manifest.py: cmake/Desk.cmake names files that are gone: {', '.join(gone)}")
     written = MANIFEST.read_text()
     if found == written:
         return

@@ -9,6 +9,7 @@
 #include "def/cables/duct.h"
 #include "io/api/api_handles.h"
 #include "theory/buckling.h"
+#include "theory/plan_pull.h"
 
 const char *const theory_ways[PLAN_WAYS] = {"forward", "backward"};
 
@@ -762,4 +763,60 @@ void theory_tables_free(TheoryTables *t)
 {
     for (int i = 0; i < t->n; ++i) free(t->rows[i]);
     t->n = 0;
+}
+
+/* -------------------------------------------------------------------------- the route piece by piece, as a page has it
+ */
+
+/* Which way a piece turns, by its middle; "" for straights. */
+static const char *turn_of(const Route *route, const RoutePiece *piece)
+{
+    static const char *const words[3][3] = {
+        {"right, down", "down", "left, down"}, {"right", "", "left"}, {"right, up", "up", "left, up"}};
+    const double s = piece->s0 + piece->length / 2;
+    const RoutePoint at = route_at(route, s);
+    const Vec3 left = route_left(route, s), up = v3_cross(at.tangent, left);
+    const double aside = v3_dot(at.curvature, left), rise = v3_dot(at.curvature, up), most = 1e-6 * hypot(aside, rise);
+    if (piece->kind == ROUTE_STRAIGHT) return "";
+    return words[1 + (rise > most) - (rise < -most)][1 + (aside > most) - (aside < -most)];
+}
+
+/* line [pieces], of one way. Errors: as plan_pull. */
+static hawser_status lines_fill(const Calculator *c, int way, PieceLine *line, hawser_error *err)
+{
+    const PlanPullDef from_rest = {.way = way, .whole = 1, .restart = 1};
+    Pull rest;
+    const hawser_status status = plan_pull(&c->def, &from_rest, &rest, err);
+    for (int p = 0; p < c->plan.n && !status; p++, line++) {
+        const RoutePiece *const piece = &c->route->piece[p];
+        const PlanPiece *const moving = &c->plan.way[way].piece[p];
+        const PullStretch *const at = stretch_at(c->def.n_stretches, c->def.stretch, piece->s0 + piece->length / 2);
+        const int bend = piece->kind != ROUTE_STRAIGHT;
+        line->name = piece->name;
+        line->turns = turn_of(c->route, piece);
+        line->from = piece->s0;
+        line->to = piece->s0 + piece->length;
+        line->radius = bend ? piece->radius : NAN;
+        line->angle = bend ? piece->angle * 180 / M_PI : NAN;
+        line->slope = route_slope(c->route, piece->s0) * 180 / M_PI;
+        line->mu = at->mu;
+        line->mu_rest = fmax(at->mu, at->mu_static);
+        line->way[way].in = moving->t_in;
+        line->way[way].out = moving->t_out;
+        line->way[way].rest = pull_at(&rest, way == PLAN_FORWARD ? line->to : line->from).tension;
+        line->way[way].sidewall = moving->sidewall;
+    }
+    if (!status) pull_clear(&rest);
+    return status;
+}
+
+hawser_status piece_lines(const Calculator *c, PieceLine **rows, int *n, hawser_error *err)
+{
+    PieceLine *const line = calloc((size_t)c->plan.n + 1, sizeof *line);
+    hawser_status status = line ? lines_fill(c, PLAN_FORWARD, line, err) : error_memory(err);
+    if (!status) status = lines_fill(c, PLAN_BACKWARD, line, err);
+    if (status) free(line);
+    *rows = status ? NULL : line;
+    *n = status ? 0 : c->plan.n;
+    return status;
 }
