@@ -23,6 +23,7 @@ def copy_sources(source: pathlib.Path, package: pathlib.Path, fmu: pathlib.Path,
         shutil.copy(file, catalogue)
     (package / "hawser" / place).parent.mkdir(parents=True)
     shutil.copy(fmu, package / "hawser" / place)
+    shutil.copy(fmu.parent / "licences.txt", (package / "hawser" / place).parent)  # of what both libraries have inside
 
 
 def main(source: pathlib.Path, build: pathlib.Path, fmu: pathlib.Path, place: str) -> int:

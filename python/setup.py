@@ -15,5 +15,5 @@ import native  # noqa: E402
 native.write_declared(HERE / "hawser" / "_declared.py")
 setuptools.setup(version=native.link()["version"], cffi_modules=["native.py:builder"],
                  packages=setuptools.find_namespace_packages(include=["hawser*"]),
-                 package_data={"": ["py.typed", "*.pyi", "*.yaml", "fmu.so"]},
+                 package_data={"": ["py.typed", "*.pyi", "*.yaml", "fmu.so", "licences.txt"]},
                  options={"bdist_wheel": {"py_limited_api": "cp39"}})

@@ -117,9 +117,11 @@ static void file_pack(Packing *p, const char *name, const char *path)
 
 /* All parts of an archive whose model has been made of the resources in `folder`. */
 static hawser_status parts_pack(const char *path, hawser_fmi version, const char *identifier, const char *library,
-                                const Resources *r, const char *folder, const Text *description, hawser_error *err)
+                                const Resources *r, const char *folder, const Text *description, const Text *page,
+                                hawser_error *err)
 {
     char name[PATH_ROOM], from[PATH_ROOM];
+    const char *const slash = strrchr(library, '/');
     int code = 0;
     if (!memory_room(ZIP_ROOM)) return error_memory(err);
     Packing p = {.zip = zip_open(path, ZIP_CREATE | ZIP_TRUNCATE, &code), .err = err};
@@ -133,6 +135,9 @@ static hawser_status parts_pack(const char *path, hawser_fmi version, const char
     text_pack(&p, "modelDescription.xml", description);
     snprintf(name, sizeof name, "binaries/%s/%s.so", version == HAWSER_FMI_2 ? "linux64" : "x86_64-linux", identifier);
     file_pack(&p, name, library);
+    text_pack(&p, "documentation/index.html", page);
+    snprintf(from, sizeof from, "%.*slicences.txt", slash ? (int)(slash + 1 - library) : 0, library);
+    file_pack(&p, "documentation/licenses/license.txt", from);
     text_pack(&p, "resources/" MODEL_CASE, &r->text);
     for (int i = 0; i < r->n; ++i) {
         file_pack(&p, path_below("resources", r->file[i].name, name), path_below(folder, r->file[i].name, from));
@@ -163,7 +168,7 @@ static hawser_status archive_write(const hawser_case *c, const Resources *r, con
 {
     char identifier[IDENTIFIER_ROOM];
     Model model = {0};
-    Text description = {0};
+    Text description = {0}, page = {0};
     char *const library = shipped_find(HAWSER_FMU_PLACE);
     hawser_status status = HAWSER_OK;
     if (!library)
@@ -172,10 +177,12 @@ static hawser_status archive_write(const hawser_case *c, const Resources *r, con
     if (!status) status = resources_lay_out(r, folder, err);
     if (!status) status = model_load(folder, &model, NULL, err);
     identifier_make(c->name, identifier);
-    if (!status)
-        description_write(&model, version, *c->def->title ? c->def->title : identifier, identifier, &description);
-    if (!status && description.failed) status = error_memory(err);
-    if (!status) status = parts_pack(path, version, identifier, library, r, folder, &description, err);
+    const char *const title = *c->def->title ? c->def->title : identifier;
+    if (!status) description_write(&model, version, title, identifier, &description);
+    if (!status) documentation_write(&model, version, title, &page);
+    if (!status && (description.failed || page.failed)) status = error_memory(err);
+    if (!status) status = parts_pack(path, version, identifier, library, r, folder, &description, &page, err);
+    text_clear(&page);
     text_clear(&description);
     model_clear(&model);
     free(library);

@@ -9,6 +9,9 @@
 /* modelDescription.xml of a version. identifier: the name of the library without its ending, a name of C's. */
 void description_write(const Model *m, hawser_fmi version, const char *title, const char *identifier, Text *out);
 
+/* documentation/index.html: what the unit is, its variables as tables. */
+void documentation_write(const Model *m, hawser_fmi version, const char *title, Text *out);
+
 /* A file that the case refers to. */
 typedef struct ResourceFile {
     char *path; /* owned; where it is */

@@ -25,7 +25,7 @@ static void head_write(const Model *m, hawser_fmi version, const char *title, co
     attribute(t, "modelName", title);
     attribute(t, two ? "guid" : "instantiationToken", m->token);
     attribute(t, "description", "A pull of power cable, simulated by hawser");
-    text_print(t, " generationTool=\"hawser %s\" variableNamingConvention=\"flat\"", hawser_version());
+    text_print(t, " generationTool=\"hawser %s\" variableNamingConvention=\"structured\"", hawser_version());
     text_add(t, two ? " numberOfEventIndicators=\"0\">\n" : ">\n");
     text_add(t, "  <CoSimulation");
     attribute(t, "modelIdentifier", identifier);
@@ -138,7 +138,8 @@ static void variables_write(const Model *m, hawser_fmi version, Text *t)
     text_add(t, "  </ModelVariables>\n");
 }
 
-/* All outputs are unknown at first; what they depend on is not said, so it may be anything. Version 2.0 counts the
+/* Outputs depend on no input of the same time, for inputs act from the next step on: importers find no algebraic loop.
+ * All outputs are unknown at first; what they depend on then is not said, so it may be anything. Version 2.0 counts the
  * variables from 1. */
 static void structure_write(const Model *m, hawser_fmi version, Text *t)
 {
@@ -149,8 +150,9 @@ static void structure_write(const Model *m, hawser_fmi version, Text *t)
         if (two) text_print(t, "    <%s>\n", lists2[k]);
         for (int i = 0; i < m->variables.n; ++i) {
             if (m->variables.row[i].role != ROLE_OUTPUT) continue;
-            if (two) text_print(t, "      <Unknown index=\"%d\"/>\n", i + 1);
-            if (!two) text_print(t, "    <%s valueReference=\"%d\"/>\n", items3[k], i);
+            const char *const known = k == 0 ? " dependencies=\"\"" : "";
+            if (two) text_print(t, "      <Unknown index=\"%d\"%s/>\n", i + 1, known);
+            if (!two) text_print(t, "    <%s valueReference=\"%d\"%s/>\n", items3[k], i, known);
         }
         if (two) text_print(t, "    </%s>\n", lists2[k]);
     }

@@ -57,18 +57,20 @@ static hawser_status winch_add(Variables *v, const WinchDef *w, hawser_error *er
 
 static hawser_status conveyor_add(Variables *v, const SceneDef *def, const ConveyorDef *c, hawser_error *err)
 {
-    char name[NAME_MAX_LENGTH + 32];
+    char name[VARIABLE_STEP_MAX + 32], step[VARIABLE_STEP_MAX];
     const double alone = def->winch.present && def->winch.mode == WINCH_SPEED ? profile_end(&def->winch.speed) : 0;
-    snprintf(name, sizeof name, "conveyors.%s.speed", c->name);
+    snprintf(name, sizeof name, "conveyors.%s.speed", variable_step(c->name, step));
     hawser_status status = command_add(
         v, HAWSER_CONVEYOR_SPEED, c->name, c->sync ? c->factor * alone : profile_end(&c->speed),
         c->sync ? "speed of the belt; where it begins it follows the winch" : "speed of the belt", name, err);
-    snprintf(name, sizeof name, "conveyors.%s.clamp", c->name);
+    snprintf(name, sizeof name, "conveyors.%s.clamp", step);
     if (!status)
-        status = command_add(v, HAWSER_CONVEYOR_CLAMP, c->name, c->clamp, "by which each belt is pressed on the cable",
-                             name, err);
-    snprintf(name, sizeof name, "conveyors.%s.jam", c->name);
-    return status ? status : switch_add(v, TO_JAM, c->name, "the conveyor has stopped", name, err);
+        status = command_add(v, HAWSER_CONVEYOR_CLAMP, c->name, c->clamp,
+                             "force by which each belt is pressed on the cable", name, err);
+    snprintf(name, sizeof name, "conveyors.%s.jam", step);
+    return status
+               ? status
+               : switch_add(v, TO_JAM, c->name, "true: the conveyor has stopped; false again: it goes on", name, err);
 }
 
 hawser_status variables_add_inputs(Variables *v, const hawser_case *c, hawser_error *err)

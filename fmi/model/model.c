@@ -17,7 +17,7 @@ static hawser_status case_make(const Model *m, const double *value, hawser_case 
         const Variable *const row = &m->variables.row[i];
         if (row->role != ROLE_PARAMETER || !(value[i] < row->start || value[i] > row->start)) continue;
         snprintf(text, sizeof text, "%.17g %s", value[i], row->written);
-        status = hawser_case_set(*out, row->name, text, err);
+        status = hawser_case_set(*out, row->key, text, err);
     }
     if (!status) status = case_ensure_read(*out, err);
     if (!status) status = case_alone(*out, "a mock-up unit", err);

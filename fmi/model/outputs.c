@@ -18,13 +18,13 @@ static const struct {
 } sample_rows[] = {
     {"winch.force", "N", OF_SAMPLE(winch_force), A_WINCH, "pull on the rope's end along the winch's direction"},
     {"winch.rope_speed", "m/s", OF_SAMPLE(winch_speed), A_WINCH, "speed with which the winch hauls now"},
-    {"winch.travel", "m", OF_SAMPLE(winch_travel), A_WINCH, "hauled in so far"},
+    {"winch.travel", "m", OF_SAMPLE(winch_travel), A_WINCH, "rope that the winch has hauled in so far"},
     {"winch.reference", "N", OF_SAMPLE(reference), A_REFERENCE,
      "force of the winch by the reference theory; NaN where it has none"},
     {"tail.tension", "N", OF_SAMPLE(tail_tension), ALWAYS, "back tension, or tension where the cable leaves the reel"},
-    {"cable.head", "m", OF_SAMPLE(head_at), A_FRONT, "of the cable's front along the route; NaN past the winch"},
-    {"cable.max_tension", "N", OF_SAMPLE(max_tension), ALWAYS, "largest tension of the chain"},
-    {"reel.speed", "rad/s", OF_SAMPLE(reel_speed), A_REEL, "of the reel"},
+    {"cable.head", "m", OF_SAMPLE(head_at), A_FRONT, "place of the cable's front along the route; NaN past the winch"},
+    {"cable.max_tension", "N", OF_SAMPLE(max_tension), ALWAYS, "largest tension of the chain now"},
+    {"reel.speed", "rad/s", OF_SAMPLE(reel_speed), A_REEL, "angular speed of the reel"},
     {"reel.paid_out", "m", OF_SAMPLE(paid_out), A_REEL, "cable that has left the reel"},
     {"reel.wound", "m", OF_SAMPLE(wound), A_REEL, "cable that is on the reel"},
 };
@@ -48,8 +48,8 @@ static void add(Adding *a, const Variable *row, const char *description, const c
 static void add_named(Adding *a, Variable row, const char *description, const char *kind, const char *of,
                       const char *figure)
 {
-    char name[3 * NAME_MAX_LENGTH];
-    snprintf(name, sizeof name, "%s.%s.%s", kind, of, figure);
+    char name[VARIABLE_STEP_MAX + 2 * NAME_MAX_LENGTH], step[VARIABLE_STEP_MAX];
+    snprintf(name, sizeof name, "%s.%s.%s", kind, variable_step(of, step), figure);
     add(a, &row, description, name);
 }
 
@@ -59,6 +59,21 @@ static int is_there(const SceneDef *def, const hawser_sample *look, Needs needs)
     if (needs == A_FRONT) return !isnan(look->head_at);
     if (needs == A_REFERENCE) return !isnan(look->head_at) && def->winch.present;
     return needs == ALWAYS || !isnan(look->paid_out);
+}
+
+/* What the machines' figures are, by key. A figure of a new key adds its row here; the test of descriptions sees to it.
+ */
+static const char *figure_meaning(const char *key)
+{
+    static const char *const rows[][2] = {
+        {"force_N", "force of the machine on the cable along the pull"},
+        {"slip_m_per_s", "speed of the cable less that of the machine's belt; 0 where there is no cable"},
+        {"torque_N_m", "torque of the machine on its roller, positive with the pull"},
+        {"speed_m_per_s", "speed of the surface of the machine's roller"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i)
+        if (!strcmp(rows[i][0], key)) return rows[i][1];
+    return "";
 }
 
 /* "slip_m_per_s": the figure's name, without what is its unit. */
@@ -86,7 +101,7 @@ static void machines_add(Adding *a, const hawser_sample *look)
         for (int k = 0; k < machine->n_now; ++k, ++item) {
             const char *const unit = figure_unit(machine->now[k].key, figure);
             const Variable row = {.type = VARIABLE_REAL, .unit = unit, .from = FROM_FIGURE, .item = item};
-            add_named(a, row, "now", machine->kind, machine->name, figure);
+            add_named(a, row, figure_meaning(machine->now[k].key), machine->kind, machine->name, figure);
         }
     }
 }
@@ -97,7 +112,7 @@ static void things_add(Adding *a, const SceneDef *def, hawser_sim *s)
     const hawser_surface *surface;
     const int n_rollers = hawser_sim_rollers(s, &roller), n_surfaces = hawser_sim_surfaces(s, &surface);
     const Variable all = {.type = VARIABLE_REAL, .unit = "N", .from = FROM_ROLLER, .item = -1};
-    if (n_rollers > 0) add(a, &all, "largest load of a roller now", "rollers.max_load");
+    if (n_rollers > 0) add(a, &all, "largest contact force on a roller now", "cable.max_roller_load");
     for (int k = 0; k < def->output.n_load_rollers; ++k) {
         const int r = def->output.load_rollers[k];
         const Variable row = {.type = VARIABLE_REAL, .unit = "N", .from = FROM_ROLLER, .item = r};
@@ -105,9 +120,9 @@ static void things_add(Adding *a, const SceneDef *def, hawser_sim *s)
     }
     for (int i = 0; i < n_surfaces; ++i) {
         Variable row = {.type = VARIABLE_REAL, .unit = "N", .from = FROM_NORMAL, .item = i};
-        add_named(a, row, "sum of the normal forces", "surfaces", surface[i].name, "normal");
+        add_named(a, row, "sum of the normal forces on the surface", "surfaces", surface[i].name, "normal");
         row.from = FROM_FRICTION;
-        add_named(a, row, "sum of the friction forces", "surfaces", surface[i].name, "friction");
+        add_named(a, row, "sum of the friction forces on the surface", "surfaces", surface[i].name, "friction");
         row.from = FROM_LINE_LOAD;
         row.unit = "N/m";
         add_named(a, row, "largest normal force per length of cable", "surfaces", surface[i].name, "line_load");
@@ -120,10 +135,12 @@ static void probes_add(Adding *a, const hawser_sample *look)
         const char *figure, *unit, *description;
         size_t at;
     } rows[] = {
-        {"displacement", "m", "from where it was at the start", offsetof(hawser_probe, displacement)},
-        {"rotation", "rad", "from how it was at the start, as a vector", offsetof(hawser_probe, rotation)},
-        {"force", "N", "that the part ahead puts on the part behind", offsetof(hawser_probe, force)},
-        {"moment", "N.m", "that the part ahead puts on the part behind", offsetof(hawser_probe, moment)},
+        {"displacement", "m", "displacement from where the probe was at the start",
+         offsetof(hawser_probe, displacement)},
+        {"rotation", "rad", "rotation from how the probe was at the start, as a vector",
+         offsetof(hawser_probe, rotation)},
+        {"force", "N", "force that the part ahead puts on the part behind", offsetof(hawser_probe, force)},
+        {"moment", "N.m", "moment that the part ahead puts on the part behind", offsetof(hawser_probe, moment)},
     };
     for (int p = 0; p < look->probes; ++p) {
         for (size_t k = 0; k < 3 * sizeof rows / sizeof *rows; ++k) {
@@ -156,11 +173,11 @@ static void judgement_add(Adding *a, hawser_sim *s, int has_winch)
         char name[NAME_MAX_LENGTH];
         const Variable row = {.type = VARIABLE_REAL, .from = FROM_MARGIN, .item = i};
         snprintf(name, sizeof name, "margins.%s", limit[i].name);
-        add(a, &row, "of the run so far, 1: far from the limit, below 0: it is broken; NaN: not judged", name);
+        add(a, &row, "margin of the run so far; 1: far from the limit, below 0: it is broken, NaN: not judged", name);
     }
     if (n > 0) add(a, &worst, "least margin of those that are judged; NaN: none is", "margins.worst");
     if (n > 0) add(a, &broken, "how many limits are broken", "margins.broken");
-    add(a, &verdict, "whether the pull is safe so far", "verdict");
+    add(a, &verdict, "whether the pull is safe so far", "verdict.word");
     add(a, &words, "the verdict in words", "verdict.text");
 }
 
@@ -182,7 +199,7 @@ hawser_status variables_add_outputs(Variables *v, const hawser_case *c, hawser_s
     machines_add(&a, look);
     probes_add(&a, look);
     judgement_add(&a, s, c->def->winch.present);
-    add(&a, &events, "how many events there were, commands included", "events");
+    add(&a, &events, "how many events there were, commands included", "events.count");
     add(&a, &last, "the last event in words", "events.last");
     return a.status;
 }

@@ -31,6 +31,27 @@ const char *unit_name(const char *written)
     return NULL;
 }
 
+const char *variable_step(const char *step, char to[VARIABLE_STEP_MAX])
+{
+    static const char LETTERS[] = "_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789",
+                      QUOTED[] = "!#$&()*+,-./:;<>=?@[]^{}|~ ";
+    char *at = to;
+    if (*step && !strchr("0123456789", *step) && !step[strspn(step, LETTERS)]) {
+        snprintf(to, VARIABLE_STEP_MAX, "%s", step);
+        return to;
+    }
+    *at++ = '\'';
+    for (const char *c = step; *c && at + 5 < to + VARIABLE_STEP_MAX; ++c) {
+        if (strchr(LETTERS, *c) || strchr(QUOTED, *c))
+            *at++ = *c;
+        else
+            at += snprintf(at, 4, "%%%02X", (unsigned char)*c);
+    }
+    *at++ = '\'';
+    *at = 0;
+    return to;
+}
+
 static int is_taken(const Variables *v, const char *name)
 {
     for (int i = 0; i < v->n; ++i) {
@@ -59,7 +80,7 @@ hawser_status variable_add(Variables *v, const Variable *row, const char *descri
     vsnprintf(text, sizeof text - 16, name, list);
     va_end(list);
     const size_t length = strlen(text);
-    for (int again = 2; is_taken(v, text); ++again) snprintf(text + length, 16, "#%d", again);
+    for (int again = 2; is_taken(v, text); ++again) snprintf(text + length, 16, "_%d", again);
     const hawser_status status = room_make(v, err);
     if (status) return status;
     Variable *const own = &v->row[v->n];
@@ -67,8 +88,10 @@ hawser_status variable_add(Variables *v, const Variable *row, const char *descri
     own->name = strdup(text);
     own->description = strdup(description);
     own->what = row->what ? strdup(row->what) : NULL;
+    own->key = row->key ? strdup(row->key) : NULL;
     ++v->n; /* what there is of it is freed with the list */
-    return own->name && own->description && (own->what || !row->what) ? HAWSER_OK : error_memory(err);
+    const int whole = own->name && own->description && (own->what || !row->what) && (own->key || !row->key);
+    return whole ? HAWSER_OK : error_memory(err);
 }
 
 hawser_status variables_make(hawser_case *c, hawser_sim *s, Variables *out, hawser_error *err)
@@ -89,6 +112,7 @@ void variables_free(Variables *v)
         free(v->row[i].name);
         free(v->row[i].description);
         free(v->row[i].what);
+        free(v->row[i].key);
     }
     free(v->row);
     *v = (Variables){0};

@@ -47,7 +47,8 @@ typedef enum InputTo {
 } InputTo;
 
 typedef struct Variable {
-    char *name;        /* owned; of parameters the case's key */
+    char *name; /* owned; hierarchical: "rollers.'P 28'.load" */
+    char *key;  /* owned; of a parameter: as --set takes it, "conveyors.0.clamp"; NULL: no parameter of the case */
     char *description; /* owned */
     VariableType type;
     VariableRole role;
@@ -80,6 +81,11 @@ hawser_status variables_add_outputs(Variables *v, const hawser_case *c, hawser_s
 hawser_status variable_add(Variables *v, const Variable *row, const char *description, hawser_error *err,
                            const char *name, ...) __attribute__((format(printf, 5, 6)));
 
+/* A step of a hierarchical name: itself if it is a name of C's, otherwise in quotes as the standard has them (FMI 2.0,
+ * 2.2.9; 3.0, 2.4.7.5.1), with %XX for each byte that may not stand there. Returns `to`. */
+enum { VARIABLE_STEP_MAX = 3 * 256 };
+const char *variable_step(const char *step, char to[VARIABLE_STEP_MAX]);
+
 /* A unit by its name in a description, as powers of kg, m, s and rad. */
 typedef struct UnitRow {
     const char *name;
@@ -89,8 +95,6 @@ extern const UnitRow unit_rows[];
 enum { UNIT_ROWS = 25 };
 /* The name of a unit as hawser writes it, "N m", or NULL of a pure number or one that is not in the list. */
 const char *unit_name(const char *written);
-
-/* The values of the type of VARIABLE_VERDICT, from 1 on. */
 
 /* A number that changes with the case's text or with any name, type, role or start of the list: 36 characters in the
  * form of a GUID without braces, and a NUL. */

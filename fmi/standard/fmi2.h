@@ -86,4 +86,25 @@ FMI2_FUNCTION fmi2Status fmi2GetIntegerStatus(fmi2Component, fmi2StatusKind, fmi
 FMI2_FUNCTION fmi2Status fmi2GetBooleanStatus(fmi2Component, fmi2StatusKind, fmi2Boolean *);
 FMI2_FUNCTION fmi2Status fmi2GetStringStatus(fmi2Component, fmi2StatusKind, fmi2String *);
 
+/* Model exchange. */
+typedef struct fmi2EventInfo {
+    fmi2Boolean newDiscreteStatesNeeded;
+    fmi2Boolean terminateSimulation;
+    fmi2Boolean nominalsOfContinuousStatesChanged;
+    fmi2Boolean valuesOfContinuousStatesChanged;
+    fmi2Boolean nextEventTimeDefined;
+    fmi2Real nextEventTime;
+} fmi2EventInfo;
+FMI2_FUNCTION fmi2Status fmi2EnterEventMode(fmi2Component);
+FMI2_FUNCTION fmi2Status fmi2NewDiscreteStates(fmi2Component, fmi2EventInfo *);
+FMI2_FUNCTION fmi2Status fmi2EnterContinuousTimeMode(fmi2Component);
+FMI2_FUNCTION fmi2Status fmi2CompletedIntegratorStep(fmi2Component, fmi2Boolean no_state_before,
+                                                     fmi2Boolean *enter_event, fmi2Boolean *terminate);
+FMI2_FUNCTION fmi2Status fmi2SetTime(fmi2Component, fmi2Real time);
+FMI2_FUNCTION fmi2Status fmi2SetContinuousStates(fmi2Component, const fmi2Real state[], size_t n);
+FMI2_FUNCTION fmi2Status fmi2GetDerivatives(fmi2Component, fmi2Real derivative[], size_t n);
+FMI2_FUNCTION fmi2Status fmi2GetEventIndicators(fmi2Component, fmi2Real indicator[], size_t n);
+FMI2_FUNCTION fmi2Status fmi2GetContinuousStates(fmi2Component, fmi2Real state[], size_t n);
+FMI2_FUNCTION fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component, fmi2Real nominal[], size_t n);
+
 #endif

@@ -1,6 +1,6 @@
-/* What an FMU shows to the outside by version 3.0 of the Functional Mock-up Interface, as far as co-simulation without
- * clocks, events and intermediate updates needs it: types, values and prototypes as the standard lays them down (FMI
- * 3.0.1, chapters 2 and 4). */
+/* What an FMU shows to the outside by version 3.0 of the Functional Mock-up Interface: types, values and prototypes as
+ * the standard lays them down (FMI 3.0.1, chapters 2 to 5). Importers look up every function when they load a library,
+ * so those of kinds that the description does not offer are there too. */
 #ifndef HAWSER_FMI_STANDARD_FMI3_H
 #define HAWSER_FMI_STANDARD_FMI3_H
 
@@ -154,5 +154,21 @@ FMI3_FUNCTION fmi3Status fmi3GetOutputDerivatives(fmi3Instance, const fmi3ValueR
 FMI3_FUNCTION fmi3Status fmi3DoStep(fmi3Instance, fmi3Float64 now, fmi3Float64 step, fmi3Boolean no_state_before,
                                     fmi3Boolean *event_needed, fmi3Boolean *terminate, fmi3Boolean *early_return,
                                     fmi3Float64 *reached);
+
+/* Model exchange. */
+FMI3_FUNCTION fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance);
+FMI3_FUNCTION fmi3Status fmi3CompletedIntegratorStep(fmi3Instance, fmi3Boolean no_state_before,
+                                                     fmi3Boolean *enter_event, fmi3Boolean *terminate);
+FMI3_FUNCTION fmi3Status fmi3SetTime(fmi3Instance, fmi3Float64 time);
+FMI3_FUNCTION fmi3Status fmi3SetContinuousStates(fmi3Instance, const fmi3Float64 state[], size_t n);
+FMI3_FUNCTION fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance, fmi3Float64 derivative[], size_t n);
+FMI3_FUNCTION fmi3Status fmi3GetEventIndicators(fmi3Instance, fmi3Float64 indicator[], size_t n);
+FMI3_FUNCTION fmi3Status fmi3GetContinuousStates(fmi3Instance, fmi3Float64 state[], size_t n);
+FMI3_FUNCTION fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance, fmi3Float64 nominal[], size_t n);
+FMI3_FUNCTION fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance, size_t *n);
+FMI3_FUNCTION fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance, size_t *n);
+
+/* Scheduled execution. */
+FMI3_FUNCTION fmi3Status fmi3ActivateModelPartition(fmi3Instance, fmi3ValueReference clock, fmi3Float64 time);
 
 #endif

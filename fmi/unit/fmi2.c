@@ -254,28 +254,25 @@ fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte from[], size_
 
 /* ---------------------------------------------------------------------------------- what the description denies */
 
-static fmi2Status not_provided(fmi2Component c, const char *call)
-{
-    if (c) unit_say(((Instance2 *)c)->unit, FAILED, "%s is not provided", call);
-    return fmi2Error;
-}
+#pragma GCC diagnostic ignored "-Wunused-parameter"
 
-fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReference unknown[], size_t n_unknown,
-                                        const fmi2ValueReference known[], size_t n_known, const fmi2Real known_by[],
-                                        fmi2Real unknown_by[])
-{
-    (void)unknown, (void)n_unknown, (void)known, (void)n_known, (void)known_by, (void)unknown_by;
-    return not_provided(c, "fmi2GetDirectionalDerivative");
-}
-fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t n,
-                                       const fmi2Integer order[], const fmi2Real value[])
-{
-    (void)vr, (void)n, (void)order, (void)value;
-    return not_provided(c, "fmi2SetRealInputDerivatives");
-}
-fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t n,
-                                        const fmi2Integer order[], fmi2Real value[])
-{
-    (void)vr, (void)n, (void)order, (void)value;
-    return not_provided(c, "fmi2GetRealOutputDerivatives");
-}
+#define DENIED(NAME, ...)                                                                                              \
+    fmi2Status fmi2##NAME(fmi2Component c __VA_OPT__(, ) __VA_ARGS__)                                                  \
+    {                                                                                                                  \
+        return (fmi2Status)unit_denied(c, "fmi2" #NAME);                                                               \
+    }
+DENIED(GetDirectionalDerivative, const fmi2ValueReference unknown[], size_t n_unknown, const fmi2ValueReference known[],
+       size_t n_known, const fmi2Real known_by[], fmi2Real unknown_by[])
+DENIED(SetRealInputDerivatives, const fmi2ValueReference vr[], size_t n, const fmi2Integer order[],
+       const fmi2Real value[])
+DENIED(GetRealOutputDerivatives, const fmi2ValueReference vr[], size_t n, const fmi2Integer order[], fmi2Real value[])
+DENIED(EnterEventMode)
+DENIED(NewDiscreteStates, fmi2EventInfo *info)
+DENIED(EnterContinuousTimeMode)
+DENIED(CompletedIntegratorStep, fmi2Boolean no_state_before, fmi2Boolean *enter_event, fmi2Boolean *terminate)
+DENIED(SetTime, fmi2Real time)
+DENIED(SetContinuousStates, const fmi2Real state[], size_t n)
+DENIED(GetDerivatives, fmi2Real derivative[], size_t n)
+DENIED(GetEventIndicators, fmi2Real indicator[], size_t n)
+DENIED(GetContinuousStates, fmi2Real state[], size_t n)
+DENIED(GetNominalsOfContinuousStates, fmi2Real nominal[], size_t n)

@@ -36,6 +36,13 @@ Unit *unit_in(const void *instance, unsigned phases, const char *call)
     return NULL;
 }
 
+Outcome unit_denied(const void *instance, const char *call)
+{
+    Unit *const u = instance ? ((const Instance *)instance)->unit : NULL;
+    return u ? unit_say(u, FAILED, "%s is not provided: the unit is for co-simulation without events and clocks", call)
+             : FAILED;
+}
+
 Outcome outcome_worse(Outcome a, Outcome b) { return b > a ? b : a; }
 
 /* ---------------------------------------------------------------------------------------------------- beginning */

@@ -66,6 +66,8 @@ typedef struct Instance {
 /* The unit of an importer's instance that is in one of the phases; NULL otherwise, after a failure that names the call,
  * and for no instance. */
 Unit *unit_in(const void *instance, unsigned phases, const char *call);
+/* Fails with a message that names a call which no unit provides; nothing is said without an instance. */
+Outcome unit_denied(const void *instance, const char *call);
 /* The worse of two. */
 Outcome outcome_worse(Outcome a, Outcome b);
 

@@ -119,6 +119,8 @@ int case_word_place(const CaseNode *node, const char *const *word);
 
 /* The row of a key that the section is known to have. */
 const CaseKey *case_key_of(const CaseSection *section, const char *name);
+/* What it means, by docs/case-format.md; "": nothing is written of it. */
+const char *case_key_meaning(const CaseSection *section, const CaseKey *key);
 
 /* Adds to r->def->assumptions what of a file that node names is not in the route. Errors: MEMORY. */
 hawser_status case_unread_add(const CaseReader *r, const CaseNode *node, const char *what, long times);

@@ -4,6 +4,7 @@ the rules of FMI 2.0 and 3.0, and the library through ctypes, with prototypes of
 Usage: check_fmu.py PROGRAM SOURCE_DIR
 """
 import ctypes
+import html
 import itertools
 import math
 import pathlib
@@ -13,6 +14,8 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 import zipfile
+
+import units_by_hand
 
 CASES = ("cli-pull", "limits-conveyor", "reel-payout", "surfaces", "rod-end", "full-tension", "route-clothoid")
 TYPES = {2: {"Real", "Integer", "Boolean", "String", "Enumeration"}, 3: {"Float64", "Int32", "Boolean", "String", "Enumeration"}}
@@ -42,7 +45,7 @@ class Variable:
         self.kind = (element.get("causality"), element.get("variability"), element.get("initial"))
         self.type, self.start, self.unit = value.tag, value.get("start"), value.get("unit")
         self.least, self.most = (None if value.get(k) is None else float(value.get(k)) for k in ("min", "max"))
-        self.declared = value.get("declaredType")
+        self.declared, self.description = value.get("declaredType"), element.get("description")
 
 
 class Description:
@@ -66,6 +69,8 @@ class Description:
         self.expect(self.root.get("fmiVersion") in ("2.0", "3.0"), "no version")
         self.expect(re.fullmatch(r"[A-Za-z_]\w*", self.identifier, re.A), f"{self.identifier} is no name of C's")
         self.expect(self.root.get("modelName") and self.token, "no name or no token")
+        self.check_names()
+        self.check_descriptions()
         self.check_units()
         self.check_variables()
         self.check_structure()
@@ -75,9 +80,59 @@ class Description:
         used = {v.unit for v in self.variables} - {None}
         self.expect(len(units) == len(set(units)), "a unit is defined twice")
         self.expect(set(units) == used, f"units defined {sorted(units)}, used {sorted(used)}")
-        for base in self.root.iter("BaseUnit"):
-            self.expect(set(base.keys()) <= BASE, f"unit of {base.keys()}")
-            self.expect(all(re.fullmatch(r"-?\d+", p) for p in base.attrib.values()), f"powers {base.attrib}")
+        for u in self.root.iter("Unit"):
+            base = u.find("BaseUnit")
+            self.expect(set(base.keys()) <= BASE | {"factor", "offset"}, f"unit of {base.keys()}")
+            self.expect(all(re.fullmatch(r"-?\d+", base.get(p)) for p in BASE & set(base.keys())), f"powers {base.attrib}")
+            said = (float(base.get("factor", 1)), tuple(int(base.get(k, 0)) for k in ("kg", "m", "s", "rad")))
+            self.expect(said == units_by_hand.unit(u.get("name")), f"unit {u.get('name')} is said to be {base.attrib}")
+            self.expect(float(base.get("offset", 0)) == 0, f"unit {u.get('name')} has an offset")
+
+    def check_quantities(self):
+        """A parameter's unit and start against the text that the case writes ("80 mm"); returns how many were compared."""
+        n = 0
+        for v in self.variables:
+            written = re.search(r", ([-+0-9.e]+) ?([A-Za-z%][^,]*)\)$", v.description or "")
+            if v.kind[0] != "parameter" or not written or "slope" in v.name:
+                continue
+            factor, powers = units_by_hand.unit(written.group(2))
+            mine = units_by_hand.unit(v.unit or "1")
+            value = float(written.group(1)) * factor
+            self.expect(powers == mine[1], f"{v.name}: has unit {v.unit}, the case writes {written.group(2)}")
+            self.expect(math.isclose(float(v.start), value, rel_tol=1e-12), f"{v.name}: starts at {v.start}, not {value}")
+            n += 1
+        return n
+
+    def check_columns(self, columns):
+        """An output's unit against that of the results' column of the same quantity; returns how many were compared."""
+        n, others = 0, {"winch.rope_speed": "winch_speed_m_per_s", "winch.reference": "reference_N", "cable.head": "head_at_m"}
+        bare = {re.sub(r"_(?:[A-Za-z0-9]+_per_[a-z]+|N_m|N|m|s|W)$", "", c): c for c in columns}
+        for v in self.variables:
+            key = re.sub(r"^(?:conveyors|motors|rollers|surfaces|reel|cable)\.", "", v.name).replace("'", "").replace(".", "_")
+            mine = others.get(v.name) if others.get(v.name) in columns else bare.get(key)
+            if v.kind[0] != "output" or not mine:
+                continue
+            self.expect(units_by_hand.unit(v.unit or "1") == units_by_hand.column(mine), f"{v.name} has {v.unit}, the column is {mine}")
+            n += 1
+        return n
+
+    def check_names(self):
+        """The grammar of structured names (2.0: 2.2.9; 3.0: 2.4.7.5.1); no name is a leaf and a branch."""
+        step = r"(?:[A-Za-z_]\w*|'[-\w!#$%&()*+,./:;<>=?@\[\]^{}|~ ]+')(?:\[\d+\])?"
+        self.expect(self.root.get("variableNamingConvention") == "structured", "names are not said to be structured")
+        names = {v.name for v in self.variables}
+        for name in names:
+            self.expect(re.fullmatch(rf"{step}(?:\.{step})*", name, re.A), f"{name!r} is no structured name")
+            steps = re.findall(rf"{step}\.?", name, re.A)
+            for k in range(1, len(steps)):
+                branch = "".join(steps[:k]).rstrip(".")
+                self.expect(branch not in names, f"{branch} is a variable, and a branch with {name}")
+
+    def check_descriptions(self):
+        """43 of 74 said "a length of the case" or "now"."""
+        for v in self.variables:
+            said = re.sub(r" \(.*\)$", "", v.description or "")
+            self.expect(len(said) > 8 and " " in said and not re.match(r"an? .* of the case", said), f"{v.name}: {v.description!r} says nothing")
 
     def check_variables(self):
         names, references = [v.name for v in self.variables], [v.reference for v in self.variables]
@@ -101,8 +156,11 @@ class Description:
         outputs = [v.index if self.version == 2 else v.reference for v in self.variables if v.kind[0] == "output"]
         if self.version == 2:
             found = {tag: [int(u.get("index")) for u in structure.find(tag)] for tag in ("Outputs", "InitialUnknowns")}
+            known = [u.get("dependencies") for u in structure.find("Outputs")]
         else:
             found = {tag: [int(u.get("valueReference")) for u in structure.findall(tag)] for tag in ("Output", "InitialUnknown")}
+            known = [u.get("dependencies") for u in structure.findall("Output")]
+        self.expect(set(known) == {""}, f"outputs depend on {set(known)}")
         for tag, indices in found.items():
             self.expect(indices == outputs, f"{tag} are not the outputs")
 
@@ -211,10 +269,40 @@ def archive(program, case, version, folder):
         d = Description(z.read("modelDescription.xml"), where)
         library = f"binaries/{'linux64' if version == 2 else 'x86_64-linux'}/{d.identifier}.so"
         names = set(z.namelist())
-        expect({library, "resources/case.yaml"} <= names, f"{where}: holds {names}")
-        expect(all(n.split("/")[0] in ("modelDescription.xml", "binaries", "resources") for n in names), f"{where}: holds {names}")
+        page, licence = "documentation/index.html", "documentation/licenses/license.txt"
+        expect({library, "resources/case.yaml", page, licence} <= names, f"{where}: holds {names}")
+        expect(all(n.split("/")[0] in ("modelDescription.xml", "binaries", "resources", "documentation") for n in names), f"{where}: holds {names}")
+        if {page, licence} <= names:  # none was there
+            shown, texts = z.read(page).decode(), z.read(licence).decode()
+            expect(all(html.escape(v.name) in shown for v in d.variables if v.name != "time"), f"{where}: the page lacks a variable")
+            expect("hawser" in texts and "SUNDIALS" in texts and "KLU" in texts, f"{where}: no licences of what is inside")
         z.extractall(folder)
     return d, f"{folder}/{library}"
+
+
+def columns(program, case, folder):
+    """Those of series.csv of the case's first instant."""
+    subprocess.run([program, "run", str(case), "-q", "-o", f"{folder}/run", "--set", "run.duration=20 ms"], check=False, capture_output=True)
+    series = pathlib.Path(folder, "run", "series.csv")
+    return series.read_text(encoding="utf-8").split("\n", 1)[0].split(",") if series.exists() else []
+
+
+def wrong_units_are_found():
+    """What the checks above are for: a description with a unit of the wrong powers, of a wrong factor, or at the wrong variable."""
+    text = """<fmiModelDescription fmiVersion="3.0" instantiationToken="t"><CoSimulation modelIdentifier="x"/>
+    <UnitDefinitions><Unit name="m/s"><BaseUnit m="1" s="%s"%s/></Unit></UnitDefinitions><ModelVariables>
+    <Float64 name="case.drive.winch.speed" valueReference="0" causality="parameter" unit="m/s" start="0.1"
+     description="Speed after the ramp (drive.winch.speed, 6 %s)"/>
+    <Float64 name="winch.force" valueReference="1" causality="output" unit="%s"/></ModelVariables></fmiModelDescription>"""
+    for power, factor, written, force, wrong in (("-1", "", "m/min", "N", 0), ("-2", "", "m/min", "N", 1), ("-1", ' factor="60"', "m/min", "N", 1),
+                                                 ("-1", "", "m/s", "N", 1), ("-1", "", "m", "N", 2), ("-1", "", "m/min", "m/s", 1)):
+        d, before = Description(text % (power, factor, written, force), "a wrong unit"), len(complaints)
+        d.check_units()
+        d.check_quantities()
+        d.check_columns(["winch_force_N"])
+        found = [c for c in complaints[before:] if "units defined" not in c]
+        del complaints[before:]
+        expect(len(found) == wrong, f"{power}{factor} {written} {force}: {found}")
 
 
 def same(a, b):
@@ -222,6 +310,8 @@ def same(a, b):
 
 
 def main(program, source):
+    wrong_units_are_found()
+    written = shown = 0
     for name in CASES:
         case, values = pathlib.Path(source, "tests", "data", name + ".yaml"), []
         for version in (2, 3):
@@ -229,10 +319,13 @@ def main(program, source):
                 d, library = archive(program, case, version, folder)
                 expect(d.version == version, f"{d.where}: is of version {d.version}")
                 d.check()
+                written += d.check_quantities()
+                shown += d.check_columns(columns(program, case, folder))
                 values.append(drive(d, folder, library))
         expect(values[0].keys() == values[1].keys(), f"{name}: the versions have other variables")
         for key in values[0]:
             expect(same(values[0][key], values[1].get(key)), f"{name}: {key} is {values[0][key]} and {values[1].get(key)}")
+    expect(written >= 250 and shown >= 20, f"units of {written} parameters and {shown} outputs were compared")
     for complaint in itertools.islice(complaints, 40):
         print(complaint)
     print("fmu:", f"{len(complaints)} complaint(s)" if complaints else "fine")

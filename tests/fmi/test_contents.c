@@ -31,12 +31,12 @@ TEST(test_parameters)
         fmu_of(&fmu, text, version);
         FmuInstance *const usual = instance_of(&fmu);
         instance_new(&more, &fmu, fmu.token, fmu.resources);
-        check_equal(instance_value(&more, "friction.mu"), 0.2);
-        check_equal(instance_value(&more, "rollers.along.spacing"), 1);
-        check_equal(instance_value(&more, "drive.winch.speed"), 0.1);
-        assert_int_equal(instance_set(&more, "friction.mu", 0.3), 0);
+        check_equal(instance_value(&more, "case.friction.mu"), 0.2);
+        check_equal(instance_value(&more, "case.rollers.along.spacing"), 1);
+        check_equal(instance_value(&more, "case.drive.winch.speed"), 0.1);
+        assert_int_equal(instance_set(&more, "case.friction.mu", 0.3), 0);
         assert_int_equal(instance_begin(&more, 0), 0);
-        assert_int_equal(instance_set(&more, "rollers.along.spacing", 2), 0); /* other rollers */
+        assert_int_equal(instance_set(&more, "case.rollers.along.spacing", 2), 0); /* other rollers */
         assert_int_equal(instance_settle(&more), 0);
         assert_int_equal(instance_step(&more, 0, 1.5), 0);
         step_to(usual, 1.5);
@@ -44,7 +44,7 @@ TEST(test_parameters)
         const char *const wider = data_with("cli-pull", "spacing: 1 m", "spacing: 2 m");
         check_equal(instance_value(&more, "cable.max_tension"), pull_of(wider, "friction.mu", "0.3", 1.5));
         assert_int_equal(instance_reset(&more), 0);
-        check_equal(instance_value(&more, "friction.mu"), 0.2);
+        check_equal(instance_value(&more, "case.friction.mu"), 0.2);
         assert_int_equal(instance_begin(&more, 0), 0);
         assert_int_equal(instance_settle(&more), 0);
         assert_int_equal(instance_step(&more, 0, 1.5), 0);
@@ -62,7 +62,7 @@ TEST(test_bad_parameter)
     FmuInstance i;
     fmu_of(&fmu, data_text("cli-pull"), 3);
     instance_new(&i, &fmu, fmu.token, fmu.resources);
-    assert_int_equal(instance_set(&i, "route.head_at", 1000), 0); /* beyond the route's end */
+    assert_int_equal(instance_set(&i, "case.route.head_at", 1000), 0); /* beyond the route's end */
     assert_int_equal(instance_begin(&i, 0), 0);
     assert_int_equal(instance_settle(&i), 3);
     check_has(i.said, "head_at");
@@ -131,7 +131,7 @@ TEST(test_judgement)
         }
         check_equal(instance_value(i, "margins.worst"), worst);
         assert_string_equal(instance_text(i, "verdict.text"), verdict);
-        assert_int_equal(instance_count(i, "verdict"), broken > 0 ? 2 : broken == 0 ? 1 : broken == -1 ? 3 : 4);
+        assert_int_equal(instance_count(i, "verdict.word"), broken > 0 ? 2 : broken == 0 ? 1 : broken == -1 ? 3 : 4);
         instance_drop(i);
         fmu_close(&fmu);
     }
@@ -221,8 +221,14 @@ static const char *unit_in(const Fmu *fmu, const char *name)
 TEST(test_units)
 {
     static const char *const expected[][2] = {
-        {"time", "s"},       {"cable.max_tension", "N"}, {"rollers.along.spacing", "m"}, {"drive.winch.speed", "m/s"},
-        {"friction.mu", ""}, {"cables.power.EA", "N"},   {"cables.power.mass", "kg/m"},  {"cables.power.EI", "N.m2"},
+        {"time", "s"},
+        {"cable.max_tension", "N"},
+        {"case.rollers.along.spacing", "m"},
+        {"case.drive.winch.speed", "m/s"},
+        {"case.friction.mu", ""},
+        {"case.cables.power.EA", "N"},
+        {"case.cables.power.mass", "kg/m"},
+        {"case.cables.power.EI", "N.m2"},
     };
     for (int version = 2; version <= 3; ++version) {
         Fmu fmu;
@@ -231,4 +237,23 @@ TEST(test_units)
             assert_string_equal(unit_in(&fmu, expected[k][0]), expected[k][1]);
         fmu_close(&fmu);
     }
+}
+
+/* Names as users choose them stand in quotes; inputs, outputs and parameters of a conveyor go by the same name. The
+ * parameters went by the item's number ("conveyors.0.clamp"). */
+TEST(test_names)
+{
+    static const char *const names[] = {"speed", "clamp", "force"};
+    char name[128];
+    Fmu fmu;
+    fmu_of(&fmu, data_with("limits-conveyor", "name: K", "name: \"K 1/\xc3\xb6\""), 3);
+    for (size_t k = 0; k < sizeof names / sizeof *names; ++k) {
+        snprintf(name, sizeof name, "conveyors.'K 1/%%C3%%B6'.%s", names[k]);
+        fmu_find(&fmu, name);
+    }
+    FmuInstance *const i = instance_of(&fmu);
+    check_equal(instance_value(i, "case.conveyors.'K 1/%C3%B6'.clamp"), 9000);
+    check_equal(instance_value(i, "case.chain[2].length"), 12);
+    instance_drop(i);
+    fmu_close(&fmu);
 }

@@ -51,11 +51,40 @@ TEST(test_controller)
         forces_of_instance(i, LOOKS, force);
         for (int k = 0; k < LOOKS; ++k) error = larger_of(error, fabs(force[k] - library[k]));
         check_at_most(error, 1e-9 * target);
-        assert_int_equal(instance_count(i, "events"), LOOKS);
+        assert_int_equal(instance_count(i, "events.count"), LOOKS);
         check_has(instance_text(i, "events.last"), "command: winch_speed");
         instance_drop(i);
         fmu_close(&fmu);
     }
+}
+
+/* The controller as a unit of somebody else's: the two exchange force and speed at each step, and the forces are the
+ * same to the last bit as with the controller in this program. */
+TEST(test_two_units)
+{
+    double one[LOOKS];
+    Fmu pull_fmu, other_fmu;
+    fmu_of(&pull_fmu, data_text("hold-tension"), 3);
+    fmu_open(&other_fmu, HAWSER_CONTROLLER);
+    FmuInstance *const alone = instance_of(&pull_fmu), *const pull = instance_of(&pull_fmu),
+                       *const other = instance_of(&other_fmu);
+    forces_of_instance(alone, LOOKS, one);
+    assert_int_equal(instance_set(pull, "inputs.ramp", interval), 0);
+    assert_int_equal(instance_step(pull, 0, 2), 0);
+    for (int k = 0; k < LOOKS; ++k) {
+        const double t = 2 + interval * k, step = 2 + interval * (k + 1) - t;
+        check_equal(instance_value(pull, "winch.force"), one[k]);
+        assert_int_equal(instance_set(other, "force", instance_value(pull, "winch.force")), 0);
+        assert_int_equal(instance_step(other, t, step), 0);
+        assert_int_equal(instance_set(pull, "winch.speed", instance_value(other, "speed")), 0);
+        assert_int_equal(instance_step(pull, t, step), 0);
+    }
+    check_close(instance_value(pull, "winch.force"), target, 0.01 * target);
+    instance_drop(alone);
+    instance_drop(pull);
+    instance_drop(other);
+    fmu_close(&pull_fmu);
+    fmu_close(&other_fmu);
 }
 
 /* Its own time may begin anywhere; the motion is the same up to the rounding of times. */

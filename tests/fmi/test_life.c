@@ -87,7 +87,7 @@ static int deed_do(FmuInstance *i, Deed deed)
     case BEGIN:
         return instance_begin(i, 0);
     case SET_PARAMETER:
-        return instance_set(i, "friction.mu", 0.3);
+        return instance_set(i, "case.friction.mu", 0.3);
     case SET_INPUT:
         return instance_set(i, "winch.speed", 0.11);
     case SET_OUTPUT:
@@ -137,9 +137,9 @@ TEST(test_values)
     const Both *const both = *state;
     for (int v = 0; v < 2; ++v) {
         FmuInstance *const i = fresh(&both->fmu[v]);
-        assert_int_equal(instance_set(i, "friction.mu", NAN), DISCARD);
-        assert_int_equal(instance_set(i, "friction.mu", -1), DISCARD);
-        check_equal(instance_value(i, "friction.mu"), 0.2);
+        assert_int_equal(instance_set(i, "case.friction.mu", NAN), DISCARD);
+        assert_int_equal(instance_set(i, "case.friction.mu", -1), DISCARD);
+        check_equal(instance_value(i, "case.friction.mu"), 0.2);
         assert_int_equal(instance_begin(i, 0), OK);
         assert_int_equal(instance_settle(i), OK);
         assert_int_equal(instance_set(i, "winch.speed", NAN), DISCARD);
@@ -149,7 +149,7 @@ TEST(test_values)
         check_equal(instance_value(i, "winch.speed"), 0.1);
         assert_int_equal(instance_step(i, 0, 0.5), OK);
         check_finite(instance_value(i, "winch.force"));
-        assert_int_equal(instance_count(i, "events"), 0); /* an input that has not changed is no command */
+        assert_int_equal(instance_count(i, "events.count"), 0); /* an input that has not changed is no command */
         instance_drop(i);
     }
 }

@@ -127,7 +127,7 @@ TEST(test_bytes)
         fmu_of(&fmu, data_text("short-pull"), version);
         FmuInstance *const other = instance_of(&fmu);
         instance_new(&i, &fmu, fmu.token, fmu.resources);
-        assert_int_equal(instance_set(&i, "friction.mu", 0.25), 0);
+        assert_int_equal(instance_set(&i, "case.friction.mu", 0.25), 0);
         assert_int_equal(instance_begin(&i, 0), 0);
         assert_int_equal(instance_settle(&i), 0);
         if (!cannot(&i)) {
@@ -142,7 +142,7 @@ TEST(test_bytes)
             assert_int_equal(STATE_CALL(other, DeSerializeFMUstate, DeserializeFMUState, (void *)bytes, size, &given),
                              0);
             assert_int_equal(state_set(other, given), 0);
-            check_equal(instance_value(other, "friction.mu"), 0.25);
+            check_equal(instance_value(other, "case.friction.mu"), 0.25);
             go_on(other, again);
             check_same(first, again);
             assert_int_equal(state_free(other, &given), 0);

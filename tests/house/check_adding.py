@@ -16,10 +16,11 @@ DOCUMENT = "docs/adding.md"
 
 
 def code(root):
-    """{path: text without comments} of the product's files; strings and includes stay."""
+    """{path: text without comments} of the product's files; strings and includes stay. What is made of the documents follows them."""
     def kept(m):
         return " " if m.group(0).startswith("/") else m.group(0)
-    return {path: tree.TOKENS.sub(kept, tree.read(root, path)) for path in tree.sources(root, tree.BELOW)}
+    texts = {path: tree.read(root, path) for path in tree.sources(root, tree.BELOW)}
+    return {path: tree.TOKENS.sub(kept, text) for path, text in texts.items() if not text.startswith("/* Made by packaging/")}
 
 
 def files_with(word, sources):

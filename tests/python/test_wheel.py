@@ -30,6 +30,9 @@ def test_what_is_in_it(wheel):
     assert modules | catalogue | {"hawser/py.typed", "hawser/_native.abi3.so", "hawser/_declared.py"} <= names
     assert all(name.startswith(("hawser/", "hawser-")) for name in names)
     assert sum(name.endswith("/hawser/fmu.so") for name in names) == 1
+    (texts,) = (name for name in names if name.endswith("/licences.txt"))  # there were none
+    said = zipfile.ZipFile(wheel).read(texts).decode()
+    assert "Redistribution and use in source and binary forms" in said and "KLU" in said
 
 
 def test_it_works_elsewhere(wheel, tmp_path):
