@@ -29,14 +29,20 @@ static void numbers_add(Text *out, const double *values, int width)
     if (width) text_add(out, "]");
 }
 
-/* Texts of one length each, with a NUL behind each of them: [n] of size + 1 bytes, malloc'ed; NULL: none. */
+/* Texts with a NUL behind each of them: [n] of *size bytes, malloc'ed; NULL: none. They lie letter by letter, or, of
+ * results of format 1, as texts of one length. */
 static char *names_read(hid_t parent, const char *name, hsize_t *n, size_t *size)
 {
-    const hid_t set = door_set(parent, name, 1, 1, n, NAMES_MOST);
+    hsize_t dims[2] = {0, 0};
+    hid_t set = door_set(parent, name, 1, 2, dims, (double)NAMES_MOST * DOOR_TEXT_MAX);
+    const int letters = set >= 0;
+    if (!letters) set = door_set(parent, name, 1, 1, dims, NAMES_MOST);
     if (set < 0) return NULL;
+    *n = dims[0];
     const hid_t type = H5Dget_type(set), memory = H5Tcopy(H5T_C_S1);
-    *size = H5Tget_size(type) + 1; /* room for a NUL */
-    H5Tset_size(memory, *size);
+    const size_t width = H5Tget_size(type) * (letters ? (size_t)dims[1] : 1);
+    *size = width + 1; /* room for a NUL */
+    if (!letters) H5Tset_size(memory, *size);
     char *names = calloc((size_t)*n + 1, *size);
     herr_t code = -1;
     H5E_BEGIN_TRY { code = names ? H5Dread(set, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, names) : -1; }
@@ -44,6 +50,10 @@ static char *names_read(hid_t parent, const char *name, hsize_t *n, size_t *size
     H5Tclose(memory);
     H5Tclose(type);
     H5Dclose(set);
+    for (hsize_t i = *n; letters && code >= 0 && i-- > 0;) {
+        memmove(names + i * *size, names + i * width, width);
+        names[i * *size + width] = 0;
+    }
     if (code >= 0) return names;
     free(names);
     return NULL;

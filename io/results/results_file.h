@@ -198,6 +198,9 @@ hawser_status series_make(Series *series, const ResultsDef *def, hawser_error *e
 hawser_status series_head(OutFile *out, const Series *series, hawser_error *err);
 hawser_status series_row(OutFile *out, const Series *series, const hawser_sample *sample, hawser_error *err);
 
+/* Of results.h5; docs/results.md, "Formats", says what has changed with each. */
+enum { STATES_FORMAT = 2 };
+
 /* ------------------------------------------------------------------------------------------------- results.h5 */
 
 /* A set that does not grow, of a struct: what there is to be drawn, or an envelope. */

@@ -107,7 +107,7 @@ static int make_set(H5File *h, int k)
     H5Sclose(space);
     if (set < 0) return 0;
     h->set[k] = set;
-    return h5_text(set, "unit", info->unit) && h5_text(set, "description", info->about);
+    return h5_text(set, "units", info->unit) && h5_text(set, "description", info->about);
 }
 
 /* Which points every line element of the polyline joins: [segments-1][2]. */
@@ -126,7 +126,7 @@ static int write_connectivity(H5File *h)
     return ok;
 }
 
-/* Names (padded text) and places of the rollers. */
+/* Names and places of the rollers. */
 static int write_rollers(H5File *h, const ResultsDef *def)
 {
     const hsize_t n = (hsize_t)def->rollers;
@@ -139,14 +139,39 @@ static int write_rollers(H5File *h, const ResultsDef *def)
         strncpy(name[i], def->roller[i].name, NAME_MAX_LENGTH - 1);
         s[i] = def->roller[i].s;
     }
-    const hid_t type = H5Tcopy(H5T_C_S1);
-    H5Tset_size(type, NAME_MAX_LENGTH);
-    ok = ok && h5_set(h->file, "roller_name", type, type, 1, &n, name) &&
+    ok = ok && h5_names(h->file, "roller_name", def->rollers, name) &&
          h5_set(h->file, "roller_s", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, &n, s);
-    H5Tclose(type);
     free(name);
     free(s);
     return ok;
+}
+
+/* The dimensions of what grows, by name: netCDF and xarray put sets together by them. */
+static int write_axes(const H5File *h)
+{
+    enum { AXIS_TIME, AXIS_SEGMENT, AXIS_JOINT, AXIS_ROLLER, AXIS_XYZ, AXIS_WXYZ, AXIS_LETTER, AXES };
+    const Axis axis[AXES] = {{"time", -1, 0, NULL},
+                             {"segment", h->segments, 0, "segments, from the tail"},
+                             {"joint", h->segments + 1, 0, "joints; j lies between segments j-1 and j"},
+                             {"roller", h->rollers, 0, "rollers and obstacles, in the case's order"},
+                             {"xyz", 3, 1, NULL},
+                             {"wxyz", 4, 1, NULL},
+                             {"letter", h->rollers ? NAME_MAX_LENGTH : 0, 1, NULL}};
+    static const int items[] = {[PER_SEGMENT] = AXIS_SEGMENT, [PER_JOINT] = AXIS_JOINT, [PER_ROLLER] = AXIS_ROLLER};
+    AxisUse use[AXIS_USES_MOST];
+    int n = 0;
+    for (int k = 0; k < sample_columns && n + 2 < AXIS_USES_MOST; k++) {
+        const SampleColumn *const info = &sample_column[k];
+        hsize_t dims[3];
+        if (!info->set || item_count(h, info->per) == 0 || !strcmp(info->set, axis[AXIS_TIME].name)) continue;
+        use[n] = (AxisUse){info->set, set_dims(h, info, 0, dims), {AXIS_TIME, AXIS_TIME, AXIS_XYZ}};
+        if (info->per != PER_RUN) use[n].axis[1] = items[info->per];
+        if (info->width == 4) use[n].axis[2] = AXIS_WXYZ;
+        ++n;
+    }
+    if (h->rollers) use[n++] = (AxisUse){"roller_name", 2, {AXIS_ROLLER, AXIS_LETTER}};
+    if (h->rollers) use[n++] = (AxisUse){"roller_s", 1, {AXIS_ROLLER}};
+    return h5_axes(h->file, AXES, axis, n, use);
 }
 
 /* A file on the driver that never fails in HDF5's eyes, a new one or the one that is there; < 0 if there is none. The
@@ -172,7 +197,9 @@ static int make_file(H5File *h, const ResultsDef *def)
     const hid_t file = driven_file(h, 0);
     if (file < 0) return 0;
     h->file = file;
-    int ok = h5_text(file, "title", def->title) && h5_text(file, "hawser_version", hawser_version());
+    const double format = STATES_FORMAT;
+    int ok = h5_text(file, "title", def->title) && h5_text(file, "hawser_version", hawser_version()) &&
+             h5_numbers(file, "format", 1, &format);
     if (def->run) ok = ok && h5_text(file, "run", def->run);
     if (fabs(def->origin[0]) + fabs(def->origin[1]) + fabs(def->origin[2]) > 0) {
         char text[96];
@@ -185,7 +212,7 @@ static int make_file(H5File *h, const ResultsDef *def)
     h->frames = frames;
     ok = h5_text(frames, "description", "single precision copies for results.xdmf, one group a state");
     ok = ok && (!def->geometry || geometry_write(file, def->geometry, &h->disk.error));
-    return ok && write_rollers(h, def) && (h->segments < 2 || write_connectivity(h)) &&
+    return ok && write_rollers(h, def) && (h->segments < 2 || write_connectivity(h)) && write_axes(h) &&
            H5Fflush(file, H5F_SCOPE_LOCAL) >= 0;
 }
 

@@ -86,6 +86,23 @@ int states_belong(hid_t file, const char *run, const char *series);
 /* A whole set that does not grow, written from what the machine has as `type`; groups on its path are made. */
 int h5_set(hid_t parent, const char *name, hid_t file_type, hid_t type, int rank, const hsize_t *dims,
            const void *values);
+/* Names: char[n][NAME_MAX_LENGTH], letter by letter as netCDF has texts (its library frees what is not its own with
+ * sets of texts of one length). */
+int h5_names(hid_t parent, const char *name, int n, const void *values);
+/* A dimension of sets: a scale of n places counted from 0; n < 0: the set of that name, which is there; 0: no such. */
+typedef struct Axis {
+    const char *name;
+    int n, plain; /* plain: its places mean nothing, so that netCDF shows no variable */
+    const char *about;
+} Axis;
+enum { AXES_MOST = 8, AXIS_USES_MOST = 64 };
+/* A set's dimensions by their places among the axes; -1: no axis. */
+typedef struct AxisUse {
+    const char *set;
+    int rank, axis[3];
+} AxisUse;
+/* Makes scales of the axes and names them in the sets, in both directions, as HDF5's library of scales has it. */
+int h5_axes(hid_t file, int n, const Axis *axis, int n_uses, const AxisUse *use);
 /* The sets of a table, of the struct at `from`, below `parent` and behind `prefix` in their paths. Those without items
  * are left out. */
 int h5_fixed(hid_t parent, const char *prefix, int n, const FixedSet *set, const void *from);

@@ -68,3 +68,12 @@ def data_of(file: h5py.File, name: str, text: bool = False) -> Any:
     if isinstance(data, h5py.Dataset) and is_data(data, text):
         return data
     raise CaseError(f"results.h5: '{name}' is no set that a run writes: it leads elsewhere, or its values are not in the file")
+
+
+def names_of(file: h5py.File, name: str) -> list[bytes]:
+    """A set of names of results.h5, which lie letter by letter; of format 1 they were texts of one length. Raises CaseError."""
+    data = data_of(file, name, text=True)
+    if data is None:
+        return []
+    letters = np.asarray(data)
+    return list(letters) if letters.ndim == 1 else [bytes(row.tobytes()).rstrip(b"\0") for row in letters]

@@ -258,9 +258,9 @@ class Result:
         with held(self.folder) as held_file, h5py.File(held_file, "r") as file:
             sets = {name: data for name in ("time", *AXES) if (data := _door.data_of(file, name)) is not None}
             arrays = {name: np.asarray(data) for name, data in sets.items()}
-            units = {name: as_text(data.attrs["unit"]) for name, data in sets.items()}
+            units = {name: as_text(data.attrs["units" if "units" in data.attrs else "unit"]) for name, data in sets.items()}
             told = {name: as_text(data.attrs["description"]) for name, data in sets.items()}
-            names = [as_text(name) for name in _door.data_of(file, "roller_name", text=True) or []]
+            names = [as_text(name) for name in _door.names_of(file, "roller_name")]
         complete = len(arrays["time"])  # a state has a time once all of it is there
         arrays = {name: values[:complete] for name, values in arrays.items()}
         try:

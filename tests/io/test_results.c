@@ -143,7 +143,7 @@ TEST_WITH(test_long_names, fixture_new, fixture_free)
     results_free(r);
     const hid_t file = H5Fopen(fixture_path(f, "results.h5"), H5F_ACC_RDONLY, H5P_DEFAULT);
     const hid_t set = H5Dopen2(file, "roller_name", H5P_DEFAULT), type = H5Dget_type(set);
-    assert_int_equal(H5Tget_size(type), sizeof read[0]);
+    assert_int_equal(H5Tget_size(type), 1); /* letter by letter: netCDF's library crashes on texts of 64 bytes */
     assert_true(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, read) >= 0);
     for (int i = 0; i < R; i++) assert_string_equal(read[i], names[i]);
     H5Tclose(type), H5Dclose(set), H5Fclose(file);
@@ -185,7 +185,7 @@ TEST_WITH(test_attributes, fixture_new, fixture_free)
     const hid_t file = H5Fopen(fixture_path(f, "results.h5"), H5F_ACC_RDONLY, H5P_DEFAULT);
     for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
         char unit[64] = "";
-        const hid_t set = H5Dopen2(file, units[i][0], H5P_DEFAULT), a = H5Aopen(set, "unit", H5P_DEFAULT);
+        const hid_t set = H5Dopen2(file, units[i][0], H5P_DEFAULT), a = H5Aopen(set, "units", H5P_DEFAULT);
         const hid_t type = H5Aget_type(a);
         check_at_least(H5Aread(a, type, unit), 0);
         assert_string_equal(unit, units[i][1]);
