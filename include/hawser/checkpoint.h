@@ -5,6 +5,8 @@
 
 #include <stddef.h>
 
+#include "hawser/status.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif

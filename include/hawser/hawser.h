@@ -21,8 +21,6 @@ extern "C" {
 
 /* ------------------------------------------------------------------------------------------------ cases */
 
-typedef struct hawser_case hawser_case;
-
 /* Reads a YAML case file (docs/case-format.md). The file's values are not interpreted yet: settings may follow. */
 hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error *err);
 /* The same from text; `name` stands in for the file's name in messages. It has no folder (hawser_case_folder). */
@@ -64,8 +62,6 @@ hawser_status hawser_case_equipment(hawser_case *c, hawser_format format, char *
 void hawser_text_free(char *text);
 
 /* ------------------------------------------------------------------------------------------- simulations */
-
-typedef struct hawser_sim hawser_sim;
 
 /* May grow at its end; what is 0 is as if it were not there. */
 typedef struct hawser_options {
@@ -163,7 +159,6 @@ void hawser_sim_record(hawser_sim *s);
  * forbids it (hawser_summary, `passes`); where those results replace the first, all calls speak of the last pass then.
  * `progress` (may be NULL) is called a few times a second; a value other than 0 stops the run cleanly (HAWSER_STOPPED,
  * with what was computed written; in a finer pass the results are those before it). OUTPUT: a renamed `dir`, too. */
-typedef int (*hawser_progress)(void *user, const hawser_sample *sample, double wall_s, double end_s);
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
 
 /* The machines (conveyors and the like), kind by kind; *out stays the simulation's. Returns how many. */

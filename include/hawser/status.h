@@ -8,6 +8,13 @@
 extern "C" {
 #endif
 
+/* A case and a simulation of it (hawser/hawser.h): what is in them is the library's. */
+typedef struct hawser_case hawser_case;
+typedef struct hawser_sim hawser_sim;
+/* How far a run is, for whoever follows it (hawser_sim_run). */
+struct hawser_sample;
+typedef int (*hawser_progress)(void *user, const struct hawser_sample *sample, double wall_s, double end_s);
+
 typedef enum hawser_status {
     HAWSER_OK = 0,
     HAWSER_ERR_INPUT = 2,  /* a case, a setting or an argument is wrong; nothing was written */

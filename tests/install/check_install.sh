@@ -62,6 +62,14 @@ run cxx.log c++ -std=c++98 -Wall -Wextra -pedantic -Werror -fsyntax-only -I"$pre
 run c11.log cc -std=c11 -Wall -Wextra -pedantic -Werror -fsyntax-only -I"$prefix/include" "$work/header.c"
 run cxx17.log c++ -std=c++17 -Wall -Wextra -pedantic -Werror -fsyntax-only -I"$prefix/include" "$work/header.cc"
 
+# And each of the others by itself: checkpoint.h, certify.h, library.h, report.h and sweep.h named types of headers that they did not include.
+for header in "$prefix"/include/hawser/*.h; do
+    echo "#include <hawser/${header##*/}>" >"$work/alone.c"
+    cp "$work/alone.c" "$work/alone.cc"
+    run alone_c.log cc -std=c99 -Wall -Wextra -pedantic -Werror -fsyntax-only -I"$prefix/include" "$work/alone.c"
+    run alone_cxx.log c++ -std=c++98 -Wall -Wextra -pedantic -Werror -fsyntax-only -I"$prefix/include" "$work/alone.cc"
+done
+
 # pkg-config, shared and then, with the shared library out of the way, static.
 PKG_CONFIG_PATH=$lib/pkgconfig
 export PKG_CONFIG_PATH
