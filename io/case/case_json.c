@@ -60,8 +60,9 @@ static void choices_set(Writer *w, json_t *o, const CaseKey *key)
     json_t *const all = json_array();
     for (int k = 0; key->choices[k]; ++k) {
         const char *const word = key->choices[k];
-        const int truth = !strcmp(word, "true") || !strcmp(word, "false");
-        json_t *const same = truth                               ? json_boolean(*word == 't')
+        const int yes = !strcmp(word, "true") || !strcmp(word, "on");
+        const int truth = yes || !strcmp(word, "false") || !strcmp(word, "off");
+        json_t *const same = truth                               ? json_boolean(yes)
                              : !word[strspn(word, "0123456789")] ? json_integer(strtol(word, NULL, 10))
                                                                  : NULL;
         w->failed |= json_array_append_new(all, json_string(word)) < 0;

@@ -170,10 +170,11 @@ int case_word_place(const CaseNode *node, const char *const *word)
 }
 
 /* YAML's words for truth, in pairs: the even places are false. */
+static const char *const truth_words[] = {"false", "true", "no", "yes", "off", "on", NULL};
+
 static hawser_status flag_field(const CaseReader *r, const CaseNode *node, int *value)
 {
-    static const char *const words[] = {"false", "true", "no", "yes", "off", "on", NULL};
-    const int place = case_word_place(node, words);
+    const int place = case_word_place(node, truth_words);
     if (place < 0) return case_value_error(r->err, node, ": expected true or false");
     *value = place % 2;
     return HAWSER_OK;
@@ -196,7 +197,8 @@ static const char *word_plain(const char *text, char *out)
 }
 
 /* The choices are in the order of the enumeration, so that the place is the value. Capitals, blanks and usual other
- * names of a choice do not matter. */
+ * names of a choice do not matter; a choice that is a word for truth has all words for the same truth, as YAML writes
+ * one for another: `planar: false` is `planar: off`. */
 static hawser_status choice_field(const CaseReader *r, const CaseNode *node, const CaseKey *key, int *value)
 {
     char all[WANTED_MAX] = "", given[WANTED_MAX], allowed[WANTED_MAX];
@@ -204,6 +206,12 @@ static hawser_status choice_field(const CaseReader *r, const CaseNode *node, con
     *value = case_word_place(node, key->choices);
     for (int k = 0; *value < 0 && *plain && key->choices[k]; k++) {
         if (strcmp(plain, word_plain(key->choices[k], allowed)) == 0) *value = k;
+    }
+    const int truth = case_word_place(node, truth_words);
+    for (int k = 0; *value < 0 && truth >= 0 && key->choices[k]; k++) {
+        for (int same = truth % 2; same < (int)(sizeof truth_words / sizeof *truth_words) - 1; same += 2) {
+            if (strcmp(key->choices[k], truth_words[same]) == 0) *value = k;
+        }
     }
     if (*value >= 0) return HAWSER_OK;
     for (int k = 0; key->choices[k]; k++) {
