@@ -1,6 +1,6 @@
 """Builds extension and wheel in a folder of their own: setuptools writes beside its sources, and they stay as they are.
 
-Usage: build_wheel.py SOURCE_DIR BUILD_DIR FMU_LIBRARY FMU_PLACE      (CMake runs it; BUILD_DIR/native.json says what to link: native.py)
+Usage: build_wheel.py SOURCE_DIR BUILD_DIR PROGRAM FMU_LIBRARY FMU_PLACE      (CMake runs it; BUILD_DIR/native.json says what to link: native.py)
 BUILD_DIR/package is then importable, BUILD_DIR/dist has the wheel, BUILD_DIR/build.log what was said.
 """
 import pathlib
@@ -9,9 +9,23 @@ import subprocess
 import sys
 
 
-def copy_sources(source: pathlib.Path, package: pathlib.Path, fmu: pathlib.Path, place: str) -> None:
-    """The package's files; the catalogue and the library for mock-up units where libhawser looks for them: beside the module that
-    it is linked into."""
+# Libraries that are inside of what the wheel has, not only linked by it: the library for mock-up units has them (fmi/CMakeLists.txt).
+INSIDE = ("libexpat1-dev", "libyaml-dev")
+
+
+def copy_licences(source: pathlib.Path, package: pathlib.Path) -> None:
+    """hawser's own, and those of what is inside, as Debian keeps them. setup.py puts LICENSE* and NOTICE into the wheel."""
+    for name in ("LICENSE", "NOTICE"):
+        shutil.copy(source / name, package)
+    for library in INSIDE:
+        text = pathlib.Path("/usr/share/doc") / library / "copyright"
+        if text.is_file():
+            shutil.copy(text, package / f"LICENSE.{library.removesuffix('-dev')}")
+
+
+def copy_sources(source: pathlib.Path, package: pathlib.Path, program: pathlib.Path, fmu: pathlib.Path, place: str) -> None:
+    """The package's files and the program; the catalogue, the desk and the library for mock-up units where libhawser looks for them:
+    beside the module that it is linked into, and above the program."""
     shutil.rmtree(package, ignore_errors=True)
     shutil.copytree(source / "python" / "hawser", package / "hawser", ignore=shutil.ignore_patterns("__pycache__"))
     for file in (source / "python").glob("*.*"):
@@ -21,14 +35,18 @@ def copy_sources(source: pathlib.Path, package: pathlib.Path, fmu: pathlib.Path,
     catalogue.mkdir(parents=True)
     for file in (source / "library").glob("*.yaml"):
         shutil.copy(file, catalogue)
+    shutil.copy(source / "web" / "dist" / "desk.html", catalogue.parent)
+    (package / "hawser" / "bin").mkdir()
+    shutil.copy(program, package / "hawser" / "bin" / "hawser")
+    copy_licences(source, package)
     (package / "hawser" / place).parent.mkdir(parents=True)
     shutil.copy(fmu, package / "hawser" / place)
     shutil.copy(fmu.parent / "licences.txt", (package / "hawser" / place).parent)  # of what both libraries have inside
 
 
-def main(source: pathlib.Path, build: pathlib.Path, fmu: pathlib.Path, place: str) -> int:
+def main(source: pathlib.Path, build: pathlib.Path, program: pathlib.Path, fmu: pathlib.Path, place: str) -> int:
     package, wheels, log = build / "package", build / "dist", build / "build.log"
-    copy_sources(source, package, fmu, place)
+    copy_sources(source, package, program, fmu, place)
     shutil.copy(build / "native.json", package)
     shutil.rmtree(wheels, ignore_errors=True)
     command = [sys.executable, "-B", "setup.py", "-q", "build_ext", "--inplace", "bdist_wheel", "--dist-dir", str(wheels)]
@@ -40,4 +58,4 @@ def main(source: pathlib.Path, build: pathlib.Path, fmu: pathlib.Path, place: st
 
 
 if __name__ == "__main__":
-    sys.exit(main(*(pathlib.Path(word) for word in sys.argv[1:4]), sys.argv[4]))
+    sys.exit(main(*(pathlib.Path(word) for word in sys.argv[1:5]), sys.argv[5]))

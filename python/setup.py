@@ -15,5 +15,6 @@ import native  # noqa: E402
 native.write_declared(HERE / "hawser" / "_declared.py")
 setuptools.setup(version=native.link()["version"], cffi_modules=["native.py:builder"],
                  packages=setuptools.find_namespace_packages(include=["hawser*"]),
-                 package_data={"": ["py.typed", "*.pyi", "*.yaml", "fmu.so", "licences.txt"]},
+                 package_data={"": ["py.typed", "*.pyi", "*.yaml", "*.html", "fmu.so", "bin/hawser", "licences.txt"]},
+                 entry_points={"console_scripts": ["hawser = hawser.__main__:main"]},
                  options={"bdist_wheel": {"py_limited_api": "cp39"}})

@@ -20,7 +20,8 @@ from hawser.results import Figure, Result, Verdict, compare
 from hawser.sample import Sample
 from hawser.simulation import Relaxation, Simulation, resume, run
 from hawser.studies import Study, study
+from hawser.things import Conveyor, Machine, Roller, Surface, Winch
 
-__all__ = ["Case", "CaseError", "Certificate", "Error", "Event", "Figure", "Geometry", "Job", "MissingError", "OutputError", "Progress", "Relaxation", "Result", "Route",
-           "RunError", "Sample", "Segment", "Simulation", "Stopped", "Study", "Theory", "Verdict", "__version__", "certify", "compare",
-           "job", "library", "resume", "routes", "run", "schema", "study", "theory"]
+__all__ = ["Case", "CaseError", "Certificate", "Conveyor", "Error", "Event", "Figure", "Geometry", "Job", "Machine", "MissingError", "OutputError", "Progress",
+           "Relaxation", "Result", "Roller", "Route", "RunError", "Sample", "Segment", "Simulation", "Stopped", "Study", "Surface", "Theory", "Verdict",
+           "Winch", "__version__", "certify", "compare", "job", "library", "resume", "routes", "run", "schema", "study", "theory"]

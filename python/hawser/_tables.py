@@ -1,6 +1,7 @@
 """From C's rows and the documents' tables to pandas; from C's arrays to numpy, without copies."""
 from __future__ import annotations
 
+import html
 import math
 from typing import Any, Iterable, Mapping
 
@@ -120,3 +121,11 @@ def shown(value: float, unit: str) -> str:
 
     text = ffi.new("char[]", lib.HAWSER_SHOWN_MAX)
     return text_of(lib.hawser_show(value, unit.encode(), lib.HAWSER_SI, text))
+
+
+def page_html(title: str, verdict: str, rows: Iterable[tuple[str, str]] = (), table: pd.DataFrame | None = None) -> str:
+    """What a notebook shows of a thing: its title, its verdict, figures, a table."""
+    figures = "".join(f"<tr><th style='text-align:left'>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>" for name, value in rows)
+    below = table.to_html(index=False, float_format=lambda x: f"{x:.4g}", max_rows=20) if table is not None and len(table) else ""
+    return (f"<h4>{html.escape(title)}</h4><p><b>{html.escape(verdict)}</b></p>"
+            f"{f'<table>{figures}</table>' if figures else ''}{below}")

@@ -6,7 +6,7 @@ from typing import Any
 
 import pandas as pd
 
-from hawser._tables import frame_of
+from hawser._tables import frame_of, page_html, shown
 from hawser.results import Verdict
 
 
@@ -57,4 +57,11 @@ class Theory:
         return f"<hawser theory of {self.data.get('title')!r}: {self.facts.get('reference_total_N', float('nan')):.4g} N>"
 
     def _repr_html_(self) -> str:
-        return f"<pre>{html.escape(self._text)}</pre>"
+        forces = [("largest winch force", self.facts.get("largest_force_N")), ("pulled forward", self.facts.get("reference_total_N")),
+                  ("pulled backward", self.facts.get("backward_total_N"))]
+        verdict = self.data.get("verdict_forward")
+        if verdict is None:  # derivatives: tables alone
+            return f"<pre>{html.escape(self._text)}</pre>"
+        columns = [name for name in ("direction", "name", "value", "limit", "unit", "margin", "ok") if name in self.limits]
+        return page_html(str(self.data.get("title", "")), f"forward {verdict}; backward {self.data.get('verdict_backward')}",
+                         [(name, shown(value, "N")) for name, value in forces if value is not None], self.limits[columns])

@@ -1,6 +1,7 @@
 """Cases: what is to be pulled, through what, and how."""
 from __future__ import annotations
 
+import html
 import json
 import math
 import os
@@ -56,7 +57,9 @@ def simple(value: Any, key: str) -> Any:
 
 
 def name_of(name: object, key: str) -> str:
-    if not isinstance(name, (str, int)):
+    if name is True:  # what loaders of YAML 1.1 make of a job's key `on`
+        name = "on"
+    if isinstance(name, bool) or not isinstance(name, (str, int)):
         raise TypeError(f"key '{key}': a case cannot hold a key that is {type(name).__name__}: texts")
     return c_text(str(name), f"a key of '{key}'", key).decode()
 
@@ -288,6 +291,16 @@ class Case:
 
     def __repr__(self) -> str:
         return f"hawser.Case({self.name!r})"
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{html.escape(str(self))}</pre>"
+
+
+def packed(case: Case) -> tuple[dict[str, Any], str]:
+    """What a case gives, with its settings, and the folder beside which its files are looked for; "": it has none."""
+    text, error = ffi.new("char **"), ffi.new("hawser_error *")
+    check(lib.hawser_case_pack(case._c, text, error), error)
+    return case.as_dict(), str(json.loads(taken(text)).get("folder") or "")
 
 
 def case_of(source: Source | Case, set: Settings | None) -> Case:

@@ -1,7 +1,6 @@
 """Certificates: whether the figures of a run hold when it is computed again with finer settings (docs/limits.md, "Certify")."""
 from __future__ import annotations
 
-import html
 import json
 from typing import Any, Callable, NamedTuple
 
@@ -9,7 +8,7 @@ import pandas as pd
 
 from hawser._callbacks import Called, from_c
 from hawser._native import ffi, lib
-from hawser._tables import frame_of
+from hawser._tables import frame_of, page_html
 from hawser.case import Case, Settings, Source, case_of
 from hawser.errors import check, taken, text_of
 from hawser.simulation import Simulation
@@ -52,8 +51,11 @@ class Certificate:
     def __str__(self) -> str:
         return f"{self.verdict}\n{self._text}"
 
+    def __repr__(self) -> str:
+        return f"<hawser certificate: {self.verdict}>"
+
     def _repr_html_(self) -> str:
-        return f"<pre>{html.escape(str(self))}</pre>"
+        return page_html("Certificate", self.verdict, table=self.figures)
 
 
 @from_c("certify")  # type: ignore[misc]

@@ -8,7 +8,8 @@ import pathlib
 import pandas as pd
 
 from hawser._native import ffi, lib
-from hawser._tables import frame_of
+from hawser._tables import frame_of, page_html
+from hawser._written import Plan, job_file
 from hawser.errors import c_path, check, taken
 from hawser.results import Verdict
 
@@ -16,9 +17,10 @@ from hawser.results import Verdict
 class Job:
     """The pulls of a job's file, each in the direction that is taken. SI units; columns as `hawser job --format json` has them."""
 
-    def __init__(self, path: str | os.PathLike[str]) -> None:
+    def __init__(self, plan: Plan, *, folder: str | os.PathLike[str] | None = None) -> None:
         made, self._error = ffi.new("hawser_job **"), ffi.new("hawser_error *")
-        check(lib.hawser_job_load(c_path(path), made, self._error), self._error)
+        with job_file(plan, folder) as path:
+            check(lib.hawser_job_load(c_path(path), made, self._error), self._error, path)
         self._job = ffi.gc(made[0], lib.hawser_job_free)
         text, word = ffi.new("char **"), ffi.new("hawser_word *")
         check(lib.hawser_job_answer(self._job, lib.HAWSER_JSON, text, word, self._error), self._error)
@@ -61,6 +63,17 @@ class Job:
         return taken(text)
 
 
-def job(path: str | os.PathLike[str]) -> Job:
-    """Calculates all pulls of a job's file."""
-    return Job(path)
+    def __repr__(self) -> str:
+        return f"<hawser job {self.data['title']!r}: {len(self.data['pulls'])} pulls; {self.verdict}>"
+
+    def _repr_html_(self) -> str:
+        return page_html(str(self.data["title"]), self.verdict, table=self.pulls)
+
+
+def job(plan: Plan, *, folder: str | os.PathLike[str] | None = None) -> Job:
+    """Calculates all pulls of a job.
+
+    plan:   path of a job's file (docs/jobs.md), or a dict with the same keys
+    folder: of a dict: where files are looked for that it names (default: the current folder)
+    """
+    return Job(plan, folder=folder)

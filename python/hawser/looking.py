@@ -15,6 +15,7 @@ from hawser.alignment import Array, places
 from hawser.errors import taken, text_of
 from hawser.results import Verdict
 from hawser.sample import Sample
+from hawser.things import Conveyor, Machine, Roller, Surface, Winch, place_of
 
 PARTNERS = enum_names("hawser_partner", "HAWSER_ON_")
 
@@ -36,6 +37,7 @@ class Looking:
     """The part of a Simulation that changes nothing."""
 
     _handle: Handle | None
+    _sampled: Sample | None = None
 
     @property
     def _open(self) -> Handle:
@@ -66,7 +68,13 @@ class Looking:
         handle = self._open
         with handle as c:
             handle.moved += 1
-            return Sample(handle, lib.hawser_sim_sample(c))
+            self._sampled = Sample(handle, lib.hawser_sim_sample(c))
+            return self._sampled
+
+    def _latest(self) -> Sample:
+        """The last sample, if it is still good, so that who holds it may go on with it; else a new one."""
+        last = self._sampled
+        return last if last is not None and last._handle is self._open and last._moved == last._handle.moved else self.sample()
 
     def _table(self, call: Any, struct: str, rename: dict[str, str] | None = None) -> pd.DataFrame:
         rows, summary = ffi.new(f"const {struct} **"), ffi.new("hawser_summary *")
@@ -124,6 +132,40 @@ class Looking:
         with self._open as c:
             n = lib.hawser_sim_machines(c, rows)
             return {text_of(rows[0][i].name): figures(rows[0][i].figure, rows[0][i].n_figures) for i in range(n)}
+
+    # ------------------------------------------------------------------------------------------------ things by name
+
+    def _names(self, call: Any, struct: str) -> list[str]:
+        rows = ffi.new(f"const {struct} **")
+        with self._open as c:
+            return [text_of(rows[0][i].name) for i in range(call(c, rows))]
+
+    def roller(self, name: str) -> Roller:
+        """The roller of that name: .force (N), .vector, .spin, .shift, .so_far. KeyError: there is none, or more than one."""
+        return Roller(self, name, place_of(name, self._names(lib.hawser_sim_rollers, "hawser_roller"), "roller"))
+
+    def surface(self, name: str) -> Surface:
+        """The duct, tray, floor, wall or ceiling of that name: .force (N), .friction (N), .line_load (N/m), .so_far. KeyError."""
+        return Surface(self, name, place_of(name, self._names(lib.hawser_sim_surfaces, "hawser_surface"), "surface"))
+
+    def _machine(self, name: str, kinds: tuple[str, ...], kind: str) -> int:
+        rows = ffi.new("const hawser_machine **")
+        with self._open as c:
+            there = {text_of(rows[0][i].name): i for i in range(lib.hawser_sim_machines(c, rows)) if not kinds or text_of(rows[0][i].kind) in kinds}
+        return list(there.values())[place_of(name, there, kind)]
+
+    def conveyor(self, name: str) -> Conveyor:
+        """The conveyor of that name: .force (N), .now, .so_far (figures by name). KeyError."""
+        return Conveyor(self, name, self._machine(name, ("conveyors",), "conveyor"))
+
+    def machine(self, name: str) -> Machine:
+        """The conveyor or motor of that name: .force (N), .now, .so_far (figures by name). KeyError."""
+        return Machine(self, name, self._machine(name, (), "machine"))
+
+    @property
+    def winch(self) -> Winch:
+        """The winch: .force (N), .speed (m/s), .travel (m)."""
+        return Winch(self)
 
     @property
     def limits(self) -> pd.DataFrame:

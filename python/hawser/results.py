@@ -4,7 +4,6 @@ from __future__ import annotations
 import contextlib
 import fcntl
 import functools
-import html
 import io
 import json
 import os
@@ -14,7 +13,7 @@ import tempfile
 import time
 import weakref
 import webbrowser
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, BinaryIO
 
 import numpy as np
@@ -23,7 +22,8 @@ import pandas as pd
 from hawser import _door
 from hawser._columns import COLUMNS
 from hawser._native import ffi, lib
-from hawser._tables import frame_of, shown
+from hawser._tables import frame_of, page_html, shown
+from hawser.things import row_of
 from hawser.errors import MissingError, OutputError, c_path, check, taken, text_of
 
 PLOTS = ("tension", "series", "rollers", "plan")
@@ -64,6 +64,9 @@ class Verdict(str):
 
 class Figure(str):
     """A figure as the text of an SVG; notebooks show it."""
+
+    def __repr__(self) -> str:
+        return f"<hawser figure: SVG, {len(self)} characters>"
 
     def _repr_svg_(self) -> str:
         return str(self)
@@ -209,6 +212,18 @@ class Result:
         """Shapes of vibration, of a run with `analysis: modes`; empty of others."""
         return read_csv(self.folder, "modes.csv", optional=True)
 
+    def roller(self, name: str) -> pd.Series[Any]:
+        """The row of `rollers` of that name (N): initial_N, steady_N, peak_N, rating_N. KeyError: there is none, or more than one."""
+        return row_of(self.rollers, name, "roller")
+
+    def surface(self, name: str) -> pd.Series[Any]:
+        """The row of `surfaces` of that name. KeyError."""
+        return row_of(self.surfaces, name, "surface")
+
+    def conveyor(self, name: str) -> pd.Series[Any]:
+        """The row of `conveyors` of that name. KeyError."""
+        return row_of(self.conveyors, name, "conveyor")
+
     def _list(self, key: str) -> pd.DataFrame:
         return frame_of(self.summary.get(key) or [])
 
@@ -339,12 +354,8 @@ class Result:
         return f"<hawser result of {self.title!r}: {self.outcome}; {self.verdict}>"
 
     def _repr_html_(self) -> str:
-        rows = "".join(f"<tr><th style='text-align:left'>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>"
-                       for name, value in self._figures())
         limits = self.limits[["name", "value", "limit", "unit", "margin", "ok", "where"]] if len(self.limits) else None
-        table = limits.to_html(index=False, float_format=lambda x: f"{x:.4g}") if limits is not None else ""
-        return (f"<h4>{html.escape(self.title)}</h4><p><b>{html.escape(self.verdict)}</b></p>"
-                f"<table>{rows}</table>{table}")
+        return page_html(self.title, self.verdict, self._figures(), limits)
 
 
 def with_files(files: dict[str, bytes]) -> Result:
@@ -368,7 +379,7 @@ def write_report(folders: list[pathlib.Path], page: pathlib.Path) -> None:
     check(lib.hawser_report_write(ffi.new("const char *[]", paths), len(paths), c_path(page), error), error)
 
 
-def compare(results: list[Result], path: str | os.PathLike[str]) -> pathlib.Path:
-    """Writes one HTML page that compares up to six results. Returns its path."""
-    write_report([result.folder for result in results], pathlib.Path(path))
+def compare(results: Sequence[Result | str | os.PathLike[str]], path: str | os.PathLike[str]) -> pathlib.Path:
+    """Writes one HTML page that compares up to six results, or what stands in their folders. Returns its path."""
+    write_report([result.folder if isinstance(result, Result) else pathlib.Path(result) for result in results], pathlib.Path(path))
     return pathlib.Path(path)

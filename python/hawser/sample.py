@@ -1,7 +1,7 @@
 """How a simulation is at one moment; its arrays are C's own."""
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -9,6 +9,9 @@ from hawser._declared import MEMBERS
 from hawser._handle import Handle
 from hawser._tables import figures, plain, view
 from hawser.errors import text_of
+
+if TYPE_CHECKING:
+    import xarray
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -102,6 +105,20 @@ class Sample:
         found = {name: getattr(self, name) for name in Sample.__annotations__}
         return {**{name: np.array(value) if name in SHAPES else value for name, value in found.items()},
                 "machines": self.machines, "probes": self.probes}
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A copy of all arrays as an xarray.Dataset with their axes: segment, joint, roller, surface, xyz (wxyz of quaternions); the
+        numbers are its attributes. ImportError: xarray is not there."""
+        try:
+            import xarray
+        except ImportError as missing:
+            raise ImportError("to_xarray needs xarray, which is not there (Debian: python3-xarray); as_dict() does without") from missing
+        components = {0: (), 3: ("xyz",), 4: ("wxyz",)}
+        arrays = {name: getattr(self, name) for name in SHAPES}
+        data = {name: ((SHAPES[name][0].removesuffix("s"), *components[SHAPES[name][1]]), np.array(values))
+                for name, values in arrays.items() if values.size}  # rollers that do not move have no spin and shift
+        numbers = {name: getattr(self, name) for name in Sample.__annotations__ if name not in SHAPES}
+        return xarray.Dataset(data, coords={"xyz": ["x", "y", "z"], "wxyz": ["w", "x", "y", "z"]}, attrs=numbers)
 
     def __repr__(self) -> str:
         return f"<hawser sample at t = {self.t:.6g} s: winch {self.winch_force:.6g} N>"

@@ -57,7 +57,7 @@ class Simulation(Looking):
         if self._handle is not None:
             with self._handle.motion:
                 pass  # not while it computes
-        self._handle = None
+        self._handle = self._sampled = None
 
     def __enter__(self) -> Simulation:
         return self
@@ -78,16 +78,18 @@ class Simulation(Looking):
         """One step of the integrator's own, which does not go beyond `until` (s; default: the case's end). Returns the time (s)."""
         handle = self._open
         with handle.motion as c:
-            to = until if until < math.inf else lib.hawser_sim_end_time(c)
+            to = until if until < math.inf else max(lib.hawser_sim_end_time(c), lib.hawser_sim_time(c))
+            forward(to, lib.hawser_sim_time(c), "until")
             status = lib.hawser_sim_advance(c, to, 1, handle.error)
             now: float = lib.hawser_sim_time(c)
         handle.check(status)
         return now
 
     def advance(self, t: float) -> float:
-        """Advances to the time t (s) exactly. Returns it. Ctrl-C ends it between two steps."""
+        """Advances to the time t (s) exactly. Returns it. Ctrl-C ends it between two steps. CaseError: t lies before now."""
         handle = self._open
         with handle.motion as c:
+            forward(t, lib.hawser_sim_time(c), "t")
             handle.check(lib.hawser_python_advance(c, t, POLL_S, handle.error))
             while lib.hawser_sim_time(c) < t:
                 handle.check(lib.hawser_python_advance(c, t, POLL_S, handle.error))
@@ -285,6 +287,14 @@ class Simulation(Looking):
 
     def __reduce__(self) -> tuple[Any, ...]:
         raise TypeError("a simulation can neither be copied nor pickled: take its case and its state(), and load() that into another one")
+
+
+def forward(to: float, now: float, name: str) -> None:
+    """Raises CaseError where a simulation would have to go back."""
+    if to < now:
+        raised = CaseError(f"{name} = {to:g} s: the simulation is at {now:g} s already, and goes forward only; load() takes a state that was kept before")
+        raised.key = name
+        raise raised
 
 
 def vector(values: Sequence[float], name: str) -> list[float]:

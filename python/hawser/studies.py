@@ -11,13 +11,16 @@ import pathlib
 import signal
 import subprocess
 import sys
+from collections.abc import Mapping
 from typing import Any, Callable
 
 import pandas as pd
 
 from hawser import _door
 from hawser._native import ffi, lib
-from hawser.errors import MissingError, OutputError, c_path, check, error_from, taken, told
+from hawser._tables import page_html
+from hawser._written import Plan, of_dict, study_file
+from hawser.errors import CaseError, MissingError, OutputError, c_path, check, error_from, taken, told
 from hawser.results import read_csv
 
 # Of a study's process: numpy's linear algebra would start threads.
@@ -57,19 +60,30 @@ class Study:
         return pathlib.Path(path)
 
     def __str__(self) -> str:
-        return self.answer or f"<hawser study in {self.folder}>"
+        return self.answer or repr(self)
+
+    def __repr__(self) -> str:
+        found = self.summary
+        return f"<hawser study in {str(self.folder)!r}: {found['done']:g} of {found['samples']:g} samples>"
+
+    def _repr_html_(self) -> str:
+        found = self.summary
+        return page_html(found.get("title") or str(self.folder), f"{found['done']:g} of {found['samples']:g} samples", table=self.samples.head(10))
 
 
-def study(path: str | os.PathLike[str], out: str | os.PathLike[str], *, jobs: int = 0, fresh: bool = False,
+def study(plan: Plan, out: str | os.PathLike[str], *, folder: str | os.PathLike[str] | None = None, jobs: int = 0, fresh: bool = False,
           progress: Callable[[dict[str, float]], Any] | None = None) -> Study:
-    """Computes a study file's samples on all processors. One that was stopped (Ctrl-C) or killed goes on where it was.
+    """Computes a study's samples on all processors. One that was stopped (Ctrl-C) or killed goes on where it was.
 
-    out:      folder of the results
+    plan:     path of a study's file (docs/studies.md), or a dict with the same keys, whose `case` may be a path, a dict or a Case
+    out:      folder of the results; of a dict its files, too
+    folder:   of a dict: where files are looked for that it names (default: the current folder)
     jobs:     worker processes; 0: as many as there are processors
     fresh:    what an earlier start has left in the folder is dropped
     progress: is called a few times a second with samples, done, failed, not_safe, jobs, wall_s, left_s, and stops the study
               (hawser.Stopped) by returning True
     """
+    path = study_file(plan, pathlib.Path(out), os.path.abspath(folder or os.curdir)) if isinstance(plan, Mapping) else plan
     command = [sys.executable, "-c", START, os.fspath(path), os.fspath(out), str(jobs), str(int(fresh))]
     paths = [str(pathlib.Path(__file__).resolve().parents[1]), os.environ.get("PYTHONPATH", "")]
     environment = {**os.environ, **ALONE, "PYTHONPATH": os.pathsep.join(filter(None, paths))}
@@ -91,6 +105,8 @@ def study(path: str | os.PathLike[str], out: str | os.PathLike[str], *, jobs: in
         raise OutputError(f"the process of the study ended with status {child.returncode}")
     if last["status"]:
         raised = error_from(last["status"], **last["told"])
+        if isinstance(plan, Mapping) and isinstance(raised, CaseError):
+            raise of_dict(raised, pathlib.Path(path))
         raise raised if os.path.exists(path) else MissingError(str(raised), path)
     return Study(out, last["answer"])
 

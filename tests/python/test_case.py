@@ -105,7 +105,7 @@ def test_theory_is_that_of_the_command(program):
     assert set(theory.names) == {key for key, value in said.items() if isinstance(value, list)}
     assert theory.verdict("forward").word == "NOT SAFE" and theory.verdict("backward").safe is False
     assert theory.limits.query("direction == 'forward' and name == 'restart'")["margin"].item() < 0
-    assert "Ducts, four bends and a pit" in str(theory) and "<pre>" in theory._repr_html_()
+    assert "Ducts, four bends and a pit" in str(theory) and "<b>forward NOT SAFE" in theory._repr_html_()
     with pytest.raises(KeyError, match="pieces"):
         theory["no such table"]
 

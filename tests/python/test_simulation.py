@@ -217,7 +217,10 @@ def test_wrong_order_and_wrong_numbers(pull):
         hawser.Simulation(pull, threads=7)
     with pytest.raises(ValueError, match="interval"):
         next(simulation.every(0))
-    assert simulation.advance(0.05) == simulation.time  # the past is left alone
+    for back in (lambda: simulation.advance(0.05), lambda: simulation.step(0.05)):
+        with pytest.raises(hawser.CaseError, match="at 0.1 s already") as found:  # returned 0.1, as if it had been done
+            back()
+    assert found.value.key == "until" and simulation.time == 0.1 == simulation.advance(0.1)
 
 
 def test_two_threads_of_c_give_the_same(pull):

@@ -1,6 +1,7 @@
 """The wheel: what is in it, and that it works where there is nothing of the build."""
 from __future__ import annotations
 
+import json
 import os
 import pathlib
 import re
@@ -33,6 +34,11 @@ def test_what_is_in_it(wheel):
     (texts,) = (name for name in names if name.endswith("/licences.txt"))  # there were none
     said = zipfile.ZipFile(wheel).read(texts).decode()
     assert "Redistribution and use in source and binary forms" in said and "KLU" in said
+    # there were none: LICENSE, what is inside of the program (NOTICE), of the library for mock-up units
+    licences = {name.split("/")[1] for name in names if name.startswith(f"hawser-{hawser.__version__}.dist-info/")}
+    assert {"LICENSE", "NOTICE"} <= licences
+    for library in ("libexpat1", "libyaml"):
+        assert f"LICENSE.{library}" in licences or not pathlib.Path(f"/usr/share/doc/{library}-dev/copyright").exists()
 
 
 def test_it_works_elsewhere(wheel, tmp_path):
@@ -46,5 +52,9 @@ def test_it_works_elsewhere(wheel, tmp_path):
                           env={**clean, "PYTHONPATH": str(tmp_path / "site")}, capture_output=True, check=True).stdout.split()
     assert int(said[0]) == len(hawser.library("ropes")) and said[1] in ("SAFE", "NOT")
     assert zipfile.is_zipfile(tmp_path / "pull.fmu")
+    # the command line, which was not there: "No module named hawser.__main__; 'hawser' is a package and cannot be directly executed"
+    found = subprocess.run([sys.executable, "-m", "hawser", "library", "ropes", "--format", "json"], cwd=tmp_path, check=True, capture_output=True,
+                           env={**clean, "PYTHONPATH": str(tmp_path / "site")}).stdout
+    assert len(json.loads(found)["entries"]) == int(said[0])
     linked = subprocess.run(["ldd", tmp_path / "site" / "hawser" / "_native.abi3.so"], capture_output=True, text=True).stdout
     assert "libhawser" not in linked and "not found" not in linked
