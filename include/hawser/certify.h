@@ -36,7 +36,7 @@ typedef struct hawser_certified {
 /* One run of the case. */
 typedef struct hawser_certify_run {
     int level[HAWSER_SOURCES];   /* how often each source is refined; 0, 0: the case as it is */
-    double accuracy, interval_s; /* solver.accuracy, output.interval */
+    double accuracy, interval_s; /* solver.accuracy (a share), output.interval */
     int segments;                /* of the whole chain */
     double friction;             /* v_s over the case's */
     hawser_status status;        /* how it ended */
@@ -70,9 +70,9 @@ typedef int (*hawser_certify_progress)(void *user, const hawser_certify_state *s
 typedef struct hawser_certify_options {
     double tolerance; /* share, above 0 and below 1; 0: 0.01 */
     int rounds;       /* at most so many; 0: 4 */
-    double effort;    /* the finer runs take no more than so many runs of the case: no round begins, and no run
-                       * goes on, that would; 0: 6 */
-    int threads;      /* runs side by side, 1 or 2; 0: 2 where there are two processors */
+    double effort; /* a number of runs of the case, which the finer runs take no more than: no round begins, and no run
+                    * goes on, that would; 0: 6 */
+    int threads;   /* runs side by side, 1 or 2; 0: 2 where there are two processors */
     hawser_certify_progress progress; /* may be NULL */
     void *user;
 } hawser_certify_options;

@@ -20,7 +20,7 @@ hawser_status hawser_sim_save(hawser_sim *s, const char *path, hawser_error *err
  * another case or another version: nothing has changed then), MEMORY, RUN (the simulation can only be freed then). */
 hawser_status hawser_sim_load(hawser_sim *s, const char *path, hawser_error *err);
 
-/* The same with memory; *bytes [*size] is malloc'ed: free it with hawser_bytes_free. */
+/* The same with memory; *bytes [*size] is malloc'ed: free it with hawser_bytes_free. Errors: as above. */
 hawser_status hawser_sim_save_memory(hawser_sim *s, void **bytes, size_t *size, hawser_error *err);
 hawser_status hawser_sim_load_memory(hawser_sim *s, const void *bytes, size_t size, hawser_error *err);
 void hawser_bytes_free(void *bytes);

@@ -21,14 +21,18 @@ extern "C" {
 
 /* ------------------------------------------------------------------------------------------------ cases */
 
-/* Reads a YAML case file (docs/case-format.md). The file's values are not interpreted yet: settings may follow. */
+/* Reads a YAML case file (docs/case-format.md). The file's values are not interpreted yet: settings may follow.
+ * Errors: INPUT with file and line; MEMORY. *out is NULL then. */
 hawser_status hawser_case_load(const char *path, hawser_case **out, hawser_error *err);
-/* The same from text; `name` stands in for the file's name in messages. It has no folder (hawser_case_folder). */
+/* The same from text; `name` stands in for the file's name in messages. It has no folder (hawser_case_folder).
+ * Errors: as above. */
 hawser_status hawser_case_parse(const char *text, const char *name, hawser_case **out, hawser_error *err);
-/* The same from JSON, for programs that have a case as data: same keys, values and errors; bare numbers are SI. */
+/* The same from JSON, for programs that have a case as data: same keys and values; bare numbers are SI.
+ * Errors: as above. */
 hawser_status hawser_case_parse_json(const char *text, const char *name, hawser_case **out, hawser_error *err);
 /* Sets one value by its dotted key, as --set does: "drive.winch.speed", "3 m/min"; list items by number, from 0, or by
- * name: "chain.0.segment", "route.pieces.C-D.straight". A key that is allowed but absent is added. */
+ * name: "chain.0.segment", "route.pieces.C-D.straight". A key that is allowed but absent is added.
+ * Errors: INPUT (no such place; what the value is shows when the case is checked), MEMORY. */
 hawser_status hawser_case_set(hawser_case *c, const char *key, const char *value, hawser_error *err);
 /* The value that the case gives under a dotted key, as JSON of maps, lists and texts ("\"3 m/min\""); "": all of it.
  * *text goes back with hawser_text_free. Errors: INPUT (the case does not give the key), MEMORY. */
@@ -48,16 +52,19 @@ hawser_status hawser_case_upgrade(const char *path, const char *to, int *changes
 /* What a case may hold, as a JSON Schema (draft 2020-12): every key with its kind, quantity, range, default and
  * choices, for editors, forms and other programs. *text as above. Errors: MEMORY. */
 hawser_status hawser_case_schema(char **text, hawser_error *err);
-/* Interprets and checks everything that can be checked without running. */
+/* Interprets and checks everything that can be checked without running. Errors: INPUT with file, line and key; MEMORY.
+ */
 hawser_status hawser_case_check(hawser_case *c, hawser_error *err);
 void hawser_case_free(hawser_case *c);
 
-/* What would be built: counts, masses, route lengths, theory. *text is malloc'ed: free it with hawser_text_free. */
+/* What would be built: counts, masses, route lengths, theory. *text is malloc'ed: free it with hawser_text_free.
+ * Errors: INPUT (the case is wrong), MEMORY. */
 hawser_status hawser_case_describe(hawser_case *c, hawser_format format, char **text, hawser_error *err);
-/* The closed-form pulling calculation of the case, station by station. *text as above. */
+/* The closed-form pulling calculation of the case, station by station. *text as above. Errors: as
+ * above. */
 hawser_status hawser_case_theory(hawser_case *c, hawser_format format, char **text, hawser_error *err);
 /* Everything that stands along the route by rising station: number, kind, name, station, place, tilt, load by the
- * pulling theory, rating, margin: a list for those who set it up. *text as above. */
+ * pulling theory, rating, margin: a list for those who set it up. *text as above. Errors: as above. */
 hawser_status hawser_case_equipment(hawser_case *c, hawser_format format, char **text, hawser_error *err);
 void hawser_text_free(char *text);
 
@@ -69,7 +76,8 @@ typedef struct hawser_options {
     int pin;     /* not 0: the second thread may confine itself to the cores that the first does not run on */
 } hawser_options;
 
-/* Builds the scene of a case. The case may be freed afterwards. options may be NULL. */
+/* Builds the scene of a case. The case may be freed afterwards. options may be NULL. Errors: INPUT (the case is
+ * wrong, or cannot be built), MEMORY. *out is NULL then. */
 hawser_status hawser_sim_new_sized(hawser_case *c, const hawser_options *options, size_t size, hawser_sim **out,
                                    hawser_error *err);
 #define hawser_sim_new(c, options, out, err) hawser_sim_new_sized(c, options, sizeof(hawser_options), out, err)
@@ -86,7 +94,8 @@ typedef struct hawser_relaxation {
     double moved_m;     /* farthest that a segment moved from the route */
 } hawser_relaxation;
 
-/* Brings the cable to static equilibrium under the loads of t = 0. Not reaching it is not an error: see `reached`. */
+/* Brings the cable to static equilibrium under the loads of t = 0. Not reaching it is not an error: see `reached`.
+ * Errors: INPUT (it has moved already), RUN, MEMORY, STOPPED. */
 hawser_status hawser_sim_relax(hawser_sim *s, hawser_relaxation *out, hawser_error *err);
 
 /* A named place of the chain (output.probes). World components; rotations from t = 0 as a vector, at most pi long.
@@ -120,13 +129,13 @@ typedef struct hawser_sample {
     double reference;          /* N, winch force by the reference theory for that place; NAN where it has none */
     double step_size;          /* s, of the last step */
     const double *position;    /* [3*segments] x0 y0 z0 x1 ..., m */
-    const double *quaternion;  /* [4*segments] w x y z ... */
+    const double *quaternion;  /* [4*segments] w x y z ..., unit */
     const double *velocity;    /* [3*segments], m/s */
     const double *omega;       /* [3*segments], rad/s */
     const double *tension;     /* [joints], axial force, N, positive in tension */
     const double *axial_speed; /* [segments], m/s, along the segment's own axis */
     const double *roller_load; /* [rollers], N, size of the contact force on the roller */
-    const double *roller_spin, *roller_shift; /* rad/s, m; NAN: does not spin, has no mount; NULL: no roller moves */
+    const double *roller_spin, *roller_shift; /* [rollers], rad/s, m; NAN: no spin, mount; NULL: none moves */
     int surfaces;
     const double *surface_normal;    /* [surfaces], N, sum of the normal forces on the surface */
     const double *surface_friction;  /* [surfaces], N, sum of the friction forces on it */
@@ -143,8 +152,9 @@ typedef struct hawser_sample {
     const char *held_up;       /* in the progress function only: what makes the run slow; NULL: nothing does */
 } hawser_sample;
 
-/* Advances to t (s) exactly; with `one_step` not 0 by a single step of the integrator's own, not beyond t. Returns
- * HAWSER_ERR_RUN with when, where and what to try if the integration fails; the last good step's state is kept. */
+/* Advances to t (s) exactly; with `one_step` not 0 by a single step of the integrator's own, not beyond t. A t that has
+ * gone by changes nothing. Errors: RUN with when, where and what to try if the integration fails (the last good step's
+ * state is kept), INPUT (t is not finite), MEMORY, STOPPED (by a call-back). */
 hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_error *err);
 double hawser_sim_time(const hawser_sim *s);
 /* The case's duration; earlier once a winch that tripped has ended the run. */
@@ -158,12 +168,13 @@ void hawser_sim_record(hawser_sim *s);
  * Where that leaves numerical errors alone open it is done once or twice more with finer settings, unless solver.passes
  * forbids it (hawser_summary, `passes`); where those results replace the first, all calls speak of the last pass then.
  * `progress` (may be NULL) is called a few times a second; a value other than 0 stops the run cleanly (HAWSER_STOPPED,
- * with what was computed written; in a finer pass the results are those before it). OUTPUT: a renamed `dir`, too. */
+ * with what was computed written; in a finer pass the results are those before it). Errors:
+ * INPUT, RUN (what was computed until then is written), OUTPUT (a renamed `dir`, too), MEMORY, STOPPED. */
 hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err);
 
 /* The machines (conveyors and the like), kind by kind; *out stays the simulation's. Returns how many. */
 int hawser_sim_machines(const hawser_sim *s, const hawser_machine **out);
-/* The figure of that key (now or of the run); NAN: the machine has none. */
+/* The figure of that key (now or of the run), in the unit that the key ends in; NAN: the machine has none. */
 double hawser_machine_figure(const hawser_machine *machine, const char *key);
 
 /* The modes, by rising omega squared; none before the run's end. *out stays the simulation's. Returns how many. */
@@ -185,9 +196,9 @@ typedef struct hawser_summary {
     double origin_m[3];     /* of all coordinates, in those of the case (route.origin) */
     int contact_candidates; /* pairs of line element and roller that are looked at, largest over the run */
     int contact_active_max;
-    double sim_time_s, wall_time_s, real_time_factor;
+    double sim_time_s, wall_time_s, real_time_factor; /* factor: simulated over wall time */
     long steps, rhs_evals, newton_iters, jac_evals, lin_setups, error_test_fails, newton_fails, contact_refreshes;
-    double steps_per_second;       /* of integration: building, relaxation and output left out */
+    double steps_per_second;       /* 1/s, of integration: building, relaxation and output left out */
     const char *linear_solver;     /* "klu" ... */
     const char *linear_solver_why; /* why it was chosen */
     const char *ordering;
@@ -233,7 +244,7 @@ typedef struct hawser_summary {
 /* Fills as much of it as the caller knows. */
 void hawser_sim_summary_sized(const hawser_sim *s, hawser_summary *out, size_t size);
 #define hawser_sim_summary(s, out) hawser_sim_summary_sized(s, out, sizeof(hawser_summary))
-/* The summary as the text of summary.json; free it with hawser_text_free. */
+/* The summary as the text of summary.json; free it with hawser_text_free. Errors: MEMORY. */
 hawser_status hawser_sim_summary_json(const hawser_sim *s, char **text, hawser_error *err);
 
 /* The stations, from the route's start on; *out stays the simulation's. Returns how many. */

@@ -46,7 +46,7 @@ typedef struct hawser_limit {
     const char *name; /* of its kind: "pull" of HAWSER_LIMIT_PULL, "bend_radius" of HAWSER_LIMIT_BEND_RADIUS; lives for
                        * ever */
     const char *unit; /* "N", "N/m", "m", "m/s", "1" */
-    double value;     /* what was found: the worst */
+    double value;     /* what was found, in `unit`: the worst */
     double limit;     /* what is allowed: at most, of bend_radius, rope_bend and clearance at least; of jam_ratio the
                        * nearer end of the band in which cables jam; of trip that of the band in which it may be */
     double margin;    /* 1 - value/limit, where it is the least that is allowed 1 - limit/value: below 0 the limit is

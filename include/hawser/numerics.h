@@ -17,7 +17,7 @@ typedef struct hawser_error_bar {
 
 /* One pass of a run: its settings, and what it found by itself. */
 typedef struct hawser_pass {
-    double accuracy;                         /* solver.accuracy */
+    double accuracy;                         /* solver.accuracy, a share */
     int segments;                            /* of the whole chain */
     double friction;                         /* v_s over the case's */
     double pull_mean_N, pull_peak_N;         /* as in hawser_summary */
@@ -47,7 +47,7 @@ typedef enum hawser_balance_kind {
 typedef struct hawser_balance_term {
     hawser_balance_kind kind;
     const char *name; /* lives for ever */
-    double J;         /* NAN of an impulse */
+    double J;         /* in J; NAN of an impulse */
     double N_s[3];    /* 0 but of an impulse */
 } hawser_balance_term;
 
@@ -86,8 +86,8 @@ typedef struct hawser_quasi_static {
     long positions, iterations; /* positions; of Newton's method for them */
     long stretches, refused;    /* how often they began; how often they did not, for the pull was not theirs yet */
     double first_s, time_s;     /* when they first began; for how long they moved the run */
-    double apart; /* the largest difference of a stretch's first position from the mean pull before it, of that */
-    double swing; /* the most that the pull swung by as positions began, of its mean: what they leave out of a peak */
+    double apart;    /* the largest difference of a stretch's first position from the mean pull before it, a share */
+    double swing;    /* the most that the pull swung by as positions began, a share of its mean: what peaks lack */
     const char *why; /* why there were none and cannot be; NULL: there can be */
 } hawser_quasi_static;
 

@@ -49,9 +49,9 @@ typedef struct hawser_cable_point {
 hawser_status hawser_sim_cable(struct hawser_sim *s, const hawser_cable_point **out, int *n, int *first,
                                hawser_error *err);
 
-/* Least, mean over time and largest of what a place or a joint has seen. [n] each; NAN: nothing. */
+/* Least, mean over time and largest of what a place or a joint has seen, in the unit of its name; NAN: nothing. */
 typedef struct hawser_extremes {
-    const double *least, *mean, *largest;
+    const double *least, *mean, *largest; /* [n] */
 } hawser_extremes;
 typedef struct hawser_envelope {
     int n;
@@ -88,7 +88,7 @@ typedef struct hawser_geometry {
     const hawser_conveyor_shape *conveyor;
     const double *length_m, *diameter_m; /* [segments] */
     int has_winch, has_reel;
-    double winch_m[3], winch_direction[3];
+    double winch_m[3], winch_direction[3];                                      /* direction: unit */
     double reel_m[3], reel_axis[3], reel_barrel_m, reel_flange_m, reel_width_m; /* radii; between the flanges */
 } hawser_geometry;
 /* *out is the simulation's as long as it lives. Errors: INPUT (NULL), MEMORY. */

@@ -30,8 +30,9 @@ hawser_status hawser_plot_write(const char *folder, const char *dir, size_t n, c
  * Errors: INPUT (no results; which file is not the run's), MEMORY. */
 hawser_status hawser_results_check(const char *folder, hawser_error *err);
 
-/* Whether a file may be written without harm to the case: INPUT if `path` leads to one that the case is read from
- * (itself, what it includes, its route, its drawing). Runs and whatever else the library writes look themselves. */
+/* Whether a file may be written without harm to the case. Runs and whatever else the library writes look themselves.
+ * Errors: INPUT (`path` leads to a file that the case is read from: itself, what it includes, its route, its drawing),
+ * MEMORY. */
 hawser_status hawser_case_spares(hawser_case *c, const char *path, hawser_error *err);
 
 /* Writes the calculation of one chain as a page (HTML) that can be handed on and printed: answer, plan, profile,
@@ -40,7 +41,8 @@ hawser_status hawser_case_spares(hawser_case *c, const char *path, hawser_error 
 hawser_status hawser_case_calculation(struct hawser_case *c, hawser_units units, const char *path, hawser_word *word,
                                       hawser_error *err);
 /* Writes the crew's sheet in the same way, for the pull forward: one side with the winch's force by the place of the
- * cable's front, where it is set to stop, speeds, rope, where somebody has to stand, rollers that bear most. */
+ * cable's front, where it is set to stop, speeds, rope, where somebody has to stand, rollers that bear most.
+ * Errors: as above. */
 hawser_status hawser_case_crew_sheet(struct hawser_case *c, hawser_units units, const char *path, hawser_word *word,
                                      hawser_error *err);
 

@@ -66,7 +66,7 @@ hawser_status hawser_routes_read(const char *path, const hawser_route_options *o
                                  hawser_error *err);
 void hawser_routes_free(hawser_routes *r);
 int hawser_routes_count(const hawser_routes *r);
-/* What `hawser route` prints. *text is malloc'ed: free it with hawser_text_free. */
+/* What `hawser route` prints. *text is malloc'ed: free it with hawser_text_free. Errors: MEMORY. */
 hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format format, char **text, hawser_error *err);
 /* One of them, 0 <= i < count. Errors: INPUT (no such line). */
 hawser_status hawser_routes_figures(const hawser_routes *r, int i, hawser_route_figures *out, hawser_error *err);

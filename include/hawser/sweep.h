@@ -53,9 +53,8 @@ typedef struct hawser_study_cluster {
  */
 hawser_status hawser_study_run_on(hawser_study *s, const char *dir, const hawser_study_options *options,
                                   const hawser_study_cluster *cluster, hawser_error *err);
-/* One task of the array that hawser_study_run_on has submitted: computes its samples and makes no tables. Errors as
- * there.
- */
+/* One task of the array that hawser_study_run_on has submitted: computes its samples and makes no tables. Errors: as
+ * there. */
 hawser_status hawser_study_task(hawser_study *s, const char *dir, int task, const hawser_study_options *options,
                                 hawser_error *err);
 /* The page of the study whose samples are in a folder, as far as they go, also while others compute. Errors: INPUT (the
@@ -64,7 +63,7 @@ hawser_status hawser_study_report(const char *dir, const char *page, hawser_erro
 /* ----------------------------------------------------------------------------------------------------- derivatives */
 
 /* What the winch force of hawser_case_theory, tensions and support forces change by with friction, weight, tension at
- * the start and pushes: exact derivatives. *text as above. */
+ * the start and pushes: exact derivatives. *text as above. Errors: as hawser_case_theory. */
 hawser_status hawser_case_sensitivities(hawser_case *c, hawser_format format, char **text, hawser_error *err);
 /* The same of a run, which this computes: means over the steady window and their derivatives by each of n dotted keys
  * of the case, by the linearised equations of motion. `stop` may be NULL; other than 0 ends it. *text as above; *json
@@ -75,7 +74,7 @@ hawser_status hawser_case_run_sensitivities(hawser_case *c, size_t n, const char
                                             hawser_error *err);
 /* The figures of one position, that which the run ends at, by each of n dotted keys of the case, or with n = 0 by every
  * number in it that can be a little less or more: one solution for each figure, however many keys there are
- * (docs/model/92-sensitivities.md, "Changes of a position"). All else as above. */
+ * (docs/model/92-sensitivities.md, "Changes of a position"). All else as above. Errors: as above. */
 hawser_status hawser_case_position_sensitivities(hawser_case *c, size_t n, const char *const *keys,
                                                  hawser_format format, int (*stop)(void *user), void *user, char **text,
                                                  char **json, hawser_error *err);

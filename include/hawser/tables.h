@@ -12,7 +12,7 @@ extern "C" {
 /* A figure and its name, which ends in its unit and lives for ever: "force_N". */
 typedef struct hawser_figure {
     const char *key;
-    double value;
+    double value; /* in the unit that `key` ends in */
 } hawser_figure;
 
 /* A machine of which a run keeps figures; docs/results.md says which, by kind. */
@@ -144,7 +144,7 @@ typedef struct hawser_condition {
 /* How several cables lie in a duct (docs/model.md, "Bundles"). */
 typedef struct hawser_bundle_duct {
     const char *name, *layout;
-    double weight_factor;     /* of the layout; how much of it friction has, the next two say */
+    double weight_factor;     /* a factor, of the layout; how much of it friction has, the next two say */
     double friction_straight; /* coefficient of the cable that stands for them, at speed */
     double friction_bend;
     double sidewall_factor;   /* the worst loaded cable's share of T/R and of any force across the bundle */
@@ -162,7 +162,7 @@ typedef struct hawser_bundle {
     double mass_kg_per_m, EA_N, GA_N, GJ_N_m2, EI_N_m2; /* of all together, free to slide on each other */
     double diameter_m; /* with which it touches: of the thickest, of twisted ones that of the circle round them */
     double lay_m;      /* NAN: not twisted */
-    double share;      /* of a force across the bundle, on the worst cable, where there is no duct */
+    double share;      /* a share of a force across the bundle, on the worst cable, where there is no duct */
     int pulled;        /* cables that count for the allowable pull */
     int n_ducts;
     const hawser_bundle_duct *ducts; /* [n_ducts] */

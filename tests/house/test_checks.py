@@ -10,6 +10,7 @@ import check_documents
 import check_equations
 import check_handles
 import check_includes
+import check_reference
 import check_sizes
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts"))
@@ -30,6 +31,29 @@ class Tree:
     def complaints(self, check):
         with self.folder:
             return check(self.folder.name)
+
+
+class Reference(unittest.TestCase):
+    def check(self, text):
+        return Tree({"include/hawser/a.h": text}).complaints(check_reference.check)
+
+    def test_what_says_all_is_fine(self):
+        self.assertEqual([], self.check("/* Reads it. Errors: INPUT. */\nhawser_status hawser_a_read(const char *path, double at_m, hawser_error *err);\n"
+                                        "hawser_status hawser_a_again(const char *path, hawser_error *err);\n"
+                                        "/* Where it is, s. */\ndouble hawser_a_time(const hawser_a *a);\nvoid hawser_a_free(hawser_a *a);\n"))
+        self.assertEqual([], self.check("typedef struct hawser_b {\n    double t;  /* s */\n    double force_N, pull[3]; /* N */\n"
+                                        "    const double *x; /* [n], m */\n} hawser_b;\n"))
+        self.assertEqual([], self.check("typedef struct hawser_b {\n    const char *unit;\n    double value; /* the worst */\n} hawser_b;\n"))
+
+    def test_what_is_missing_is_caught(self):
+        for text, what in (("/* Reads it. */\nhawser_status hawser_a_read(const char *path);\n", "no 'Errors:'"),
+                           ("\nhawser_status hawser_a_read(const char *path);\n", "no comment"),
+                           ("/* How long it is. */\n\nint hawser_a_count(const hawser_a *a);\n", "no comment"),
+                           ("/* The length. */\ndouble hawser_a_length(const hawser_a *a);\n", "no unit of what it returns"),
+                           ("/* Errors: INPUT. */\nhawser_status hawser_a_go(hawser_a *a, double far);\n", "no unit of far"),
+                           ("typedef struct hawser_b {\n    double pull; /* the largest */\n} hawser_b;\n", "hawser_b.pull: no unit"),
+                           ("typedef struct hawser_b {\n    const double *x; /* m */\n} hawser_b;\n", "hawser_b.x: no shape")):
+            self.assertIn(what, " ".join(self.check(text)), text)
 
 
 class Includes(unittest.TestCase):

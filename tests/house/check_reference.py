@@ -1,0 +1,82 @@
+"""The comments of the public headers say what a caller must know: what can go wrong, the unit of each number
+with one, the shape of each array. Usage: check_reference.py TREE"""
+import pathlib
+import re
+import sys
+
+NAMED = re.compile(r"_(m|m2|m3|mm|s|N|rad|deg|kg|K|Pa|Hz|J|W|N_m|N_m2|N_per_m|kg_per_m|kg_per_m3|m_per_s|rad_per_s|per_m|per_s|pct|N_per_unit|unit|MB|usd)$")
+UNIT = re.compile(r"(?<![\w.])(m|mm|m2|s|N|kN|rad|kg|Hz|J|W|%|N/m|N m|N m2|m/s|rad/s|1/m|1/s|1/s2|m/s2|N s/m|unit|units|SI|share|shares|factor|ratio|times|coefficients?|over|1|radii"
+                  r"|pure number|number)(?![\w])")
+FUNCTION = re.compile(r"^(?!typedef|#)([\w ]+?[ *]+)(hawser_\w+)\(([^;{}]*)\);[ \t]*(?:/\*(.*?)\*/)?", re.M | re.S)
+STRUCT = re.compile(r"^typedef struct (\w+) \{\n(.*?)^\} \1;", re.M | re.S)
+MEMBER = re.compile(r"^[ ]+((?:const )?double)\b([^;]*);[ \t]*(?:/\*(.*?)\*/)?", re.M | re.S)
+
+
+def plain(comment):
+    return re.sub(r"\s*\n\s*\*?\s*", " ", comment or "").strip()
+
+
+def comment_before(text, at):
+    """The comment that ends right above a declaration, or above those that stand right above it."""
+    above = text[:at].rstrip("\n")
+    if text[len(above):at].count("\n") > 1:
+        return ""
+    if above.endswith("*/"):
+        return plain(above[above.rfind("/*") + 2:-2])
+    earlier = [m for m in FUNCTION.finditer(text) if m.end() <= at and not text[m.end():at].strip()]
+    if earlier:
+        return comment_before(text, earlier[-1].start())
+    define = re.search(r"(?:^|\n)(#define [^\n]*(?:\\\n[^\n]*)*|typedef [^;{}]*;|enum [^;]*;)$", above)
+    return comment_before(text, define.start(1)) if define else ""
+
+
+def of_functions(path, text):
+    for m in FUNCTION.finditer(text):
+        kind, name, parameters, behind = m.groups()
+        told = f"{comment_before(text, m.start())} {plain(behind)}".strip()
+        if name.endswith("_free") or name.endswith("_close"):
+            continue
+        if not told:
+            yield f"{path.name}: {name}: no comment"
+            continue
+        if "hawser_status" in kind and not re.search(r"\bErrors?:", told):
+            yield f"{path.name}: {name}: no 'Errors:'"
+        if kind.strip() == "double" and not (UNIT.search(told) or NAMED.search(name)):
+            yield f"{path.name}: {name}: no unit of what it returns"
+        for number in re.finditer(r"\b(?:const )?double (\**)(\w+)((?:\[\w*\])*)", parameters):
+            star, what, size = number.groups()
+            if not (NAMED.search(what) or UNIT.search(told)):
+                yield f"{path.name}: {name}: no unit of {what}"
+
+
+def of_members(path, text):
+    for struct in STRUCT.finditer(text):
+        body, last = struct.group(2), ""
+        above = comment_before(text, struct.start())
+        of_all = "unit" if re.search(r"\*unit;", body) else above if re.search(r"\bunits?\b|, s;", above) else ""  # the row says which
+        for m in MEMBER.finditer(body):
+            told = plain(m.group(3))
+            known = f"{told or last} {of_all}"
+            for word in m.group(2).split(","):
+                name = re.search(r"(\w+)((?:\[\w+\])*)$", word.strip())
+                if not name or name.group(1) == "reserved":
+                    continue
+                if "*" in word and not re.search(r"\[[^\]]+\]", known):
+                    yield f"{path.name}: {struct.group(1)}.{name.group(1)}: no shape"
+                if not (NAMED.search(name.group(1)) or UNIT.search(known)):
+                    yield f"{path.name}: {struct.group(1)}.{name.group(1)}: no unit"
+            last = told or last
+
+
+def check(tree):
+    found = []
+    for path in sorted((pathlib.Path(tree) / "include" / "hawser").glob("*.h")):
+        text = path.read_text(encoding="utf-8")
+        found += [*of_functions(path, text), *of_members(path, text)]
+    return found
+
+
+if __name__ == "__main__":
+    complaints = check(sys.argv[1])
+    print("\n".join(complaints))
+    sys.exit(1 if complaints else 0)
