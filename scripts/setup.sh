@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs the Debian packages that building, running and testing hawser needs and that are not there yet.
-# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz | --mutants | --coverage | --web | --wasm | --deb | --python | --clusters]
+# Usage: sh scripts/setup.sh [--lint | --bench | --fuzz | --mutants | --coverage | --web | --wasm | --deb | --python | --clusters | --site]
 #   --lint      also what scripts/lint.sh needs
 #   --fuzz      also what scripts/fuzz.sh needs
 #   --mutants   also what scripts/mutants.py needs
@@ -11,6 +11,7 @@
 #   --deb       also what packaging/deb.sh needs
 #   --python    also what the Python package, its tests and its notebooks need; goes on without what is not to be had
 #   --clusters  also what `hawser study --mpi` is built with, and OpenMPI and Slurm for the tests of studies
+#   --site      also what scripts/site.sh needs, and what --python does
 #   --bench     also the programs that scripts/bench.sh compares with; goes on without them where they are not to be had
 # Says nothing and calls no apt-get when everything is there. Needs root or sudo only when something is missing.
 set -eu
@@ -24,6 +25,7 @@ mutants_packages="python3-clang-14"
 coverage_packages="gcovr"
 python_packages="python3-dev python3-cffi python3-setuptools python3-wheel python3-pip python3-numpy python3-pandas python3-h5py
     python3-xarray python3-jsonschema python3-yaml python3-pytest python3-matplotlib python3-nbclient python3-nbformat python3-ipykernel mypy"
+site_packages="doxygen python3-sphinx python3-myst-parser python3-breathe"
 cluster_packages="libopenmpi-dev openmpi-bin slurmctld slurmd slurm-client"
 wasm_packages="emscripten dpkg-dev"
 deb_packages="debhelper lintian fakeroot"
@@ -41,11 +43,12 @@ case "${1-}" in
 --wasm) packages="$packages $wasm_packages" ;;
 --deb) packages="$packages $deb_packages" ;;
 --clusters) packages="$packages $cluster_packages" ;;
+--site) packages="$packages $python_packages $site_packages" ;;
 --bench) peers=yes ;;
 --web) web=yes ;;
 --python) python=yes ;;
 *)
-    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz, --mutants, --coverage, --web, --wasm, --deb, --python, --clusters)" >&2
+    echo "setup.sh: unknown option '$1' (only --lint, --bench, --fuzz, --mutants, --coverage, --web, --wasm, --deb, --python, --clusters, --site)" >&2
     exit 2
     ;;
 esac

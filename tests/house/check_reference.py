@@ -4,30 +4,14 @@ import pathlib
 import re
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "packaging" / "site"))
+from header import FUNCTION, comment_before, plain  # noqa: E402
+
 NAMED = re.compile(r"_(m|m2|m3|mm|s|N|rad|deg|kg|K|Pa|Hz|J|W|N_m|N_m2|N_per_m|kg_per_m|kg_per_m3|m_per_s|rad_per_s|per_m|per_s|pct|N_per_unit|unit|MB|usd)$")
 UNIT = re.compile(r"(?<![\w.])(m|mm|m2|s|N|kN|rad|kg|Hz|J|W|%|N/m|N m|N m2|m/s|rad/s|1/m|1/s|1/s2|m/s2|N s/m|unit|units|SI|share|shares|factor|ratio|times|coefficients?|over|1|radii"
                   r"|pure number|number)(?![\w])")
-FUNCTION = re.compile(r"^(?!typedef|#)([\w ]+?[ *]+)(hawser_\w+)\(([^;{}]*)\);[ \t]*(?:/\*(.*?)\*/)?", re.M | re.S)
 STRUCT = re.compile(r"^typedef struct (\w+) \{\n(.*?)^\} \1;", re.M | re.S)
 MEMBER = re.compile(r"^[ ]+((?:const )?double)\b([^;]*);[ \t]*(?:/\*(.*?)\*/)?", re.M | re.S)
-
-
-def plain(comment):
-    return re.sub(r"\s*\n\s*\*?\s*", " ", comment or "").strip()
-
-
-def comment_before(text, at):
-    """The comment that ends right above a declaration, or above those that stand right above it."""
-    above = text[:at].rstrip("\n")
-    if text[len(above):at].count("\n") > 1:
-        return ""
-    if above.endswith("*/"):
-        return plain(above[above.rfind("/*") + 2:-2])
-    earlier = [m for m in FUNCTION.finditer(text) if m.end() <= at and not text[m.end():at].strip()]
-    if earlier:
-        return comment_before(text, earlier[-1].start())
-    define = re.search(r"(?:^|\n)(#define [^\n]*(?:\\\n[^\n]*)*|typedef [^;{}]*;|enum [^;]*;)$", above)
-    return comment_before(text, define.start(1)) if define else ""
 
 
 def of_functions(path, text):
