@@ -9,8 +9,8 @@ import subprocess
 import sys
 
 
-# Libraries that are inside of what the wheel has, not only linked by it: the library for mock-up units has them (fmi/CMakeLists.txt).
-INSIDE = ("libexpat1-dev", "libyaml-dev")
+# Libraries of which the library for mock-up units has the code in it, where Debian's static ones can be moved (fmi/unit/CMakeLists.txt).
+INSIDE = ("libsundials-dev", "libsuitesparse-dev", "libexpat1-dev", "libyaml-dev", "libjansson-dev", "libzip-dev", "zlib1g-dev", "libshp-dev")
 
 
 def copy_licences(source: pathlib.Path, package: pathlib.Path) -> None:

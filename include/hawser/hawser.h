@@ -156,9 +156,11 @@ typedef struct hawser_sample {
  * gone by changes nothing. Errors: RUN with when, where and what to try if the integration fails (the last good step's
  * state is kept), INPUT (t is not finite), MEMORY, STOPPED (by a call-back). */
 hawser_status hawser_sim_advance(hawser_sim *s, double t, int one_step, hawser_error *err);
+/* Where it is, s. */
 double hawser_sim_time(const hawser_sim *s);
-/* The case's duration; earlier once a winch that tripped has ended the run. */
+/* The case's duration, s; earlier once a winch that tripped has ended the run. */
 double hawser_sim_end_time(const hawser_sim *s);
+/* How everything is now; the simulation's, good until the next sample. */
 const hawser_sample *hawser_sim_sample(hawser_sim *s);
 /* Takes the state of now into the statistics of the summary: means of the steady window, peaks. hawser_sim_run does so
  * at the case's output.interval; who advances by himself calls it after each advance. */

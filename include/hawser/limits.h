@@ -82,9 +82,11 @@ typedef enum hawser_word {
     HAWSER_SAFE_ONLY_IF, /* a limit breaks within the usual range of a value that the case does not give */
     HAWSER_WORDS
 } hawser_word;
-/* Of what hawser_verdict returned; the word as it is printed ("SAFE ONLY IF"); its code in files ("safe_if"). */
+/* Of what hawser_verdict returned. */
 hawser_word hawser_verdict_word(int found);
+/* The word as it is printed ("SAFE ONLY IF"). */
 const char *hawser_word_text(hawser_word word);
+/* Its code in files ("safe_if"). */
 const char *hawser_word_code(hawser_word word);
 /* The word that a verdict begins with; HAWSER_WORDS: none. */
 hawser_word hawser_word_of(const char *verdict);

@@ -104,9 +104,10 @@ hawser_status hawser_sim_route_length(const struct hawser_sim *s, double *length
 hawser_status hawser_sim_route_at(const struct hawser_sim *s, double s_m, hawser_route_place *out, hawser_error *err);
 
 /* Of several chains that are pulled together (docs/bundles.md) the simulation is that of the first, and moves all of
- * them. How many there are (1: it is alone); the simulation of chain k, from 0, which is the first's and goes with it:
- * it can be looked at and told what to do, but not moved; NULL: there is none. */
+ * them. How many there are; 1: it is alone. */
 int hawser_sim_chains(const struct hawser_sim *s);
+/* The simulation of chain k, from 0, which is the first's and goes with it: it can be looked at and told what to do,
+ * but not moved; NULL: there is none. */
 struct hawser_sim *hawser_sim_chain(struct hawser_sim *s, int k);
 /* Its name; empty where it is alone. */
 const char *hawser_sim_chain_name(const struct hawser_sim *s);

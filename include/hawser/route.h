@@ -65,6 +65,7 @@ typedef struct hawser_route_place {
 hawser_status hawser_routes_read(const char *path, const hawser_route_options *options, hawser_routes **out,
                                  hawser_error *err);
 void hawser_routes_free(hawser_routes *r);
+/* How many there are. */
 int hawser_routes_count(const hawser_routes *r);
 /* What `hawser route` prints. *text is malloc'ed: free it with hawser_text_free. Errors: MEMORY. */
 hawser_status hawser_routes_describe(const hawser_routes *r, hawser_format format, char **text, hawser_error *err);

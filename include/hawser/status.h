@@ -44,6 +44,7 @@ typedef struct hawser_error {
 #define HAWSER_VERSION_PATCH  0
 #define HAWSER_VERSION_NUMBER (10000 * HAWSER_VERSION_MAJOR + 100 * HAWSER_VERSION_MINOR + HAWSER_VERSION_PATCH)
 const char *hawser_version(void);
+/* As HAWSER_VERSION_NUMBER. */
 int hawser_version_number(void);
 
 /* Text for people, in SI or in US units (hawser/shown.h); for programs, in SI always. */

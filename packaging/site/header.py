@@ -18,8 +18,9 @@ def comment_before(text, at):
     if above.endswith("*/"):
         return plain(above[above.rfind("/*") + 2:-2])
     earlier = [m for m in FUNCTION.finditer(text) if m.end() <= at and not text[m.end():at].strip()]
-    if earlier:
-        return comment_before(text, earlier[-1].start())
+    here = FUNCTION.match(text, at)
+    if earlier:  # what is said of one that fails is not said of one that gives a value
+        return comment_before(text, earlier[-1].start()) if here and here[1] == earlier[-1][1] else ""
     define = re.search(r"(?:^|\n)(#define [^\n]*(?:\\\n[^\n]*)*|typedef [^;{}]*;|enum [^;]*;)$", above)
     return comment_before(text, define.start(1)) if define else ""
 
