@@ -6,14 +6,14 @@ file(GLOB_RECURSE sources CONFIGURE_DEPENDS core/*.c def/*.c theory/*.c survey/*
 list(APPEND sources io/api/api_answer.c io/api/api_case.c io/api/api_library.c io/api/api_plausible.c io/api/api_remedy.c io/api/api_route.c
      io/api/api_theory.c io/api/api_equipment.c io/api/theory_tables.c io/report/calculation.c io/report/crew.c io/report/route_page.c io/report/svg.c
      io/report/text.c io/results/document.c io/results/page.c io/results/results_file.c io/results/shown.c io/results/summary_json.c
-     io/results/tables.c io/results/words.c io/results/words_table.c io/results/workbook.c web/engine/desk.c)
+     io/results/tables.c io/results/words.c io/results/words_table.c io/results/workbook.c web/engine/along.c web/engine/desk.c)
 add_executable(hawser_desk ${sources})
 target_include_directories(hawser_desk PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include ${DESK_LIBRARIES}/include)
 target_compile_definitions(hawser_desk PRIVATE HAWSER_ISA=generic HAWSER_VERSION="${PROJECT_VERSION}")
 target_compile_options(hawser_desk PRIVATE -O2 -Wno-unused-command-line-argument -Wno-psabi -fno-math-errno -fno-trapping-math
                        -fmacro-prefix-map=${PROJECT_SOURCE_DIR}=.)
 set(functions malloc free)
-foreach(name theory answer page schema route)
+foreach(name theory answer page schema route along library words)
     list(APPEND functions desk_${name})
 endforeach()
 list(TRANSFORM functions PREPEND _)

@@ -91,3 +91,27 @@ export function completions(top: Schema): (context: CompletionContext) => Comple
     return options.length ? { from: before.from, options, validFor: /^[\w-]*$/ } : null;
   };
 }
+
+/** What the schema says of a key: its help, quantity and default. English: it is the program's. */
+export function about(top: Schema, path: Path): string {
+  let here = forms(top, top);
+  for (const step of path) here = below(here, step, top);
+  const info = here.find((one) => one.description)?.description ?? '';
+  return [info, detail(here)].filter(Boolean).join(' \u2013 ');
+}
+
+/** All keys that a case may hold, by section, with what the schema says of them. */
+export function keys(top: Schema): { key: string; words: string }[] {
+  const sections: [string, Schema][] = [['', top], ...Object.entries(top.$defs ?? {})];
+  return sections.flatMap(([section, schema]) =>
+    Object.keys(schema.properties ?? {}).map((name) => {
+      const here = below([schema], name, top);
+      const info = here.find((one) => one.description)?.description ?? '';
+      const choices = here.flatMap((one) => one.enum ?? []).join(', ');
+      return {
+        key: section ? `${section}.${name}` : name,
+        words: [info, choices, detail(here)].filter(Boolean).join(' \u2013 '),
+      };
+    }),
+  );
+}

@@ -36,7 +36,11 @@ export interface Theory {
   length_m: number;
   largest_force_N: number;
   backward_largest_force_N: number;
+  max_sidewall_N_per_m: number;
+  better_direction: string;
   remedies?: Remedy[];
+  limits?: Limit[];
+  ducts?: Duct[];
   /** Of several chains that are pulled together, each under its name; nothing else stands beside it then. */
   theory?: Record<string, Theory>;
 }
@@ -50,7 +54,82 @@ export interface RouteLine {
   problem?: string | null;
 }
 
-export type Call = 'theory' | 'answer' | 'page' | 'schema' | 'route';
+/** What is drawn along the route (web/engine/along.c): m, N, N/m; coordinates are the case's. */
+export interface Along {
+  s_m: number[];
+  x_m: number[];
+  y_m: number[];
+  z_m: number[];
+  forward_N: (number | null)[];
+  backward_N: (number | null)[];
+  forward_sidewall_N_per_m: (number | null)[];
+  backward_sidewall_N_per_m: (number | null)[];
+  north_deg: number | null;
+  pieces: Piece[];
+  stands: { equipment: Stand[] };
+}
+
+export type Vector = [number, number, number];
+
+export interface Piece {
+  /** Which item of the route's list it is, from 1 on; 0: none. */
+  listed: number;
+  kind: 'straight' | 'bend' | 'curve' | 'cubic';
+  name: string;
+  s_m: number;
+  length_m: number;
+  radius_m: number | null;
+  angle_deg: number;
+  start: Vector;
+  tangent: Vector;
+  /** Of a bend: from its start toward its centre. */
+  centre: Vector;
+}
+
+export interface Stand {
+  kind: 'roller' | 'hold-down' | 'guide' | 'conveyor' | 'machine' | 'pit' | 'winch' | 'reel';
+  name: string;
+  station_m: number;
+  x_m: number;
+  y_m: number;
+  z_m: number;
+  load_N: number | null;
+  rating_N: number | null;
+  margin_pct: number | null;
+}
+
+export interface Entry {
+  name: string;
+  figures: string;
+  ranges: string;
+  mark: string;
+  note: string;
+  source: string;
+}
+
+export interface Limit {
+  direction: string;
+  name: string;
+  value: number | null;
+  limit: number | null;
+  unit: string;
+  margin: number | null;
+  where: string;
+  ok: string;
+}
+
+export interface Duct {
+  name: string;
+  cables: number;
+  layout: string;
+  weight_factor: number;
+  jam_ratio: number | null;
+  jam_risk: string;
+  clearance_m: number;
+  fill: number;
+}
+
+export type Call = 'theory' | 'answer' | 'page' | 'schema' | 'route' | 'along' | 'library' | 'words';
 
 /** What goes to the worker, and what comes back under the same number. */
 export interface Request {
@@ -107,16 +186,30 @@ export class Engine {
     return this.ask({ call, args });
   }
 
-  async theory(text: string): Promise<Theory> {
-    return JSON.parse(await this.call('theory', text, 'all')) as Theory;
+  async theory(text: string, tables = 'all'): Promise<Theory> {
+    return JSON.parse(await this.call('theory', text, tables)) as Theory;
+  }
+
+  async along(text: string): Promise<Along> {
+    return JSON.parse(await this.call('along', text)) as Along;
+  }
+
+  async library(kind: string): Promise<Entry[]> {
+    return (JSON.parse(await this.call('library', kind)) as { entries: Entry[] }).entries;
+  }
+
+  /** Texts of the program in a language by its number: 0 English, 1 Chinese, 2 German. */
+  async words(texts: string[], language: number): Promise<string[]> {
+    return language ? (JSON.parse(await this.call('words', JSON.stringify(texts), language)) as string[]) : texts;
   }
 
   answer(text: string, us: boolean): Promise<string> {
     return this.call('answer', text, us ? 1 : 0);
   }
 
-  page(text: string, us: boolean): Promise<string> {
-    return this.call('page', text, us ? 1 : 0);
+  /** language: of a case that names none; "": none. */
+  page(text: string, us: boolean, language: string): Promise<string> {
+    return this.call('page', text, us ? 1 : 0, language);
   }
 
   async route(name: string): Promise<RouteLine[]> {

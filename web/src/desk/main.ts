@@ -14,11 +14,22 @@ import plannerText from '../../../cases/theory/planner.yaml';
 import threeText from '../../../cases/three-in-a-duct.yaml';
 import rollersText from '../../../cases/huangjiahu.yaml';
 import limitsText from '../../../cases/limits.yaml';
-import { Engine, EngineError, inflated, workerOf, type Fault, type Remedy, type Theory } from './engine';
+import { Catalogue } from './catalogue';
 import { completions, type Schema } from './complete';
-import { button, routeView, type Editing } from './route';
-import { filesOf, pathOf, putSection, setValue, type Change } from './splice';
+import { newest, Place, quantity, writtenAt, type Desk } from './desk';
+import { Engine, EngineError, inflated, workerOf, type Along, type Fault, type Remedy, type Theory } from './engine';
+import { Equipment } from './equipment';
+import { Help } from './help';
+import { markedLine, showLine } from './marked_line';
+import { Plan } from './plan';
+import { button, markRoute, routeView } from './route';
+import { filesOf, nodeAt, parsed, pathOf, putSection, setValue, type Change } from './splice';
+import { Strips } from './strips';
+import { Tabs } from './tabs';
 import { valuesView } from './values';
+import { forgetVariants, Variants } from './variants';
+import { WhatIf } from './whatif';
+import { LANGUAGES, languageNow, languageNumber, setLanguage, t, translate, withoutRow, type Language } from './words';
 
 const EXAMPLES: [string, string][] = [
   ['A cable in a duct', ductText],
@@ -34,17 +45,20 @@ const ROUTES = /\.(csv|tsv|xlsx|ods|dxf|xml|landxml|ifc|gpx|kml|kmz|geojson|geoj
 const part = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
 const text = (id: string): string => part(id).textContent ?? '';
 
+const SETTINGS = 'hawser-desk-settings';
 let us = false;
 let saved = '';
 let eol = '\n'; // how the lines of the case's file end
 let given: { name: string; text: string } | null = null;
 let name = 'case.yaml';
-const TABS = ['text', 'route', 'values'] as const;
-let shown: (typeof TABS)[number] = 'text';
 
 // ------------------------------------------------------------------------------------------------------------ the text
 
 let engine: Engine | undefined;
+let theory: Theory | undefined; // of the last text that was a case
+let along: Along | undefined;
+let page = ''; // the calculation of the text as it stands, or ''
+let schema: Schema | undefined;
 let ready = false; // it can be called
 let complete: ReturnType<typeof completions> | undefined; // once the engine has said what a case may hold
 let wanted = 0;
@@ -73,8 +87,9 @@ function state(doc: string): EditorState {
       EditorView.theme({}, { dark: matchMedia('(prefers-color-scheme: dark)').matches }),
       autocompletion({ override: [(context) => complete?.(context) ?? null] }),
       lintGutter(),
+      markedLine,
       EditorView.lineWrapping,
-      EditorView.contentAttributes.of({ 'aria-label': 'The case as text' }),
+      EditorView.contentAttributes.of({ 'aria-label': t('The case as text') }),
       EditorView.updateListener.of((update) => {
         if (!update.docChanged) return;
         keep();
@@ -98,7 +113,7 @@ function take(doc: string, as: string): void {
 }
 
 function open(doc: string, as: string): void {
-  if (current() !== saved && !confirm('The case has changes that are not saved. Leave them?')) return;
+  if (current() !== saved && !confirm(t('The case has changes that are not saved. Leave them?'))) return;
   say('');
   take(doc, as);
   keep();
@@ -125,7 +140,7 @@ let stale = false; // the views are to follow the text
 
 /** One step that can be undone; the views follow, when the focus is where it goes. */
 function change(one: Change | Change[] | undefined, what: string, rows = false): void {
-  say(one ? '' : `${what} cannot be changed here: change it in the text.`);
+  say(one ? '' : t('{1} cannot be changed here: change it in the text.', what));
   if (one) view.dispatch({ changes: one, userEvent: 'input.form' });
   stale = true;
   if (rows) views();
@@ -136,29 +151,94 @@ function follow(): void {
   if (stale && !pointing) views();
 }
 
-const editing: Editing = { text: current, change };
+const place = new Place();
+const theDesk: Desk = {
+  text: current,
+  change,
+  engine: () => (ready ? engine : undefined),
+  us: () => us,
+  theory: () => theory,
+  along: () => along,
+  place,
+  say: (words) => say(words),
+};
 
+/** What a drag would make of the route, while it lasts. */
+let ghost: string | null = null;
+const askAlong = newest(
+  async (words: string) => ({ words, along: await engine?.along(words) }),
+  (found) => found?.along && found.words === ghost && draw(found.along, false),
+);
+function preview(words: string | null): void {
+  ghost = words;
+  if (words === null) draw(along, true);
+  else if (ready) askAlong(words);
+}
+
+function draw(what: Along | undefined, still: boolean): void {
+  if (still && (plan.dragging || strips.dragging)) return;
+  plan.show(what, still);
+  strips.show(what, still);
+}
+
+const word = (code: string): string => t(`verdict ${code}`);
+const plan = new Plan(theDesk, preview);
+const strips = new Strips(theDesk, preview);
+const whatIf = new WhatIf(theDesk, word);
+const variants = new Variants(theDesk, word, open);
+const catalogue = new Catalogue(theDesk, () => page);
+const equipment = new Equipment(theDesk);
+const help = new Help(() => schema);
+part('plan').append(plan.root, strips.root);
+part('whatif').append(whatIf.root);
+part('variants').append(variants.root);
+part('duct').append(catalogue.root);
+part('equipment').append(equipment.root);
+part('help').append(help.root);
+
+const left = new Tabs(
+  {
+    text: part('editor'),
+    route: part('route'),
+    values: part('values'),
+    duct: part('duct'),
+    equipment: part('equipment'),
+  },
+  'text',
+  () => views(),
+);
+const right = new Tabs(
+  { plan: part('plan'), whatif: part('whatif'), variants: part('variants'), page: part('page'), help: part('help') },
+  'plan',
+  () => views(),
+);
+
+/** Makes what is shown anew out of the text; what had the focus has it again. */
 function views(): void {
   stale = false;
-  const focus = document.activeElement?.closest('.view') ? document.activeElement.getAttribute('aria-label') : null;
-  for (const tab of TABS) {
-    part(tab === 'text' ? 'editor' : tab).hidden = shown !== tab;
-    part(`tab-${tab}`).setAttribute('aria-selected', String(shown === tab));
-    part(`tab-${tab}`).tabIndex = shown === tab ? 0 : -1;
-  }
-  if (shown === 'route') routeView(part('route'), editing);
-  if (shown === 'values') valuesView(part('values'), editing);
-  if (focus && shown !== 'text')
-    [...part(shown).querySelectorAll<HTMLElement>('[aria-label]')]
+  const at = document.activeElement?.closest<HTMLElement>('.view');
+  const focus = at && at.id !== 'plan' ? document.activeElement?.getAttribute('aria-label') : null;
+  if (left.shown === 'route') routeView(part('route'), theDesk);
+  if (left.shown === 'values') valuesView(part('values'), theDesk, schema);
+  if (left.shown === 'duct') catalogue.show();
+  if (left.shown === 'equipment') equipment.show();
+  if (right.shown === 'whatif') whatIf.show();
+  if (right.shown === 'variants') variants.show();
+  if (right.shown === 'help') help.show();
+  if (focus && at)
+    [...at.querySelectorAll<HTMLElement>('[aria-label]')]
       .find((one) => one.getAttribute('aria-label') === focus)
       ?.focus();
+  markPlace(place.at);
 }
 
-function show(tab: (typeof TABS)[number]): void {
-  shown = tab;
-  views();
-  part(`tab-${tab}`).focus();
+/** The marked place in what is on the left: the row of the route's table, the line of the text. */
+function markPlace(s: number | null): void {
+  const piece = s === null ? undefined : along?.pieces.find((one) => s >= one.s_m && s <= one.s_m + one.length_m);
+  markRoute(part('route'), piece?.listed ?? 0);
+  if (left.shown === 'text') markLine(piece?.listed ?? 0);
 }
+place.follow(markPlace);
 
 // ---------------------------------------------------------------------------------------------------------- the answer
 
@@ -188,16 +268,24 @@ async function calculate(): Promise<void> {
   const doc = current();
   busy = true;
   try {
-    const theory = await engine.theory(doc);
-    if (mine === wanted) showAnswer(theory);
-    // several chains have no page: their answers in words stand in its place
-    const page = theory.theory
-      ? `<pre style="white-space:pre-wrap;padding:12px">${escaped(await engine.answer(doc, us))}</pre>`
-      : await engine.page(doc, us);
+    const found = await engine.theory(doc);
+    if (mine === wanted) await showAnswer(found, mine);
+    const line = found.theory ? undefined : await engine.along(doc).catch(() => undefined);
     if (mine === wanted) {
-      part<HTMLIFrameElement>('page').srcdoc = page;
+      theory = found;
+      along = line;
+      draw(along, true);
+    }
+    // several chains have no page: their answers in words stand in its place
+    const sheet = found.theory
+      ? `<pre style="white-space:pre-wrap;padding:12px">${escaped(await engine.answer(doc, us))}</pre>`
+      : await engine.page(doc, us, writtenAt(doc, ['job', 'language']) === undefined ? languageNow() : '');
+    if (mine === wanted) {
+      page = sheet;
+      part<HTMLIFrameElement>('page').srcdoc = sheet;
       mark();
       settle(true);
+      answered();
     }
   } catch (why) {
     if (mine === wanted) showFault(why);
@@ -210,36 +298,40 @@ async function calculate(): Promise<void> {
 
 const escaped = (words: string): string => words.replace(/[&<>]/g, (c) => `&#${c.charCodeAt(0)};`);
 
-/** A force as people read it. */
-function force(newtons: number): string {
-  const [value, unit] = us
-    ? [newtons / 4.4482216152605, 'lbf']
-    : newtons < 1000
-      ? [newtons, 'N']
-      : [newtons / 1000, 'kN'];
-  return `${value.toPrecision(4)} ${unit}`;
+/** Views of the answer once it is there. */
+function answered(): void {
+  if (right.shown === 'whatif') whatIf.show();
+  if (right.shown === 'variants') variants.show();
+  if (left.shown === 'duct') catalogue.cross();
+  if (left.shown === 'equipment' && !part('equipment').contains(document.activeElement)) equipment.show();
+  markPlace(place.at);
 }
-
-const word = (verdict: string): string => verdict.split(':')[0] ?? '';
 
 /** From the best verdict to the worst. */
 const RANKS = ['safe', 'safe_if', 'not_judged', 'not_trusted', 'not_safe'];
 
-function showAnswer(whole: Theory): void {
+/** A sentence of the engine without its verdict, which stands before it. */
+const withoutWord = (sentence: string): string => sentence.replace(/^[A-Z ]+: /, '');
+
+async function showAnswer(whole: Theory, mine: number): Promise<void> {
   const chains = Object.entries(whole.theory ?? { '': whole });
   const rank = (one: Theory): number => RANKS.indexOf(one.verdict_code);
-  const [chain, theory] = chains.reduce((worst, one) => (rank(one[1]) > rank(worst[1]) ? one : worst));
+  const [chain, one] = chains.reduce((worst, each) => (rank(each[1]) > rank(worst[1]) ? each : worst));
+  // whole sentences are translated, and cut behind that: an "only if" is no sentence without its word
+  const plainly = [one.verdict_forward, one.verdict_backward];
+  const said = languageNumber() ? await engine?.words(plainly, languageNumber()) : plainly.map(withoutWord);
+  if (mine !== wanted) return;
   const chip = part('verdict');
-  chip.textContent = word(theory.verdict_forward);
-  chip.className = theory.verdict_code;
+  chip.textContent = word(one.verdict_code);
+  chip.className = one.verdict_code;
   const lines = [
-    ...(chain ? [`Of ${chains.length} chains the worst: ${chain}.`] : []),
-    `Pulled forward ${force(theory.largest_force_N)} at the winch. ${theory.verdict_forward}`,
-    `Pulled backward ${force(theory.backward_largest_force_N)}. ${word(theory.verdict_backward)}`,
+    ...(chain ? [t('Of {1} chains the worst: {2}.', String(chains.length), chain)] : []),
+    `${t('Pulled forward {1} at the winch.', quantity(one.largest_force_N, 'N', us))} ${said?.[0] ?? ''}`,
+    `${t('Pulled back {1}.', quantity(one.backward_largest_force_N, 'N', us))} ${said?.[1] ?? ''}`,
   ];
   part('words').textContent = lines.join('\n');
-  document.title = `${theory.title}: ${chip.textContent}`;
-  part('remedies').replaceChildren(...(chain ? [] : remedies(theory)));
+  document.title = `${one.title}: ${chip.textContent}`;
+  part('remedies').replaceChildren(...(chain ? [] : remedies(one)));
 }
 
 /** What theory says would do, as far as all of it are values of the text: a button writes it. What has no place of its own belongs to
@@ -258,29 +350,38 @@ function remedies(theory: Theory): (HTMLElement | string)[] {
     );
     if (changes.some((one) => !one)) continue;
     const words = group.map((one) => `${one.key}: ${next(one)}`).join(', ');
-    const then = group[0]?.verdict_code.replaceAll('_', ' ') ?? '';
-    const one = button(words, `Writes it into the case, which is ${then} then`, () =>
-      change(changes as Change[], words),
+    const one = button(
+      words,
+      `${t('Writes it into the case, which is then:')} ${word(group[0]?.verdict_code ?? '')}`,
+      () => change(changes as Change[], words),
     );
     one.removeAttribute('aria-label'); // its words say it
     found.push(one);
   }
-  return found.length ? ['What would do: ', ...found] : [];
+  return found.length ? [t('What would do:'), ...found] : [];
 }
 
 function showFault(why: unknown): void {
   const fault: Fault | undefined = why instanceof EngineError ? why.fault : undefined;
   const chip = part('verdict');
-  chip.textContent = 'NOT A CASE YET';
+  chip.textContent = t('NOT A CASE YET');
   chip.className = 'fault';
-  part('words').textContent = fault?.message.replace(/^case\.yaml:(\d+)/, 'line $1') ?? String(why);
+  part('words').textContent = fault?.message.replace(/^case\.yaml:(\d+)/, t('line {1}', '$1')) ?? String(why);
   part('remedies').replaceChildren();
+  page = '';
   part<HTMLIFrameElement>('page').srcdoc = '';
   document.title = 'hawser desk';
   mark(fault);
 }
 
 /** The engine's message at its line. */
+/** The line of the route's piece, from 1 on; 0: none. */
+function markLine(listed: number): void {
+  const path = ['pieces', 'points'].map((kind) => ['route', kind, listed - 1]);
+  const node = listed ? path.map((one) => nodeAt(parsed(current()), one)).find((one) => one?.range) : undefined;
+  showLine(view, node?.range && node.range[0] <= view.state.doc.length ? node.range[0] : -1);
+}
+
 function mark(fault?: Fault): void {
   const marks: Diagnostic[] = [];
   if (fault && fault.line > 0 && fault.line <= view.state.doc.lines) {
@@ -305,7 +406,7 @@ async function openFile(file: File): Promise<void> {
   const named = filesOf(current()).filter((path) => path.split('/').pop() === file.name);
   if (named.length) {
     for (const path of named) await engine?.put(path, bytes);
-    say(`${file.name}: the case names it.`);
+    say(t('{1}: the case names it.', file.name));
     ask();
     return;
   }
@@ -318,9 +419,9 @@ async function openFile(file: File): Promise<void> {
     const lines = (await engine?.route(file.name)) ?? [];
     const good = lines.filter((line) => !line.problem);
     const only = good.length > 1 ? `, name: ${JSON.stringify(good[0]?.name ?? '')}` : '';
-    change(putSection(current(), 'route', `route: {file: ${JSON.stringify(file.name)}${only}}`), 'The route');
-    const kinds = good.map((line) => `${line.name || 'a line'} (${line.length_m.toFixed(1)} m)`).join(', ');
-    say(`${file.name}: ${kinds}. Keep the file beside the case: the case refers to it.`);
+    change(putSection(current(), 'route', `route: {file: ${JSON.stringify(file.name)}${only}}`), t('Route'));
+    const kinds = good.map((line) => `${line.name || t('a line')} (${line.length_m.toFixed(1)} m)`).join(', ');
+    say(`${file.name}: ${kinds}. ${t('Keep the file beside the case: the case refers to it.')}`);
   } catch (why) {
     say(why instanceof EngineError ? why.fault.message : String(why));
   }
@@ -330,7 +431,6 @@ async function openFile(file: File): Promise<void> {
 
 function wire(): void {
   const menu = part<HTMLSelectElement>('examples');
-  EXAMPLES.forEach(([label], i) => menu.add(new Option(label, String(i))));
   menu.addEventListener('change', () => {
     const example = EXAMPLES[Number(menu.value)];
     menu.value = '';
@@ -353,19 +453,24 @@ function wire(): void {
   part('print').addEventListener('click', () => part<HTMLIFrameElement>('page').contentWindow?.print());
   part('units').addEventListener('change', () => {
     us = part<HTMLSelectElement>('units').value === 'us';
+    remember();
+    views();
+    draw(along, true);
     ask();
   });
-  for (const tab of TABS) part(`tab-${tab}`).addEventListener('click', () => show(tab));
-  part('tab-text').parentElement?.addEventListener('keydown', (event) => {
-    const step = { ArrowRight: 1, ArrowLeft: TABS.length - 1 }[event.key];
-    if (step) show(TABS[(TABS.indexOf(shown) + step) % TABS.length] ?? 'text');
+  part('language').addEventListener('change', () => {
+    chosen = part<HTMLSelectElement>('language').value as Language;
+    remember();
+    speak(chosen);
+    ask();
   });
   part('wipe').addEventListener('click', () => {
     try {
       localStorage.removeItem(draftKey());
-      say('The draft that this browser kept is gone.');
+      forgetVariants();
+      say(t('The draft and the variants that this browser kept are gone.'));
     } catch {
-      say('This browser keeps no drafts.');
+      say(t('This browser keeps no drafts.'));
     }
   });
   document.addEventListener('pointerdown', () => (pointing = true), true);
@@ -398,6 +503,59 @@ function wire(): void {
   });
 }
 
+let chosen: Language | undefined; // by the reader; undefined: the case or the browser says it
+
+const isLanguage = (tag: string | undefined): tag is Language => LANGUAGES.some((one) => one === tag);
+
+/** What was chosen, for the next time. */
+function remember(): void {
+  try {
+    localStorage.setItem(SETTINGS, JSON.stringify({ us, language: chosen }));
+  } catch {
+    // a browser that keeps nothing for pages from disk
+  }
+}
+
+/** The address (#de), what was chosen before, the case's `job.language`, the browser's. */
+function languageOf(): Language {
+  const wanted = [
+    /[#&](?:lang=)?(en|zh|de)\b/.exec(location.hash)?.[1],
+    chosen,
+    writtenAt(current(), ['job', 'language']),
+    navigator.language.slice(0, 2),
+  ];
+  return wanted.find(isLanguage) ?? 'en';
+}
+
+function settings(): void {
+  try {
+    const kept = JSON.parse(localStorage.getItem(SETTINGS) ?? '{}') as { us?: boolean; language?: string };
+    us = kept.us === true;
+    chosen = isLanguage(kept.language) ? kept.language : undefined;
+  } catch {
+    // as above
+  }
+  part<HTMLSelectElement>('units').value = us ? 'us' : 'si';
+}
+
+/** Everything on the desk in a language. */
+function speak(language: Language): void {
+  setLanguage(language);
+  translate(document);
+  part<HTMLSelectElement>('language').value = language;
+  part('page').title = t('The calculation');
+  part('wipe').title = t('What you write is kept in this browser until you do this');
+  const menu = part<HTMLSelectElement>('examples');
+  menu.replaceChildren(
+    new Option(t('New from an example'), ''),
+    ...EXAMPLES.map(([label], i) => new Option(t(label), String(i))),
+  );
+  view.contentDOM.setAttribute('aria-label', t('The case as text'));
+  say('');
+  views();
+  draw(along, true);
+}
+
 function draft(): { name: string; text: string } | undefined {
   try {
     return JSON.parse(localStorage.getItem(draftKey()) ?? 'null') ?? undefined;
@@ -408,22 +566,26 @@ function draft(): { name: string; text: string } | undefined {
 
 async function start(): Promise<void> {
   wire();
+  settings();
   given = JSON.parse(text('case')) as typeof given; // `hawser desk CASE` has put it there
   const before = draft();
   const first = given ?? { name: 'case.yaml', text: ductText };
   take(first.text, first.name);
   const later = before?.text && before.text !== current();
-  if (later && (!given || confirm(`This browser has a draft of ${first.name} that differs. Go on with it?`))) {
+  if (later && (!given || confirm(t('This browser has a draft of {1} that differs. Go on with it?', first.name)))) {
     take(before.text, before.name);
     saved = ''; // nobody has saved it
     title();
   }
-  say('The engine is starting.');
+  speak(languageOf());
+  say(t('The engine is starting.'));
   engine = new Engine(workerOf(`${text('glue')}\n${text('worker')}`));
   await engine.start(await inflated(text('engine')));
   say('');
   ready = true;
-  complete = completions(JSON.parse(await engine.call('schema')) as Schema);
+  schema = JSON.parse(await engine.call('schema')) as Schema;
+  complete = completions(schema);
+  views();
   ask();
 }
 
@@ -432,6 +594,8 @@ Object.assign(window, {
   hawserDesk: {
     current,
     idle: () => !busy && wanted === done,
+    withoutRow,
+    along: () => along,
     open: (doc: string) => {
       view.setState(state(doc));
       ask();

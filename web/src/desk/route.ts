@@ -1,10 +1,25 @@
 /** The route as a table: a row for each piece, each cell a value of the text. */
 import { isMap, isScalar, isSeq, type Node } from 'yaml';
-import { addItem, nodeAt, parsed, removeItem, removeKey, setValue, type Change, type Path } from './splice';
+import type { Desk } from './desk';
+import { addItem, nodeAt, parsed, removeItem, removeKey, setValue, type Path } from './splice';
+import { t } from './words';
 
 const PIECES: Path = ['route', 'pieces'];
+const POINTS: Path = ['route', 'points'];
+const CORNERS: Column[] = [
+  { key: '0', label: 'x', hint: '' },
+  { key: '1', label: 'y', hint: '' },
+  { key: '2', label: 'z', hint: '' },
+  { key: '3', label: 'Radius', hint: '' },
+];
 const MOST = 400; // rows
-const COLUMNS = [
+
+interface Column {
+  key: string;
+  label: string;
+  hint: string;
+}
+const COLUMNS: Column[] = [
   { key: 'name', label: 'Name', hint: '' },
   { key: 'straight', label: 'Straight', hint: '50 m' },
   { key: 'bend', label: 'Bend', hint: '90 deg' },
@@ -12,12 +27,6 @@ const COLUMNS = [
   { key: 'plane', label: 'Turns', hint: 'left, right, up, down' },
   { key: 'slope', label: 'Slope', hint: '5 %' },
 ];
-
-export interface Editing {
-  text(): string;
-  /** rows: the table has other rows then, and is made anew at once. */
-  change(change: Change | undefined, what: string, rows?: boolean): void;
-}
 
 function cell(tag: 'td' | 'th', content: string | HTMLElement): HTMLTableCellElement {
   const one = document.createElement(tag);
@@ -46,51 +55,87 @@ export function field(label: string, value: string, hint: string, write: (value:
   return input;
 }
 
-/** The table of the text as it stands; a sentence where the route is not a list of pieces. */
-export function routeView(place: HTMLElement, editing: Editing): void {
-  const list = nodeAt(parsed(editing.text()), PIECES);
-  if (!list || !isSeq(list)) {
-    const word = document.createElement('p');
-    word.textContent =
-      'This route is not a list of pieces: it comes from a file or is written in another form. Change it in the text.';
-    place.replaceChildren(word);
-    return;
-  }
-  const table = document.createElement('table');
-  const head = table.createTHead().insertRow();
-  for (const column of [...COLUMNS.map((c) => c.label), '']) head.append(cell('th', column));
-  const body = table.createTBody();
-  (list.items as Node[]).slice(0, MOST).forEach((item, i) => {
+/** One table of a list of the text: a row an item, a cell a value. `pathOf` says where the value of a column is. */
+function table(
+  place: HTMLElement,
+  desk: Desk,
+  list: Path,
+  columns: Column[],
+  tools: (i: number) => HTMLElement[],
+  known: (item: Node, column: Column) => boolean,
+  what: string,
+): void {
+  const text = desk.text();
+  const items = (nodeAt(parsed(text), list) as unknown as { items: Node[] }).items;
+  const one = document.createElement('table');
+  const head = one.createTHead().insertRow();
+  for (const column of columns) head.append(cell('th', t(column.label)));
+  head.append(document.createElement('td'));
+  const body = one.createTBody();
+  items.slice(0, MOST).forEach((item, i) => {
     const row = body.insertRow();
-    for (const { key, label, hint } of COLUMNS) {
-      const path: Path = [...PIECES, i, key];
-      const value = isMap(item) ? item.get(key, true) : undefined;
+    row.dataset['listed'] = String(i + 1);
+    const here = (): void => {
+      const piece = desk.along()?.pieces.find((each) => each.listed === i + 1);
+      if (piece) desk.place.mark(piece.s_m + piece.length_m / 2);
+    };
+    row.addEventListener('pointerenter', here);
+    row.addEventListener('focusin', here);
+    for (const column of columns) {
+      const path: Path = [...list, i, isSeq(item) ? Number(column.key) : column.key];
+      const value = nodeAt(parsed(text), path);
       const shown = isScalar(value) ? String(value.source ?? value.value ?? '') : '';
-      row.append(
-        cell(
-          'td',
-          field(`${label}, piece ${i + 1}`, shown, hint, (next) =>
-            editing.change(
-              next ? setValue(editing.text(), path, next) : removeKey(editing.text(), path),
-              `${label} of piece ${i + 1}`,
-            ),
-          ),
-        ),
-      );
+      const write = (next: string): void =>
+        desk.change(
+          next ? setValue(desk.text(), path, next) : removeKey(desk.text(), path),
+          `${t(column.label)}, ${t(what)} ${i + 1}`,
+        );
+      const input = field(`${t(column.label)}, ${t(what)} ${i + 1}`, shown, column.hint, write);
+      if (!known(item, column)) input.placeholder = '';
+      row.append(cell('td', input));
     }
-    const tools = row.insertCell();
-    tools.append(
-      button('+', `Add a straight behind piece ${i + 1}`, () =>
-        editing.change(addItem(editing.text(), PIECES, i, '{straight: 10 m}'), 'a piece', true),
-      ),
-      button('↷', `Add a bend behind piece ${i + 1}`, () =>
-        editing.change(addItem(editing.text(), PIECES, i, '{bend: 45 deg, radius: 8 m, plane: left}'), 'a piece', true),
-      ),
-      button('−', `Take piece ${i + 1} out`, () =>
-        editing.change(removeItem(editing.text(), PIECES, i), 'a piece', true),
-      ),
-    );
+    const last = row.insertCell();
+    last.append(...tools(i));
   });
-  const more = list.items.length - MOST;
-  place.replaceChildren(table, more > 0 ? `${more} more pieces: change them in the text.` : '');
+  const more = items.length - MOST;
+  place.replaceChildren(one, more > 0 ? t('{1} more: change them in the text.', String(more)) : '');
+}
+
+/** The table of the text as it stands; a sentence where the route is not a list of pieces or points. */
+export function routeView(place: HTMLElement, desk: Desk): void {
+  const document_ = parsed(desk.text());
+  const add = (list: Path, i: number, item: string) => () =>
+    desk.change(addItem(desk.text(), list, i, item), t('piece'), true);
+  const take = (list: Path, i: number) => () => desk.change(removeItem(desk.text(), list, i), t('piece'), true);
+  if (isSeq(nodeAt(document_, PIECES))) {
+    const tools = (i: number): HTMLElement[] => [
+      button('+', t('Add a straight behind piece {1}', String(i + 1)), add(PIECES, i, '{straight: 10 m}')),
+      button(
+        '\u21b7',
+        t('Add a bend behind piece {1}', String(i + 1)),
+        add(PIECES, i, '{bend: 45 deg, radius: 8 m, plane: left}'),
+      ),
+      button('\u2212', t('Take piece {1} out', String(i + 1)), take(PIECES, i)),
+    ];
+    const fits = (item: Node, column: Column): boolean =>
+      column.key === 'name' ||
+      (isMap(item) &&
+        (item.has('straight') ? ['straight', 'slope'] : ['bend', 'radius', 'plane']).includes(column.key));
+    table(place, desk, PIECES, COLUMNS, tools, fits, 'piece');
+  } else if (isSeq(nodeAt(document_, POINTS))) {
+    const tools = (i: number): HTMLElement[] => [
+      button('\u2212', t('Take corner {1} out', String(i + 1)), take(POINTS, i)),
+    ];
+    table(place, desk, POINTS, CORNERS, tools, () => true, 'corner');
+  } else {
+    const word = document.createElement('p');
+    word.textContent = t('This route comes from a file or is written in another form. Change it in the text.');
+    place.replaceChildren(word);
+  }
+}
+
+/** Marks the row of a piece, from 1 on; 0: none. */
+export function markRoute(place: HTMLElement, listed: number): void {
+  for (const row of place.querySelectorAll<HTMLElement>('tr[data-listed]'))
+    row.classList.toggle('marked', row.dataset['listed'] === String(listed));
 }

@@ -9,8 +9,12 @@ export interface Change {
   insert: string;
 }
 
+let last: { text: string; document: Document } | undefined;
+
+/** The document of a text; of the newest one it is kept, so nobody may change it. */
 export function parsed(text: string): Document {
-  return parseDocument(text, { keepSourceTokens: true, strict: false });
+  if (last?.text !== text) last = { text, document: parseDocument(text, { keepSourceTokens: true, strict: false }) };
+  return last.document;
 }
 
 /** "surfaces.ducts.0.friction.mu" as a path; numbers are places in a list. */
@@ -61,11 +65,12 @@ function lineEnd(text: string, at: number): number {
   return next < 0 ? text.length : next;
 }
 
-/** Replaces a value that is there, or adds a key to the map above it; undefined: the text has neither, or it cannot be cut there. */
-export function setValue(text: string, path: Path, value: string): Change | undefined {
+/** Replaces a value that is there, or adds a key to the map above it; undefined: the text has neither, or it cannot be cut there.
+ * raw: the value is YAML as it stands. */
+export function setValue(text: string, path: Path, value: string, raw = false): Change | undefined {
   const document = parsed(text);
   const node = nodeAt(document, path);
-  const insert = written(value);
+  const insert = raw ? value : written(value);
   const key = path[path.length - 1];
   if (key === undefined) return undefined;
   const set = (data: Data): void => void (dataAt(data, path.slice(0, -1))[key] = meant(insert));
@@ -125,6 +130,26 @@ export function addItem(text: string, path: Path, after: number, item: string): 
   const column = /^( *)-/.exec(text.slice(line))?.[1];
   const end = lineEnd(text, endOf(text, at));
   return column === undefined ? undefined : only(text, { from: end, to: end, insert: `\n${column}- ${item}` }, added);
+}
+
+/** Adds an item, one line of flow, at the end of a list, which is made if there is none; what stands alone where a list may
+ * stand becomes its first item. */
+export function appendItem(text: string, path: Path, item: string): Change | undefined {
+  const node = nodeAt(parsed(text), path);
+  if (isSeq(node) && node.items.length > 0) return addItem(text, path, node.items.length - 1, item);
+  if (isMap(node) && node.flow && node.range) {
+    const [from, to] = node.range;
+    const listed = (data: Data): void => {
+      const above = dataAt(data, path.slice(0, -1));
+      const key = path[path.length - 1] ?? '';
+      above[key] = [above[key], meant(item)];
+    };
+    return only(text, { from, to, insert: `[${text.slice(from, to)}, ${item}]` }, listed);
+  }
+  if (node) return undefined;
+  const [section, key] = path.map(String);
+  if (nodeAt(parsed(text), path.slice(0, -1))) return setValue(text, path, `[${item}]`, true);
+  return path.length === 2 ? putSection(text, section ?? '', `${section}:\n  ${key}:\n    - ${item}`) : undefined;
 }
 
 /** Takes an item out of a list, comments around it stay; the last one stays. */

@@ -1,7 +1,10 @@
 /** Every value of the text outside the route's pieces as a field, by section. */
 import { isMap, isScalar, isSeq, type Node } from 'yaml';
 import { parsed, setValue, type Path } from './splice';
-import { field, type Editing } from './route';
+import { about, type Schema } from './complete';
+import type { Editing } from './desk';
+import { field } from './route';
+import { t } from './words';
 
 interface Leaf {
   path: Path;
@@ -18,13 +21,14 @@ function leaves(node: unknown, path: Path, out: Leaf[]): void {
 
 const isPiece = (path: Path) => path[0] === 'route' && path[1] === 'pieces';
 
-export function valuesView(place: HTMLElement, editing: Editing): void {
+/** schema: what a key means is said where the pointer or a reader of the screen asks for it. */
+export function valuesView(place: HTMLElement, editing: Editing, schema: Schema | undefined): void {
   const found: Leaf[] = [];
   leaves(parsed(editing.text()).contents, [], found);
   const sections = new Map<string, HTMLFieldSetElement>();
   for (const { path, value } of found) {
     if (isPiece(path)) continue;
-    const name = path.length > 1 ? String(path[0]) : 'case';
+    const name = path.length > 1 ? String(path[0]) : t('Case');
     let section = sections.get(name);
     if (!section) {
       section = document.createElement('fieldset');
@@ -39,6 +43,8 @@ export function valuesView(place: HTMLElement, editing: Editing): void {
       .join(' ');
     const text = document.createElement('span');
     text.textContent = words;
+    const help = schema ? about(schema, path) : '';
+    if (help) label.title = help;
     label.append(
       text,
       field(path.join('.'), value, '', (next) =>

@@ -1,0 +1,329 @@
+// The desk's views: plan with handles, what if, variants, catalogue, equipment, languages, units, keyboard.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import test, { after } from 'node:test';
+import { ROOT, stop } from './browser.mjs';
+import { desk, put, read, settled, textOf } from './desk.mjs';
+
+after(stop);
+
+const duct = read('docs/tutorial/duct.yaml');
+const COMMENTED = `# kept\n${duct.replace('straight: 200 m}', 'straight: 200 m}   # under the road')}`;
+
+/** Lines that differ. */
+const differing = (a, b) => {
+  const [before, after] = [a.split('\n'), b.split('\n')];
+  assert.equal(after.length, before.length);
+  return before.flatMap((line, i) => (line === after[i] ? [] : [after[i].trim()]));
+};
+
+async function middleOf(page, label) {
+  const box = await page.locator(`#plan .handle[aria-label="${label}"] .knob`).boundingBox();
+  return [box.x + box.width / 2, box.y + box.height / 2];
+}
+
+/** Drags a handle of the plan by so many pixels, in steps as a hand does. */
+async function drag(page, label, dx, dy) {
+  const [x, y] = await middleOf(page, label);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 5; i++) await page.mouse.move(x + (dx * i) / 5, y + (dy * i) / 5);
+  await page.mouse.up();
+  await settled(page);
+}
+
+test('a drag of a bend by 20 px changes one line, comments stay, undo gives the bytes back', async () => {
+  const { page, heard, close } = await desk();
+  await put(page, COMMENTED);
+  for (const [label, dx, dy, changed] of [
+    ['corner: radius', 14, -14, /^- \{name: corner, bend: 45 deg, radius: [\d.]+ m, plane: right\}$/],
+    ['corner: angle', 0, 20, /^- \{name: corner, bend: \d+ deg, radius: 8 m, plane: right\}$/],
+    ['road: length', 20, 20, /^- \{name: road, {3}straight: [\d.]+ m\} {3}# under the road$/],
+  ]) {
+    await drag(page, label, dx, dy);
+    const after = await textOf(page);
+    const lines = differing(COMMENTED, after);
+    assert.equal(lines.length, 1, `${label}: ${lines.join(' | ')}`);
+    assert.match(lines[0], changed);
+    await page.keyboard.press('Control+z');
+    assert.equal(await textOf(page), COMMENTED, label);
+    await settled(page);
+  }
+  assert.deepEqual(heard, []);
+  await close();
+});
+
+test('a handle goes where it is drawn: the length by the way along, the angle by the straight behind it', async () => {
+  const { page, close } = await desk();
+  await put(page, duct);
+  const scale = await page.evaluate(() => {
+    const [, length] = /M0 -5V0H([\d.]+)/.exec(document.querySelector('.plan .ruler path').getAttribute('d'));
+    return Number(length) / Number.parseFloat(document.querySelector('.plan .ruler text').textContent);
+  });
+  await drag(page, 'field: length', -40, 0);
+  const length = Number(/field, {2}straight: ([\d.]+) m/.exec(await textOf(page))[1]);
+  assert.ok(Math.abs(length - (150 - 40 / scale)) < 0.11, `${length} m at ${scale} px/m`);
+  await put(page, duct);
+  // the middle of the road about the corner: what the pointer turns through is what the bend turns more
+  const [x, y] = await middleOf(page, 'corner: angle');
+  const [cx, cy] = await middleOf(page, 'field: length');
+  const before = (Math.atan2(y - cy, x - cx) * 180) / Math.PI;
+  await drag(page, 'corner: angle', 10, 30);
+  const turned = (Math.atan2(y + 30 - cy, x + 10 - cx) * 180) / Math.PI - before;
+  const angle = Number(/corner, bend: (\d+) deg/.exec(await textOf(page))[1]);
+  assert.ok(Math.abs(angle - 45 - turned) < 2.5, `${angle} deg, the pointer turned by ${turned}`);
+  await close();
+});
+
+test('handles by keys: one press is one step and one undo, the focus stays', async () => {
+  const { page, close } = await desk();
+  await put(page, duct);
+  const handle = page.getByRole('slider', { name: 'bridge: angle' });
+  await handle.focus();
+  await page.keyboard.press('ArrowUp');
+  await settled(page);
+  assert.ok((await textOf(page)).includes('bend: 91 deg'));
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), 'bridge: angle');
+  await page.keyboard.press('ArrowDown');
+  await settled(page);
+  assert.equal(await textOf(page), duct);
+  await close();
+});
+
+test('pits, machines and rollers slide along the route; corners by coordinates move in plan and height', async () => {
+  const { page, close } = await desk();
+  await put(page, read('cases/theory/planner.yaml'));
+  const before = await textOf(page);
+  await drag(page, 'pit 1', 0, 0); // a click changes nothing
+  assert.equal(await textOf(page), before);
+  await page.locator('#plan .handle[aria-label="pit 1"]').first().focus();
+  await page.keyboard.press('ArrowRight');
+  await settled(page);
+  assert.deepEqual(differing(before, await textOf(page)), ['pits: [{name: joint pit, at: 420.1 m, back: 500 N}]']);
+  const corners = duct.replace(
+    /  pieces:\n(    - .*\n)+/,
+    '  radius: 8 m\n  points: [[0 m, 0 m, 0 m], [150 m, 0 m, 0 m], [150 m, 200 m, 4 m], [60 m, 260 m, 4 m]]   # surveyed\n',
+  );
+  await put(page, corners.replace('  head_at: 426 m\n', '').replace(/chain:\n.*\n/, ''));
+  const text = await textOf(page);
+  await drag(page, 'corner 2', 12, 0);
+  const [line] = differing(text, await textOf(page));
+  assert.match(line, /^points: \[\[0 m, 0 m, 0 m\], \[[\d.]+ m, 0 m, 0 m\], .*# surveyed$/);
+  await page.locator('#plan .strip .handle[aria-label="corner 3: height"]').focus();
+  await page.keyboard.press('ArrowUp');
+  await settled(page);
+  assert.match(await textOf(page), /200 m, 4\.1 m\]/);
+  await close();
+});
+
+test('a place that is pointed at is marked in table, text, plan, profile, tension and sidewall', async () => {
+  const { page, close } = await desk();
+  await page.click('#tab-route');
+  await page.locator('#route tr[data-listed="4"] input').first().focus();
+  const marks = () =>
+    page.evaluate(() => [
+      document.querySelector('#route tr.marked')?.dataset.listed,
+      document.querySelectorAll('#plan .pointer[visibility="visible"]').length,
+      document.querySelector('.reading').textContent.includes('(bridge)'),
+    ]);
+  assert.deepEqual(await marks(), ['4', 4, true]);
+  await page.click('#tab-text');
+  const strip = await page.locator('#plan .strip').nth(1).boundingBox();
+  await page.mouse.move(strip.x + 0.6 * strip.width, strip.y + 60);
+  assert.match(await page.textContent('.cm-line.marked'), /name: road/);
+  await close();
+});
+
+test('what if: a slider calculates and writes nothing until the button does; undo', async () => {
+  const { page, close } = await desk();
+  await put(page, duct);
+  await page.click('#tab-whatif');
+  const slider = page.getByRole('slider', { name: 'friction (friction.mu)' });
+  await slider.fill('0.15');
+  await page.waitForFunction(() => /SAFE/.test(document.querySelectorAll('.compare td')[2].textContent));
+  assert.equal(await textOf(page), duct);
+  const cells = await page.locator('.compare tbody td').allTextContents();
+  assert.deepEqual(cells.slice(0, 3), ['NOT SAFE', 'SAFE', '20.8 kN']);
+  await page.getByRole('button', { name: 'Write into the case' }).click();
+  await settled(page);
+  assert.equal(await textOf(page), duct.replace('mu: 0.3', 'mu: 0.15'));
+  assert.equal(await page.textContent('#verdict'), 'SAFE');
+  await close();
+});
+
+test('variants: kept, judged, opened and copied', async () => {
+  const { page, close } = await desk();
+  await put(page, duct);
+  await page.click('#tab-variants');
+  await page.getByLabel('Name of the variant').fill('as drawn');
+  await page.getByRole('button', { name: 'Keep the case' }).click();
+  await page.evaluate((text) => window.hawserDesk.open(text), duct.replace('mu: 0.3', 'mu: 0.15'));
+  await settled(page);
+  await page.waitForFunction(() => !document.querySelector('#variants').textContent.includes('…'));
+  const rows = await page.locator('#variants tbody tr').allInnerTexts();
+  assert.match(rows[0], /The case as it stands\s+SAFE\s/);
+  assert.match(
+    rows[1],
+    /as drawn\s+NOT SAFE\s+20\.8 kN\s+16\.59 kN\s+2\.401 kN\/m\s+428\.8 m \(yard\) – tension: 10\.0 % over/,
+  );
+  await page.getByRole('button', { name: 'Open: as drawn' }).click();
+  await settled(page);
+  assert.equal(await textOf(page), duct);
+  await page.getByRole('button', { name: 'Copy the table' }).click();
+  assert.match(await page.textContent('#status'), /clipboard/);
+  await close();
+});
+
+test('cable and duct: cross-section, and a type of the catalogue in place of what was written', async () => {
+  const { page, close } = await desk();
+  await put(page, read('cases/three-in-a-duct.yaml'));
+  await page.click('#tab-duct');
+  await page.waitForSelector('.entry');
+  assert.equal(await page.locator('#duct .ducts circle').count(), 4); // the duct and a cradle of three
+  assert.match(await page.innerText('#duct .cross'), /jam ratio\s+3\.44 \(very small risk of jamming\)/);
+  await page.selectOption('#duct select[aria-label="Kind"]', 'ducts');
+  await page.getByLabel('Search the catalogue').fill('200 sdr11');
+  await page.getByRole('button', { name: 'Use pe-200-sdr11' }).click();
+  await settled(page);
+  assert.match(
+    await textOf(page),
+    /ducts: \[\{name: duct, place: resting, friction: \{mu: 0\.25\}, type: pe-200-sdr11\}\]/,
+  );
+  assert.match(await page.innerText('#duct .cross'), /inside 0\.1616 m/);
+  await close();
+});
+
+test('equipment by rule and one by one, with loads; taken out again', async () => {
+  const { page, close } = await desk();
+  await put(page, read('docs/tutorial/tunnel.yaml'));
+  const before = await textOf(page);
+  await page.click('#tab-equipment');
+  assert.match(await page.innerText('#equipment .list'), /roller\s+R1\s+1 m\s+\d+/);
+  await page.getByLabel('at', { exact: true }).fill('12.5 m');
+  await page.getByRole('button', { name: 'Add a machine' }).click();
+  await settled(page);
+  assert.equal(await textOf(page), `${before}theory:\n  machines:\n    - {at: 12.5 m, push: 5 kN}\n`);
+  await page.getByRole('button', { name: 'Add a row' }).click();
+  await settled(page);
+  assert.ok(
+    (await textOf(page)).includes('- {where: straights, spacing: 2 m, radius: 60 mm, width: 400 mm, rating: 5 kN}'),
+  );
+  await page.getByRole('button', { name: 'Remove: Row of rollers 4' }).click();
+  await settled(page);
+  assert.equal(await textOf(page), `${before}theory:\n  machines:\n    - {at: 12.5 m, push: 5 kN}\n`);
+  await close();
+});
+
+test('units and language are remembered; the address and the case choose a language', async () => {
+  const { page, close } = await desk();
+  await page.selectOption('#units', 'us');
+  await page.selectOption('#language', 'de');
+  await settled(page);
+  assert.match(await page.textContent('#words'), /^Vorwärts gezogen: 4676 lbf/);
+  await page.reload();
+  await settled(page);
+  assert.match(await page.textContent('#words'), /^Vorwärts gezogen: 4676 lbf/);
+  assert.equal(await page.evaluate(() => document.documentElement.lang), 'de');
+  await close();
+});
+
+/** Words of English that no name, key or unit of a case is. */
+const ENGLISH =
+  /\b(the|of|and|with|case|route|pulled|forward|limits?|broken|allowed|verdict|safe|add|remove|piece|radius of|friction at|tension|height|search|use)\b/i;
+
+test('no English is left on the desk in Chinese and German', async () => {
+  const { page, close } = await desk();
+  for (const language of ['zh', 'de']) {
+    await page.selectOption('#language', language);
+    for (const name of ['docs/tutorial/duct', 'cases/limits', 'cases/three-in-a-duct', 'cases/theory/planner']) {
+      await put(
+        page,
+        read(`${name}.yaml`)
+          .replace(/^title:.*$/m, 'title: T')
+          .replace(/name: [^,}]*/g, 'name: N'),
+      );
+      for (const [left, right] of [
+        ['text', 'plan'],
+        ['route', 'whatif'],
+        ['values', 'variants'],
+        ['duct', 'help'],
+        ['equipment', 'page'],
+      ]) {
+        await page.click(`#tab-${left}`);
+        await page.click(`#tab-${right}`);
+        await page.waitForTimeout(100);
+        const found = await page.evaluate(() => {
+          const words = [];
+          const walk = (node, inside) => {
+            if (node.nodeType === 3) words.push([node.textContent, inside]);
+            if (node.nodeType !== 1 || node.hidden || node.closest('[lang=en], code, .cm-editor, script, style, #name'))
+              return;
+            // keys and words of a case stand as they are
+            if (
+              node.matches('#values span, #values legend, .knob span, #remedies button, option[value]') &&
+              !node.dataset.t
+            )
+              return;
+            for (const key of ['aria-label', 'title', 'placeholder'])
+              if (node.hasAttribute(key) && !node.closest('#values, .knob, #remedies') && !node.matches('[lang=en]'))
+                words.push([node.getAttribute(key), key]);
+            for (const child of node.childNodes) walk(child, node.tagName);
+          };
+          document.documentElement.lang = '';
+          walk(document.body, '');
+          const page = document.getElementById('page');
+          if (!page.hidden) words.push([page.contentDocument?.body.innerText ?? '', 'page']);
+          return words.filter(([text]) => text.trim());
+        });
+        const english = found.filter(([text]) => text !== 'hawser desk');
+        const bad = english.filter(([text]) => window_english(text));
+        assert.deepEqual(bad.slice(0, 5), [], `${name}, ${language}, ${left} and ${right}`);
+      }
+    }
+    assert.deepEqual(await page.evaluate(() => window.hawserDesk.withoutRow()), []);
+  }
+  await close();
+});
+
+const window_english = (text) => ENGLISH.test(text);
+
+test('from a surveyor’s table to a printed report without typing YAML, in less than 25 actions', async () => {
+  const { page, heard, close } = await desk();
+  let actions = 0;
+  const act = async (what) => {
+    actions++;
+    await what;
+    await settled(page);
+  };
+  await act(page.setInputFiles('#file', join(ROOT, 'cases/theory/route-table.csv')));
+  await page.waitForFunction(() => window.hawserDesk.current().includes('route-table.csv'));
+  await act(page.click('#tab-duct'));
+  await act(page.getByLabel('Search the catalogue').fill('110kv 800 cu'));
+  await act(
+    page
+      .getByRole('button', { name: /^Use xlpe-110kv-800-cu/ })
+      .first()
+      .click(),
+  );
+  await act(page.selectOption('#duct select[aria-label="Kind"]', 'ducts'));
+  await act(page.getByLabel('Search the catalogue').fill('pe-225 sdr11'));
+  await act(page.getByRole('button', { name: 'Use pe-225-sdr11' }).click());
+  await act(page.click('#tab-values'));
+  await act(page.getByLabel('friction.mu').fill('0.15'));
+  await act(page.keyboard.press('Enter'));
+  await act(page.click('#tab-page'));
+  assert.notEqual(await page.textContent('#verdict'), 'NOT A CASE YET', await page.textContent('#words'));
+  const printed = await page.evaluate(() => {
+    const frame = document.getElementById('page').contentWindow;
+    return new Promise((done) => {
+      frame.print = () => done(frame.document.body.innerText);
+      document.getElementById('print').click();
+    });
+  });
+  actions++;
+  assert.match(printed, /Pulling calculation/);
+  assert.match(printed, /xlpe-110kv-800-cu/);
+  assert.ok(actions < 25, `${actions} actions`);
+  assert.deepEqual(heard, []);
+  await close();
+});
