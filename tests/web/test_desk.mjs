@@ -13,7 +13,7 @@ after(stop);
 test('the first screen: the verdict of the example and its calculation, without a request', async () => {
   const { page, heard, close } = await desk();
   assert.equal(await page.textContent('#verdict'), 'NOT SAFE');
-  assert.match(await page.textContent('#words'), /^Pulled forward 20\.8 kN at the winch\. 2 of 9 limits broken/);
+  assert.match(await page.textContent('#words'), /^Pulled forward 20\.8\skN at the winch\. 2 of 9 limits broken/);
   await page.click('#tab-page');
   const calculation = page.frameLocator('#page');
   assert.match(await calculation.locator('h1').innerText(), /Joint bay A to joint bay B/);

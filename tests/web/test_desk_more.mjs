@@ -74,8 +74,14 @@ test('two hundred random edits: the table shows the text, and the program reads 
 
 test('it can be used on a narrow screen', async () => {
   const { page, close } = await desk({ viewport: { width: 390, height: 844 } });
-  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-  assert.ok(wide <= 390, `${wide} px wide`);
+  for (const language of ['en', 'zh', 'de']) {
+    await page.selectOption('#language', language);
+    for (const tab of ['text', 'route', 'values', 'duct', 'equipment', 'plan', 'whatif', 'variants', 'page', 'help']) {
+      await page.click(`#tab-${tab}`);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(wide <= 390, `${tab}, ${language}: ${wide} px wide`);
+    }
+  }
   await close();
 });
 
@@ -122,8 +128,9 @@ test('nothing serious for those who hear it or use the keyboard alone (axe-core)
   for (const colorScheme of ['light', 'dark']) {
     const { page, close } = await desk({ colorScheme });
     await page.evaluate(readFileSync(join(ROOT, 'web/node_modules/axe-core/axe.min.js'), 'utf8'));
-    for (const tab of ['text', 'route', 'values']) {
+    for (const tab of ['text', 'route', 'values', 'duct', 'equipment', 'plan', 'whatif', 'variants', 'page', 'help']) {
       await page.click(`#tab-${tab}`);
+      await page.waitForTimeout(50);
       const found = await page.evaluate(() => window.axe.run(document, { iframes: false }));
       const serious = found.violations.filter((one) => ['serious', 'critical'].includes(one.impact));
       assert.deepEqual(

@@ -230,6 +230,10 @@ export class Catalogue {
 
   private put(name: string): void {
     const path: Path = this.target.split('.').map((step) => (/^\d+$/.test(step) ? Number(step) : step));
-    this.desk.change(use(this.desk.text(), path, this.kind, name), this.target, true);
+    const change = use(this.desk.text(), path, this.kind, name);
+    this.desk.change(change, this.target, true);
+    const own = nodeAt(parsed(this.desk.text()), ['limits', 'conductor']) !== undefined;
+    if (change && this.kind === 'cables' && own)
+      this.desk.say(t('The limits name a conductor of their own: see limits.conductor.'));
   }
 }

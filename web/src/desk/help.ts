@@ -40,7 +40,7 @@ export class Help {
     const search = el('input', {
       type: 'search',
       'aria-label': t('Search the keys of a case'),
-      placeholder: 'friction mu',
+      placeholder: 'mu_d',
     });
     search.value = this.wanted;
     const found = el('dl', { lang: 'en' });

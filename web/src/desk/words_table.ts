@@ -210,6 +210,11 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
   ['Search the catalogue', '搜索目录', 'Katalog durchsuchen'],
   ['For', '用于', 'Für'],
   ['The case has no place for it.', '算例中没有对应的位置。', 'Der Rechenfall hat keinen Platz dafür.'],
+  [
+    'The limits name a conductor of their own: see limits.conductor.',
+    '限值中另有导体参数：请核对 limits.conductor。',
+    'Die Grenzwerte nennen einen eigenen Leiter: siehe limits.conductor.',
+  ],
   ['{1} found', '找到 {1} 项', '{1} gefunden'],
   ['the first {1} are shown', '显示前 {1} 项', 'die ersten {1} werden gezeigt'],
   ['Use', '采用', 'Verwenden'],
