@@ -40,3 +40,25 @@ export function assertSame(got, expected, place = '') {
     assert.equal(got, expected, place);
   }
 }
+
+/** Lines that differ. */
+export const differing = (a, b) => {
+  const [before, after] = [a.split('\n'), b.split('\n')];
+  assert.equal(after.length, before.length);
+  return before.flatMap((line, i) => (line === after[i] ? [] : [after[i].trim()]));
+};
+
+export async function middleOf(page, label) {
+  const box = await page.locator(`#plan .plan .handle[aria-label="${label}"] .knob`).boundingBox();
+  return [box.x + box.width / 2, box.y + box.height / 2];
+}
+
+/** Drags a handle of the plan by so many pixels, in steps as a hand does. */
+export async function drag(page, label, dx, dy) {
+  const [x, y] = await middleOf(page, label);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 5; i++) await page.mouse.move(x + (dx * i) / 5, y + (dy * i) / 5);
+  await page.mouse.up();
+  await settled(page);
+}

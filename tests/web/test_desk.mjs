@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test, { after } from 'node:test';
 import { ROOT, stop } from './browser.mjs';
-import { assertSame, desk, put, read, settled, textOf } from './desk.mjs';
+import { assertSame, desk, differing, drag, put, read, settled, textOf } from './desk.mjs';
 
 const hawser = process.argv[2];
 after(stop);
@@ -97,6 +97,28 @@ test('a surveyor’s table becomes the route, the case and the calculation are s
   const [name, calculation] = await saved('#save-page');
   assert.equal(name, 'case-calculation.html');
   assert.ok(calculation.includes('<h1>Pulling calculation') && calculation.includes('under the sewer'));
+  assert.deepEqual(heard, []);
+  await close();
+});
+
+test('a drag of a bend by 20 px changes one line, comments stay, undo gives the bytes back', async () => {
+  const { page, heard, close } = await desk();
+  const given = `# kept\n${read('docs/tutorial/duct.yaml').replace('straight: 200 m}', 'straight: 200 m}   # under the road')}`;
+  await put(page, given);
+  for (const [label, dx, dy, changed] of [
+    ['corner: radius', 14, -14, /^- \{name: corner, bend: 45 deg, radius: [\d.]+ m, plane: right\}$/],
+    ['corner: angle', 0, 20, /^- \{name: corner, bend: \d+ deg, radius: 8 m, plane: right\}$/],
+    ['road: length', 20, 20, /^- \{name: road, {3}straight: [\d.]+ m\} {3}# under the road$/],
+  ]) {
+    await drag(page, label, dx, dy);
+    const after = await textOf(page);
+    const lines = differing(given, after);
+    assert.equal(lines.length, 1, `${label}: ${lines.join(' | ')}`);
+    assert.match(lines[0], changed);
+    await page.keyboard.press('Control+z');
+    assert.equal(await textOf(page), given, label);
+    await settled(page);
+  }
   assert.deepEqual(heard, []);
   await close();
 });

@@ -3,56 +3,11 @@ import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import test, { after } from 'node:test';
 import { ROOT, stop } from './browser.mjs';
-import { desk, put, read, settled, textOf } from './desk.mjs';
+import { desk, differing, drag, middleOf, put, read, settled, textOf } from './desk.mjs';
 
 after(stop);
 
 const duct = read('docs/tutorial/duct.yaml');
-const COMMENTED = `# kept\n${duct.replace('straight: 200 m}', 'straight: 200 m}   # under the road')}`;
-
-/** Lines that differ. */
-const differing = (a, b) => {
-  const [before, after] = [a.split('\n'), b.split('\n')];
-  assert.equal(after.length, before.length);
-  return before.flatMap((line, i) => (line === after[i] ? [] : [after[i].trim()]));
-};
-
-async function middleOf(page, label) {
-  const box = await page.locator(`#plan .plan .handle[aria-label="${label}"] .knob`).boundingBox();
-  return [box.x + box.width / 2, box.y + box.height / 2];
-}
-
-/** Drags a handle of the plan by so many pixels, in steps as a hand does. */
-async function drag(page, label, dx, dy) {
-  const [x, y] = await middleOf(page, label);
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  for (let i = 1; i <= 5; i++) await page.mouse.move(x + (dx * i) / 5, y + (dy * i) / 5);
-  await page.mouse.up();
-  await settled(page);
-}
-
-test('a drag of a bend by 20 px changes one line, comments stay, undo gives the bytes back', async () => {
-  const { page, heard, close } = await desk();
-  await put(page, COMMENTED);
-  for (const [label, dx, dy, changed] of [
-    ['corner: radius', 14, -14, /^- \{name: corner, bend: 45 deg, radius: [\d.]+ m, plane: right\}$/],
-    ['corner: angle', 0, 20, /^- \{name: corner, bend: \d+ deg, radius: 8 m, plane: right\}$/],
-    ['road: length', 20, 20, /^- \{name: road, {3}straight: [\d.]+ m\} {3}# under the road$/],
-  ]) {
-    await drag(page, label, dx, dy);
-    const after = await textOf(page);
-    const lines = differing(COMMENTED, after);
-    assert.equal(lines.length, 1, `${label}: ${lines.join(' | ')}`);
-    assert.match(lines[0], changed);
-    await page.keyboard.press('Control+z');
-    assert.equal(await textOf(page), COMMENTED, label);
-    await settled(page);
-  }
-  assert.deepEqual(heard, []);
-  await close();
-});
-
 test('a handle goes where it is drawn: the length by the way along, the angle by the straight behind it', async () => {
   const { page, close } = await desk();
   await put(page, duct);
@@ -223,8 +178,21 @@ test('units and language are remembered; the address and the case choose a langu
   await page.reload();
   await settled(page);
   assert.match(await page.textContent('#words'), /^Vorwärts gezogen: 4675\slbf/);
-  assert.equal(await page.evaluate(() => document.documentElement.lang), 'de');
+  const language = () => page.evaluate(() => document.documentElement.lang);
+  assert.equal(await language(), 'de');
+  // the address wins over what was chosen
+  await page.goto(`${page.url()}#zh`);
+  await page.reload();
+  await settled(page);
+  assert.equal(await language(), 'zh');
   await close();
+  const fresh = await desk();
+  assert.equal(await fresh.page.evaluate(() => document.documentElement.lang), 'en');
+  const given = duct.replace('cables:', 'job: {language: de}\ncables:');
+  await fresh.page.setInputFiles('#file', { name: 'de.yaml', mimeType: 'text/yaml', buffer: Buffer.from(given) });
+  await settled(fresh.page);
+  assert.equal(await fresh.page.evaluate(() => document.documentElement.lang), 'de');
+  await fresh.close();
 });
 
 /** Words of English that no name or unit is; keys of a case, which have points or underlines in them, stand as they are. */

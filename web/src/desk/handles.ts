@@ -27,6 +27,8 @@ export interface Handle {
 }
 
 const MOST = 300;
+/** A drag makes no bend tighter, m: cables do not bear it. */
+const LEAST_RADIUS = 0.5;
 const RAD = Math.PI / 180;
 const dot = (a: Spot, b: Spot): number => a[0] * b[0] + a[1] * b[1];
 const minus = (a: Spot, b: Spot): Spot => [a[0] - b[0], a[1] - b[1]];
@@ -243,7 +245,7 @@ function level(text: string, along: Along, p: number, path: Path, name: string, 
         amount: (to) => dot(minus(to, begin), reach) / dot(reach, reach),
       },
       text,
-      0.1,
+      LEAST_RADIUS,
       1e6,
     ),
     single(
@@ -290,7 +292,7 @@ function upright(text: string, along: Along, p: number, path: Path, name: string
         amount: (to) => (to[0] - piece.s_m) / ((angle * RAD) / 2),
       },
       text,
-      0.1,
+      LEAST_RADIUS,
       1e6,
     ),
   ];
@@ -358,7 +360,7 @@ function points(text: string, along: Along): Found {
           amount: (to) => (dot(minus(to, corner), inside) / size) * (radius / size),
         },
         text,
-        0.1,
+        LEAST_RADIUS,
         1e6,
       ),
     );

@@ -108,6 +108,7 @@ function take(doc: string, as: string): void {
   view.setState(state(doc));
   saved = current();
   title();
+  if (languageOf() !== languageNow()) speak(languageOf());
   views();
   ask();
 }
@@ -274,6 +275,7 @@ async function calculate(): Promise<void> {
     if (mine === wanted) {
       theory = found;
       along = line;
+      part('plan').classList.remove('stale');
       draw(along, true);
     }
     // several chains have no page: their answers in words stand in its place
@@ -372,6 +374,8 @@ function showFault(why: unknown): void {
   part<HTMLIFrameElement>('page').srcdoc = '';
   document.title = 'hawser desk';
   mark(fault);
+  part('plan').classList.add('stale'); // it is that of the last text that was a case, with the values of this one
+  draw(along, true);
 }
 
 /** The engine's message at its line. */
@@ -460,6 +464,7 @@ function wire(): void {
   });
   part('language').addEventListener('change', () => {
     chosen = part<HTMLSelectElement>('language').value as Language;
+    location.hash = ''; // what is chosen now wins over the address
     remember();
     speak(chosen);
     ask();
@@ -600,6 +605,11 @@ Object.assign(window, {
       view.setState(state(doc));
       ask();
     },
+    type: (where: (text: string) => [number, number, string]) => {
+      const [from, to, insert] = where(current());
+      view.dispatch({ changes: { from, to, insert } });
+      views();
+    },
     cursor: (line: number) => {
       view.dispatch({ selection: { anchor: view.state.doc.line(line).to } });
       view.focus();
@@ -608,4 +618,4 @@ Object.assign(window, {
   },
 });
 
-start().catch((why: unknown) => say(`The engine does not start: ${String(why)}`));
+start().catch((why: unknown) => say(`${t('The engine does not start.')} ${String(why)}`));

@@ -103,8 +103,9 @@ export class Plan {
     if (!along) return;
     const [left, right] = [Math.min(...along.x_m), Math.max(...along.x_m)];
     const [low, high] = [Math.min(...along.y_m), Math.max(...along.y_m)];
-    this.middle = [(left + right) / 2, (low + high) / 2];
-    this.scale = Math.min((this.wide() - 90) / Math.max(right - left, 1), (HIGH - 70) / Math.max(high - low, 1));
+    // the buttons are above, names beside and below
+    this.scale = Math.min((this.wide() - 90) / Math.max(right - left, 1), (HIGH - 104) / Math.max(high - low, 1));
+    this.middle = [(left + right) / 2, (low + high) / 2 + 10 / this.scale];
   }
 
   private all(): void {
@@ -230,7 +231,9 @@ export class Plan {
     const bends = along.pieces.filter((piece) => piece.kind !== 'straight');
     const label = (s: number, words: string, dy: number): SVGElement => {
       const [x, y] = this.pixel(spotAt(along, s));
-      return svg('text', { x: (x + 12).toFixed(1), y: (y + dy).toFixed(1) }, words);
+      const late = x > this.wide() - 20 - 7 * words.length; // it would be cut off
+      const at = { x: (x + (late ? -12 : 12)).toFixed(1), y: (y + dy).toFixed(1) };
+      return svg('text', { ...at, 'text-anchor': late ? 'end' : 'start' }, words);
     };
     return [
       label(0, t('start'), -10),

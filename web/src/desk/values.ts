@@ -25,6 +25,9 @@ const isPiece = (path: Path) => path[0] === 'route' && path[1] === 'pieces';
 export function valuesView(place: HTMLElement, editing: Editing, schema: Schema | undefined): void {
   const found: Leaf[] = [];
   leaves(parsed(editing.text()).contents, [], found);
+  const said = document.createElement('p'); // the engine's help of the field that has the focus
+  said.className = 'reading';
+  said.lang = 'en';
   const sections = new Map<string, HTMLFieldSetElement>();
   for (const { path, value } of found) {
     if (isPiece(path)) continue;
@@ -44,7 +47,8 @@ export function valuesView(place: HTMLElement, editing: Editing, schema: Schema 
     const text = document.createElement('span');
     text.textContent = words;
     const help = schema ? about(schema, path) : '';
-    if (help) label.title = help;
+    label.title = help;
+    label.addEventListener('focusin', () => (said.textContent = `${path.join('.')}: ${help || '–'}`));
     label.append(
       text,
       field(path.join('.'), value, '', (next) =>
@@ -53,5 +57,5 @@ export function valuesView(place: HTMLElement, editing: Editing, schema: Schema 
     );
     section.append(label);
   }
-  place.replaceChildren(...sections.values());
+  place.replaceChildren(...sections.values(), said);
 }

@@ -42,6 +42,7 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
   ['The calculation', '计算书', 'Die Berechnung'],
   ['The case as text', '算例文本', 'Der Rechenfall als Text'],
   ['The engine is starting.', '计算程序正在启动。', 'Das Rechenprogramm startet.'],
+  ['The engine does not start.', '计算程序无法启动。', 'Das Rechenprogramm startet nicht.'],
   [
     'The case has changes that are not saved. Leave them?',
     '算例有未保存的更改。要放弃吗？',
