@@ -13,7 +13,7 @@ target_compile_definitions(hawser_desk PRIVATE HAWSER_ISA=generic HAWSER_VERSION
 target_compile_options(hawser_desk PRIVATE -O2 -Wno-unused-command-line-argument -Wno-psabi -fno-math-errno -fno-trapping-math
                        -fmacro-prefix-map=${PROJECT_SOURCE_DIR}=.)
 set(functions malloc free)
-foreach(name theory answer page schema route along library words)
+foreach(name theory answer page schema route section along library words)
     list(APPEND functions desk_${name})
 endforeach()
 list(TRANSFORM functions PREPEND _)

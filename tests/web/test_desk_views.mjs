@@ -302,3 +302,66 @@ test('from a surveyor’s table to a printed report without typing YAML, in less
   assert.deepEqual(heard, []);
   await close();
 });
+
+test('the line of a file is written into the case as a plan with a profile, whose lines, arcs and corners have handles', async () => {
+  const { page, close } = await desk();
+  await page.setInputFiles('#file', join(ROOT, 'cases/theory/route-table.csv'));
+  await page.waitForFunction(() => window.hawserDesk.current().includes('route-table.csv'));
+  await settled(page);
+  const theory = async () =>
+    JSON.parse(await page.evaluate(() => window.hawserDesk.theory(window.hawserDesk.current())));
+  const before = await theory();
+  assert.equal(await page.locator('#plan .handle').count(), 0);
+  await page.click('#tab-route');
+  await page.getByRole('button', { name: 'Write the line of the file into the case' }).click();
+  await page.waitForFunction(() => window.hawserDesk.current().includes('plan:'));
+  await settled(page);
+  const text = await textOf(page);
+  assert.ok(text.includes('- {arc: 9.424777961 m, radius: 12 m, turn: left, name: "gate bend"}'), text);
+  const now = await theory();
+  for (const key of ['length_m', 'largest_force_N', 'backward_largest_force_N', 'max_sidewall_N_per_m'])
+    assert.ok(Math.abs(now[key] / before[key] - 1) < 1e-7, `${key}: ${now[key]} and ${before[key]}`);
+  // handles stand where the engine's line is
+  const off = await page.evaluate(() => {
+    const d = document
+      .querySelector('.plan .route')
+      .getAttribute('d')
+      .slice(1)
+      .split('L')
+      .map((pair) => pair.split(' ').map(Number));
+    return [...document.querySelectorAll('.plan .handle')].map((one) => {
+      const [x, y] = /translate\(([-\d.]+) ([-\d.]+)\)/.exec(one.getAttribute('transform')).slice(1).map(Number);
+      return Math.min(...d.map(([px, py]) => Math.hypot(px - x, py - y)));
+    });
+  });
+  assert.ok(off.length > 20 && Math.max(...off) < 1, `${off.length} handles, off by ${Math.max(...off)} px`);
+  await drag(page, 'street: length', 10, 5);
+  assert.match(differing(text, await textOf(page)).join(), /^- \{line: [\d.]+ m, name: "street"\}$/);
+  await page.keyboard.press('Control+z');
+  assert.equal(await textOf(page), text);
+  await settled(page);
+  await page.getByRole('slider', { name: 'gate bend: radius' }).focus();
+  await page.keyboard.press('ArrowUp');
+  await settled(page);
+  assert.match(
+    differing(text, await textOf(page)).join(),
+    /^- \{arc: 9\.503 m, radius: 12\.1 m, turn: left, name: "gate bend"\}$/,
+  );
+  await page.keyboard.press('Control+z');
+  await settled(page);
+  await page.getByRole('slider', { name: 'gate bend: angle' }).focus();
+  await page.keyboard.press('ArrowUp');
+  await settled(page);
+  assert.match(
+    differing(text, await textOf(page)).join(),
+    /^- \{arc: 9\.634 m, radius: 12 m, turn: left, name: "gate bend"\}$/,
+  );
+  await page.keyboard.press('Control+z');
+  await settled(page);
+  await page.getByRole('slider', { name: 'Profile, corner 3' }).focus();
+  await page.keyboard.press('ArrowDown');
+  await settled(page);
+  assert.match(differing(text, await textOf(page)).join(), /^- \{station: 79\.5 m, height: -3\.9 m, radius: 20 m\}$/);
+  assert.notEqual(await page.textContent('#verdict'), 'NOT A CASE YET');
+  await close();
+});

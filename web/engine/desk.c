@@ -17,7 +17,7 @@ ssize_t getrandom(void *to, size_t size, unsigned flags)
     return size <= 256 && !getentropy(to, size) ? (ssize_t)size : -1;
 }
 
-static const char FOLDER[] = "/case", PAGE[] = "/page.html";
+static const char FOLDER[] = "/case", PAGE[] = "/page.html", SECTION[] = "/route.yaml";
 
 char *desk_answered(hawser_status status, char *text, const hawser_error *err)
 {
@@ -107,6 +107,22 @@ char *desk_schema(void)
     char *text = NULL;
     const hawser_status status = hawser_case_schema(&text, &err);
     return desk_answered(status, text, &err);
+}
+
+/* The section `route` of a case for the line of a file in the folder; name, layer: which, "" for any. */
+char *desk_section(const char *file, const char *name, const char *layer)
+{
+    char path[300];
+    hawser_error err = {0};
+    hawser_routes *routes = NULL;
+    hawser_route_options options = hawser_route_defaults();
+    if (*name) options.name = name;
+    if (*layer) options.layer = layer;
+    snprintf(path, sizeof path, "%s/%s", FOLDER, file);
+    hawser_status status = hawser_routes_read(path, &options, &routes, &err);
+    if (!status) status = hawser_routes_write(routes, -1, SECTION, &err);
+    hawser_routes_free(routes);
+    return desk_answered(status, status ? NULL : file_taken(SECTION), &err);
 }
 
 /* The lines of a file in the folder, as JSON. */

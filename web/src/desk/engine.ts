@@ -129,7 +129,7 @@ export interface Duct {
   fill: number;
 }
 
-export type Call = 'theory' | 'answer' | 'page' | 'schema' | 'route' | 'along' | 'library' | 'words';
+export type Call = 'theory' | 'answer' | 'page' | 'schema' | 'route' | 'section' | 'along' | 'library' | 'words';
 
 /** What goes to the worker, and what comes back under the same number. */
 export interface Request {
@@ -210,6 +210,16 @@ export class Engine {
   /** language: of a case that names none; "": none. */
   page(text: string, us: boolean, language: string): Promise<string> {
     return this.call('page', text, us ? 1 : 0, language);
+  }
+
+  /** The section `route` of a case for the line of a file; comments and the zeros at the ends of its numbers are gone. */
+  async section(file: string, name: string, layer: string): Promise<string> {
+    const said = await this.call('section', file, name, layer);
+    return said
+      .replace(/^#.*\n/gm, '')
+      .replace(/(\d\.\d*?)0+(?= (?:m|deg)\b)/g, '$1')
+      .replace(/\.(?= (?:m|deg)\b)/g, '')
+      .trimEnd();
   }
 
   async route(name: string): Promise<RouteLine[]> {

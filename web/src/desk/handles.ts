@@ -1,11 +1,13 @@
 /** What can be dragged in plan and profile: each handle stands for one value of the text, and a drag is one splice of it. */
 import { isMap, isScalar, isSeq, type Node } from 'yaml';
+import { add, arcOf, dot, minus, RAD, type Spot } from './arc';
 import type { Along, Piece } from './engine';
+import { corners, planned } from './handles_plan';
 import { between, changed, read, snapped, writtenAt } from './desk';
 import { nodeAt, parsed, setValue, type Change, type Path } from './splice';
 import { t } from './words';
 
-export type Spot = [number, number];
+export type { Spot } from './arc';
 export type Kind =
   'length' | 'radius' | 'angle' | 'slope' | 'corner' | 'height' | 'roller' | 'pit' | 'machine' | 'conveyor';
 
@@ -28,12 +30,7 @@ export interface Handle {
 
 const MOST = 300;
 /** A drag makes no bend tighter, m: cables do not bear it. */
-const LEAST_RADIUS = 0.5;
-const RAD = Math.PI / 180;
-const dot = (a: Spot, b: Spot): number => a[0] * b[0] + a[1] * b[1];
-const minus = (a: Spot, b: Spot): Spot => [a[0] - b[0], a[1] - b[1]];
-const add = (a: Spot, b: Spot, k = 1): Spot => [a[0] + k * b[0], a[1] + k * b[1]];
-
+export const LEAST_RADIUS = 0.5;
 /** A value between its samples. */
 export function sample(at: number[], values: (number | null)[], s: number): number {
   let low = 0;
@@ -72,7 +69,7 @@ export function nearest(along: Along, [x, y]: Spot): number {
 }
 
 /** A handle of one length or angle: `amount` is the value, SI or degrees, that a spot means; the drag goes by its change. */
-function single(
+export function single(
   one: Omit<Handle, 'move' | 'step' | 'value'> & { path: Path; unit: 'm' | 'deg'; amount(to: Spot): number },
   text: string,
   least: number,
@@ -132,7 +129,7 @@ function coordinates(
   };
 }
 
-type Found = (Handle | undefined)[];
+export type Found = (Handle | undefined)[];
 
 /** Pieces end to end: the end of a straight is its length, the middle of a bend its radius, its end its angle. */
 function pieces(text: string, along: Along): Found {
@@ -216,33 +213,22 @@ function level(text: string, along: Along, p: number, path: Path, name: string, 
   const begin: Spot = [piece.start[0], piece.start[1]];
   const ahead: Spot = [piece.tangent[0] / flat, piece.tangent[1] / flat];
   const side = plane === 'left' ? 1 : -1;
-  const inward: Spot = [-side * ahead[1], side * ahead[0]];
-  const half = (angle * RAD) / 2;
-  const reach = add([Math.sin(half) * ahead[0], Math.sin(half) * ahead[1]], inward, 1 - Math.cos(half));
-  const centre = add(begin, inward, radius);
+  const arc = arcOf(begin, ahead, side, radius, angle);
   const middle = piece.s_m + piece.length_m / 2;
   const next = along.pieces[p + 1];
   const end = piece.s_m + piece.length_m + (next?.kind === 'straight' ? next.length_m / 2 : 0);
-  // the tangent of the bend's circle through a spot: from the centre to it is R outward and L ahead, L^2 = D^2 - R^2
-  const turn = (to: Spot): number => {
-    const away = minus(to, centre);
-    const lever = Math.sqrt(Math.max(0, dot(away, away) - radius * radius));
-    const found = (Math.atan2(dot(away, inward), dot(away, ahead)) - Math.atan2(-radius, lever)) / RAD;
-    // the way round that is nearer to what it is now
-    return found - 360 * Math.round((found - angle) / 360);
-  };
   return [
     single(
       {
         kind: 'radius',
         view: 'plan',
         label: `${name}: ${t('radius')}`,
-        at: add(begin, reach, radius),
-        out: away(inward, ahead, half),
+        at: arc.middle,
+        out: arc.out,
         s: middle,
         path: [...path, 'radius'],
         unit: 'm',
-        amount: (to) => dot(minus(to, begin), reach) / dot(reach, reach),
+        amount: arc.radiusAt,
       },
       text,
       LEAST_RADIUS,
@@ -257,7 +243,7 @@ function level(text: string, along: Along, p: number, path: Path, name: string, 
         s: end,
         path: [...path, 'bend'],
         unit: 'deg',
-        amount: turn,
+        amount: arc.angleAt,
       },
       text,
       1,
@@ -265,12 +251,6 @@ function level(text: string, along: Along, p: number, path: Path, name: string, 
     ),
   ];
 }
-
-/** From a bend's middle outward. */
-const away = (inward: Spot, ahead: Spot, half: number): Spot => [
-  Math.sin(half) * ahead[0] - Math.cos(half) * inward[0],
-  Math.sin(half) * ahead[1] - Math.cos(half) * inward[1],
-];
 
 /** Of a bend up or down: the radius in its middle; the angle where the straight behind it ends, which it lifts. */
 function upright(text: string, along: Along, p: number, path: Path, name: string, plane: string): Found {
@@ -415,6 +395,6 @@ function stands(text: string, along: Along): Found {
 }
 
 export function handles(text: string, along: Along): Handle[] {
-  const all = [...pieces(text, along), ...points(text, along), ...stands(text, along)];
+  const all = [pieces, points, planned, corners, stands].flatMap((of) => of(text, along));
   return all.filter((one) => one !== undefined).slice(0, MOST);
 }

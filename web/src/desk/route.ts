@@ -1,7 +1,7 @@
 /** The route as a table: a row for each piece, each cell a value of the text. */
 import { isMap, isScalar, isSeq, type Node } from 'yaml';
 import type { Desk } from './desk';
-import { addItem, nodeAt, parsed, removeItem, removeKey, setValue, type Path } from './splice';
+import { addItem, nodeAt, parsed, putSection, removeItem, removeKey, setValue, type Path } from './splice';
 import { t } from './words';
 
 const PIECES: Path = ['route', 'pieces'];
@@ -130,8 +130,28 @@ export function routeView(place: HTMLElement, desk: Desk): void {
   } else {
     const word = document.createElement('p');
     word.textContent = t('This route comes from a file or is written in another form. Change it in the text.');
-    place.replaceChildren(word);
+    place.replaceChildren(word, ...intoText(desk));
   }
+}
+
+/** A button that writes the line of a file into the case, where it has handles then; none where the case chooses more of the file. */
+function intoText(desk: Desk): HTMLElement[] {
+  const route = nodeAt(parsed(desk.text()), ['route']);
+  const of = (key: string): string => (isMap(route) ? String(route.get(key) ?? '') : '');
+  const known = isMap(route) && route.items.every((pair) => ['file', 'name', 'layer'].includes(String(pair.key)));
+  if (!known || !of('file')) return [];
+  const one = document.createElement('button');
+  one.type = 'button';
+  one.textContent = t('Write the line of the file into the case');
+  one.addEventListener('click', () => {
+    const before = desk.text();
+    void desk
+      .engine()
+      ?.section(of('file'), of('name'), of('layer'))
+      .then((section) => before === desk.text() && desk.change(putSection(before, 'route', section), t('Route'), true))
+      .catch((why: Error) => desk.say(why.message));
+  });
+  return [one];
 }
 
 /** Marks the row of a piece, from 1 on; 0: none. */

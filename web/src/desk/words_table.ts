@@ -147,6 +147,7 @@ export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?:
     '该线路来自文件或以其他形式书写。请在文本中修改。',
     'Diese Trasse kommt aus einer Datei oder ist in anderer Form geschrieben. Bitte im Text ändern.',
   ],
+  ['Write the line of the file into the case', '将文件中的线路写入算例', 'Linie der Datei in den Rechenfall schreiben'],
   // what if
   [
     'Move a value: theory is calculated at once; the case stays as it is until you write it.',
