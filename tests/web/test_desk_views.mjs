@@ -42,6 +42,10 @@ test('handles by keys: one press is one step and one undo, the focus stays', asy
   await page.keyboard.press('ArrowDown');
   await settled(page);
   assert.equal(await textOf(page), duct);
+  // keys are faster than theory: each counts
+  for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowUp');
+  assert.ok((await textOf(page)).includes('bend: 93 deg'));
+  await settled(page);
   await close();
 });
 

@@ -86,8 +86,13 @@ export function single(
     ...one,
     value,
     move: (now, to) => set(now, old.value + one.amount(to) - one.amount(one.at)),
+    // from what is written by now: keys are faster than theory
     step: (now, right, up) =>
-      set(now, old.value + (right || up) * (one.unit === 'deg' ? 1 : old.unit === 'ft' ? 0.1524 : 0.1)),
+      set(
+        now,
+        (read(writtenAt(now, one.path) ?? '')?.value ?? old.value) +
+          (right || up) * (one.unit === 'deg' ? 1 : old.unit === 'ft' ? 0.1524 : 0.1),
+      ),
   };
 }
 
@@ -124,8 +129,10 @@ function coordinates(
     s,
     value: values.join(', '),
     move: (words, to) => set(words, view === 'plan' ? to : [to[1]]),
-    step: (words, right, up) =>
-      set(words, view === 'plan' ? [at[0] + 0.1 * right, at[1] + 0.1 * up] : [at[1] + 0.1 * (right || up)]),
+    step: (words, right, up) => {
+      const [a = 0, b = 0] = which.map((k) => read(writtenAt(words, [...list, k]) ?? '')?.value ?? 0);
+      return set(words, view === 'plan' ? [a + 0.1 * right, b + 0.1 * up] : [a + 0.1 * (right || up)]);
+    },
   };
 }
 
@@ -195,8 +202,10 @@ function straight(text: string, along: Along, piece: Piece, path: Path, name: st
       s: end,
       value: slope,
       move: (words, to) => setValue(words, [...path, 'slope'], write(now + of(rise(to)) - of(rise(at)), 0.5)),
-      step: (words, right, up) =>
-        setValue(words, [...path, 'slope'], write(now + (right || up) * (percent ? 0.5 : 1), 0.5)),
+      step: (words, right, up) => {
+        const here = Number.parseFloat(writtenAt(words, [...path, 'slope']) ?? '') || 0;
+        return setValue(words, [...path, 'slope'], write(here + (right || up) * (percent ? 0.5 : 1), 0.5));
+      },
     });
   }
   return found;

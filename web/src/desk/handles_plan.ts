@@ -87,7 +87,7 @@ function bend(
       s: nearest(along, arc.middle),
       value: written,
       move: (text, to) => setRadius(text, radius + arc.radiusAt(to) - arc.radiusAt(arc.middle)),
-      step: (text, right, up) => setRadius(text, radius + 0.1 * (right || up)),
+      step: (text, right, up) => setRadius(text, (valueAt(text, [...path, 'radius']) ?? radius) + 0.1 * (right || up)),
     },
     {
       kind: 'angle',
@@ -97,7 +97,7 @@ function bend(
       s: nearest(along, lever),
       value: `${plain(angle, 2)} deg`,
       move: (text, to) => setAngle(text, angle + arc.angleAt(to) - arc.angleAt(lever)),
-      step: (text, right, up) => setAngle(text, angle + (right || up)),
+      step: (text, right, up) => setAngle(text, (valueAt(text, [...path, 'arc']) ?? 0) / radius / RAD + (right || up)),
     },
   ];
 }
@@ -144,7 +144,10 @@ export function corners(text: string, along: Along): Found {
       value: `${plain(station, 2)} m, ${plain(height, 2)} m`,
       move: (now, to) =>
         set(now, [station + sample(along.s_m, stations, to[0]) - sample(along.s_m, stations, s), to[1]]),
-      step: (now, right, up) => set(now, [station + 0.1 * right, height + 0.1 * up]),
+      step: (now, right, up) => {
+        const [x = station, z = height] = ['station', 'height'].map((key) => valueAt(now, [...path, key]));
+        return set(now, [x + 0.1 * right, z + 0.1 * up]);
+      },
     } satisfies Handle;
   });
 }

@@ -326,6 +326,7 @@ async function showAnswer(whole: Theory, mine: number): Promise<void> {
   const chip = part('verdict');
   chip.textContent = word(one.verdict_code);
   chip.className = one.verdict_code;
+  chip.title = t(`verdict ${one.verdict_code}, help`);
   const lines = [
     ...(chain ? [t('Of {1} chains the worst: {2}.', String(chains.length), chain)] : []),
     `${t('Pulled forward {1} at the winch.', quantity(one.largest_force_N, 'N', us))} ${said?.[0] ?? ''}`,
@@ -368,6 +369,7 @@ function showFault(why: unknown): void {
   const chip = part('verdict');
   chip.textContent = t('NOT A CASE YET');
   chip.className = 'fault';
+  chip.title = '';
   part('words').textContent = fault?.message.replace(/^case\.yaml:(\d+)/, t('line {1}', '$1')) ?? String(why);
   part('remedies').replaceChildren();
   page = '';

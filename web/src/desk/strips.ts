@@ -23,6 +23,8 @@ interface Curve {
 class Strip {
   readonly drawing: SVGSVGElement;
   readonly drags: Drags;
+  /** What is allowed, in words; it stands in the heading. */
+  readonly limit = el('span', { class: 'limit' });
   private readonly pointer = svg('path', { class: 'pointer line', visibility: 'hidden' });
   private range: [number, number] = [0, 1];
   private length = 1;
@@ -97,13 +99,14 @@ class Strip {
       this.drawing.replaceChildren();
       return;
     }
+    this.limit.textContent = allowed === null ? '' : `${t('allowed')} ${quantity(allowed, unit, this.desk.us())}`;
     this.length = along.s_m.at(-1) ?? 1;
     const all = curves.flatMap(({ values }) => values).filter((value) => value !== null);
     const most = Math.max(...all);
     const drawn = allowed !== null && allowed <= REACH * most;
     if (!this.drags.active) this.range = this.ranged(all, drawn ? allowed : null, unit);
     const scale = scaleOf(unit, this.desk.us() ? 'us' : 'si', most);
-    const parts: SVGElement[] = [...this.frame(scale.factor, scale.symbol, curves, allowed, unit)];
+    const parts: SVGElement[] = [...this.frame(scale.factor, scale.symbol, curves)];
     if (drawn) {
       const [, y] = this.pixel([0, allowed]);
       parts.push(svg('path', { class: 'allowed', d: `M${LEFT} ${y.toFixed(1)}H${wide - RIGHT}` }));
@@ -134,7 +137,7 @@ class Strip {
     return [low - room, high + room];
   }
 
-  private frame(factor: number, symbol: string, curves: Curve[], allowed: number | null, unit: Unit): SVGElement[] {
+  private frame(factor: number, symbol: string, curves: Curve[]): SVGElement[] {
     const [low, high] = this.range;
     const metres = scaleOf('m', this.desk.us() ? 'us' : 'si', 1);
     const across = ticks(0, this.length * metres.factor, Math.max(2, this.wide / 90));
@@ -142,7 +145,6 @@ class Strip {
     const upLabels = tickLabels(up);
     const acrossLabels = tickLabels(across);
     const room = this.high - BELOW;
-    const limit = allowed === null ? '' : `  ${t('allowed')} ${quantity(allowed, unit, this.desk.us())}`;
     let x = LEFT;
     const legend =
       curves.length < 2
@@ -170,7 +172,6 @@ class Strip {
       svg('text', { x: 4, y: 15, class: 'unit' }, symbol),
       svg('text', { x: this.wide - 2, y: room + 15, 'text-anchor': 'end', class: 'unit' }, metres.symbol),
       ...legend,
-      svg('text', { x: this.wide - RIGHT, y: 15, 'text-anchor': 'end', class: 'limit' }, limit),
     ];
   }
 }
@@ -195,7 +196,10 @@ export class Strips {
     this.root = el(
       'div',
       { class: 'strips' },
-      ...this.strips.flatMap((strip, i) => [el('h3', { 'data-t': names[i] ?? '' }, t(names[i] ?? '')), strip.drawing]),
+      ...this.strips.flatMap((strip, i) => [
+        el('h3', {}, el('span', { 'data-t': names[i] ?? '' }, t(names[i] ?? '')), strip.limit),
+        strip.drawing,
+      ]),
       this.reading,
     );
     desk.place.follow(() => this.say());

@@ -88,7 +88,7 @@ export class Variants {
         'tr',
         {},
         ...names.map((one) => el('th', { scope: 'col' }, t(one))),
-        tools && el('th', { scope: 'col' }, t('Actions')),
+        tools && el('th', { scope: 'col', class: 'tools' }, t('Actions')),
       ),
     );
   }

@@ -70,8 +70,14 @@ export class WhatIf {
   private readonly set = new Map<string, { path: Path; value: string }>();
   private text: string | undefined;
   private readonly ask = newest(
-    async (text: string) => ({ text, theory: await this.desk.engine()?.theory(text) }),
-    (found) => this.tell(found?.theory),
+    async (text: string) => ({
+      text,
+      theory: await this.desk
+        .engine()
+        ?.theory(text)
+        .catch(() => undefined),
+    }),
+    (found) => found?.text === this.changedText() && this.tell(found?.theory),
   );
   private latest: Theory | undefined;
 
@@ -155,7 +161,7 @@ export class WhatIf {
 
   /** The case and what the sliders say, beside each other. */
   private tell(found: Theory | undefined): void {
-    this.latest = found ?? this.latest;
+    this.latest = found;
     const now = this.desk.theory();
     const then = this.set.size ? this.latest : undefined;
     const us = this.desk.us();
@@ -165,7 +171,7 @@ export class WhatIf {
         {},
         el('th', { scope: 'row' }, label),
         el('td', {}, now ? of(now) : '–'),
-        el('td', {}, then ? of(then) : ''),
+        el('td', {}, then ? of(then) : this.set.size ? '–' : ''),
       );
     this.answer.replaceChildren(
       el(
