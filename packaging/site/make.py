@@ -190,6 +190,8 @@ def main():
         words.add_argument(name, type=lambda text: pathlib.Path(text).resolve())
     words.add_argument("--runs", type=float, default=2.0)
     given = words.parse_args()
+    if given.folder.exists() and not (given.folder / "searchindex.js").is_file() and (not given.folder.is_dir() or any(given.folder.iterdir())):
+        words.error(f"{given.folder}: there is something else than a site: name a folder that is empty or not there")
     site = Site(given.tree, given.build, given.runs)
     try:
         shutil.rmtree(given.folder, ignore_errors=True)

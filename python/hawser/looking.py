@@ -151,8 +151,8 @@ class Looking:
     def _machine(self, name: str, kinds: tuple[str, ...], kind: str) -> int:
         rows = ffi.new("const hawser_machine **")
         with self._open as c:
-            there = {text_of(rows[0][i].name): i for i in range(lib.hawser_sim_machines(c, rows)) if not kinds or text_of(rows[0][i].kind) in kinds}
-        return list(there.values())[place_of(name, there, kind)]
+            there = [(text_of(rows[0][i].name), i) for i in range(lib.hawser_sim_machines(c, rows)) if not kinds or text_of(rows[0][i].kind) in kinds]
+        return there[place_of(name, [own for own, _ in there], kind)][1]
 
     def conveyor(self, name: str) -> Conveyor:
         """The conveyor of that name: .force (N), .now, .so_far (figures by name). KeyError."""

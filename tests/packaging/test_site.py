@@ -56,6 +56,13 @@ def main():
         return 77
     with tempfile.TemporaryDirectory() as work:
         folder = pathlib.Path(work).resolve() / "site"
+        other = pathlib.Path(work) / "other"  # a folder of somebody's, which was deleted
+        other.mkdir()
+        (other / "own.txt").write_text("kept", encoding="utf-8")
+        refused = subprocess.run([python, "-B", tree / "packaging" / "site" / "make.py", tree, build, other], capture_output=True, text=True)
+        if refused.returncode != 2 or "something else than a site" not in refused.stderr or (other / "own.txt").read_text(encoding="utf-8") != "kept":
+            print(f"a folder that is no site: status {refused.returncode}, {refused.stderr}")
+            return 1
         made = subprocess.run([python, "-B", tree / "packaging" / "site" / "make.py", tree, build, folder, "--runs", "0.5"], capture_output=True, text=True)
         print(made.stdout, made.stderr)
         bad = [f"warned: {line}" for line in made.stderr.splitlines()]

@@ -135,6 +135,16 @@ def test_machines_and_the_winch_by_name(conveyors):
         conveyors.surface("floor")
 
 
+def test_two_conveyors_of_one_name():
+    """The second one's force came without a word."""
+    case = hawser.Case(ROOT / "cases" / "conveyors.yaml")
+    case.set({"conveyors.second.name": "first"})
+    simulation = hawser.Simulation(case)
+    for find in (simulation.conveyor, simulation.machine):
+        with pytest.raises(KeyError, match="2 .*s are called 'first'"):
+            find("first")
+
+
 def test_surfaces_and_results_by_name():
     simulation = hawser.Simulation(DATA / "picture.yaml")
     result = simulation.run()
