@@ -16,7 +16,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#define STATES_FILE "results.h5"
 enum { FRAMES_NAME = 32, TIME_CHUNK = 256 };
 enum { CONVERSION = 64 << 10 }; /* bytes in which HDF5 turns doubles into floats: its 1 MB is cleared at each write */
 /* Bytes of states from which on they are compressed. */
@@ -121,7 +120,7 @@ static int write_connectivity(H5File *h)
         pairs[2 * i] = i;
         pairs[2 * i + 1] = i + 1;
     }
-    const int ok = h5_set(h->file, "connectivity", H5T_STD_I32LE, H5T_NATIVE_INT, 2, dims, pairs);
+    const int ok = h5_counts(h->file, "connectivity", 2, dims, pairs);
     free(pairs);
     return ok;
 }

@@ -29,6 +29,14 @@ int h5_numbers(hid_t object, const char *name, int n, const double *values)
     return ok;
 }
 
+hid_t h5_group(hid_t parent, const char *path)
+{
+    const hid_t there = door_group(parent, path);
+    return there >= 0 ? there : H5Gcreate2(parent, path, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+}
+
+void h5_leave(hid_t group) { H5Gclose(group); }
+
 /* One chunk, shuffled and deflated, for a set of so many items of a type; the default for small ones. */
 static hid_t whole_chunk(hid_t file_type, int rank, const hsize_t *dims)
 {
@@ -64,6 +72,11 @@ int h5_set(hid_t parent, const char *name, hid_t file_type, hid_t type, int rank
     const hid_t set = set_new(parent, name, file_type, type, rank, dims, values, H5P_DEFAULT);
     if (set >= 0) H5Dclose(set);
     return set >= 0;
+}
+
+int h5_counts(hid_t parent, const char *name, int rank, const hsize_t *dims, const int *values)
+{
+    return h5_set(parent, name, H5T_STD_I32LE, H5T_NATIVE_INT, rank, dims, values);
 }
 
 /* One set of a table, with its unit and what it is. */

@@ -11,9 +11,9 @@
  * other one knows those of 64-bit machines with doubles and 64-bit indices, which the former compares where it is one.
  */
 #ifdef HAWSER_CVODE_SOURCES
-#include "cvode_impl.h"
-#include "cvode_ls_impl.h"
-#include "cvode_proj_impl.h"
+#include <cvode_impl.h>
+#include <cvode_ls_impl.h>
+#include <cvode_proj_impl.h>
 #include <stddef.h>
 #define AT(record, field, known)                                                                                       \
     ((int)offsetof(struct record, field) / (sizeof(void *) != 8 || offsetof(struct record, field) == (known)))
