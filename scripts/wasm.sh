@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the desk's engine: theory, cases and routes as WebAssembly, by Debian's emscripten, with libraries from Debian's source packages; then
 # web/dist/desk.html, the page that has it inside. Who only uses the page needs none of this.
-# Usage: sh scripts/wasm.sh [--engine]        --engine: without the page
+# Usage: sh scripts/wasm.sh [--engine | --check]        --engine: without the page; --check: compares with web/dist/desk.html bit for bit
 set -eu
 
 cd "$(dirname "$0")/.."
@@ -36,7 +36,8 @@ compile() {
     mkdir -p "$objects"
     for file in "$@"; do
         # shellcheck disable=SC2086 # words of flags
-        emcc -O2 -w -DNDEBUG -fmacro-prefix-map="$root"=. $flags -I"$work/include" -c "$file" -o "$objects/$(basename "$file" .c).o"
+        emcc -O2 -w -DNDEBUG -fmacro-prefix-map="$root"=. $flags -I"$work/include" -c "$file" \
+            -o "$objects/$(basename "$(dirname "$file")")-$(basename "$file" .c).o"
     done
     emar rcs "$work/lib/lib$name.a" "$objects"/*.o
 }
@@ -54,7 +55,7 @@ compile expat "-DXML_DTD=1 -DXML_NS=1 -DXML_CONTEXT_BYTES=1024 -DXML_POOR_ENTROP
     "$s"/libexpat-R_2_5_0/expat/lib/xmlparse.c "$s"/libexpat-R_2_5_0/expat/lib/xmlrole.c "$s"/libexpat-R_2_5_0/expat/lib/xmltok.c
 compile jansson "-DHAVE_STDINT_H -DHAVE_UNISTD_H -DHAVE_SYS_TIME_H -DHAVE_LOCALECONV -DHAVE_LOCALE_H -DHAVE_STRTOLL \
     -DINITIAL_HASHTABLE_ORDER=3" "$s"/jansson-2.14/src/*.c
-compile z "" $(for f in adler32 crc32 deflate inffast inflate inftrees trees zutil; do echo "$s"/zlib-1.2.13*/$f.c; done)
+compile z "" $(for f in adler32 compress crc32 deflate inffast inflate inftrees trees zutil; do echo "$s"/zlib-1.2.13*/$f.c; done)
 if [ ! -f "$work/lib/libzip.a" ]; then
     # its own CMake makes the headers (but for the sizes, which it cannot find out here); no encryption, no other compression
     emcmake cmake -S "$s/libzip-1.7.3" -B "$work/objects/zip" -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF \
@@ -72,7 +73,8 @@ grep -v MPI_ENABLED /usr/include/sundials/sundials_config.h >"$work/include/sund
 cp /usr/include/sundials/sundials_export.h "$work/include/sundials"
 cv=$s/sundials-6.4.1/src
 compile sundials "-I$cv/sundials -I$cv/cvode" "$cv"/cvode/cvode.c "$cv"/cvode/cvode_io.c "$cv"/cvode/cvode_ls.c "$cv"/cvode/cvode_nls.c \
-    "$cv"/cvode/cvode_proj.c "$cv"/nvector/serial/nvector_serial.c "$cv"/sunnonlinsol/newton/sunnonlinsol_newton.c \
+    "$cv"/cvode/cvode_proj.c "$cv"/nvector/serial/nvector_serial.c "$cv"/sunmatrix/band/sunmatrix_band.c "$cv"/sunmatrix/dense/sunmatrix_dense.c \
+    "$cv"/sunnonlinsol/newton/sunnonlinsol_newton.c \
     $(for f in context direct dense band iterative linearsolver logger math matrix memory nonlinearsolver nvector nvector_senswrapper \
         version; do echo "$cv"/sundials/sundials_$f.c; done)
 # KLU: the functions on 32-bit integers and real numbers, and what they stand on.
@@ -87,8 +89,8 @@ compile metis "-I$m/GKlib -I$m/libmetis -DLINUX -D_GNU_SOURCE -DNDEBUG2" "$m"/li
     $(for f in b64 blas csr error evaluate fkvkselect fs getopt graph htable io itemsets mcore memory omp pdb pqueue random rw seq sort \
         string timers tokenizer util; do echo "$m/GKlib/$f.c"; done)
 
-emcmake cmake --preset wasm >"$work/build.log"
-cmake --build --preset wasm >>"$work/build.log"
+emcmake cmake --preset wasm -DHAWSER_CVODE_SOURCES="$s/sundials-6.4.1" >"$work/build.log"
+cmake --build --preset wasm >>"$work/build.log" || { tail -n 40 "$work/build.log" >&2; exit 1; }
 # What is inside, each under its own licence.
 for file in "$s"/libyaml-0.2.5/License "$s"/libexpat-R_2_5_0/COPYING "$s"/jansson-2.14/LICENSE "$s"/zlib-1.2.13*/LICENSE "$s"/libzip-1.7.3/LICENSE \
     "$s"/sundials-6.4.1/LICENSE "$s"/SuiteSparse-5.12.0/LICENSE.txt "$s"/metis-5.1.0/LICENSE.txt \
@@ -99,6 +101,14 @@ done >"$work/desk/licences.txt"
 echo "== emscripten 3.1.6: Copyright 2010-2022 Emscripten authors, under the Expat (MIT) licence, as jansson" >>"$work/desk/licences.txt"
 [ "$only" != --engine ] || exit 0
 cd web
+if [ "$only" = --check ]; then
+    node desk.mjs "$work/desk" "$work/desk.html"
+    cmp "$work/desk.html" dist/desk.html || {
+        echo "wasm.sh: web/dist/desk.html is not what is in the tree: run sh scripts/wasm.sh and commit web/dist" >&2
+        exit 1
+    }
+    exit 0
+fi
 node desk.mjs "$work/desk"
 python3 manifest.py --write
 ls -l dist/desk.html

@@ -8,7 +8,7 @@
 #include <sys/random.h>
 #include <unistd.h>
 
-#include "hawser/hawser.h"
+#include "web/engine/desk.h"
 
 /* Which emscripten's library declares and does not have. */
 ssize_t getrandom(void *to, size_t size, unsigned flags)
@@ -19,8 +19,7 @@ ssize_t getrandom(void *to, size_t size, unsigned flags)
 
 static const char FOLDER[] = "/case", PAGE[] = "/page.html";
 
-/* Takes `text`, which may be NULL. */
-static char *answered(hawser_status status, char *text, const hawser_error *err)
+char *desk_answered(hawser_status status, char *text, const hawser_error *err)
 {
     char *out = NULL;
     if (!status && text && (out = malloc(strlen(text) + 2))) {
@@ -42,8 +41,7 @@ static char *answered(hawser_status status, char *text, const hawser_error *err)
     return out;
 }
 
-/* All of a file that the library has written, malloc'ed. */
-static char *file_taken(const char *path)
+char *file_text(const char *path, size_t *size)
 {
     FILE *const f = fopen(path, "rb");
     char *text = NULL;
@@ -52,13 +50,22 @@ static char *file_taken(const char *path)
     if (n >= 0 && !fseek(f, 0, SEEK_SET) && (text = malloc((size_t)n + 1))) {
         if (fread(text, 1, (size_t)n, f) != (size_t)n) n = 0;
         text[n] = 0;
+        *size = (size_t)n;
     }
     if (f) fclose(f);
+    return text;
+}
+
+/* The text of a file that the library has written, which is taken away. */
+static char *file_taken(const char *path)
+{
+    size_t size;
+    char *const text = file_text(path, &size);
     remove(path);
     return text;
 }
 
-static hawser_status case_of(const char *text, hawser_case **c, hawser_error *err)
+hawser_status desk_case(const char *text, hawser_case **c, hawser_error *err)
 {
     hawser_status status = hawser_case_parse(text, "case.yaml", c, err);
     return status ? status : hawser_case_folder(*c, FOLDER, err);
@@ -71,10 +78,10 @@ char *desk_theory(const char *text, const char *tables)
     hawser_error err = {0};
     hawser_case *c = NULL;
     char *said = NULL;
-    hawser_status status = case_of(text, &c, &err);
+    hawser_status status = desk_case(text, &c, &err);
     if (!status) status = hawser_case_theory_shown(c, HAWSER_JSON, &options, &said, NULL, &err);
     hawser_case_free(c);
-    return answered(status, said, &err);
+    return desk_answered(status, said, &err);
 }
 
 /* The answer in words. us: not 0, in units of the United States. */
@@ -84,10 +91,10 @@ char *desk_answer(const char *text, int us)
     hawser_error err = {0};
     hawser_case *c = NULL;
     char *said = NULL;
-    hawser_status status = case_of(text, &c, &err);
+    hawser_status status = desk_case(text, &c, &err);
     if (!status) status = hawser_case_theory_shown(c, us ? HAWSER_TABLE_US : HAWSER_TABLE, &options, &said, NULL, &err);
     hawser_case_free(c);
-    return answered(status, said, &err);
+    return desk_answered(status, said, &err);
 }
 
 /* The page of the calculation. */
@@ -95,10 +102,10 @@ char *desk_page(const char *text, int us)
 {
     hawser_error err = {0};
     hawser_case *c = NULL;
-    hawser_status status = case_of(text, &c, &err);
+    hawser_status status = desk_case(text, &c, &err);
     if (!status) status = hawser_case_calculation(c, us ? HAWSER_US : HAWSER_SI, PAGE, NULL, &err);
     hawser_case_free(c);
-    return answered(status, status ? NULL : file_taken(PAGE), &err);
+    return desk_answered(status, status ? NULL : file_taken(PAGE), &err);
 }
 
 char *desk_schema(void)
@@ -106,7 +113,7 @@ char *desk_schema(void)
     hawser_error err = {0};
     char *text = NULL;
     const hawser_status status = hawser_case_schema(&text, &err);
-    return answered(status, text, &err);
+    return desk_answered(status, text, &err);
 }
 
 /* The lines of a file in the folder, as JSON. */
@@ -120,5 +127,5 @@ char *desk_route(const char *name)
     hawser_status status = hawser_routes_read(path, NULL, &routes, &err);
     if (!status) status = hawser_routes_describe(routes, HAWSER_JSON, &text, &err);
     hawser_routes_free(routes);
-    return answered(status, text, &err);
+    return desk_answered(status, text, &err);
 }
