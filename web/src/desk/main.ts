@@ -17,6 +17,7 @@ import limitsText from '../../../cases/limits.yaml';
 import { Engine, EngineError, inflated, workerOf, type Fault, type Remedy, type Theory } from './engine';
 import { completions, type Schema } from './complete';
 import { button, routeView, type Editing } from './route';
+import { Simulation } from './simulate';
 import { filesOf, pathOf, putSection, setValue, type Change } from './splice';
 import { valuesView } from './values';
 
@@ -329,6 +330,15 @@ async function openFile(file: File): Promise<void> {
 // ---------------------------------------------------------------------------------------------------------- the screen
 
 function wire(): void {
+  new Simulation({
+    engine: () => engine,
+    current,
+    name: () => name,
+    us: () => us,
+    t: (english, ...parts) => english.replace(/\{(\d)\}/g, (_, i: string) => parts[Number(i) - 1] ?? ''),
+    force,
+    download,
+  });
   const menu = part<HTMLSelectElement>('examples');
   EXAMPLES.forEach(([label], i) => menu.add(new Option(label, String(i))));
   menu.addEventListener('change', () => {
