@@ -1,28 +1,45 @@
-# The engine of the desk (web/README.md): theory, cases, routes and the catalogue as WebAssembly, without simulations. What it
-# takes of io/ is what needs no simulation; the libraries are those that scripts/wasm.sh has built below build/wasm.
+# The engine of the desk (web/README.md): the library as WebAssembly with what the page calls of it, and the catalogue. The libraries
+# below it are those that scripts/wasm.sh has built below build/wasm. What is given to a compiler here are whole folders; the linker takes
+# what is called.
 set(DESK_LIBRARIES ${PROJECT_SOURCE_DIR}/build/wasm)
-file(GLOB_RECURSE sources CONFIGURE_DEPENDS core/*.c def/*.c theory/*.c survey/*.c contact/*.c io/yaml/*.c io/schema/*.c io/case/*.c io/library/*.c
-     io/chains/*.c io/place/*.c io/alignment/*.c io/job/*.c)
-list(APPEND sources io/api/api_answer.c io/api/api_case.c io/api/api_library.c io/api/api_plausible.c io/api/api_remedy.c io/api/api_route.c
-     io/api/api_theory.c io/api/api_equipment.c io/api/theory_tables.c io/report/calculation.c io/report/crew.c io/report/route_page.c io/report/svg.c
-     io/report/text.c io/results/document.c io/results/page.c io/results/results_file.c io/results/shown.c io/results/summary_json.c
-     io/results/tables.c io/results/words.c io/results/words_table.c io/results/workbook.c web/engine/along.c web/engine/desk.c)
-add_executable(hawser_desk ${sources})
-target_include_directories(hawser_desk PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include ${DESK_LIBRARIES}/include)
-target_compile_definitions(hawser_desk PRIVATE HAWSER_ISA=generic HAWSER_VERSION="${PROJECT_VERSION}")
-target_compile_options(hawser_desk PRIVATE -O2 -Wno-unused-command-line-argument -Wno-psabi -fno-math-errno -fno-trapping-math
-                       -fmacro-prefix-map=${PROJECT_SOURCE_DIR}=.)
+# Warnings are for the native builds: what they convert on purpose has other sizes here.
+set(CMAKE_POSITION_INDEPENDENT_CODE OFF)
+add_compile_options(-msimd128 -fmacro-prefix-map=${PROJECT_SOURCE_DIR}=.)
+target_compile_options(hawser_flags INTERFACE -w)
+include_directories(SYSTEM ${DESK_LIBRARIES}/include)
+function(desk_library target)
+    add_library(${target} INTERFACE IMPORTED GLOBAL)
+    foreach(name ${ARGN})
+        target_link_libraries(${target} INTERFACE ${DESK_LIBRARIES}/lib/lib${name}.a)
+    endforeach()
+endfunction()
+desk_library(PkgConfig::YAML yaml)
+desk_library(PkgConfig::EXPAT expat)
+desk_library(PkgConfig::JANSSON jansson)
+desk_library(PkgConfig::LIBZIP zip z)
+desk_library(PkgConfig::ZLIB z)
+desk_library(SUNDIALS::cvode sundials)
+desk_library(SUNDIALS::nvecserial sundials)
+desk_library(hawser_klu suitesparse metis)
+set(HAWSER_THREADS_LIBRARY "")
+set(HAWSER_HDF5_LIBRARY "")
+set(HAWSER_SHAPELIB "")
+set(HAWSER_SANITIZED OFF)
+include(cmake/Folder.cmake)
+foreach(folder core survey contact linsolve def theory sim validate io)
+    add_subdirectory(${folder})
+endforeach()
+
+add_executable(hawser_desk web/engine/along.c web/engine/desk.c web/engine/run.c)
+target_link_libraries(hawser_desk PRIVATE hawser_io)
 set(functions malloc free)
-foreach(name theory answer page schema route section along library words)
+foreach(name theory answer page schema route section along library words cost run)
     list(APPEND functions desk_${name})
 endforeach()
 list(TRANSFORM functions PREPEND _)
 list(JOIN functions , functions)
-target_link_options(hawser_desk PRIVATE -O2 -sMODULARIZE=1 -sEXPORT_NAME=hawserEngine -sENVIRONMENT=web,worker,node -sALLOW_MEMORY_GROWTH=1
-                    -sTOTAL_STACK=4194304 -sINITIAL_MEMORY=33554432 -sDYNAMIC_EXECUTION=0 -sEXPORTED_FUNCTIONS=${functions}
+target_link_options(hawser_desk PRIVATE -O3 -sMODULARIZE=1 -sEXPORT_NAME=hawserEngine -sENVIRONMENT=web,worker,node -sALLOW_MEMORY_GROWTH=1
+                    -sTOTAL_STACK=8388608 -sINITIAL_MEMORY=67108864 -sDYNAMIC_EXECUTION=0 -sEXPORTED_FUNCTIONS=${functions}
                     -sEXPORTED_RUNTIME_METHODS=FS,UTF8ToString,stringToUTF8,lengthBytesUTF8,ENV -sFORCE_FILESYSTEM=1
                     --embed-file ${PROJECT_SOURCE_DIR}/library@/library)
-foreach(name yaml expat jansson zip z)
-    target_link_libraries(hawser_desk PRIVATE ${DESK_LIBRARIES}/lib/lib${name}.a)
-endforeach()
 set_target_properties(hawser_desk PROPERTIES OUTPUT_NAME hawser RUNTIME_OUTPUT_DIRECTORY ${DESK_LIBRARIES}/desk)

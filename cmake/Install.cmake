@@ -9,7 +9,10 @@ endforeach()
 
 # What the folders link outside the project. A new library belongs here too, and its licence in NOTICE: tests/install builds
 # a consumer of the static library from nothing but this list.
-set(HAWSER_PRIVATE_PACKAGES yaml-0.1 expat jansson hdf5-serial zlib nlopt libzip) # known to pkg-config
+set(HAWSER_PRIVATE_PACKAGES yaml-0.1 expat jansson zlib nlopt libzip) # known to pkg-config
+if(HAWSER_HDF5)
+    list(APPEND HAWSER_PRIVATE_PACKAGES hdf5-serial)
+endif()
 if(HAWSER_SHAPELIB)
     list(APPEND HAWSER_PRIVATE_PACKAGES shapelib)
 endif()
@@ -34,8 +37,8 @@ set_target_properties(hawser_shared PROPERTIES ${HAWSER_SHIPPED_PROPERTIES}
 target_link_options(hawser_shared PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/hawser.map
                                           $<$<CONFIG:Release>:-Wl,-z,defs>)
 target_link_libraries(hawser_shared PRIVATE
-    SUNDIALS::cvode SUNDIALS::nvecserial PkgConfig::YAML PkgConfig::EXPAT PkgConfig::JANSSON PkgConfig::HDF5 PkgConfig::ZLIB
-    PkgConfig::NLOPT PkgConfig::LIBZIP ${HAWSER_SHAPELIB} hawser_klu Threads::Threads m)
+    SUNDIALS::cvode SUNDIALS::nvecserial PkgConfig::YAML PkgConfig::EXPAT PkgConfig::JANSSON ${HAWSER_HDF5_LIBRARY} PkgConfig::ZLIB
+    PkgConfig::NLOPT PkgConfig::LIBZIP ${HAWSER_SHAPELIB} hawser_klu ${HAWSER_THREADS_LIBRARY} m)
 target_include_directories(hawser_shared INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
 # The static library is one object in which everything but hawser_* has become local: a program that links it may have

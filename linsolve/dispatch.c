@@ -161,9 +161,15 @@ static LinSolver *solver_new(LinMatrix a, const LinOptions *options, hawser_erro
     if (solver_analyse(s, &a)) return s;
     const LinKind kind = s->options.kind;
     if (kind == LIN_BAND || kind == LIN_DENSE) {
+#ifdef HAWSER_LAPACK
         error_set(err, HAWSER_ERR_MEMORY,
                   "no memory for the solver '%s', or its library liblapacke.so.3 is not installed",
                   linsolver_kind_name(kind));
+#else
+        error_set(err, HAWSER_ERR_RUN,
+                  "the solver '%s' needs LAPACK, which this build of hawser leaves out (HAWSER_LAPACK)",
+                  linsolver_kind_name(kind));
+#endif
     } else {
         error_memory(err);
     }

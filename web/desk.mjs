@@ -35,18 +35,24 @@ const safe = (script) => script.replaceAll('</script', '<\\/script').replaceAll(
 
 const main = await bundled('src/desk/main.ts');
 const script = safe(`${[...libraries].sort().map(licence).join('\n')}\n${main}`);
-const sum = createHash('sha256').update(script).digest('base64');
+const sumOf = (text) => createHash('sha256').update(text).digest('base64');
+// The report's program, which the desk shows runs with and the engine puts into their reports: what the policies allow.
+const report = readFileSync('dist/report.js', 'utf8');
+if (/<\/script|<!--/.test(report)) throw new Error('dist/report.js would end its element');
 const parts = {
-  POLICY: `default-src 'none'; script-src 'sha256-${sum}' blob: 'wasm-unsafe-eval'; worker-src blob:; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'`,
+  POLICY: `default-src 'none'; script-src 'sha256-${sumOf(script)}' 'sha256-${sumOf(report)}' blob: 'wasm-unsafe-eval'; worker-src blob:; style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'`,
   STYLE: readFileSync('src/desk/desk.css', 'utf8'),
   ENGINE: deflateRawSync(readFileSync(`${folder}/hawser.wasm`), { level: 9 }).toString('base64'),
   GLUE: safe(readFileSync(`${folder}/hawser.js`, 'utf8')),
   LICENCES: safe(readFileSync(`${folder}/licences.txt`, 'utf8')),
+  REPORTSCRIPT: report,
+  REPORTSTYLE: safe(readFileSync('dist/report.css', 'utf8')),
+  REPORTSUM: sumOf(report),
   WORKER: safe(await bundled('src/desk/worker.ts')),
   SCRIPT: script,
 };
 const page = readFileSync('src/desk/desk.html.in', 'utf8').replace(
-  /(?<=content="|>)(POLICY|STYLE|ENGINE|GLUE|LICENCES|WORKER|SCRIPT)(?=["<])/g,
+  /(?<=content="|>)(POLICY|STYLE|ENGINE|GLUE|REPORTSCRIPT|REPORTSTYLE|REPORTSUM|LICENCES|WORKER|SCRIPT)(?=["<])/g,
   (_, part) => parts[part],
 );
 writeFileSync(process.argv[3] ?? 'dist/desk.html', page);

@@ -17,7 +17,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FORMAT = 8 };
+enum { FORMAT = 9 };
 
 typedef struct FileHead {
     char magic[16];

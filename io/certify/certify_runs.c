@@ -177,9 +177,11 @@ hawser_status companions_run(CertifyRound *round, int n, Companion *const *compa
                  .ended = PTHREAD_COND_INITIALIZER};
     pthread_t thread[THREADS_MAX];
     int threads = 0;
+#ifdef HAWSER_THREADS
     while (threads < round->threads && threads < THREADS_MAX && threads < n &&
            !pthread_create(&thread[threads], NULL, work, &pool))
         ++threads;
+#endif
     if (threads > 0) wait_for_all(&pool, round, threads);
     if (threads == 0) work(&pool); /* no thread is to be had: in this one, and without a word */
     for (int k = 0; k < threads; ++k) pthread_join(thread[k], NULL);

@@ -145,9 +145,9 @@ hawser_status folder_read_within(const Folder *outer, const char *name, const ch
 
 hawser_status folder_files(const Folder *folder, FileMarks *files, hawser_error *err)
 {
-    static const char *const names[] = {"summary.json", "stations.csv",     "rollers.csv",
-                                        "series.csv",   "inputs.csv",       "route.csv",
-                                        "results.h5",   "certificate.json", "sensitivities.json"};
+    static const char *const names[] = {"summary.json",     "stations.csv",      "rollers.csv", "series.csv",
+                                        "inputs.csv",       "route.csv",         "results.h5",  "states.hawser",
+                                        "certificate.json", "sensitivities.json"};
     hawser_status status = HAWSER_OK;
     for (size_t k = 0; k < sizeof names / sizeof *names && !status; k++) {
         char *const path = folder_path(folder, names[k]);

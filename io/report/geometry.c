@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* Significant digits: a millimetre on ten kilometres. */
-enum { DIGITS = 8, SURFACES_MOST = 10000, NAMES_MOST = 10000000 };
+enum { DIGITS = 8, SURFACES_MOST = 10000 };
 
 static void number_add(Text *out, double value)
 {
@@ -27,36 +27,6 @@ static void numbers_add(Text *out, const double *values, int width)
         number_add(out, values[k]);
     }
     if (width) text_add(out, "]");
-}
-
-/* Texts with a NUL behind each of them: [n] of *size bytes, malloc'ed; NULL: none. They lie letter by letter, or, of
- * results of format 1, as texts of one length. */
-static char *names_read(hid_t parent, const char *name, hsize_t *n, size_t *size)
-{
-    hsize_t dims[2] = {0, 0};
-    hid_t set = door_set(parent, name, 1, 2, dims, (double)NAMES_MOST * DOOR_TEXT_MAX);
-    const int letters = set >= 0;
-    if (!letters) set = door_set(parent, name, 1, 1, dims, NAMES_MOST);
-    if (set < 0) return NULL;
-    *n = dims[0];
-    const hid_t type = H5Dget_type(set), memory = H5Tcopy(H5T_C_S1);
-    const size_t width = H5Tget_size(type) * (letters ? (size_t)dims[1] : 1);
-    *size = width + 1; /* room for a NUL */
-    if (!letters) H5Tset_size(memory, *size);
-    char *names = calloc((size_t)*n + 1, *size);
-    herr_t code = -1;
-    H5E_BEGIN_TRY { code = names ? H5Dread(set, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, names) : -1; }
-    H5E_END_TRY
-    H5Tclose(memory);
-    H5Tclose(type);
-    H5Dclose(set);
-    for (hsize_t i = *n; letters && code >= 0 && i-- > 0;) {
-        memmove(names + i * *size, names + i * width, width);
-        names[i * *size + width] = 0;
-    }
-    if (code >= 0) return names;
-    free(names);
-    return NULL;
 }
 
 /* A set and the key under which it stands. width: numbers an item has, 0 a plain one; -1: names. */
@@ -231,7 +201,7 @@ static void surfaces_add(Text *out, hid_t file)
         if (group < 0) break;
         if (i) text_add(out, ",\n");
         surface_add(out, group);
-        H5Gclose(group);
+        door_close(group);
     }
     text_add(out, "]");
 }
@@ -249,7 +219,7 @@ static void machine_add(Text *out, hid_t file, const char *path, int n, const It
     }
     if (group < 0) return;
     text_add(out, "}");
-    H5Gclose(group);
+    door_close(group);
 }
 
 static const Item reel_item[] = {{"center_m", "centre", 3},
@@ -312,7 +282,7 @@ static const Item place_item[] = {ENVELOPE("place")}, arc_item[] = {ENVELOPE("ar
 static int has(hid_t file, const char *path)
 {
     const hid_t group = door_group(file, path);
-    if (group >= 0) H5Gclose(group);
+    if (group >= 0) door_close(group);
     return group >= 0;
 }
 
@@ -334,13 +304,9 @@ static void envelope_add(Text *out, hid_t file)
 
 void geometry_add(Text *out, hid_t file, Folder *folder)
 {
-    H5E_BEGIN_TRY
-    {
-        if (has(file, "geometry")) around_add(out, file, folder);
-        if (has(file, "chain")) chain_add(out, file);
-        if (has(file, "envelope")) envelope_add(out, file);
-    }
-    H5E_END_TRY
+    if (has(file, "geometry")) around_add(out, file, folder);
+    if (has(file, "chain")) chain_add(out, file);
+    if (has(file, "envelope")) envelope_add(out, file);
     if (!has(file, "geometry"))
         folder_say(
             folder,

@@ -4,8 +4,8 @@
 #define HAWSER_IO_REPORT_REPORT_H
 
 #include "io/report/folder.h"
+#include "io/results/results_h5.h"
 
-#include <hdf5.h>
 #include <stdint.h>
 
 /* ----------------------------------------------------------------------------------------------------------- bundle */

@@ -1,4 +1,3 @@
-/* Calls on a handle that is not valid fail without harm: what is missing shows at the end of each function. */
 #include "io/report/states.h"
 
 #include "core/base/error.h"
@@ -7,41 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Numbers that one set may bring into memory. */
-static const double numbers_most = 3e8;
-
-/* A set of numbers of that rank, and its dimensions; < 0: there is none. */
-static hid_t set_open(hid_t parent, const char *name, int rank, hsize_t *dims)
-{
-    return door_set(parent, name, 0, rank, dims, numbers_most);
-}
-
-double *numbers_read(hid_t parent, const char *name, int rank, hsize_t *dims)
-{
-    size_t n = 1;
-    const hid_t set = set_open(parent, name, rank, dims);
-    if (set < 0) return NULL;
-    for (int k = 0; k < rank; k++) n *= (size_t)dims[k];
-    double *values = calloc(n + 1, sizeof *values);
-    herr_t code = -1;
-    H5E_BEGIN_TRY { code = values ? H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) : -1; }
-    H5E_END_TRY
-    H5Dclose(set);
-    if (code >= 0) return values;
-    free(values);
-    return NULL;
-}
-
 int states_count(hid_t file)
 {
-    hsize_t dims[3];
-    const hid_t time = set_open(file, "time", 1, dims);
-    if (time < 0) return 0;
-    H5Dclose(time);
-    const hsize_t n = dims[0] < 10000000 ? dims[0] : 0;
-    const hid_t position = set_open(file, "position", 3, dims);
-    if (position < 0) return 0;
-    H5Dclose(position);
+    hsize_t times[1], dims[3];
+    if (!door_numbers_there(file, "time", 1, times) || !door_numbers_there(file, "position", 3, dims)) return 0;
+    const hsize_t n = times[0] < 10000000 ? times[0] : 0;
     return dims[0] < n ? (int)dims[0] : (int)n; /* the time is written last */
 }
 
@@ -57,26 +26,14 @@ static float *rows_read(hid_t file, const States *s, const char *name, int items
 {
     hsize_t dims[3] = {0, 0, 0};
     const int rank = width ? 3 : 2;
-    const size_t row = (size_t)items * (size_t)(width ? width : 1);
-    const hid_t set = set_open(file, name, rank, dims);
-    if (set < 0) return NULL;
-    float *values = NULL;
-    int ok = dims[0] >= (hsize_t)s->there && dims[1] == (hsize_t)items && (!width || dims[2] == (hsize_t)width);
-    if (ok) ok = (values = malloc((row * (size_t)s->frames + 1) * sizeof *values)) != NULL;
-    const hsize_t count[3] = {1, dims[1], dims[2]};
-    const hid_t here = H5Screate_simple(rank, count, NULL), there = H5Dget_space(set);
-    H5E_BEGIN_TRY
-    {
-        for (int i = 0; i < s->frames && ok; i++) {
-            const hsize_t start[3] = {row_of(s, i), 0, 0};
-            ok = H5Sselect_hyperslab(there, H5S_SELECT_SET, start, NULL, count, NULL) >= 0 &&
-                 H5Dread(set, H5T_NATIVE_FLOAT, here, there, H5P_DEFAULT, values + row * (size_t)i) >= 0;
-        }
-    }
-    H5E_END_TRY
-    H5Sclose(here);
-    H5Sclose(there);
-    H5Dclose(set);
+    const size_t frames = (size_t)s->frames;
+    if (!door_numbers_there(file, name, rank, dims)) return NULL;
+    if (dims[0] < (hsize_t)s->there || dims[1] != (hsize_t)items || (width && dims[2] != (hsize_t)width)) return NULL;
+    hsize_t *const row = malloc((frames + 1) * sizeof *row);
+    float *const values = malloc(((size_t)items * (size_t)(width ? width : 1) * frames + 1) * sizeof *values);
+    for (int i = 0; row && i < s->frames; i++) row[i] = row_of(s, i);
+    const int ok = row && values && rows_fill(file, name, rank, dims, s->frames, row, values);
+    free(row);
     if (ok) return values;
     free(values);
     return NULL;
@@ -114,9 +71,7 @@ static void rollers_read(hid_t file, States *s)
 {
     Field *const f = &s->field[FIELD_ROLLERS];
     hsize_t dims[3];
-    const hid_t set = set_open(file, "roller_load", 2, dims);
-    if (set < 0) return;
-    H5Dclose(set);
+    if (!door_numbers_there(file, "roller_load", 2, dims)) return;
     if (dims[1] == 0 || dims[1] > 1000000) return;
     *f = (Field){"roller_force", "N", (int)dims[1], 3, 1, rows_read(file, s, "roller_force", (int)dims[1], 3)};
     if (f->value) return;
@@ -129,9 +84,8 @@ hawser_status states_read(hid_t file, int most, States *s, hawser_error *err)
     hsize_t dims[3];
     *s = (States){.there = states_count(file)};
     double *const time = numbers_read(file, "time", 1, dims);
-    const hid_t set = set_open(file, "position", 3, dims);
-    if (set >= 0) H5Dclose(set);
-    const int fits = time && set >= 0 && s->there > 0 && dims[1] > 0 && dims[1] < 100000000 && dims[2] == 3;
+    const int fits = time && door_numbers_there(file, "position", 3, dims) && s->there > 0 && dims[1] > 0 &&
+                     dims[1] < 100000000 && dims[2] == 3;
     if (fits) {
         s->segments = (int)dims[1];
         s->frames = s->there < most ? s->there : most;

@@ -39,7 +39,4 @@ int states_count(hid_t file);
 hawser_status states_read(hid_t file, int most, States *states, hawser_error *err);
 void states_clear(States *states);
 
-/* A whole set as numbers, malloc'ed; NULL if there is none of that rank. dims[rank]. */
-double *numbers_read(hid_t parent, const char *name, int rank, hsize_t *dims);
-
 #endif

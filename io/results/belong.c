@@ -71,7 +71,7 @@ static hawser_status belonging_read(void *user, FILE *out, hawser_error *err)
 /* The states are those of the run; those of one that has ended are those of its series, too. */
 static hawser_status states_check(const OutDir *dir, const char *run, const char *series, hawser_error *err)
 {
-    static const char *const name = "results.h5";
+    static const char *const name = STATES_FILE;
     Belonging b = {dir, run, series};
     int broken = 0, died;
     char *said;

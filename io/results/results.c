@@ -30,11 +30,11 @@ static const struct {
 } tables[TABLES] = {{"stations.csv", &station_columns}, {"rollers.csv", &roller_columns}};
 
 /* All that a run may write, and what is made of it; the summary comes last. */
-enum { RUN_FILES = 10, FOLDER_FILES = 14 };
+enum { RUN_FILES = 11, FOLDER_FILES = 15 };
 static const char *const folder_files[FOLDER_FILES] = {
-    "sensitivities.json", "certificate.json", "report.html",  "report.pdf",  "series.csv",
-    "stations.csv",       "rollers.csv",      "inputs.csv",   "route.csv",   "modes.csv",
-    "positions.csv",      "results.h5",       "results.xdmf", "summary.json"};
+    "sensitivities.json", "certificate.json", "report.html",   "report.pdf",   "series.csv",
+    "stations.csv",       "rollers.csv",      "inputs.csv",    "route.csv",    "modes.csv",
+    "positions.csv",      "results.h5",       "states.hawser", "results.xdmf", "summary.json"};
 static const char *const *const run_files = folder_files + FOLDER_FILES - RUN_FILES;
 
 /* Within the folder: the results of an earlier run that ended as it should, until those of this one have. */
@@ -85,12 +85,12 @@ static hawser_status open_states(Results *r, const ResultsDef *def, hawser_error
 
 /* What an earlier run left and this one may not write, or gives its name late: a folder holds the results of one run.
  */
-enum { OLD_ENDS = 6, OLD_BUT_XDMF = 10, OLD_ALL = 11 }; /* the first: what only the end of a run writes */
+enum { OLD_ENDS = 6, OLD_BUT_XDMF = 11, OLD_ALL = 12 }; /* the first: what only the end of a run writes */
 static hawser_status remove_old(const Results *r, int count, hawser_error *err)
 {
     static const char *const names[OLD_ALL] = {
-        "positions.csv", "modes.csv", "certificate.json",   "sensitivities.json", "report.html", "report.pdf",
-        CHECKPOINT_FILE, "route.csv", "results.h5.journal", "results.h5",         "results.xdmf"};
+        "positions.csv", "modes.csv", "certificate.json",   "sensitivities.json", "report.html",   "report.pdf",
+        CHECKPOINT_FILE, "route.csv", "results.h5.journal", "results.h5",         "states.hawser", "results.xdmf"};
     OutSpot spot;
     hawser_status s = HAWSER_OK;
     for (int k = 0; k < count && !s; k++) {
@@ -393,8 +393,8 @@ hawser_status results_position(Results *r, ResultsPosition *position, hawser_err
 {
     hawser_status s = flush_all(r, 1, err);
     if (!s) s = out_sync_in(&r->dir, "series.csv", err);
-    if (!s && r->h5) s = out_sync_in(&r->dir, "results.xdmf", err);
-    if (!s && r->h5) s = out_sync_in(&r->dir, "results.h5", err);
+    if (!s && r->xdmf.out.f) s = out_sync_in(&r->dir, "results.xdmf", err);
+    if (!s && r->h5) s = out_sync_in(&r->dir, STATES_FILE, err);
     *position = (ResultsPosition){ftell(r->series.f), r->h5 ? r->xdmf.end : 0, r->states};
     return s;
 }
@@ -455,7 +455,7 @@ hawser_status results_finish(Results *r, const ResultsTables *t, hawser_error *e
     if (!s && r->h5) keep_first(&s, states_tie(r, err));
     const int states = r->h5 != NULL;
     keep_first(&s, h5_close(&r->h5, s ? NULL : err));
-    if (!s && states) s = file_seal(&r->dir, "results.h5", err);
+    if (!s && states) s = file_seal(&r->dir, STATES_FILE, err);
     keep_first(&s, xdmf_close(&r->xdmf, s ? NULL : err));
     for (int k = 0; k < TABLES; k++) {
         keep_first(&s, csv_rows(&r->tables[k], tables[k].columns, n[k], rows[k], s ? NULL : err));

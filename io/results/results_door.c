@@ -201,3 +201,84 @@ void door_text(hid_t object, const char *name, char text[DOOR_TEXT_MAX])
     }
     H5E_END_TRY
 }
+
+/* Numbers, and names, that one set may bring into memory. */
+static const double numbers_most = 3e8, names_most = 1e7;
+
+void door_close(hid_t group) { H5Gclose(group); }
+
+int door_numbers_there(hid_t parent, const char *path, int rank, hsize_t *dims)
+{
+    const hid_t set = door_set(parent, path, 0, rank, dims, numbers_most);
+    if (set >= 0) H5Dclose(set);
+    return set >= 0;
+}
+
+double *numbers_read(hid_t parent, const char *name, int rank, hsize_t *dims)
+{
+    size_t n = 1;
+    const hid_t set = door_set(parent, name, 0, rank, dims, numbers_most);
+    if (set < 0) return NULL;
+    for (int k = 0; k < rank; k++) n *= (size_t)dims[k];
+    double *values = calloc(n + 1, sizeof *values);
+    herr_t code = -1;
+    H5E_BEGIN_TRY { code = values ? H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) : -1; }
+    H5E_END_TRY
+    H5Dclose(set);
+    if (code >= 0) return values;
+    free(values);
+    return NULL;
+}
+
+/* The letters of format 2, or the texts of one length of format 1. */
+char *names_read(hid_t parent, const char *name, hsize_t *n, size_t *size)
+{
+    hsize_t dims[2] = {0, 0};
+    hid_t set = door_set(parent, name, 1, 2, dims, names_most * DOOR_TEXT_MAX);
+    const int letters = set >= 0;
+    if (!letters) set = door_set(parent, name, 1, 1, dims, names_most);
+    if (set < 0) return NULL;
+    *n = dims[0];
+    const hid_t type = H5Dget_type(set), memory = H5Tcopy(H5T_C_S1);
+    const size_t width = H5Tget_size(type) * (letters ? (size_t)dims[1] : 1);
+    *size = width + 1; /* room for a NUL */
+    if (!letters) H5Tset_size(memory, *size);
+    char *names = calloc((size_t)*n + 1, *size);
+    herr_t code = -1;
+    H5E_BEGIN_TRY { code = names ? H5Dread(set, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, names) : -1; }
+    H5E_END_TRY
+    H5Tclose(memory);
+    H5Tclose(type);
+    H5Dclose(set);
+    for (hsize_t i = *n; letters && code >= 0 && i-- > 0;) {
+        memmove(names + i * *size, names + i * width, width);
+        names[i * *size + width] = 0;
+    }
+    if (code >= 0) return names;
+    free(names);
+    return NULL;
+}
+
+int rows_fill(hid_t parent, const char *name, int rank, const hsize_t *dims, int n, const hsize_t *row, float *values)
+{
+    hsize_t unused[3], count[3] = {1, 1, 1};
+    const hid_t set = door_set(parent, name, 0, rank, unused, numbers_most);
+    size_t size = 1;
+    int ok = rank <= 3;
+    if (set < 0) return 0;
+    for (int k = 1; k < rank && ok; k++) size *= (size_t)(count[k] = dims[k]);
+    const hid_t here = H5Screate_simple(rank, count, NULL), there = H5Dget_space(set);
+    H5E_BEGIN_TRY
+    {
+        for (int i = 0; i < n && ok; i++) {
+            const hsize_t start[3] = {row[i], 0, 0};
+            ok = H5Sselect_hyperslab(there, H5S_SELECT_SET, start, NULL, count, NULL) >= 0 &&
+                 H5Dread(set, H5T_NATIVE_FLOAT, here, there, H5P_DEFAULT, values + size * (size_t)i) >= 0;
+        }
+    }
+    H5E_END_TRY
+    H5Sclose(here);
+    H5Sclose(there);
+    H5Dclose(set);
+    return ok;
+}

@@ -220,6 +220,13 @@ extern const int geometry_sets, surface_sets;
 extern const FixedSet envelope_set[];
 extern const int envelope_sets;
 
+/* Where the states are: in a build without HDF5 in a file of hawser's own, which its report reads and nothing else. */
+#ifdef HAWSER_HDF5
+#define STATES_FILE "results.h5"
+#else
+#define STATES_FILE "states.hawser"
+#endif
+
 /* The sampled states, one row a state, readable while the run goes on. docs/results.md lists what is in it. HDF5 stays
  * silent: what goes wrong comes back as a status. */
 typedef struct H5File H5File;
@@ -255,7 +262,7 @@ typedef struct XdmfFile {
     long end;  /* where the next state goes: over the closing tags */
 } XdmfFile;
 
-/* Creates dir/results.xdmf without states. Errors: OUTPUT, MEMORY. */
+/* Creates dir/results.xdmf without states (without HDF5: no such file, here and below). Errors: OUTPUT, MEMORY. */
 hawser_status xdmf_open(XdmfFile *x, const OutDir *dir, const ResultsDef *def, hawser_error *err);
 /* Whether xdmf_resume can do so; nothing is changed. Errors: OUTPUT. */
 hawser_status xdmf_can_resume(const OutDir *dir, long end, hawser_error *err);

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define OF(array, n) .values = offsetof(Geometry, array), .count = offsetof(Geometry, n)
 
@@ -114,7 +115,7 @@ static int line_write(hid_t file, const Geometry *g, int *error)
         pairs[2 * i] = i;
         pairs[2 * i + 1] = i + 1;
     }
-    const int ok = h5_set(file, "geometry/route/line", H5T_STD_I32LE, H5T_NATIVE_INT, 2, dims, pairs);
+    const int ok = h5_counts(file, "geometry/route/line", 2, dims, pairs);
     free(pairs);
     return ok;
 }
@@ -130,47 +131,48 @@ static int surface_write(hid_t file, int i, const GeometrySurface *s)
     char prefix[64];
     snprintf(prefix, sizeof prefix, "geometry/surfaces/%d/", i);
     if (!h5_fixed(file, prefix, surface_sets, surface_set, s)) return 0;
-    const hid_t group = H5Gopen2(file, prefix, H5P_DEFAULT);
+    prefix[strlen(prefix) - 1] = 0;
+    const hid_t group = h5_group(file, prefix);
     const int ok = group >= 0 && h5_text(group, "name", s->name) && h5_text(group, "kind", s->kind) &&
                    h5_text(group, "section", s->section) && number_write(group, "from", s->from) &&
                    number_write(group, "to", s->to) && number_write(group, "diameter", s->diameter) &&
                    number_write(group, "width", s->width) && number_write(group, "height", s->height) &&
                    number_write(group, "endless", s->endless) && h5_numbers(group, "normal", 3, s->normal);
-    if (group >= 0) H5Gclose(group);
+    if (group >= 0) h5_leave(group);
     return ok;
 }
 
 static int reel_write(hid_t file, const GeometryReel *r)
 {
     if (!r->present) return 1;
-    const hid_t group = H5Gcreate2(file, "geometry/reel", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t group = h5_group(file, "geometry/reel");
     const int ok = group >= 0 && h5_numbers(group, "centre", 3, r->centre) && h5_numbers(group, "axis", 3, r->axis) &&
                    number_write(group, "barrel_radius", r->barrel) && number_write(group, "flange_radius", r->flange) &&
                    number_write(group, "width", r->width);
-    if (group >= 0) H5Gclose(group);
+    if (group >= 0) h5_leave(group);
     return ok;
 }
 
 static int winch_write(hid_t file, const GeometryWinch *w)
 {
     if (!w->present) return 1;
-    const hid_t group = H5Gcreate2(file, "geometry/winch", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t group = h5_group(file, "geometry/winch");
     const int ok =
         group >= 0 && h5_numbers(group, "position", 3, w->position) && h5_numbers(group, "direction", 3, w->direction);
-    if (group >= 0) H5Gclose(group);
+    if (group >= 0) h5_leave(group);
     return ok;
 }
 
 int geometry_write(hid_t file, const Geometry *g, int *error)
 {
-    const hid_t group = H5Gcreate2(file, "geometry", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t group = h5_group(file, "geometry");
     int ok = group >= 0 && h5_text(group, "description", "what stands around the cable, where it begins") &&
              h5_fixed(file, "", geometry_sets, geometry_set, g) && line_write(file, g, error);
-    if (group >= 0) H5Gclose(group);
+    if (group >= 0) h5_leave(group);
     for (int i = 0; i < g->n_surfaces && ok; i++) ok = surface_write(file, i, &g->surface[i]);
     ok = ok && reel_write(file, &g->reel) && winch_write(file, &g->winch);
-    const hid_t chain = ok ? H5Gopen2(file, "chain", H5P_DEFAULT) : -1;
+    const hid_t chain = ok ? h5_group(file, "chain") : -1;
     ok = chain >= 0 && h5_text(chain, "part_names", "cable, rope");
-    if (chain >= 0) H5Gclose(chain);
+    if (chain >= 0) h5_leave(chain);
     return ok;
 }

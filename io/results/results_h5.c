@@ -16,7 +16,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#define STATES_FILE "results.h5"
 enum { FRAMES_NAME = 32, TIME_CHUNK = 256 };
 enum { CONVERSION = 64 << 10 }; /* bytes in which HDF5 turns doubles into floats: its 1 MB is cleared at each write */
 /* Bytes of states from which on they are compressed. */
@@ -121,7 +120,7 @@ static int write_connectivity(H5File *h)
         pairs[2 * i] = i;
         pairs[2 * i + 1] = i + 1;
     }
-    const int ok = h5_set(h->file, "connectivity", H5T_STD_I32LE, H5T_NATIVE_INT, 2, dims, pairs);
+    const int ok = h5_counts(h->file, "connectivity", 2, dims, pairs);
     free(pairs);
     return ok;
 }
@@ -150,27 +149,27 @@ static int write_rollers(H5File *h, const ResultsDef *def)
 static int write_axes(const H5File *h)
 {
     enum { AXIS_TIME, AXIS_SEGMENT, AXIS_JOINT, AXIS_ROLLER, AXIS_XYZ, AXIS_WXYZ, AXIS_LETTER, AXES };
-    const Axis axis[AXES] = {{"time", -1, 0, NULL},
-                             {"segment", h->segments, 0, "segments, from the tail"},
-                             {"joint", h->segments + 1, 0, "joints; j lies between segments j-1 and j"},
-                             {"roller", h->rollers, 0, "rollers and obstacles, in the case's order"},
-                             {"xyz", 3, 1, NULL},
-                             {"wxyz", 4, 1, NULL},
-                             {"letter", h->rollers ? NAME_MAX_LENGTH : 0, 1, NULL}};
+    const SetAxis axis[AXES] = {{"time", -1, 0, NULL},
+                                {"segment", h->segments, 0, "segments, from the tail"},
+                                {"joint", h->segments + 1, 0, "joints; j lies between segments j-1 and j"},
+                                {"roller", h->rollers, 0, "rollers and obstacles, in the case's order"},
+                                {"xyz", 3, 1, NULL},
+                                {"wxyz", 4, 1, NULL},
+                                {"letter", h->rollers ? NAME_MAX_LENGTH : 0, 1, NULL}};
     static const int items[] = {[PER_SEGMENT] = AXIS_SEGMENT, [PER_JOINT] = AXIS_JOINT, [PER_ROLLER] = AXIS_ROLLER};
-    AxisUse use[AXIS_USES_MOST];
+    SetAxisUse use[AXIS_USES_MOST];
     int n = 0;
     for (int k = 0; k < sample_columns && n + 2 < AXIS_USES_MOST; k++) {
         const SampleColumn *const info = &sample_column[k];
         hsize_t dims[3];
         if (!info->set || item_count(h, info->per) == 0 || !strcmp(info->set, axis[AXIS_TIME].name)) continue;
-        use[n] = (AxisUse){info->set, set_dims(h, info, 0, dims), {AXIS_TIME, AXIS_TIME, AXIS_XYZ}};
+        use[n] = (SetAxisUse){info->set, set_dims(h, info, 0, dims), {AXIS_TIME, AXIS_TIME, AXIS_XYZ}};
         if (info->per != PER_RUN) use[n].axis[1] = items[info->per];
         if (info->width == 4) use[n].axis[2] = AXIS_WXYZ;
         ++n;
     }
-    if (h->rollers) use[n++] = (AxisUse){"roller_name", 2, {AXIS_ROLLER, AXIS_LETTER}};
-    if (h->rollers) use[n++] = (AxisUse){"roller_s", 1, {AXIS_ROLLER}};
+    if (h->rollers) use[n++] = (SetAxisUse){"roller_name", 2, {AXIS_ROLLER, AXIS_LETTER}};
+    if (h->rollers) use[n++] = (SetAxisUse){"roller_s", 1, {AXIS_ROLLER}};
     return h5_axes(h->file, AXES, axis, n, use);
 }
 

@@ -1,8 +1,16 @@
-/* What the writers of results.h5 share: the driver on which the file lies, and small sets. */
+/* What the writers of results.h5 share: the driver on which the file lies, and small sets. A build without HDF5
+ * (HAWSER_HDF5) has the same functions over a file of plain records (results_plain.c); what a hid_t is, only they know.
+ */
 #ifndef HAWSER_IO_RESULTS_RESULTS_H5_H
 #define HAWSER_IO_RESULTS_RESULTS_H5_H
 
+#ifdef HAWSER_HDF5
 #include <hdf5.h>
+#else
+#include <stdint.h>
+typedef int64_t hid_t;
+typedef unsigned long long hsize_t;
+#endif
 
 #include "io/results/results_file.h"
 
@@ -59,8 +67,18 @@ void states_close(StatesFile *s);
 enum { DOOR_TEXT_MAX = 256 };
 
 hid_t door_group(hid_t parent, const char *path);
-/* A set of that rank, with its dimensions: at most `most` items, of class H5T_STRING with text 1, or of numbers. */
+/* A set of that rank, with its dimensions: at most `most` items, of class H5T_STRING with text 1, or of numbers. HDF5's
+ * alone, as what H5D functions are given. */
 hid_t door_set(hid_t parent, const char *path, int text, int rank, hsize_t *dims, double most);
+void door_close(hid_t group);
+/* Whether there is such a set of numbers, and its dimensions. */
+int door_numbers_there(hid_t parent, const char *path, int rank, hsize_t *dims);
+/* A whole set as numbers, or texts of one length with a NUL behind each of them ([dims[0]] of *size bytes): malloc'ed;
+ * NULL if there is none of that rank. */
+double *numbers_read(hid_t parent, const char *name, int rank, hsize_t *dims);
+char *names_read(hid_t parent, const char *name, hsize_t *n, size_t *size);
+/* n chosen rows (first indices) of a set with these dimensions into values; 0: they cannot be read. */
+int rows_fill(hid_t parent, const char *name, int rank, const hsize_t *dims, int n, const hsize_t *row, float *values);
 /* A text attribute, cut; "" where there is none. Numbers; NAN where there are none, or another number of them. */
 void door_text(hid_t object, const char *name, char text[DOOR_TEXT_MAX]);
 void door_numbers(hid_t object, const char *name, int n, double *values);
@@ -83,6 +101,11 @@ int h5_text(hid_t object, const char *name, const char *text);
 int h5_numbers(hid_t object, const char *name, int n, const double *values);
 /* Whether a file says that it is of this run and of a series with this sum; NULL: not asked for (belong.c). */
 int states_belong(hid_t file, const char *run, const char *series);
+/* A group of that path, made or opened with all on the way to it; < 0: it cannot be. h5_leave follows. */
+hid_t h5_group(hid_t parent, const char *path);
+void h5_leave(hid_t group);
+/* A whole set of counts that does not grow. */
+int h5_counts(hid_t parent, const char *name, int rank, const hsize_t *dims, const int *values);
 /* A whole set that does not grow, written from what the machine has as `type`; groups on its path are made. */
 int h5_set(hid_t parent, const char *name, hid_t file_type, hid_t type, int rank, const hsize_t *dims,
            const void *values);
@@ -90,19 +113,19 @@ int h5_set(hid_t parent, const char *name, hid_t file_type, hid_t type, int rank
  * sets of texts of one length). */
 int h5_names(hid_t parent, const char *name, int n, const void *values);
 /* A dimension of sets: a scale of n places counted from 0; n < 0: the set of that name, which is there; 0: no such. */
-typedef struct Axis {
+typedef struct SetAxis {
     const char *name;
     int n, plain; /* plain: its places mean nothing, so that netCDF shows no variable */
     const char *about;
-} Axis;
+} SetAxis;
 enum { AXES_MOST = 8, AXIS_USES_MOST = 64 };
 /* A set's dimensions by their places among the axes; -1: no axis. */
-typedef struct AxisUse {
+typedef struct SetAxisUse {
     const char *set;
     int rank, axis[3];
-} AxisUse;
+} SetAxisUse;
 /* Makes scales of the axes and names them in the sets, in both directions, as HDF5's library of scales has it. */
-int h5_axes(hid_t file, int n, const Axis *axis, int n_uses, const AxisUse *use);
+int h5_axes(hid_t file, int n, const SetAxis *axis, int n_uses, const SetAxisUse *use);
 /* The sets of a table, of the struct at `from`, below `parent` and behind `prefix` in their paths. Those without items
  * are left out. */
 int h5_fixed(hid_t parent, const char *prefix, int n, const FixedSet *set, const void *from);

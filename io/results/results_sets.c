@@ -32,6 +32,14 @@ int h5_numbers(hid_t object, const char *name, int n, const double *values)
     return ok;
 }
 
+hid_t h5_group(hid_t parent, const char *path)
+{
+    const hid_t there = door_group(parent, path);
+    return there >= 0 ? there : H5Gcreate2(parent, path, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+}
+
+void h5_leave(hid_t group) { H5Gclose(group); }
+
 /* One chunk, shuffled and deflated, for a set of so many items of a type; the default for small ones. */
 static hid_t whole_chunk(hid_t file_type, int rank, const hsize_t *dims)
 {
@@ -84,7 +92,7 @@ typedef struct ScaleUse {
 } ScaleUse;
 
 /* The scale of each dimension, as a list of one reference, or of none; HDF5 has the list's form. */
-static int axes_name(hid_t set, const AxisUse *use, hobj_ref_t scale[])
+static int axes_name(hid_t set, const SetAxisUse *use, hobj_ref_t scale[])
 {
     hvl_t list[AXES_MOST];
     const hsize_t rank = (hsize_t)use->rank;
@@ -124,7 +132,7 @@ static hid_t own_set(hid_t file, const char *name, int rank)
 
 /* A scale's own set; one that is there already (the times) is taken. Without a meaning of its own ("plain") it is what
  * netCDF has for a dimension without a variable. */
-static hid_t scale_open(hid_t file, const Axis *axis)
+static hid_t scale_open(hid_t file, const SetAxis *axis)
 {
     char name[80];
     if (axis->n < 0) return own_set(file, axis->name, 1);
@@ -141,7 +149,7 @@ static hid_t scale_open(hid_t file, const Axis *axis)
     return -1;
 }
 
-int h5_axes(hid_t file, int n, const Axis *axis, int n_uses, const AxisUse *use)
+int h5_axes(hid_t file, int n, const SetAxis *axis, int n_uses, const SetAxisUse *use)
 {
     ScaleUse list[AXIS_USES_MOST];
     hobj_ref_t scale[AXES_MOST];
@@ -177,6 +185,11 @@ int h5_axes(hid_t file, int n, const Axis *axis, int n_uses, const AxisUse *use)
 }
 
 /* ---------------------------------------------------------------------------------------------------------- tables */
+
+int h5_counts(hid_t parent, const char *name, int rank, const hsize_t *dims, const int *values)
+{
+    return h5_set(parent, name, H5T_STD_I32LE, H5T_NATIVE_INT, rank, dims, values);
+}
 
 /* One set of a table, with its unit and what it is. */
 static int fixed_write(hid_t parent, const char *path, const FixedSet *set, int n, const void *values)

@@ -7,49 +7,75 @@
 #include <sundials/sundials_types.h>
 #include <sundials/sundials_version.h>
 
-/* Places are of 64-bit machines with doubles and 64-bit indices, in bytes. Of CVODE's own structure: */
+/* Places are in bytes. A build that has CVODE's sources (HAWSER_CVODE_SOURCES) takes them from its private headers; any
+ * other one knows those of 64-bit machines with doubles and 64-bit indices, which the former compares where it is one.
+ */
+#ifdef HAWSER_CVODE_SOURCES
+#include <cvode_impl.h>
+#include <cvode_ls_impl.h>
+#include <cvode_proj_impl.h>
+#include <stddef.h>
+#define AT(record, field, known)                                                                                       \
+    ((int)offsetof(struct record, field) / (sizeof(void *) != 8 || offsetof(struct record, field) == (known)))
+enum { PLACES_KNOWN = 1 };
+#else
+#define AT(record, field, known) (known)
+enum { PLACES_KNOWN = sizeof(void *) == 8 && sizeof(long) == 8 };
+#endif
+#define MEM(field, known)  AT(CVodeMemRec, field, known)
+#define LS(field, known)   AT(CVLsMemRec, field, known)
+#define PROJ(field, known) AT(CVodeProjMemRec, field, known)
+
+/* Of CVODE's own structure: */
 enum {
-    AT_HISTORY = 96, /* pointers to its 13 vectors */
-    AT_ORDER = 288,  /* int: of the next step's prediction */
-    AT_TRIED = 292,  /* int: of the step that is tried */
-    AT_NEXT_ORDER = 296,
-    AT_LENGTH = 304, /* int: of its coefficients, order + 1 */
-    AT_NEXT_STEP = 336,
-    AT_TIME = 360,
-    AT_GAMMA = 648,
-    AT_MOST = 712,  /* int: the highest order that it may take */
-    AT_STEPS = 856, /* long, as all counts */
-    AT_RATES = 864,
-    AT_STEP_FAILS = 872,
-    AT_ITERATIONS = 880,
-    AT_NEWTON_FAILS = 888,
-    AT_ERROR_FAILS = 896,
-    AT_SETUPS = 904,
-    AT_LINEAR = 1040, /* pointer to what its linear solver keeps */
-    AT_LAST_ORDER = 1064,
-    AT_FIRST_STEP = 1080,
-    AT_LAST_STEP = 1088,
-    AT_TOO_MUCH = 1112,   /* factor by which the tolerance should be larger */
-    AT_VECTORS = 1120,    /* int: the highest order that it has vectors for */
-    AT_KEPT = 1124,       /* int: the vector that holds the last correction, for a higher order */
-    AT_PROJECTION = 1528, /* pointer to what its projection keeps; NULL: there is none */
-    AT_PROJECTING = 1536, /* int: whether it is to project; never without one */
-    AT_PROJECTED = 1540   /* int: whether it has */
+    AT_HISTORY = MEM(cv_zn, 96),    /* pointers to its 13 vectors */
+    AT_ORDER = MEM(cv_q, 288),      /* int: of the next step's prediction */
+    AT_TRIED = MEM(cv_qprime, 292), /* int: of the step that is tried */
+    AT_NEXT_ORDER = MEM(cv_next_q, 296),
+    AT_LENGTH = MEM(cv_L, 304), /* int: of its coefficients, order + 1 */
+    AT_NEXT_STEP = MEM(cv_next_h, 336),
+    AT_TIME = MEM(cv_tn, 360),
+    AT_GAMMA = MEM(cv_gamma, 648),
+    AT_MOST = MEM(cv_qmax, 712), /* int: the highest order that it may take */
+    AT_STEPS = MEM(cv_nst, 856), /* long, as all counts */
+    AT_RATES = MEM(cv_nfe, 864),
+    AT_STEP_FAILS = MEM(cv_ncfn, 872),
+    AT_ITERATIONS = MEM(cv_nni, 880),
+    AT_NEWTON_FAILS = MEM(cv_nnf, 888),
+    AT_ERROR_FAILS = MEM(cv_netf, 896),
+    AT_SETUPS = MEM(cv_nsetups, 904),
+    AT_LINEAR = MEM(cv_lmem, 1040), /* pointer to what its linear solver keeps */
+    AT_LAST_ORDER = MEM(cv_qu, 1064),
+    AT_FIRST_STEP = MEM(cv_h0u, 1080),
+    AT_LAST_STEP = MEM(cv_hu, 1088),
+    AT_TOO_MUCH = MEM(cv_tolsf, 1112),       /* factor by which the tolerance should be larger */
+    AT_VECTORS = MEM(cv_qmax_alloc, 1120),   /* int: the highest order that it has vectors for */
+    AT_KEPT = MEM(cv_indx_acor, 1124),       /* int: the vector that holds the last correction, for a higher order */
+    AT_PROJECTION = MEM(proj_mem, 1528),     /* pointer to what its projection keeps; NULL: there is none */
+    AT_PROJECTING = MEM(proj_enabled, 1536), /* int: whether it is to project; never without one */
+    AT_PROJECTED = MEM(proj_applied, 1540)   /* int: whether it has */
 };
 /* Of the linear solver's, and of the projection's: */
-enum { AT_JACOBIANS = 136, AT_PROJECTIONS = 64 };
+enum { AT_JACOBIANS = LS(nje, 136), AT_PROJECTIONS = PROJ(nproj, 64) };
 
 /* Bytes from .. to-1 of a structure: numbers alone, no pointers. */
 typedef struct Stretch {
     int from, to;
 } Stretch;
-static const Stretch own[] = {{272, 976},    /* stop time, orders, steps, times, coefficients, limits, counts */
-                              {1000, 1004},  /* how the last iteration ended */
-                              {1048, 1128},  /* when a matrix is due; what the last step was made with */
-                              {1184, 1400},  /* limits of stability, where they are looked for */
-                              {1536, 1648}}; /* whether and how the projection changes the history */
-static const Stretch linear[] = {{32, 36}, {128, 216}};            /* when a matrix was made, counts */
-static const Stretch projection[] = {{8, 12}, {16, 36}, {64, 80}}; /* when it was done, counts */
+static const Stretch own[] = {
+    {MEM(cv_tstopset, 272), MEM(NLS, 976)}, /* stop time, orders, steps, times, coefficients, limits, counts */
+    {MEM(convfail, 1000), MEM(convfail, 1000) + (int)sizeof(int)}, /* how the last iteration ended */
+    /* when a matrix is due; what the last step was made with */
+    {MEM(cv_msbp, 1048), MEM(cv_VabstolMallocDone, 1128)},
+    {MEM(cv_sldeton, 1184), MEM(cv_gfun, 1400)}, /* limits of stability, where they are looked for */
+    /* whether and how the projection changes the history */
+    {MEM(proj_enabled, 1536), MEM(cv_cvals, 1648)}};
+/* when a matrix was made, counts */
+static const Stretch linear[] = {{LS(jbad, 32), LS(jbad, 32) + (int)sizeof(int)}, {LS(msbj, 128), LS(pset, 208)}};
+/* when it was done, counts */
+static const Stretch projection[] = {{PROJ(first_proj, 8), PROJ(first_proj, 8) + (int)sizeof(int)},
+                                     {PROJ(freq, 16), PROJ(max_fails, 32) + (int)sizeof(int)},
+                                     {PROJ(nproj, 64), PROJ(npfails, 72) + (int)sizeof(long)}};
 enum {
     OWN = sizeof own / sizeof *own,
     LINEAR = sizeof linear / sizeof *linear,
@@ -160,7 +186,7 @@ static int version_is(void)
     int major = 0, minor = 0, patch = 0;
     char label[32];
     return SUNDIALSGetVersionNumber(&major, &minor, &patch, label, sizeof label) == 0 && major == 6 && minor == 4 &&
-           sizeof(void *) == 8 && sizeof(realtype) == 8 && sizeof(sunindextype) == 8 && sizeof(long) == 8;
+           PLACES_KNOWN && sizeof(realtype) == 8 && sizeof(sunindextype) == 8;
 }
 
 int cvode_memory_known(void *cvode, const char **why)

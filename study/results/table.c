@@ -3,7 +3,9 @@
 #include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
+#ifdef HAWSER_HDF5
 #include <hdf5.h>
+#endif
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -77,12 +79,6 @@ static int column_is_there(const Rows *rows, ColumnOf of, int k)
         if (rows->row[i].state == ROW_DONE && !isnan(rows->row[i].margin[k])) return 1;
     }
     return 0;
-}
-
-static int column_is_text(const Study *s, ColumnOf of, int k)
-{
-    if (of == OF_PARAMETER) return !parameter_is_number(&s->parameter[k]);
-    return of != OF_QUANTITY && of != OF_MARGIN;
 }
 
 /* A row's cell; x: its point. */
@@ -173,6 +169,13 @@ hawser_status table_csv(const Study *s, const Rows *rows, const OutDir *dir, haw
 }
 
 /* ------------------------------------------------------------------------------------------------------------- HDF5 */
+
+#ifdef HAWSER_HDF5
+static int column_is_text(const Study *s, ColumnOf of, int k)
+{
+    if (of == OF_PARAMETER) return !parameter_is_number(&s->parameter[k]);
+    return of != OF_QUANTITY && of != OF_MARGIN;
+}
 
 /* One set of numbers or of texts of one size. */
 static int set_write(hid_t file, const char *name, long n, size_t text, const void *values)
@@ -294,3 +297,11 @@ hawser_status table_h5(const Study *s, const Rows *rows, const OutDir *dir, haws
     if (close(fd) && !status) status = out_error(spot.path, errno, err);
     return out_name_in(dir, part, "study.h5", status, err);
 }
+#else
+/* samples.csv has all of it. */
+hawser_status table_h5(const Study *s, const Rows *rows, const OutDir *dir, hawser_error *err)
+{
+    (void)s, (void)rows, (void)dir, (void)err;
+    return HAWSER_OK;
+}
+#endif

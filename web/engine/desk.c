@@ -41,8 +41,7 @@ char *desk_answered(hawser_status status, char *text, const hawser_error *err)
     return out;
 }
 
-/* All of a file that the library has written, malloc'ed. */
-static char *file_taken(const char *path)
+char *file_text(const char *path, size_t *size)
 {
     FILE *const f = fopen(path, "rb");
     char *text = NULL;
@@ -51,8 +50,17 @@ static char *file_taken(const char *path)
     if (n >= 0 && !fseek(f, 0, SEEK_SET) && (text = malloc((size_t)n + 1))) {
         if (fread(text, 1, (size_t)n, f) != (size_t)n) n = 0;
         text[n] = 0;
+        *size = (size_t)n;
     }
     if (f) fclose(f);
+    return text;
+}
+
+/* The text of a file that the library has written, which is taken away. */
+static char *file_taken(const char *path)
+{
+    size_t size;
+    char *const text = file_text(path, &size);
     remove(path);
     return text;
 }

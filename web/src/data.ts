@@ -192,7 +192,7 @@ export function pulledWith(runs: readonly RunData[], run: RunData): RunData[] {
 }
 
 /** A rod lies along no route: its lists are empty then, not absent. */
-function withoutRoute({ geometry }: RunData): void {
+export function withoutRoute({ geometry }: RunData): void {
   if (geometry && !(geometry.route as { s_m: number[] | null }).s_m) {
     geometry.route = { s_m: [], position_m: [], curvature_per_m: [] };
   }

@@ -3,6 +3,7 @@ import 'uplot/dist/uPlot.min.css';
 import './report.css';
 import { readData } from './data';
 import { el } from './dom';
+import { live } from './live';
 import { Page } from './page';
 import { Store, type Theme } from './state';
 
@@ -16,6 +17,9 @@ function start(root: HTMLElement): void {
   dark.addEventListener('change', () => store.set('theme', dark.matches ? 'dark' : 'light'));
   new Page(root, readData(document), store);
 }
+
+// The desk shows a run with it while it is computed (src/desk/simulate.ts).
+Object.assign(window, { hawserLive: live });
 
 const root = document.getElementById('hawser');
 if (root) {

@@ -129,7 +129,8 @@ export interface Duct {
   fill: number;
 }
 
-export type Call = 'theory' | 'answer' | 'page' | 'schema' | 'route' | 'section' | 'along' | 'library' | 'words';
+export type Call =
+  'theory' | 'answer' | 'page' | 'schema' | 'route' | 'section' | 'along' | 'library' | 'words' | 'cost' | 'run';
 
 /** What goes to the worker, and what comes back under the same number. */
 export interface Request {
@@ -143,11 +144,35 @@ export interface Reply {
   id: number;
   text?: string;
   fault?: Fault;
+  /** What a run shows meanwhile; the answer itself comes later. */
+  shown?: Shown;
+  /** The report's page of a run that is over. */
+  report?: string;
+}
+
+/** First the report's data of a run that has begun, then its moments. */
+export type Shown = { data: string } | Moment;
+export interface Moment {
+  time: number;
+  end: number;
+  wall: number;
+  /** 1; 2 and 3 are finer ones. */
+  pass: number;
+  force: number;
+  most: number;
+  reference: number;
+  head: number;
+  position: Float32Array;
+  tension: Float32Array;
+  /** What makes the run slow, in words. */
+  heldUp: string;
 }
 
 export class Engine {
   private readonly waiting = new Map<number, { done: (text: string) => void; failed: (why: Error) => void }>();
   private last = 0;
+  /** What has been put beside the case: a run takes it along. */
+  readonly files = new Map<string, Uint8Array>();
 
   constructor(private readonly worker: Worker) {
     worker.onmessage = (event: MessageEvent<Reply>) => {
@@ -178,6 +203,7 @@ export class Engine {
 
   /** Puts a file beside the case. */
   put(name: string, bytes: Uint8Array): Promise<string> {
+    this.files.set(name, bytes);
     return this.ask({ file: { name, bytes } });
   }
 

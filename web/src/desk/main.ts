@@ -23,6 +23,7 @@ import { Help } from './help';
 import { markedLine, showLine } from './marked_line';
 import { Plan } from './plan';
 import { button, markRoute, routeView } from './route';
+import { Simulation } from './simulate';
 import { filesOf, nodeAt, parsed, pathOf, putSection, setValue, type Change } from './splice';
 import { Strips } from './strips';
 import { Tabs } from './tabs';
@@ -47,6 +48,7 @@ const text = (id: string): string => part(id).textContent ?? '';
 
 const SETTINGS = 'hawser-desk-settings';
 let us = false;
+let simulation: Simulation | undefined;
 let saved = '';
 let eol = '\n'; // how the lines of the case's file end
 let given: { name: string; text: string } | null = null;
@@ -436,6 +438,14 @@ async function openFile(file: File): Promise<void> {
 // ---------------------------------------------------------------------------------------------------------- the screen
 
 function wire(): void {
+  simulation = new Simulation({
+    engine: () => engine,
+    current,
+    name: () => name,
+    us: () => us,
+    force: (newtons) => quantity(newtons, 'N', us),
+    download,
+  });
   const menu = part<HTMLSelectElement>('examples');
   menu.addEventListener('change', () => {
     const example = EXAMPLES[Number(menu.value)];
@@ -558,6 +568,7 @@ function speak(language: Language): void {
     ...EXAMPLES.map(([label], i) => new Option(t(label), String(i))),
   );
   view.contentDOM.setAttribute('aria-label', t('The case as text'));
+  simulation?.words();
   say('');
   views();
   draw(along, true);

@@ -1,8 +1,13 @@
 /** The worker: emscripten's module, one call after the other. `hawserEngine` is the module's script, which stands before this one. */
-import type { Fault, Reply, Request } from './engine';
+import type { Fault, Reply, Request, Shown } from './engine';
 
 interface Module {
-  FS: { mkdir(path: string): void; mkdirTree(path: string): void; writeFile(path: string, bytes: Uint8Array): void };
+  FS: {
+    mkdir(path: string): void;
+    readFile(path: string, options: { encoding: 'utf8' }): string;
+    mkdirTree(path: string): void;
+    writeFile(path: string, bytes: Uint8Array): void;
+  };
   ENV: Record<string, string>;
   UTF8ToString(at: number): string;
   stringToUTF8(text: string, at: number, size: number): void;
@@ -13,6 +18,7 @@ interface Module {
 declare const hawserEngine: (options: object) => Promise<Module>;
 
 let engine: Module | undefined;
+let running = 0; // the request that is a run
 
 function call(module: Module, name: string, args: (string | number)[]): string {
   const places = args.map((value) => {
@@ -37,6 +43,7 @@ async function answer(request: Request): Promise<Reply> {
   if (request.start) {
     engine = await hawserEngine({
       wasmBinary: request.start,
+      onRun: (shown: Shown) => postMessage({ id: running, shown }),
       preRun: [(module: Module) => (module.ENV['HAWSER_LIBRARY'] = '/library')],
     });
     engine.FS.mkdir('/case');
@@ -50,7 +57,10 @@ async function answer(request: Request): Promise<Reply> {
     engine.FS.writeFile(place, request.file.bytes);
     return { id };
   }
+  running = id;
   const text = call(engine, request.call ?? '', request.args ?? []);
+  if (text.startsWith('=') && request.call === 'run')
+    return { id, text: text.slice(1), report: engine.FS.readFile('/report.html', { encoding: 'utf8' }) };
   if (text.startsWith('=')) return { id, text: text.slice(1) };
   return { id, fault: text ? (JSON.parse(text.slice(1)) as Fault) : broken('there is not enough memory') };
 }

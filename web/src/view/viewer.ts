@@ -83,6 +83,16 @@ export class Viewer implements KeyActions {
     this.refresh();
   }
 
+  /** Frames of a run that goes on: more than before. Who looks at the newest one sees the next. */
+  grown(frames: Frames): void {
+    const { playback } = this;
+    const newest = playback.time >= playback.to - 1e-9;
+    playback.to = frames.to;
+    if (newest && !playback.playing) playback.seek(frames.to);
+    this.colouring.grown();
+    for (const name of frames.fields.keys()) this.arrived(frames, name);
+  }
+
   /** The same of a chain that is pulled together with this one. */
   besideArrived(which: number, frames: Frames): void {
     this.beside.arrived(which, frames);

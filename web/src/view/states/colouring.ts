@@ -16,6 +16,11 @@ export class Colouring {
     this.quantity = this.choices[0]!;
   }
 
+  /** There are more frames than before. */
+  grown(): void {
+    this.scales.clear();
+  }
+
   choose(field: string): void {
     this.quantity = this.choices.find((quantity) => quantity.field === field) ?? this.quantity;
   }

@@ -16,7 +16,7 @@ export class Playback {
 
   constructor(
     readonly from: number,
-    readonly to: number,
+    public to: number,
   ) {
     this.time = from;
     this.rate = usualRate(to - from);

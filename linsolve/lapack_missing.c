@@ -1,0 +1,21 @@
+/* What a build without LAPACK says where it would be needed. */
+#include "core/base/error.h"
+#include "linsolve/backend.h"
+#include "linsolve/small.h"
+
+static void *none_make(const LinMatrix *a, const LinOptions *options)
+{
+    (void)a, (void)options;
+    return NULL;
+}
+
+static void none_drop(void *self) { (void)self; }
+
+const LinBackend lapack_backend = {.sparse = 1, .make = none_make, .drop = none_drop};
+
+hawser_status small_eigen(int n, int symmetric, double *s, double *t, double *mu, double *imaginary, double *z,
+                          hawser_error *err)
+{
+    (void)n, (void)symmetric, (void)s, (void)t, (void)mu, (void)imaginary, (void)z;
+    return error_set(err, HAWSER_ERR_RUN, "modes need LAPACK, which this build of hawser leaves out (HAWSER_LAPACK)");
+}

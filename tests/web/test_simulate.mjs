@@ -1,0 +1,94 @@
+// Runs on the desk: the estimate, the run while it is computed, Stop, the report; verdict and pull are the program's. No request leaves.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import test, { after } from 'node:test';
+import { ROOT, stop } from './browser.mjs';
+import { desk, put, read } from './desk.mjs';
+
+const hawser = process.argv[2];
+after(stop);
+
+/** summary.json of the program's run. */
+function native(name) {
+  const folder = mkdtempSync(join(tmpdir(), 'hawser-run-'));
+  try {
+    execFileSync(hawser, ['run', join(ROOT, name), '-o', join(folder, 'r'), '-q'], { stdio: 'ignore' });
+    return JSON.parse(readFileSync(join(folder, 'r/summary.json'), 'utf8'));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+const status = (page) => page.textContent('#run-status');
+
+/** Starts the case that is on the desk. */
+async function begin(page) {
+  await page.click('#simulate');
+  await page.getByRole('button', { name: 'Start' }).click();
+}
+
+const reported = (page, timeout) =>
+  page.waitForFunction(() => document.getElementById('run-page').srcdoc.includes('hawser-data'), null, { timeout });
+
+test('the tunnel of the paper: estimate, run, report; verdict and pull are those of the program', async () => {
+  const { page, heard, close } = await desk();
+  await put(page, read('cases/huangjiahu.yaml'));
+  await page.click('#simulate');
+  await page.waitForFunction(() => /370 segments, 30 s/.test(document.getElementById('run-estimate').textContent));
+  await page.getByRole('button', { name: 'Start' }).click();
+  await reported(page, 60000);
+  const frame = page.frameLocator('#run-page');
+  await frame.locator('#verdict').waitFor();
+  const data = JSON.parse(await frame.locator('#hawser-data').textContent());
+  const [run] = data.runs;
+  const expected = native('cases/huangjiahu.yaml');
+  assert.equal(run.summary.verdict, expected.verdict);
+  assert.match(await status(page), new RegExp(`^By the run: ${expected.verdict.split(':')[0]}`));
+  const [got, own] = [run.summary.pull_force, expected.pull_force];
+  const most = own.steady_mean_error.time_N + got.steady_mean_error.time_N;
+  assert.ok(Math.abs(got.steady_mean_N - own.steady_mean_N) <= most, `${got.steady_mean_N} ${own.steady_mean_N}`);
+  // the report has its view, with states
+  assert.ok(run.states.frames > 10 && run.geometry.rollers.length === 32);
+  await frame.locator('canvas').first().waitFor();
+  assert.equal(await page.getByRole('button', { name: 'Save the report' }).isDisabled(), false);
+  assert.deepEqual(heard, []);
+  await close();
+});
+
+test('a long run shows force and view while it is computed, the desk can be used, Stop ends it at once', async (t) => {
+  const { page, heard, close } = await desk();
+  // so many segments that it takes a while
+  await put(page, read('cases/huangjiahu.yaml').replaceAll('segment: 500 mm', 'segment: 5 mm'));
+  await begin(page);
+  const live = page.frameLocator('#run-page');
+  await live.locator('#figure-live').waitFor({ timeout: 60000 });
+  await live.locator('canvas').first().waitFor();
+  await page.waitForFunction(() => document.querySelector('#simulation progress').value > 0.01);
+  await page.getByRole('button', { name: 'Back to the case' }).click();
+  assert.match(await page.textContent('#simulate'), /^Simulating \d+ %$/);
+  await page.click('#simulate');
+  // from when the browser had the click to when the screen says so
+  const took = page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        const said = document.getElementById('run-status');
+        let clicked = 0;
+        document.addEventListener('click', (event) => (clicked = event.timeStamp), true);
+        new MutationObserver(() => {
+          if (/^Stopped at /.test(said.textContent)) resolve(performance.now() - clicked);
+        }).observe(said, { childList: true, characterData: true, subtree: true });
+      }),
+  );
+  await page.getByRole('button', { name: 'Stop' }).click();
+  const ms = await took;
+  t.diagnostic(
+    `from the click on Stop to the word on the screen: ${ms.toFixed(0)} ms; half a second is what is promised`,
+  );
+  assert.equal(await page.getByRole('button', { name: 'Save the report' }).isDisabled(), true);
+  assert.equal(await live.locator('#figure-live').count(), 1);
+  assert.deepEqual(heard, []);
+  await close();
+});

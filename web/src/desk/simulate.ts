@@ -1,0 +1,217 @@
+/** The screen Simulate: what a run will take, the run while it is computed, its report. It goes on while the desk is used. */
+import { el } from '../dom';
+import type { Live, live } from '../live';
+import { EngineError, inflated, type Engine, type Moment } from './engine';
+import { Run, Stopped } from './run_worker';
+import { t } from './words';
+
+export interface Desk {
+  engine(): Engine | undefined;
+  current(): string;
+  name(): string;
+  us(): boolean;
+  force(newtons: number): string;
+  download(name: string, content: string, type: string): void;
+}
+
+/** What `hawser check --format json` has. */
+interface Estimate {
+  segments: number;
+  duration_s: number;
+  time_s: number | null;
+}
+
+type ShowsRuns = Window & { hawserLive?: typeof live };
+
+const text = (id: string): string => document.getElementById(id)?.textContent ?? '';
+const seconds = (s: number): string => (s < 100 ? `${s.toPrecision(2)} s` : `${Math.round(s / 60)} min`);
+
+/** The report's program alone, for a run that goes on. */
+const livePage = (): string =>
+  `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>run</title><style>${text('report-style')}</style></head>` +
+  `<body><main id="live"></main><script>${text('report-script')}</script></body></html>`;
+
+export class Simulation {
+  private readonly opener: HTMLButtonElement;
+  private readonly root: HTMLElement;
+  private readonly status = el('p', { role: 'status', id: 'run-status' });
+  private readonly estimate = el('p', { id: 'run-estimate' });
+  private readonly stale = el('p', { id: 'run-stale' });
+  private readonly bar = el('progress', { max: 1, value: 0, hidden: true });
+  private readonly frame = el('iframe', { id: 'run-page' });
+  private readonly startButton: HTMLButtonElement;
+  private readonly stopButton: HTMLButtonElement;
+  private readonly saveButton: HTMLButtonElement;
+  private readonly printButton: HTMLButtonElement;
+  private run: Run | null = null;
+  private shows: Live | null = null;
+  private last: Moment | null = null;
+  /** Text and name of the case that runs or has run. */
+  private ran: { text: string; name: string } | null = null;
+
+  constructor(private readonly desk: Desk) {
+    this.opener = document.getElementById('simulate') as HTMLButtonElement;
+    const button = (onclick: () => void): HTMLButtonElement => el('button', { type: 'button', onclick });
+    this.startButton = button(() => void this.start());
+    this.stopButton = button(() => this.run?.stop());
+    this.saveButton = button(() =>
+      desk.download(`${this.ran?.name.replace(/\.ya?ml$/, '') ?? 'run'}-report.html`, this.frame.srcdoc, 'text/html'),
+    );
+    this.printButton = button(() => this.frame.contentWindow?.print());
+    this.back = button(() => this.show(false));
+    this.root = el(
+      'section',
+      { id: 'simulation', hidden: true },
+      el(
+        'div',
+        { class: 'bar' },
+        this.back,
+        this.startButton,
+        this.stopButton,
+        this.saveButton,
+        this.printButton,
+        this.bar,
+      ),
+      this.estimate,
+      this.status,
+      this.stale,
+      this.frame,
+    );
+    document.querySelector('main')?.after(this.root);
+    this.opener.addEventListener('click', () => this.show(true));
+    this.words();
+    this.buttons();
+  }
+
+  private readonly back: HTMLButtonElement;
+
+  /** Its texts again, in the language of now. */
+  words(): void {
+    this.root.setAttribute('aria-label', t('Simulation'));
+    this.frame.title = t('The run');
+    this.back.textContent = t('Back to the case');
+    this.startButton.textContent = t('Start');
+    this.stopButton.textContent = t('Stop');
+    this.saveButton.textContent = t('Save the report');
+    this.printButton.textContent = t('Print the report');
+    if (!this.run) this.opener.textContent = t('Simulate');
+  }
+
+  private buttons(report = false): void {
+    this.startButton.disabled = !!this.run;
+    this.stopButton.disabled = !this.run;
+    this.saveButton.disabled = this.printButton.disabled = !report;
+    this.bar.hidden = !this.run;
+    if (!this.run) this.opener.textContent = t('Simulate');
+  }
+
+  show(on: boolean): void {
+    this.root.hidden = !on;
+    (document.querySelector('main') as HTMLElement).hidden = on;
+    this.stale.textContent =
+      this.ran && this.ran.text !== this.desk.current() ? t('The case has changed since this run.') : '';
+    if (on && !this.run) void this.expect();
+    (on ? this.back : this.opener).focus();
+  }
+
+  private async expect(): Promise<void> {
+    this.estimate.textContent = '';
+    this.startButton.disabled = true;
+    try {
+      const said = JSON.parse((await this.desk.engine()?.call('cost', this.desk.current())) ?? '{}') as Estimate;
+      const [n, s] = [String(said.segments), String(said.duration_s)];
+      this.estimate.textContent =
+        said.time_s === null
+          ? t('{1} segments, {2} s of the pull. How long it takes is not known before.', n, s)
+          : t(
+              '{1} segments, {2} s of the pull. The program computes it in about {3}; in the browser it takes one to three times as long.',
+              n,
+              s,
+              seconds(said.time_s),
+            );
+      this.startButton.disabled = !!this.run;
+    } catch (why) {
+      this.estimate.textContent = why instanceof EngineError ? why.fault.message : String(why);
+    }
+  }
+
+  async start(): Promise<void> {
+    const { desk } = this;
+    if (this.run) return;
+    this.ran = { text: desk.current(), name: desk.name() };
+    this.startButton.disabled = true;
+    this.stale.textContent = '';
+    this.status.textContent = t('The engine is starting.');
+    this.shows = this.last = null;
+    const encoded = (id: string): Uint8Array => new TextEncoder().encode(text(id));
+    const files = new Map(desk.engine()?.files ?? []);
+    files.set('/web/report.js', encoded('report-script'));
+    files.set('/web/report.css', encoded('report-style'));
+    files.set(
+      '/web/report.sum',
+      Uint8Array.from(atob(text('report-sum')), (c) => c.charCodeAt(0)),
+    );
+    const module = await inflated(text('engine'));
+    this.run = new Run(
+      { script: `${text('glue')}\n${text('worker')}`, module, files },
+      this.ran.text,
+      (data) => this.begun(data),
+      (moment) => this.moment(moment),
+    );
+    this.bar.value = 0;
+    this.buttons();
+    let report = false;
+    try {
+      const end = await this.run.done;
+      const { verdict } = JSON.parse(end.summary) as { verdict: string };
+      this.frame.srcdoc = end.report;
+      this.status.textContent = t('By the run: {1}', verdict);
+      report = true;
+    } catch (why) {
+      this.status.textContent =
+        why instanceof Stopped
+          ? t(
+              'Stopped at {1} s. What was computed until then is below; a run that is stopped has no verdict.',
+              (this.last as Moment | null)?.time.toFixed(2) ?? '0',
+            )
+          : why instanceof EngineError
+            ? why.fault.message
+            : String(why);
+    }
+    this.run = null;
+    this.buttons(report);
+  }
+
+  /** The scene is known: the page of the run goes up, and takes what comes from then on. */
+  private begun(data: string): void {
+    const run = this.run;
+    this.frame.onload = () => {
+      this.frame.onload = null;
+      const shown = this.frame.contentWindow as ShowsRuns | null;
+      const root = shown?.document.getElementById('live');
+      const dark = matchMedia('(prefers-color-scheme: dark)').matches;
+      if (run !== this.run || !root || !shown?.hawserLive) return;
+      const made = shown.hawserLive(root, JSON.parse(data), this.desk.us() ? 'us' : 'si', dark ? 'dark' : 'light');
+      this.shows = made;
+      if (this.last) made.add(this.last);
+    };
+    this.frame.srcdoc = livePage();
+  }
+
+  private moment(moment: Moment): void {
+    const { force } = this.desk;
+    const done = moment.end > 0 ? Math.min(1, moment.time / moment.end) : 0;
+    this.last = moment;
+    this.bar.value = done;
+    this.opener.textContent = t('Simulating {1} %', String(Math.floor(100 * done)));
+    const pass = moment.pass > 1 ? `${t('Finer settings, pass {1}:', String(moment.pass))} ` : '';
+    const so = t(
+      '{1} s of {2} s, {3} at the winch',
+      moment.time.toFixed(2),
+      moment.end.toFixed(0),
+      force(moment.force),
+    );
+    this.status.textContent = `${pass}${so}${moment.heldUp ? `. ${moment.heldUp}` : ''}`;
+    this.shows?.add(moment);
+  }
+}
