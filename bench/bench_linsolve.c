@@ -8,7 +8,7 @@
 #include <time.h>
 
 #include "bench/peak.h"
-#include "linsolve/block/block_factor.h"
+#include "linsolve/block_factor.h"
 #include "linsolve/linsolve.h"
 #include "tests/linsolve/matrix_fixture.h"
 

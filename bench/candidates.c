@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "bench/straight_scene.h"
-#include "core/base/clock.h"
+#include "core/machine.h"
 #include "sim/dynamics.h"
 #include "tests/sim/room_fixture.h"
 

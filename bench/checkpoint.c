@@ -10,7 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "core/base/clock.h"
+#include "core/machine.h"
 
 enum { REPEATS_MOST = 99, STEPS = 30 };
 

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "survey/fit/fit.h"
+#include "survey/fit.h"
 
 /* Numbers that look random, normally distributed. */
 static double normal(void)

@@ -4,7 +4,7 @@
 #define PART6_avx512  8
 #define BLOCK_PART    ISA_NAME(PART6)
 #include "bench/peak.h"
-#include "linsolve/block/block_vec.h"
+#include "linsolve/block_vec.h"
 
 /* Columns of 8, so that every load is aligned. */
 enum { CELL = 48 };

@@ -11,14 +11,14 @@
 
 #include "bench/phases_plane.h"
 #include "bench/straight_scene.h"
-#include "core/base/isa.h"
+#include "core/machine.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/winch.h"
-#include "sim/newton/newton.h"
-#include "sim/newton/relax_space.h"
-#include "sim/step/scales.h"
-#include "sim/step/sundials.h"
-#include "sim/step/vector_kernels.h"
+#include "sim/solve/integrator.h"
+#include "sim/solve/newton.h"
+#include "sim/solve/relax.h"
+#include "sim/solve/scales.h"
+#include "sim/solve/vector_kernels.h"
 #include "sim/watch/sample.h"
 
 static const double GAMMA = 0.01; /* s, of a BDF step of order 2 in the steady pull */

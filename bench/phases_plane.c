@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/step/sundials.h"
+#include "sim/solve/integrator.h"
 
 static void check(int good, const char *what)
 {

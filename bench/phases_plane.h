@@ -4,7 +4,7 @@
 
 #include <sundials/sundials_nvector.h>
 
-#include "sim/planar/planar.h"
+#include "sim/solve/planar.h"
 #include "sim/watch/sample.h"
 
 typedef struct PlaneBench {

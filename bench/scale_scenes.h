@@ -4,7 +4,7 @@
 #define HAWSER_BENCH_SCALE_SCENES_H
 
 #include "bench/straight_scene.h"
-#include "sim/stage/stage.h"
+#include "sim/run/stage.h"
 
 /* A chain pinned at two points of the same height, 2 % longer than their distance, released from a circular arc below
  * them: N segments of half a metre of the straight pull's cable. Returns 0 without memory (then *def is cleared). */

@@ -2,7 +2,7 @@
  * and lets them work in turn.
  * Usage: bench_scale SCENE SEGMENTS ROLLERS WAY THREADS WARM
  *        bench_scale bandwidth MEGABYTES THREADS
- *   SCENE     pull: a straight pull of constant speed, all of it sliding from the first step on (sim/stage/stage.h)
+ *   SCENE     pull: a straight pull of constant speed, all of it sliding from the first step on (sim/run/stage.h)
  *             rest: the same pull from rest, as `hawser run` does it: building, relaxation, steps (sim/run/sim.h)
  *             chain: a chain pinned at both ends that swings
  *   ROLLERS   in the straight row: how many, -1: every 2 m; 0: none, and a cable without weight
@@ -17,7 +17,7 @@
 #include <string.h>
 
 #include "bench/scale_scenes.h"
-#include "core/base/clock.h"
+#include "core/machine.h"
 #include "sim/run/sim.h"
 
 /* Steps, or seconds of simulated time where that is above 0. */

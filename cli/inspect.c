@@ -1,10 +1,10 @@
 /* The commands that print a text of the library's: about a case, without simulating it, or about the library itself. */
-#include "cli/commands.h"
-#include "hawser/hawser.h"
-
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "cli/commands.h"
+#include "hawser/hawser.h"
 
 #define SETTING "      --set KEY=VALUE     changes a value of the case; may be given many times\n"
 #define FORMAT                                                                                                         \
@@ -141,6 +141,7 @@ static int print_theory(const Arguments *args)
 /* The case whose calculation is written. */
 typedef hawser_status (*SheetWrite)(hawser_case *c, hawser_units units, const char *path, hawser_word *word,
                                     hawser_error *err);
+
 typedef struct Sheet {
     SheetWrite write;
     hawser_case *c;
@@ -251,10 +252,91 @@ static int schema(const Arguments *args)
 
 const Command command_schema = {"schema", "what a case may hold, as a JSON Schema for editors", "-", schema_help,
                                 schema};
+
 const Command command_library = {"library", "lists cables, ropes, rollers, ducts, friction and reels by name", "fu+",
                                  library_help, library};
+
 const Command command_check = {"check", "checks a case and prints what would be built", "sfu", check_help, check};
+
 const Command command_theory = {"theory", "the pulling calculation alone: verdict, forces, limits; in milliseconds",
                                 "sfuWiQSeoPq", theory_help, theory};
+
 const Command command_validate = {"validate", "runs scenes of which the result is known", "fuFx-", validate_help,
                                   validate};
+
+/* hawser place: where machines and pits go. */
+
+static const char help[] =
+    "Usage: hawser place CASE [options]\n"
+    "\n"
+    "Finds the fewest caterpillars or intermediate winches, and the fewest pits, with which all limits of the pull "
+    "hold,\n"
+    "and where they stand; each proposal is calculated again with all limits. Also says how much lubricant its ducts\n"
+    "take. docs/equipment.md says more.\n"
+    "\n"
+    "      --push FORCE        what one machine takes off at most, '5 kN' (default: theory.machine_push; without\n"
+    "                          either pits alone)\n"
+    "      --with KIND         machines or pits alone\n"
+    "      --lubricant NAME    all ducts dry and lubricated beside what the case gives, by the catalogue's friction\n"
+    "                          of that jacket and duct: pe-jacket/pe-duct\n"
+    "  -o, --output FILE       writes the case with the proposal to FILE, which may be CASE: what stands there stays\n"
+    "      --set KEY=VALUE     changes a value of the case; may be given many times\n"
+    "      --format FORMAT     table (default), json or csv\n"
+    "      --units UNITS       of the table: si (default) or us; json and csv are in SI\n"
+    "      --strict            the exit status says whether the pull is safe with the proposal\n"
+    "  -h, --help              this text\n"
+    "  -V, --version           the version\n"
+    "\n"
+    "Exit status: 0 done; 2 the case is wrong, or nothing that could be written keeps all limits; 4 the file cannot "
+    "be\n"
+    "written; with --strict 1 the pull is not SAFE, 6 it is NOT TRUSTED.\n";
+
+static int place(const Arguments *args)
+{
+    hawser_place_options options = args->place;
+    hawser_error err = {HAWSER_OK, ""};
+    hawser_word word = HAWSER_SAFE;
+    hawser_case *c = NULL;
+    char *text = NULL;
+    options.to = args->dir;
+    hawser_status status = load_case(args, &c, &err);
+    if (!status) status = hawser_case_place(c, &options, args->format, &text, &word, &err);
+    if (!status) print_answer(text);
+    hawser_text_free(text);
+    hawser_case_free(c);
+    return finish_stdout(status ? exit_status(status, &err) : held_status(args, word));
+}
+
+const Command command_place = {"place", "where machines and pits go, the fewest that keep all limits", "sfuoS123", help,
+                               place};
+
+/* The command that rewrites a case in today's words. */
+
+static const char upgrade_help[] =
+    "Usage: hawser upgrade CASE [options]\n"
+    "\n"
+    "Rewrites the case file CASE in today's words: keys by their own names (a duct's diameter becomes its radius), "
+    "and\n"
+    "the number of the format. Comments and all else stay as they are.\n"
+    "\n"
+    "  -o, --output FILE       writes to FILE, and leaves CASE as it is\n"
+    "  -q, --quiet             prints nothing but errors\n"
+    "  -h, --help              this text\n"
+    "  -V, --version           the version\n"
+    "\n"
+    "Exit status: 0 done, or there was nothing to do; 2 the case is wrong; 4 it cannot be written.\n";
+
+static int upgrade(const Arguments *args)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    int changes;
+    const char *const to = args->dir ? args->dir : args->case_path;
+    const hawser_status status = hawser_case_upgrade(args->case_path, args->dir, &changes, &err);
+    if (status) return exit_status(status, &err);
+    if (!args->quiet && changes > 0) tell("%s: rewritten in %d place%s", to, changes, changes > 1 ? "s" : "");
+    if (!args->quiet && changes == 0) tell("%s: nothing to rewrite", to);
+    return finish_stdout(0);
+}
+
+const Command command_upgrade = {"upgrade", "rewrites a case in today's words, comments kept", "oq", upgrade_help,
+                                 upgrade};

@@ -1,13 +1,20 @@
 /* What the first word of the command line asks for. */
-#include "cli/commands.h"
-
+#include <errno.h>
+#include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
 
 static const Command *const commands[] = {&command_run,     &command_check,   &command_theory, &command_validate,
                                           &command_library, &command_route,   &command_report, &command_plot,
                                           &command_study,   &command_compare, &command_fmu,    &command_upgrade,
                                           &command_schema,  &command_job,     &command_place,  &command_desk};
+
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 /* What hawser says about itself: the commands with a line each. */
@@ -74,4 +81,148 @@ int program(int argc, char **argv)
     }
     const Command *command = find_command(name);
     return command ? run_command(command, argc - 1, argv + 1) : complain_command(name);
+}
+
+/* The width of lines and the colour of words, which depend on the terminal. */
+
+enum { NARROW = 80, WIDEST = 120 };
+
+int terminal_width(void)
+{
+    struct winsize size;
+    if (!isatty(STDOUT_FILENO) || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) || size.ws_col == 0) return NARROW;
+    return size.ws_col < WIDEST ? size.ws_col : WIDEST;
+}
+
+/* Any value of NO_COLOR that is not empty forbids colour (https://no-color.org). */
+static int has_colour(void)
+{
+    const char *const no = getenv("NO_COLOR"), *const terminal = getenv("TERM");
+    return isatty(STDOUT_FILENO) && !(no && *no) && !(terminal && !strcmp(terminal, "dumb"));
+}
+
+void print_answer(const char *text)
+{
+    static const char *const colour[HAWSER_WORDS] = {[HAWSER_SAFE] = "32",
+                                                     [HAWSER_NOT_SAFE] = "31",
+                                                     [HAWSER_NOT_JUDGED] = "33",
+                                                     [HAWSER_NOT_TRUSTED] = "33",
+                                                     [HAWSER_SAFE_ONLY_IF] = "33"};
+    const int coloured = has_colour();
+    for (const char *line = text; *line;) {
+        const size_t n = strcspn(line, "\n") + (strchr(line, '\n') != NULL);
+        const hawser_word word = coloured ? hawser_word_of(line + strspn(line, " ")) : HAWSER_WORDS;
+        if (word == HAWSER_WORDS) {
+            printf("%.*s", (int)n, line);
+        } else {
+            const size_t before = strspn(line, " "), of = strlen(hawser_word_text(word));
+            printf("%.*s\033[1;%sm%.*s\033[0m%.*s", (int)before, line, colour[word], (int)of, line + before,
+                   (int)(n - before - of), line + before + of);
+        }
+        line += n;
+    }
+}
+
+/* What the program says when something is wrong, and what it returns to the shell then. A wrong name is answered with
+ * the nearest right one. */
+
+enum { WORD_MAX = 64 };
+
+/* Whether the three bytes are a mark of UTF-8 that turns or hides what stands beside it, as the library tells them:
+ * U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069, U+FEFF. */
+static int turns_text(const unsigned char *c)
+{
+    if (c[0] == 0xEF) return c[1] == 0xBB && c[2] == 0xBF;
+    if (c[0] != 0xE2) return 0;
+    if (c[1] == 0x80) return c[2] == 0x8E || c[2] == 0x8F || (c[2] >= 0xA8 && c[2] <= 0xAE);
+    return c[1] == 0x81 && c[2] >= 0xA6 && c[2] <= 0xA9;
+}
+
+static void make_printable(char *text)
+{
+    for (unsigned char *c = (unsigned char *)text; *c; c++) {
+        const int two = (*c == 0xC2 && c[1] >= 0x80 && c[1] < 0xA0) || (*c == 0xD8 && c[1] == 0x9C),
+                  three = turns_text(c);
+        if (two || three) c[1] = '?';
+        if (three) c[2] = '?';
+        if (two || three || *c < ' ' || *c == 127) *c = '?';
+    }
+}
+
+/* One line on standard error, named after the program as shells expect it. Words of the command line stand in it: what
+ * in them a terminal would obey becomes a question mark, as in the library's messages. */
+void complain(const char *format, ...)
+{
+    char text[HAWSER_MESSAGE_MAX + 256];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    make_printable(text);
+    fprintf(stderr, "hawser: %s\n", text);
+}
+
+void tell(const char *format, ...)
+{
+    char text[HAWSER_MESSAGE_MAX + 256];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    make_printable(text);
+    printf("%s\n", text);
+}
+
+/* How many letters must be added, dropped or changed to make b of a (Levenshtein's distance, row by row). */
+static int edit_distance(const char *a, const char *b)
+{
+    int row[WORD_MAX + 1];
+    const int n = (int)strlen(b);
+    if (n > WORD_MAX) return WORD_MAX;
+    for (int j = 0; j <= n; j++) row[j] = j;
+    for (int i = 1; a[i - 1]; i++) {
+        int corner = row[0];
+        row[0] = i;
+        for (int j = 1; j <= n; j++) {
+            const int change = corner + (a[i - 1] != b[j - 1]);
+            const int drop = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
+            corner = row[j];
+            row[j] = change < drop ? change : drop;
+        }
+    }
+    return row[n];
+}
+
+/* A name is near if at most a third of its letters (and one more) are wrong: "thoery" is, "xyzzy" is not. */
+void complain_unknown(const char *what, const char *given, int n, const char *const *known)
+{
+    char word[WORD_MAX];
+    const char *best = NULL;
+    int least = 0;
+    /* what stands before a '=' */
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(given, "="), given);
+    for (int i = 0; i < n; i++) {
+        const int distance = edit_distance(word, known[i]);
+        if (!best || distance < least) best = known[i], least = distance;
+    }
+    const int near = best && least <= 1 + (int)strlen(word) / 3;
+    if (near) complain("unknown %s '%s'; did you mean '%s'?", what, given, best);
+    if (!near) complain("unknown %s '%s'; try --help", what, given);
+}
+
+/* Statuses of the library were chosen to be exit statuses. */
+int exit_status(hawser_status status, const hawser_error *err)
+{
+    if (status == HAWSER_OK) return 0;
+    complain("%s", err->message);
+    return (int)status;
+}
+
+/* Without this, a report into a full disk would be lost silently: the C library writes it after main. */
+int finish_stdout(int status)
+{
+    errno = 0;
+    if (!fflush(stdout) && !ferror(stdout)) return status;
+    complain("cannot write to standard output: %s", errno ? strerror(errno) : "the write failed");
+    return status ? status : EXIT_OUTPUT;
 }

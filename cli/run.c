@@ -1,11 +1,14 @@
 /* The command that everything is for. It drives the library's run and adds what a terminal needs: progress, an orderly
  * end on Ctrl-C, a report, an exit status. */
-#include "cli/commands.h"
-#include "hawser/hawser.h"
-
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "cli/commands.h"
+#include "hawser/hawser.h"
 
 static const char help[] =
     "Usage: hawser run CASE [options]\n"
@@ -238,3 +241,215 @@ static int run(const Arguments *args)
 }
 
 const Command command_run = {"run", "simulates a pull and writes the results", "ostlqvufSECTOePGIQ", help, run};
+
+/* Progress goes to standard error, the report to standard output: a user may keep one and drop the other. */
+
+enum { LINE_MAX = 256, HELD_INTERVAL = 60 };
+
+/* A terminal that cannot go back to its line's start ("dumb", as in editors) gets plain lines too. */
+void progress_start(Progress *p, int quiet)
+{
+    const char *term = getenv("TERM");
+    memset(p, 0, sizeof *p);
+    p->quiet = quiet;
+    p->live = isatty(STDERR_FILENO) && term && strcmp(term, "dumb");
+    p->tenths = -1;
+}
+
+/* Simulated seconds a second: of the last stretch, smoothed over the ones before it. */
+static void update_speed(Progress *p, double t, double wall)
+{
+    const double dt = t - p->last_t, dw = wall - p->last_wall;
+    if (dt > 0 && dw > 0) p->speed = p->speed > 0 ? 0.7 * p->speed + 0.3 * dt / dw : dt / dw;
+    p->last_t = t;
+    p->last_wall = wall;
+}
+
+/* Seconds as people say them. */
+static void say_duration(char *text, size_t size, double s)
+{
+    if (s < 100) {
+        snprintf(text, size, "%.1f s", s);
+    } else if (s < 6000) {
+        snprintf(text, size, "%d min %02d s", (int)s / 60, (int)s % 60);
+    } else {
+        snprintf(text, size, "%d h %02d min", (int)(s / 3600), (int)(s / 60) % 60);
+    }
+}
+
+/* Time, share, speed, step and what is left; the last is only as good as the speed is even. */
+static void say_line(const Progress *p, const hawser_sample *sample, double end, char *line)
+{
+    static const char *const pass[] = {"", "second pass, finer: ", "third pass, finer: "};
+    char left[32] = "?";
+    if (p->speed > 0) say_duration(left, sizeof left, (end - sample->t) / p->speed);
+    const double share = end > 0 ? 100 * sample->t / end : 100;
+    snprintf(line, LINE_MAX, "%st = %.2f s of %g s, %3.0f %%, %.3g x real time, step %.3g ms, %s left",
+             pass[p->pass > 2 ? 2 : p->pass > 1], sample->t, end, share, p->speed, 1e3 * sample->step_size, left);
+}
+
+/* Cut to the terminal's width, so that it stays one line. */
+static void draw_line(Progress *p, char *line)
+{
+    struct winsize size;
+    const int known = !ioctl(STDERR_FILENO, TIOCGWINSZ, &size) && size.ws_col > 1;
+    const size_t width = known ? (size_t)size.ws_col - 1 : 79;
+    if (strlen(line) > width) line[width] = 0;
+    fprintf(stderr, "\r%s\033[K", line);
+    fflush(stderr);
+    p->drawn = 1;
+}
+
+/* Each pass has its own clock. */
+static void pass_begin(Progress *p, int pass)
+{
+    p->pass = pass;
+    p->tenths = -1;
+    p->speed = p->last_t = p->last_wall = p->next_held = 0;
+}
+
+/* The report that follows starts on a clean line. */
+void progress_end(Progress *p)
+{
+    if (p->drawn) fputs("\r\033[K", stderr);
+    p->drawn = 0;
+}
+
+/* Once a minute, on a line of its own. */
+static void say_held_up(Progress *p, const char *why, double wall)
+{
+    if (!why || wall < p->next_held) return;
+    progress_end(p);
+    fprintf(stderr, "held up: %s\n", why);
+    p->next_held = wall + HELD_INTERVAL;
+}
+
+/* Live: at every call. Else: when another tenth of the run is done, so that a log stays short. */
+void progress_show(Progress *p, const hawser_sample *sample, double wall_s, double end_s)
+{
+    char line[LINE_MAX];
+    if (p->quiet) return;
+    if (sample->pass > p->pass) pass_begin(p, sample->pass);
+    update_speed(p, sample->t, wall_s);
+    say_held_up(p, sample->held_up, wall_s);
+    const int tenths = end_s > 0 ? (int)(10 * sample->t / end_s + 1e-9) : 10;
+    if (!p->live && tenths <= p->tenths) return;
+    p->tenths = tenths;
+    say_line(p, sample, end_s, line);
+    if (p->live) {
+        draw_line(p, line);
+    } else if (sample->t > 0) {
+        fprintf(stderr, "%s\n", line);
+    }
+}
+
+void progress_certify(Progress *p, const hawser_certify_state *state)
+{
+    char line[LINE_MAX], left[32] = "?";
+    if (p->quiet) return;
+    if (!isnan(state->left_s)) say_duration(left, sizeof left, state->left_s);
+    snprintf(line, LINE_MAX, "certifying, round %d: %d of %d runs over, %3.0f %%, %s left, now %s", state->round,
+             state->over, state->runs, 100 * state->done, left, state->what[0] ? state->what : "the last figures");
+    if (p->live) {
+        draw_line(p, line);
+    } else if (state->over + 100 * state->round != p->tenths) {
+        fprintf(stderr, "%s\n", line);
+    }
+    p->tenths = state->over + 100 * state->round;
+}
+
+void progress_study(Progress *p, const hawser_study_state *state)
+{
+    char line[LINE_MAX], left[32] = "?";
+    if (p->quiet) return;
+    if (!isnan(state->left_s)) say_duration(left, sizeof left, state->left_s);
+    const int tenths = state->samples > 0 ? (int)(10 * state->done / state->samples) : 10;
+    snprintf(line, LINE_MAX, "%ld of %ld samples, %ld not safe, %ld without an answer, %d worker%s, %s left",
+             state->done, state->samples, state->not_safe, state->failed, state->jobs, state->jobs == 1 ? "" : "s",
+             left);
+    if (p->live) {
+        draw_line(p, line);
+    } else if (tenths > p->tenths) {
+        fprintf(stderr, "%s\n", line);
+    }
+    p->tenths = tenths;
+}
+
+/* What a run was computed with that its case did not say, in a few lines: `hawser check` has the list. */
+
+/* Whether a dotted key ends in this name. */
+static int is_key(const char *key, const char *name)
+{
+    const char *const dot = strrchr(key, '.');
+    return dot && strcmp(dot + 1, name) == 0;
+}
+
+/* Of what is not in the route. */
+enum { SAID_MOST = 3 };
+
+/* Of the estimates only EI changes a run, so that it is said what it is worth. */
+void report_assumptions(const hawser_sim *s, hawser_units units)
+{
+    const hawser_assumption *list;
+    const int n = hawser_sim_assumptions(s, &list);
+    char line[1024], shown[1024];
+    int taken = 0, estimated = 0, left = 0;
+    for (int i = 0; i < n; i++) {
+        taken += strcmp(list[i].origin, "catalogue") == 0;
+        estimated += strcmp(list[i].origin, "estimated") == 0;
+        left += strcmp(list[i].origin, "not read") == 0;
+    }
+    if (left) printf("\nNot in the route, of its file%s:\n", left > SAID_MOST ? " (hawser check lists all)" : "");
+    for (int i = 0, said = 0; i < n && said < SAID_MOST; i++) {
+        if (strcmp(list[i].origin, "not read") != 0) continue;
+        printf("  %s\n", list[i].source);
+        ++said;
+    }
+    if (taken + estimated == 0) return;
+    printf("\nAssumed: %d values from the catalogue, %d estimated (hawser check lists them)\n", taken, estimated);
+    for (int i = 0; i < n; i++) {
+        if (strcmp(list[i].origin, "estimated") != 0 || !is_key(list[i].key, "EI")) continue;
+        snprintf(line, sizeof line, "  %s = %s %s\n", list[i].key, list[i].value, list[i].source);
+        fputs(hawser_show_text(line, units, shown, sizeof shown), stdout);
+    }
+}
+
+/* `hawser run --certify`: what the user sees while the case is computed again with finer settings, and its table. */
+
+typedef struct Watch {
+    Progress *progress;
+    int (*stopped)(void);
+} Watch;
+
+static int show_certify(void *user, const hawser_certify_state *state)
+{
+    Watch *const watch = user;
+    progress_certify(watch->progress, state);
+    return watch->stopped();
+}
+
+int certify_run(const Arguments *args, hawser_case *c, hawser_sim *sim, const char *dir, int (*stopped)(void),
+                hawser_error *err, hawser_status *status)
+{
+    Progress progress;
+    Watch watch = {.progress = &progress, .stopped = stopped};
+    const hawser_certify_options options = {.tolerance = args->tolerance,
+                                            .effort = args->effort,
+                                            .threads = args->threads,
+                                            .progress = show_certify,
+                                            .user = &watch};
+    hawser_certificate *certificate = NULL;
+    char *text = NULL;
+    progress_start(&progress, args->quiet);
+    *status = hawser_certify(c, sim, &options, &certificate, err);
+    progress_end(&progress);
+    if (!*status) *status = hawser_certificate_write(certificate, dir, err);
+    if (!*status && !args->quiet) *status = hawser_certificate_text(certificate, args->format, &text, err);
+    if (text) printf("\n%s\n%s\n", text, certificate->verdict);
+    fflush(stdout);
+    hawser_text_free(text);
+    const int certified = certificate && certificate->certified;
+    if (certificate && !certified && args->strict) complain("%s", certificate->verdict);
+    hawser_certificate_free(certificate);
+    return certified;
+}

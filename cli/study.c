@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "cli/commands.h"
@@ -100,3 +101,126 @@ static int study(const Arguments *args)
 
 const Command command_study = {"study", "many variants of a case: how likely is a broken limit, and what matters",
                                "oufqKNmcky", help, study};
+
+/* hawser job: many pulls calculated by theory in one go. */
+
+static const char job_help[] =
+    "Usage: hawser job JOB [options]\n"
+    "\n"
+    "Calculates the pulls that the file JOB lists (docs/jobs.md), each in both directions, by theory. Prints a table\n"
+    "with verdict, direction, forces, least margin, trip setting and reel of each pull, the reels and the joint bays.\n"
+    "\n"
+    "      --report            writes the tables and the calculation of every pull as one page\n"
+    "      --pdf               prints that page too, by an installed Chromium; implies --report\n"
+    "  -o, --output FILE       where the page goes (default: JOB's name with -job.html)\n"
+    "      --crew FILE         writes the crew's sheets, one side of paper for each pull (HTML, and PDF where FILE "
+    "ends in\n"
+    "                          .pdf)\n"
+    "      --xlsx FILE         writes the tables as a workbook, in SI\n"
+    "      --format FORMAT     table (default), json, or csv, which is the table of pulls\n"
+    "      --units UNITS       of table and page: si (default) or us; json, csv and xlsx are in SI\n"
+    "  -q, --quiet             prints nothing but errors\n"
+    "      --strict            the exit status says whether all pulls are safe\n"
+    "  -h, --help              this text\n"
+    "  -V, --version           the version\n"
+    "\n"
+    "Exit status: 0 done; 2 the job or a case is wrong; 4 a file cannot be written; 5 no memory; with --strict\n"
+    "1 a pull is not SAFE, 6 one is NOT TRUSTED and none is worse.\n";
+
+/* The job whose page is written. */
+typedef struct Sheet {
+    hawser_status (*write)(const hawser_job *job, hawser_units units, const char *path, hawser_error *err);
+    const hawser_job *job;
+    hawser_units units;
+} Sheet;
+
+static hawser_status sheet_write(void *what, const char *path, hawser_error *err)
+{
+    const Sheet *const sheet = what;
+    return sheet->write(sheet->job, sheet->units, path, err);
+}
+
+static int job(const Arguments *args)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    hawser_word word = HAWSER_SAFE;
+    hawser_job *made = NULL;
+    char *text = NULL, path[PAGE_PATH];
+    if (args->dir && !args->report) {
+        complain("job: -o is of --report, which is not given");
+        return EXIT_USAGE;
+    }
+    if (args->workbook && args->dir && !strcmp(args->workbook, args->dir)) {
+        complain("job: --xlsx and -o name the same file");
+        return EXIT_USAGE;
+    }
+    hawser_status status = hawser_job_load(args->case_path, &made, &err);
+    if (!status) status = hawser_job_answer(made, args->format, &text, &word, &err);
+    if (!status && !args->quiet) print_answer(text);
+    const hawser_units units = args->format == HAWSER_TABLE_US ? HAWSER_US : HAWSER_SI;
+    Sheet page = {hawser_job_page, made, units}, crew = {hawser_job_crew_sheets, made, units};
+    const int quiet = args->quiet || args->format == HAWSER_JSON || args->format == HAWSER_CSV;
+    if (!status && args->workbook) status = hawser_job_workbook(made, args->workbook, &err);
+    if (!status && args->workbook && !quiet) tell("Workbook: %s", args->workbook);
+    if (!status && args->crew) status = page_make_of(sheet_write, &crew, args->crew, 0, quiet, &err);
+    if (!status && args->report)
+        status = page_make_of(sheet_write, &page, page_path(args, "job", path), args->pdf, quiet, &err);
+    hawser_text_free(text);
+    hawser_job_free(made);
+    return finish_stdout(status ? exit_status(status, &err) : held_status(args, word));
+}
+
+const Command command_job = {"job", "many pulls in one table, page and workbook, by theory", "fuoePqS/XW", job_help,
+                             job};
+
+/* hawser compare: a measured pull against results or a case. */
+
+static const char compare_help[] =
+    "Usage: hawser compare RESULTS|CASE LOG.csv [options]\n"
+    "\n"
+    "Lays the winch's force that a logger has written (over time or length, with units in its head) beside what was\n"
+    "planned: by the run in the folder RESULTS and theory, or by theory of the file CASE with the head's place as the\n"
+    "log's length. Planned against pulled by parts of the way, peaks, for a CASE the friction that would explain the\n"
+    "mean; bias, RMS, correlation, and how much agrees within a band.\n"
+    "Readings at rest, starts, drop-outs and spikes are told apart (docs/studies.md, \"Measured pulls\").\n"
+    "\n"
+    "      --align WAY         length: by the winch's travel (default); start: by the time since the pull began\n"
+    "      --shift X           added to where the log is: m, or s with --align start\n"
+    "      --band P            what counts as agreement (default: 10%)\n"
+    "      --raw               takes spikes and drop-outs as they are\n"
+    "      --page FILE         writes a page with figures (HTML)\n"
+    "      --report            the same, into LOG's name with -compare.html\n"
+    "      --json              prints the figures as JSON\n"
+    "      --units UNITS       of what is printed: si (default) or us\n"
+    "  -h, --help              this text\n"
+    "  -V, --version           the version\n"
+    "\n"
+    "Exit status: 0 compared, whatever it says; 2 no results, no log, or nothing in common; 4 the page could not be\n"
+    "written; 5 no memory.\n";
+
+static int compare(const Arguments *args)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    char *text = NULL;
+    if (args->n_words != 2) {
+        complain("compare needs results or a case, and a log, as in: hawser compare results/huangjiahu log.csv");
+        return EXIT_USAGE;
+    }
+    hawser_compare_options options = args->compare;
+    char page[4096];
+    options.format = args->format;
+    if (args->report && !options.page) {
+        const char *const log = args->words[1], *const slash = strrchr(log, '/'), *const dot = strrchr(log, '.');
+        const size_t n = dot && dot > (slash ? slash + 1 : log) ? (size_t)(dot - log) : strlen(log);
+        snprintf(page, sizeof page, "%.*s-compare.html", (int)(n < 4000 ? n : 4000), log);
+        options.page = page;
+    }
+    const hawser_status status = hawser_compare(args->words[0], args->words[1], &options, &text, &err);
+    if (!status) fputs(text, stdout);
+    if (!status && args->report) tell("Report: %s", options.page);
+    hawser_text_free(text);
+    return finish_stdout(exit_status(status, &err));
+}
+
+const Command command_compare = {"compare", "a measured pull against what was planned", "jAHBwgeu*", compare_help,
+                                 compare};

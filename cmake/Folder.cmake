@@ -1,6 +1,6 @@
 # hawser_folder(NAME LINKS...): the library of one folder, from every .c file in it.
 # Files named *_lanes.c hold kernels written in vector types; each is compiled once for every instruction set
-# (symbols end in HAWSER_ISA) and chosen at run time by core/base/isa.h.
+# (symbols end in HAWSER_ISA) and chosen at run time by core/machine.h.
 set(HAWSER_ISA_FLAGS_generic "")
 set(HAWSER_ISA_LIST generic)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT HAWSER_ONE_ISA)

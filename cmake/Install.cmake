@@ -59,7 +59,7 @@ install(DIRECTORY cases/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/cases)
 install(FILES packaging/hawser.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES packaging/hawser.bash DESTINATION share/bash-completion/completions RENAME hawser)
 install(FILES packaging/_hawser DESTINATION share/zsh/site-functions)
-# The catalogue is found by its place beside program and library (io/library/library_place.c), also in a build.
+# The catalogue is found by its place beside program and library (io/case/library.c), also in a build.
 install(DIRECTORY library/ DESTINATION share/hawser/library FILES_MATCHING PATTERN "*.yaml")
 install(FILES web/dist/desk.html DESTINATION share/hawser)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/hawser)

@@ -3,8 +3,8 @@
 #ifndef HAWSER_CORE_BLOCK_CHAIN_H
 #define HAWSER_CORE_BLOCK_CHAIN_H
 
-#include "core/base/checkpoint.h"
-#include "core/base/vec3.h"
+#include "core/checkpoint.h"
+#include "core/vec3.h"
 
 typedef struct BlockChain {
     int n;         /* block rows */
@@ -25,18 +25,18 @@ static inline void block_column_add(double *block, int column, int row, Vec3 v)
     double *const at = block + 6 * column + row;
     v3_put(at, v3_add(v3_get(at), v));
 }
+
 /* Adds [force; moment] to all of it. */
 static inline void block6_add(double *block, int column, Vec3 force, Vec3 moment)
 {
     block_column_add(block, column, 0, force);
     block_column_add(block, column, 3, moment);
 }
+
 /* The blocks of `from`, which has the same sizes. */
 void block_chain_copy(BlockChain *to, const BlockChain *from);
-
 /* All blocks. */
 void block_chain_checkpoint(Checkpoint *c, const char *name, BlockChain *a);
-
 /* Blocks of K and D outside the three diagonals: what couples segments that are not neighbours (cable on cable). The
  * pattern is symmetric and changes with the contact candidates, never inside a step. */
 typedef struct BlockExtras {

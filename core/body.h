@@ -3,12 +3,12 @@
 #ifndef HAWSER_CORE_BODY_H
 #define HAWSER_CORE_BODY_H
 
-#include "core/base/isa.h"
-#include "core/base/vec3.h"
 #include "core/block_chain.h"
 #include "core/bushing.h"
 #include "core/chain.h"
+#include "core/machine.h"
 #include "core/state.h"
+#include "core/vec3.h"
 
 /* Adds to the rotation parts of k and d what the turning of the inertia and the gyroscopic moment contribute to
  * d(moment - I w')/d(phi) and /d(w) (S4), for segments from..to-1; ydot holds w'. */

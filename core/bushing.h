@@ -3,10 +3,10 @@
 #ifndef HAWSER_CORE_BUSHING_H
 #define HAWSER_CORE_BUSHING_H
 
-#include "core/base/isa.h"
-#include "core/base/lanes.h"
 #include "core/block_chain.h"
 #include "core/chain.h"
+#include "core/lanes.h"
+#include "core/machine.h"
 
 /* A step has been accepted: the sliders of joints from..to-1 follow the rotations of kin, as far as they are beyond
  * their limits (HY8), into kin->slip. Wrenches at the same kinematics stay as they are (HY9); their derivatives do not.

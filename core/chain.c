@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/lanes.h"
+#include "core/lanes.h"
 
 /* Entries before index 0, so that index 0 is aligned and index -1 exists. */
 enum { FRONT = LANES, ALIGNMENT = 64 };

@@ -7,8 +7,8 @@
 #ifndef HAWSER_CORE_CHAIN_H
 #define HAWSER_CORE_CHAIN_H
 
-#include "core/base/checkpoint.h"
-#include "core/base/vec3.h"
+#include "core/checkpoint.h"
+#include "core/vec3.h"
 
 /* Which frame a bushing's components are taken in. docs/model.md, "Bushing". */
 typedef enum BushingFrame {

@@ -2,7 +2,7 @@
 #ifndef HAWSER_CORE_PROFILE_H
 #define HAWSER_CORE_PROFILE_H
 
-#include "core/base/checkpoint.h"
+#include "core/checkpoint.h"
 
 typedef enum ProfileKind { PROFILE_CONSTANT, PROFILE_STEP, PROFILE_STEP5, PROFILE_TABLE } ProfileKind;
 

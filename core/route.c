@@ -1,15 +1,333 @@
 #include "core/route.h"
 
 #include <assert.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
+
+/* ---------------------------------------------------------------------------------------------- the laws in u */
+
+/* sin(x)/x. */
+static double sinc(double x) { return fabs(x) > 1e-8 ? sin(x) / x : 1; }
+
+static double heading_at(const RouteCurve *c, double u) { return u * (c->bend + c->sharp * u / 2); }
+
+static Vec3 cubic_slope(const RouteCurve *c, double u)
+{
+    return v3_axpy(v3_axpy(c->cubic[0], 2 * u, c->cubic[1]), 3 * u * u, c->cubic[2]);
+}
+
+/* Arc length per parameter: (RO6), (RO9). Of grades and arcs it is known without. */
+static double speed_at(const RoutePiece *p, double u)
+{
+    if (p->kind == ROUTE_CUBIC) return v3_norm(cubic_slope(&p->curve, u));
+    const double grade = p->curve.grade + p->curve.vertical * u;
+    return sqrt(1 + grade * grade);
+}
+
+/* Whether x is an integral over u. */
+static int is_timed(const RoutePiece *p) { return p->kind == ROUTE_CUBIC || p->curve.profile == PROFILE_PARABOLA; }
+
+/* ------------------------------------------------------------------------------------------------- quadrature */
+
+enum { GAUSS = 8 };
+
+/* Gauss and Legendre's rule of 8 points on [-1, 1], its positive half. */
+static const double gauss_at[GAUSS / 2] = {0.18343464249564980494, 0.52553240991632898582, 0.79666647741362673959,
+                                           0.96028985649753623168};
+
+static const double gauss_by[GAUSS / 2] = {0.36268378337836198297, 0.31370664587788728734, 0.22238103445337447054,
+                                           0.10122853629037625915};
+
+static double gauss_place(double u0, double u, int i)
+{
+    const double middle = (u0 + u) / 2, half = (u - u0) / 2;
+    return middle + (i % 2 ? half : -half) * gauss_at[i / 2];
+}
+
+/* The arc length since the knot at u0. */
+static double integrate_length(const RoutePiece *p, double u0, double u)
+{
+    const double half = (u - u0) / 2;
+    double sum = 0;
+    for (int i = 0; i < GAUSS; ++i) sum += half * gauss_by[i / 2] * speed_at(p, gauss_place(u0, u, i));
+    return sum;
+}
+
+/* What has been gone through since then (RO4), (RO6). */
+static RouteKnot integrate(const RoutePiece *p, double u0, double u)
+{
+    const double half = (u - u0) / 2;
+    RouteKnot sum = {.u = u, .x = is_timed(p) ? integrate_length(p, u0, u) : 0};
+    for (int i = 0; i < GAUSS && p->kind == ROUTE_CURVE; ++i) {
+        const double heading = heading_at(&p->curve, gauss_place(u0, u, i)), by = half * gauss_by[i / 2];
+        sum.along += by * cos(heading);
+        sum.aside += by * sin(heading);
+    }
+    return sum;
+}
+
+static RouteKnot knot_after(const RouteKnot *from, RouteKnot way)
+{
+    return (RouteKnot){way.u, from->x + way.x, from->along + way.along, from->aside + way.aside};
+}
+
+/* ------------------------------------------------------------------------------------------------ place by arc length
+ */
+
+/* The knot before arc length x: guessed by even steps, then walked to. */
+static const RouteKnot *knot_before(const RouteKnot *knot, int n, double x)
+{
+    int i = (int)(n * x / knot[n].x);
+    i = i < 0 ? 0 : i > n - 1 ? n - 1 : i;
+    while (i > 0 && knot[i].x > x) --i;
+    while (i < n - 1 && knot[i + 1].x <= x) ++i;
+    return &knot[i];
+}
+
+/* u where the arc length is x, from a knot before it: Newton's method, which converges at once, since the speed hardly
+ * changes between two knots (RO7). It is begun with the speed half way there, and ended where the square of a step is
+ * rounding. */
+static double parameter_at(const RoutePiece *p, const RouteKnot *knot, double x)
+{
+    const double way = x - knot->x, first = speed_at(p, knot->u);
+    double u = knot->u + way / speed_at(p, knot->u + way / first / 2);
+    for (int i = 0; i < 20; ++i) {
+        const double off = knot->x + integrate_length(p, knot->u, u) - x, step = off / speed_at(p, u);
+        u -= step;
+        if (fabs(step) <= 1e-9 * p->curve.end) break;
+    }
+    return u;
+}
+
+static RoutePoint cubic_at(const RoutePiece *p, double u)
+{
+    const RouteCurve *const c = &p->curve;
+    const Vec3 by = cubic_slope(c, u), by2 = v3_axpy(v3_scale(2, c->cubic[1]), 6 * u, c->cubic[2]);
+    RoutePoint at = {.tangent = v3_unit(by)};
+    at.position = v3_axpy(p->start, u, v3_axpy(v3_axpy(c->cubic[0], u, c->cubic[1]), u * u, c->cubic[2]));
+    at.curvature = v3_scale(1 / v3_dot(by, by), v3_reject(by2, at.tangent));
+    return at;
+}
+
+/* Tangent and curvature by heading and slope, position by the plan's coordinates and the height over it: (RO1)-(RO3).
+ */
+static RoutePoint curve_point(const RoutePiece *p, double u, double slope, const RouteKnot *plan, double height)
+{
+    const RouteCurve *const c = &p->curve;
+    const double heading = heading_at(c, u), ch = cos(heading), sh = sin(heading), cs = cos(slope), ss = sin(slope);
+    const Vec3 ahead = v3_axpy(v3_scale(ch, c->axis[0]), sh, c->axis[1]);
+    const Vec3 aside = v3_axpy(v3_scale(ch, c->axis[1]), -sh, c->axis[0]);
+    const double turn = cs * cs * (c->bend + c->sharp * u);
+    double rise = 0; /* d slope / ds */
+    if (c->profile == PROFILE_ARC) rise = c->vertical;
+    if (c->profile == PROFILE_PARABOLA) rise = c->vertical * cs * cs * cs;
+    RoutePoint at = {.tangent = v3_unit(v3_axpy(v3_scale(cs, ahead), ss, c->axis[2]))};
+    at.curvature = v3_axpy(v3_scale(turn, aside), rise, v3_axpy(v3_scale(cs, c->axis[2]), -ss, ahead));
+    at.position = v3_add(
+        p->start, v3_axpy(v3_axpy(v3_scale(plan->along, c->axis[0]), plan->aside, c->axis[1]), height, c->axis[2]));
+    return at;
+}
+
+/* Where x is along a curve that is no cubic: its parameter, slope and height over the start. */
+typedef struct CurvePlace {
+    double u, slope, height;
+} CurvePlace;
+
+static CurvePlace curve_place(const RoutePiece *p, const RouteKnot *knot, double x)
+{
+    const RouteCurve *const c = &p->curve;
+    if (c->profile == PROFILE_PARABOLA) { /* (RO5), (RO7) */
+        const double u = parameter_at(p, knot_before(knot, c->n, x), x);
+        return (CurvePlace){u, atan(c->grade + c->vertical * u), u * (c->grade + c->vertical * u / 2)};
+    }
+    const double half = (c->profile == PROFILE_ARC ? c->vertical : 0) * x / 2; /* (RO8) */
+    return (CurvePlace){x * sinc(half) * cos(c->slope + half), c->slope + 2 * half,
+                        x * sinc(half) * sin(c->slope + half)};
+}
+
+/* NULL: no piece is timed. */
+static const RouteKnot *knots_of(const Route *route, const RoutePiece *p)
+{
+    return route->knot ? route->knot + p->curve.first : NULL;
+}
+
+/* At distance x from its start, within its length. */
+static RoutePoint route_curve_at(const Route *route, const RoutePiece *p, double x)
+{
+    const RouteCurve *const c = &p->curve;
+    const RouteKnot *const knot = knots_of(route, p);
+    if (p->kind == ROUTE_CUBIC) return cubic_at(p, parameter_at(p, knot_before(knot, c->n, x), x));
+    const CurvePlace at = curve_place(p, knot, x);
+    RouteKnot plan = {.u = at.u};
+    if (c->n == 0) { /* the plan is a circle */
+        const double half = c->bend * at.u / 2;
+        plan.along = at.u * sinc(half) * cos(half);
+        plan.aside = at.u * sinc(half) * sin(half);
+    } else {
+        assert(knot);
+        int i = (int)(c->n * at.u / c->end);
+        i = i < 0 ? 0 : i > c->n - 1 ? c->n - 1 : i;
+        plan = knot_after(&knot[i], integrate(p, knot[i].u, at.u));
+    }
+    return curve_point(p, at.u, at.slope, &plan, at.height);
+}
+
+/* The same without the position, which costs an integral: tangent and curvature only. */
+static RoutePoint route_curve_way(const Route *route, const RoutePiece *p, double x)
+{
+    const RouteKnot none = {0};
+    if (p->kind == ROUTE_CUBIC) return route_curve_at(route, p, x);
+    const CurvePlace at = curve_place(p, knots_of(route, p), x);
+    return curve_point(p, at.u, at.slope, &none, 0);
+}
+
+/* ------------------------------------------------------------------------------------------------------ building */
+
+/* Unit vector from a bend's start toward its centre: cos(plane) left + sin(plane) up, up = t x left. (R2) */
+static Vec3 route_centre(Vec3 tangent, Vec3 left, double plane)
+{
+    const Vec3 up = v3_cross(tangent, left);
+    return v3_unit(v3_reject(v3_add(v3_scale(cos(plane), left), v3_scale(sin(plane), up)), tangent));
+}
+
+/* What rounding of a slope leaves of no change of grade. */
+static const double RISE_MIN = 1e-14;
+
+/* By how much tan(slope) changes along a parabola; 0: it is a straight grade, and has no knots. */
+static double parabola_rise(const RouteCurve *c)
+{
+    const double rise = fabs(c->vertical * c->end);
+    return rise > RISE_MIN * (1 + c->grade * c->grade) ? rise : 0;
+}
+
+/* How many steps of u the integrals need: at most 0.3 rad of plan and of change of slope each; a cubic's until its
+ * length no longer changes. 0: closed form. */
+static int steps_wanted(const RoutePiece *p)
+{
+    const RouteCurve *const c = &p->curve;
+    if (p->kind == ROUTE_CUBIC) {
+        double before = 0;
+        for (int n = 4; n < 4096; n *= 2) {
+            double sum = 0;
+            for (int i = 0; i < n; ++i) sum += integrate_length(p, (double)i / n, (i + 1.0) / n);
+            if (fabs(sum - before) <= 1e-14 * sum) return n;
+            before = sum;
+        }
+        return 4096;
+    }
+    const double turn = c->end * fmax(fabs(c->bend), fabs(c->bend + c->sharp * c->end));
+    const double rise = c->profile == PROFILE_PARABOLA ? parabola_rise(c) : 0;
+    if (!(fabs(c->sharp) > 0) && !(rise > 0)) return 0;
+    return (int)ceil(fmax(turn, rise) / 0.3) + 1;
+}
+
+static hawser_status knots_add(Route *route, RoutePiece *p, hawser_error *err)
+{
+    RouteCurve *const c = &p->curve;
+    c->n = steps_wanted(p);
+    c->first = route->n_knots;
+    if (c->n == 0) return HAWSER_OK;
+    RouteKnot *const all = realloc(route->knot, (size_t)(route->n_knots + c->n + 1) * sizeof *all);
+    if (!all) return error_memory(err);
+    route->knot = all;
+    route->n_knots += c->n + 1;
+    RouteKnot *const knot = all + c->first;
+    knot[0] = (RouteKnot){0};
+    for (int i = 0; i < c->n; ++i) knot[i + 1] = knot_after(&knot[i], integrate(p, knot[i].u, (i + 1) * c->end / c->n));
+    return HAWSER_OK;
+}
+
+/* Plan and profile in their own axes. */
+static void curve_fill(RoutePiece *p, const RoutePieceDef *def, Vec3 left)
+{
+    RouteCurve *const c = &p->curve;
+    c->end = def->length;
+    c->bend = def->curvature[0];
+    c->sharp = (def->curvature[1] - def->curvature[0]) / def->length;
+    if (!def->upright) {
+        c->axis[0] = p->tangent;
+        c->axis[1] = route_centre(p->tangent, left, def->plane);
+        c->axis[2] = v3_cross(c->axis[0], c->axis[1]);
+        p->length = def->length;
+        return;
+    }
+    c->axis[0] = v3_cross(left, v3(0, 0, 1));
+    c->axis[1] = left;
+    c->axis[2] = v3(0, 0, 1);
+    c->slope = atan2(p->tangent.z, hypot(p->tangent.x, p->tangent.y));
+    c->grade = tan(c->slope);
+    c->profile = def->profile;
+    if (def->profile == PROFILE_PARABOLA) c->vertical = (tan(def->slope_end) - c->grade) / def->length;
+    if (!(parabola_rise(c) > 0) && def->profile == PROFILE_PARABOLA) c->profile = PROFILE_GRADE;
+    if (c->profile == PROFILE_GRADE) p->length = def->length / cos(c->slope);
+    if (c->profile == PROFILE_ARC) {
+        c->vertical = (sin(def->slope_end) - sin(c->slope)) / def->length;
+        const double half = (def->slope_end - c->slope) / 2;
+        p->length = def->length / (sinc(half) * cos(c->slope + half));
+    }
+}
+
+/* Largest curvature, whole turn and jerk, by looks along the piece; a curve's largest curvature is met at its ends or
+ * where the looks see it, refined by a parabola through three. */
+static void measure(const Route *route, RoutePiece *p)
+{
+    enum { LOOKS = 200 };
+    const double h = p->length / LOOKS;
+    double k[LOOKS + 1], most = 0, sum = 0;
+    RoutePoint before = {.piece = 0};
+    for (int i = 0; i <= LOOKS; ++i) {
+        const RoutePoint at = route_curve_way(route, p, i * h);
+        k[i] = v3_norm(at.curvature);
+        most = fmax(most, k[i]);
+        sum += k[i] * (i == 0 || i == LOOKS ? 1 : i % 2 ? 4 : 2) * h / 3;
+        if (i > 0) {
+            const Vec3 by = v3_reject(v3_sub(at.curvature, before.curvature), at.tangent);
+            p->curve.jerk = fmax(p->curve.jerk, v3_norm(by) / h);
+        }
+        before = at;
+    }
+    for (int i = 1; i < LOOKS; ++i) {
+        const double fall = 2 * k[i] - k[i - 1] - k[i + 1], tilt = k[i + 1] - k[i - 1];
+        if (k[i] >= k[i - 1] && k[i] >= k[i + 1] && fall > 0) most = fmax(most, k[i] + tilt * tilt / (8 * fall));
+    }
+    p->radius = most > 0 ? 1 / most : INFINITY;
+    p->angle = sum;
+}
+
+/* Sets a curve or cubic that begins at p->start with p->tangent: `left` is the level left there, the rest of p but kind
+ * and name is filled in. Knots are added to the route. Errors: MEMORY. */
+static hawser_status route_curve_set(Route *route, RoutePiece *p, const RoutePieceDef *def, Vec3 left,
+                                     hawser_error *err)
+{
+    p->curve = (RouteCurve){.profile = PROFILE_GRADE};
+    if (p->kind == ROUTE_CUBIC) {
+        for (int i = 0; i < 3; ++i) p->curve.cubic[i] = def->cubic[i];
+        p->curve.end = 1;
+        p->tangent = v3_unit(def->cubic[0]);
+    } else {
+        curve_fill(p, def, left);
+    }
+    const hawser_status status = knots_add(route, p, err);
+    if (status) return status;
+    if (is_timed(p)) p->length = route->knot[p->curve.first + p->curve.n].x;
+    assert(p->length > 0);
+    measure(route, p);
+    const Vec3 plan = v3_cross(def->cubic[0], v3_add(def->cubic[1], def->cubic[2]));
+    const Vec3 over = v3_cross(def->cubic[0], def->cubic[1]);
+    p->curve.sideways = p->kind == ROUTE_CUBIC ? fabs(plan.z) + fabs(over.z) > 0
+                        : def->upright         ? fabs(def->curvature[0]) + fabs(def->curvature[1]) > 0
+                                               : fabs(p->curve.axis[2].z) > 1e-9;
+    return HAWSER_OK;
+}
 
 /* Level part of a unit tangent below which it counts as vertical; rounding leaves about 1e-15 of it. */
 static const double LEVEL_MIN = 1e-9;
 
-Vec3 route_level_left(Vec3 t)
+/* The level unit vector to the left of a tangent, e_z x t (R2); the zero vector for a vertical tangent. */
+static Vec3 route_level_left(Vec3 t)
 {
     const double level = hypot(t.x, t.y);
     return level > LEVEL_MIN ? v3(-t.y / level, t.x / level, 0) : v3(0, 0, 0);
@@ -235,4 +553,407 @@ Vec3 route_left(const Route *route, double s)
         if (v3_norm(left) < 0.5 && x > 0) left = route_level_left(v3_scale(-1, before.curvature));
     }
     return v3_norm(left) < 0.5 ? route->left : v3_unit(left);
+}
+
+/* Pieces from straights with slopes, and from points. */
+
+/* Lengths and angles below these are rounding, m and rad. */
+static const double LENGTH_MIN = 1e-9, ANGLE_MIN = 1e-10;
+
+/* A line with room for so many pieces. Errors: MEMORY. */
+static hawser_status line_new(RouteLine *out, int room, Vec3 start, double heading, double slope, hawser_error *err)
+{
+    *out = (RouteLine){.start = start, .heading = heading, .slope = slope};
+    out->piece = calloc((size_t)room, sizeof *out->piece);
+    return out->piece ? HAWSER_OK : error_memory(err);
+}
+
+static hawser_status line_drop(RouteLine *line, hawser_status status)
+{
+    if (!status) return status;
+    free(line->piece);
+    *line = (RouteLine){0};
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------- changes of slope */
+
+/* What the corners take off each straight, and the slopes at its start. */
+typedef struct Corner {
+    double change;        /* rad, of slope where the piece begins */
+    double ahead, behind; /* m off this piece at its start; off the one before at its end */
+} Corner;
+
+/* The corners of the line as it is, by building it. Errors: MEMORY. */
+static hawser_status corners_find(int n, const RoutePieceDef *def, const RouteLine *line, double radius, Corner *corner,
+                                  hawser_error *err)
+{
+    Route route;
+    const hawser_status status = route_build(&route, n, def, V3_ZERO, line->heading, line->slope, err);
+    if (status) return status;
+    for (int i = 1; i < n; ++i) {
+        if (!def[i].sloped || def[i].kind != ROUTE_STRAIGHT) continue;
+        const Vec3 before = route_on_piece(&route, i - 1, route.length).tangent;
+        corner[i].change = def[i].slope - atan2(before.z, hypot(before.x, before.y));
+        if (fabs(corner[i].change) < ANGLE_MIN) continue;
+        const double off = radius * tan(fabs(corner[i].change) / 2);
+        const int shared = def[i - 1].kind == ROUTE_STRAIGHT;
+        corner[i].ahead = shared ? off : 2 * off;
+        corner[i].behind = shared ? off : 0;
+    }
+    route_clear(&route);
+    return HAWSER_OK;
+}
+
+hawser_status route_round_slopes(int n, const RoutePieceDef *def, double heading, double slope, double radius,
+                                 RouteLine *out, hawser_error *err)
+{
+    assert(n >= 1 && radius > 0);
+    hawser_status status = line_new(out, 2 * n, V3_ZERO, heading, def[0].sloped ? def[0].slope : slope, err);
+    Corner *const corner = calloc((size_t)n + 1, sizeof *corner);
+    if (!status && !corner) status = error_memory(err);
+    if (!status) status = corners_find(n, def, out, radius, corner, err);
+    for (int i = 0; i < n && !status; ++i) {
+        if (fabs(corner[i].change) >= ANGLE_MIN) {
+            out->piece[out->n++] = (RoutePieceDef){.kind = ROUTE_BEND,
+                                                   .name = "change of slope",
+                                                   .radius = radius,
+                                                   .angle = fabs(corner[i].change),
+                                                   .plane = corner[i].change > 0 ? M_PI / 2 : 3 * M_PI / 2};
+        }
+        RoutePieceDef piece = def[i];
+        const double off = corner[i].ahead + corner[i + 1].behind;
+        if (piece.kind == ROUTE_STRAIGHT) piece.length -= off;
+        if (piece.kind == ROUTE_STRAIGHT && piece.length < -LENGTH_MIN) {
+            status = error_set(err, HAWSER_ERR_INPUT,
+                               "piece %d ('%s'), %g m long, is too short for the changes of slope at its ends: with a "
+                               "transition radius of %g m they take %.4g m",
+                               i, piece.name, def[i].length, radius, off);
+        }
+        if (piece.kind != ROUTE_STRAIGHT || piece.length > LENGTH_MIN) out->piece[out->n++] = piece;
+    }
+    free(corner);
+    return line_drop(out, status);
+}
+
+/* ------------------------------------------------------------------------------------------------------ polylines */
+
+/* Where a polyline has got to. */
+typedef struct Walk {
+    Vec3 tangent, left;
+    double taken; /* m of the leg ahead that the last corner took */
+} Walk;
+
+/* The level left behind a turn from w->tangent to `ahead`, as route_left finds it (R3). */
+static Vec3 left_behind(const Walk *w, Vec3 ahead, Vec3 centre, double turn)
+{
+    Vec3 left = route_level_left(ahead);
+    if (v3_norm(left) > 0.5) return left;
+    left = route_level_left(v3_axpy(v3_scale(-cos(turn), centre), sin(turn), w->tangent));
+    return v3_norm(left) > 0.5 ? left : w->left;
+}
+
+/* Corner i: the straight before it and its bend. */
+static hawser_status corner_take(const RouteCorner *corner, int i, Walk *w, RouteLine *out, hawser_error *err)
+{
+    const Vec3 back = v3_sub(corner[i].point, corner[i - 1].point), on = v3_sub(corner[i + 1].point, corner[i].point);
+    const Vec3 ahead = v3_unit(on), centre = v3_unit(v3_reject(ahead, w->tangent));
+    const double sine = v3_norm(v3_cross(w->tangent, ahead)), turn = atan2(sine, v3_dot(w->tangent, ahead));
+    if (turn > M_PI - 1e-3)
+        return error_set(err, HAWSER_ERR_INPUT, "the points %d to %d turn back on themselves", i, i + 2);
+    const double off = turn > ANGLE_MIN ? corner[i].radius * tan(turn / 2) : 0;
+    const double straight = v3_norm(back) - w->taken - off;
+    if (straight < -LENGTH_MIN || off > v3_norm(on) + LENGTH_MIN) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "the points beside point %d are too near for a radius of %g m, which takes %.4g m on either "
+                         "side: the legs are %.4g m (%.4g m of it taken) and %.4g m long",
+                         i + 1, corner[i].radius, off, v3_norm(back), w->taken, v3_norm(on));
+    }
+    RoutePieceDef *const at = out->piece;
+    if (straight > LENGTH_MIN) at[out->n++] = (RoutePieceDef){.kind = ROUTE_STRAIGHT, .length = straight};
+    w->taken = off;
+    if (!(off > 0)) return HAWSER_OK;
+    const Vec3 up = v3_cross(w->tangent, w->left);
+    at[out->n] = (RoutePieceDef){.kind = ROUTE_BEND,
+                                 .radius = corner[i].radius,
+                                 .angle = turn,
+                                 .plane = atan2(v3_dot(centre, up), v3_dot(centre, w->left))};
+    snprintf(at[out->n++].name, ROUTE_NAME_MAX, "point %d", i + 1);
+    w->left = left_behind(w, ahead, centre, turn);
+    w->tangent = ahead;
+    return HAWSER_OK;
+}
+
+static hawser_status points_check(int n, const Vec3 *point, size_t stride, hawser_error *err)
+{
+    for (int i = 1; i < n; ++i) {
+        const Vec3 a = *(const Vec3 *)((const char *)point + (size_t)(i - 1) * stride);
+        const Vec3 b = *(const Vec3 *)((const char *)point + (size_t)i * stride);
+        if (!(v3_norm(v3_sub(b, a)) > 1e-6))
+            return error_set(err, HAWSER_ERR_INPUT, "the points %d and %d are the same", i, i + 1);
+    }
+    return HAWSER_OK;
+}
+
+hawser_status route_from_corners(int n, const RouteCorner *corner, RouteLine *out, hawser_error *err)
+{
+    assert(n >= 2);
+    *out = (RouteLine){0};
+    hawser_status status = points_check(n, &corner->point, sizeof *corner, err);
+    if (status) return status;
+    const Vec3 first = v3_unit(v3_sub(corner[1].point, corner[0].point));
+    const double heading = hypot(first.x, first.y) > 1e-9 ? atan2(first.y, first.x) : 0;
+    status = line_new(out, 2 * n, corner[0].point, heading, atan2(first.z, hypot(first.x, first.y)), err);
+    Walk w = {.tangent = first, .left = v3(-sin(heading), cos(heading), 0)};
+    for (int i = 1; i + 1 < n && !status; ++i) status = corner_take(corner, i, &w, out, err);
+    if (status) return line_drop(out, status);
+    const double last = v3_norm(v3_sub(corner[n - 1].point, corner[n - 2].point)) - w.taken;
+    if (last > LENGTH_MIN) out->piece[out->n++] = (RoutePieceDef){.kind = ROUTE_STRAIGHT, .length = last};
+    return HAWSER_OK;
+}
+
+/* --------------------------------------------------------------------------------------------------------- splines */
+
+/* Second derivatives by chord length at the points, natural ends: the tridiagonal system of (RO15) by elimination;
+ * share[n] is scratch. */
+static void spline_bend(int n, const Vec3 *point, double *share, Vec3 *bend)
+{
+    bend[0] = bend[n - 1] = V3_ZERO;
+    share[0] = 0;
+    for (int i = 1; i + 1 < n; ++i) {
+        const Vec3 back = v3_sub(point[i], point[i - 1]), on = v3_sub(point[i + 1], point[i]);
+        const double h0 = v3_norm(back), h1 = v3_norm(on), pivot = 2 * (h0 + h1) - h0 * share[i - 1];
+        const Vec3 right = v3_scale(6, v3_sub(v3_scale(1 / h1, on), v3_scale(1 / h0, back)));
+        bend[i] = v3_scale(1 / pivot, v3_axpy(right, -h0, bend[i - 1]));
+        share[i] = h1 / pivot;
+    }
+    for (int i = n - 2; i > 0; --i) bend[i] = v3_axpy(bend[i], -share[i], bend[i + 1]);
+}
+
+hawser_status route_from_spline(int n, const Vec3 *point, RouteLine *out, hawser_error *err)
+{
+    assert(n >= 2);
+    *out = (RouteLine){0};
+    hawser_status status = points_check(n, point, sizeof *point, err);
+    if (status) return status;
+    Vec3 *const bend = malloc((size_t)n * sizeof *bend);
+    double *const share = malloc((size_t)n * sizeof *share);
+    status = line_new(out, n, point[0], 0, 0, err);
+    if (!status && !(bend && share)) status = error_memory(err);
+    if (!status) spline_bend(n, point, share, bend);
+    for (int i = 0; i + 1 < n && !status; ++i) {
+        const Vec3 way = v3_sub(point[i + 1], point[i]);
+        const double h2 = v3_dot(way, way);
+        RoutePieceDef *const p = &out->piece[out->n++];
+        p->kind = ROUTE_CUBIC;
+        p->cubic[0] = v3_axpy(way, -h2 / 6, v3_add(v3_scale(2, bend[i]), bend[i + 1]));
+        p->cubic[1] = v3_scale(h2 / 2, bend[i]);
+        p->cubic[2] = v3_scale(h2 / 6, v3_sub(bend[i + 1], bend[i]));
+        snprintf(p->name, sizeof p->name, "points %d to %d", i + 1, i + 2);
+    }
+    if (!status) {
+        const Vec3 first = out->piece[0].cubic[0];
+        out->heading = atan2(first.y, first.x);
+        out->slope = atan2(first.z, hypot(first.x, first.y));
+    }
+    free(bend);
+    free(share);
+    return line_drop(out, status);
+}
+
+/* Pieces from plan and profile. */
+
+/* Elements shorter than this are rounding, m; so are corners of less than this, rad. */
+static const double PLAN_LENGTH_MIN = 1e-6, CORNER_MAX = 1e-6;
+
+/* ---------------------------------------------------------------------------------------------------- the profile */
+
+/* Level lengths that the rounding of a corner takes before and behind it, between two slopes. */
+static void corner_off(const RouteProfileCorner *c, double radius, const double slope[2], double off[2])
+{
+    const double round = c->radius > 0 ? c->radius : c->parabola > 0 ? 0 : radius;
+    const double tangent = round * tan(fabs(slope[1] - slope[0]) / 2);
+    for (int k = 0; k < 2; ++k) off[k] = round > 0 ? tangent * cos(slope[k]) : c->parabola / 2;
+}
+
+static double slope_between(const RouteProfileCorner *a)
+{
+    return atan2(a[1].height - a->height, a[1].station - a->station);
+}
+
+/* The grade behind corner i - 1 and the rounding of corner i; taken: of the grade by the corner before it. */
+static hawser_status corner_add(int n, const RouteProfileCorner *c, int i, double radius, double *taken,
+                                RouteProfile *out, hawser_error *err)
+{
+    const double run = c[i].station - c[i - 1].station;
+    const int last = i == n - 1;
+    const double slope[2] = {slope_between(&c[i - 1]), last ? 0 : slope_between(&c[i])};
+    double off[2] = {0, 0};
+    if (!last) corner_off(&c[i], radius, slope, off);
+    const double grade = run - *taken - off[0];
+    if (grade < -PLAN_LENGTH_MIN) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "the profile between points %d and %d, %.4g m, is too short for the roundings at its ends, "
+                         "which take %.4g m",
+                         i, i + 1, run, *taken + off[0]);
+    }
+    RouteProfileElement *const e = out->element;
+    if (grade > PLAN_LENGTH_MIN) e[out->n++] = (RouteProfileElement){PROFILE_GRADE, grade, {slope[0], slope[0]}};
+    if (off[0] + off[1] > PLAN_LENGTH_MIN) {
+        const RouteProfileKind kind = c[i].radius > 0 || !(c[i].parabola > 0) ? PROFILE_ARC : PROFILE_PARABOLA;
+        e[out->n++] = (RouteProfileElement){kind, off[0] + off[1], {slope[0], slope[1]}};
+    }
+    *taken = off[1];
+    return HAWSER_OK;
+}
+
+hawser_status route_profile_from_corners(int n, const RouteProfileCorner *corner, double radius, RouteProfile *out,
+                                         hawser_error *err)
+{
+    assert(n >= 2 && radius > 0);
+    *out = (RouteProfile){0};
+    for (int i = 1; i < n; ++i) { /* before slopes between them mean anything */
+        if (!(corner[i].station - corner[i - 1].station > PLAN_LENGTH_MIN))
+            return error_set(err, HAWSER_ERR_INPUT, "the stations of profile points %d and %d do not rise", i, i + 1);
+    }
+    *out = (RouteProfile){.station = corner[0].station, .height = corner[0].height};
+    out->element = calloc((size_t)(2 * n), sizeof *out->element);
+    hawser_status status = out->element ? HAWSER_OK : error_memory(err);
+    double taken = 0;
+    for (int i = 1; i < n && !status; ++i) status = corner_add(n, corner, i, radius, &taken, out, err);
+    if (!status) return status;
+    free(out->element);
+    *out = (RouteProfile){0};
+    return status;
+}
+
+/* Slope inside an element, at a level distance from its start: a parabola's tangent and an arc's sine are linear. */
+static double slope_inside(const RouteProfileElement *e, double x)
+{
+    const double share = x / e->length;
+    if (e->kind == PROFILE_GRADE) return e->slope[0];
+    if (e->kind == PROFILE_PARABOLA) return atan((1 - share) * tan(e->slope[0]) + share * tan(e->slope[1]));
+    return asin((1 - share) * sin(e->slope[0]) + share * sin(e->slope[1]));
+}
+
+/* Rise of an element up to there (RO12). */
+static double rise_inside(const RouteProfileElement *e, double x)
+{
+    const double to = slope_inside(e, x);
+    if (e->kind == PROFILE_ARC) return x * tan((e->slope[0] + to) / 2);
+    return x * (tan(e->slope[0]) + tan(to)) / 2;
+}
+
+/* ---------------------------------------------------------------------------------------------- plan and profile */
+
+/* How far both have been gone through. */
+typedef struct Both {
+    const RoutePlanElement *plan;
+    const RouteProfile *profile;
+    int i, k;        /* the elements */
+    double at, rise; /* m, in them */
+} Both;
+
+/* The next piece: to the end of the nearer element. */
+static RoutePieceDef piece_next(const Both *b, double *length)
+{
+    const RoutePlanElement *const plan = &b->plan[b->i];
+    const RouteProfileElement level = {PROFILE_GRADE, INFINITY, {0, 0}};
+    const RouteProfileElement *const e = b->profile ? &b->profile->element[b->k] : &level;
+    double run = fmin(plan->length - b->at, e->length - b->rise);
+    if (plan->length - b->at - run < PLAN_LENGTH_MIN) run = plan->length - b->at;
+    *length = run;
+    const double by = (plan->curvature[1] - plan->curvature[0]) / plan->length;
+    const double up = slope_inside(e, b->rise), to = slope_inside(e, fmin(b->rise + run, e->length));
+    RoutePieceDef p = {.kind = ROUTE_CURVE, .length = run, .sloped = 1, .slope = up, .upright = 1};
+    memcpy(p.name, plan->name, sizeof p.name);
+    p.curvature[0] = plan->curvature[0] + by * b->at;
+    p.curvature[1] = plan->curvature[0] + by * (b->at + run);
+    p.profile = fabs(to - up) > 0 ? e->kind : PROFILE_GRADE;
+    p.slope_end = to;
+    return p;
+}
+
+/* As a straight or as a bend in a plane where it is one: those have closed forms. */
+static RoutePieceDef piece_plain(RoutePieceDef p)
+{
+    const int straight = !(fabs(p.curvature[0]) + fabs(p.curvature[1]) > 0);
+    const int circle = fabs(p.curvature[1] - p.curvature[0]) <= 1e-14 * fabs(p.curvature[0]);
+    if (straight && p.profile == PROFILE_GRADE) {
+        p.kind = ROUTE_STRAIGHT;
+        p.length /= cos(p.slope);
+    } else if (straight && p.profile == PROFILE_ARC) {
+        p.kind = ROUTE_BEND;
+        p.angle = fabs(p.slope_end - p.slope);
+        p.radius = p.length / fabs(sin(p.slope_end) - sin(p.slope));
+        p.plane = p.slope_end > p.slope ? M_PI / 2 : 3 * M_PI / 2;
+    } else if (circle && p.profile == PROFILE_GRADE && !(fabs(p.slope) > 0)) {
+        p.kind = ROUTE_BEND;
+        p.radius = 1 / fabs(p.curvature[0]);
+        p.angle = p.length / p.radius;
+        p.plane = p.curvature[0] > 0 ? 0 : M_PI;
+    }
+    return p;
+}
+
+/* Where the plan begins in the profile, and that it reaches along the plan and has no corners. */
+static hawser_status profile_enter(Both *b, double station, double length, double *height, hawser_error *err)
+{
+    const RouteProfile *const p = b->profile;
+    double from = p->station, whole = p->station;
+    *height = p->height;
+    for (int k = 0; k < p->n; ++k) {
+        const RouteProfileElement *const e = &p->element[k];
+        if (k > 0 && fabs(e->slope[0] - e[-1].slope[1]) > CORNER_MAX)
+            return error_set(err, HAWSER_ERR_INPUT, "the profile has a corner at station %.10g m: round it", whole);
+        whole += e->length;
+        if (k > b->k || station < from) continue;
+        b->rise = fmin(station - from, e->length);
+        if (station - from < e->length - PLAN_LENGTH_MIN || k == p->n - 1) {
+            *height += rise_inside(e, b->rise);
+            continue;
+        }
+        *height += rise_inside(e, e->length);
+        from += e->length;
+        b->k = k + 1;
+        b->rise = 0;
+    }
+    if (station >= p->station - PLAN_LENGTH_MIN && whole >= station + length - 1e-3) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "the profile reaches from station %.10g m to %.10g m, the plan from %.10g m to %.10g m",
+                     p->station, whole, station, station + length);
+}
+
+hawser_status route_from_plan_and_profile(int n, const RoutePlanElement *plan, const RouteProfile *profile,
+                                          double station, Vec3 start, double heading, RouteLine *out, hawser_error *err)
+{
+    assert(n >= 1);
+    *out = (RouteLine){.start = start, .heading = heading};
+    Both b = {.plan = plan, .profile = profile};
+    double length = 0;
+    for (int i = 0; i < n; ++i) length += plan[i].length;
+    const hawser_status status = profile ? profile_enter(&b, station, length, &out->start.z, err) : HAWSER_OK;
+    if (status) return status;
+    out->piece = calloc((size_t)(n + (profile ? profile->n : 0) + 1), sizeof *out->piece);
+    if (!out->piece) return error_memory(err);
+    while (b.i < n) {
+        double run;
+        const RoutePieceDef piece = piece_next(&b, &run);
+        if (run > PLAN_LENGTH_MIN) out->piece[out->n++] = piece_plain(piece);
+        b.at += run;
+        b.rise += run;
+        if (b.plan[b.i].length - b.at < PLAN_LENGTH_MIN) {
+            b.i++;
+            b.at = 0;
+        }
+        /* the last grade may end a rounding before the plan does */
+        if (profile && b.k + 1 < profile->n && profile->element[b.k].length - b.rise < PLAN_LENGTH_MIN) {
+            b.k++;
+            b.rise = 0;
+        } else if (profile && b.k + 1 == profile->n && profile->element[b.k].length - b.rise < PLAN_LENGTH_MIN) {
+            break;
+        }
+    }
+    out->slope = out->n > 0 ? out->piece[0].slope : 0;
+    return HAWSER_OK;
 }

@@ -3,7 +3,7 @@
 #ifndef HAWSER_CORE_STATE_H
 #define HAWSER_CORE_STATE_H
 
-#include "core/base/vec3.h"
+#include "core/vec3.h"
 
 enum { STATE_P = 0, STATE_Q = 3, STATE_V = 7, STATE_W = 10, STATE_SIZE = 13 };
 
@@ -13,10 +13,20 @@ static inline Vec3 state_vector(const double *y, int n, int part, int i)
     const double *const from = y + part * n + i;
     return v3(from[0], from[n], from[2 * n]);
 }
+
 static inline Quat state_attitude(const double *y, int n, int i)
 {
     const double *const q = y + STATE_Q * n + i;
     return quat_unit((Quat){q[0], q[n], q[2 * n], q[3 * n]});
 }
+
+/* What something does to the motion of the chain. */
+
+typedef struct Push {
+    double power; /* W */
+    Vec3 force;   /* N */
+} Push;
+
+static inline Push push_sum(Push a, Push b) { return (Push){a.power + b.power, v3_add(a.force, b.force)}; }
 
 #endif

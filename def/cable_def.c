@@ -35,3 +35,54 @@ double cable_def_loop(const CableDef *cable, double curvature)
     const Bent all = bent_to(&cable->bending, curvature), half = bent_to(&cable->bending, curvature / 2);
     return fmax(0, all.work - (curvature * all.moment - 4 * half.work));
 }
+
+static const double PI = 3.14159265358979323846;
+
+/* Copper and aluminium wire, Pa, in the order of ConductorMetal. */
+static const double WIRE_MODULUS[] = {115e9, 69e9};
+
+/* A stranded conductor's modulus over its wire's: the lay's angle, and strands that settle. */
+static const double STRANDING = 0.85;
+
+/* Metal over the circle around a compacted conductor; its wires (IEC 60228, 400 mm2 to 800 mm2). */
+static const double FILLING = 0.9, WIRES = 61;
+
+/* Insulation and sheath: modulus, Pa, and the mean density of all that is not metal, kg/m3. */
+static const double PLASTIC_MODULUS = 0.3e9, PLASTIC_DENSITY = 1100;
+
+/* Copper, which metal of unknown kind is taken for, kg/m3. */
+static const double METAL_DENSITY = 8890;
+
+static const double POISSON = 0.35;
+
+/* What EA and EI may be off by at least: with the conductors known, and without. Plastic is twice as stiff or half as
+ * stiff on a cold or a hot day, and screens, sheaths and armour of metal are not counted. */
+static const double AXIAL_FACTOR[] = {2, 1.3}, BENDING_FACTOR[] = {3, 2};
+
+/* Metal of all conductors, m2: as given, or from the mean density. (CS1) */
+static double metal_area(const CableMake *c, double section)
+{
+    if (c->area > 0) return fmin(c->area * c->cores, FILLING * section);
+    const double metal = (c->mass - PLASTIC_DENSITY * section) / (METAL_DENSITY - PLASTIC_DENSITY);
+    return fmin(fmax(metal, 0), FILLING * section);
+}
+
+/* Strands that slip bend one by one, strands that stick bend as one bar; bending in earnest is between the two. */
+StiffnessEstimate stiffness_estimate(const CableMake *c)
+{
+    const int known = c->area > 0, cores = known ? c->cores : 1;
+    const double d2 = c->diameter * c->diameter, section = PI * d2 / 4, metal = metal_area(c, section);
+    const double modulus = STRANDING * WIRE_MODULUS[known ? c->metal : 0];
+    const double core2 = 4 * metal / cores / (PI * FILLING); /* a conductor's diameter, squared (CS3) */
+    const double bar = modulus * metal * core2 / 16, wires = bar * FILLING / WIRES;
+    const double plastic = PLASTIC_MODULUS * PI * (d2 * d2 - cores * core2 * core2) / 64;
+    const double stuck = bar + plastic, slipping = wires + plastic; /* (CS4) */
+    StiffnessEstimate e = {.metal = metal,
+                           .ea = modulus * metal + PLASTIC_MODULUS * (section - metal), /* (CS2) */
+                           .ei = sqrt(stuck * slipping),                                /* (CS5) */
+                           .ei_factor = fmax(BENDING_FACTOR[known], sqrt(stuck / slipping)),
+                           .ea_factor = AXIAL_FACTOR[known]};
+    e.gj = e.ei / (1 + POISSON);       /* (CS6) */
+    e.ga = e.ea / (2 * (1 + POISSON)); /* (CS7) */
+    return e;
+}

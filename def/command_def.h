@@ -2,7 +2,7 @@
 #ifndef HAWSER_DEF_COMMAND_DEF_H
 #define HAWSER_DEF_COMMAND_DEF_H
 
-#include "core/base/vec3.h"
+#include "core/vec3.h"
 #include "def/cable_def.h"
 #include "hawser/hawser.h"
 

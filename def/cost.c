@@ -7,7 +7,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
 
 /* Bytes: of the program itself; of a roller with its contacts; of HDF5, and of it for each segment. */
 static const double PROGRAM = 13.8e6, ROLLER = 2200, STATES = 7.3e6, STATES_SEGMENT = 260;

@@ -1,11 +1,11 @@
 /* Every limit once, by rows that whoever includes this file reads. From them come the public enumeration (made by
  * tests/house/check_kinds.py --update from the comments here), names and units (def/limits.c), the case's keys
- * (io/case/case_limits.c), the bounds that are one number (def/limits_allowed.c) and what would mend them
- * (io/api/api_remedy.c). No include guard: define the rows that are wanted, then include it. docs/limits.md.
+ * (io/case/case_read.c), the bounds that are one number (def/limits.c) and what would mend them
+ * (io/api/api_answer.c). No include guard: define the rows that are wanted, then include it. docs/limits.md.
  *
  *     LIMIT(KIND, name, unit, traits)            rows stay in their order; new ones come behind
  *     LIMIT_KEY(KIND, key, dimension, ...)       the case's own bound, section `limits`; default and range as a CaseKey
- *     LIMIT_RULE(KIND, rule, code, a, b)         what codes allow where the case has none (def/codes.h)
+ *     LIMIT_RULE(KIND, rule, code, a, b)         what codes allow where the case has none (def/limits.h)
  *     LIMIT_REMEDY(KIND, bound, code, key, text) what would make it hold; text NULL: that of an earlier row
  */
 #ifndef LIMIT

@@ -15,7 +15,7 @@ typedef enum StabilityChoice { STABILITY_FOLLOW, STABILITY_REPORT, STABILITY_IGN
 
 /* Which positions of the cable's front are wanted, m along the route: a list, or evenly spaced ones. */
 typedef struct PositionsDef {
-    double from, to, step; /* NAN: the first at full speed; that of the run's end; sim/stage/positions.h */
+    double from, to, step; /* NAN: the first at full speed; that of the run's end; sim/run/positions.h */
     int n;
     double *at; /* [n] owned; NULL: evenly spaced */
 } PositionsDef;

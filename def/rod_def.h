@@ -4,8 +4,8 @@
 #ifndef HAWSER_DEF_ROD_DEF_H
 #define HAWSER_DEF_ROD_DEF_H
 
-#include "core/base/vec3.h"
 #include "core/profile.h"
+#include "core/vec3.h"
 
 enum { ROD_NAME_MAX = 64 };
 
@@ -60,7 +60,7 @@ typedef struct RodDef {
     RodMassDef *masses; /* owned */
 } RodDef;
 
-/* ---- The line in which a rod lies at t = 0 (def/rod_shape.c): straight, arc, helix or polyline. docs/model.md,
+/* ---- The line in which a rod lies at t = 0 (def/rod_def.c): straight, arc, helix or polyline. docs/model.md,
  * "Rods" (RD1), (RD2). */
 
 /* The line, ready to be evaluated; borrows the definition. */

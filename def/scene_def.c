@@ -1,7 +1,11 @@
 #include "def/scene_def.h"
 
 #include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "core/error.h"
 
 /* The law's numbers: Hertz contact, k = 4/3 E* sqrt(R) with R of a cylinder of 100 mm across one of 43.65 mm
  * (0.066 m) and E* = 1 GPa, a polyethylene sheath on steel; c damps half a metre of heavy cable on it at
@@ -170,3 +174,213 @@ double winch_def_largest_speed(const WinchDef *winch, double until)
     if (winch->mode == WINCH_TENSION) return winch->speed_limit > 0 ? winch->speed_limit : 0;
     return profile_largest_until(&winch->speed, until);
 }
+
+/* Copying and clearing a definition: both go over what it owns. */
+
+/* An array of the definition's: where its pointer and its count are, and the size of an item. */
+typedef struct OwnedArray {
+    size_t pointer, count, size;
+} OwnedArray;
+
+#define OWNED(array, n) {offsetof(SceneDef, array), offsetof(SceneDef, n), sizeof *((SceneDef *)NULL)->array},
+
+static const OwnedArray owned[] = {SCENE_OWNED(OWNED)};
+
+enum { OWNED_ARRAYS = sizeof owned / sizeof *owned };
+
+int scene_def_sticks(const SceneDef *def)
+{
+    int sticks = 0;
+    for (int r = 0; r < def->n_rollers; ++r) sticks |= def->rollers[r].friction.d_s > 0;
+    for (int k = 0; k < def->n_surfaces; ++k) sticks |= def->surfaces[k].friction.d_s > 0;
+    return sticks;
+}
+
+const char *scene_def_can_jam(const SceneDef *def, int i)
+{
+    if (i < def->n_rollers) return def->rollers[i].name;
+    return i - def->n_rollers < def->n_conveyors ? def->conveyors[i - def->n_rollers].name : NULL;
+}
+
+/* Where the pointer of an array is, whatever it points to. */
+static void *array_of(const SceneDef *def, const OwnedArray *a)
+{
+    void *array;
+    memcpy(&array, (const char *)def + a->pointer, sizeof array);
+    return array;
+}
+
+static void array_put(SceneDef *def, const OwnedArray *a, void *array)
+{
+    memcpy((char *)def + a->pointer, &array, sizeof array);
+}
+
+/* A copy of `count` items of `size`; counts of 0 give an allocation too. *ok becomes 0 if there is no memory. */
+static void *copy_of(const void *from, int count, size_t size, int *ok)
+{
+    void *to = calloc((size_t)count + 1, size);
+    if (!to) {
+        *ok = 0;
+    } else if (count > 0) {
+        memcpy(to, from, (size_t)count * size);
+    }
+    return to;
+}
+
+/* What is done to a profile that owns its table; 0: no memory. */
+typedef int ProfileVisit(Profile *profile);
+
+static int visit_free(Profile *profile)
+{
+    profile_free(profile);
+    return 1;
+}
+
+/* All that may be tables, of the definition itself and of the items of its arrays; all are visited whatever one
+ * returns. */
+static int profiles_visit(SceneDef *def, ProfileVisit *visit)
+{
+    int ok = visit(&def->winch.speed);
+    ok &= visit(&def->winch.tension);
+    ok &= visit(&def->tail.tension);
+    for (int i = 0; def->conveyors && i < def->n_conveyors; ++i) ok &= visit(&def->conveyors[i].speed);
+    for (int l = 0; def->rod.loads && l < def->rod.n_loads; ++l) ok &= visit(&def->rod.loads[l].by.size);
+    for (int e = 0; e < 2; ++e) {
+        const RodEndDef *const end = &def->rod.end[e];
+        for (int m = 0; end->motions && m < end->n_motions; ++m) ok &= visit(&end->motions[m].by.size);
+    }
+    return ok;
+}
+
+void scene_def_clear(SceneDef *def)
+{
+    for (int k = 0; k < def->n_beside; ++k) scene_def_clear(&def->beside[k]);
+    free(def->beside);
+    profiles_visit(def, visit_free);
+    for (int i = 0; i < OWNED_ARRAYS; ++i) free(array_of(def, &owned[i]));
+    memset(def, 0, sizeof *def);
+}
+
+/* The other chains' definitions; what could be copied stays for the clear. */
+static void beside_copy(const SceneDef *def, SceneDef *out, int *ok)
+{
+    out->n_beside = 0;
+    out->beside = def->n_beside > 0 ? calloc((size_t)def->n_beside, sizeof *out->beside) : NULL;
+    *ok = *ok && (out->beside || def->n_beside == 0);
+    for (int k = 0; *ok && k < def->n_beside; ++k) {
+        *ok = !scene_def_copy(&def->beside[k], &out->beside[k], NULL);
+        out->n_beside += *ok;
+    }
+}
+
+hawser_status scene_def_copy(const SceneDef *def, SceneDef *out, hawser_error *err)
+{
+    int ok = 1;
+    *out = *def;
+    beside_copy(def, out, &ok);
+    for (int i = 0; i < OWNED_ARRAYS; ++i) {
+        int count;
+        memcpy(&count, (const char *)def + owned[i].count, sizeof count);
+        array_put(out, &owned[i], copy_of(array_of(def, &owned[i]), count, owned[i].size, &ok));
+    }
+    ok &= profiles_visit(out, profile_own);
+    if (ok) return HAWSER_OK;
+    scene_def_clear(out);
+    return error_memory(err);
+}
+
+/* The same scene with finer numerical settings; what it says of the world stays. docs/model.md, "Certificates" (CE1).
+ */
+
+/* One level of time halves its error (CE1): accuracy by four, the longest step by the root of two, v_s by two. So does
+ * one of length, the segments by two. */
+static const double RATIO[HAWSER_SOURCES] = {[HAWSER_TIME] = 4, [HAWSER_LENGTH] = 2};
+
+static const double STEPS = 1.4142135623730951, SLOWER = 2;
+
+static const double SAMPLES = 8; /* between which a peak may be missed: they cost little, and files are not written */
+
+/* Equilibria of statics are found to rounding already: a tolerance is not asked below this. */
+static const double STATIC_TOLERANCE = 1e-10;
+
+double refinement_ratio(hawser_source source) { return RATIO[source]; }
+
+static void refine_time(SceneDef *def, int level)
+{
+    const double gain = pow(RATIO[HAWSER_TIME], level), steps = pow(STEPS, level);
+    SolverDef *const solver = &def->solver;
+    solver->accuracy /= gain;
+    solver->atol_position /= gain;
+    solver->atol_rotation /= gain;
+    solver->atol_velocity /= gain;
+    solver->atol_omega /= gain;
+    if (!(solver->max_step > 0)) solver->max_step = def->output.interval; /* what bounds a step then */
+    solver->imperfection /= pow(2, level);
+    solver->max_step /= steps;
+    solver->first_step /= steps;
+    def->output.interval /= pow(SAMPLES, level);
+    def->analysis.load_steps = (int)ceil(def->analysis.load_steps * steps - 1e-9);
+    if (def->analysis.tolerance > STATIC_TOLERANCE)
+        def->analysis.tolerance = fmax(def->analysis.tolerance / gain, STATIC_TOLERANCE);
+}
+
+/* Segments that were named by their numbers are others now: they are forgotten. */
+static void refine_length(SceneDef *def, int level)
+{
+    const double gain = pow(RATIO[HAWSER_LENGTH], level);
+    for (int k = 0; k < def->n_pieces; ++k) def->pieces[k].segments = (int)ceil(def->pieces[k].segments * gain - 1e-9);
+    if (level != 0) def->output.n_speed_segments = 0;
+}
+
+/* v_d, where the coefficient has fallen to mu_d, is the world's; v_s stands for rest. The bristles of friction that
+ * sticks keep their pace v_s/d_s. */
+static void refine_law(FrictionLaw *law, double gain)
+{
+    law->v_s /= gain;
+    law->d_s /= gain;
+}
+
+static void refine_friction(SceneDef *def, int level)
+{
+    const double gain = pow(SLOWER, level);
+    refine_law(&def->friction, gain);
+    refine_law(&def->cable_friction, gain);
+    for (int r = 0; r < def->n_rollers; ++r) refine_law(&def->rollers[r].friction, gain);
+    for (int k = 0; k < def->n_surfaces; ++k) refine_law(&def->surfaces[k].friction, gain);
+    for (int k = 0; k < def->n_conveyors; ++k) def->conveyors[k].v_s /= gain;
+    def->drag.v_s /= gain;
+    def->reel.v_s /= gain;
+}
+
+void scene_def_refine(SceneDef *def, const int level[HAWSER_SOURCES])
+{
+    refine_time(def, level[HAWSER_TIME]);
+    refine_friction(def, level[HAWSER_TIME]);
+    refine_length(def, level[HAWSER_LENGTH]);
+    def->solver.max_steps = 0; /* a bound for the case as it is */
+}
+
+/* Rows come as they did, and segments that were named are the first of the two that they have become. */
+void scene_def_finer_pass(SceneDef *def, int slower)
+{
+    const double interval = def->output.interval;
+    const int watched = def->output.n_speed_segments;
+    refine_time(def, 1);
+    refine_length(def, 1);
+    if (slower) refine_friction(def, 1);
+    def->output.interval = interval;
+    def->output.n_speed_segments = watched;
+    for (int i = 0; i < watched; ++i) def->output.speed_segments[i] *= (int)RATIO[HAWSER_LENGTH];
+}
+
+/* Any friction, belt, drag or brake that fades toward rest. */
+static int friction_fades(const SceneDef *def)
+{
+    int fades = def->n_conveyors > 0 || def->drag.force > 0 || def->reel.model == REEL_PAYOUT;
+    fades |= def->cable_on_cable && friction_kind(&def->cable_friction) != FRICTION_NONE;
+    for (int r = 0; r < def->n_rollers; ++r) fades |= friction_kind(&def->rollers[r].friction) != FRICTION_NONE;
+    for (int k = 0; k < def->n_surfaces; ++k) fades |= friction_kind(&def->surfaces[k].friction) != FRICTION_NONE;
+    return fades;
+}
+
+double refinement_slower(const SceneDef *def, int level) { return friction_fades(def) ? pow(SLOWER, -level) : 1; }

@@ -1,32 +1,112 @@
-/* What a case says, as plain data with defaults: the case reader fills it, scene_build() turns it into a Scene.
- * SI units. Arrays are malloc'ed and owned by the SceneDef; scene_def_clear() frees them. */
+/* What a case says of a chain away from equipment: the air or water around it, and the speeds it begins with. Parts of
+ * SceneDef (def/scene_def.h). SI; components are the world's. */
 #ifndef HAWSER_DEF_SCENE_DEF_H
 #define HAWSER_DEF_SCENE_DEF_H
 
-#include "contact/law/contact_law.h"
-#include "contact/shape/element.h"
-#include "contact/shape/shape.h"
-#include "contact/surface/surface_patch.h"
-#include "core/base/file_marks.h"
+#include "contact/law.h"
+#include "contact/shape.h"
+#include "contact/surface.h"
 #include "core/chain.h"
+#include "core/file.h"
 #include "core/profile.h"
 #include "core/route.h"
+#include "core/vec3.h"
 #include "def/bundle_def.h"
 #include "def/cable_def.h"
 #include "def/command_def.h"
-#include "def/flight_def.h"
-#include "def/language.h"
-#include "def/friction_known.h"
 #include "def/output_def.h"
 #include "def/reel_def.h"
 #include "def/rod_def.h"
-#include "def/solver_def.h"
-#include "def/strand_def.h"
 #include "hawser/hawser.h"
 #include "linsolve/linsolve.h"
 
+/* A fluid that fills all space and streams evenly. docs/model/82-medium.md (MD1)-(MD6). */
+typedef struct MediumDef {
+    double density;            /* kg/m3; 0: there is none */
+    Vec3 velocity;             /* m/s: the current or the wind */
+    double normal, tangential; /* drag coefficients across (by the diameter) and along (by the circumference), 1 */
+    int buoyancy;              /* the fluid carries the weight of what the chain displaces */
+} MediumDef;
+
+/* Velocity at a place of the chain. */
+typedef struct LaunchRow {
+    double at;     /* m from the tail */
+    double along;  /* m/s, along the chain toward the head */
+    Vec3 velocity; /* m/s, added to that */
+} LaunchRow;
+
+/* How the chain moves at t = 0: the sum of all these. (MD7), (MD8) */
+typedef struct LaunchDef {
+    int present;
+    double along;        /* m/s, of the whole chain along itself */
+    Vec3 velocity, spin; /* m/s, rad/s: of the whole chain as a rigid body about `about` */
+    int about_given;
+    Vec3 about; /* m; if it is not given, the centre of mass */
+    int n_rows;
+    LaunchRow *row; /* [n_rows], owned; places rise, between two it is linear, outside as at the nearest */
+} LaunchDef;
+
+/* Where a coefficient of friction comes from: what is judged by it depends on that. */
+
+/* The case gives it; it is typical of what is named (an entry of the catalogue, rollers); nothing is known of it. */
+typedef enum FrictionSource { FRICTION_GIVEN, FRICTION_TYPICAL, FRICTION_UNKNOWN } FrictionSource;
+
+/* All zeros: given. */
+typedef struct FrictionKnown {
+    FrictionSource source;
+    double low, high; /* FRICTION_TYPICAL: between which the coefficient in motion usually lies */
+    char of[64];      /* FRICTION_TYPICAL: of what */
+    int rest_assumed; /* one coefficient stands for motion and rest */
+    char key[40];     /* of the section that gives it, or would: "surfaces.ducts.0.friction"; empty: "friction" */
+} FrictionKnown;
+
+/* The languages of a calculation that is handed on; English is what the program says by itself. */
+
+typedef enum Language { LANGUAGE_ENGLISH, LANGUAGE_CHINESE, LANGUAGE_GERMAN, LANGUAGES } Language;
+
+/* How a case is computed: tolerances, order, relaxation, linear solver. See def/scene_def.h. */
+
+/* Whether a scene that lies in one plane is solved there (sim/solve/planar.h): where it can be; or else it is an error;
+ * never.
+ */
+typedef enum PlanarChoice { PLANAR_AUTO, PLANAR_ON, PLANAR_OFF } PlanarChoice;
+
+/* Whether a whole run may be computed a second time with finer settings: where only numerical errors are left open and
+ * it does not take too long; never; however long it takes. */
+typedef enum PassesChoice { PASSES_AUTO, PASSES_ONE, PASSES_TWO, PASSES_THREE } PassesChoice;
+
+/* The method of integration in time: backward differences, or Runge-Kutta steps (sim/solve/esdirk.h). */
+typedef enum MethodChoice { METHOD_AUTO, METHOD_BDF, METHOD_ESDIRK } MethodChoice;
+
+/* What moves the chain: the equations of motion; positions in steady motion wherever that may be
+ * (sim/run/quasi_data.h); the same, and a scene that cannot be is an error. */
+typedef enum MotionChoice { MOTION_DYNAMIC, MOTION_AUTO, MOTION_QUASI_STATIC } MotionChoice;
+
+typedef struct SolverDef {
+    double accuracy;                                                /* one number for all tolerances */
+    double atol_position, atol_rotation, atol_velocity, atol_omega; /* 0: from accuracy and the scales */
+    int max_order;                                                  /* BDF, 1..5 */
+    double max_step;                                                /* s, 0: none */
+    double first_step;                                              /* s, 0: CVODE's choice */
+    long max_steps;                                                 /* 0: none */
+    double imperfection;    /* of a cable that is pushed: its bow as a share of a half wave; 0: none */
+    int relax;              /* bring to equilibrium before t = 0 */
+    double relax_tolerance; /* fraction of the largest segment weight or load */
+    int relax_iterations;
+    LinOptions linear;
+    PlanarChoice planar;
+    PassesChoice passes;
+    MethodChoice method;
+    MotionChoice motion;
+    int threads;
+} SolverDef;
+
+/* What a case says, as plain data with defaults: the case reader fills it, scene_build() turns it into a Scene.
+ * SI units. Arrays are malloc'ed and owned by the SceneDef; scene_def_clear() frees them. */
+
 /* The drive of a roller that spins. Speeds are those of its surface; torques and speeds are with the pull. */
 typedef enum MotorKind { MOTOR_NONE, MOTOR_TORQUE, MOTOR_SPEED } MotorKind;
+
 typedef struct MotorDef {
     MotorKind kind;
     Profile set;        /* N m; m/s */
@@ -36,7 +116,7 @@ typedef struct MotorDef {
     double droop;       /* m/s over which the torque changes (SP16) */
 } MotorDef;
 
-/* A roller that spins: inertia about its axis, bearing (sim/equipment/moving_rollers.h), motor. */
+/* A roller that spins: inertia about its axis, bearing (sim/equipment/rollers.h), motor. */
 typedef struct SpinDef {
     double inertia;                          /* kg m2; 0: it does not spin */
     double friction, journal, torque, speed; /* 1, m, N m, rad/s */
@@ -172,8 +252,8 @@ typedef struct SceneDef {
     Vec3 route_start;
     double route_heading, route_slope;
     double route_north; /* rad from x toward y; NAN: not known */
-    int slopes_open; /* no radius is given for changes of slope */
-    double head_at;  /* m along the route where the cable's front (the eye before the last rope piece) is at t = 0 */
+    int slopes_open;    /* no radius is given for changes of slope */
+    double head_at;     /* m along the route where the cable's front (the eye before the last rope piece) is at t = 0 */
     LeadInDef lead_in;
 
     ContactGeometry geometry;
@@ -231,7 +311,7 @@ typedef struct SceneDef {
 } SceneDef;
 
 /* What a definition owns: OWNED(array, n) for each; copying and clearing go over it. Tables of profiles and the chains
- * beside it are in def/scene_copy.c. */
+ * beside it are in def/scene_def.c. */
 #define SCENE_OWNED(OWNED)                                                                                             \
     OWNED(cables, n_cables)                                                                                            \
     OWNED(pieces, n_pieces)                                                                                            \
@@ -261,7 +341,6 @@ typedef struct SceneDef {
     OWNED(rod.loads, rod.n_loads)                                                                                      \
     OWNED(rod.end[ROD_TAIL].motions, rod.end[ROD_TAIL].n_motions)                                                      \
     OWNED(rod.end[ROD_HEAD].motions, rod.end[ROD_HEAD].n_motions)
-
 /* What is known of a key of the case, for those who read the results: its dotted name, its value as it was written, the
  * unit of that if it is a number, "given", "catalogue", "estimated" or "default", file and line, and where a value
  * comes from that was not given. */

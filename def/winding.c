@@ -2,12 +2,16 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
+
+#include "core/error.h"
 
 /* One layer: number k, where it begins (m of cable below it), its radius and the length of one turn. */
 typedef struct Layer {
     int k;
     double from, radius, turn;
 } Layer;
+
 enum { LAYERS_MOST = 1000000 }; /* more are of a length that an iteration tries in vain */
 
 /* Length of cable in the layers below number k (RL2). */
@@ -95,4 +99,130 @@ WindingPoint winding_point(const Winding *w, double length)
         p.angle += layer_angle(w, &l, w->turns * l.turn);
     }
     return p;
+}
+
+/* Diameters from turn to turn and from layer to layer: the cable leaves square, the turn before it does not. */
+static const double LAY = 1.03;
+
+/* The lay for a drum and a cable of this diameter. */
+static Lay lay_of(const DrumDef *d, double diameter)
+{
+    Lay lay = {.first = (d->barrel + diameter) / 2, .diameter = diameter};
+    lay.pitch = d->lay > 0 ? d->lay : LAY * diameter;
+    lay.turns = floor((d->width - 2 * diameter) / lay.pitch * (1 + 1e-9));
+    return lay;
+}
+
+/* Turns that the lay holds: two layers, and of the third what does not come near the second's first turns, which stand
+ * out where they cross the turn below. */
+static double lay_capacity(const Lay *lay) { return 2 * lay->turns + 3 + fmax(0, lay->turns - 5); }
+
+/* Radius and place across after so many turns. Above the lowest layer each begins with a turn that climbs round the one
+ * before it and one that comes back over that; then it goes on beside itself to the other flange (CC23). */
+static void lay_at(const Lay *lay, double turn, double *radius, double *across)
+{
+    const double edge = lay->turns * lay->pitch / 2, past = fmax(turn - lay->turns, 0);
+    const double layer = floor(past / (lay->turns + 1)), in = past - layer * (lay->turns + 1);
+    const double side = fmod(layer, 2) > 0.5 ? -1 : 1;
+    double up = layer, over = -1; /* pitches above the lowest layer, and beyond the edge */
+    if (turn < lay->turns) {
+        /* the end stands out straight, where layers above would meet it: it begins a diameter aside */
+        *radius = lay->first;
+        *across = lay->pitch * turn - edge - lay->diameter * fmax(1 - 2 * turn, 0);
+        return;
+    }
+    if (in < 1) {
+        up += sin(M_PI / 2 * in);
+        over += in + cos(M_PI / 2 * in);
+    } else if (in < 2) {
+        const double a = M_PI / 2 * (in - 1);
+        up += sin(a) + cos(a);
+        over += in - 1 + cos(a) - sin(a);
+    } else {
+        up += 1;
+        over -= in - 2;
+    }
+    *radius = lay->first + lay->pitch * up;
+    *across = side * (edge + lay->pitch * over);
+}
+
+Vec3 lay_joint(const Lay *lay, double angle, double h)
+{
+    double radius, across;
+    lay_at(lay, angle / (2 * M_PI), &radius, &across);
+    const double out = sqrt(radius * radius + h * h / 4);
+    return v3(across, out * sin(angle), out * cos(angle));
+}
+
+/* The angle of the next joint: one chord of length h on. */
+static double angle_next(const Lay *lay, double angle, double h)
+{
+    const Vec3 from = lay_joint(lay, angle, h);
+    double radius, across, low = angle;
+    lay_at(lay, angle / (2 * M_PI), &radius, &across);
+    double high = angle + 2 * atan(h / radius);
+    for (int it = 0; it < 60; ++it) {
+        const double middle = (low + high) / 2;
+        if (v3_norm(v3_sub(lay_joint(lay, middle, h), from)) < h) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return (low + high) / 2;
+}
+
+/* Whether turns, layers and the way to the route fit; turns: wound. */
+static hawser_status fit_check(const SceneDef *def, const Lay *lay, double turns, int wound, hawser_error *err)
+{
+    const DrumDef *const d = &def->drum;
+    double radius = 0, across;
+    lay_at(lay, turns, &radius, &across);
+    if (wound < 2) {
+        return error_set(
+            err, HAWSER_ERR_INPUT,
+            "reel: no cable is left for the drum: the chain ends %.4g m behind the route's start or nearer",
+            d->distance);
+    }
+    if (lay->turns < 2) {
+        return error_set(
+            err, HAWSER_ERR_INPUT,
+            "reel.width: %.4g m is too narrow: a layer has two turns at least, with room for two beside, %.4g m",
+            d->width, 2 * lay->pitch + 2 * lay->diameter);
+    }
+    if (turns > lay_capacity(lay)) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "reel.width: more cable than fits: %.4g turns of %.4g m cable, the contact model holds %.4g",
+                         turns, lay->diameter, lay_capacity(lay));
+    }
+    if (2 * radius + lay->diameter > d->flange) {
+        return error_set(
+            err, HAWSER_ERR_INPUT,
+            "reel.flange: more cable than fits: the top layer reaches a diameter of %.4g m, the flange %.4g m",
+            2 * radius + lay->diameter, d->flange);
+    }
+    if (d->distance > d->flange / 2) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "reel.distance: %.4g m is out of range: must be above the flange's radius, %.4g m", d->distance,
+                     d->flange / 2);
+}
+
+hawser_status wound_lay(const SceneDef *def, int n, const double *half, const double *joint_s, Wound *out,
+                        hawser_error *err)
+{
+    const Lay lay = lay_of(&def->drum, def->cables[def->pieces[0].cable].diameter);
+    int wound =
+        0; /* the first joint that is off the drum: the last one on or behind the place where the cable leaves */
+    while (wound < n && joint_s[wound + 1] <= -def->drum.distance) ++wound;
+    *out = (Wound){.lay = lay, .joints = wound, .radius = lay.first};
+    double *const angle = out->angle = calloc((size_t)wound + 1, sizeof *angle);
+    if (!angle) return error_memory(err);
+    for (int j = 1; lay.turns >= 2 && j < wound; ++j) angle[j] = angle_next(&lay, angle[j - 1], 2 * half[j - 1]);
+    if (wound > 0) {
+        out->half = half[wound - 1];
+        out->last = angle[wound - 1];
+    }
+    if (lay.turns >= 2) lay_at(&lay, out->last / (2 * M_PI), &out->radius, &out->across);
+    out->last += atan(out->half / out->radius);
+    return fit_check(def, &lay, out->last / (2 * M_PI), wound, err);
 }

@@ -1,5 +1,5 @@
 /* What a build without LAPACK says where it would be needed. */
-#include "core/base/error.h"
+#include "core/error.h"
 #include "linsolve/backend.h"
 #include "linsolve/small.h"
 

@@ -3,8 +3,8 @@
 #ifndef HAWSER_LINSOLVE_LINSOLVE_H
 #define HAWSER_LINSOLVE_LINSOLVE_H
 
-#include "core/base/team.h"
 #include "core/block_chain.h"
+#include "core/team.h"
 #include "hawser/hawser.h"
 #include "linsolve/newton_matrix.h"
 

@@ -1,4 +1,4 @@
-/* hawser_ranks by MPI: a library that the program loads when it is asked to (study/engine/ranks_open.c), so that what
+/* hawser_ranks by MPI: a library that the program loads when it is asked to (study/slurm.c), so that what
  * is built without MPI, or runs where there is none, does not need it. */
 #include <limits.h>
 #include <mpi.h>

@@ -1,4 +1,4 @@
-"""What each key of a case means, as C: io/schema/key_words.c from the tables of docs/case-format.md, of which a test knows
+"""What each key of a case means, as C: io/case/key_words.c from the tables of docs/case-format.md, of which a test knows
 that they have every key. Mock-up units, the schema and whoever reads them show the same words as the documentation.
 
 Usage: key_words.py SOURCE_DIR [--check]
@@ -11,7 +11,7 @@ HEAD = """/* Made by packaging/key_words.py of docs/case-format.md; not to be ed
 #include <stdio.h>
 #include <string.h>
 
-#include "io/schema/case_schema.h"
+#include "io/case/schema.h"
 
 /* By section and name, in the order of strcmp. */
 static const struct {
@@ -62,14 +62,14 @@ def main(source, check=None):
         quoted = meaning.replace("\\", "\\\\").replace('"', '\\"')
         lines.append(f'    {{"{key}", "{quoted}"}},\n')
     text = HEAD + "    /* clang-format off */\n" + "".join(lines) + "    /* clang-format on */\n" + TAIL
-    path = source / "io/schema/key_words.c"
+    path = source / "io/case/key_words.c"
     if check is None:
         path.write_text(text, encoding="utf-8")
         return 0
     if path.exists() and path.read_text(encoding="utf-8") == text:
         print("key_words: fine")
         return 0
-    print("io/schema/key_words.c does not follow docs/case-format.md: python3 packaging/key_words.py .")
+    print("io/case/key_words.c does not follow docs/case-format.md: python3 packaging/key_words.py .")
     return 1
 
 

@@ -1,11 +1,22 @@
-/* The equations of motion of a scene: loads, right-hand side and its derivative blocks. docs/model.md, "Corridor".
- * Everything here is a pure function of (t, y), given a workspace whose contact candidates are fresh enough. */
+/* The chain's weight, and what the lead-in behind the route takes of it. docs/model.md, "Loads" (F1). */
 #ifndef HAWSER_SIM_DYNAMICS_H
 #define HAWSER_SIM_DYNAMICS_H
 
-#include "core/base/team.h"
-#include "core/push.h"
+#include "core/state.h"
+#include "core/team.h"
 #include "sim/scene.h"
+
+/* How many segments from the tail on have not passed the route's start by `past` m; 0 without a lead-in. p[c] are their
+ * centres' coordinates. What has passed it stays so where the route turns back, behind the start. */
+int weight_behind(const Scene *scene, const double *const p[3], double past);
+/* The same for n of them, with `dims` coordinates; none where the lead-in holds what it has, and the tail is elsewhere.
+ */
+int weight_first_past(int n, int dims, const double *const p[], const double *origin, const double *direction, int held,
+                      double past);
+/* Adds the derivatives of that to the diagonal blocks of k and d. */
+void weight_blocks(const Scene *scene, const Kinematics *kin, BlockChain *k, BlockChain *d);
+/* The equations of motion of a scene: loads, right-hand side and its derivative blocks. docs/model.md, "Corridor".
+ * Everything here is a pure function of (t, y), given a workspace whose contact candidates are fresh enough. */
 
 enum { PARTS = 2 }; /* into which the work is split, whatever the number of threads: results never depend on it */
 
@@ -25,8 +36,8 @@ typedef struct StopCheck {
     void *user;
     int firm; /* is not to be asked while a relaxation has made contacts soft */
 } StopCheck;
-int stop_wanted(const StopCheck *check);
 
+int stop_wanted(const StopCheck *check);
 /* How a head goes that is joined to another chain (sim/bunch): with that one's winch. */
 typedef struct Led {
     int present;
@@ -45,7 +56,7 @@ struct Workspace {
     void *room[ROOMS_MAX]; /* the rooms' own; and what others ask for too: */
     ContactPart contact[PARTS];
     SelfPairs self;                  /* cable on cable */
-    struct EquipmentWork *equipment; /* rollers that move (sim/equipment/roller_motion.h); NULL without rollers */
+    struct EquipmentWork *equipment; /* rollers that move (sim/equipment/rollers.h); NULL without rollers */
     Vec3 *on_roller;                 /* [rollers] their room's look, N */
     SurfaceModel surfaces;           /* the scene's; the relaxation softens it */
     SurfaceTally *on_surface;        /* [surfaces] their room's look */
@@ -66,10 +77,8 @@ void workspace_free(Workspace *ws);
 /* The workspace of a scene whose chain has changed its length, with `joined` segments more behind the tail: new arrays,
  * but what is not scratch stays, and the counters. 0 if there is no memory; then nothing has changed. */
 int workspace_renew(Workspace *ws, const Scene *scene, int joined);
-
 /* What a step leaves in the workspace and in the rooms for the next one. */
 void workspace_checkpoint(Checkpoint *c, Workspace *ws);
-
 /* kin from (t, y), and the rooms' poses. */
 void dynamics_kinematics(const Scene *scene, Workspace *ws, double t, const double *y);
 /* ydot [scene_state_size] from (t, y); friction scales every friction and drag force (1, or 0 for the relaxation). */
@@ -107,9 +116,8 @@ hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, cons
                                hawser_error *err);
 /* New candidate pairs for the kinematics in the workspace. Errors: MEMORY. */
 hawser_status dynamics_find_candidates(const Scene *scene, Workspace *ws, hawser_error *err);
-
 /* ---- The terms of the balances at one state, from what the equations of motion have computed there
- * (sim/balance_terms.c). docs/model.md, "Balances" (BA1)-(BA8). */
+ * (sim/watch/balance.c). docs/model.md, "Balances" (BA1)-(BA8). */
 /* Adds what the last evaluation of the equations of motion has summed on its way, rooms aside: joints, lead-in. */
 void balance_gather(const Workspace *ws, BalanceRates *out);
 /* All rates of a chain in space: those just named at the last evaluation, the others at (t, y), for which the

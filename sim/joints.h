@@ -16,7 +16,6 @@ typedef struct Bushing {
 Bushing joints_clamp(const Scene *scene, int segment);
 /* Components from..to-1 of joint j. */
 void joint_set(Chain *chain, int j, const Bushing *b, int from, int to);
-
 /* The axial spring in all three directions: its force is K d whatever the bushing's frame. */
 void joint_even(Bushing *b);
 /* An end of `segment` that slides in the n directions of axis, which belong to the ground: ghost i goes along with it,
@@ -25,21 +24,17 @@ void slide_ghost(const Chain *chain, Kinematics *kin, int i, int segment, int n,
 /* What that takes back of the blocks that the joint would have if the ghost stood still (RD22). */
 void slide_blocks(const Chain *chain, const Kinematics *kin, int i, int segment, int n, const Vec3 *axis, BlockChain *k,
                   BlockChain *d);
-
 /* The joints between the scene's segments: two half-springs in series (B15). */
 void joints_springs(Scene *scene);
 /* Where a joint has sliders, its elastic bending springs keep only what the curve's last piece has (HY4). Errors:
  * MEMORY. */
 hawser_status joints_sliders(Scene *scene, hawser_error *err);
-
 /* The joints before `end` rest as they lie at the start: preloads -K theta of torsion and bending. Errors: MEMORY. */
 hawser_status joints_rest(Scene *scene, int end, hawser_error *err);
-
 /* Joints rest bent to the side, by `curvature` (1/m) times two waves along the cable, the longer one of `wave_number`
  * (1/m): the imperfection of a cable that is pushed, docs/model/60-theory.md (BK10). Errors: MEMORY. */
 hawser_status joints_bow(Scene *scene, double curvature, double wave_number, hawser_error *err);
-
-/* ---- First-loading curves of bending (sim/loading_curve.c): moment by rotation, concave, in straight pieces, for half
+/* ---- First-loading curves of bending (sim/joints.c): moment by rotation, concave, in straight pieces, for half
  * a segment or for a joint of two, and the sliders that such a curve is made of. docs/model.md, "Bending with
  * hysteresis". */
 

@@ -1,22 +1,165 @@
+/* The terms of a scene's balances of energy and momentum. docs/model.md, "Balances" (BA1)-(BA3). */
+#ifndef HAWSER_SIM_ROOM_H
+#define HAWSER_SIM_ROOM_H
+
+#include <string.h>
+
+#include "contact/law.h"
+#include "core/block_chain.h"
+#include "core/chain.h"
+#include "core/error.h"
+#include "core/profile.h"
+#include "core/state.h"
+#include "def/command_def.h"
+#include "hawser/hawser.h"
+#include "sim/time_mean.h"
+
+/* Who works on the motion: chain, drum of the reel, rollers. */
+typedef enum BalanceWork {
+    BY_WINCH,     /* the winch, at its ghost or by its set tension with guide and brake */
+    BY_TAIL,      /* the tail's back tension */
+    BY_LEAD_IN,   /* what the lead-in takes off the weight, and its hold */
+    BY_REEL,      /* brake, bearing, back tension, bending of the cable that comes off */
+    BY_CONVEYORS, /* belts and holds, what slips included */
+    BY_ENDS,      /* what leads or holds a rod's ends */
+    BY_LOADS,     /* a rod's loads */
+    BY_MOTORS,    /* of rollers, on these; what reaches the cable is the rollers' push */
+    BY_MEDIUM,    /* air or water: what a current and buoyancy bring in */
+    BY_EDGES,     /* surfaces, where they fade out or are twisted */
+    BY_OUTSIDE,   /* forces and laws that the simulation was told */
+    BALANCE_WORKS
+} BalanceWork;
+
+/* Where energy is lost. */
+typedef enum BalanceLoss {
+    LOST_JOINTS,          /* damping of the bushings */
+    LOST_BENDING,         /* sliders of the bending law; what their springs hold is in here until the end */
+    LOST_DRAG,            /* the rope's drag */
+    LOST_BELTS,           /* slip in conveyors */
+    LOST_ROLLERS,         /* friction on rollers, and what holds a cable's end on a wound drum */
+    LOST_ROLLERS_DAMPING, /* normal damping there */
+    LOST_SURFACES,        /* the same on surfaces */
+    LOST_SURFACES_DAMPING,
+    LOST_CABLE, /* and of cable on cable */
+    LOST_CABLE_DAMPING,
+    LOST_BEARINGS, /* of spinning rollers */
+    LOST_MOUNTS,   /* damping of mounts */
+    LOST_MEDIUM,   /* drag of air or water */
+    BALANCE_LOSSES
+} BalanceLoss;
+
+/* Where energy is. */
+typedef enum BalanceStore {
+    IN_MOTION,  /* of the chain, the reel's and the winch's drum included */
+    IN_HEIGHT,  /* -m g.p, from the origin on */
+    IN_JOINTS,  /* springs of the bushings, preloads included */
+    IN_BENDING, /* springs of the sliders */
+    IN_ROLLERS, /* contact springs */
+    IN_SURFACES,
+    IN_CABLE,
+    IN_EQUIPMENT, /* rollers that move: motion, and the springs of their mounts */
+    BALANCE_STORES
+} BalanceStore;
+
+/* Who pushes the chain from outside: the workers first. */
+enum { PUSH_DRAG = BALANCE_WORKS, PUSH_ROLLERS, PUSH_SURFACES, PUSH_WEIGHT, BALANCE_PUSHES };
+
+/* Everything that is done at one moment. */
+typedef struct BalanceRates {
+    double work[BALANCE_WORKS], loss[BALANCE_LOSSES]; /* W */
+    Vec3 push[BALANCE_PUSHES];                        /* N; without the weight, which is constant between events */
+} BalanceRates;
+
+/* Everything that is there at one moment. */
+typedef struct BalanceStock {
+    double energy[BALANCE_STORES]; /* J */
+    Vec3 momentum;                 /* N s */
+    Vec3 weight;                   /* N, of what is simulated */
+} BalanceStock;
+
+/* Adds what a worker does. */
+static inline void balance_work(BalanceRates *out, BalanceWork who, Push by)
+{
+    out->work[who] += by.power;
+    out->push[who] = v3_add(out->push[who], by.force);
+}
+
+/* Adds what contacts of a kind do: friction, then damping in the row behind it; their push. */
+static inline void balance_contact(BalanceRates *out, BalanceLoss friction, int who, const ContactTally *by)
+{
+    out->loss[friction] += by->friction;
+    out->loss[friction + 1] += by->damping;
+    out->push[who] = v3_add(out->push[who], v3(by->force[0], by->force[1], by->force[2]));
+}
+
+/* What a simulation is told while it runs, and how what has come of it is saved. docs/model.md, "Control". */
+
+/* From the value that a profile has at t to another over the ramp (K1). */
+static inline Profile command_ramp(const Profile *now, double t, double to, double ramp)
+{
+    return (Profile){.kind = PROFILE_STEP, .t0 = t, .v0 = profile_value(now, t), .t1 = t + ramp, .v1 = to};
+}
+
+static inline Profile profile_level(double value) { return (Profile){.kind = PROFILE_CONSTANT, .v1 = value}; }
+
+/* Goes over what commands have changed, in a fixed order: to take it out of a scene, to put it into one that was built
+ * from the same case, or, with `at` NULL, to count the bytes. Nothing of it may point anywhere. */
+typedef struct ControlsVisit {
+    unsigned char *at; /* where the next byte goes or comes from */
+    size_t size;       /* bytes so far */
+    int load;
+    size_t room; /* bytes that there are to load */
+    int wrong;   /* what was loaded cannot be: nothing more is */
+} ControlsVisit;
+
+static inline void controls_bytes(ControlsVisit *visit, void *bytes, size_t size)
+{
+    visit->size += size;
+    if (visit->load && (visit->size > visit->room || visit->wrong)) visit->wrong = 1;
+    if (!visit->at || visit->wrong) return;
+    if (visit->load) {
+        memcpy(bytes, visit->at, size);
+    } else {
+        memcpy(visit->at, bytes, size);
+    }
+    visit->at += size;
+}
+
+/* A number of 0 .. most: of something's items, or of an enumeration; what is loaded and is none of these is 0. */
+static inline void controls_count(ControlsVisit *visit, int *n, int most)
+{
+    controls_bytes(visit, n, sizeof *n);
+    if (visit->load && (*n < 0 || *n > most)) visit->wrong = 1;
+    if (visit->wrong) *n = 0;
+}
+
+/* What was loaded as a profile, with the case's table if it has one. */
+static inline void controls_profile_mend(ControlsVisit *visit, Profile *profile, const Profile *of_case)
+{
+    if (!visit->load) return;
+    if (!profile_is_one(profile)) visit->wrong = 1;
+    if (profile->kind == PROFILE_TABLE && of_case->kind != PROFILE_TABLE) visit->wrong = 1;
+    if (visit->wrong || profile->kind == PROFILE_TABLE) *profile = *of_case;
+}
+
+/* A profile whose table, if it has one, is the case's. */
+static inline void controls_profile(ControlsVisit *visit, Profile *profile, const Profile *of_case)
+{
+    controls_bytes(visit, profile, sizeof *profile);
+    controls_profile_mend(visit, profile, of_case);
+}
+
 /* A room: one kind of thing that acts on the cable (rollers, a reel, conveyors, ...), as the corridor of a step sees
  * it.
  *
  * A kind of equipment is one file in sim/equipment/ that ends in its RoomKind: functions of which each is called at one
  * point of a scene's life or of a step, and NULL where the kind has nothing to do there. The list of kinds stands once,
  * in sim/equipment/rooms.h, and its order is the order in which they act. docs/architecture.md, "Rooms". */
-#ifndef HAWSER_SIM_ROOM_H
-#define HAWSER_SIM_ROOM_H
-
-#include "core/base/error.h"
-#include "core/block_chain.h"
-#include "core/chain.h"
-#include "core/profile.h"
-#include "sim/balance_data.h"
-#include "sim/command.h"
-#include "sim/time_mean.h"
 
 typedef struct Scene Scene;
+
 typedef struct Workspace Workspace;
+
 typedef struct RoomKind RoomKind;
 
 enum { ROOMS_MAX = 16 };
@@ -34,6 +177,7 @@ typedef struct Moment Moment;
 
 /* What a run keeps of each machine of a kind. */
 enum { MACHINE_KEPT_MAX = 8, MACHINE_FIGURES_MAX = 12 };
+
 typedef struct MachineKind {
     const char *key; /* of their list in summary.json: "conveyors" */
     int (*count)(const Room *room);
@@ -60,6 +204,7 @@ struct Moment {
 
 /* What a step has come to, for those who wait for something. */
 enum { WATCH_PULL = 1, WATCH_FRONT = 2, WATCH_TRAVEL = 4 };
+
 typedef struct Occasion {
     double t;      /* s, of the step that was accepted */
     double pull;   /* N, of the winch */
@@ -156,13 +301,13 @@ struct RoomKind {
     /* Is told something at time t. Everything goes on from what it is then, and comes in by STEP (K1). 1: that was for
      * it; 0: nothing of it is meant; -1: it is meant and cannot do that, err says why, nothing has changed. */
     int (*command)(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err);
-    /* What commands have made of it, byte by byte: saved or loaded (sim/command.h). */
+    /* What commands have made of it, byte by byte: saved or loaded (sim/room.h). */
     void (*controls)(Room *room, ControlsVisit *visit);
     /* The first time after t at which it is not smooth, s; INFINITY: never. */
     double (*next_stop)(const Room *room, const Scene *scene, double t);
 
     /* What has changed since the scene was built and does not follow from (t, y): members of its own, and what a
-     * workspace keeps from step to step. core/base/checkpoint.h */
+     * workspace keeps from step to step. core/checkpoint.h */
     void (*checkpoint)(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws);
 
     /* ---- to look at */
@@ -177,7 +322,7 @@ struct RoomKind {
     const MachineKind *machines; /* NULL: no figures of its own */
 
     /* ---- in the plane. NULL: the planar equations know nothing of the kind, and a scene that has it is solved in
-     * space because `in_space`. Otherwise why this one cannot be there, or NULL if it can (sim/planar/plane.h asks
+     * space because `in_space`. Otherwise why this one cannot be there, or NULL if it can (sim/solve/planar.h asks
      * where things lie). */
     const char *(*not_planar)(const Room *room, const Scene *scene);
     const char *in_space;

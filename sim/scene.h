@@ -4,9 +4,9 @@
 #ifndef HAWSER_SIM_SCENE_H
 #define HAWSER_SIM_SCENE_H
 
-#include "contact/roller/contact.h"
-#include "contact/self/self_contact.h"
-#include "contact/surface/surface.h"
+#include "contact/roller.h"
+#include "contact/self.h"
+#include "contact/surface.h"
 #include "core/body.h"
 #include "sim/room.h"
 #include "theory/buckling.h"
@@ -64,7 +64,7 @@ typedef struct ChainsLook {
 } ChainsLook;
 
 /* Numbers: segments and joints of the whole chain are 0..total from the tail. What is simulated may be a part of it
- * (sim/stage/stage.h): chain holds segments first..first+chain.n-1 and counts its own from 0. */
+ * (sim/run/stage.h): chain holds segments first..first+chain.n-1 and counts its own from 0. */
 struct Scene {
     Chain chain;
     int first, total;     /* 0 and chain.n if nothing is on a reel or past the winch */
@@ -85,9 +85,9 @@ struct Scene {
     /* what is asked for by others than the rooms to which it belongs; never NULL once the scene is built */
     struct Winch *winch;         /* sim/equipment/winch.h */
     struct Reel *reel;           /* sim/equipment/reel.h */
-    struct Drum *drum;           /* sim/equipment/drum.h: with the cable wound on it */
+    struct Drum *drum;           /* sim/equipment/reel.h: with the cable wound on it */
     struct Rod *rod;             /* sim/equipment/rod.h: a chain without a route */
-    struct Equipment *equipment; /* sim/equipment/moving_rollers.h */
+    struct Equipment *equipment; /* sim/equipment/rollers.h */
     Profile tail;                /* N; nothing where a reel brings the back tension */
     double tail_held;            /* N, what holds the tail before the start instead (BK11); NAN: nothing does */
     Drag drag;

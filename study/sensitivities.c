@@ -1,19 +1,19 @@
 /* A run with the derivatives of its figures, `hawser run --sensitivities`, and those of the position that it ends at by
  * every number of the case. The case is read three times a parameter, as it is and with a little less and more of it;
- * sim/stage/tangent.h does the rest. */
+ * sim/run/tangent.h does the rest. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
 #include "hawser/hawser.h"
 #include "io/api/api_handles.h"
+#include "io/case/units.h"
 #include "io/results/column.h"
 #include "io/results/results_file.h"
-#include "io/yaml/units.h"
-#include "sim/stage/tangent.h"
-#include "study/plan/study.h"
+#include "sim/run/tangent.h"
+#include "study/plan.h"
 
 /* Half of the difference that stands for a derivative of the equations' right-hand side by a parameter, as a share of
  * it: the state's part is exact, and so is every figure to the second order of this. */

@@ -9,11 +9,11 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "core/base/clock.h"
-#include "core/base/error.h"
+#include "core/error.h"
+#include "core/machine.h"
 #include "io/results/results_file.h"
-#include "study/engine/engine.h"
-#include "study/results/results.h"
+#include "study/evaluate.h"
+#include "study/findings.h"
 
 struct hawser_study {
     Study *study;

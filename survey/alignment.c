@@ -1,11 +1,11 @@
 #include "survey/alignment.h"
 
-#include "core/base/error.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "core/error.h"
 
 /* ---------------------------------------------------------------------------------------------- lists that grow */
 
@@ -41,10 +41,12 @@ Alignment *survey_add(Survey *s, const char *name)
 }
 
 PlanElement *alignment_add_plan(Alignment *a) { return survey_one_more(&a->plan, &a->n_plan, sizeof *a->plan); }
+
 ProfileElement *alignment_add_profile(Alignment *a)
 {
     return survey_one_more(&a->profile, &a->n_profile, sizeof *a->profile);
 }
+
 Vec3 *alignment_add_point(Alignment *a) { return survey_one_more(&a->point, &a->n_points, sizeof *a->point); }
 
 SurveyMark *survey_add_mark(Survey *s, const char *name, const char *layer)
@@ -305,4 +307,370 @@ void alignment_reverse(Alignment *a)
     TURN_AROUND(Vec3, a->point, a->n_points)
 #undef TURN_AROUND
     a->station += plan;
+}
+
+/* Elements in plan: (AL1), (AL2) of docs/model/16-alignments.md. */
+
+/* Gauss-Legendre, eight points on [-1, 1]: exact for polynomials up to degree 15. */
+static const double node[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+
+static const double weight[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
+
+static const double TURN = 6.28318530717958647692;
+
+enum { PARTS_MOST = 4000 }; /* of what turns 300 times; files with more than 100 are refused (survey/read) */
+
+/* The heading s metres on, (AL1). */
+static double heading_at(const PlanElement *e, double s)
+{
+    return e->heading + s * (e->k0 + 0.5 * s * (e->k1 - e->k0) / e->length);
+}
+
+/* The way from s to s + h, over which the heading changes by less than half a radian: error below 1e-15 h. */
+static void way_add(const PlanElement *e, double s, double h, double *x, double *y)
+{
+    for (int i = 0; i < 8; ++i) {
+        const double u = i % 2 ? node[i / 2] : -node[i / 2];
+        const double angle = heading_at(e, s + 0.5 * h * (1 + u));
+        *x += 0.5 * h * weight[i / 2] * cos(angle);
+        *y += 0.5 * h * weight[i / 2] * sin(angle);
+    }
+}
+
+PlanElement plan_at(const PlanElement *e, double s)
+{
+    PlanElement at = *e;
+    const double rate = (e->k1 - e->k0) / e->length;
+    const double rounds = trunc(s * e->k0 / TURN);
+    const double way = rate == 0 && rounds != 0 ? s - rounds * TURN / e->k0 : s; /* after a circle it is where it was */
+    const double turn = fabs(way) * fmax(fabs(e->k0), fabs(e->k0 + way * rate));
+    const int parts = (int)fmin(PARTS_MOST, 1 + 2 * turn);
+    for (int i = 0; i < parts; ++i) way_add(e, i * way / parts, way / parts, &at.x, &at.y);
+    at.heading = heading_at(e, s);
+    at.k0 = e->k0 + s * rate;
+    return at;
+}
+
+void alignment_chain(Alignment *a)
+{
+    for (int i = 1; i < a->n_plan; ++i) {
+        const PlanElement end = plan_at(&a->plan[i - 1], a->plan[i - 1].length);
+        a->plan[i].x = end.x;
+        a->plan[i].y = end.y;
+        a->plan[i].heading = end.heading;
+    }
+}
+
+/* Elements of a profile: (AL3)-(AL5) of docs/model/16-alignments.md. */
+
+/* Sine of the slope where dz/ds is the grade. */
+static double sine(double grade) { return grade / sqrt(1 + grade * grade); }
+
+ProfileElement profile_at(const ProfileElement *e, double s)
+{
+    ProfileElement at = *e;
+    at.station = e->station + s;
+    if (e->kind == PROFILE_PARABOLA || e->bend == 0) { /* (AL3) */
+        at.z = e->z + s * (e->grade + 0.5 * s * e->bend);
+        at.grade = e->grade + s * e->bend;
+        return at;
+    }
+    const double from = sine(e->grade), to = fmin(fmax(from + s * e->bend, -0.999999), 0.999999);
+    const double cosine = sqrt(1 - to * to);
+    at.grade = to / cosine; /* (AL4); the difference of the cosines without cancellation */
+    at.z = e->z + (to - from) * (to + from) / (cosine + sqrt(1 - from * from)) / e->bend;
+    return at;
+}
+
+/* How far in plan the curve at corner i reaches on its side: -1 before it, 1 behind it. */
+static double reach(const ProfileCorner *c, double in, double out, int side)
+{
+    if (c->radius <= 0) return side < 0 ? c->before : c->after;
+    const double turn = fabs(atan(out) - atan(in)), tangent = c->radius * tan(turn / 2); /* (AL5) */
+    return tangent * cos(atan(side < 0 ? in : out));
+}
+
+static int element_add(Alignment *a, RouteProfileKind kind, double station, double length, double z, double grade,
+                       double bend)
+{
+    if (length < 1e-9) return 1;
+    ProfileElement *const e = alignment_add_profile(a);
+    if (e) *e = (ProfileElement){kind, station, length, z, grade, bend};
+    return e != NULL;
+}
+
+/* The curve at a corner: one arc, or a parabola on either side that meets the other at the corner's station. */
+static int curve_add(Alignment *a, const ProfileCorner *c, double in, double out)
+{
+    const double before = reach(c, in, out, -1), after = reach(c, in, out, 1), all = before + after;
+    if (all < 1e-9) return 1;
+    const double z = c->z - in * before, start = c->station - before;
+    if (c->radius > 0) return element_add(a, PROFILE_ARC, start, all, z, in, (out > in ? 1 : -1) / c->radius);
+    if (fabs(before - after) < 1e-9 * all || before <= 0 || after <= 0) {
+        return element_add(a, PROFILE_PARABOLA, start, all, z, in, (out - in) / all);
+    }
+    const double joint = (before * in + after * out) / all; /* the halves' common grade, (AL6) */
+    return element_add(a, PROFILE_PARABOLA, start, before, z, in, (joint - in) / before) &&
+           element_add(a, PROFILE_PARABOLA, c->station, after, z + before * (in + joint) / 2, joint,
+                       (out - joint) / after);
+}
+
+hawser_status profile_from_corners(Alignment *a, int n, const ProfileCorner *corner, hawser_error *err)
+{
+    double end = -INFINITY; /* of the curve before */
+    double in = NAN;        /* grade */
+    for (int i = 0; i < n; ++i) {
+        const ProfileCorner *const c = &corner[i];
+        const double away = i + 1 < n ? c[1].station - c->station : NAN;
+        const double out = i + 1 < n ? (c[1].z - c->z) / away : in;
+        if (away <= 0) {
+            return error_set(err, HAWSER_ERR_INPUT, "the profile's stations do not rise: %.4f m comes after %.4f m",
+                             c[1].station, c->station);
+        }
+        if (i == 0) {
+            in = out;
+            end = c->station;
+        }
+        const double before = i > 0 && i + 1 < n ? reach(c, in, out, -1) : 0;
+        const double after = i > 0 && i + 1 < n ? reach(c, in, out, 1) : 0;
+        const double straight = c->station - before - end;
+        if (straight < -1e-3) {
+            return error_set(err, HAWSER_ERR_INPUT, "the profile's curve at %.4f m overlaps the one before by %.4f m",
+                             c->station, -straight);
+        }
+        const int fine =
+            i == 0 || (element_add(a, PROFILE_PARABOLA, end, straight, c->z - in * (before + straight), in, 0) &&
+                       (before + after == 0 || curve_add(a, c, in, out)));
+        if (!fine) return error_memory(err);
+        end = c->station + after;
+        in = out;
+    }
+    return HAWSER_OK;
+}
+
+/* From corners to straights and arcs: (AL13) of docs/model/16-alignments.md. */
+
+static const double STRAIGHT = 1e-6; /* rad: what turns less is no corner */
+
+/* A corner between two legs. */
+typedef struct Leg {
+    double length, heading; /* m, rad */
+} Leg;
+
+static double turn_at(const Leg *in, const Leg *out) { return remainder(out->heading - in->heading, 2 * acos(-1)); }
+
+static hawser_status legs_make(int n, const PlanCorner *corner, Leg *leg, int *wrong, hawser_error *err)
+{
+    for (int i = 0; i + 1 < n; ++i) {
+        const double x = corner[i + 1].at.x - corner[i].at.x, y = corner[i + 1].at.y - corner[i].at.y;
+        leg[i] = (Leg){hypot(x, y), atan2(y, x)};
+        *wrong = i + 1;
+        if (!(leg[i].length > 1e-6))
+            return error_set(err, HAWSER_ERR_INPUT, "corners %d and %d are at one place in plan", i + 1, i + 2);
+    }
+    return HAWSER_OK;
+}
+
+/* m, that the arc at corner i takes of either leg; NAN with the reason: it has no radius. */
+static double tangent_at(const PlanCorner *corner, const Leg *leg, int i, hawser_error *err)
+{
+    const double turn = fabs(turn_at(&leg[i - 1], &leg[i])), half = tan(turn / 2);
+    if (turn < STRAIGHT) return 0;
+    const double room = 0.5 * fmin(leg[i - 1].length, leg[i].length) / half;
+    if (!(corner[i].radius > 0)) {
+        error_set(err, HAWSER_ERR_INPUT,
+                  "the corner at %.3f, %.3f turns by %.1f deg and has no radius: give it one, or one 'radius' for all, "
+                  "such as %.3g m",
+                  corner[i].at.x, corner[i].at.y, turn * 180 / acos(-1), fmin(room, 5));
+        return NAN;
+    }
+    return corner[i].radius * half;
+}
+
+static hawser_status arcs_add(Alignment *a, int n, const PlanCorner *corner, const Leg *leg, const double *tangent)
+{
+    for (int i = 0; i + 1 < n; ++i) {
+        const double before = i ? tangent[i] : 0, behind = i + 2 < n ? tangent[i + 1] : 0;
+        const double c = cos(leg[i].heading), s = sin(leg[i].heading), straight = leg[i].length - before - behind;
+        if (straight > 1e-6) {
+            PlanElement *const e = alignment_add_plan(a);
+            if (!e) return HAWSER_ERR_MEMORY;
+            *e = (PlanElement){.x = corner[i].at.x + c * before,
+                               .y = corner[i].at.y + s * before,
+                               .heading = leg[i].heading,
+                               .length = straight};
+        }
+        const double turn = i + 2 < n ? turn_at(&leg[i], &leg[i + 1]) : 0;
+        if (fabs(turn) < STRAIGHT) continue;
+        PlanElement *const e = alignment_add_plan(a);
+        const double k = copysign(1 / corner[i + 1].radius, turn);
+        if (!e) return HAWSER_ERR_MEMORY;
+        *e = (PlanElement){.x = corner[i + 1].at.x - c * behind,
+                           .y = corner[i + 1].at.y - s * behind,
+                           .heading = leg[i].heading,
+                           .length = turn / k,
+                           .k0 = k,
+                           .k1 = k};
+    }
+    return HAWSER_OK;
+}
+
+/* Heights of corners count at the middle of their arcs. */
+static hawser_status grades_add(Alignment *a, int n, const PlanCorner *corner, const Leg *leg, const double *tangent,
+                                hawser_error *err)
+{
+    ProfileCorner *const rise = calloc((size_t)n, sizeof *rise);
+    if (!rise) return error_memory(err);
+    double station = 0;
+    rise[0] = (ProfileCorner){.z = corner[0].at.z};
+    for (int i = 0; i + 1 < n; ++i) {
+        const double half[2] = {
+            i && tangent[i] > 0 ? corner[i].radius * fabs(turn_at(&leg[i - 1], &leg[i])) / 2 : 0,
+            i + 2 < n && tangent[i + 1] > 0 ? corner[i + 1].radius * fabs(turn_at(&leg[i], &leg[i + 1])) / 2 : 0};
+        station += half[0] + leg[i].length - (i ? tangent[i] : 0) - (i + 2 < n ? tangent[i + 1] : 0) + half[1];
+        rise[i + 1] = (ProfileCorner){.station = station, .z = corner[i + 1].at.z};
+    }
+    const hawser_status status = profile_from_corners(a, n, rise, err);
+    free(rise);
+    return status;
+}
+
+hawser_status plan_from_corners(Alignment *a, int n, const PlanCorner *corner, int heights, int *wrong,
+                                hawser_error *err)
+{
+    Leg *const leg = calloc((size_t)n, sizeof *leg);
+    double *const tangent = calloc((size_t)n, sizeof *tangent);
+    hawser_status status = leg && tangent ? HAWSER_OK : error_memory(err);
+    *wrong = 0;
+    if (!status) status = legs_make(n, corner, leg, wrong, err);
+    for (int i = 1; i + 1 < n && !status; ++i) {
+        tangent[i] = tangent_at(corner, leg, i, err);
+        *wrong = i;
+        if (isnan(tangent[i])) status = HAWSER_ERR_INPUT;
+    }
+    for (int i = 0; i + 1 < n && !status; ++i) {
+        if (tangent[i] + tangent[i + 1] <= leg[i].length + 1e-6) continue;
+        *wrong = tangent[i + 1] > tangent[i] ? i + 1 : i;
+        status = error_set(err, HAWSER_ERR_INPUT,
+                           "the corner at %.3f, %.3f has no room for a radius of %.4g m: the leg of %.4g m is %.4g m "
+                           "too short",
+                           corner[*wrong].at.x, corner[*wrong].at.y, corner[*wrong].radius, leg[i].length,
+                           tangent[i] + tangent[i + 1] - leg[i].length);
+    }
+    if (!status && arcs_add(a, n, corner, leg, tangent)) status = error_memory(err);
+    if (!status && heights) status = grades_add(a, n, corner, leg, tangent, err);
+    free(leg);
+    free(tangent);
+    return status;
+}
+
+double corners_radius(int n, const Vec3 *point, double least, int *corners, double *most)
+{
+    static const double usual[] = {10, 5, 3, 2, 1, 0.5, 0.2, 0.1};
+    *corners = 0;
+    *most = INFINITY;
+    double before = 0; /* half tangent of the last corner */
+    for (int i = 0; i + 1 < n; ++i) {
+        const Vec3 in = v3_sub(point[i + 1], point[i]);
+        const Vec3 out = i + 2 < n ? v3_sub(point[i + 2], point[i + 1]) : in;
+        const double turn = fabs(remainder(atan2(out.y, out.x) - atan2(in.y, in.x), 2 * acos(-1)));
+        const double half = tan(fmin(turn, 3.14) / 2), length = hypot(in.x, in.y);
+        *corners += turn > least;
+        if (before + half > 0) *most = fmin(*most, length / (before + half));
+        before = half;
+    }
+    for (size_t i = 0; i < sizeof usual / sizeof *usual && *corners; ++i) {
+        if (usual[i] <= *most) return usual[i];
+    }
+    return 0;
+}
+
+/* A part of an alignment. */
+
+/* What is left of an element or straight is dropped below this, m: a rounded station is where the element ends. */
+static const double LEAST = 1e-4;
+
+static void plan_cut(Alignment *a, double from, double to)
+{
+    double s = 0;
+    int n = 0;
+    for (int i = 0; i < a->n_plan; ++i) {
+        const PlanElement e = a->plan[i];
+        const double begin = fmax(from - s, 0), end = fmin(to - s, e.length);
+        s += e.length;
+        if (end - begin < LEAST) continue;
+        PlanElement *const part = &a->plan[n++];
+        *part = plan_at(&e, begin);
+        part->length = end - begin;
+        part->k1 = plan_at(&e, end).k0;
+    }
+    a->n_plan = n;
+}
+
+/* Where the part begins behind an element's end, or lies before the first one, that element's grade goes on, as it does
+ * on the whole line. */
+static void profile_cut(Alignment *a, double from, double to)
+{
+    const AlignmentPlace at = alignment_at(a, from);
+    int n = 0, last = 0, first = -1; /* the element whose grade is that of `from`, and the first one that is kept */
+    while (last + 1 < a->n_profile && from >= a->profile[last + 1].station) ++last;
+    for (int i = 0; i < a->n_profile; ++i) {
+        const ProfileElement e = a->profile[i];
+        const double begin = fmax(from - e.station, 0), end = fmin(to - e.station, e.length);
+        if (end - begin < LEAST) continue;
+        ProfileElement *const part = &a->profile[n++];
+        *part = profile_at(&e, begin);
+        part->station = e.station + begin - from;
+        part->length = end - begin;
+        if (first < 0) first = i;
+    }
+    const double lead = n ? a->profile[0].station : to - from;
+    if (a->n_profile > 0 && first != last && lead >= LEAST) {
+        memmove(a->profile + 1, a->profile, (size_t)n * sizeof *a->profile); /* there is room: `last` is not kept */
+        a->profile[0] = (ProfileElement){.length = lead, .z = at.at.z, .grade = at.grade};
+        ++n;
+    }
+    a->n_profile = n;
+}
+
+/* Corners between the ends, and both ends. */
+static hawser_status points_cut(Alignment *a, double from, double to, hawser_error *err)
+{
+    Vec3 *const point = malloc((size_t)(a->n_points + 2) * sizeof *point);
+    if (!point) return error_memory(err);
+    int n = 0;
+    double s = 0;
+    for (int i = 0; i + 1 < a->n_points; ++i) {
+        const Vec3 way = v3_sub(a->point[i + 1], a->point[i]);
+        const double length = hypot(way.x, way.y), begin = fmax(from - s, 0), end = fmin(to - s, length);
+        const int inside = s > from + LEAST && s < to - LEAST;
+        if (n == 0 && end - begin >= LEAST)
+            point[n++] = v3_axpy(a->point[i], begin / length, way);
+        else if (inside)
+            point[n++] = a->point[i];
+        if (n > 0 && length > 0 && s < to - LEAST && s + length >= to - LEAST)
+            point[n++] = v3_axpy(a->point[i], fmin((to - s) / length, 1), way);
+        s += length;
+    }
+    for (int i = 0; i < n; ++i) a->point[i] = point[i]; /* never more than there were: the ends stand for corners */
+    a->n_points = n;
+    free(point);
+    return HAWSER_OK;
+}
+
+hawser_status alignment_cut(Alignment *a, double from, double to, hawser_error *err)
+{
+    const double length = alignment_measure(a).plan_length;
+    if (!(from >= -1e-6 && to <= length + 1e-6 && to - from > 1e-2)) {
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "'%.60s' reaches from station %.10g m to %.10g m: a part of it from %.10g m to %.10g m cannot "
+                         "be cut out",
+                         a->name, a->station, a->station + length, a->station + from, a->station + to);
+    }
+    profile_cut(a, from, to);
+    plan_cut(a, from, to);
+    const hawser_status status = a->n_points ? points_cut(a, from, to, err) : HAWSER_OK;
+    a->station += from;
+    a->stated_length = NAN;
+    return status;
 }

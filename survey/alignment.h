@@ -35,12 +35,12 @@ typedef struct PieceNames {
     char *text;
     int used, room;
 } PieceNames;
+
 /* Adds a name, cut to ROUTE_NAME_MAX - 1, without what cannot be printed; its number. 0: it is empty, or there is no
  * memory. */
 int piece_names_add(PieceNames *names, const char *text);
 /* "" if number is 0. */
 const char *piece_names_get(const PieceNames *names, int number);
-
 typedef struct Alignment {
     char name[SURVEY_NAME_MAX], layer[SURVEY_NAME_MAX];
     int n_plan, n_profile, n_points;
@@ -90,6 +90,7 @@ typedef struct Survey {
 /* Adds an alignment, an element, a point, a mark at the end; NULL: no memory, or more than SURVEY_MOST of them. What is
  * added is zero but for NANs where it says so above; it moves when the next one is added. */
 enum { SURVEY_MOST = 20000000 };
+
 void *survey_one_more(void *array, int *n, size_t size); /* of any list: of `size` bytes in the array at *array, [*n] */
 Alignment *survey_add(Survey *s, const char *name);
 PlanElement *alignment_add_plan(Alignment *a);
@@ -102,20 +103,18 @@ void survey_clear(Survey *s);
 /* Everything of `from` into `to` (which keeps its own first), but a copy: the arrays are its own. 0: no memory. */
 int alignment_copy(const Alignment *from, Alignment *to);
 void alignment_clear(Alignment *a);
-
 /* The place on an element s metres (in plan) from its start, with the heading there: (AL1), (AL2). */
 PlanElement plan_at(const PlanElement *e, double s);
 /* The same on a profile's element, s metres in plan from its start: z and grade there, (AL3), (AL4). */
 ProfileElement profile_at(const ProfileElement *e, double s);
-
 /* Where the alignment is s metres in plan from its start; beyond the ends it goes on straight. */
 typedef struct AlignmentPlace {
     Vec3 at;
     double heading, grade; /* rad; dz/ds in plan */
     double curvature;      /* 1/m, in plan, to the left positive */
 } AlignmentPlace;
-AlignmentPlace alignment_at(const Alignment *a, double s);
 
+AlignmentPlace alignment_at(const Alignment *a, double s);
 typedef struct AlignmentMeasure {
     double plan_length, length; /* m, in plan and in space */
     Vec3 start, end;
@@ -123,8 +122,8 @@ typedef struct AlignmentMeasure {
     double least_radius; /* m, in plan; infinite: straight. Of points: NAN */
     double gap, turn;    /* m, rad: the largest jump in place and heading from one element to the next */
 } AlignmentMeasure;
-AlignmentMeasure alignment_measure(const Alignment *a);
 
+AlignmentMeasure alignment_measure(const Alignment *a);
 /* Turns the alignment around, so that it begins where it ended. */
 void alignment_reverse(Alignment *a);
 /* Leaves the part between two places, m in plan from its start. Errors: INPUT (not on it, or nothing between), MEMORY.
@@ -132,13 +131,13 @@ void alignment_reverse(Alignment *a);
 hawser_status alignment_cut(Alignment *a, double from, double to, hawser_error *err);
 /* Lets every element begin where the one before ended, with its heading, from the first one's start. */
 void alignment_chain(Alignment *a);
-
 /* A corner in plan: points of straights, each rounded by an arc tangent to both. */
 typedef struct PlanCorner {
     Vec3 at;       /* m; z counts if the line has heights */
     double radius; /* m; NAN: none is known */
     long line;     /* of the file; 0: none */
 } PlanCorner;
+
 /* Makes the elements in plan, and with `heights` a profile of grades from corner to corner (AL13); *wrong: the corner
  * that is at fault, from 0. Errors: INPUT (a corner without a radius or room for it, with what there is room for;
  * points that coincide), MEMORY. */
@@ -147,7 +146,6 @@ hawser_status plan_from_corners(Alignment *a, int n, const PlanCorner *corner, i
 /* The largest radius that rounds every corner of a line of points, at most 10 m, as people write one: 10, 5, 2, 1, 0.5
  * ...; *most: the largest for which there is room. 0 corners turn by more than `least`, rad: 0. */
 double corners_radius(int n, const Vec3 *point, double least, int *corners, double *most);
-
 /* Corners of a profile: a straight grade from each to the next, rounded off by a curve of that kind. */
 typedef struct ProfileCorner {
     double station, z; /* m in plan from the alignment's start */
@@ -155,6 +153,7 @@ typedef struct ProfileCorner {
     double before, after; /* m in plan, of a parabola on either side of the corner; 0: none */
     double radius;        /* m, of an arc; 0: none */
 } ProfileCorner;
+
 /* Makes the profile from n >= 2 corners by rising station (AL5). Errors: INPUT with the reason in err (stations do not
  * rise, curves that overlap), MEMORY. */
 hawser_status profile_from_corners(Alignment *a, int n, const ProfileCorner *corner, hawser_error *err);

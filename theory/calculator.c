@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
 #include "theory/search.h"
 
 /* --------------------------------------------------------------------------------- cables, ducts, pushes */

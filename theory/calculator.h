@@ -6,7 +6,6 @@
 #include "def/limits.h"
 #include "theory/expected.h"
 #include "theory/plan.h"
-#include "theory/plan_head.h"
 
 /* How the cables lie in one duct of the scene. */
 typedef struct CalculatorDuct {

@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
 #include "hawser/hawser.h"
-#include "theory/paper.h"
-#include "theory/stretches.h"
+#include "theory/closed_form.h"
+#include "theory/setup.h"
 
 /* --------------------------------------------------------------------------- what holds back where the route begins */
 

@@ -41,7 +41,7 @@ double expected_back(const Setup *setup, double t);
 int expected_range(const Setup *setup, double *from, double *to);
 
 /* The pull behind those figures by one of the laws, each duct and tray with its own friction, separate supports where
- * theory/stretches.h finds them; NAN all along where gravity is aslant. Errors: as pull_solve. */
+ * theory/setup.h finds them; NAN all along where gravity is aslant. Errors: as pull_solve. */
 hawser_status expected_pull(const Setup *setup, const Expected *e, PullLaw law, Pull *pull, hawser_error *err);
 /* The tension where the pull begins with the front at `front` and that back tension, as expected_at has it, N. */
 double expected_start(const Setup *setup, double front, double back);

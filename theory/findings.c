@@ -5,8 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
+#include "core/profile.h"
+#include "hawser/hawser.h"
 #include "theory/buckling.h"
+#include "theory/calculator.h"
+#include "theory/place.h"
 
 /* --------------------------------------------------------------------------------------------- machines, winch */
 
@@ -137,7 +141,9 @@ static void run_away_say(double pushed, double brake, double winch, Finding *out
              pushed / 1e3, brake / 1e3, winch / 1e3);
 }
 
-void findings_run_away(const Braked *b, Finding *finding)
+/* The brake that is missing where a pull begins, so that the cable is pushed by no more than is allowed, N; 0: none.
+ * With it what the winch then needs, in words. (LI12) */
+static void findings_run_away(const Braked *b, Finding *finding)
 {
     Pull pull;
     double most = 0, end = 0, low = 0;
@@ -207,8 +213,10 @@ Finding findings_no_push(const Setup *setup)
     return f;
 }
 
-hawser_status findings_of_push(const Setup *setup, const Route *route, const Pull *pull, Finding finding[LIMIT_KINDS],
-                               hawser_error *err)
+/* Of a pull in which machines push the cable, HAWSER_LIMIT_BUCKLING, and what HAWSER_LIMIT_RUN_AWAY says of a push that
+ * is meant; both as they are where nothing does. Errors: MEMORY. (LI14) */
+static hawser_status findings_of_push(const Setup *setup, const Route *route, const Pull *pull,
+                                      Finding finding[LIMIT_KINDS], hawser_error *err)
 {
     Finding *const f = &finding[HAWSER_LIMIT_BUCKLING], *const away = &finding[HAWSER_LIMIT_RUN_AWAY];
     Buckling *row;
@@ -297,8 +305,9 @@ static hawser_status largest_push(const Setup *setup, const Calculator *c, int w
     return HAWSER_OK;
 }
 
-hawser_status findings_of_way(const Setup *setup, const Route *route, const Calculator *c, int way,
-                              Finding finding[LIMIT_KINDS], hawser_error *err)
+/* All of these for one way of a calculator whose pull on the rope is in `finding`. Errors: MEMORY. */
+static hawser_status findings_of_way(const Setup *setup, const Route *route, const Calculator *c, int way,
+                                     Finding finding[LIMIT_KINDS], hawser_error *err)
 {
     const PlanWay *const w = &c->plan.way[way];
     /* the eye comes to every place, at speed and from rest, and has the cable's tension there (LI10a) */
@@ -379,4 +388,683 @@ hawser_status findings_of_run(const Setup *setup, const Expected *e, Finding fin
     const hawser_status found = findings_of_push(setup, setup->route, &pull, finding, err);
     pull_clear(&pull);
     return found;
+}
+
+/* What follows from a pull that is solved: the limits and whether they hold, which way is better, the trip, the brake.
+ */
+
+/* ------------------------------------------------------------------------------------------------- limits */
+
+/* The route's own smallest radius, as far as the pull goes. */
+static Finding bend_finding(const Calculator *c, int way)
+{
+    const double low = fmin(plan_first(&c->def, way), plan_last(&c->def, way));
+    const double high = fmax(plan_first(&c->def, way), plan_last(&c->def, way));
+    Finding f = {.value = INFINITY};
+    for (int p = 0; p < c->route->n; ++p) {
+        const RoutePiece *const piece = &c->route->piece[p];
+        if (piece->kind == ROUTE_STRAIGHT || piece->s0 >= high || piece->s0 + piece->length <= low) continue;
+        if (piece->radius < f.value) f = finding_at(c->route, piece->radius, piece->s0);
+    }
+    return f;
+}
+
+/* At speed or from rest, whichever presses more; a route that is straight presses nowhere. */
+static Finding sidewall_finding(const Route *route, const PlanWay *way)
+{
+    const Pull *const pull = &way->pull;
+    Finding f = finding_on(route, pull->max_sidewall, pull->sidewall_at, pull->sidewall_piece);
+    if (way->restart_sidewall > pull->max_sidewall)
+        f = finding_on(route, way->restart_sidewall, way->restart_sidewall_at, way->restart_sidewall_piece);
+    if (!(f.value > 0)) *f.where = 0;
+    return f;
+}
+
+/* The largest force per length on a duct, tray or floor along the route, N/m, at speed; absent without one. */
+static Finding contact_finding(const Setup *setup, const Calculator *c, const PlanWay *way)
+{
+    Finding f = {.absent = 1};
+    for (int p = 0; p < setup->route->n; ++p) {
+        const RoutePiece *const piece = &setup->route->piece[p];
+        const SurfaceDef *const on = supports_surface(&setup->supports, piece->s0 + piece->length / 2);
+        if (!on) continue;
+        const PieceExtremes most = pull_piece_extremes(&way->pull, p);
+        const double force = bundle_share(setup->def, on) * fmax(most.down, most.aside);
+        if (f.absent || force > f.value) f = finding_at(c->route, force, c->route->piece[p].s0);
+    }
+    return f;
+}
+
+/* N, (T18a). */
+static double load_beside_bend(const Setup *setup, const Pull *pull, const Beside *beside)
+{
+    const double tension = fmax(0, pull_at(pull, beside->s).tension);
+    return hypot(fmax(0, setup->cable_weight * beside->gap + tension * beside->down), tension * beside->aside);
+}
+
+/* What a roller of the piece bears, N: where guides stand beside the carriers, each what goes its way. */
+static double load_on(const Setup *setup, const Calculator *c, const PlanWay *way, const RollerDef *roller)
+{
+    const int p = route_at(setup->route, roller->s).piece;
+    const PlanPiece *const piece = &way->piece[p];
+    if (!(piece->guided > 0) || !(c->guides[p] > 0)) return piece->roller_load;
+    return roller_is_guide(setup->route, roller) ? piece->guided : piece->carried;
+}
+
+/* Takes in what a roller bears of this chain, N, if that is more than was known; turned: some of it is tension. */
+static void borne_take(const Setup *setup, int way, int r, double own, int turned, double *load)
+{
+    const Company *const with = &setup->company;
+    const double drawn = with->rollers_drawn[way] ? with->rollers_drawn[way][r] : 0;
+    const double others = with->rollers_others[way] ? with->rollers_others[way][r] : 0;
+    if (!(own > 0)) own = 0;
+    load[r] = fmax(load[r], others + (turned ? own + drawn : fmax(own, drawn)));
+}
+
+/* Of the rows on the route's own pieces; why one that is rated cannot be told, or an empty text. */
+static void rows_bear(const Setup *setup, const Calculator *c, int way, double *load, char why[160])
+{
+    const PlanWay *const plan = &c->plan.way[way];
+    *why = 0;
+    for (int r = 0; r < setup->def->n_rollers; ++r) {
+        const RollerDef *const roller = &setup->def->rollers[r];
+        if (isnan(roller->s) && roller->rating > 0)
+            snprintf(why, 160, "of rollers.list and obstacles theory knows no load: a run does");
+        if (isnan(roller->s) || !(roller->rating > 0)) continue;
+        const PlaceLine line = {setup->route, &plan->pull, setup->cable_weight, 0, setup->route->length};
+        if (roller->hold_down && line_load(&line, roller->s).up < 0)
+            snprintf(why, 160, "of hold-downs that the cable lifts off to theory knows no load: a run does");
+        if (roller->hold_down || (roller_is_guide(setup->route, roller) && guide_stands_outside(setup->route, roller)))
+            continue;
+        const int piece = route_at(setup->route, roller->s).piece;
+        borne_take(setup, way, r, load_on(setup, c, plan, roller), setup->route->piece[piece].kind != ROUTE_STRAIGHT,
+                   load);
+    }
+}
+
+/* load [n_rollers]: what each bears, N, at most by all that theory knows of it. */
+static void rollers_bear(const Setup *setup, const Calculator *c, int way, double *load, char why[160])
+{
+    const PlanWay *const plan = &c->plan.way[way];
+    for (int r = 0; r < setup->def->n_rollers; ++r) load[r] = 0;
+    rows_bear(setup, c, way, load, why);
+    for (int i = 0; i < c->n_bearers; ++i)
+        borne_take(setup, way, c->bearer[i].roller, plan->piece[c->bearer[i].piece].roller_load, 1, load);
+    for (int i = 0; i < c->n_beside; ++i) {
+        const Beside *const beside = &c->beside[i];
+        borne_take(setup, way, beside->roller, load_beside_bend(setup, &plan->pull, beside),
+                   hypot(beside->down, beside->aside) > 0, load);
+    }
+}
+
+void calculator_rollers(const Setup *setup, const Calculator *c, int way, double *load)
+{
+    char why[160];
+    rollers_bear(setup, c, way, load, why);
+}
+
+/* The rated roller that is loaded most for its rating, by the piece on which it stands or a bend beside it. Errors:
+ * MEMORY. */
+static hawser_status roller_finding(const Setup *setup, const Calculator *c, int way, Finding *out, hawser_error *err)
+{
+    Finding worst = {.value = NAN}, unknown = {.value = NAN};
+    *out = (Finding){.absent = 1};
+    if (setup->company.rollers_elsewhere) return HAWSER_OK;
+    double *const load = malloc(((size_t)setup->def->n_rollers + 1) * sizeof *load);
+    if (!load) return error_memory(err);
+    rollers_bear(setup, c, way, load, unknown.why);
+    for (int r = 0; r < setup->def->n_rollers; ++r) {
+        const RollerDef *const roller = &setup->def->rollers[r];
+        if (load[r] > 0) finding_load(&worst, roller->name, load[r], roller->rating);
+    }
+    free(load);
+    const int broken = worst.value > worst.rating / setup->def->limits.roller_factor;
+    *out = *unknown.why && !broken ? unknown : worst;
+    return HAWSER_OK;
+}
+
+double calculator_peak(const Setup *setup, const Calculator *c, int way)
+{
+    const HeadSeries *const heads = &c->heads[way];
+    return fmax(heads->peak.force, heads->restart_peak.restart) + setup->company.drawn_more[way];
+}
+
+/* Of chains with a rope: what rope and winch bear is asked where all that they pull is known, and of all cables
+ * together what their heads bear (LI9). */
+static void rope_findings(const Setup *setup, int way, Finding f[LIMIT_KINDS])
+{
+    const StrandDef *const strand = &setup->def->strand;
+    double all = setup->company.drawn[way], most = all + setup->company.drawn_more[way];
+    if (strand->leads) all = most = f[HAWSER_LIMIT_ROPE].value;
+    if (strand->joined >= 0) f[HAWSER_LIMIT_ROPE].absent = f[HAWSER_LIMIT_WINCH].absent = 1;
+    if (!strand->rope) return;
+    f[HAWSER_LIMIT_PULL] = f[HAWSER_LIMIT_RESTART] = f[HAWSER_LIMIT_ATTACHMENT] = (Finding){.value = most};
+    f[HAWSER_LIMIT_PULL].value = all;
+    snprintf(f[HAWSER_LIMIT_PULL].where, sizeof f->where, "%s", strand->leads ? "the head" : "the eye");
+    memcpy(f[HAWSER_LIMIT_RESTART].where, f[HAWSER_LIMIT_PULL].where, sizeof f->where);
+    memcpy(f[HAWSER_LIMIT_ATTACHMENT].where, f[HAWSER_LIMIT_PULL].where, sizeof f->where);
+}
+
+static hawser_status limits_set(const Setup *setup, Calculator *c, hawser_error *err)
+{
+    const Route *const route = c->route;
+    for (int k = 0; k < PLAN_WAYS; ++k) {
+        const PlanWay *const way = &c->plan.way[k];
+        if (c->def.skip[k]) continue;
+        Finding f[LIMIT_KINDS] = {[HAWSER_LIMIT_ROLLER_PEAK] = {.absent = 1}, [HAWSER_LIMIT_ALPHA] = {.absent = 1}};
+        f[HAWSER_LIMIT_PULL] = finding_on(route, way->pull.max_tension, way->pull.max_at, way->pull.max_piece);
+        f[HAWSER_LIMIT_RESTART] = finding_on(route, way->restart_max, way->restart_at, way->restart_piece);
+        f[HAWSER_LIMIT_SIDEWALL] = sidewall_finding(route, way);
+        f[HAWSER_LIMIT_CONTACT_PRESSURE] = contact_finding(setup, c, way);
+        f[HAWSER_LIMIT_BEND_RADIUS] = bend_finding(c, k);
+        if (strand_is_rope(&setup->def->strand))
+            f[HAWSER_LIMIT_BEND_RADIUS].absent = f[HAWSER_LIMIT_SIDEWALL].absent = 1;
+        f[HAWSER_LIMIT_ROPE].value = calculator_peak(setup, c, k);
+        hawser_status status = roller_finding(setup, c, k, &f[HAWSER_LIMIT_ROLLER_STEADY], err);
+        if (!status) status = findings_of_way(setup, route, c, k, f, err);
+        if (status) return status;
+        rope_findings(setup, k, f);
+        limits_duct(&setup->def->limits, c->cables, NULL, NULL, f);
+        for (int i = 0; i < c->n_ducts; ++i)
+            limits_duct(&setup->def->limits, bundle_cables_in(setup->def, c->duct[i].surface), c->duct[i].surface->name,
+                        &c->duct[i].load, f);
+        c->n_limits =
+            limits_judge(&setup->def->limits, bundle_diameter(setup->def), bundle_pulled(setup->def), f, c->limit[k]);
+    }
+    return HAWSER_OK;
+}
+
+hawser_status calculator_judge(const Setup *setup, Calculator *c, hawser_error *err)
+{
+    const hawser_status status = calculator_pulled(setup, c, err);
+    return status ? status : limits_set(setup, c, err);
+}
+
+/* -------------------------------------------------------------------------------- which way, trip, brake */
+
+int calculator_holds(const Calculator *c, int way)
+{
+    for (int i = 0; i < c->n_limits; ++i) {
+        if (c->limit[way][i].judged && !c->limit[way][i].ok) return 0;
+    }
+    return c->pulled[way].holds;
+}
+
+const hawser_limit *calculator_worst(const Calculator *c, int way)
+{
+    const hawser_limit *worst = NULL;
+    for (int i = 0; i < c->n_limits; ++i) {
+        const hawser_limit *const l = &c->limit[way][i];
+        if (l->judged && (!worst || l->margin < worst->margin)) worst = l;
+    }
+    return worst;
+}
+
+/* Where one way holds and the other does not, that one; else the one with the larger of the least margins. */
+static void best_set(Calculator *c)
+{
+    const int there = calculator_holds(c, PLAN_FORWARD), back = calculator_holds(c, PLAN_BACKWARD);
+    const hawser_limit *const a = calculator_worst(c, PLAN_FORWARD), *const b = calculator_worst(c, PLAN_BACKWARD);
+    c->best = c->plan.better;
+    if (there != back) {
+        c->best = back ? PLAN_BACKWARD : PLAN_FORWARD;
+    } else if (a && b && fabs(a->margin - b->margin) > 1e-12) {
+        c->best = b->margin > a->margin ? PLAN_BACKWARD : PLAN_FORWARD;
+    }
+}
+
+/* (PN10). Of a cable that runs away no force is known before it is held back. */
+static void trip_set(const Setup *setup, Calculator *c)
+{
+    for (int k = 0; k < PLAN_WAYS; ++k) {
+        c->trip[k] =
+            limits_trip(&setup->def->limits, bundle_pulled(setup->def), calculator_peak(setup, c, k), c->beyond[k]);
+        if (!c->pulled[k].holds) c->trip[k] = (TripSetting){NAN, "not known before the cable is held back"};
+    }
+}
+
+/* Where the cable would run away, in words: of one that the script lets go, with what it leaves of the friction. */
+static void brake_say(const Setup *setup, const Calculator *c, int way, hawser_condition *held)
+{
+    const Brake *const brake = &c->brake[way];
+    const double pushed = held->value / 1e3, by = brake->brake / 1e3, winch = brake->force / 1e3;
+    const Finding at = finding_on(c->route, held->value, c->pushed[way].at, c->pushed[way].piece);
+    char why[56] = "the cable would run away or slacken:";
+    if (c->away[way] == AWAY_LOOSENED)
+        snprintf(why, sizeof why, "drive.script: with %.3g of friction it runs away:", friction_least_told(setup));
+    if (isnan(brake->brake)) {
+        snprintf(held->remedy, sizeof held->remedy, "%s pushed with %.4g kN, and no brake at the start holds it", why,
+                 pushed);
+    } else {
+        snprintf(held->remedy, sizeof held->remedy,
+                 "%s pushed with %.4g kN at %.32s; it needs a brake of %.4g kN at the start, then a winch of %.4g kN",
+                 why, pushed, at.where, by, winch);
+    }
+}
+
+/* Where the cable would run away: the brake that holds it, in the remedy too. */
+static hawser_status brakes_set(const Setup *setup, Calculator *c, hawser_error *err)
+{
+    for (int k = 0; k < PLAN_WAYS; ++k) {
+        if (c->pulled[k].holds || c->def.skip[k]) continue;
+        if (away_is_braked(c->away[k])) {
+            const hawser_status status = calculator_brake(setup, c, k, &c->brake[k], err);
+            if (status) return status;
+            brake_say(setup, c, k, &c->pulled[k]);
+        } else {
+            c->brake[k] = (Brake){NAN, NAN, c->pushed[k].piece, NAN, NAN, NAN};
+            away_say(c, k, sizeof c->pulled[k].remedy, c->pulled[k].remedy);
+        }
+    }
+    return HAWSER_OK;
+}
+
+hawser_status calculator_follow(const Setup *setup, Calculator *c, hawser_error *err)
+{
+    const hawser_status status = brakes_set(setup, c, err);
+    if (status) return status;
+    c->plan.better = c->heads[PLAN_BACKWARD].peak.force < c->heads[PLAN_FORWARD].peak.force; /* of all sections */
+    best_set(c);
+    trip_set(setup, c);
+    return HAWSER_OK;
+}
+
+/* Whether the cable is pulled everywhere: a cable cannot be pushed, unless a machine does. Where theory finds
+ * compression it slackens or runs away down a slope, and no figure behind that place holds. */
+
+/* -------------------------------------------------------------------------------- friction that the crew takes away */
+
+/* Whether a command of friction is about what lies along the route at s, as far as theory has it: of all, of the duct
+ * or tray there, or of a roller (theory has the rows' friction everywhere outside ducts). */
+static int is_about(const Setup *setup, const char *what, double s)
+{
+    const SceneDef *const def = setup->def;
+    const SurfaceDef *const here = supports_surface(&setup->supports, s);
+    if (!*what) return 1;
+    for (int k = 0; k < def->n_surfaces; ++k)
+        if (!strcmp(what, def->surfaces[k].name)) return here == &def->surfaces[k];
+    return !here;
+}
+
+/* The least factor at s; NAN: anywhere. */
+static double least_at(const Setup *setup, double s)
+{
+    const SceneDef *const def = setup->def;
+    double factor = 1;
+    for (int i = 0; i < def->n_script; ++i) {
+        const Command *const told = &def->script[i].command;
+        if (told->kind == HAWSER_FRICTION && (isnan(s) || is_about(setup, told->what, s)))
+            factor = fmin(factor, told->value);
+    }
+    return factor;
+}
+
+double friction_least_told(const Setup *setup) { return least_at(setup, NAN); }
+
+hawser_status calculator_loosen(const Setup *setup, const Calculator *c, PlanDef *out, PullStretch **own,
+                                hawser_error *err)
+{
+    PullStretch *const s = *own = malloc((size_t)c->def.n_stretches * sizeof *s);
+    if (!s) return error_memory(err);
+    memcpy(s, c->def.stretch, (size_t)c->def.n_stretches * sizeof *s);
+    for (int i = 0; i < c->def.n_stretches; ++i) {
+        const double next = i + 1 < c->def.n_stretches ? s[i + 1].from : c->route->length;
+        const double factor = least_at(setup, (fmax(s[i].from, 0) + fmax(next, 0)) / 2);
+        s[i].mu *= factor;
+        s[i].mu_static *= factor;
+        s[i].mu_rope *= factor;
+        s[i].mu_rope_static *= factor;
+    }
+    *out = c->def;
+    out->stretch = s;
+    return HAWSER_OK;
+}
+
+hawser_status calculator_brake(const Setup *setup, const Calculator *c, int way, Brake *out, hawser_error *err)
+{
+    if (c->away[way] != AWAY_LOOSENED) return plan_brake(&c->def, way, out, err);
+    PlanDef loose, braked = c->def;
+    PullStretch *own;
+    Brake needed;
+    hawser_status status = calculator_loosen(setup, c, &loose, &own, err);
+    if (!status) status = plan_brake(&loose, way, &needed, err);
+    free(own);
+    if (status) return status;
+    if (!isnan(needed.brake)) braked.back_tension += needed.brake;
+    status = plan_brake(&braked, way, out, err); /* the winch pulls with all of the friction */
+    out->brake = needed.brake;
+    out->where = needed.where;
+    out->piece = needed.piece;
+    return status;
+}
+
+/* ----------------------------------------------------------------------------------------------------- the question */
+
+/* What is asked of a pull one way: the case's own question, or one with less friction, without what pushes. */
+typedef struct Asked {
+    const Setup *setup;
+    const Calculator *c;
+    int way;
+    PlanDef def;          /* its feed, pits and stretches */
+    const PullStep *push; /* [c->n_pushers] of its way */
+} Asked;
+
+static double forth_of(int way) { return way == PLAN_BACKWARD ? -1 : 1; }
+
+/* The last pit before s along the pull, from which it begins anew (PN3), m along the route times the direction;
+ * -INFINITY: there is none. */
+static double last_pit(const PlanDef *def, double forth, double s)
+{
+    double last = -INFINITY;
+    for (int i = 0; i < def->n_steps; i++) {
+        const PullStep *const pit = &def->step[i];
+        if (pit->kind == STEP_ANEW && forth * (s - pit->at) > 1e-6) last = fmax(last, forth * pit->at);
+    }
+    return last;
+}
+
+/* What pushes at the places of a pull, one after the other along it: the largest push of those that are not behind the
+ * last pit. */
+typedef struct Reach {
+    int next;         /* push, along the pull */
+    double pit, most; /* m, as last_pit has it; N */
+} Reach;
+
+/* N by which the cable may be pushed at s: by what a machine behind that place pushes with, or by what is meant. */
+static double may_be_pushed(const Asked *a, const Pull *pull, double s, Reach *r)
+{
+    const double forth = forth_of(a->way), pit = last_pit(&a->def, forth, s), first = plan_first(&a->def, a->way);
+    const int n = a->setup->n_pushers, back = a->way == PLAN_BACKWARD;
+    if (pit > r->pit) { /* those behind it push no more; of the others the largest is looked for again */
+        *r = (Reach){.pit = pit};
+        while (r->next < n && forth * a->push[back ? n - 1 - r->next : r->next].at <= pit) ++r->next;
+    }
+    for (; r->next < n && forth * (a->push[back ? n - 1 - r->next : r->next].at - s) <= 1e-6; ++r->next)
+        r->most = fmax(r->most, a->push[back ? n - 1 - r->next : r->next].force);
+    double most = fmax(1e-9 * fmax(1, pull->max_tension), r->most); /* rounding */
+    if (forth * (first - s) <= 1e-6 && pit < forth * first) most = fmax(most, a->def.feed);
+    return fmin(most, a->setup->def->theory.bears);
+}
+
+static int is_pushed(Pushed p) { return p.force > p.allowed; }
+
+static double excess(Pushed p) { return fmax(0, p.force - p.allowed); }
+
+static Pushed pushed_in(const Asked *a, const Pull *pull)
+{
+    Reach there = {.pit = -INFINITY}, reach = there;
+    Pushed worst = {fmax(0, -pull->min_tension), may_be_pushed(a, pull, pull->min_at, &there), pull->min_at,
+                    pull->min_piece};
+    for (int i = 0; i < pull->n; ++i) {
+        const PullSpan *const span = &pull->span[i];
+        const Pushed here = {-span->least, may_be_pushed(a, pull, span->least_at, &reach), span->least_at, span->piece};
+        if (here.force - here.allowed > excess(worst)) worst = here;
+    }
+    return worst;
+}
+
+/* At the winch, which a rope does not push. */
+static Pushed pushed_at_winch(const Asked *a, const Pull *pull)
+{
+    const double force = a->setup->def->winch.present ? fmax(0, -pull->end_tension) : 0;
+    return (Pushed){force, 1e-9 * fmax(0, pull->max_tension), plan_last(&a->def, a->way),
+                    pull->span[pull->n - 1].piece};
+}
+
+/* What is found, and what of it. */
+typedef struct Found {
+    Pushed most;
+    Away why;
+    double t; /* s, by AWAY_EARLY */
+} Found;
+
+static void found_take(Found *out, Pushed now, Away why, double t)
+{
+    if (!is_pushed(now) || excess(now) <= excess(out->most)) return;
+    *out = (Found){now, why, t};
+}
+
+/* The pull with the least that holds it back (or with so much of it), its head at the end or there. */
+typedef struct HeldBy {
+    const double *back; /* N; NULL: the least of the whole pull */
+    const double *head; /* m along the route; NULL: the end */
+} HeldBy;
+
+static hawser_status pull_at_least(const Asked *a, HeldBy at, Pull *out, hawser_error *err)
+{
+    const PlanPullDef what = {.way = a->way, .whole = !at.head, .head = at.head ? *at.head : 0};
+    PlanDef slack = plan_slack(&a->def);
+    if (at.back) slack.back_tension = *at.back;
+    slack.enough = 0; /* what pushes may take it off */
+    return plan_pull(&slack, &what, out, err);
+}
+
+/* --------------------------------------------------------------------------- a back tension that comes in late */
+
+static const double STARTED = 1; /* m of travel, before which the pull only begins */
+
+enum { EARLY_TIMES = 32 }; /* that are looked at: evenly, and as many corners of the profile */
+
+/* A time before the back tension has risen, where the head is, and what holds back. */
+typedef struct Early {
+    double t, head, back; /* s, m along the route, N */
+} Early;
+
+/* The winch's travel by then, with what the script makes of it at once, m; without a winch at most what belts do. */
+static double travel_told(const Setup *setup, double t)
+{
+    const SceneDef *const def = setup->def;
+    if (!def->winch.present) return t * belts_largest_speed(def);
+    double from = 0, travel = 0, told = NAN, before = NAN;
+    for (int i = 0; i <= def->n_script && from < t; ++i) {
+        const double to = i < def->n_script ? fmin(def->script[i].at, t) : t;
+        const Command *const c = i < def->n_script ? &def->script[i].command : NULL;
+        travel += isnan(told) ? setup_travel(setup, to) - setup_travel(setup, from) : told * (to - from);
+        from = to;
+        if (!c) continue;
+        if (c->kind == HAWSER_WINCH_SPEED) told = c->value;
+        if (c->kind == HAWSER_WINCH_RESTART) told = before;
+        if (c->kind != HAWSER_WINCH_PAUSE && c->kind != HAWSER_WINCH_BRAKE) continue;
+        before = told == 0 ? before : told;
+        told = 0;
+    }
+    return travel;
+}
+
+/* When the travel has become more than STARTED, s, at most `until`. */
+static double time_started(const Setup *setup, double until)
+{
+    double low = 0, high = until;
+    for (int k = 0; k < 60; ++k) {
+        const double middle = (low + high) / 2;
+        *(travel_told(setup, middle) > STARTED ? &high : &low) = middle;
+    }
+    return high;
+}
+
+/* Those at which the head has moved, in no order; `early` has room for two times EARLY_TIMES and two. Returns how many.
+ */
+static int early_times(const Setup *setup, int way, double risen, Early *early)
+{
+    const Profile *const back = starts_back(setup);
+    const double begins = setup->front, started = time_started(setup, risen);
+    const int corners = back->kind == PROFILE_TABLE ? back->n : 0, last = corners < EARLY_TIMES ? corners : EARLY_TIMES;
+    int n = 0;
+    for (int k = -1; k <= EARLY_TIMES + last; ++k) {
+        const double even = started + (risen - started) * k / EARLY_TIMES;
+        const double t = k < 0 ? back->t0 : k <= EARLY_TIMES ? even : back->time[k - EARLY_TIMES - 1];
+        const double travel = t > 0 && t <= risen ? travel_told(setup, t) : 0;
+        if (!(travel > STARTED)) continue;
+        const double along = fmin(fmax(begins + travel, 0), setup->route->length);
+        early[n++] = (Early){t, way == PLAN_BACKWARD ? setup->route->length - along : along, starts_least_at(setup, t)};
+    }
+    return n;
+}
+
+/* While the back tension is not there yet, where the head is then. Nothing is pushed where the least of it would do as
+ * far as the head comes in that time. */
+static hawser_status ask_early(const Asked *a, Found *out, hawser_error *err)
+{
+    const Setup *const setup = a->setup;
+    Early early[2 * EARLY_TIMES + 2];
+    const double risen = profile_risen_at(starts_back(setup)), forth = forth_of(a->way);
+    const int n = setup->def->drum.present || !(risen > 0) ? 0 : early_times(setup, a->way, risen, early);
+    Early least = {risen, plan_first(&a->def, a->way), INFINITY};
+    for (int k = 0; k < n; ++k) {
+        if (forth * (early[k].head - least.head) > 0) least.head = early[k].head;
+        least.back = fmin(least.back, early[k].back);
+    }
+    if (!(least.back < plan_slack(&a->def).back_tension * (1 - 1e-9))) return HAWSER_OK;
+    int pushed = 0;
+    for (int k = -1; k < n && (k < 0 || pushed); ++k) {
+        const Early *const at = k < 0 ? &least : &early[k];
+        Pull pull;
+        const hawser_status status = pull_at_least(a, (HeldBy){&at->back, &at->head}, &pull, err);
+        if (status) return status;
+        const Pushed now = pushed_in(a, &pull), winch = pushed_at_winch(a, &pull);
+        const Pushed most = excess(winch) > excess(now) ? winch : now;
+        pushed |= is_pushed(most);
+        if (k >= 0) found_take(out, most, AWAY_EARLY, at->t);
+        pull_clear(&pull);
+    }
+    return HAWSER_OK;
+}
+
+/* ------------------------------------------------------------------------------------------------- the whole */
+
+static hawser_status ask(const Asked *a, Away why, Found *out, hawser_error *err)
+{
+    Pull pull;
+    const hawser_status status = pull_at_least(a, (HeldBy){NULL, NULL}, &pull, err);
+    if (status) return status;
+    const Pushed now = pushed_in(a, &pull), winch = pushed_at_winch(a, &pull);
+    found_take(out, now, why, 0);
+    found_take(out, winch, AWAY_OVERFED, 0);
+    pull_clear(&pull);
+    return is_pushed(out->most) ? HAWSER_OK : ask_early(a, out, err);
+}
+
+static int is_helped(const Asked *a)
+{
+    int helped = a->def.feed > 0;
+    for (int i = 0; i < a->setup->n_pushers; ++i) helped |= a->push[i].force > 0;
+    return helped;
+}
+
+/* Without what pushes: what bends take of a push leaves nothing by which a slope ahead of them may push the cable. */
+static hawser_status ask_by_itself(const Asked *a, Found *out, hawser_error *err)
+{
+    Asked alone = *a;
+    PullStep *const push = malloc(((size_t)a->setup->n_pushers + 1) * sizeof *push);
+    if (!push) return error_memory(err);
+    for (int i = 0; i < a->setup->n_pushers; ++i) {
+        push[i] = a->push[i];
+        push[i].force = fmin(push[i].force, 0);
+    }
+    alone.push = alone.def.push = alone.def.push_back = push;
+    alone.def.feed = 0;
+    const hawser_status status = ask(&alone, AWAY_BY_ITSELF, out, err);
+    free(push);
+    return status;
+}
+
+/* A rope runs ahead of what it draws where that holds it back by less than it needs: at least by so much, (SC19). */
+static hawser_status ask_drawing(const Asked *a, Found *out, hawser_error *err)
+{
+    Asked held = *a;
+    Pull pull;
+    held.def.back_tension += a->setup->company.drawn_least[a->way];
+    const hawser_status status = pull_at_least(&held, (HeldBy){NULL, NULL}, &pull, err);
+    if (status) return status;
+    found_take(out, pushed_in(&held, &pull), AWAY_FROM_DRAWN, 0);
+    pull_clear(&pull);
+    return HAWSER_OK;
+}
+
+/* The case as it is, and without what pushes, until something is found. */
+static hawser_status ask_both(const Asked *a, Away why, Found *out, hawser_error *err)
+{
+    if (a->setup->def->strand.rope) return ask_drawing(a, out, err);
+    const hawser_status status = ask(a, why, out, err);
+    return status || is_pushed(out->most) || !is_helped(a) ? status : ask_by_itself(a, out, err);
+}
+
+/* With the least friction that the script leaves. */
+static hawser_status ask_loosened(const Asked *a, Found *out, hawser_error *err)
+{
+    Asked loose = *a;
+    PullStretch *own;
+    hawser_status status = calculator_loosen(a->setup, a->c, &loose.def, &own, err);
+    if (!status) status = ask_both(&loose, AWAY_LOOSENED, out, err);
+    free(own);
+    return status;
+}
+
+/* What pushes has the winch's rope slack already where little of the cable has come, of a case that says where that is.
+ */
+static void look_at_heads(const Asked *a, Found *out)
+{
+    const HeadSeries *const heads = &a->c->heads[a->way];
+    const double begins = fmax(0, a->setup->front);
+    if (a->setup->def->strand.rope || !a->setup->def->theory.simulated || !a->setup->def->winch.present ||
+        a->way == PLAN_BACKWARD)
+        return;
+    for (int i = 0; i < heads->n; ++i) {
+        const HeadForce *const row = &heads->row[i];
+        const Pushed now = {-row->force, 1e-9 * fmax(1, heads->peak.force), row->head,
+                            route_at(a->c->route, row->head).piece};
+        if (row->head >= begins) found_take(out, now, AWAY_OVERFED, 0);
+    }
+}
+
+static hawser_status way_pulled(const Setup *setup, Calculator *c, int way, hawser_error *err)
+{
+    const Asked asked = {setup, c, way, c->def, c->push[way]};
+    const Pushed plain = setup->def->strand.rope ? (Pushed){0} : pushed_in(&asked, &c->plan.way[way].pull);
+    Found found = {plain, AWAY_AS_IT_IS, 0};
+    hawser_status status = ask_both(&asked, AWAY_AS_IT_IS, &found, err);
+    if (!status && !is_pushed(found.most) && friction_least_told(setup) < 1) status = ask_loosened(&asked, &found, err);
+    if (!status && !is_pushed(found.most)) look_at_heads(&asked, &found);
+    c->pushed[way] = found.most;
+    c->away[way] = found.why;
+    c->early[way] = found.t;
+    c->pulled[way] = theory_condition(HAWSER_CONDITION_PULLED, found.most.force, found.most.allowed);
+    c->pulled[way].holds = !is_pushed(found.most);
+    return status;
+}
+
+hawser_status calculator_pulled(const Setup *setup, Calculator *c, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; k < PLAN_WAYS && !status; ++k)
+        if (!c->def.skip[k]) status = way_pulled(setup, c, k, err);
+    return status;
+}
+
+int away_is_braked(Away away) { return away == AWAY_AS_IT_IS || away == AWAY_LOOSENED; }
+
+void away_say(const Calculator *c, int way, int size, char *text)
+{
+    const double pushed = c->pushed[way].force / 1e3;
+    const Finding at = finding_on(c->route, pushed, c->pushed[way].at, c->pushed[way].piece);
+    if (c->away[way] == AWAY_OVERFED) {
+        snprintf(text, (size_t)size,
+                 "what pushes gives more than is needed, and the cable pushes the winch with %.4g kN: let it push less",
+                 pushed);
+    } else if (c->away[way] == AWAY_FROM_DRAWN) {
+        snprintf(text, (size_t)size,
+                 "it would run ahead of what it draws, pushed with %.4g kN at %.32s: hold that back by more "
+                 "(drive.tail.tension)",
+                 pushed, at.where);
+    } else if (c->away[way] == AWAY_BY_ITSELF) {
+        snprintf(text, (size_t)size,
+                 "without what pushes it the cable would run away as well, pushed with %.4g kN at %.32s: hold it back "
+                 "where the pull begins",
+                 pushed, at.where);
+    } else {
+        snprintf(text, (size_t)size,
+                 "before the back tension has come in, at %.4g s, the cable would run away, pushed with %.4g kN at "
+                 "%.32s: give it from the start",
+                 c->early[way], pushed, at.where);
+    }
 }

@@ -9,13 +9,12 @@
 double belts_largest_speed(const SceneDef *def);
 /* What the scene itself says: belts, the winch's largest speed; marks absent what the scene does not have. */
 void findings_of_scene(const Setup *setup, Finding finding[LIMIT_KINDS]);
-
 /* The trip that the case sets, of a winch that needs `steady` N by itself (force of the winch by theory: `force`), of
  * which `beyond` are the rope's. Absent without a winch that has a speed. */
 void findings_trip(const Setup *setup, double force, double steady, double beyond, Finding *finding);
-
 /* A pull as theory has it, with so much more tension where it begins. Errors: as pull_solve. */
 typedef struct Braked Braked;
+
 struct Braked {
     hawser_status (*solve)(const Braked *b, double more, Pull *out);
     const Route *route;
@@ -24,21 +23,10 @@ struct Braked {
     const PullStep *step; /* [n_steps]: machines, which push (below 0) the cable ahead of them */
     const void *of;       /* what `solve` knows */
 };
-/* The brake that is missing where a pull begins, so that the cable is pushed by no more than is allowed, N; 0: none.
- * With it what the winch then needs, in words. (LI12) */
-void findings_run_away(const Braked *b, Finding *finding);
 
 /* The limit `buckling` of a cable that nothing pushes enough. It is there wherever something may push, either way and
  * in every variation and moment: rows are compared one by one, and the last ones were lost without it. */
 Finding findings_no_push(const Setup *setup);
-/* Of a pull in which machines push the cable, HAWSER_LIMIT_BUCKLING, and what HAWSER_LIMIT_RUN_AWAY says of a push that
- * is meant; both as they are where nothing does. Errors: MEMORY. (LI14) */
-hawser_status findings_of_push(const Setup *setup, const Route *route, const Pull *pull, Finding finding[LIMIT_KINDS],
-                               hawser_error *err);
-
-/* All of these for one way of a calculator whose pull on the rope is in `finding`. Errors: MEMORY. */
-hawser_status findings_of_way(const Setup *setup, const Route *route, const Calculator *c, int way,
-                              Finding finding[LIMIT_KINDS], hawser_error *err);
 /* The same for a run of which theory is known: run-away alone. Errors: MEMORY. */
 hawser_status findings_of_run(const Setup *setup, const Expected *e, Finding finding[LIMIT_KINDS], hawser_error *err);
 

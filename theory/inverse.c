@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "theory/assumed.h"
-#include "theory/plan_pull.h"
+#include "theory/mend.h"
+#include "theory/plan.h"
 
 /* How far a search goes: a thousand times as much, or as little. */
 static const double FARTHEST = 1000;

@@ -5,9 +5,734 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
-#include "theory/assumed.h"
-#include "theory/solved.h"
+#include "core/error.h"
+
+hawser_status solved_make(const SceneDef *own, const Company *company, int forward_only, Solved *out, hawser_error *err)
+{
+    *out = (Solved){.def = *own};
+    hawser_status status = setup_make(&out->def, &out->setup, err);
+    out->setup.company = *company;
+    if (!status) status = expected_fill(&out->setup, 0, NULL, &out->expected, err);
+    return status ? status : calculator_build(&out->setup, &out->expected, forward_only, &out->c, err);
+}
+
+void solved_free(Solved *s)
+{
+    calculator_free(&s->c);
+    expected_free(&s->expected);
+    setup_free(&s->setup);
+    scene_def_clear(&s->def);
+}
+
+/* Friction at rest over that in motion, at most, and the drag of a reel whose brake is let go, N: usual on sites, no
+ * standard says. */
+static const double REST_MOST = 1.5, BACK_MOST = 1000;
+
+/* m of cable whose weight a reel holds back, by eq. 3 (T24). */
+static const double REEL_LENGTH = 15;
+
+/* How far an unknown friction is followed, as factors. */
+static const double UNKNOWN_LEAST = 1.0 / 16, UNKNOWN_MOST = 16;
+
+static const char RADIUS_NAME[] = "radius at changes of slope";
+
+/* In which steps a wider radius is looked for, and how many of them: up to three hundred times. */
+static const double RADIUS_STEP = 1.25;
+
+enum { RADIUS_STEPS = 26 };
+
+static const double SEAM = 1e-6; /* m between two lengths of duct, which is none */
+
+/* Halvings between an end that holds and one that does not: to a four thousandth of what is between them. */
+enum { HALVINGS = 12 };
+
+/* ------------------------------------------------------------------------------------------ what is left open */
+
+/* A friction of the definition, where it is from, and by which key it is given. */
+typedef struct Law {
+    double *moving, *rest;
+    FrictionKnown known;
+    char key[ASSUMED_KEY_MAX];
+} Law;
+
+/* By the order in which lists of surfaces are read. */
+static int surface_list(const SurfaceDef *s)
+{
+    return s->shape.kind == SURFACE_DUCT ? 0 : surface_along_route(s) ? 1 : 2;
+}
+
+static Law law_of(FrictionLaw *law, const FrictionKnown *known)
+{
+    Law out = {&law->mu_d, &law->mu_s, *known, "friction"};
+    if (*known->key) memcpy(out.key, known->key, sizeof known->key);
+    return out;
+}
+
+void surface_key(const SceneDef *def, int i, const char *of, char key[ASSUMED_KEY_MAX])
+{
+    static const char *const lists[] = {"ducts", "trays", "planes"};
+    const int list = surface_list(&def->surfaces[i]);
+    int place = 0;
+    for (int k = 0; k < i; ++k) place += surface_list(&def->surfaces[k]) == list;
+    snprintf(key, ASSUMED_KEY_MAX, "surfaces.%s.%d.%s", lists[list], place, of);
+}
+
+static Law law_of_stretch(TheoryDef *theory, int i)
+{
+    TheoryFrictionDef *const f = &theory->friction[i];
+    Law law = {&f->mu, &f->mu_s, {.source = FRICTION_GIVEN, .rest_assumed = f->rest_assumed}, ""};
+    snprintf(law.key, sizeof law.key, "theory.stretches.%d", i);
+    return law;
+}
+
+/* Finds the i-th friction: the case's, surfaces', those for theory alone, rollers'; 0: there are no more. */
+static int law_at(SceneDef *def, int i, Law *out)
+{
+    if (i-- == 0) return *out = law_of(&def->friction, &def->friction_known), 1;
+    if (i < def->n_surfaces) return *out = law_of(&def->surfaces[i].friction, &def->surfaces[i].friction_known), 1;
+    i -= def->n_surfaces;
+    if (i < def->theory.n_friction) return *out = law_of_stretch(&def->theory, i), 1;
+    i -= def->theory.n_friction;
+    if (i >= def->n_rollers) return 0;
+    *out = law_of(&def->rollers[i].friction, &def->rollers[i].friction_known);
+    return 1;
+}
+
+/* Whether theory reckons with the i-th friction: the case's where no duct and no tray is, a surface's where that is,
+ * both where no other is given for theory alone. */
+static int is_used(const Setup *setup, int i)
+{
+    const SceneDef *const def = setup->def;
+    const Supports *const map = &setup->supports;
+    double covered = 0;
+    if (i > def->n_surfaces) return i <= def->n_surfaces + def->theory.n_friction;
+    if (friction_is_given(setup, NAN)) return 0;
+    if (i > 0) return surface_along_route(&def->surfaces[i - 1]);
+    for (int k = 0; k < map->n_along && map->along[k]->shape.from <= covered + SEAM; ++k)
+        covered = fmax(covered, map->along[k]->shape.to);
+    return covered < setup->route->length - SEAM;
+}
+
+static int is_of(AssumedKind kind, const FrictionKnown *known)
+{
+    if (kind == ASSUMED_REST) return known->rest_assumed;
+    return known->source == (kind == ASSUMED_FRICTION ? FRICTION_TYPICAL : FRICTION_UNKNOWN);
+}
+
+enum { KEYS_MAX = 16 };
+
+/* Finds the largest friction that is assumed in that way. Returns how many sections give one; 0: none is. */
+static int largest(const Setup *setup, AssumedKind kind, Law *out)
+{
+    SceneDef *const own = (SceneDef *)(size_t)setup->def; /* read alone */
+    char key[KEYS_MAX][ASSUMED_KEY_MAX];
+    Law law;
+    int n = 0;
+    for (int i = 0; law_at(own, i, &law); ++i) {
+        if (!is_of(kind, &law.known) || !is_used(setup, i)) continue;
+        if (n == 0 || *law.moving > *out->moving) *out = law;
+        int fresh = n < KEYS_MAX;
+        for (int k = 0; k < n && fresh; ++k) fresh = strcmp(key[k], law.key) != 0;
+        if (fresh) memcpy(key[n++], law.key, sizeof law.key);
+    }
+    return n;
+}
+
+int frictions_used(const Setup *setup, int most, FrictionUsed out[])
+{
+    SceneDef *const own = (SceneDef *)(size_t)setup->def; /* read alone */
+    Law law;
+    int n = 0;
+    for (int i = 0; n < most && law_at(own, i, &law); ++i) {
+        int known = !is_used(setup, i);
+        for (int k = 0; k < n; ++k) known |= !strcmp(out[k].key, law.key);
+        if (known) continue;
+        out[n] = (FrictionUsed){*law.moving, *law.rest, law.known.rest_assumed, ""};
+        memcpy(out[n++].key, law.key, sizeof law.key);
+    }
+    return n;
+}
+
+/* Whether a piece of the route rounds a change of slope between pieces of the case, with the radius that all of these
+ * have between them. */
+static int route_rounds_slope(const Route *route, int piece)
+{
+    int listed = 0;
+    for (int k = 0; k < route->n; ++k) listed |= route->piece[k].listed > 0;
+    return listed && !route->piece[piece].listed && route->piece[piece].kind != ROUTE_STRAIGHT;
+}
+
+/* The smallest radius of changes of slope that the case does not give, m; INFINITY: there are none. */
+static double open_radius(const Setup *setup)
+{
+    const Route *const route = setup->route;
+    double least = INFINITY;
+    for (int p = 0; setup->def->slopes_open && p < route->n; ++p)
+        if (route_rounds_slope(route, p)) least = fmin(least, route->piece[p].radius);
+    return least;
+}
+
+/* Whether nothing in the case gives the tension where the pull begins. */
+static int start_is_open(const SceneDef *def)
+{
+    return !def->tail.given && def->reel.model == REEL_NONE && !(def->theory.reel > 0) && !(def->theory.feed > 0) &&
+           def->strand.rope == 0;
+}
+
+/* The first pit that leaves open what holds back there; -1: none does. */
+static int open_pit(const TheoryDef *theory)
+{
+    for (int i = 0; i < theory->n_pits; ++i)
+        if (theory->pits[i].open) return i;
+    return -1;
+}
+
+/* What is said of the back tension is of each cable where the pull begins (BU10), of all together at a pit. */
+static double back_parts(const SceneDef *def) { return start_is_open(def) ? bundle_tails(&def->bundle) : 1; }
+
+/* N: a reel that is braked by hand, or the paper's, whichever is more. */
+static double back_most(const SceneDef *def)
+{
+    double mass = 0;
+    for (int k = 0; k < scene_def_eye(def); ++k) mass = fmax(mass, def->cables[def->pieces[k].cable].mass);
+    return fmax(BACK_MOST, REEL_LENGTH * mass * v3_norm(def->gravity) / back_parts(def));
+}
+
+/* A friction's line; what follows its key in the case. */
+static Assumed friction_line(const Law *law, int sections, AssumedKind kind, const char *name, const char *key)
+{
+    Assumed a = {.kind = kind, .name = name, .unit = "1", .value = *law->moving, .low = NAN, .high = NAN};
+    a.more = sections - 1;
+    snprintf(a.key, sizeof a.key, "%.40s.%s", law->key, key);
+    return a;
+}
+
+int assumed_list(const Setup *setup, Assumed out[ASSUMED_KINDS])
+{
+    const SceneDef *const def = setup->def;
+    const int pit = open_pit(&def->theory);
+    const double radius = open_radius(setup);
+    Law law;
+    int n = 0, sections;
+    if (isfinite(radius)) {
+        out[n] = (Assumed){.kind = ASSUMED_RADIUS,
+                           .name = RADIUS_NAME,
+                           .unit = "m",
+                           .value = radius,
+                           .low = NAN,
+                           .high = NAN,
+                           .key = "route.transition_radius"};
+        snprintf(out[n++].source, sizeof out->source, "20 diameters, or limits.bend_radius");
+    }
+    if ((sections = largest(setup, ASSUMED_FRICTION, &law))) {
+        out[n] = friction_line(&law, sections, ASSUMED_FRICTION, "friction", "mu");
+        out[n].low = law.known.low;
+        out[n].high = law.known.high;
+        snprintf(out[n++].source, sizeof out->source, "%s", law.known.of);
+    }
+    if ((sections = largest(setup, ASSUMED_UNKNOWN, &law))) {
+        out[n] = friction_line(&law, sections, ASSUMED_UNKNOWN, "friction", "mu");
+        snprintf(out[n++].source, sizeof out->source, "not given");
+    }
+    if ((sections = largest(setup, ASSUMED_REST, &law)) && *law.moving > 0) {
+        out[n] = friction_line(&law, sections, ASSUMED_REST, "friction at rest", "mu_s");
+        out[n].value = *law.rest;
+        out[n].low = *law.moving;
+        out[n].high = REST_MOST * *law.moving;
+        snprintf(out[n++].source, sizeof out->source, "1 to 1.5 times that in motion");
+    }
+    if (start_is_open(def) || pit >= 0) {
+        out[n] = (Assumed){.kind = ASSUMED_BACK, .name = "back tension", .unit = "N", .high = back_most(def)};
+        snprintf(out[n].key, sizeof out->key, start_is_open(def) ? "drive.tail.tension" : "theory.pits.%d.back", pit);
+        snprintf(out[n++].source, sizeof out->source, "a reel that turns freely to one that holds back 15 m of cable");
+    }
+    return n;
+}
+
+/* ------------------------------------------------------------------------------------------------ other values */
+
+/* Friction in motion that becomes x of the largest one's; those with ranges go by the same part of theirs. Friction at
+ * rest that is given stays, but is never below. */
+static void friction_set(SceneDef *def, const Assumed *a, double x)
+{
+    Law law;
+    const double end = x < a->value ? a->low : a->high, part = end != a->value ? (x - a->value) / (end - a->value) : 0;
+    for (int i = 0; law_at(def, i, &law); ++i) {
+        if (!is_of(a->kind, &law.known)) continue;
+        const double was = *law.moving;
+        double mu = a->kind == ASSUMED_REST ? was : was * x / a->value;
+        if (a->kind == ASSUMED_FRICTION) mu = was + part * ((x < a->value ? law.known.low : law.known.high) - was);
+        if (law.known.rest_assumed)
+            *law.rest = a->kind == ASSUMED_REST ? mu * x / a->low : mu;
+        else
+            *law.rest = fmax(*law.rest, mu);
+        *law.moving = mu;
+    }
+}
+
+/* Where the pull begins and where it is begun anew, of all cables together. */
+static void back_set(SceneDef *def, double x)
+{
+    const double all = x * back_parts(def);
+    if (start_is_open(def)) def->tail.tension = (Profile){.kind = PROFILE_CONSTANT, .v1 = all};
+    for (int i = 0; i < def->theory.n_pits; ++i)
+        if (def->theory.pits[i].open) def->theory.pits[i].force = all;
+}
+
+/* A case that is varied, and the limits that are judged by it. */
+typedef struct Trial {
+    const Setup *setup;
+    const Calculator *base;
+    const Variation *by;        /* of the case; NULL: it is as it is */
+    int first, ways, bounds, n; /* from the first way to `ways`; bounds: they are sought */
+    hawser_limit *const *limit;
+    hawser_error *err;
+} Trial;
+
+/* Theory of a case, and of it as it is changed; both are to be freed by both_free in any case. */
+typedef struct Both {
+    Solved whole;
+    Calculator varied, *c; /* c: the one that was asked for */
+} Both;
+
+static hawser_status solve(const Trial *t, const SceneDef *own, Both *s)
+{
+    *s = (Both){.c = &s->whole.c};
+    const hawser_status status = solved_make(own, &t->setup->company, t->ways == 1, &s->whole, t->err);
+    if (status || !t->by) return status;
+    s->c = &s->varied;
+    return calculator_vary(&s->whole.setup, &s->whole.c, t->by, &s->varied, t->err);
+}
+
+static void both_free(Both *s)
+{
+    calculator_free(&s->varied);
+    solved_free(&s->whole);
+}
+
+/* The value of a limit when theory's goes from `was` to `is`, and whether it still holds. A run's value changes with
+ * friction by the factor by which theory's does, and with the back tension by as much as theory's. */
+static int limit_holds(const hawser_limit *l, const hawser_limit *was, const hawser_limit *is, int scales,
+                       double *value)
+{
+    const int own = l->value == was->value;
+    *value = own                        ? is->value
+             : scales && was->value > 0 ? l->value * is->value / was->value
+                                        : l->value + is->value - was->value;
+    return own ? !is->judged || is->ok : !(*value > l->limit && is->value != was->value);
+}
+
+static const hawser_limit *limit_of(const Calculator *c, int way, hawser_limit_kind kind)
+{
+    for (int i = 0; i < c->n_limits; ++i)
+        if (c->limit[way][i].kind == kind) return &c->limit[way][i];
+    return NULL;
+}
+
+/* The limit that the bending stiffness, which theory leaves out, might break; NULL: none. */
+static const hawser_limit *doubted(const Setup *setup, const Calculator *c, int way)
+{
+    const hawser_limit *least;
+    limits_left(c, way, &least);
+    return stiffened_judge(setup, c, way).holds ? NULL : least;
+}
+
+/* The limits of a way with another value: with that, and not already as it was taken, the stiffness makes one that
+ * theory alone judges doubtful. */
+typedef struct Effect {
+    int holds[HAWSER_LIMITS_MAX];
+    double value[HAWSER_LIMITS_MAX];
+} Effect;
+
+/* Gives what is assumed that way another value. */
+static void assumed_set(SceneDef *def, const Assumed *a, double x)
+{
+    if (a->kind == ASSUMED_BACK)
+        back_set(def, x);
+    else
+        friction_set(def, a, x);
+}
+
+/* Computes all limits with the values x[count] of what is assumed; NAN: as it was taken. */
+static hawser_status effect_of(const Trial *t, int count, const Assumed *a, const double *x, Effect effect[PLAN_WAYS])
+{
+    SceneDef def;
+    Both other;
+    hawser_status status = scene_def_copy(t->setup->def, &def, t->err);
+    if (status) return status;
+    int scales = 0; /* friction is among them */
+    for (int k = 0; k < count; ++k) {
+        if (isnan(x[k])) continue;
+        assumed_set(&def, &a[k], x[k]);
+        scales |= a[k].kind != ASSUMED_BACK;
+    }
+    status = solve(t, &def, &other);
+    for (int way = t->first; way < t->ways && !status; ++way) {
+        const hawser_limit *const stiff =
+            doubted(t->setup, t->base, way) ? NULL : doubted(&other.whole.setup, other.c, way);
+        for (int i = 0; i < t->n; ++i) {
+            const hawser_limit *const l = &t->limit[way][i], *const was = limit_of(t->base, way, l->kind),
+                                      *const is = limit_of(other.c, way, l->kind);
+            effect[way].value[i] = l->value;
+            effect[way].holds[i] = !was || !is || limit_holds(l, was, is, scales, &effect[way].value[i]);
+            if (is && is == stiff && l->value == was->value) effect[way].holds[i] = 0;
+        }
+    }
+    both_free(&other);
+    return status;
+}
+
+/* ---------------------------------------------------------------------------------------------------- to judge */
+
+/* Marks the limits that hold and break at an end. Returns how many there are. */
+static int broken_at(const Trial *t, int way, const Effect *end, int broken[HAWSER_LIMITS_MAX])
+{
+    int n = 0;
+    for (int i = 0; i < t->n; ++i) {
+        const hawser_limit *const l = &t->limit[way][i];
+        broken[i] = l->judged && l->ok && !end[way].holds[i];
+        n += broken[i];
+    }
+    return n;
+}
+
+/* Finds the last value at which all limits of `asked` hold, between one at which they do and one at which they do not.
+ */
+static hawser_status bound_find(const Trial *t, const Assumed *a, int way, const int asked[HAWSER_LIMITS_MAX],
+                                double holds, double fails, double *bound)
+{
+    for (int k = 0; k < HALVINGS; ++k) {
+        Effect effect[PLAN_WAYS];
+        const double middle = (holds + fails) / 2;
+        int all = 1;
+        const hawser_status status = effect_of(t, 1, a, &middle, effect);
+        if (status) return status;
+        for (int i = 0; i < t->n; ++i) all &= !asked[i] || effect[way].holds[i];
+        *(all ? &holds : &fails) = middle;
+    }
+    *bound = holds;
+    return HAWSER_OK;
+}
+
+/* Where a limit keeps the bound of an assumed value. */
+static double *bound_at(hawser_limit *l, AssumedKind kind, int least)
+{
+    if (kind == ASSUMED_REST) return &l->rest_most;
+    if (kind == ASSUMED_BACK) return &l->back_most;
+    return least ? &l->friction_least : &l->friction_most;
+}
+
+/* Judges the limits at one end of a range, and finds where those break that it breaks. */
+static hawser_status end_judge(const Trial *t, const Assumed *a, double end)
+{
+    Effect effect[PLAN_WAYS];
+    hawser_status status = effect_of(t, 1, a, &end, effect);
+    for (int way = t->first; way < t->ways && !status; ++way) {
+        int broken[HAWSER_LIMITS_MAX];
+        double bound = a->value; /* it holds there */
+        if (broken_at(t, way, effect, broken) && t->bounds)
+            status = bound_find(t, a, way, broken, a->value, end, &bound);
+        for (int i = 0; i < t->n && !status; ++i) {
+            hawser_limit *const l = &t->limit[way][i];
+            const double value = effect[way].value[i];
+            if (broken[i]) *bound_at(l, a->kind, end < a->value) = bound;
+            if (!l->judged || !l->ok || !(value > l->worst || (broken[i] && !l->assumed))) continue;
+            l->worst = value;
+            l->assumed = a->name;
+        }
+    }
+    return status;
+}
+
+/* Nothing is known of the friction: what it touches is not judged, unless it is broken with next to none. */
+static hawser_status unknown_judge(const Trial *t, const Assumed *a)
+{
+    Effect least[PLAN_WAYS], most[PLAN_WAYS];
+    const double little = UNKNOWN_LEAST * a->value, much = UNKNOWN_MOST * a->value;
+    hawser_status status = effect_of(t, 1, a, &little, least);
+    if (!status) status = effect_of(t, 1, a, &much, most);
+    for (int way = t->first; way < t->ways && !status; ++way) {
+        int asked[HAWSER_LIMITS_MAX], any = 0, fails = 0, least_holds = 1, now_holds = 1;
+        double to = INFINITY;
+        for (int i = 0; i < t->n; ++i) {
+            const hawser_limit *const l = &t->limit[way][i];
+            asked[i] = l->judged && (least[way].value[i] != l->value || most[way].value[i] != l->value) &&
+                       (l->ok || (least[way].holds[i] && least[way].value[i] <= l->limit));
+            if (!asked[i]) continue;
+            any = 1;
+            fails |= !most[way].holds[i];
+            least_holds &= least[way].holds[i];
+            now_holds &= l->ok;
+        }
+        if (!any) continue;
+        if (fails && t->bounds && (least_holds || now_holds))
+            status = bound_find(t, a, way, asked, least_holds ? little : a->value, much, &to);
+        for (int i = 0; i < t->n && !status; ++i) {
+            hawser_limit *const l = &t->limit[way][i];
+            if (!asked[i]) continue;
+            l->judged = l->ok = 0;
+            l->margin = NAN;
+            l->assumed = a->name;
+            l->friction_most = to;
+            if (isfinite(to))
+                snprintf(l->source, sizeof l->source, "friction is not given (friction.mu): up to %.3g would do",
+                         floor(1e3 * to) / 1e3);
+            else
+                snprintf(l->source, sizeof l->source, "friction is not given (friction.mu)");
+        }
+    }
+    return status;
+}
+
+/* Changes of slope that become wider, one way. */
+typedef struct Rounding {
+    Trial *t;
+    int way, count;     /* count: of what else is assumed */
+    const Assumed *all; /* [count] */
+    double *radii;      /* [pieces] factors, which t->by has */
+    Effect with;        /* what was found last with the rest as it was taken */
+} Rounding;
+
+/* Whether a wider radius has mended a limit: one that theory knows, and that it moves. */
+static int radius_mends(const hawser_limit *l, const Effect *effect, int i)
+{
+    const double value = effect->value[i];
+    const int at_least = l->kind == HAWSER_LIMIT_BEND_RADIUS;
+    return effect->holds[i] && value != l->value && (at_least ? value >= l->limit : value <= l->limit);
+}
+
+/* Whether all limits hold with the rest as it was taken, and those that are broken at the ends of that too; *fits: the
+ * route has room for them. */
+static hawser_status slopes_hold(Rounding *r, double factor, int *fits, int *holds)
+{
+    const Trial *const t = r->t;
+    const Route *const route = t->setup->route;
+    Effect effect[PLAN_WAYS];
+    for (int p = 0; p < route->n; ++p) r->radii[p] = route_rounds_slope(route, p) ? factor : 1;
+    *fits = *holds = 1;
+    for (int k = -1; k < r->count && *holds; ++k) {
+        const Assumed *const a = k < 0 ? NULL : &r->all[k];
+        if (a && !(a->high > a->value)) continue;
+        const hawser_status status = effect_of(t, a != NULL, a, a ? &a->high : NULL, effect);
+        if (status == HAWSER_ERR_INPUT) *fits = *holds = 0;
+        if (status) return status == HAWSER_ERR_INPUT ? HAWSER_OK : status;
+        if (!a) r->with = effect[r->way];
+        for (int i = 0; i < t->n && *holds; ++i) {
+            const hawser_limit *const l = &t->limit[r->way][i];
+            *holds = !l->judged || (l->ok ? a || effect[r->way].holds[i] : radius_mends(l, &effect[r->way], i));
+        }
+    }
+    return HAWSER_OK;
+}
+
+static void radius_asked(hawser_limit *l, const Assumed *a, double radius, double value)
+{
+    const int at_least = l->kind == HAWSER_LIMIT_BEND_RADIUS, broken = !l->ok;
+    if (!broken && !(at_least && value > l->value)) return;
+    if (broken) {
+        l->assumed = a->name;
+        l->slope_radius_least = radius;
+        l->worst = l->value;
+    }
+    l->ok = 1;
+    l->value = value;
+    l->margin = fmax(0, at_least ? 1 - l->limit / value : 1 - value / l->limit);
+}
+
+/* Finds the least radius with which no limit of the way is broken, if wider changes of slope mend all that are; *found:
+ * the radii are that wide then. */
+static hawser_status slopes_judge(Rounding *r, const Assumed *a, int *found)
+{
+    const Trial *const t = r->t;
+    double broken = 1, factor = 1;
+    int fits = 1, holds = 0, any = 0;
+    *found = 0;
+    for (int i = 0; i < t->n; ++i) any |= t->limit[r->way][i].judged && !t->limit[r->way][i].ok;
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; any && k < RADIUS_STEPS && fits && !holds && !status; ++k) {
+        broken = factor;
+        factor *= RADIUS_STEP;
+        status = slopes_hold(r, factor, &fits, &holds);
+    }
+    if (status || !holds) return status;
+    for (int k = 0; k < HALVINGS && !status; ++k) {
+        const double middle = (broken + factor) / 2;
+        status = slopes_hold(r, middle, &fits, &holds);
+        *(holds ? &factor : &broken) = middle;
+    }
+    if (!status) status = slopes_hold(r, factor, &fits, found);
+    for (int i = 0; i < t->n && *found; ++i)
+        if (t->limit[r->way][i].judged) radius_asked(&t->limit[r->way][i], a, factor * a->value, r->with.value[i]);
+    return status;
+}
+
+/* Whether every way a limit is broken as the case is: then no end of a range changes a word. */
+static int is_broken(const Trial *t)
+{
+    for (int way = t->first; way < t->ways; ++way) {
+        int broken = 0;
+        for (int i = 0; i < t->n; ++i) broken |= t->limit[way][i].judged && !t->limit[way][i].ok;
+        if (!broken) return 0;
+    }
+    return 1;
+}
+
+/* Bounds of several are each found with the others as they were taken. So that all may be at theirs at once, they go
+ * the same share of the way from the values taken, as far as all limits hold. */
+static hawser_status bounds_join(const Trial *t, int count, const Assumed all[], int way)
+{
+    double bound[ASSUMED_KINDS], share = 1, holds = 0, fails = 1, x[ASSUMED_KINDS] = {0};
+    int bounded = 0;
+    for (int k = 0; k < count; ++k) {
+        bound[k] = NAN;
+        for (int i = 0; i < t->n; ++i) {
+            hawser_limit *const l = &t->limit[way][i];
+            if (l->judged && l->ok) bound[k] = fmin(bound[k], *bound_at(l, all[k].kind, 0));
+        }
+        bounded += !isnan(bound[k]);
+    }
+    for (int step = 0; step <= HALVINGS && bounded > 1; ++step) {
+        Effect effect[PLAN_WAYS];
+        int broken[HAWSER_LIMITS_MAX];
+        for (int k = 0; k < count; ++k) x[k] = all[k].value + share * (bound[k] - all[k].value);
+        const hawser_status status = effect_of(t, count, all, x, effect);
+        if (status) return status;
+        if (!broken_at(t, way, effect, broken))
+            holds = share;
+        else
+            fails = share;
+        if (holds == 1) return HAWSER_OK;
+        share = (holds + fails) / 2;
+    }
+    for (int k = 0; k < count && bounded > 1; ++k) {
+        for (int i = 0; i < t->n; ++i) {
+            double *const own = bound_at(&t->limit[way][i], all[k].kind, 0);
+            if (!isnan(*own)) *own = fmin(*own, all[k].value + holds * (bound[k] - all[k].value));
+        }
+    }
+    return HAWSER_OK;
+}
+
+/* Judges by a theory that is solved. */
+static hawser_status judge(const Trial *t, int count, const Assumed all[])
+{
+    hawser_status status = HAWSER_OK;
+    for (int k = 0; k < count && !status; ++k) {
+        const Assumed *const a = &all[k];
+        if (a->kind == ASSUMED_UNKNOWN) status = unknown_judge(t, a);
+        if (!t->bounds && is_broken(t)) break;
+        if (!status && a->low < a->value) status = end_judge(t, a, a->low);
+        if (!status && a->high > a->value) status = end_judge(t, a, a->high);
+    }
+    for (int way = t->first; way < t->ways && t->bounds && !status; ++way) status = bounds_join(t, count, all, way);
+    return status;
+}
+
+/* The same by theory that it solves itself, of a case that `by` changes. */
+static hawser_status own_judge(const Trial *t, const Variation *by, int count, const Assumed all[])
+{
+    Trial own = *t;
+    Both both;
+    SceneDef def;
+    hawser_status status = scene_def_copy(t->setup->def, &def, t->err);
+    if (status) return status;
+    own.by = by;
+    status = solve(&own, &def, &both);
+    own.base = both.c;
+    if (!status) status = judge(&own, count, all);
+    both_free(&both);
+    return status;
+}
+
+/* The radius of changes of slope comes first: where it is found all else is judged with it, way by way. */
+static hawser_status rounded_judge(const Trial *t, int count, const Assumed all[])
+{
+    hawser_status status = HAWSER_OK;
+    double *const radii = malloc(((size_t)t->setup->route->n + 1) * sizeof *radii);
+    if (!radii) return error_memory(t->err);
+    for (int way = t->first; way < t->ways && !status; ++way) {
+        const Variation by = {.way = way, .friction = 1, .radius = 1, .bend = -1, .radii = radii};
+        Trial one = *t;
+        int found;
+        one.first = way;
+        one.ways = way + 1;
+        one.by = &by;
+        Rounding rounding = {.t = &one, .way = way, .count = count - 1, .all = all + 1, .radii = radii};
+        status = slopes_judge(&rounding, all, &found);
+        rounding.count = 0; /* if that asks too much: with the rest as it was taken */
+        if (!status && !found && count > 1) status = slopes_judge(&rounding, all, &found);
+        one.by = NULL;
+        if (!status) status = found ? own_judge(&one, &by, count - 1, all + 1) : judge(&one, count - 1, all + 1);
+    }
+    free(radii);
+    return status;
+}
+
+static hawser_status all_judge(const Trial *t, int count, const Assumed all[])
+{
+    return all->kind == ASSUMED_RADIUS ? rounded_judge(t, count, all) : judge(t, count, all);
+}
+
+hawser_status assumed_judge(const Setup *setup, const Calculator *base, int ways, int bounds, int n,
+                            hawser_limit *const limit[], hawser_error *err)
+{
+    Trial t = {setup, base, NULL, 0, ways, bounds, n, limit, err};
+    Assumed all[ASSUMED_KINDS];
+    const int count = n > 0 ? assumed_list(setup, all) : 0;
+    if (count == 0) return HAWSER_OK;
+    if (base) return all_judge(&t, count, all);
+    Both own;
+    SceneDef def;
+    hawser_status status = scene_def_copy(setup->def, &def, err);
+    if (status) return status;
+    status = solve(&t, &def, &own);
+    t.base = own.c;
+    if (!status) status = all_judge(&t, count, all);
+    both_free(&own);
+    return status;
+}
+
+/* The same of the limits limit[n] of one way of a case that is changed (`by`); friction that changes is known then. */
+static hawser_status assumed_judge_varied(const Setup *setup, const Variation *by, int bounds, int n,
+                                          hawser_limit *limit, hawser_error *err)
+{
+    hawser_limit *const both[PLAN_WAYS] = {limit, limit};
+    const Trial t = {setup, NULL, NULL, by->way, by->way + 1, bounds, n, both, err};
+    Assumed all[ASSUMED_KINDS];
+    const int count = assumed_list(setup, all);
+    int kept = 0;
+    for (int k = 0; k < count; ++k) {
+        const int is_friction = all[k].kind == ASSUMED_FRICTION || all[k].kind == ASSUMED_UNKNOWN;
+        if (all[k].kind != ASSUMED_RADIUS && !(is_friction && by->friction != 1)) all[kept++] = all[k];
+    }
+    const hawser_status status = kept > 0 && n > 0 ? own_judge(&t, by, kept, all) : HAWSER_OK;
+    for (int i = 0; i < n; ++i) limit[i].rest_most *= by->friction; /* of the friction as it is then */
+    return status;
+}
+
+hawser_status assumed_together(const Setup *setup, const Calculator *base, int way, hawser_limit out[HAWSER_LIMITS_MAX],
+                               hawser_error *err)
+{
+    hawser_limit other[HAWSER_LIMITS_MAX], *limit[PLAN_WAYS] = {other, other};
+    const Trial t = {setup, base, NULL, 0, PLAN_WAYS, 0, base->n_limits, limit, err};
+    Assumed all[ASSUMED_KINDS];
+    Effect effect[PLAN_WAYS];
+    const int count = assumed_list(setup, all);
+    for (int i = 0; i < t.n; ++i) out[i] = base->limit[way][i];
+    limit[way] = out;
+    memcpy(other, base->limit[!way], sizeof other);
+    double high[ASSUMED_KINDS] = {0};
+    for (int k = 0; k < count; ++k) high[k] = all[k].high;
+    const hawser_status status = effect_of(&t, count, all, high, effect);
+    for (int i = 0; i < t.n && !status; ++i) {
+        const double taken = out[i].worst, with = out[i].value;
+        const int asks = !isnan(out[i].slope_radius_least); /* `taken` is with the radius that was taken, too */
+        out[i].ok = effect[way].holds[i];
+        out[i].value = effect[way].value[i];
+        if (asks) out[i].ok = (out[i].value *= with / taken) <= out[i].limit;
+    }
+    return status;
+}
 
 /* ------------------------------------------------------------------------------------------ ends of what is assumed */
 
@@ -50,7 +775,9 @@ void ends_free(Ends *ends)
 
 /* By which a bend is made wider than it must be; more of it where stiffness leaves too little. */
 static const double SPARES[] = {1.001, 1.05, 1.15, 1.4};
-static const double FARTHEST = 1000;           /* times as wide: no bend is made wider */
+
+static const double FARTHEST = 1000; /* times as wide: no bend is made wider */
+
 static const double STEP = 0.85, LEAST = 0.02; /* of friction, which is looked for down to that share */
 
 /* ---------------------------------------------------------------------------------------------------------- ducts */
@@ -137,7 +864,7 @@ static hawser_status ducts_change(const Setup *setup, Mend *out, SceneDef *def, 
 /* ---------------------------------------------------------------------------------------------------------- bends */
 
 /* A pull with other radii and friction. */
-typedef struct Trial {
+typedef struct MendTrial {
     const Ends *ends;
     const Route *route;
     int n; /* of the ends that are asked: the first alone, or all */
@@ -153,7 +880,7 @@ typedef struct Trial {
     hawser_limit limit[HAWSER_LIMITS_MAX];
     hawser_status status;
     hawser_error *err;
-} Trial;
+} MendTrial;
 
 static void add_name(char still[MEND_STILL_MAX], const char *name)
 {
@@ -163,7 +890,7 @@ static void add_name(char still[MEND_STILL_MAX], const char *name)
 
 /* Whether all limits and conditions hold at the values that were taken (ranges of what is assumed are not looked at);
  * otherwise what is not kept, by name. A run has the stiffness in its figures. */
-static int is_kept(const Trial *t, const Setup *setup, const Calculator *c, char still[MEND_STILL_MAX])
+static int is_kept(const MendTrial *t, const Setup *setup, const Calculator *c, char still[MEND_STILL_MAX])
 {
     const int way = t->way;
     *still = 0;
@@ -178,7 +905,7 @@ static int is_kept(const Trial *t, const Setup *setup, const Calculator *c, char
     return c->n_limits > 0 && !*still;
 }
 
-static int is_asked(const Trial *t, int end) { return end == 0 || t->friction == 1 || !t->ends->of_friction[end]; }
+static int is_asked(const MendTrial *t, int end) { return end == 0 || t->friction == 1 || !t->ends->of_friction[end]; }
 
 /* A run that is changed is another one: so much of its error bound, or of its figure, is taken off. */
 static const double RUN_SPARE = 1.5, RUN_LEAST = 0.05;
@@ -191,7 +918,7 @@ static double value_of(const Calculator *c, int way, hawser_limit_kind kind)
 }
 
 /* Finds by which factors a run's limits are theory's. */
-static void factors_find(Trial *t, const Calculator *base, int n_run, const hawser_limit *run, Mend *out)
+static void factors_find(MendTrial *t, const Calculator *base, int n_run, const hawser_limit *run, Mend *out)
 {
     for (int k = 0; k < LIMIT_KINDS; ++k) {
         t->factor[k] = t->of_run ? NAN : 1;
@@ -212,7 +939,7 @@ static void factors_find(Trial *t, const Calculator *base, int n_run, const haws
 }
 
 /* Theory's limits as a run's: what a run has more may go with the pull, or stay. */
-static void as_run(const Trial *t, Calculator *c)
+static void as_run(const MendTrial *t, Calculator *c)
 {
     for (int i = 0; i < c->n_limits; ++i) {
         hawser_limit *const l = &c->limit[t->way][i];
@@ -227,7 +954,7 @@ static void as_run(const Trial *t, Calculator *c)
 }
 
 /* Solves it; 0 if that cannot be done, or there is no memory. */
-static int solve(Trial *t, int end, Calculator *c)
+static int mend_solve(MendTrial *t, int end, Calculator *c)
 {
     const Variation by = {.way = t->way, .friction = t->friction, .radius = 1, .bend = -1, .radii = t->radii};
     hawser_error local;
@@ -242,7 +969,7 @@ static int solve(Trial *t, int end, Calculator *c)
 }
 
 /* What is allowed of theory's value. */
-static double allowed_of(const Trial *t, const Calculator *c, hawser_limit_kind kind)
+static double allowed_of(const MendTrial *t, const Calculator *c, hawser_limit_kind kind)
 {
     for (int i = 0; i < c->n_limits; ++i) {
         const hawser_limit *const l = &c->limit[t->way][i];
@@ -254,7 +981,7 @@ static double allowed_of(const Trial *t, const Calculator *c, hawser_limit_kind 
 }
 
 /* By how much the bend of pieces p to `to` must be wider: its T/R at speed and from rest, and its radius. */
-static double bend_needs(const Trial *t, const Calculator *c, int p, int to)
+static double bend_needs(const MendTrial *t, const Calculator *c, int p, int to)
 {
     const PlanWay *const w = &c->plan.way[t->way];
     const double most = allowed_of(t, c, HAWSER_LIMIT_SIDEWALL), least = allowed_of(t, c, HAWSER_LIMIT_BEND_RADIUS);
@@ -276,7 +1003,7 @@ double mend_radius_given(const SceneDef *def, const Route *route, int p)
 }
 
 /* The radius is rounded as it is given in the case. */
-static void bend_widen(const Trial *t, int p, int to, double needs)
+static void bend_widen(const MendTrial *t, int p, int to, double needs)
 {
     const Route *const route = t->route;
     const double given = mend_radius_given(&t->ends->at[0].def, route, p);
@@ -288,13 +1015,13 @@ static void bend_widen(const Trial *t, int p, int to, double needs)
     }
 }
 
-static void radii_reset(const Trial *t)
+static void radii_reset(const MendTrial *t)
 {
     for (int k = 0; k < t->route->n; ++k) t->radii[k] = 1;
 }
 
 /* Whether the pull itself is more than a limit allows: a wider bend is longer, and takes nothing off. */
-static int is_overpulled(const Trial *t, const Calculator *c)
+static int is_overpulled(const MendTrial *t, const Calculator *c)
 {
     for (int i = 0; i < c->n_limits; ++i) {
         const hawser_limit *const l = &c->limit[t->way][i];
@@ -305,12 +1032,12 @@ static int is_overpulled(const Trial *t, const Calculator *c)
 
 /* Widens what is too tight at one of the ends. Returns 0 if that cannot be computed, a bend would be too wide, or
  * safety is looked for and bends do not lead to it; *tight: something was. */
-static int widen(Trial *t, int end, int *tight)
+static int widen(MendTrial *t, int end, int *tight)
 {
     const Route *const route = t->route;
     Calculator c;
     int far = 0;
-    const int solved = solve(t, end, &c) && !(t->searching && is_overpulled(t, &c));
+    const int solved = mend_solve(t, end, &c) && !(t->searching && is_overpulled(t, &c));
     for (int p = 0, to; solved && p < route->n; p = to + 1) {
         to = route_turn_end(route, p);
         const double needs = route->piece[p].kind == ROUTE_STRAIGHT ? 1 : bend_needs(t, &c, p, to);
@@ -325,7 +1052,7 @@ static int widen(Trial *t, int end, int *tight)
 
 /* Widens from what is there, bend by bend, until none is too tight; 0: it does not end. A wider bend has more friction
  * of weight, so that the bends behind it may need more. */
-static int radii_find(Trial *t)
+static int radii_find(MendTrial *t)
 {
     for (int round = 0; round < 20 + 2 * t->route->n; ++round) {
         int tight = 0;
@@ -337,14 +1064,14 @@ static int radii_find(Trial *t)
 }
 
 /* Whether it is safe as it stands; of the last end that it is not at, what is not kept. */
-static int is_safe(Trial *t, char still[MEND_STILL_MAX])
+static int is_safe(MendTrial *t, char still[MEND_STILL_MAX])
 {
     int safe = 1;
     *still = 0;
     for (int end = t->n - 1; end >= 0 && safe; --end) {
         Calculator c;
         if (!is_asked(t, end)) continue;
-        safe = solve(t, end, &c);
+        safe = mend_solve(t, end, &c);
         if (!safe) snprintf(still, MEND_STILL_MAX, "%s", "pull");
         safe = safe && is_kept(t, &t->ends->at[end].setup, &c, still);
         t->n_limits = c.n_limits;
@@ -355,7 +1082,7 @@ static int is_safe(Trial *t, char still[MEND_STILL_MAX])
 }
 
 /* With that friction and the radii that it needs, wider where these alone leave no room for the stiffness. */
-static int safe_with(Trial *t, double friction, char still[MEND_STILL_MAX])
+static int safe_with(MendTrial *t, double friction, char still[MEND_STILL_MAX])
 {
     int safe = 0;
     *still = 0;
@@ -373,7 +1100,7 @@ static int safe_with(Trial *t, double friction, char still[MEND_STILL_MAX])
 }
 
 /* The largest friction that does, at most `from` times as much, rounded down, with the radii that it needs; 0: none. */
-static int friction_find(Trial *t, double now, double from)
+static int friction_find(MendTrial *t, double now, double from)
 {
     char still[MEND_STILL_MAX];
     double high = fmin(1, from / STEP), low = from;
@@ -389,7 +1116,7 @@ static int friction_find(Trial *t, double now, double from)
     return 0;
 }
 
-static void mend_say(const Trial *t, Mend *out)
+static void mend_say(const MendTrial *t, Mend *out)
 {
     const Route *const route = t->route;
     for (int p = 0; p < route->n && out->n < MEND_BENDS_MAX; ++p) {
@@ -402,7 +1129,7 @@ static void mend_say(const Trial *t, Mend *out)
 
 /* Radii alone; where these are not enough with less friction, at most `from` times as much. Returns whether it is safe
  * then. */
-static int all_find(Trial *t, Mend *out, double from)
+static int all_find(MendTrial *t, Mend *out, double from)
 {
     if (from >= STEP && safe_with(t, 1, out->still)) return 1;
     if (!(out->now > 0) || !friction_find(t, out->now, from)) return 0;
@@ -412,7 +1139,7 @@ static int all_find(Trial *t, Mend *out, double from)
 
 /* What mends the case as it was taken, and then, from there on, with what is assumed at its ends; where nothing mends
  * those, the first. */
-static int ends_find(Trial *t, Mend *out, int ends)
+static int ends_find(MendTrial *t, Mend *out, int ends)
 {
     const size_t size = (size_t)t->route->n * sizeof *t->radii;
     t->n = 1;
@@ -436,7 +1163,7 @@ static int ends_find(Trial *t, Mend *out, int ends)
     return 1;
 }
 
-static hawser_status find(Trial *t, Mend *out)
+static hawser_status find(MendTrial *t, Mend *out)
 {
     const int ends = t->n;
     out->safe = ends_find(t, out, ends);
@@ -466,7 +1193,8 @@ static hawser_status find(Trial *t, Mend *out)
 hawser_status mend_find(const Setup *setup, const Calculator *base, const Ends *ends, int way, int n_run,
                         const hawser_limit *run, Mend *out, hawser_error *err)
 {
-    Trial t = {.route = base->route, .way = way, .of_run = run != NULL, .friction = 1, .spare = SPARES[0], .err = err};
+    MendTrial t = {
+        .route = base->route, .way = way, .of_run = run != NULL, .friction = 1, .spare = SPARES[0], .err = err};
     SceneDef def;
     Ends *own = NULL;
     *out = (Mend){.way = way, .now = base->mu_largest, .friction = NAN};

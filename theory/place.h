@@ -19,7 +19,6 @@ typedef struct RouteGrid {
  * Errors: MEMORY. */
 hawser_status route_grid_build(const Route *route, double beyond, RouteGrid *out, hawser_error *err);
 void route_grid_clear(RouteGrid *grid);
-
 /* The place of the route that is nearest to a point. */
 typedef struct Nearest {
     double s;        /* m along the route */
@@ -31,7 +30,6 @@ typedef struct Nearest {
 
 /* (PC1), (PC2). space: heights count; otherwise distances are those in plan. */
 Nearest route_nearest(const RouteGrid *grid, Vec3 point, int space);
-
 /* -------------------------------------------------------------------------------------------------------- rules */
 
 /* On which side of the line a roller stands. */
@@ -62,7 +60,6 @@ typedef struct PlacedRoller {
  * INPUT (more than `most`), MEMORY. */
 hawser_status place_by_rule(const PlaceLine *line, const PlaceRule *rule, int most, PlacedRoller **out, int *n,
                             hawser_error *err);
-
 /* -------------------------------------------------------------------------------------------------------- loads */
 
 /* Forces that the supports exert on a metre of cable, N/m, by the route's frame (PC3). */
@@ -70,8 +67,8 @@ typedef struct LineLoad {
     double up, left; /* what pushes it up, and to the left */
     double size;
 } LineLoad;
-LineLoad line_load(const PlaceLine *line, double s);
 
+LineLoad line_load(const PlaceLine *line, double s);
 /* A roller that bears. */
 typedef struct Support {
     double s; /* m along the route */

@@ -1,10 +1,438 @@
 #include "theory/pulling.h"
 
 #include <assert.h>
+#include <stddef.h>
 #include <stdlib.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
 #include "theory/search.h"
+
+/* Local error that a step may make, of |T| + w |s1 - s0|. */
+static const double STEP_TOLERANCE = 1e-12;
+
+/* Share of weight (and of T/R) below which a normal force, or its part out of the bend's plane, counts as
+ * zero. */
+static const double ZERO_FORCE = 1e-11;
+
+/* 1/m: a curve that bends less counts as straight there. */
+static const double STRAIGHT_MAX = 1e-12;
+
+/* The centre's direction where a curve bends, else a straight's frame (RO16). */
+static SpanFrame curve_frame(const RoutePoint *at)
+{
+    const double k = v3_norm(at->curvature), level = hypot(at->tangent.x, at->tangent.y);
+    if (!(k > STRAIGHT_MAX)) return (SpanFrame){.tz = at->tangent.z, .nz = level};
+    const Vec3 n = v3_scale(1 / k, at->curvature);
+    return (SpanFrame){.curvature = k, .tz = at->tangent.z, .nz = n.z, .bz = v3_cross(at->tangent, n).z};
+}
+
+/* A curve in plan, of one curvature, that keeps its grade (T7a). */
+static int is_helix(const RoutePiece *p)
+{
+    const RouteCurve *const c = &p->curve;
+    return p->kind == ROUTE_CURVE && c->profile == PROFILE_GRADE && c->sharp == 0 && c->axis[2].z == 1;
+}
+
+SpanLine span_line(const Route *route, double s)
+{
+    const RoutePoint at = route_at(route, s);
+    SpanLine line = {.s_ref = s, .tz = at.tangent.z, .nz = hypot(at.tangent.x, at.tangent.y)};
+    const RoutePiece *const p = &route->piece[at.piece];
+    if (s >= 0 && s <= route->length && p->kind >= ROUTE_CURVE) {
+        if (is_helix(p)) {
+            const SpanFrame same = curve_frame(&at);
+            return (SpanLine){.s_ref = s, .curvature = same.curvature, .tz = same.tz, .nz = same.nz, .bz = same.bz};
+        }
+        line.route = route;
+        line.piece = at.piece;
+    } else if (v3_norm(at.curvature) > 0) {
+        line.s_ref = p->s0;
+        line.curvature = line.turning = 1 / p->radius;
+        line.tz = p->tangent.z;
+        line.nz = p->centre.z;
+        line.bz = v3_cross(p->tangent, p->centre).z;
+    }
+    return line;
+}
+
+SpanFrame span_frame(const SpanLine *line, double s)
+{
+    if (line->route) {
+        const RoutePoint at = route_way_on_piece(line->route, line->piece, s);
+        return curve_frame(&at);
+    }
+    const double turn = (s - line->s_ref) * line->turning, c = cos(turn), n = sin(turn);
+    return (SpanFrame){.curvature = line->curvature,
+                       .tz = c * line->tz + n * line->nz,
+                       .nz = c * line->nz - n * line->tz,
+                       .bz = line->bz};
+}
+
+/* Squares of the push over the load of snaking: from the first on a cable that moves is on its way from snaking to the
+ * helix (Chen, Lin and Cheatham), from the second on it is one (Wu and Juvkam-Wold, 2 sqrt 2 - 1). */
+static const double COILS_FROM = 2, COILS = 3.3431457505076194;
+
+double span_coils(double square, double *slope)
+{
+    *slope = 1;
+    if (!(square < COILS)) return square;
+    const double over = square - 1, snakes = 1 + 0.18 * over + 0.1 * over * over, rises = 0.18 + 0.2 * over;
+    const double all = sqrt(COILS) - sqrt(COILS_FROM), part = fmax(0, (sqrt(square) - sqrt(COILS_FROM)) / all);
+    const double turns = part > 0 ? (square - snakes) / (2 * sqrt(square) * all) : 0;
+    *slope = (1 - part) * rises + part + turns;
+    return (1 - part) * snakes + part * square;
+}
+
+/* (BK6): `straight` N/m of a cable that is pushed with so much tension, below 0. */
+static double coiled(const SpanLaw *p, double straight, double tension)
+{
+    const double helix = p->room * tension * tension / (4 * p->ei);
+    double slope;
+    if (!(helix > straight)) return straight;
+    return helix < COILS * straight ? straight * span_coils(helix / straight, &slope) : helix;
+}
+
+/* (T6): the support balances T k n plus the weight's normal part, -w (nz n + bz b). */
+static double straight_force(const SpanLaw *p, SpanFrame f, double tension)
+{
+    const double pull = p->law == PULL_REFERENCE ? tension * f.curvature : 0;
+    return hypot(pull - p->weight * f.nz, p->weight * f.bz);
+}
+
+static double normal_force(const SpanLaw *p, SpanFrame f, double tension)
+{
+    const double straight = straight_force(p, f, tension);
+    return tension < 0 && p->room > 0 && p->law == PULL_REFERENCE ? coiled(p, straight, tension) : straight;
+}
+
+double span_straight(const SpanLaw *p, double s, double tension)
+{
+    SpanLaw held = *p;
+    held.room = 0;
+    return span_normal(&held, s, tension);
+}
+
+/* (LI1), by the frame's vertical components. The slope's cosine c is the length of (nz, bz). */
+static SpanParts support_parts(const SpanLaw *p, SpanFrame f, double tension)
+{
+    const double c = hypot(f.nz, f.bz);
+    const double pull = p->law == PULL_REFERENCE ? tension * f.curvature : 0;
+    if (!(c > 0)) return (SpanParts){.aside = pull}; /* upright: no weight lies on anything */
+    return (SpanParts){.down = p->weight * c - pull * f.nz / c, .aside = pull * f.bz / c};
+}
+
+static double sum_of_supports(const SpanLaw *p, SpanFrame f, double tension)
+{
+    if (!p->separate) return normal_force(p, f, tension);
+    const SpanParts parts = support_parts(p, f, tension);
+    return fabs(parts.down) + fabs(parts.aside);
+}
+
+static SpanLaw with_weight(const SpanLaw *p, double weight)
+{
+    SpanLaw one = *p;
+    one.weight = weight;
+    one.lightest = 0;
+    return one;
+}
+
+/* The law with the weight that presses most in this frame. */
+static SpanLaw pressing(const SpanLaw *p, SpanFrame f, double tension)
+{
+    if (!(p->lightest > 0)) return *p;
+    const SpanLaw heavy = with_weight(p, p->weight), light = with_weight(p, p->lightest);
+    return sum_of_supports(&light, f, tension) > sum_of_supports(&heavy, f, tension) ? light : heavy;
+}
+
+SpanLaw span_pressing(const SpanLaw *p, double s, double tension)
+{
+    return pressing(p, span_frame(&p->line, s), tension);
+}
+
+double span_normal(const SpanLaw *p, double s, double tension)
+{
+    const SpanFrame f = span_frame(&p->line, s);
+    const SpanLaw one = pressing(p, f, tension);
+    return sum_of_supports(&one, f, tension);
+}
+
+SpanParts span_parts(const SpanLaw *p, double s, double tension)
+{
+    const SpanFrame f = span_frame(&p->line, s);
+    const SpanLaw one = pressing(p, f, tension);
+    return p->separate ? support_parts(&one, f, tension) : (SpanParts){.down = normal_force(&one, f, tension)};
+}
+
+double span_support(const SpanLaw *p, double s, double tension)
+{
+    const SpanParts parts = span_parts(p, s, tension);
+    return fmax(fabs(parts.down), fabs(parts.aside));
+}
+
+/* (T5) with one weight. */
+static double rate_of(const SpanLaw *p, SpanFrame f, double tension)
+{
+    return p->mu * sum_of_supports(p, f, tension) + p->direction * p->weight * f.tz;
+}
+
+/* Where the rate is least by the weight, which it is a convex function of: (T28a). NAN: at one of the ends. */
+static double least_weight(const SpanLaw *p, SpanFrame f, double tension)
+{
+    const double c2 = f.nz * f.nz + f.bz * f.bz, pull = p->law == PULL_REFERENCE ? tension * f.curvature : 0;
+    const double room = p->mu * p->mu * c2 - f.tz * f.tz;
+    if (!(c2 > 0) || !(room > 0)) return NAN;
+    const double aside = p->separate ? 0 : fabs(pull * f.bz);
+    return (pull * f.nz - p->direction * f.tz * aside / sqrt(room)) / c2;
+}
+
+/* (T28) in this frame. */
+static SpanLaw weighed(const SpanLaw *p, SpanFrame f, double tension)
+{
+    SpanLaw best = with_weight(p, p->counts > 0 ? p->counts : p->weight);
+    if (!(p->lightest > 0) || p->counts > 0) return best;
+    const double between = p->least ? least_weight(p, f, tension) : NAN;
+    const double other[2] = {p->lightest, fmin(fmax(between, p->lightest), p->weight)};
+    double rate = rate_of(&best, f, tension);
+    for (int i = 0; i < (isnan(between) ? 1 : 2); i++) {
+        const SpanLaw one = with_weight(p, other[i]);
+        const double its = rate_of(&one, f, tension);
+        if (p->least ? its >= rate : its <= rate) continue;
+        best = one;
+        rate = its;
+    }
+    return best;
+}
+
+/* Which of unlike weights counts all along; 0: not everywhere the same, or all are alike. */
+static double span_counts(const SpanLaw *p)
+{
+    if (!(p->lightest > 0) || p->line.route || p->line.curvature > 0) return 0;
+    return weighed(p, span_frame(&p->line, p->line.s_ref), 0).weight;
+}
+
+SpanLaw span_weighed(const SpanLaw *p, double s, double tension)
+{
+    return weighed(p, span_frame(&p->line, s), tension);
+}
+
+double span_rate(const SpanLaw *p, double s, double tension)
+{
+    /* a rope without weight: no frame is needed, and the same number comes out to the last bit */
+    if (p->weight == 0 && !p->separate && !p->line.route)
+        return p->mu * fabs(p->law == PULL_REFERENCE ? tension * p->line.curvature : 0);
+    const SpanFrame f = span_frame(&p->line, s);
+    if (!(p->lightest > 0)) return rate_of(p, f, tension);
+    const SpanLaw one = weighed(p, f, tension);
+    return rate_of(&one, f, tension);
+}
+
+static void extremes_take(SpanExtremes *e, double s, double tension)
+{
+    if (tension > e->max_tension) {
+        e->max_tension = tension;
+        e->max_at = s;
+    }
+    if (tension < e->min_tension) {
+        e->min_tension = tension;
+        e->min_at = s;
+    }
+}
+
+/* One step of the 5(4) pair of Dormand and Prince (1980) over h along the pull: returns the tension at its
+ * end; k[0] in and k[6] out are the rates at both ends, *error the difference of the two orders. */
+static double dopri_step(const SpanLaw *p, double s, double tension, double h, double k[7], double *error)
+{
+    static const double C[7] = {0, 0.2, 0.3, 0.8, 8.0 / 9, 1, 1};
+    static const double A[7][6] = {
+        {0},
+        {0.2},
+        {3.0 / 40, 9.0 / 40},
+        {44.0 / 45, -56.0 / 15, 32.0 / 9},
+        {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+        {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
+        {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
+    };
+    static const double E[7] = {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+    double end = tension;
+    for (int i = 1; i < 7; i++) {
+        double sum = 0;
+        for (int j = 0; j < i; j++) sum += A[i][j] * k[j];
+        end = tension + h * sum;
+        k[i] = span_rate(p, s + p->direction * C[i] * h, end);
+    }
+    *error = 0;
+    for (int i = 0; i < 7; i++) *error += h * E[i] * k[i];
+    return end;
+}
+
+/* Which of unlike weights counts: the heaviest 1, the lightest -1, one between 2; 0: within rounding of two of them. */
+static int weight_side(const SpanLaw *p, SpanFrame f, double tension)
+{
+    const double between = p->least ? least_weight(p, f, tension) : NAN, near = ZERO_FORCE * p->weight;
+    if (!isnan(between)) {
+        if (fmin(fabs(between - p->weight), fabs(between - p->lightest)) <= near) return 0;
+        return between > p->weight ? 1 : between < p->lightest ? -1 : 2;
+    }
+    const SpanLaw heavy = with_weight(p, p->weight), light = with_weight(p, p->lightest);
+    const double more = rate_of(&heavy, f, tension) - rate_of(&light, f, tension);
+    if (!(fabs(more) > ZERO_FORCE * (p->mu * fabs(tension) * f.curvature + p->weight))) return 0;
+    return (more > 0) != p->least ? 1 : -1;
+}
+
+/* The side of the law's corners that a place lies on. Of one weight the sign of the normal force toward the centre
+ * where it can pass through zero: in bends in a vertical plane under the reference law, and of the downward part on
+ * separate supports; of unlike weights which one counts. 0: no corner is near, or within rounding of it. */
+static int corner_side(const SpanLaw *p, double s, double tension)
+{
+    const SpanFrame f = span_frame(&p->line, s);
+    if (p->lightest > 0) return p->counts > 0 ? 0 : weight_side(p, f, tension);
+    if (p->law != PULL_REFERENCE || f.curvature <= 0) return 0;
+    if (!p->separate && fabs(f.bz) > ZERO_FORCE) return 0;
+    const double pull = tension * f.curvature;
+    const double g = p->separate ? support_parts(p, f, tension).down : pull - p->weight * f.nz;
+    if (!(fabs(g) > ZERO_FORCE * (fabs(pull) + p->weight))) return 0;
+    return g > 0 ? 1 : -1;
+}
+
+/* One step of at most h, to the corner that is met in it, by bisection, or of h itself if there is none: returns how
+ * long it is; k, *end and *error as dopri_step has them. */
+static double step_to_corner(const SpanLaw *p, double s, double tension, double h, double k[7], double *end,
+                             double *error)
+{
+    *end = dopri_step(p, s, tension, h, k, error);
+    const int before = corner_side(p, s, tension);
+    int after = before ? corner_side(p, s + p->direction * h, *end) : 0;
+    if (after == 0 || after == before) return h;
+    double low = 0, high = h;
+    for (int i = 0; i < 40 && after != 0; i++) { /* the rate has no jump there: 1e-12 of the step are 1e-24 of it */
+        const double x = low + (high - low) / 2;
+        after = corner_side(p, s + p->direction * x, dopri_step(p, s, tension, x, k, error));
+        *(after == before ? &low : &high) = x;
+    }
+    *end = dopri_step(p, s, tension, high, k, error);
+    return high;
+}
+
+/* An accepted step from (s, tension) over h along the pull to (s_end, end), with its rates k. */
+typedef struct Step {
+    const SpanLaw *law;
+    double s, tension, h, s_end, end;
+    const double *k; /* [7] */
+} Step;
+
+static double place_inside(const Step *t, double share) { return t->s + t->law->direction * share * t->h; }
+
+/* The tension at a share of the step, by the pair's own polynomial of fourth order (T5a). */
+static double tension_inside(const Step *t, double share)
+{
+    static const double D[7] = {-12715105075.0 / 11282082432,  0,
+                                87487479700.0 / 32700410799,   -10690763975.0 / 1880347072,
+                                701980252875.0 / 199316789632, -1453857185.0 / 822651844,
+                                69997945.0 / 29380423};
+    const double rise = t->end - t->tension, back = 1 - share;
+    const double first = t->h * t->k[0] - rise, last = rise - t->h * t->k[6] - first;
+    double bow = 0;
+    for (int i = 0; i < 7; i++) bow += t->h * D[i] * t->k[i];
+    return t->tension + share * (rise + back * (first + share * (last + back * bow)));
+}
+
+/* The extreme inside a step whose rates at its ends differ in sign: where the rate is zero. */
+static void extremes_take_inside(SpanExtremes *e, const Step *t)
+{
+    if (t->k[0] * t->k[6] >= 0) return;
+    double low = 0, high = 1;
+    for (int i = 0; i < 50; i++) {
+        const double x = low + (high - low) / 2;
+        if (t->k[0] * span_rate(t->law, place_inside(t, x), tension_inside(t, x)) > 0) {
+            low = x;
+        } else {
+            high = x;
+        }
+    }
+    extremes_take(e, place_inside(t, high), tension_inside(t, high));
+}
+
+/* T times the curvature at a share of the step. */
+static double pressure_inside(void *what, double share)
+{
+    const Step *const t = what;
+    return fabs(tension_inside(t, share)) * span_frame(&t->law->line, place_inside(t, share)).curvature;
+}
+
+static void pressure_widen(SpanExtremes *e, const Step *t, double share, double pressure)
+{
+    if (pressure <= e->max_pressure) return;
+    e->max_pressure = pressure;
+    e->pressure_at = place_inside(t, share);
+}
+
+/* The largest T times curvature of a step on a curve. Where it hardly bows in the step the parabola through both ends
+ * and the middle says whether its top is inside; else looks along the step say about where it is. */
+static void pressure_take(SpanExtremes *e, Step *t)
+{
+    enum { LOOKS = 8, CLOSER = 24 };
+    static const double FLAT = 0.01, NEAR = 0.05; /* a bow, of the pressure; how near an end a top counts as inside */
+    double look[LOOKS + 1] = {pressure_inside(t, 0)};
+    look[LOOKS] = pressure_inside(t, 1);
+    look[LOOKS / 2] = pressure_inside(t, 0.5);
+    const double bow = 2 * look[LOOKS / 2] - look[0] - look[LOOKS], tilt = look[LOOKS] - look[0];
+    int best = look[LOOKS] > look[0] ? LOOKS : 0, step = LOOKS / 2;
+    if (fabs(bow) > FLAT * look[best])
+        for (int i = step = 1; i < LOOKS; ++i) look[i] = pressure_inside(t, (double)i / LOOKS);
+    else if (!(bow > 0) || fabs(tilt) > (2 + 4 * NEAR) * bow)
+        step = 0;
+    for (int i = 0; i <= LOOKS && step > 0; i += step)
+        if (look[i] > look[best]) best = i;
+    pressure_widen(e, t, (double)best / LOOKS, look[best]);
+    if (step == 0 || 2 * look[best] < e->max_pressure) return;
+    const double low = fmax(best - step, 0) / LOOKS, high = fmin(best + step, LOOKS) / LOOKS;
+    const SearchTop top = search_top(pressure_inside, t, low, high, CLOSER);
+    pressure_widen(e, t, top.at, top.value);
+}
+
+static void extremes_take_step(SpanExtremes *e, Step *t)
+{
+    extremes_take(e, t->s, t->tension);
+    extremes_take_inside(e, t);
+    extremes_take(e, t->s_end, t->end);
+    if (t->law->line.route) pressure_take(e, t);
+    const SpanParts first = span_parts(t->law, t->s, t->tension), last = span_parts(t->law, t->s_end, t->end);
+    e->max_down = fmax(e->max_down, fmax(fabs(first.down), fabs(last.down)));
+    e->max_aside = fmax(e->max_aside, fmax(fabs(first.aside), fabs(last.aside)));
+}
+
+/* Step by step with error control, ending a step where the normal force changes sign. Steps below 1e-13 of
+ * the span are taken as they are, so that an overflow to infinity ends too. */
+double span_integrate(const SpanLaw *p, double s0, double tension, double s1, SpanExtremes *extremes)
+{
+    const double length = p->direction * (s1 - s0), scale = p->weight * length;
+    assert(length >= 0);
+    double k[7] = {span_rate(p, s0, tension)}, x = 0, h = length, end, error;
+    while (x < length) {
+        const double s = s0 + p->direction * x;
+        if (h > length - x) h = length - x;
+        h = step_to_corner(p, s, tension, h, k, &end, &error);
+        const double allowed = STEP_TOLERANCE * (fabs(tension) + scale);
+        const double grow = fabs(error) > 0 ? fmin(5, fmax(0.2, 0.9 * pow(allowed / fabs(error), 0.2))) : 5;
+        const int last = h >= length - x;
+        if (fabs(error) > allowed && h > 1e-13 * length) {
+            h *= grow;
+            continue;
+        }
+        const double s_end = last ? s1 : s + p->direction * h;
+        if (extremes) extremes_take_step(extremes, &(Step){p, s, tension, h, s_end, end, k});
+        x = last ? length : fmax(x + h, nextafter(x, length));
+        tension = end;
+        if (extremes && extremes->enough > 0 && tension > extremes->enough) return INFINITY;
+        k[0] = k[6];
+        h *= grow;
+    }
+    if (extremes && !p->line.route) { /* one curvature: where the tension is largest */
+        extremes->max_pressure = fmax(extremes->max_tension, -extremes->min_tension) * p->line.curvature;
+        extremes->pressure_at = extremes->max_tension >= -extremes->min_tension ? extremes->max_at : extremes->min_at;
+    }
+    return tension;
+}
 
 /* Everything a user can get wrong in one pull, each with its reason. */
 static hawser_status check_def(const PullDef *def, hawser_error *err)

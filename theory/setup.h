@@ -1,16 +1,30 @@
-/* A case as theory computes it, built from the definition alone: the route with its supports, where the chain begins
- * and ends on it, what pulls and pushes the cable and what holds it back. A scene has one too, for the theory of its
- * run. */
+/* What theory reckons with along a scene's route: the friction of the case and that of its ducts and trays, and where
+ * weight and turning force rest on supports of their own. docs/model.md, "Separate supports". */
 #ifndef HAWSER_THEORY_SETUP_H
 #define HAWSER_THEORY_SETUP_H
 
 #include "def/drive_law.h"
-#include "theory/plan_def.h"
-#include "theory/stretches.h"
+#include "theory/plan.h"
+#include "theory/pulling.h"
 #include "theory/supports.h"
+
+typedef struct Stretches {
+    int n;
+    PullStretch *stretch; /* [n] owned, by rising `from`; the first one begins far behind the route */
+} Stretches;
+
+/* A copy with room for `more` stretches more. Errors: MEMORY. */
+hawser_status stretches_copy(const Stretches *from, int more, Stretches *out, hawser_error *err);
+void stretches_free(Stretches *s);
+/* Makes a stretch begin at s, m, if none does; the array must have room for one more. */
+void stretches_cut(Stretches *stretches, double s);
+/* A case as theory computes it, built from the definition alone: the route with its supports, where the chain begins
+ * and ends on it, what pulls and pushes the cable and what holds it back. A scene has one too, for the theory of its
+ * run. */
 
 /* A force along the pull at a place of the route: a conveyor's belts, a roller with a motor. */
 typedef enum PushKind { PUSH_BELT, PUSH_MOTOR } PushKind;
+
 typedef struct Pusher {
     const char *name;
     PushKind kind;
@@ -60,7 +74,6 @@ hawser_status setup_build(const SceneDef *def, const Route *route, const double 
 /* The same with a route of its own. */
 hawser_status setup_make(const SceneDef *def, Setup *out, hawser_error *err);
 void setup_free(Setup *setup);
-
 /* The route coordinates of the joints of a chain of n segments of these lengths (m) at t = 0: joint_s [n + 1], from the
  * eye outward; of a rope to which heads are joined from its tail. */
 void setup_joints(const SceneDef *def, const Route *route, int n, const double *length, double *joint_s);
@@ -68,13 +81,9 @@ void setup_joints(const SceneDef *def, const Route *route, int n, const double *
 void setup_place(const StrandDef *strand, double s, double place[2]);
 /* The point of that line at s, m. */
 Vec3 setup_line_at(const SceneDef *def, const Route *route, double s);
-
 /* What pusher i pushes with where the tension before it is `arriving`, N, and the cable's front at `front`, m along the
  * route, in steady motion when the winch last draws at its full speed. */
 double setup_push(const Setup *setup, int i, double arriving, double front);
-/* Whether it keeps the cable on the route as well. */
-int pusher_holds(const SceneDef *def, const Pusher *by);
-
 /* The winch's travel at time t by the definition, m; with a set tension, if it moves at its limit. */
 double setup_travel(const Setup *setup, double t);
 /* The largest speed of the winch up to that time (s), or its limit; 0 if there is none, m/s. */

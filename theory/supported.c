@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
 #include "theory/calculator.h"
 #include "theory/search.h"
 

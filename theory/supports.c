@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
 #include "theory/place.h"
 #include "theory/search.h"
 

@@ -3,11 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "core/base/error.h"
-#include "sim/stage/modes.h"
-#include "sim/stage/statics.h"
-#include "validate/build.h"
-#include "validate/motion.h"
+#include "core/error.h"
+#include "sim/run/modes.h"
+#include "sim/run/statics.h"
 #include "validate/validate.h"
 
 enum { MESHES = 3, HALF_WAVES = 3 };

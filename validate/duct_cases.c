@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "theory/closed_form.h"
-#include "validate/build.h"
 #include "validate/validate.h"
 
 /* kg/m, m/s2; friction of a lubricated duct; N at the tail. The room around the cable and the segments, m: what is left

@@ -1,16 +1,18 @@
 /* Chains that nothing but weight, ends and a medium acts on: fluid drag against its closed forms, a folded chain that
  * falls, a rope that is skipped, a bar that rebounds. docs/model/85-validation.md (VA6)-(VA10). */
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "core/base/error.h"
-#include "sim/stage/statics.h"
-#include "validate/build.h"
-#include "validate/motion.h"
+#include "core/chain.h"
+#include "core/error.h"
+#include "core/vec3.h"
+#include "sim/run/statics.h"
 #include "validate/validate.h"
 
 static const double G = 9.81; /* m/s2 */
+
 enum { MESHES = 3 };
 
 /* A rod without stiffness or damping to speak of that hangs on nothing, in time. */
@@ -30,11 +32,13 @@ static hawser_status chain_start(SceneDef *def, CableDef cable, double length, i
 /* ------------------------------------------------------------------------------------------------- in a medium */
 
 static const MediumDef WATER = {.density = 1025, .normal = 1.2, .tangential = 0.02, .buoyancy = 1};
+
 /* kg/m, m */
 static const double MASS = 20, DIAMETER = 0.08, LENGTH = 10;
 
 /* N s2/m2 for a metre, across. */
 static double drag_across(const MediumDef *fluid) { return fluid->density * fluid->normal * DIAMETER / 2; }
+
 static double displaced(const MediumDef *fluid) { return fluid->density * M_PI * DIAMETER * DIAMETER / 4; }
 
 /* Dropped level into still water: v = v_t tanh(t c v_t/m) (VA6). */
@@ -425,7 +429,7 @@ static hawser_status rebound_run(const void *setup, ValidationLog *log, hawser_e
     return HAWSER_OK;
 }
 
-static const ValidationCase cases[] = {
+static const ValidationCase flight_cases[] = {
     {"sinking", "a level cable sinks in water: drag across, buoyancy", "v_t tanh(t c v_t/m), (VA6)", 1, NULL,
      sinking_run},
     {"spin-down", "a spinning rod is slowed down by its drag", "omega/(1 + b omega t), (VA7)", 1, NULL, spin_down_run},
@@ -437,4 +441,301 @@ static const ValidationCase cases[] = {
     {"rebound", "a bar flies against a wall and back", "one-dimensional waves: v sqrt(EA m), 2 L/c", 1, NULL,
      rebound_run},
 };
-const ValidationGroup flight_group = VALIDATION_GROUP(cases);
+
+const ValidationGroup flight_group = VALIDATION_GROUP(flight_cases);
+
+/* A right-angled cantilever in motion (Simo and Vu-Quoc 1988): pushed out of its plane at the elbow for 2 s, it swings
+ * far in space, bent and twisted, and keeps its energy. docs/model/85-validation.md (VA27). */
+
+/* m, kg/m, N, N m2, kg m: two legs alike; the load grows to LOAD at 1 s and is gone at FREE. */
+static const double LEG = 10, FRAME_MASS = 1, EA = 1e6, EI = 1e3, INERTIA = 10, LOAD = 50, FREE = 2;
+
+static const double END = 17, LOOK = 8; /* s: past the tip's second extreme; where meshes are held against each other */
+
+enum { COARSEST = 10, FRAME_MESHES = 4 }; /* segments, doubled each time */
+
+/* Extremes out of the plane, m, and what the frame has of energy, J. */
+typedef struct Swing {
+    double elbow, tip_up, tip_down; /* the first of each */
+    double at_look;                 /* the tip's, at LOOK */
+    double energy, drift;           /* when the load is gone; largest change from then on */
+} Swing;
+
+/* Grows to LOAD within 1 s and is gone within another. */
+static hawser_status pushed(SceneDef *def, hawser_error *err)
+{
+    static const double TIME[] = {0, 1, 2}, SHARE[] = {0, 1, 0};
+    enum { POINTS = 3 };
+    RodProfile by = {.direction = v3(0, 0, 1)};
+    if (!profile_table(&by.size, POINTS)) return error_memory(err);
+    for (int i = 0; i < POINTS; ++i) {
+        by.size.time[i] = TIME[i];
+        by.size.value[i] = LOAD * SHARE[i];
+    }
+    rod_add_load(def, LEG, 0, by);
+    return HAWSER_OK;
+}
+
+/* Clamped at the tail, one leg along x, the other along y. */
+static hawser_status frame(int n, SceneDef *def, hawser_error *err)
+{
+    CableDef beam = build_cable(FRAME_MASS, 0.1, EA, EI);
+    beam.ga = EA;
+    beam.gj = EI;
+    beam.gyration = sqrt(INERTIA / FRAME_MASS);
+    hawser_status status = rod_start(def, beam, 2 * LEG, n, 1, err);
+    if (status) return status;
+    def->analysis.kind = ANALYSIS_DYNAMICS;
+    def->solver.accuracy = 1e-6;
+    def->output.interval = 0.1;
+    def->duration = END;
+    def->rod.shape = ROD_POLYLINE;
+    def->rod.points = calloc(3, sizeof *def->rod.points);
+    status = def->rod.points ? pushed(def, err) : error_memory(err);
+    if (status) {
+        scene_def_clear(def);
+        return status;
+    }
+    def->rod.n_points = 3;
+    def->rod.points[1] = v3(LEG, 0, 0);
+    def->rod.points[2] = v3(LEG, LEG, 0);
+    rod_clamp(&def->rod.end[ROD_TAIL]);
+    return HAWSER_OK;
+}
+
+/* The far end of segment i, m. */
+static Vec3 end_of(const Stage *stage, int i)
+{
+    const Vec3 axis = quat_rotate(motion_attitude(stage, i), v3(1, 0, 0));
+    return v3_axpy(motion_get(stage, STATE_P, i), stage->scene.chain.half[i], axis);
+}
+
+/* Step by step to END; t < LOOK is where the elbow and the tip have their first extremes to the load's side. */
+static hawser_status swing_find(int n, Swing *out, hawser_error *err)
+{
+    SceneDef def;
+    Stage stage;
+    *out = (Swing){.energy = NAN};
+    hawser_status status = frame(n, &def, err);
+    if (!status) status = motion_start(&def, &stage, err);
+    if (status) return status;
+    while (!status && stage.t < END) {
+        const double stop = stage.t < FREE ? FREE : stage.t < LOOK ? LOOK : END;
+        status = stage_step(&stage, stop, err);
+        const double elbow = end_of(&stage, n / 2 - 1).z, tip = end_of(&stage, n - 1).z;
+        if (stage.t <= LOOK) {
+            out->elbow = fmax(out->elbow, elbow);
+            out->at_look = tip;
+        }
+        out->tip_up = fmax(out->tip_up, tip);
+        out->tip_down = fmin(out->tip_down, tip);
+        if (stage.t < FREE) continue;
+        const Balance b = motion_balance(&stage);
+        if (!(out->energy > 0)) out->energy = b.kinetic + b.elastic;
+        out->drift = fmax(out->drift, fabs(b.kinetic + b.elastic - out->energy));
+    }
+    stage_free(&stage);
+    return status;
+}
+
+static hawser_status frame_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    double h[FRAME_MESHES - 1], error[FRAME_MESHES - 1];
+    Swing found[FRAME_MESHES];
+    for (int k = 0; k < FRAME_MESHES; ++k) {
+        const hawser_status status = swing_find(COARSEST << k, &found[k], err);
+        if (status) return status;
+    }
+    const Swing *const best = &found[FRAME_MESHES - 1];
+    log_share(log, "elbow, first extreme", "m", 5.50, best->elbow, 3);
+    log_share(log, "tip, first extreme", "m", 8.29, best->tip_up, 3);
+    log_share(log, "tip, second extreme", "m", -9.67, best->tip_down, 5);
+    log_limit(log, "change of the energy once the load is gone", "%", 100 * best->drift / best->energy, 1);
+    const double limit = best->at_look + (best->at_look - found[FRAME_MESHES - 2].at_look) / 3;
+    for (int k = 0; k < FRAME_MESHES - 1; ++k) {
+        h[k] = 2 * LEG / (COARSEST << k);
+        error[k] = found[k].at_look / limit - 1;
+    }
+    order_log(log, FRAME_MESHES - 1, h, error, "segment length", 2, 0.3);
+    return HAWSER_OK;
+}
+
+static const ValidationCase frame_cases[] = {
+    {"frame-in-motion", "a right-angled cantilever swings in space", "Simo and Vu-Quoc 1988, curves read off; (VA27)",
+     0, NULL, frame_run},
+};
+
+const ValidationGroup frame_group = VALIDATION_GROUP(frame_cases);
+
+/* Chains that nothing holds, or that hang from one end: what their motion must conserve, and rotation without bending.
+ */
+
+enum { SEGMENTS = 20 };
+
+static const double MOTION_LENGTH = 10; /* m */
+
+/* Straight, free at both ends, undamped. */
+static hawser_status chain_build(SceneDef *def, double ea, double ei, double accuracy, hawser_error *err)
+{
+    CableDef cable = build_cable(8, 0.06, ea, ei);
+    cable.damping = 0;
+    const hawser_status status = build_line(def, cable, MOTION_LENGTH, SEGMENTS, err);
+    if (status) return status;
+    def->solver.accuracy = accuracy;
+    def->duration = 10;
+    return HAWSER_OK;
+}
+
+/* Repeatable numbers in -1 .. 1. */
+static double random_next(uint64_t *seed)
+{
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*seed >> 11) / 4503599627370496.0 - 1;
+}
+
+/* Thrown into the air with random velocities: the centre of mass flies on its parabola, the angular momentum about it
+ * stays, and so does the energy. */
+static hawser_status flight_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    static const double TIME = 1;
+    uint64_t seed = 5;
+    SceneDef def;
+    Stage stage;
+    hawser_status status = chain_build(&def, 1e5, 100, 1e-6, err);
+    if (!status) status = motion_start(&def, &stage, err);
+    if (status) return status;
+    for (int i = 0; i < SEGMENTS; ++i) {
+        const double x = random_next(&seed), y = random_next(&seed), z = random_next(&seed);
+        motion_set(&stage, STATE_V, i, v3(2 + 0.5 * x, 1 + 0.5 * y, 5 + 0.5 * z));
+        motion_set(&stage, STATE_W, i, v3(0.5 * y, 0.5 * z, 0.5 * x));
+    }
+    const Balance a = motion_balance(&stage);
+    status = motion_advance(&stage, TIME, err);
+    const Balance b = motion_balance(&stage);
+    const Vec3 g = stage.scene.weight.gravity;
+    const Vec3 v = v3_scale(1 / a.mass, a.momentum);
+    const Vec3 place = v3_add(v3_axpy(a.centre, TIME, v), v3_scale(TIME * TIME / 2, g));
+    stage_free(&stage);
+    if (status) return status;
+    const Vec3 push = v3_sub(b.momentum, v3_axpy(a.momentum, TIME * a.mass, g));
+    log_limit(log, "momentum off, of its size", "%", 100 * v3_norm(push) / v3_norm(a.momentum), 1e-6);
+    log_limit(log, "centre of mass off its parabola", "m", v3_norm(v3_sub(b.centre, place)), 1e-4);
+    log_limit(log, "angular momentum off, of its size", "%", 100 * v3_norm(v3_sub(b.spin, a.spin)) / v3_norm(a.spin),
+              0.01);
+    log_share(log, "energy", "J", a.kinetic + a.height, b.kinetic + b.height + b.elastic, 0.1);
+    return HAWSER_OK;
+}
+
+/* A chain hung from its head and let go 60 degrees off the vertical. The energy is reckoned from the straight hanging
+ * chain. */
+static hawser_status pendulum_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    static const double SLOPE = M_PI / 6, TIME = 4;
+    SceneDef def;
+    Stage stage;
+    hawser_status status = chain_build(&def, 1e6, 0.1, 1e-6, err);
+    if (status) return status;
+    def.route_slope = SLOPE;
+    build_pull(&def, 0, 1, 0);
+    status = motion_start(&def, &stage, err);
+    if (status) return status;
+    const Balance a = motion_balance(&stage);
+    const double swing = a.mass * 9.81 * MOTION_LENGTH / 2 * (1 - sin(SLOPE));
+    double lowest = 0, drift = 0;
+    for (int k = 1; k <= 40 && !status; ++k) {
+        status = motion_advance(&stage, TIME * k / 40, err);
+        const Balance b = motion_balance(&stage);
+        drift = larger_of(drift, fabs(b.kinetic + b.height + b.elastic - a.height));
+        lowest = smaller_of(lowest, b.height - a.height);
+    }
+    stage_free(&stage);
+    if (status) return status;
+    log_limit(log, "energy drift over the energy of the swing", "%", 100 * drift / swing, 0.1);
+    log_share(log, "energy turned into motion", "J", swing, -lowest, 10);
+    return HAWSER_OK;
+}
+
+/* Places (m) of the segments along a chain that turns by omega (rad/s) about its middle, each joint stretched by what
+ * it carries: x_i = x_(i-1) + h + T_i/k, where T_i is omega^2 times the sum of m x outside. Each pass reckons the
+ * tensions from the places of the one before; a few do, since the strain is small. */
+static void spinning_places(const Chain *c, double omega, double *place)
+{
+    const double h = MOTION_LENGTH / SEGMENTS;
+    for (int i = 0; i < SEGMENTS; ++i) place[i] = (i + 0.5) * h - MOTION_LENGTH / 2;
+    for (int pass = 0; pass < 8; ++pass) {
+        double carried = 0, at[SEGMENTS], middle = 0;
+        for (int i = SEGMENTS - 1; i > 0; --i) at[i] = (carried += c->mass[i] * omega * omega * place[i]);
+        place[0] = 0;
+        for (int i = 1; i < SEGMENTS; ++i) place[i] = place[i - 1] + h + at[i] / c->stiffness[0][i];
+        for (int i = 0; i < SEGMENTS; ++i) middle += place[i] / SEGMENTS;
+        for (int i = 0; i < SEGMENTS; ++i) place[i] -= middle;
+    }
+}
+
+/* Lays the chain along the unit vector `along` through the origin and sets it turning about `axis`, square to that. */
+static void spinning_set(Stage *stage, const double *place, Vec3 along, Vec3 axis, double omega)
+{
+    const Vec3 across = v3_cross(axis, along);
+    for (int i = 0; i < SEGMENTS; ++i) {
+        motion_set(stage, STATE_P, i, v3_scale(place[i], along));
+        motion_turn(stage, i, quat_from_axes(along, across, axis));
+        motion_set(stage, STATE_W, i, v3_scale(omega, axis));
+        motion_set(stage, STATE_V, i, v3_scale(omega * place[i], across));
+    }
+}
+
+/* The largest twist or bend of any joint, rad. */
+static double largest_bend(Stage *stage)
+{
+    double *const *const law = motion_law(stage);
+    double bent = 0;
+    for (int j = 1; j < SEGMENTS; ++j) {
+        for (int k = 3; k < 6; ++k) bent = larger_of(bent, fabs(law[k][j] / stage->scene.chain.stiffness[k][j]));
+    }
+    return bent;
+}
+
+/* The straight chain turns about an axis through its middle that is in no plane of coordinates, three times around.
+ * Its joints are stretched from the start by what they carry, in the middle m omega^2 L^2/8: nothing then vibrates,
+ * nothing bends, and after three turns all lies where it was. */
+static hawser_status rotation_run(const void *setup, ValidationLog *log, hawser_error *err)
+{
+    (void)setup;
+    static const double OMEGA = 2 * M_PI; /* rad/s: a turn a second */
+    const Vec3 axis = v3_unit(v3(1, 2, 3)), along = v3_unit(v3_cross(axis, v3(0, 0, 1)));
+    double place[SEGMENTS];
+    SceneDef def;
+    Stage stage;
+    hawser_status status = chain_build(&def, 5e6, 1e3, 1e-7, err);
+    if (status) return status;
+    def.gravity = v3(0, 0, 0);
+    status = motion_start(&def, &stage, err);
+    if (status) return status;
+    const double mass = stage.scene.chain.mass[0] / (MOTION_LENGTH / SEGMENTS);
+    spinning_places(&stage.scene.chain, OMEGA, place);
+    spinning_set(&stage, place, along, axis, OMEGA);
+    status = motion_advance(&stage, 3, err);
+    const double bent = largest_bend(&stage), carried = motion_law(&stage)[0][SEGMENTS / 2];
+    const Vec3 tip = motion_get(&stage, STATE_P, SEGMENTS - 1);
+    stage_free(&stage);
+    if (status) return status;
+    log_share(log, "tension in the middle", "N", mass * OMEGA * OMEGA * MOTION_LENGTH * MOTION_LENGTH / 8, carried,
+              0.2);
+    log_limit(log, "rotation in any joint", "rad", bent, 1e-6);
+    log_limit(log, "tip off its place after three turns", "m",
+              v3_norm(v3_sub(tip, v3_scale(place[SEGMENTS - 1], along))), 0.01);
+    return HAWSER_OK;
+}
+
+static const ValidationCase motion_cases[] = {
+    {"free-flight", "momentum, angular momentum and energy of a chain thrown into the air", "Newton's laws", 1, NULL,
+     flight_run},
+    {"pendulum-chain", "energy of a swinging chain without damping", "energy is conserved", 1, NULL, pendulum_run},
+    {"rotation", "a straight chain turns in space three times and does not bend",
+     "m omega^2 L^2/8; bushings do not feel rigid rotations", 1, NULL, rotation_run},
+};
+
+const ValidationGroup motion_group = VALIDATION_GROUP(motion_cases);

@@ -3,11 +3,9 @@
  */
 #include <math.h>
 
-#include "core/base/worst.h"
-#include "sim/stage/modes.h"
-#include "sim/stage/statics.h"
-#include "validate/build.h"
-#include "validate/motion.h"
+#include "core/vec3.h"
+#include "sim/run/modes.h"
+#include "sim/run/statics.h"
 #include "validate/validate.h"
 
 enum { SEGMENTS = 50, MODES = 3 };

@@ -4,9 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "core/base/error.h"
-#include "validate/build.h"
-#include "validate/motion.h"
+#include "core/error.h"
 #include "validate/validate.h"
 
 enum { MESHES = 3 };

@@ -10,7 +10,7 @@
 #include "bench/methods/methods.h"
 #include "bench/methods/own_linear.h"
 #include "core/chain.h"
-#include "sim/step/sundials.h"
+#include "sim/solve/integrator.h"
 
 /* As the integrator has them: what Newton's iteration leaves is a share of the tolerance, and the same at any. */
 static const double NEWTON_SHARE = 1e-3, NEWTON_SHARE_MOST = 0.1, NEWTON_LEFT = 3e-7, GAMMA_CHANGE = 0.05;

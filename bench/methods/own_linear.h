@@ -2,8 +2,8 @@
 #ifndef HAWSER_BENCH_METHODS_OWN_LINEAR_H
 #define HAWSER_BENCH_METHODS_OWN_LINEAR_H
 
-#include "sim/step/motion.h"
-#include "sim/step/sundials.h"
+#include "sim/solve/integrator.h"
+#include "sim/solve/motion.h"
 
 typedef struct OwnLinear {
     Motion *motion;

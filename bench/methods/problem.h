@@ -3,7 +3,7 @@
 #ifndef HAWSER_BENCH_METHODS_PROBLEM_H
 #define HAWSER_BENCH_METHODS_PROBLEM_H
 
-#include "sim/stage/stage.h"
+#include "sim/run/stage.h"
 
 /* The winch's force, converged: straight lines through times as close as the integrator's tightest steps. */
 typedef struct Reference {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 extern "C" {
-#include "contact/law/contact_law.h"
+#include "contact/law.h"
 }
 
 using namespace SimTK;

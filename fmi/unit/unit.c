@@ -1,6 +1,7 @@
 #include "fmi/unit/unit.h"
 
 #include <assert.h>
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -8,6 +9,155 @@
 #include <string.h>
 
 #include "sim/run/sim.h"
+
+/* What stands behind "file:" and an empty host or the own one; the whole if there is no scheme; NULL: anything else. */
+static const char *path_of(const char *address)
+{
+    if (strncmp(address, "file:", 5) != 0) return strstr(address, "://") ? NULL : address;
+    const char *path = address + 5;
+    if (strncmp(path, "//", 2) == 0) path += 2;
+    if (strncmp(path, "localhost/", 10) == 0) path += 9;
+    return *path == '/' ? path : NULL;
+}
+
+/* "%20" -> ' ' in place. Returns 0 where a '%' is not followed by two hexadecimal digits, or stands for a NUL. */
+static int escapes_take(char *path)
+{
+    char *to = path;
+    for (const char *from = path; *from; ++from, ++to) {
+        *to = *from;
+        if (*from != '%') continue;
+        if (!isxdigit((unsigned char)from[1]) || !isxdigit((unsigned char)from[2])) return 0;
+        const char code[] = {from[1], from[2], 0};
+        *to = (char)strtol(code, NULL, 16);
+        if (!*to) return 0;
+        from += 2;
+    }
+    *to = 0;
+    return 1;
+}
+
+char *address_folder(const char *address)
+{
+    const char *const path = address ? path_of(address) : NULL;
+    char *folder = path && *path ? strdup(path) : NULL;
+    if (folder && path != address && !escapes_take(folder)) {
+        free(folder);
+        return NULL;
+    }
+    for (size_t n = folder ? strlen(folder) : 0; n > 1 && folder[n - 1] == '/'; --n) folder[n - 1] = 0;
+    return folder;
+}
+
+/* Values of outputs: the sample is taken once a step, limits and verdict are judged only when they are asked for. */
+
+static const hawser_sample *look_now(Unit *u)
+{
+    if (!u->look.fresh) u->look.sample = hawser_sim_sample(u->sim);
+    u->look.fresh = 1;
+    return u->look.sample;
+}
+
+static const Look *judge_now(Unit *u)
+{
+    Look *const look = &u->look;
+    hawser_summary sum;
+    if (look->judged) return look;
+    hawser_sim_summary(u->sim, &sum);
+    look->limits = hawser_sim_limits(u->sim, look->limit);
+    look->broken = hawser_verdict(sum.n_conditions, sum.conditions, look->limits, look->limit, look->verdict,
+                                  sizeof look->verdict);
+    look->mean = sum.pull_mean_N;
+    look->peak = sum.pull_peak_N;
+    look->judged = 1;
+    return look;
+}
+
+static double margin_of(const hawser_limit *limit) { return limit->judged ? limit->margin : NAN; }
+
+/* By the variable's name, "margins.push": a run may judge more limits than are known before it. */
+static double margin_named(const Look *look, const char *name)
+{
+    const char *const limit = strrchr(name, '.') ? strrchr(name, '.') + 1 : name;
+    for (int i = 0; i < look->limits; ++i)
+        if (!strcmp(look->limit[i].name, limit)) return margin_of(&look->limit[i]);
+    return NAN;
+}
+
+static double worst_margin(const Look *look)
+{
+    double worst = NAN;
+    for (int i = 0; i < look->limits; ++i) worst = fmin(worst, margin_of(&look->limit[i])); /* fmin(NAN, x) is x */
+    return worst;
+}
+
+static int broken_count(const Look *look)
+{
+    int n = 0;
+    for (int i = 0; i < look->limits; ++i) n += look->limit[i].judged && !look->limit[i].ok;
+    return n;
+}
+
+static double roller_load(const hawser_sample *now, int item)
+{
+    double most = 0;
+    for (int r = 0; item < 0 && r < now->rollers; ++r) most = fmax(most, now->roller_load[r]);
+    return item < 0 ? most : now->roller_load[item];
+}
+
+/* As the enumeration of the description counts. */
+static double verdict_of(const Look *look) { return 1 + hawser_verdict_word(look->broken); }
+
+/* For unit_get of an output, when the simulation is there. */
+static double output_number(Unit *u, const Variable *row)
+{
+    const hawser_event *event;
+    const int i = row->item;
+    switch (row->from) {
+    case FROM_SAMPLE:
+        return *(const double *)(const void *)((const char *)look_now(u) + row->at);
+    case FROM_CONTACTS:
+        return look_now(u)->active_contacts;
+    case FROM_ROLLER:
+        return roller_load(look_now(u), i);
+    case FROM_NORMAL:
+        return look_now(u)->surface_normal[i];
+    case FROM_FRICTION:
+        return look_now(u)->surface_friction[i];
+    case FROM_LINE_LOAD:
+        return look_now(u)->surface_line_load[i];
+    case FROM_FIGURE:
+        return look_now(u)->figure[i].value;
+    case FROM_PROBE:
+        return *(const double *)(const void *)((const char *)&look_now(u)->probe[i] + row->at);
+    case FROM_PULL_MEAN:
+        return judge_now(u)->mean;
+    case FROM_PULL_PEAK:
+        return judge_now(u)->peak;
+    case FROM_MARGIN:
+        return margin_named(judge_now(u), row->name);
+    case FROM_WORST:
+        return worst_margin(judge_now(u));
+    case FROM_BROKEN:
+        return broken_count(judge_now(u));
+    case FROM_EVENTS:
+        return hawser_sim_events(u->sim, &event);
+    case FROM_VERDICT:
+        return verdict_of(judge_now(u));
+    case FROM_EVENT_TEXT:
+    case FROM_VERDICT_TEXT:
+        break;
+    }
+    return NAN;
+}
+
+static const char *output_text(Unit *u, const Variable *row)
+{
+    const hawser_event *event;
+    if (row->from == FROM_VERDICT_TEXT) return judge_now(u)->verdict;
+    const int n = hawser_sim_events(u->sim, &event);
+    return n > 0 ? event[n - 1].what : "";
+}
 
 Outcome unit_say(Unit *u, Outcome outcome, const char *format, ...)
 {
@@ -117,7 +267,7 @@ static int is_stale(const Unit *u)
 
 /* The simulation that is there serves as long as it has the parameters, and stands at the start if it is to be fresh.
  */
-Outcome unit_rebuild(Unit *u, int fresh)
+static Outcome unit_rebuild(Unit *u, int fresh)
 {
     hawser_error err = {HAWSER_OK, ""};
     if (u->sim && !is_stale(u) && !(fresh && u->relaxed)) return GOES_WELL;
@@ -287,7 +437,8 @@ Outcome unit_get(Unit *u, size_t reference, VariableType type, double *value, co
     return GOES_WELL;
 }
 
-int unit_can_be(const Variable *row, double value)
+/* Whether a variable can have a value: a number between its ends, or where it begins. */
+static int unit_can_be(const Variable *row, double value)
 {
     if (!(value < row->start || value > row->start)) return isfinite(value);
     return isfinite(value) && !(value < row->least || value > row->most);
@@ -306,4 +457,166 @@ Outcome unit_set(Unit *u, size_t reference, VariableType type, double value)
         return unit_say(u, REFUSED, "'%s' cannot be %g: expected %g to %g", row->name, value, row->least, row->most);
     u->value[reference] = value;
     return GOES_WELL;
+}
+
+/* An instance's state as bytes: where it is in its life, its values, and the simulation's checkpoint. */
+
+/* What stands before values and checkpoint; all of it is written, padding included. */
+typedef struct StateHead {
+    char token[TOKEN_SIZE + 3]; /* whose state it is */
+    int phase, variables;
+    long rows;
+    double start, stop;
+    size_t checkpoint; /* bytes of it; 0: the simulation stands at the start, or is not there */
+} StateHead;
+
+typedef struct UnitState {
+    size_t size;
+    unsigned char byte[]; /* [size] */
+} UnitState;
+
+static size_t values_size(const Unit *u) { return 2 * (size_t)u->model.variables.n * sizeof(double); }
+
+static Outcome save(Unit *u, UnitState **state)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    void *checkpoint = NULL;
+    StateHead head;
+    memset(&head, 0, sizeof head);
+    memcpy(head.token, u->model.token, TOKEN_SIZE);
+    head.phase = (int)u->phase;
+    head.variables = u->model.variables.n;
+    head.rows = u->rows;
+    head.start = u->start;
+    head.stop = u->stop;
+    if (u->phase & (PHASE_STEPPING | PHASE_OVER) && hawser_sim_save_memory(u->sim, &checkpoint, &head.checkpoint, &err))
+        return unit_say(u, REFUSED, "%s", err.message);
+    const size_t size = sizeof head + values_size(u) + head.checkpoint;
+    UnitState *const made = malloc(sizeof *made + size);
+    if (made) {
+        made->size = size;
+        memcpy(made->byte, &head, sizeof head);
+        memcpy(made->byte + sizeof head, u->value, values_size(u)); /* what was told stands behind them */
+        if (checkpoint) memcpy(made->byte + sizeof head + values_size(u), checkpoint, head.checkpoint);
+    }
+    hawser_bytes_free(checkpoint);
+    *state = made;
+    return made ? GOES_WELL : unit_say(u, FAILED, "out of memory");
+}
+
+/* Whether the bytes are of this FMU, and as many as they say; *head is filled then. */
+static int head_read(const Unit *u, const void *bytes, size_t size, StateHead *head)
+{
+    if (size < sizeof *head) return 0;
+    memcpy(head, bytes, sizeof *head);
+    return memcmp(head->token, u->model.token, TOKEN_SIZE) == 0 && head->variables == u->model.variables.n &&
+           size - sizeof *head >= values_size(u) && size - sizeof *head - values_size(u) == head->checkpoint;
+}
+
+/* Whether an instance can be there: a simulation goes with steps, times are numbers, samples have been counted. */
+static int head_can_be(const StateHead *head)
+{
+    const int early = head->phase == PHASE_INSTANTIATED || head->phase == PHASE_INITIALIZING;
+    const int late = head->phase == PHASE_STEPPING || head->phase == PHASE_OVER;
+    return (early || late) && late == (head->checkpoint > 0) && head->rows >= 0 && isfinite(head->start) &&
+           head->stop > head->start;
+}
+
+/* Whether all values behind the head, those set and those told, are such as unit_set takes. */
+static int values_can_be(const Unit *u, const unsigned char *bytes)
+{
+    for (int i = 0; i < 2 * u->model.variables.n; ++i) {
+        double value;
+        memcpy(&value, bytes + (size_t)i * sizeof value, sizeof value);
+        if (!unit_can_be(&u->model.variables.row[i % u->model.variables.n], value)) return 0;
+    }
+    return 1;
+}
+
+/* All of this of a state; *head is filled then. */
+static int state_read(const Unit *u, const void *bytes, size_t size, StateHead *head)
+{
+    return head_read(u, bytes, size, head) && head_can_be(head) &&
+           values_can_be(u, (const unsigned char *)bytes + sizeof *head);
+}
+
+static Outcome load(Unit *u, const UnitState *state)
+{
+    hawser_error err = {HAWSER_OK, ""};
+    StateHead head;
+    if (!state_read(u, state->byte, state->size, &head)) return unit_say(u, FAILED, "this is no state of this FMU");
+    memcpy(u->value, state->byte + sizeof head, values_size(u));
+    Outcome outcome = unit_rebuild(u, head.checkpoint == 0);
+    if (outcome) return outcome;
+    if (head.checkpoint &&
+        hawser_sim_load_memory(u->sim, state->byte + sizeof head + values_size(u), head.checkpoint, &err))
+        return unit_say(u, FAILED, "%s", err.message);
+    u->relaxed = head.checkpoint > 0;
+    u->phase = (Phase)head.phase;
+    u->rows = head.rows;
+    u->start = head.start;
+    u->stop = head.stop;
+    u->look = (Look){0};
+    return GOES_WELL;
+}
+
+/* *state, which may be there already, becomes what was made. */
+static Outcome hand_over(Outcome outcome, UnitState *made, void **state)
+{
+    if (outcome) return outcome;
+    free(*state);
+    *state = made;
+    return GOES_WELL;
+}
+
+Outcome state_get(const void *instance, void **state, const char *call)
+{
+    Unit *const u = unit_in(instance, PHASES_EARLY | PHASES_LATE, call);
+    UnitState *made = NULL;
+    if (!u || !state) return FAILED;
+    const Outcome outcome = save(u, &made);
+    return hand_over(outcome, made, state);
+}
+
+Outcome state_set(const void *instance, const void *state, const char *call)
+{
+    Unit *const u = unit_in(instance, PHASES_ALL, call);
+    return u && state ? load(u, state) : FAILED;
+}
+
+Outcome state_free(const void *instance, void **state)
+{
+    if (!instance) return FAILED;
+    if (state) free(*state);
+    if (state) *state = NULL;
+    return GOES_WELL;
+}
+
+Outcome state_size(const void *instance, const void *state, size_t *size)
+{
+    const UnitState *const s = state;
+    if (!instance || !s || !size) return FAILED;
+    *size = s->size;
+    return GOES_WELL;
+}
+
+Outcome state_bytes(const void *instance, const void *state, void *to, size_t size)
+{
+    const UnitState *const s = state;
+    if (!instance || !s || !to || size < s->size) return FAILED;
+    memcpy(to, s->byte, s->size);
+    return GOES_WELL;
+}
+
+Outcome state_of_bytes(const void *instance, const void *from, size_t size, void **state, const char *call)
+{
+    Unit *const u = unit_in(instance, PHASES_EARLY | PHASES_LATE, call);
+    StateHead head;
+    if (!u || !from || !state) return FAILED;
+    if (!state_read(u, from, size, &head)) return unit_say(u, REFUSED, "these bytes are no state of this FMU");
+    UnitState *const made = malloc(sizeof *made + size);
+    if (!made) return unit_say(u, FAILED, "out of memory");
+    made->size = size;
+    memcpy(made->byte, from, size);
+    return hand_over(GOES_WELL, made, state);
 }

@@ -63,6 +63,7 @@ Outcome unit_say(Unit *u, Outcome outcome, const char *format, ...) __attribute_
 typedef struct Instance {
     Unit *unit;
 } Instance;
+
 /* The unit of an importer's instance that is in one of the phases; NULL otherwise, after a failure that names the call,
  * and for no instance. */
 Unit *unit_in(const void *instance, unsigned phases, const char *call);
@@ -70,7 +71,6 @@ Unit *unit_in(const void *instance, unsigned phases, const char *call);
 Outcome unit_denied(const void *instance, const char *call);
 /* The worse of two. */
 Outcome outcome_worse(Outcome a, Outcome b);
-
 Outcome unit_set_times(Unit *u, double start, int has_stop, double stop);
 Outcome unit_begin(Unit *u);  /* enters initialization */
 Outcome unit_settle(Unit *u); /* leaves it: at equilibrium, at the start */
@@ -78,16 +78,11 @@ Outcome unit_end(Unit *u);
 Outcome unit_reset(Unit *u);
 /* s, of the importer's time. */
 double unit_time(const Unit *u);
-
 /* From `now`, which must be where it is, on by `step`. *over: the winch has ended the run before. */
 Outcome unit_step(Unit *u, double now, double step, int *over);
-
 /* One value by its reference, which must be of the type. Texts live until the next call. */
 Outcome unit_get(Unit *u, size_t reference, VariableType type, double *value, const char **text);
 Outcome unit_set(Unit *u, size_t reference, VariableType type, double value);
-/* Whether a variable can have a value: a number between its ends, or where it begins. */
-int unit_can_be(const Variable *row, double value);
-
 /* States, of which an importer knows the address alone: bytes, malloc'ed, which stand for themselves. One that a call
  * is given in *state is overwritten. Without an instance, or in another phase than the standard has: FAILED. */
 Outcome state_get(const void *instance, void **state, const char *call);
@@ -97,15 +92,9 @@ Outcome state_size(const void *instance, const void *state, size_t *size);
 Outcome state_bytes(const void *instance, const void *state, void *to, size_t size);
 /* Of the bytes that another gave, perhaps of another process. */
 Outcome state_of_bytes(const void *instance, const void *from, size_t size, void **state, const char *call);
-
 /* The folder of an address of the resources, "file:///home/me/a%20pull/resources" or "file:/home/...", malloc'ed; a
  * path that is none is taken as it is, without slashes at its end. NULL: another scheme or host, a malformed escape,
  * nothing, no memory. */
 char *address_folder(const char *address);
-/* Sees that there is a simulation with the parameters as they are; fresh: one that stands at the start. */
-Outcome unit_rebuild(Unit *u, int fresh);
-/* For unit_get of an output, when the simulation is there. */
-double output_number(Unit *u, const Variable *row);
-const char *output_text(Unit *u, const Variable *row);
 
 #endif

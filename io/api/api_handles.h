@@ -4,15 +4,15 @@
 
 #include <stdatomic.h>
 
-#include "core/base/checkpoint.h"
+#include "core/checkpoint.h"
 #include "hawser/hawser.h"
+#include "io/case/yaml.h"
 #include "io/report/crew.h"
 #include "io/results/column.h"
 #include "io/results/results.h"
-#include "io/yaml/yaml_tree.h"
 #include "sim/run/sim.h"
-#include "theory/assumed.h"
 #include "theory/inverse.h"
+#include "theory/mend.h"
 
 /* Several threads may use one that none of them sets: the tree does not change then, and `def` changes once, from NULL
  * to what whoever was first has read. There is no lock that a forked child could inherit. */

@@ -1,12 +1,12 @@
 /* Pages and figures of results: folders are read, and files are written. */
-#include "core/base/error.h"
-#include "core/base/file_marks.h"
+#include "core/error.h"
+#include "core/file.h"
 #include "hawser/hawser.h"
-#include "io/library/library.h"
+#include "io/case/library.h"
+#include "io/case/yaml.h"
 #include "io/report/report.h"
 #include "io/report/text.h"
 #include "io/results/results_file.h"
-#include "io/yaml/yaml_tree.h"
 
 #include <jansson.h>
 #include <locale.h>

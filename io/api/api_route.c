@@ -8,13 +8,13 @@
 #include <string.h>
 #include <strings.h>
 
-#include "core/base/error.h"
-#include "io/alignment/line.h"
+#include "core/error.h"
 #include "io/api/api_handles.h"
+#include "io/case/alignment.h"
+#include "io/case/units.h"
 #include "io/report/route_page.h"
 #include "io/results/results_file.h"
-#include "io/yaml/units.h"
-#include "survey/write/write.h"
+#include "survey/write.h"
 
 /* More lines than these are a whole drawing, of which nobody wants each as a route, and a line of more pieces takes
  * minutes to fit: they are used once asked for. Each line of JSON has what the whole file's ignored things are, but not

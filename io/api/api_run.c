@@ -2,17 +2,23 @@
  * file looks whether a row, a state or a word to the caller is due. What is written is a state that the integrator
  * reached, not one between two: a row belongs to the first step that ends at its time or after, and no step is longer
  * than the time between rows. */
-#include "core/base/clock.h"
-#include "core/base/error.h"
-#include "io/api/api_handles.h"
-#include "io/results/results_file.h"
-#include "sim/picture/geometry.h"
-#include "sim/run/commands.h"
-
+#include <assert.h>
+#include <errno.h>
 #include <math.h>
+#include <stdarg.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
+
+#include "core/error.h"
+#include "core/machine.h"
+#include "core/team.h"
+#include "io/api/api_handles.h"
+#include "io/results/results_file.h"
+#include "sim/run/commands.h"
+#include "sim/run/geometry.h"
 
 /* Wall time between two calls of the caller's progress function, s. */
 static const double progress_interval = 0.25;
@@ -448,4 +454,566 @@ hawser_status pass_resume(hawser_sim *s, const OutDir *dir, hawser_progress prog
     run.last_state = kept.last_state;
     status = open_results(&run, dir, kept.files, err);
     return status ? pass_settle(s, status, err) : run_all(&run, 1, err);
+}
+
+/* A whole run: one pass, and up to two more with finer settings where nothing is left open but numerical errors.
+ * docs/model.md, "Error bars" (EB19), (EB20), (EB27) to (EB30); what a user needs to know of it is in docs/limits.md.
+ */
+
+/* Evaluations times segments, of which a pass takes about so many times as many as the one before (the median of 341
+ * random pulls; 4.2 in 95 % of them). */
+static const double GROWS = 3.1;
+
+/* Evaluations times segments of a pass that is begun unasked: some ten minutes. */
+static const double WORK_MOST = 1.5e9;
+
+/* Steps of a pass over those of the one before: 1.7 in the median, 3.3 in 99 % of them; what takes more mostly fails.
+ */
+enum { STEPS_MOST = 4 };
+
+/* ------------------------------------------------------------------------------------------ whether it is wanted */
+
+/* Conditions that finer settings can meet. Those of books and damping need other settings than one level would bring.
+ */
+static int is_numerical(const hawser_condition *c)
+{
+    return c->kind == HAWSER_CONDITION_NUMERICAL_ERROR || c->kind == HAWSER_CONDITION_NUMERICAL_PEAK ||
+           c->kind == HAWSER_CONDITION_MESH || c->kind == HAWSER_CONDITION_DECIDED;
+}
+
+/* Conditions on what a pass shows, which the mesh may have made: a segment that passes a support. A finer pass has to
+ * meet them itself, so that its results must be those that are shown (docs/model.md, "Error bars"). */
+static int is_shown(const hawser_condition *c)
+{
+    return c->kind == HAWSER_CONDITION_STEADY || c->kind == HAWSER_CONDITION_PEAK ||
+           c->kind == HAWSER_CONDITION_START_JOLT;
+}
+
+/* Whether so much of the bar alone, N, is more than the condition allows it to be. */
+static int is_too_much(const hawser_condition *c, const hawser_error_bar *bar, double part)
+{
+    return c->value * part > c->allowed * bar->total;
+}
+
+/* Whether the part of friction at rest alone, of which passes say nothing, is more than a bar may be; or what this pass
+ * already differs by from a finer one. */
+static int is_beyond(const hawser_sim *s, const hawser_condition *c, const hawser_summary *sum)
+{
+    const int mean = c->kind == HAWSER_CONDITION_NUMERICAL_ERROR, peak = c->kind == HAWSER_CONDITION_NUMERICAL_PEAK;
+    const hawser_error_bar *const bar = peak ? &sum->pull_peak_error : &sum->pull_mean_error;
+    if (!mean && !peak) return 0;
+    return is_too_much(c, bar, bar->friction) ||
+           (s->others.finer && is_too_much(c, bar, other_passes_apart(&s->others, peak, sum)));
+}
+
+/* Whether a bend has a single pair of rollers on both sides of the cable, of which (ME12) says nothing. */
+static int has_single_pair(const Scene *scene)
+{
+    const SceneDef *const def = &scene->def;
+    int found = 0;
+    for (int p = 0; p < scene->route.n; ++p) {
+        const RoutePiece *const leg = &scene->route.piece[p];
+        int pairs = 0;
+        for (int r = 1; r < def->n_rollers && leg->kind != ROUTE_STRAIGHT; ++r) {
+            const double s = def->rollers[r].s;
+            pairs += s >= leg->s0 && s <= leg->s0 + leg->length && fabs(s - def->rollers[r - 1].s) < 1e-6;
+        }
+        found |= pairs == 1;
+    }
+    return found;
+}
+
+/* What error bars are known to say too little of, in words; NULL: nothing of it is there. */
+static const char *unseen(const Scene *scene)
+{
+    const SceneDef *const def = &scene->def;
+    if (!def->solver.relax) return "the cable did not come to rest first, of which error bars see too little";
+    for (int k = 0; k < def->n_pieces; ++k)
+        if (def->cables[def->pieces[k].cable].bending.rows > 0)
+            return "the cable's bending stiffness falls as it bends, of which error bars see too little";
+    return has_single_pair(scene) ? "a bend has one pair of rollers, of which error bars see too little" : NULL;
+}
+
+/* The settings that a second pass makes finer, where the case itself gives them: with them its results would be those
+ * of another case. */
+static int is_setting(const char *key, const char *value)
+{
+    if (!strcmp(value, "auto")) return 0;
+    const size_t n = strlen(key);
+    const int segment = !strncmp(key, "chain", 5) && n > 8 && !strcmp(key + n - 8, ".segment");
+    return segment || !strcmp(key, "solver.accuracy") || !strcmp(key, "solver.max_step") ||
+           !strncmp(key, "solver.tolerances.", 18);
+}
+
+static int is_v_s(const char *key, const char *value)
+{
+    const size_t n = strlen(key);
+    (void)value;
+    return n > 4 && !strcmp(key + n - 4, ".v_s");
+}
+
+/* The first key of that kind which the case or its catalogue gives; NULL: there is none. */
+static const char *given(const SceneDef *def, int (*is_kind)(const char *key, const char *value))
+{
+    const char *text = def->inputs;
+    for (int i = 0; i < def->n_inputs; ++i) {
+        const char *input[INPUT_TEXTS];
+        for (int k = 0; k < INPUT_TEXTS; ++k, text += strlen(text) + 1) input[k] = text;
+        const int own = !strcmp(input[INPUT_ORIGIN], "given") || !strcmp(input[INPUT_ORIGIN], "catalogue");
+        if (own && is_kind(input[INPUT_KEY], input[INPUT_VALUE])) return input[INPUT_KEY];
+    }
+    return NULL;
+}
+
+/* The worst of the conditions that fail, if all that do are ones that a finer pass may settle; NULL: none fails, or
+ * there is nothing to be gained: then *hopeless is 1. */
+static const hawser_condition *worst_open(const hawser_sim *s, const hawser_summary *sum, int *hopeless)
+{
+    const hawser_condition *worst = NULL;
+    const int replaced = !given(s->plan, is_setting);
+    *hopeless = 0;
+    for (int i = 0; i < sum->n_conditions; ++i) {
+        const hawser_condition *const c = &sum->conditions[i];
+        if (c->holds) continue;
+        *hopeless |= !(is_numerical(c) || (replaced && is_shown(c))) || is_beyond(s, c, sum);
+        if (!worst || c->value / c->allowed > worst->value / worst->allowed) worst = c;
+    }
+    return *hopeless ? NULL : worst;
+}
+
+/* Whether a second pass is wanted: such a condition is open, or there is what bars do not see; which, without its
+ * remedy, into `why`. */
+static int is_open(const hawser_sim *s, const hawser_summary *sum, size_t size, char *why)
+{
+    int hopeless;
+    const hawser_condition *const worst = worst_open(s, sum, &hopeless);
+    const char *const blind = unseen(&s->stage.scene);
+    if (hopeless || (!worst && !blind)) return 0;
+    if (!worst) {
+        snprintf(why, size, "%s", blind);
+        return 1;
+    }
+    const char *const remedy = strstr(worst->remedy, ": use "), *const other = strstr(worst->remedy, ": set ");
+    const char *const end = remedy ? remedy : other ? other : worst->remedy + strlen(worst->remedy);
+    snprintf(why, size, "%.*s", (int)(end - worst->remedy), worst->remedy);
+    return 1;
+}
+
+/* Whether the pass has met the conditions that a level of its settings does not change. */
+static int is_sound(const hawser_summary *sum)
+{
+    int sound = 1;
+    for (int i = 0; i < sum->n_conditions; ++i) sound &= sum->conditions[i].holds || is_numerical(&sum->conditions[i]);
+    return sound;
+}
+
+/* ---------------------------------------------------------------------------------------------- what is said of it */
+
+/* What a pass found by itself: before it knows of another one. */
+static void pass_describe(PassesSaid *said, const hawser_sim *s, const hawser_summary *sum, double friction)
+{
+    said->peak_alone[s->pass] = sum->pull_peak_error.time + sum->pull_peak_error.mesh;
+    said->pass[s->pass] = (hawser_pass){.accuracy = s->stage.scene.def.solver.accuracy,
+                                        .segments = sum->segments,
+                                        .friction = friction,
+                                        .pull_mean_N = sum->pull_mean_N,
+                                        .pull_peak_N = sum->pull_peak_N,
+                                        .pull_mean_bar_N = sum->pull_mean_error.total,
+                                        .pull_peak_bar_N = sum->pull_peak_error.total,
+                                        .steps = sum->steps,
+                                        .wall_time_s = sum->wall_time_s};
+}
+
+static void say_time(double seconds, size_t size, char *text)
+{
+    if (seconds < 120) snprintf(text, size, "%.2g s", seconds);
+    if (seconds >= 120) snprintf(text, size, "%.0f min", seconds / 60);
+    if (seconds >= 7200) snprintf(text, size, "%.2g hours", seconds / 3600);
+}
+
+/* "a, b and c" of a figure of every pass, at the offset `at` of hawser_pass: an int if `whole`. */
+static void say_list(FILE *out, const hawser_passes *p, size_t at, int whole, const char *unit)
+{
+    for (int k = 0; k < p->n; ++k) {
+        const char *const field = (const char *)&p->pass[k] + at, *const join = k == 0         ? ""
+                                                                                : k + 1 < p->n ? ", "
+                                                                                               : " and ";
+        if (whole) fprintf(out, "%s%d%s", join, *(const int *)field, unit);
+        if (!whole) fprintf(out, "%s%.*g%s", join, *unit ? 6 : 3, *(const double *)field, unit);
+    }
+}
+
+static const char *const PASS[PASSES_MAX] = {"first", "second", "third"};
+
+/* Of all passes' figures, and whose those of the run are. Returns 0 without memory. */
+static int say_all(hawser_passes *p, const char *own)
+{
+    FILE *const out = fmemopen(p->says, sizeof p->says, "w");
+    if (!out) return 0;
+    fprintf(out, "computed %s, with ", p->n == 2 ? "twice" : "three times");
+    say_list(out, p, offsetof(hawser_pass, segments), 1, "");
+    fprintf(out, " segments and accuracies of ");
+    say_list(out, p, offsetof(hawser_pass, accuracy), 0, "");
+    fprintf(out, ": mean ");
+    say_list(out, p, offsetof(hawser_pass, pull_mean_N), 0, " N");
+    fprintf(out, ", peak ");
+    say_list(out, p, offsetof(hawser_pass, pull_peak_N), 0, " N");
+    if (own) {
+        fprintf(out, "; as the case gives %.60s, they are those of the first pass, with bars from %s", own,
+                p->n == 2 ? "both" : "all");
+    } else {
+        fprintf(out, "; all figures are those of the %s pass", PASS[p->n - 1]);
+    }
+    return !fclose(out);
+}
+
+/* Puts a sentence behind what is said. */
+static void say_more(hawser_passes *p, const char *format, ...)
+{
+    va_list values;
+    const size_t used = strlen(p->says);
+    va_start(values, format);
+    vsnprintf(p->says + used, sizeof p->says - used, format, values);
+    va_end(values);
+}
+
+/* -------------------------------------------------------------------------------------------------- finer passes */
+
+/* The passes of a run, each made from the one before. */
+typedef struct Passes {
+    int n; /* that are over */
+    hawser_sim *sim[PASSES_MAX];
+    const char *own;    /* a setting that is the case's; NULL: none */
+    int slower;         /* v_s is refined too */
+    const OutDir *home; /* the first one's folder; NULL: nothing is written */
+    int resumed;        /* what was begun is gone on with */
+    PassesSaid *says;   /* the first's */
+    hawser_progress progress;
+    void *user;
+} Passes;
+
+/* Whether what stops the run here can be gone on with. */
+static int is_kept(const Passes *z) { return z->home && z->sim[0]->plan->output.checkpoint > 0; }
+
+/* The folders of the others within the first one's. */
+static const char *const FOLDER[PASSES_MAX] = {NULL, "second-pass", "third-pass"};
+
+static void folders_remove(const Passes *z)
+{
+    for (int k = 1; k < PASSES_MAX && z->home; ++k) results_remove(z->home, FOLDER[k]);
+}
+
+/* The next one, built from the definition of the last with finer settings. Errors: MEMORY, INPUT, RUN. */
+static hawser_status pass_build(Passes *z, hawser_error *err)
+{
+    const hawser_sim *const last = z->sim[z->n - 1];
+    hawser_sim **const next = &z->sim[z->n];
+    hawser_summary sum;
+    SceneDef *const finer = calloc(1, sizeof *finer);
+    if (!finer) return error_memory(err);
+    hawser_status status = scene_def_copy(last->plan, finer, err);
+    if (status) {
+        free(finer);
+        return status;
+    }
+    hawser_sim_summary(last, &sum);
+    scene_def_finer_pass(finer, z->slower);
+    finer->solver.max_steps = STEPS_MOST * sum.steps;
+    status = sim_new(finer, last->threads, next, err);
+    if (status) {
+        scene_def_clear(finer);
+        free(finer);
+        return status;
+    }
+    (*next)->plan = finer;
+    (*next)->pass = z->n;
+    (*next)->work_most = last->work_most;
+    (*next)->case_name = strdup(last->case_name);
+    (*next)->title = strdup(last->title);
+    if (!(*next)->case_name || !(*next)->title) return error_memory(err);
+    return last->envelope.present ? envelope_new(&(*next)->envelope, &(*next)->stage.scene, err) : HAWSER_OK;
+}
+
+/* From its checkpoint, if the run that is gone on with has come so far, or from its beginning; what it needs to be
+ * taken over is kept. Errors: as hawser_sim_run. */
+static hawser_status pass_go(Passes *z, hawser_error *err)
+{
+    hawser_sim *const s = z->sim[z->n];
+    OutDir folder;
+    int over = 0;
+    const OutDir *const dir = z->home ? &folder : NULL;
+    hawser_status status = dir ? out_take(&folder, z->home, FOLDER[z->n], 1, err) : HAWSER_OK;
+    if (status) return status;
+    status = z->resumed ? pass_resume(s, dir, z->progress, z->user, &over, err) : HAWSER_ERR_INPUT;
+    if (status == HAWSER_ERR_INPUT) status = pass_run(s, dir, z->progress, z->user, err); /* there is no checkpoint */
+    if (!status && !over && is_kept(z)) status = pass_keep(s, dir, err);
+    if (dir) out_leave(&folder);
+    return status;
+}
+
+/* What pass `s` found, for the others' sake. Errors: MEMORY. */
+static hawser_status figures_of(const hawser_sim *s, PassFigures *out, hawser_error *err)
+{
+    hawser_summary sum;
+    hawser_sim_summary(s, &sum);
+    return pass_figures_take(out, &s->stats, &sum, sim_jolt(s), err);
+}
+
+/* What pass `s` is to know of n others, the finest first; said: of all of them. Errors: MEMORY. */
+static hawser_status others_take(hawser_sim *s, int n, hawser_sim *const other[], const PassesSaid *said,
+                                 hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    OtherPasses others = {.n = n, .finer = other[0]->pass > s->pass};
+    hawser_summary sum;
+    assert(n < PASSES_MAX);
+    hawser_sim_summary(other[0], &sum);
+    others.unsound = others.finer && !is_sound(&sum);
+    for (int k = 0; k < n && !status; ++k) status = figures_of(other[k], &others.other[k], err);
+    for (int k = 0; k <= n; ++k) others.peak_alone[k] = said->peak_alone[n - k];
+    if (status) {
+        other_passes_free(&others);
+        return status;
+    }
+    other_passes_free(&s->others);
+    s->others = others;
+    return HAWSER_OK;
+}
+
+/* The figures of the pass that is over now, and what passes know of each other. It counts when all of that is known.
+ * Errors: MEMORY. */
+static hawser_status passes_take(Passes *z, hawser_error *err)
+{
+    hawser_sim *const first = z->sim[0], *const last = z->sim[z->n];
+    hawser_sim *const coarser[] = {z->sim[z->n - 1], first}, *const finer[] = {last, z->sim[1]};
+    const double slower = z->slower ? refinement_slower(first->plan, last->pass) : 1;
+    hawser_passes *const said = &z->says->said;
+    hawser_summary sum;
+    hawser_sim_summary(last, &sum);
+    pass_describe(z->says, last, &sum, slower);
+    hawser_status status = others_take(last, z->n, coarser, z->says, err);
+    if (!status && z->own) status = others_take(first, z->n, finer, z->says, err);
+    if (status) return status;
+    said->n = z->n + 1;
+    if (!say_all(said, z->own)) {
+        said->n = z->n;
+        return error_memory(err);
+    }
+    said->outcome = z->own ? "compared" : "replaced";
+    ++z->n;
+    return HAWSER_OK;
+}
+
+/* Whose results are shown. */
+static hawser_sim *shown_of(const Passes *z) { return z->sim[z->own ? 0 : z->n - 1]; }
+
+/* Whether a pass after `last` would take too long to be begun unasked, and what it would take in words. By what was
+ * computed, not by the clock: what a run says is the same on any machine. */
+static int is_too_long(const hawser_sim *last, PassesChoice asked, size_t size, char *about)
+{
+    const hawser_sim *const s = last;
+    hawser_summary sum;
+    hawser_sim_summary(s, &sum);
+    const double work = GROWS * (double)sum.rhs_evals * sum.segments;
+    say_time(GROWS * sum.wall_time_s, size, about);
+    return s->plan->solver.passes < asked && work > (s->work_most > 0 ? s->work_most : WORK_MOST);
+}
+
+/* Whether two passes have left open what a third may settle. */
+static int third_is_wanted(Passes *z)
+{
+    hawser_sim *const shown = shown_of(z);
+    hawser_summary sum, finest;
+    char about[32];
+    int hopeless;
+    hawser_sim_summary(z->sim[z->n - 1], &finest);
+    hawser_sim_summary(shown, &sum);
+    if (z->n >= PASSES_MAX || shown->plan->solver.passes == PASSES_TWO || !is_sound(&finest)) return 0;
+    if (!worst_open(shown, &sum, &hopeless)) return 0;
+    if (!is_too_long(z->sim[z->n - 1], PASSES_THREE, sizeof about, about)) return 1;
+    say_more(&z->says->said, "; a third one would settle what is open in about %s: set solver.passes to 3", about);
+    return 0;
+}
+
+/* The results of the last pass become those of the handle; the folder's, too. Its checkpoint goes last. Errors: OUTPUT,
+ * MEMORY. */
+static hawser_status passes_settle(Passes *z, hawser_error *err)
+{
+    hawser_sim *const first = z->sim[0];
+    hawser_status status = HAWSER_OK;
+    if (!z->own) {
+        hawser_sim *const last = z->sim[z->n - 1];
+        last->passes = first->passes;
+        first->passes = NULL;
+        first->finer = last;
+        z->sim[z->n - 1] = NULL;
+        if (z->home) status = results_replace(z->home, FOLDER[z->n - 1], err);
+    }
+    if (!status && z->home) status = pass_tell(SHOWN(first), z->home, err);
+    if (!status) folders_remove(z);
+    return status;
+}
+
+/* A pass that was not to be: the results of those before stand. What the caller stopped, and what there was no memory
+ * or no disk for, is said to him: with more of either, or resumed, the run would have another answer. */
+static hawser_status passes_give_up(Passes *z, hawser_status status, const hawser_error *why, hawser_error *err)
+{
+    hawser_passes *const said = &z->says->said;
+    const int waits = status == HAWSER_STOPPED && is_kept(z), third = z->n > 1;
+    const char *const pass = PASS[z->n], *const stands = third && !waits && !z->own ? "second" : "first";
+    if (status == HAWSER_STOPPED)
+        error_set(err, status, "stopped in the %s pass; the results are those of the %s%s", pass, stands,
+                  waits ? " until it is resumed" : "");
+    if (status == HAWSER_ERR_MEMORY) error_memory(err);
+    if (status == HAWSER_ERR_OUTPUT)
+        error_set(err, status, "%.700s; the results are those of the %s pass", why->message, stands);
+    const int own = status == HAWSER_STOPPED || status == HAWSER_ERR_MEMORY || status == HAWSER_ERR_OUTPUT;
+    if (third && !waits) { /* two passes say what they have to */
+        say_more(said, status == HAWSER_STOPPED ? "; a third one was stopped" : "; a third one failed: %.150s",
+                 why->message);
+        const hawser_status told = passes_settle(z, own ? NULL : err);
+        return own ? status : told;
+    }
+    other_passes_free(&z->sim[0]->others);
+    said->outcome = "failed";
+    said->n = 1;
+    *said->says = 0;
+    say_more(said,
+             status == HAWSER_STOPPED ? "a %s pass was stopped; these are the figures of the first"
+                                      : "a %s pass failed: %.400s",
+             pass, why->message);
+    if (!waits) folders_remove(z);
+    if (status == HAWSER_ERR_MEMORY) return status;
+    const hawser_status told = z->home ? pass_tell(z->sim[0], z->home, own ? NULL : err) : HAWSER_OK;
+    return own ? status : told;
+}
+
+/* Whether a second one is to be made, and what is said if it is open. Errors: MEMORY. */
+static hawser_status second_ask(hawser_sim *s, int *wanted, hawser_error *err)
+{
+    char why[sizeof s->passes->said.why], about[32];
+    hawser_summary sum;
+    *wanted = 0;
+    hawser_sim_summary(s, &sum);
+    if (!is_open(s, &sum, sizeof why, why)) return HAWSER_OK;
+    s->passes = calloc(1, sizeof *s->passes);
+    if (!s->passes) return error_memory(err);
+    hawser_passes *const said = &s->passes->said;
+    memcpy(said->why, why, sizeof why);
+    said->n = 1;
+    said->pass = s->passes->pass;
+    pass_describe(s->passes, s, &sum, 1);
+    *wanted = !is_too_long(s, PASSES_TWO, sizeof about, about);
+    if (*wanted) return HAWSER_OK;
+    said->outcome = "declined";
+    say_more(said, "a second pass with finer settings would settle that in about %s: set solver.passes to 2", about);
+    return HAWSER_OK;
+}
+
+/* After a first pass. resumed: that had ended when the run was stopped, and is as it was then. Errors: OUTPUT, MEMORY,
+ * STOPPED. */
+static hawser_status finer_passes(hawser_sim *s, const OutDir *dir, int resumed, hawser_progress progress, void *user,
+                                  hawser_error *err)
+{
+    hawser_error late = {.status = HAWSER_OK};
+    Passes z = {.n = 1, .sim = {s}, .home = dir, .resumed = resumed, .progress = progress, .user = user};
+    int wanted;
+    hawser_status status = second_ask(s, &wanted, err);
+    if (status) return status;
+    if (!wanted) return dir && s->passes ? pass_tell(s, dir, err) : HAWSER_OK;
+    z.says = s->passes;
+    z.own = given(s->plan, is_setting);
+    z.slower = z.own || !given(s->plan, is_v_s); /* in a pass that is only compared no law is another one */
+    if (!resumed) folders_remove(&z);            /* what an earlier run has left */
+    if (is_kept(&z) && !resumed) status = pass_keep(s, dir, err);
+    if (!status) {
+        do {
+            status = pass_build(&z, &late);
+            if (!status) status = pass_go(&z, &late);
+            if (!status) status = passes_take(&z, &late);
+        } while (!status && third_is_wanted(&z));
+        status = status ? passes_give_up(&z, status, &late, err) : passes_settle(&z, err);
+    }
+    for (int k = 1; k < PASSES_MAX; ++k) sim_free(z.sim[k]);
+    return status;
+}
+
+/* Whether all of the run is still to come: a simulation that its caller has moved is his, and not computed again. */
+static int is_whole(const hawser_sim *s)
+{
+    return s->plan && !s->pass && !s->passes && !s->relaxed && !(hawser_sim_time(s) > 0);
+}
+
+/* What follows a pass that has ended, and the checkpoint of a run that there is nothing more to do for. */
+static hawser_status go_on(hawser_sim *s, const OutDir *dir, int whole, int over, hawser_status status,
+                           hawser_progress progress, void *user, hawser_error *err)
+{
+    if (!status && whole && !s->led) status = finer_passes(s, dir, over, progress, user, err);
+    if (dir && (!status || status == HAWSER_ERR_RUN)) results_no_checkpoint(dir);
+    if (dir && !status) status = out_stays(dir, err); /* who looks there finds another folder */
+    return status;
+}
+
+/* Whether a run into `dir` writes over none of the files that the case was read from: in the folder, and in those of
+ * its passes and its chains within. Errors: INPUT. */
+static hawser_status inputs_spare(hawser_sim *s, const char *dir, hawser_error *err)
+{
+    const FileMarks *const files = &s->stage.scene.def.files;
+    char path[OUT_PATH_MAX];
+    hawser_status status = results_spare(dir, files, err);
+    for (int k = 1; k < PASSES_MAX + sim_chains(s) && !status; ++k) {
+        const int pass = k < PASSES_MAX;
+        status = out_join(path, dir, pass ? FOLDER[k] : sim_chain(s, k - PASSES_MAX)->stage.scene.def.strand.name, err);
+        if (!status) status = results_spare(path, files, err);
+    }
+    return status;
+}
+
+/* Whether it can be told to move: INPUT if not. */
+static hawser_status can_run(const hawser_sim *s, hawser_error *err)
+{
+    team_settle(s->team);
+    if (s->inside || s->running) return error_inside(err);
+    return s->leader ? error_led(err) : HAWSER_OK;
+}
+
+/* The folder is one run's from its beginning to its end. */
+hawser_status hawser_sim_run(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
+{
+    hawser_error local = {.status = HAWSER_OK};
+    hawser_error *const e = err ? err : &local;
+    OutDir folder, *const home = dir ? &folder : NULL;
+    s = SHOWN(s);
+    if (!s) return error_argument(e, "s");
+    hawser_status status = can_run(s, e);
+    if (status) return status;
+    const int whole = is_whole(s);
+    if (home) status = inputs_spare(s, dir, e);
+    if (home && !status) status = out_take(home, NULL, dir, 1, e);
+    if (status) return pass_settle(s, status, e);
+    status = go_on(s, home, whole, 0, pass_run(s, home, progress, user, e), progress, user, e);
+    if (home) out_leave(home);
+    return status;
+}
+
+hawser_status hawser_sim_resume(hawser_sim *s, const char *dir, hawser_progress progress, void *user, hawser_error *err)
+{
+    hawser_error local = {.status = HAWSER_OK};
+    hawser_error *const e = err ? err : &local;
+    OutDir folder;
+    s = SHOWN(s);
+    if (!s || !dir) return error_argument(e, s ? "dir" : "s");
+    hawser_status status = can_run(s, e);
+    if (status) return status;
+    const int whole = is_whole(s);
+    int over = 0;
+    if (access(dir, F_OK))
+        return error_set(e, HAWSER_ERR_INPUT, "no run to go on with in '%.700s': %s", dir, strerror(errno));
+    status = inputs_spare(s, dir, e);
+    if (!status) status = out_take(&folder, NULL, dir, 0, e);
+    if (status) return pass_settle(s, status, e);
+    status = pass_resume(s, &folder, progress, user, &over, e);
+    status = go_on(s, &folder, whole, over, status, progress, user, e);
+    out_leave(&folder);
+    return status;
 }

@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
 #include "hawser/hawser.h"
 #include "io/api/api_handles.h"
-#include "theory/plan_change.h"
+#include "theory/plan.h"
 
 /* What may be other, in the unit of the case. */
 typedef struct CauseRow {

@@ -1,12 +1,11 @@
 /* The closed-form calculation of a case: what `hawser theory` prints. The formulas are in theory/. */
-#include "core/base/error.h"
+#include "core/error.h"
 #include "io/api/api_handles.h"
-#include "theory/assumed.h"
-#include "theory/cannot.h"
+#include "theory/closed_form.h"
+#include "theory/conditions.h"
 #include "theory/expected.h"
-#include "theory/paper.h"
-#include "theory/plan_head.h"
-#include "theory/plan_pull.h"
+#include "theory/mend.h"
+#include "theory/plan.h"
 
 #include "io/report/calculation.h"
 #include <assert.h>

@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
-#include "def/cables/duct.h"
+#include "core/error.h"
+#include "def/duct.h"
 #include "io/api/api_handles.h"
 #include "theory/buckling.h"
-#include "theory/plan_pull.h"
+#include "theory/plan.h"
 
 const char *const theory_ways[PLAN_WAYS] = {"forward", "backward"};
 

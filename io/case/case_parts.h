@@ -4,8 +4,8 @@
 #ifndef HAWSER_IO_CASE_CASE_PARTS_H
 #define HAWSER_IO_CASE_CASE_PARTS_H
 
-#include "io/place/place.h"
-#include "io/schema/case_schema.h"
+#include "io/case/drawing.h"
+#include "io/case/schema.h"
 
 enum {
     CASE_SEGMENTS_MAX = 200000,

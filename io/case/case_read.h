@@ -1,10 +1,10 @@
 /* What a case file says, checked and turned into a SceneDef. docs/case-format.md describes every key; the
- * tables that this reader works from are in io/schema/case_schema.c. */
+ * tables that this reader works from are in io/case/schema.c. */
 #ifndef HAWSER_IO_CASE_CASE_READ_H
 #define HAWSER_IO_CASE_CASE_READ_H
 
 #include "def/scene_def.h"
-#include "io/yaml/yaml_tree.h"
+#include "io/case/yaml.h"
 
 /* Fills *def (its old content is not looked at) with what the tree says and the defaults of the rest, SI
  * units; the caller clears it with scene_def_clear. Everything that can be checked without building the scene

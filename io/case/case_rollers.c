@@ -3,11 +3,507 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
 #include "io/case/case_parts.h"
-#include "io/place/place.h"
+#include "io/case/drawing.h"
+
+/* Which belongs to which profile, and how they go with the cable, is checked below. */
+static const CaseKey groove_keys[] = {
+    {"angle", KEY_NUMBER, DIM_ANGLE, .otherwise = "90 deg", FROM(DEGREES(20), DEGREES(170)), AT(GrooveRecord, angle)},
+    {"radius", KEY_NUMBER, DIM_LENGTH, .otherwise = "1.25 times the thickest cable's", ABOVE(0, 1e3),
+     AT(GrooveRecord, radius)},
+    {"depth", KEY_NUMBER, DIM_LENGTH, .otherwise = "`v`: the thickest cable's diameter, `u`: the groove's radius",
+     ABOVE(0, 1e3), AT(GrooveRecord, depth)},
+};
+
+SECTION(case_groove, "rollers.along.groove", groove_keys);
+
+static const double RIGHT_ANGLE = 1.57079632679489662;
+
+/* A key that the profile has no use for. */
+static hawser_status stray_check(const CaseReader *r, const CaseNode *node, int profile)
+{
+    static const char *const stray[SHAPE_KINDS] = {NULL, "radius", "angle"};
+    const CaseNode *groove = case_node_key(node, "groove");
+    if (!groove) return HAWSER_OK;
+    if (profile == SHAPE_CYLINDER) {
+        return case_key_error(r->err, groove, NULL, "only for 'profile: v' or 'profile: u'; this one is flat");
+    }
+    const CaseNode *key = case_node_key(groove, stray[profile]);
+    if (!key) return HAWSER_OK;
+    return case_key_error(r->err, key, NULL, "only for 'profile: %s'", profile == SHAPE_V_GROOVE ? "u" : "v");
+}
+
+/* The key where it was written, or the row or roller that lacks it. */
+static hawser_status groove_error(const CaseReader *r, const CaseNode *node, const char *name, const char *text,
+                                  double value)
+{
+    const CaseNode *groove = case_node_key(node, "groove"), *key = case_node_key(groove, name);
+    if (key) return case_key_error(r->err, key, NULL, text, value);
+    if (groove) return case_key_error(r->err, groove, name, text, value);
+    return case_key_error(r->err, node, "groove", text, value);
+}
+
+/* Both flanks touch the cable if the groove is deep enough (GR6). */
+static hawser_status v_make(const CaseReader *r, const CaseNode *node, const GrooveRecord *d, double cable,
+                            Groove *groove)
+{
+    const double half_angle = isnan(d->angle) ? RIGHT_ANGLE / 2 : d->angle / 2;
+    const double least = cable * cos(half_angle) * cos(half_angle) / sin(half_angle);
+    const double depth = isnan(d->depth) ? 2 * cable : d->depth;
+    *groove = groove_v(half_angle, depth);
+    if (depth >= least) return HAWSER_OK;
+    return groove_error(r, node, "depth",
+                        "out of range: the thickest cable would lie on the lips, must be at least %.4g m for it",
+                        least);
+}
+
+/* The arc is wider than the cable and no more than a half circle. */
+static hawser_status u_make(const CaseReader *r, const CaseNode *node, const GrooveRecord *d, double cable,
+                            Groove *groove)
+{
+    const double radius = isnan(d->radius) ? 1.25 * cable : d->radius, depth = isnan(d->depth) ? radius : d->depth;
+    if (!(radius > cable)) {
+        return groove_error(r, node, "radius", "out of range: must be above the thickest cable's, %.4g m", cable);
+    }
+    if (depth > radius) {
+        return groove_error(r, node, "depth", "out of range: must be at most the groove's radius, %.4g m", radius);
+    }
+    *groove = groove_u(radius, depth);
+    return HAWSER_OK;
+}
+
+hawser_status case_groove_make(const CaseReader *r, const CaseNode *node, int profile, const GrooveRecord *record,
+                               double width, Groove *groove)
+{
+    const double cable = case_largest_diameter(r->def) / 2;
+    *groove = (Groove){0};
+    hawser_status status = stray_check(r, node, profile);
+    if (status || profile == SHAPE_CYLINDER) return status;
+    status =
+        profile == SHAPE_V_GROOVE ? v_make(r, node, record, cable, groove) : u_make(r, node, record, cable, groove);
+    if (!status && 2 * groove->lip > width) {
+        const CaseNode *given = case_node_key(node, "width");
+        status = case_key_error(r->err, given ? given : node, given ? NULL : "width",
+                                "%g m is out of range: must be at least the groove's, %.4g m", width, 2 * groove->lip);
+    }
+    return status;
+}
+
+/* A plain bush on a steel pin, greased; sim/equipment/rollers.h. */
+static const CaseKey bearing_keys[] = {
+    {"friction", KEY_NUMBER, .fallback = "0.1", FROM(0, 10), AT(SpinDef, friction)},
+    {"journal", KEY_NUMBER, DIM_LENGTH, .fallback = "10 mm", ABOVE(0, 1e3), AT(SpinDef, journal)},
+    {"torque", KEY_NUMBER, DIM_MOMENT, .fallback = "0 N m", FROM(0, 1e9), AT(SpinDef, torque)},
+    {"speed", KEY_NUMBER, DIM_ANGULAR_SPEED, .fallback = "0.01 rad/s", ABOVE(0, 1e6), AT(SpinDef, speed)},
+};
+
+static SECTION(bearing, "rollers.along.spin.bearing", bearing_keys);
+
+/* How a motor is given: exactly one of torque, speed and factor. */
+typedef struct MotorRecord {
+    double torque, speed; /* N m, m/s */
+    MotorDef motor;
+} MotorRecord;
+
+static const CaseKey motor_keys[] = {
+    {"torque", KEY_NUMBER, DIM_MOMENT, .otherwise = "none", FROM(0, 1e9), AT(MotorRecord, torque)},
+    {"speed", KEY_NUMBER, DIM_SPEED, .otherwise = "none", FROM(0, 1e4), AT(MotorRecord, speed)},
+    {"factor", KEY_NUMBER, .otherwise = "none", ABOVE(0, 100), AT(MotorRecord, motor.factor)},
+    RAMP_KEYS(offsetof(MotorRecord, motor.set), "step"),
+    {"limit", KEY_NUMBER, DIM_MOMENT, .otherwise = "required with `speed` or `factor`", ABOVE(0, 1e9),
+     AT(MotorRecord, motor.limit)},
+    {"speed_limit", KEY_NUMBER, DIM_SPEED, .otherwise = "none", ABOVE(0, 1e4), AT(MotorRecord, motor.speed_limit)},
+    {"droop", KEY_NUMBER, DIM_SPEED, .fallback = "5 mm/s", ABOVE(0, 1e3), AT(MotorRecord, motor.droop)},
+};
+
+static SECTION(motor_section, "rollers.along.spin.motor", motor_keys);
+
+static const CaseKey spin_keys[] = {
+    {"inertia", KEY_NUMBER, DIM_INERTIA, .required = 1, ABOVE(0, 1e9), AT(SpinDef, inertia)},
+    {"bearing", KEY_SECTION, .otherwise = "its defaults", .section = &bearing},
+    {"motor", KEY_MAP, .otherwise = "none", .section = &motor_section},
+};
+
+SECTION(case_spin, "rollers.along.spin", spin_keys);
+
+static const CaseKey mount_keys[] = {
+    {"stiffness", KEY_LIST, .required = 1, .form = "six: along the axis, along the route, up, about each of these"},
+    {"damping", KEY_NUMBER, DIM_TIME, .fallback = "1 ms", FROM(0, 1e3), AT(MountDef, damping)},
+    {"mass", KEY_NUMBER, DIM_MASS, .required = 1, ABOVE(0, 1e9), AT(MountDef, mass)},
+    {"inertia", KEY_NUMBER, DIM_INERTIA, .required = 1, ABOVE(0, 1e9), AT(MountDef, inertia)},
+};
+
+SECTION(case_mount, "rollers.along.mount", mount_keys);
+
+/* The six stiffnesses of a mount: three by shift, three by turn. */
+static const CaseKey shift_key = {"stiffness", KEY_NUMBER, DIM_SPRING, .min = 0, .max = 1e15, .above = 1};
+
+static const CaseKey turn_key = {"stiffness", KEY_NUMBER, DIM_TURN_SPRING, .min = 0, .max = 1e15, .above = 1};
+
+/* What goes with a set torque only, or with a set speed only, or with a ramp of its own. */
+static hawser_status motor_check(const CaseReader *r, const CaseNode *node, const MotorRecord *m)
+{
+    const int by_torque = !isnan(m->torque), by_speed = !isnan(m->speed), by_factor = !isnan(m->motor.factor);
+    if (by_torque + by_speed + by_factor != 1) {
+        return case_key_error(r->err, node, "torque", "%s: give one of 'torque', 'speed' and 'factor'",
+                              by_torque + by_speed + by_factor ? "given twice" : "missing");
+    }
+    if (!by_torque && isnan(m->motor.limit)) {
+        return case_key_error(r->err, node, "limit", "missing: the largest torque of a motor with a set speed");
+    }
+    const struct {
+        const char *key;
+        int allowed;
+    } only[] = {{"limit", !by_torque},
+                {"speed_limit", by_torque},
+                {"ramp", !by_factor},
+                {"from", !by_factor},
+                {"to", !by_factor}};
+    for (size_t k = 0; k < sizeof only / sizeof *only; k++) {
+        const CaseNode *const given = case_node_key(node, only[k].key);
+        if (!given || only[k].allowed) continue;
+        return case_key_error(r->err, given, NULL, "not allowed beside '%s'",
+                              by_torque   ? "torque"
+                              : by_factor ? "factor"
+                                          : "speed");
+    }
+    return HAWSER_OK;
+}
+
+/* node NULL: the roller has none. */
+static hawser_status motor_read(const CaseReader *r, const CaseNode *node, MotorDef *motor)
+{
+    MotorRecord m = {0};
+    if (!node) return HAWSER_OK;
+    hawser_status status = case_section_read(r, node, &motor_section, &m);
+    if (!status) status = motor_check(r, node, &m);
+    if (status) return status;
+    const int by_torque = !isnan(m.torque), by_factor = !isnan(m.motor.factor);
+    m.motor.kind = by_torque ? MOTOR_TORQUE : MOTOR_SPEED;
+    m.motor.set.v1 = by_torque ? m.torque : by_factor ? 0 : m.speed;
+    if (!by_factor) m.motor.factor = 0;
+    if (isnan(m.motor.limit)) m.motor.limit = 0;
+    if (isnan(m.motor.speed_limit)) m.motor.speed_limit = 0;
+    *motor = m.motor;
+    return case_profile_read(r, node, &motor_section, "speed", &motor->set);
+}
+
+hawser_status case_spin_read(const CaseReader *r, const CaseNode *node, double radius, SpinDef *spin)
+{
+    *spin = (SpinDef){.speed = 1};
+    if (!node) return HAWSER_OK;
+    hawser_status status = case_section_read(r, node, &case_spin, spin);
+    if (!status) status = motor_read(r, case_node_key(node, "motor"), &spin->motor);
+    if (status || spin->journal < radius) return status;
+    const CaseNode *const given = case_node_key(node, "bearing");
+    return case_key_error(r->err, given ? given : node, given ? "journal" : "bearing.journal",
+                          "out of range: must be below the roller's radius, %g m", radius);
+}
+
+hawser_status case_mount_read(const CaseReader *r, const CaseNode *node, MountDef *mount)
+{
+    const CaseKey *const key[6] = {&shift_key, &shift_key, &shift_key, &turn_key, &turn_key, &turn_key};
+    *mount = (MountDef){0};
+    if (!node) return HAWSER_OK;
+    const hawser_status status = case_section_read(r, node, &case_mount, mount);
+    mount->present = 1;
+    return status ? status : case_numbers_read(r, case_node_key(node, "stiffness"), 6, key, mount->stiffness);
+}
+
+/* Where the rollers of a row stand: all along at even steps, or in stretches of the route of one sort; and whether what
+ * stands somewhere is in the cable's way. */
+
+enum { WHERE_ALL, WHERE_BENDS, WHERE_STRAIGHTS, WHERE_SIDEWAYS, WHERE_RANGES };
+
+/* The places found so far. */
+typedef struct Places {
+    const CaseReader *r;
+    const CaseNode *node, *where; /* of the row */
+    const RowPlaces *row;
+    double *s;
+    int n;
+} Places;
+
+hawser_status case_stretch_read(const CaseReader *r, const CaseNode *node, const CaseKey *key, double ends[2])
+{
+    const CaseKey *const keys[2] = {key, key};
+    const hawser_status status = case_numbers_read(r, node, 2, keys, ends);
+    if (!status && ends[1] < ends[0]) return case_value_error(r->err, node, ": expected [from, to] with to >= from");
+    return status;
+}
+
+double case_sideways(const CaseReader *r, double s)
+{
+    return v3_dot(route_at(&r->route, s).curvature, route_left(&r->route, s));
+}
+
+/* n more places, `step` apart. */
+static hawser_status places_add(Places *p, double first, double step, double n)
+{
+    if (n > CASE_ROLLERS_MAX - p->n) {
+        char cost[160];
+        case_cost_say(p->r, case_segments(p->r->def), p->n + n, sizeof cost, cost);
+        return case_key_error(p->r->err, p->node, "spacing", "too many rollers: at most %d; %s", CASE_ROLLERS_MAX,
+                              cost);
+    }
+    double *const grown = realloc(p->s, ((size_t)p->n + (size_t)n + 1) * sizeof *grown);
+    if (!grown) return error_memory(p->r->err);
+    p->s = grown;
+    for (int i = 0; i < (int)n; i++) p->s[p->n++] = first + i * step;
+    return HAWSER_OK;
+}
+
+/* The whole row at even steps, ends included. */
+static hawser_status places_all(Places *p)
+{
+    const RowPlaces *d = p->row;
+    const double length = d->to - d->from;
+    const int spaced = !isnan(d->spacing);
+    if (spaced == (d->count > 0)) {
+        return case_key_error(p->r->err, p->node, spaced ? "spacing" : "count", "%s: give either 'count' or 'spacing'",
+                              spaced ? "given beside count" : "missing");
+    }
+    const double n = spaced ? floor(length / d->spacing + 1e-9) + 1 : d->count;
+    return places_add(p, d->from, spaced ? d->spacing : length / fmax(1, n - 1), n);
+}
+
+/* One stretch: equal parts no longer than the spacing, a roller in the middle of each, so that stretches that follow
+ * each other never share a place. */
+static hawser_status places_stretch(Places *p, double from, double to)
+{
+    from = fmax(from, p->row->from);
+    to = fmin(to, p->row->to);
+    if (to - from < 1e-9) return HAWSER_OK;
+    const double n = ceil((to - from) / p->row->spacing - 1e-9), step = (to - from) / n;
+    return places_add(p, from + step / 2, step, n);
+}
+
+static int is_wanted(const Places *p, const RoutePiece *piece, int where)
+{
+    const int bend = piece && piece->kind != ROUTE_STRAIGHT;
+    if (where == WHERE_STRAIGHTS) return !bend;
+    return bend && (where == WHERE_BENDS || fabs(case_sideways(p->r, piece->s0 + piece->length / 2)) > 1e-9);
+}
+
+/* Neighbouring pieces of the sort make one stretch; before its start and past its end the route is straight. */
+static hawser_status places_pieces(Places *p, int where)
+{
+    const Route *const route = &p->r->route;
+    hawser_status status = HAWSER_OK;
+    double from = p->row->from; /* of the stretch that is open */
+    int open = is_wanted(p, NULL, where);
+    for (int i = 0; i <= route->n && !status; i++) {
+        const RoutePiece *const piece = i < route->n ? &route->piece[i] : NULL;
+        const double at = piece ? piece->s0 : route->length;
+        const int wanted = is_wanted(p, piece, where);
+        if (open && !wanted) status = places_stretch(p, from, at);
+        if (!open && wanted) from = at;
+        open = wanted;
+    }
+    if (open && !status) status = places_stretch(p, from, p->row->to);
+    return status;
+}
+
+static hawser_status places_ranges(Places *p)
+{
+    hawser_status status = HAWSER_OK;
+    for (const CaseNode *range = p->where->first; range && !status; range = range->next) {
+        double ends[2];
+        status = case_stretch_read(p->r, range, case_key_of(&case_roller_row, "where"), ends);
+        if (!status) status = places_stretch(p, ends[0], ends[1]);
+    }
+    return status;
+}
+
+/* What `where` says; guides stand in bends to the side unless told otherwise. */
+static hawser_status where_read(const Places *p, int *where)
+{
+    static const char *const word[] = {"all", "bends", "straights", NULL};
+    const CaseNode *node = p->where;
+    const int guide = p->row->guide != GUIDE_NONE;
+    *where = WHERE_RANGES;
+    if (node && node->kind == NODE_LIST) return HAWSER_OK;
+    *where = node ? case_word_place(node, word) : WHERE_ALL;
+    if (*where < 0) {
+        return case_value_error(p->r->err, node, ": expected all, bends, straights, or a list such as [[4 m, 20 m]]");
+    }
+    if (guide && *where != WHERE_STRAIGHTS) *where = WHERE_SIDEWAYS;
+    return HAWSER_OK;
+}
+
+static hawser_status places_fill(Places *p)
+{
+    const RowPlaces *d = p->row;
+    int where;
+    const hawser_status status = where_read(p, &where);
+    if (status) return status;
+    if (d->to < d->from)
+        return case_key_error(p->r->err, p->node, "to", "out of range: must be at least 'from', %g m", d->from);
+    if (where == WHERE_ALL) return places_all(p);
+    if (isnan(d->spacing) || d->count > 0) {
+        return case_key_error(p->r->err, p->node, d->count > 0 ? "count" : "spacing",
+                              "%s: rows of guides, and rows with 'where', need 'spacing' alone",
+                              d->count > 0 ? "given" : "missing");
+    }
+    return where == WHERE_RANGES ? places_ranges(p) : places_pieces(p, where);
+}
+
+hawser_status case_places_find(const CaseReader *r, const CaseNode *node, const RowPlaces *row, double **s, int *n)
+{
+    Places p = {.r = r, .node = node, .where = case_node_key(node, "where"), .row = row};
+    const hawser_status status = places_fill(&p);
+    if (status) {
+        free(p.s);
+        p = (Places){0};
+    }
+    *s = p.s;
+    *n = p.n;
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------- whether they fit */
+
+/* How far a roller may press into the cable before it counts as a mistake, and the smallest step of the
+ * search, m. */
+static const double PRESS_MAX = 1e-3, STEP_MIN = 1e-5;
+
+/* Where piece p lies along the route at the start: the rope's are ahead of the eye, the others behind it. */
+void case_piece_place(const SceneDef *def, int p, double *from, double *to)
+{
+    const int behind = scene_def_eye(def);
+    *from = def->head_at;
+    for (int k = behind - 1; k >= p; k--) *from -= def->pieces[k].length;
+    *to = *from + def->pieces[p].length;
+}
+
+/* The first s between from and to where the route's line comes nearer to the shape than `least`; `to` if
+ * none. The line's distance cannot change faster than s, so that a step of what is to spare is safe. */
+static double line_meets(const Route *route, const Shape *shape, double from, double to, double least, double *distance)
+{
+    double s = from;
+    while (s < to) {
+        *distance = shape_distance(shape, route_at(route, s).position);
+        if (*distance < least) return s;
+        s += fmax(*distance - least, STEP_MIN);
+    }
+    return to;
+}
+
+/* Each piece with its own radius: a roller may be nearer to the rope than to the cable. */
+hawser_status case_overlap_check(const CaseReader *r, const CaseNode *node, const RollerDef *roller)
+{
+    if (r->def->rod.present) return HAWSER_OK; /* it lies on no route */
+    const SceneDef *def = r->def;
+    const Shape shape = roller_def_shape(roller);
+    for (int p = 0; p < def->n_pieces; p++) {
+        const double radius = def->cables[def->pieces[p].cable].diameter / 2;
+        double from, to, distance = 0;
+        case_piece_place(def, p, &from, &to);
+        const double s = line_meets(&r->route, &shape, from, to, radius - PRESS_MAX, &distance);
+        if (s >= to) continue;
+        return case_key_error(r->err, node, NULL,
+                              "%s '%s' is inside the cable: %.4g m along the route its surface is %.4g m from the "
+                              "line, must be at least the cable's radius, %.4g m",
+                              roller->profile < SHAPE_BOX ? "roller" : "obstacle", roller->name, s, distance, radius);
+    }
+    return HAWSER_OK;
+}
+
+/* Rollers by rule: the rule's keys, and the tension that it counts with. */
+
+typedef struct RuleRecord {
+    double straights, bends, share, reserve, tension;
+    int guides, hold_downs;
+} RuleRecord;
+
+static const CaseKey rule_keys[] = {
+    {"straights", KEY_NUMBER, DIM_LENGTH, .otherwise = "2.5 m, from 20 kg/m on 1.5 m", ABOVE(0, LONG),
+     AT(RuleRecord, straights)},
+    {"bends", KEY_NUMBER, DIM_LENGTH, .fallback = "800 mm", ABOVE(0, LONG), AT(RuleRecord, bends)},
+    {"share", KEY_NUMBER, .fallback = "0.625", ABOVE(0, 1), AT(RuleRecord, share)},
+    {"guides", KEY_FLAG, .fallback = "true", AT(RuleRecord, guides)},
+    {"hold_downs", KEY_FLAG, .fallback = "true", AT(RuleRecord, hold_downs)},
+    {"reserve", KEY_NUMBER, .fallback = "1.25", FROM(1, 100), AT(RuleRecord, reserve)},
+    {"tension", KEY_NUMBER, DIM_FORCE, .otherwise = "by the pulling theory", FROM(0, STRONG), AT(RuleRecord, tension)},
+};
+
+SECTION(case_place_rule, "rollers.along.rule", rule_keys);
+
+/* kg/m from which a cable counts as heavy, and spacings on straights, m. */
+static const double HEAVY = 20, SPACING = 2.5, SPACING_HEAVY = 1.5;
+
+/* The heaviest cable before the eye, kg/m. */
+static double line_mass(const SceneDef *def)
+{
+    const int n = scene_def_eye(def);
+    double most = 0;
+    for (int p = 0; p < n; ++p) most = fmax(most, def->cables[def->pieces[p].cable].mass);
+    return most;
+}
+
+/* The largest back tension: the tail's, and what the brake can do on the bare drum. */
+static double back_tension(const SceneDef *def)
+{
+    double back = fmax(0, profile_largest(&def->tail.tension));
+    if (def->reel.model == REEL_PAYOUT) back += 2 * (def->reel.torque + def->reel.bearing) / def->reel.barrel;
+    if (def->drum.present) back += 2 * def->drum.torque / def->drum.barrel;
+    return back;
+}
+
+/* The pull of a cable that fills the route, without what conveyors take off: rollers must bear a pull in which one of
+ * them stands. With guides friction adds up in bends to the side (LI1). */
+static hawser_status pull_make(const CaseReader *r, const RuleRecord *rule, double weight, Pull *pull)
+{
+    const SceneDef *const def = r->def;
+    const Route *const route = &r->route;
+    const int given = !isnan(rule->tension);
+    PullStretch *const stretch = calloc((size_t)route->n + 1, sizeof *stretch);
+    if (!stretch) return error_memory(r->err);
+    for (int i = 0; i < route->n; ++i) {
+        stretch[i] = (PullStretch){.from = i ? route->piece[i].s0 : -1e9,
+                                   .weight = given ? 0 : weight,
+                                   .mu = given ? 0 : def->friction.mu_d,
+                                   .separate = rule->guides && route_turns_aside(&route->piece[i])};
+    }
+    const PullDef whole = {.route = route,
+                           .to = route->length,
+                           .start_tension = given ? rule->tension : back_tension(def),
+                           .n_stretches = route->n,
+                           .stretch = stretch};
+    const hawser_status status = pull_solve(&whole, pull, r->err);
+    free(stretch);
+    return status;
+}
+
+hawser_status case_rule_place(const CaseReader *r, const CaseNode *node, const RuleRow *row, PlacedRoller **placed,
+                              int *n)
+{
+    RuleRecord in = {0};
+    Pull pull = {0};
+    hawser_status status = case_section_read(r, node, &case_place_rule, &in);
+    if (status) return status;
+    const double mass = line_mass(r->def), weight = mass * v3_norm(r->def->gravity);
+    status = pull_make(r, &in, weight, &pull);
+    if (status) return status;
+    const PlaceLine line = {.route = &r->route, .pull = &pull, .weight = weight, .from = row->from, .to = row->to};
+    const PlaceRule rule = {.straights = !isnan(in.straights) ? in.straights
+                                         : mass < HEAVY       ? SPACING
+                                                              : SPACING_HEAVY,
+                            .bends = in.bends,
+                            .allowed = in.share * row->rating,
+                            .reserve = in.reserve,
+                            .guides = in.guides,
+                            .hold_downs = in.hold_downs};
+    hawser_error why = {HAWSER_OK, ""};
+    status = place_by_rule(&line, &rule, row->most, placed, n, &why);
+    if (status) status = case_key_cause(r->err, node, NULL, "", &why);
+    pull_clear(&pull);
+    return status;
+}
 
 static const char *const profiles[] = {"flat", "v", "u", NULL};
+
 static const char *const guides[] = {"none", "inside", "both", "left", "right", NULL};
 
 /* A row of rollers being laid: what all of them have, and where they stand. */
@@ -49,6 +545,7 @@ static const CaseKey roller_row_keys[] = {
     {"mount", KEY_MAP, .otherwise = "fixed", .section = &case_mount},
     {"name", KEY_TEXT, .fallback = "R", AT(Row, name)},
 };
+
 SECTION(case_roller_row, "rollers.along", roller_row_keys);
 
 /* By coordinates: nothing is known of the route. */
@@ -66,6 +563,7 @@ static const CaseKey roller_keys[] = {
     {"mount", KEY_MAP, .otherwise = "fixed", .section = &case_mount},
     {"name", KEY_TEXT, .fallback = "", AT(Row, roller.name)},
 };
+
 static SECTION(single_roller, "rollers.list.N", roller_keys);
 
 /* Rows along the route, and single ones. */
@@ -73,6 +571,7 @@ static const CaseKey rollers_keys[] = {
     {"along", KEY_ANY, .otherwise = "none", .form = "a row of rollers, or a list of rows", .section = &case_roller_row},
     {"list", KEY_LIST, .otherwise = "none", .form = "rollers one by one", .section = &single_roller},
 };
+
 SECTION(case_rollers, "rollers", rollers_keys);
 
 /* The cable's centre line at rest lies on the route, so a roller's centre is as far away from it as the thickest cable

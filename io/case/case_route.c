@@ -2,9 +2,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
-#include "core/route_make.h"
-#include "io/alignment/case_line.h"
+#include "core/error.h"
+#include "core/route.h"
+#include "io/case/alignment.h"
 #include "io/case/case_parts.h"
 
 /* m: surveyors' coordinates may be as far from their zero, and lines that begin farther than NEAR count from an origin

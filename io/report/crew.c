@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
 #include "io/report/svg.h"
 
 /* Counts that keep the sheet on one side. */
@@ -19,16 +19,16 @@ static const char style[] =
     "0}dl{margin:3px 0;gap:0 12px}p{margin:3px 0}.job{margin:0 0 4px}.side{gap:12px;flex-wrap:nowrap}}</style>\n";
 
 /* A pull one way. */
-typedef struct Sheet {
+typedef struct CrewSheet {
     const Calculation *page;
     int way;
     double length; /* m, of the route */
-} Sheet;
+} CrewSheet;
 
 /* m that the cable's front has come from where the pull begins, when it is at s. */
-static double come(const Sheet *sheet, double s) { return sheet->way == PLAN_FORWARD ? s : sheet->length - s; }
+static double come(const CrewSheet *sheet, double s) { return sheet->way == PLAN_FORWARD ? s : sheet->length - s; }
 
-static const char *shown(const Sheet *sheet, double value, const char *unit, char text[HAWSER_SHOWN_MAX])
+static const char *shown(const CrewSheet *sheet, double value, const char *unit, char text[HAWSER_SHOWN_MAX])
 {
     return hawser_show(value, unit, sheet->page->units, text);
 }
@@ -58,7 +58,7 @@ static double step_of(double length)
     return step <= ten ? ten : step <= 2 * ten ? 2 * ten : step <= 5 * ten ? 5 * ten : 10 * ten;
 }
 
-static const char *winch_of(const Sheet *sheet, double head)
+static const char *winch_of(const CrewSheet *sheet, double head)
 {
     const TheoryDef *const theory = &sheet->page->setup->def->theory;
     const PlanSection part = plan_section_at(&sheet->page->c->def, sheet->way, head);
@@ -66,7 +66,7 @@ static const char *winch_of(const Sheet *sheet, double head)
     return part.ends < 0 ? "the end" : theory->pits[part.ends - theory->n_machines].name;
 }
 
-static hawser_status mark_make(const Sheet *sheet, double at, Mark *mark, hawser_error *err)
+static hawser_status mark_make(const CrewSheet *sheet, double at, Mark *mark, hawser_error *err)
 {
     const Calculator *const c = sheet->page->c;
     const double head = sheet->way == PLAN_FORWARD ? at : sheet->length - at;
@@ -83,7 +83,7 @@ static hawser_status mark_make(const Sheet *sheet, double at, Mark *mark, hawser
 }
 
 /* At round places and at the end; of each pit its own. Returns how many by *n. */
-static hawser_status marks_make(const Sheet *sheet, Mark mark[MARKS_MAX], int *n, hawser_error *err)
+static hawser_status marks_make(const CrewSheet *sheet, Mark mark[MARKS_MAX], int *n, hawser_error *err)
 {
     const double factor = scale_of("m", 10, sheet->page->units).factor, step = step_of(sheet->length * factor) / factor;
     hawser_status status = HAWSER_OK;
@@ -93,7 +93,7 @@ static hawser_status marks_make(const Sheet *sheet, Mark mark[MARKS_MAX], int *n
     return status;
 }
 
-static hawser_status figure_draw(const Sheet *sheet, Text *out, hawser_error *err)
+static hawser_status figure_draw(const CrewSheet *sheet, Text *out, hawser_error *err)
 {
     const Calculator *const c = sheet->page->c;
     const double trip = c->trip[sheet->way].force;
@@ -148,7 +148,7 @@ static const Column post_column[] = {
 };
 
 typedef struct Posts {
-    const Sheet *sheet;
+    const CrewSheet *sheet;
     int n;
     Post post[POSTS_MAX];
 } Posts;
@@ -290,7 +290,7 @@ static int compare_loads(const void *a, const void *b)
 }
 
 /* row [n]: all rollers, those that bear most first. Returns how many there are. */
-static int loaded_list(const Sheet *sheet, int n, const Placed *equipment, Loaded *row)
+static int loaded_list(const CrewSheet *sheet, int n, const Placed *equipment, Loaded *row)
 {
     int found = 0;
     for (int i = 0; i < n; ++i) {
@@ -322,7 +322,7 @@ static void __attribute__((format(printf, 3, 4))) fact_say(Facts *f, const char 
     f->fact[f->n++] = (Fact){label, label, "", cell_text(said)};
 }
 
-static void cable_say(const Sheet *sheet, Facts *f)
+static void cable_say(const CrewSheet *sheet, Facts *f)
 {
     const SceneDef *const def = sheet->page->setup->def;
     const double g = v3_norm(def->gravity), mass = g > 0 ? sheet->page->setup->cable_weight / g : 0;
@@ -332,7 +332,7 @@ static void cable_say(const Sheet *sheet, Facts *f)
              shown(sheet, mass * sheet->length, "kg", whole), shown(sheet, sheet->length, "m", length));
 }
 
-static void winch_say(const Sheet *sheet, Facts *f)
+static void winch_say(const CrewSheet *sheet, Facts *f)
 {
     const Calculator *const c = sheet->page->c;
     const HeadSeries *const heads = &c->heads[sheet->way];
@@ -345,7 +345,7 @@ static void winch_say(const Sheet *sheet, Facts *f)
     if (!isnan(trip->force)) fact_say(f, "set it to stop at", "%s: %s", shown(sheet, trip->force, "N", stop), trip->by);
 }
 
-static void speed_say(const Sheet *sheet, Facts *f)
+static void speed_say(const CrewSheet *sheet, Facts *f)
 {
     const SceneDef *const def = sheet->page->setup->def;
     const double speed = def->winch.present ? winch_def_largest(&def->winch, INFINITY) : 0;
@@ -357,7 +357,7 @@ static void speed_say(const Sheet *sheet, Facts *f)
              floor(fmod(minutes, 60)));
 }
 
-static void rope_say(const Sheet *sheet, Facts *f)
+static void rope_say(const CrewSheet *sheet, Facts *f)
 {
     const Calculator *const c = sheet->page->c;
     const LimitsDef *const limits = &sheet->page->setup->def->limits;
@@ -373,7 +373,7 @@ static void rope_say(const Sheet *sheet, Facts *f)
 }
 
 /* Limits that the case says too little for. */
-static void open_say(const Sheet *sheet, Facts *f)
+static void open_say(const CrewSheet *sheet, Facts *f)
 {
     const Calculator *const c = sheet->page->c;
     char names[SAID] = "";
@@ -388,7 +388,7 @@ static void open_say(const Sheet *sheet, Facts *f)
 
 /* -------------------------------------------------------------------------------------------------- the sheet */
 
-static void verdict_write(const Sheet *sheet, Text *out)
+static void verdict_write(const CrewSheet *sheet, Text *out)
 {
     text_print(out, "<p class=\"verdict %s\">", sheet->page->code);
     text_words(out, "", sheet->page->verdict, "</p>\n");
@@ -396,7 +396,7 @@ static void verdict_write(const Sheet *sheet, Text *out)
         text_add(out, "<p><b>Not to be pulled by this sheet: it says what would happen.</b></p>\n");
 }
 
-static void part_write(const Document *part, const Sheet *sheet, Text *out)
+static void part_write(const Document *part, const CrewSheet *sheet, Text *out)
 {
     char *text = NULL;
     if (document_html(part, sheet->page->units, &text, NULL)) out->failed = 1;
@@ -404,14 +404,14 @@ static void part_write(const Document *part, const Sheet *sheet, Text *out)
     free(text);
 }
 
-static void table_write(const Table *table, const Sheet *sheet, Text *out)
+static void table_write(const Table *table, const CrewSheet *sheet, Text *out)
 {
     part_write(&(Document){.n_tables = 1, .table = table}, sheet, out);
 }
 
 hawser_status crew_body(const Calculation *page, int way, int n, const Placed *equipment, Text *out, hawser_error *err)
 {
-    const Sheet sheet = {page, way, page->c->route->length};
+    const CrewSheet sheet = {page, way, page->c->route->length};
     const double first = way == PLAN_FORWARD ? 0 : sheet.length, last = sheet.length - first;
     const RoutePiece *const piece = page->c->route->piece;
     Posts posts = {.sheet = &sheet};

@@ -102,15 +102,15 @@ static void title_of(const Folder *folder, const char *what, char *text, size_t 
 }
 
 /* One curve of a figure that has several. */
-typedef struct Drawn {
+typedef struct DrawnAt {
     const Sheet *sheet;
     const char *x, *y, *words;
     SvgStyle style;
     int marks;
-} Drawn;
+} DrawnAt;
 
 /* Draws those that are there, and says what they are. */
-static void curves_draw(Svg *svg, const Axis *x, const Axis *y, int n, const Drawn *d, const Curve *c)
+static void curves_draw(Svg *svg, const Axis *x, const Axis *y, int n, const DrawnAt *d, const Curve *c)
 {
     for (int k = 0; k < n; ++k) {
         if (c[k].n == 0) continue;
@@ -125,7 +125,7 @@ static int draw_tension(const Folder *folder, hawser_units units, Text *out)
 {
     enum { N = 4 };
     const int fine = folder->route.columns > 0;
-    const Drawn drawn[N] = {
+    const DrawnAt drawn[N] = {
         {&folder->stations, "s_m", "peak_N", "simulated, peak", SVG_PALE, 0},
         {fine ? &folder->route : &folder->stations, "s_m", "paper_N", "piece formulas (eq. 3-10)", SVG_THIRD, 0},
         {fine ? &folder->route : &folder->stations, "s_m", fine ? "run_N" : "reference_N", "reference theory",
@@ -179,7 +179,7 @@ static void times_mark(Svg *svg, const Folder *folder, const Axis *x, const Axis
 }
 
 /* One frame of the figure over time, from `top` on. */
-static int series_frame(Svg *svg, const Folder *folder, int n, const Drawn *drawn, Scale scale, const char *what,
+static int series_frame(Svg *svg, const Folder *folder, int n, const DrawnAt *drawn, Scale scale, const char *what,
                         double top, double height)
 {
     enum { MOST = 3 };
@@ -210,10 +210,10 @@ static int series_frame(Svg *svg, const Folder *folder, int n, const Drawn *draw
 static int draw_series(const Folder *folder, hawser_units units, Text *out)
 {
     const Sheet *const s = &folder->series;
-    const Drawn forces[3] = {{s, "time_s", "max_tension_N", "largest tension", SVG_PALE, 0},
-                             {s, "time_s", "tail_tension_N", "at the tail", SVG_THIRD, 0},
-                             {s, "time_s", "winch_force_N", "at the winch", SVG_FIRST, 0}};
-    const Drawn speed = {s, "time_s", "winch_speed_m_per_s", "speed of the winch", SVG_FOURTH, 0};
+    const DrawnAt forces[3] = {{s, "time_s", "max_tension_N", "largest tension", SVG_PALE, 0},
+                               {s, "time_s", "tail_tension_N", "at the tail", SVG_THIRD, 0},
+                               {s, "time_s", "winch_force_N", "at the winch", SVG_FIRST, 0}};
+    const DrawnAt speed = {s, "time_s", "winch_speed_m_per_s", "speed of the winch", SVG_FOURTH, 0};
     enum { HIGH = 260, LOW = 120, BETWEEN = 84 };
     Svg svg;
     char title[200];

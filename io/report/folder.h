@@ -1,10 +1,42 @@
-/* A results folder as it is read back: docs/results.md says what is in each file. Only summary.json must be there. */
+/* A table that is read from a CSV file of a results folder: texts by column. */
 #ifndef HAWSER_IO_REPORT_FOLDER_H
 #define HAWSER_IO_REPORT_FOLDER_H
 
-#include "core/base/file_marks.h"
-#include "io/report/sheet.h"
+#include "core/file.h"
+#include "hawser/hawser.h"
+#include "io/report/text.h"
 #include "io/results/results_file.h"
+
+typedef struct Sheet {
+    int columns, rows;
+    const char **name; /* [columns] */
+    const char **cell; /* [rows][columns] */
+    char *text;        /* owned: all of these lie in it; NULL: there is no such table */
+} Sheet;
+
+/* Cuts a text, which is taken over also after an error. Rows that are shorter than the head are filled with empty
+ * cells; what is too long in one is left out. Errors: INPUT (a quote that is not closed, too large), MEMORY. */
+hawser_status sheet_parse(char *text, const char *name, Sheet *sheet, hawser_error *err);
+void sheet_clear(Sheet *sheet);
+/* The number of a column, -1 if there is none. */
+int sheet_column(const Sheet *sheet, const char *name);
+static inline const char *sheet_cell(const Sheet *sheet, int row, int column)
+{
+    return sheet->cell[(size_t)row * (size_t)sheet->columns + (size_t)column];
+}
+
+/* A cell as a number; NAN if it is empty or none. */
+double sheet_number(const Sheet *sheet, int row, int column);
+/* Whether a text is a number as JSON writes it, so that it may stand there letter by letter. */
+int is_json_number(const char *text);
+/* `{"name":[...],...}`: the columns as JSON, numbers as they stand in the file, empty cells as null. `row` [n]: which
+ * rows, in that order; NULL: all. */
+void sheet_json(const Sheet *sheet, int n, const int *row, Text *out);
+/* Rows of a long series that keep its shape: of every bucket of as many rows the first, and those in which the column
+ * is least and largest; the last row. `row` has room for `most` + 3; returns how many. A series of at most `most` rows
+ * is kept. */
+int sheet_thin(const Sheet *sheet, int column, int most, int *row);
+/* A results folder as it is read back: docs/results.md says what is in each file. Only summary.json must be there. */
 
 struct json_t;
 
@@ -14,7 +46,6 @@ enum { FOLDER_NOTES_MAX = 8, FOLDER_NOTE_MAX = 400 };
 #define FOLDER_UNFINISHED                                                                                              \
     "This run has not ended: it is under way, or it was cut off before it could say how it ended. What is shown is "   \
     "what it had written by then."
-
 typedef struct Folder {
     const char *dir; /* as it was named; borrowed */
     OutDir home;     /* the same, open while `opened` */
@@ -39,7 +70,6 @@ hawser_status folder_open(const char *dir, Folder *folder, hawser_error *err);
 /* Adds the folder's files of which pages and figures are made: nothing is to be written over them. Errors: MEMORY. */
 hawser_status folder_files(const Folder *folder, FileMarks *files, hawser_error *err);
 void folder_say(Folder *folder, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
 /* dir/name, malloc'ed; NULL without memory. */
 char *folder_path(const Folder *folder, const char *name);
 /* A figure of the summary by its path, "pull_force.peak_N"; NAN: not known. */

@@ -3,10 +3,12 @@
 #ifndef HAWSER_IO_REPORT_REPORT_H
 #define HAWSER_IO_REPORT_REPORT_H
 
-#include "io/report/folder.h"
-#include "io/results/results_h5.h"
-
 #include <stdint.h>
+
+#include "hawser/hawser.h"
+#include "io/report/folder.h"
+#include "io/report/text.h"
+#include "io/results/results_h5.h"
 
 /* ----------------------------------------------------------------------------------------------------------- bundle */
 
@@ -21,7 +23,6 @@ Bundle bundle_script(void);
 Bundle bundle_style(void);
 /* The SHA-256 of the script, of which the page allows no other to run; 32 bytes into `sum`. */
 void bundle_script_sum(unsigned char sum[32]);
-
 /* ---------------------------------------------------------------------------------------------------------- packing */
 
 /* States in few bytes: docs/report.md, "States". A value becomes a whole number of steps; of these the differences
@@ -35,7 +36,6 @@ void pack_planes(int frames, int items, int components, const int32_t *q, unsign
 /* All of it: a zlib stream (RFC 1950) as base64 without quotes behind `out`. Errors: MEMORY. */
 hawser_status pack_field(int frames, int items, int components, double step, const float *value, Text *out,
                          hawser_error *err);
-
 /* ------------------------------------------------------------------------------------------------------------- data */
 
 /* What the page knows of its runs: the JSON of #hawser-data. docs/report.md describes it. */
@@ -44,21 +44,18 @@ enum { REPORT_RUNS_MAX = 6 };
 
 /* All runs of a page. Notes are added to the folders. Errors: MEMORY. */
 hawser_status data_write(size_t n, Folder *folder, Text *out, hawser_error *err);
-
 /* --------------------------------------------------------------------------------------------------------- geometry */
 
 /* What stands around the cable, and what was largest where, out of results.h5 into the page. */
 
 /* The keys geometry, chain and envelope of a run; of an older file only a note. */
 void geometry_add(Text *out, hid_t file, Folder *folder);
-
 /* ------------------------------------------------------------------------------------------------------------- page */
 
 /* The page itself: one HTML file with everything in it. */
 
 /* The whole file around the data of n runs. Errors: MEMORY. */
 hawser_status page_write(size_t n, const Folder *folder, const Text *data, Text *out, hawser_error *err);
-
 /* ---------------------------------------------------------------------------------------------------------- figures */
 
 /* The main figures of a run as SVG. */
@@ -73,5 +70,40 @@ typedef struct Figure {
 } Figure;
 
 extern const Figure figures[FIGURES];
+
+/* The states of results.h5, as many of them as are wanted, and what else a page takes from there. */
+
+/* What is known of each segment, or of each roller, in each state. */
+typedef struct Field {
+    const char *name, *unit;
+    int items, components;
+    double step;  /* to which it is rounded when it is packed, in `unit` */
+    float *value; /* [frames][items][components], owned; NULL: the file has no such thing */
+} Field;
+
+enum {
+    FIELD_POSITION,
+    FIELD_TENSION,
+    FIELD_CURVATURE,
+    FIELD_SIDEWALL,
+    FIELD_CONTACT,
+    FIELD_SPEED,
+    FIELD_ROLLERS,
+    FIELDS
+};
+
+typedef struct States {
+    int frames, segments; /* frames: that were read; of */
+    int there;            /* states of the file */
+    double *time;         /* [frames] s, owned */
+    Field field[FIELDS];
+} States;
+
+/* How many states there are; 0: none that could be shown. */
+int states_count(hid_t file);
+/* At most so many states, evenly chosen, the first and the last among them. Errors: INPUT (sets that do not fit each
+ * other), MEMORY. */
+hawser_status states_read(hid_t file, int most, States *states, hawser_error *err);
+void states_clear(States *states);
 
 #endif

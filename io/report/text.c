@@ -1,6 +1,6 @@
 #include "io/report/text.h"
 
-#include "core/base/error.h"
+#include "core/error.h"
 
 #include <jansson.h>
 #include <stdarg.h>

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "def/language.h"
+#include "def/scene_def.h"
 #include "hawser/hawser.h"
 
 /* Of summary.json and of what theory prints as JSON: one more whenever a key goes or changes its meaning. 2: verdicts

@@ -3,9 +3,9 @@
  * whatever happened, and the first error is the one that is reported. */
 #include "io/results/results.h"
 
-#include "core/base/clock.h"
-#include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "core/machine.h"
 #include "io/results/results_file.h"
 
 #include <errno.h>

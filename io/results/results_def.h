@@ -2,11 +2,11 @@
 #ifndef HAWSER_IO_RESULTS_RESULTS_DEF_H
 #define HAWSER_IO_RESULTS_RESULTS_DEF_H
 
-#include "core/base/file_marks.h"
+#include "core/file.h"
 #include "hawser/hawser.h"
-#include "sim/judge/peaks.h"
-#include "sim/picture/envelope.h"
-#include "sim/picture/geometry.h"
+#include "sim/run/envelope.h"
+#include "sim/run/geometry.h"
+#include "sim/run/peaks.h"
 
 /* A place of the route: where it is and what theory says there. What is not known or not there is NAN. */
 typedef struct AlongRow {
@@ -46,7 +46,7 @@ typedef struct ResultsDef {
 
 enum { REMEDY_MAX = 256 };
 
-/* What would make a broken limit hold. Its code says the sentence (io/api/api_remedy.c), of which the values are parts;
+/* What would make a broken limit hold. Its code says the sentence (io/api/api_answer.c), of which the values are parts;
  * NAN, "": it has none. */
 typedef struct Remedy {
     const char *code, *limit; /* limit: its name */

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "core/base/file.h"
+#include "core/file.h"
 #include "io/results/column.h"
 #include "io/results/results_def.h"
 
@@ -16,7 +16,7 @@
 enum { OUT_PATH_MAX = 4096 };
 
 /* A folder that is open, so that what is written and taken away is in it whatever becomes of its name. The one that
- * the user has named may be reached by links; within it core/base/file.h opens everything, and follows none. */
+ * the user has named may be reached by links; within it core/file.h opens everything, and follows none. */
 typedef struct OutDir {
     int at;
     char path[OUT_PATH_MAX]; /* for messages */
@@ -33,8 +33,6 @@ typedef struct OutSpot {
 hawser_status out_enter(OutDir *dir, const char *path, hawser_error *err);
 /* Errors: OUTPUT if a path is too long. */
 hawser_status out_spot(OutSpot *spot, const OutDir *dir, const char *name, hawser_error *err);
-const char *spot_name(const OutSpot *spot);
-
 /* Opens a folder and keeps other runs out of it until out_leave; within NULL: its name is a path, of which missing
  * levels are made. make 0: it must be there. Errors: OUTPUT, also if another run has it. */
 hawser_status out_take(OutDir *out, const OutDir *within, const char *name, int make, hawser_error *err);
@@ -46,7 +44,6 @@ int out_within(OutDir *out, const OutDir *dir, const char *name);
 void out_remove(const OutDir *dir, const char *name); /* a file, if it is there */
 /* Deletes what writes that were killed have left of these files: their parts (file_new_in). */
 void out_sweep(const OutDir *dir, int n, const char *const *names);
-
 /* A text file open for writing; zeroed: closed. Numbers are written with a decimal point whatever the locale of the
  * calling program. */
 typedef struct OutFile {
@@ -67,7 +64,6 @@ hawser_status out_join(char *path, const char *dir, const char *name, hawser_err
 hawser_status out_error(const char *path, int number, hawser_error *err);
 /* What a run cannot read of its own files is no fault of the case's: INPUT becomes OUTPUT. */
 hawser_status out_own(hawser_status status, hawser_error *err);
-
 /* A new file in place of what has its name: at once, or once out_named closes it. The folder stays open as long.
  * Errors: OUTPUT, MEMORY; the file is then closed, and what was there stays. */
 hawser_status out_open_in(OutFile *out, const OutDir *dir, const char *name, hawser_error *err);
@@ -92,7 +88,6 @@ hawser_status out_end_row(OutFile *out, hawser_error *err);
 hawser_status out_flush(OutFile *out, hawser_error *err);
 /* Flushes and closes; a closed file is left alone. Errors: OUTPUT (the file is closed all the same). */
 hawser_status out_close(OutFile *out, hawser_error *err);
-
 /* Gives a new file (file_new_in) its name, once it is on the disk; after an error (status) it is taken away. Errors:
  * OUTPUT. */
 hawser_status out_name_in(const OutDir *dir, const char *part, const char *name, hawser_status status,
@@ -104,11 +99,11 @@ hawser_status out_whole_in(const OutDir *dir, const char *name, const char *text
 hawser_status out_bytes_in(const OutDir *dir, const char *name, const void *bytes, size_t size, hawser_error *err);
 /* The same under a path. */
 hawser_status out_file(const char *path, const void *bytes, size_t size, hawser_error *err);
-
 /* ------------------------------------------------------------------------------------------ what belongs together */
 
 /* The text files of a run beside its summary. */
 extern const char *const sum_files[FILE_SUMS_MAX];
+
 void sum_text(char text[SUM_SIZE], uint64_t sum);
 /* A file of a folder. Errors: INPUT (it cannot be read), MEMORY. */
 hawser_status file_sum(const OutDir *dir, const char *name, FileSum *sum, hawser_error *err);
@@ -121,6 +116,7 @@ hawser_status file_broken(const OutDir *dir, const char *name, int *broken, haws
 /* The n text files of a run that are in a folder. Errors: as file_sum. */
 hawser_status folder_sums(const OutDir *dir, int *n, FileSum sum[FILE_SUMS_MAX], hawser_error *err);
 struct json_t;
+
 /* Whether a summary's run has not said how it ended: it is under way, was killed, or had no room on the disk. */
 int is_running(const struct json_t *summary);
 /* Whether the files of a folder are those of its summary; that of an older hawser is not asked, and of a run without an
@@ -130,7 +126,6 @@ hawser_status belong_check(const OutDir *dir, const struct json_t *summary, haws
 hawser_status summary_is_of(const OutDir *dir, const char *run, hawser_error *err);
 /* A JSON object that says of which run it is, into a folder, which is made. Errors: OUTPUT (another run's), MEMORY. */
 hawser_status companion_write(const char *dir, const char *name, const char *text, hawser_error *err);
-
 /* -------------------------------------------------------------------------------------------------------- CSV */
 
 /* Of summary.json, stations.csv, rollers.csv, modes.csv. */
@@ -148,7 +143,6 @@ hawser_status places_write(OutFile *out, int n, const hawser_place *place, int n
                            const hawser_station *station, const double *tension, hawser_error *err);
 /* modes.csv with its head: a row for each mode and segment. */
 hawser_status modes_write(OutFile *out, int n, int segments, const hawser_mode *mode, hawser_error *err);
-
 /* ----------------------------------------------------------------------------------------------------- series */
 
 /* What a column of series.csv is of, in the file's order: the run; the cable's front and the reel, where there are
@@ -174,11 +168,11 @@ typedef struct SampleColumn {
 } SampleColumn;
 
 extern const SampleColumn sample_column[];
+
 extern const int sample_columns;
 
 /* A sample's value, or its array. */
 const void *sample_at(const SampleColumn *column, const hawser_sample *sample);
-
 enum { SERIES_NAME_MAX = 160 };
 
 /* The columns of one folder's series.csv. */
@@ -187,6 +181,7 @@ typedef struct SeriesColumn {
     const SampleColumn *of;
     size_t at; /* bytes from sample_at */
 } SeriesColumn;
+
 typedef struct Series {
     int n;
     SeriesColumn *column; /* [n], owned */
@@ -197,7 +192,6 @@ hawser_status series_make(Series *series, const ResultsDef *def, hawser_error *e
 /* The columns' names, flushed; and a row. Errors: OUTPUT. */
 hawser_status series_head(OutFile *out, const Series *series, hawser_error *err);
 hawser_status series_row(OutFile *out, const Series *series, const hawser_sample *sample, hawser_error *err);
-
 /* Of results.h5; docs/results.md, "Formats", says what has changed with each. */
 enum { STATES_FORMAT = 2 };
 
@@ -205,6 +199,7 @@ enum { STATES_FORMAT = 2 };
 
 /* A set that does not grow, of a struct: what there is to be drawn, or an envelope. */
 typedef enum FixedKind { FIXED_NUMBER, FIXED_SINGLE, FIXED_COUNT, FIXED_NAME } FixedKind;
+
 typedef struct FixedSet {
     const char *set;      /* its path */
     FixedKind kind;       /* doubles; doubles written in single precision; ints; char[NAME_MAX_LENGTH] */
@@ -215,9 +210,12 @@ typedef struct FixedSet {
 
 /* Of a Geometry, and of one of its surfaces below "geometry/surfaces/K/". */
 extern const FixedSet geometry_set[], surface_set[];
+
 extern const int geometry_sets, surface_sets;
+
 /* Of an Envelope. */
 extern const FixedSet envelope_set[];
+
 extern const int envelope_sets;
 
 /* Where the states are: in a build without HDF5 in a file of hawser's own, which its report reads and nothing else. */
@@ -249,7 +247,6 @@ hawser_status h5_series(H5File *h, const char *sum, hawser_error *err);
 hawser_status h5_flush(H5File *h, int must, hawser_error *err);
 /* Closes *file and sets it to NULL (NULL is fine). Errors: OUTPUT. */
 hawser_status h5_close(H5File **file, hawser_error *err);
-
 /* ----------------------------------------------------------------------------------------------- results.xdmf */
 
 /* Tells ParaView, meshio and other readers of XDMF 3 where in results.h5 the states lie: a temporal collection of

@@ -4,6 +4,8 @@
 #ifndef HAWSER_IO_RESULTS_RESULTS_H5_H
 #define HAWSER_IO_RESULTS_RESULTS_H5_H
 
+#include "io/results/results_file.h"
+
 #ifdef HAWSER_HDF5
 #include <hdf5.h>
 #else
@@ -11,8 +13,6 @@
 typedef int64_t hid_t;
 typedef unsigned long long hsize_t;
 #endif
-
-#include "io/results/results_file.h"
 
 /* ------------------------------------------------------------------------------------------------- results_disk.c */
 
@@ -24,7 +24,6 @@ typedef unsigned long long hsize_t;
  * shared lock (flock), as HDF5's own readers do, what the last flush left stays, and the next one is put off. */
 
 #define JOURNAL_FILE "results.h5.journal"
-
 /* The file on which a driver works, and its folder, which has its journal (JOURNAL_FILE); at < 0: it has none. HDF5 is
  * given no name that it could follow anywhere else: it can open this file and no other one. */
 typedef struct DiskPlace {
@@ -45,7 +44,6 @@ typedef struct DiskWords {
 hid_t disk_driver_use(hid_t access, const DiskPlace *place, DiskWords *words);
 /* Brings a file whose program was killed within a flush to the state after it. Errors: OUTPUT, MEMORY. */
 hawser_status disk_recover(const DiskPlace *place, hawser_error *err);
-
 /* results.h5 open for reading, as the last flush left it and stays until states_close. */
 typedef struct StatesFile {
     hid_t file;      /* < 0: it is not there, no such file, or being written for longer than 2 s */
@@ -53,11 +51,11 @@ typedef struct StatesFile {
     hid_t driver;    /* <= 0: none */
     DiskWords words; /* where it is, HDF5 knows it: not to be moved */
 } StatesFile;
+
 void states_open(StatesFile *s, const OutDir *dir);
 /* The same of a file that is open, which has no journal; it becomes ours. */
 void states_open_descriptor(StatesFile *s, int fd, int at);
 void states_close(StatesFile *s);
-
 /* ---------------------------------------------------------------------------------------------------- results_door.c
  * What is read of results.h5 is opened here and nowhere else: the file may come from anybody. A path is followed by
  * hard links alone (no external or soft ones, no links of a user's kind), to a group or a set with data in this file
@@ -82,7 +80,6 @@ int rows_fill(hid_t parent, const char *name, int rank, const hsize_t *dims, int
 /* A text attribute, cut; "" where there is none. Numbers; NAN where there are none, or another number of them. */
 void door_text(hid_t object, const char *name, char text[DOOR_TEXT_MAX]);
 void door_numbers(hid_t object, const char *name, int n, double *values);
-
 /* ---------------------------------------------------------------------------------------------------------- apart.c
  * What may be somebody else's is read in a process of its own, since HDF5 does not survive every file. */
 
@@ -90,10 +87,10 @@ void door_numbers(hid_t object, const char *name, int n, double *values);
  * says.
  */
 typedef hawser_status ApartWork(void *user, FILE *out, hawser_error *err);
+
 /* *bytes [*size], malloc'ed: what the work has printed; *died 1: it did not come to its end, and there are none.
  * Returns what the work returned. Errors besides: MEMORY (no process can be had either). */
 hawser_status apart_do(ApartWork *work, void *user, char **bytes, size_t *size, int *died, hawser_error *err);
-
 /* ------------------------------------------------------------------- results_sets.c; all return 0 if HDF5 refuses */
 
 /* Attributes of an object. */
@@ -106,26 +103,21 @@ hid_t h5_group(hid_t parent, const char *path);
 void h5_leave(hid_t group);
 /* A whole set of counts that does not grow. */
 int h5_counts(hid_t parent, const char *name, int rank, const hsize_t *dims, const int *values);
-/* A whole set that does not grow, written from what the machine has as `type`; groups on its path are made. */
-int h5_set(hid_t parent, const char *name, hid_t file_type, hid_t type, int rank, const hsize_t *dims,
-           const void *values);
-/* Names: char[n][NAME_MAX_LENGTH], letter by letter as netCDF has texts (its library frees what is not its own with
- * sets of texts of one length). */
-int h5_names(hid_t parent, const char *name, int n, const void *values);
 /* A dimension of sets: a scale of n places counted from 0; n < 0: the set of that name, which is there; 0: no such. */
 typedef struct SetAxis {
     const char *name;
     int n, plain; /* plain: its places mean nothing, so that netCDF shows no variable */
     const char *about;
 } SetAxis;
+
 enum { AXES_MOST = 8, AXIS_USES_MOST = 64 };
+
 /* A set's dimensions by their places among the axes; -1: no axis. */
 typedef struct SetAxisUse {
     const char *set;
     int rank, axis[3];
 } SetAxisUse;
-/* Makes scales of the axes and names them in the sets, in both directions, as HDF5's library of scales has it. */
-int h5_axes(hid_t file, int n, const SetAxis *axis, int n_uses, const SetAxisUse *use);
+
 /* The sets of a table, of the struct at `from`, below `parent` and behind `prefix` in their paths. Those without items
  * are left out. */
 int h5_fixed(hid_t parent, const char *prefix, int n, const FixedSet *set, const void *from);

@@ -2,7 +2,7 @@
  * nothing else. A record is a head, its path with zeros up to eight bytes, and its values in the same way, as the
  * machine has them. A set that grows has a record for each of its rows; an attribute is a record whose path ends with
  * @ and its name. What is behind the last whole record (a program that was killed, the file's seal) is passed over. */
-#include "core/base/error.h"
+#include "core/error.h"
 #include "def/scene_def.h"
 #include "io/results/results_h5.h"
 

@@ -2,7 +2,7 @@
  * factor between them; tables, facts, figures and sentences all come here. */
 #include "io/results/column.h"
 
-#include "io/yaml/units.h"
+#include "io/case/units.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -1,9 +1,9 @@
 /* summary.json: its keys are the rows of the tables below, in the order in which they stand in the file. Setters return
  * 0, or something else when memory ran out, and are or'ed together: one look at the end is enough. */
-#include "core/base/error.h"
+#include "core/error.h"
 #include "io/results/column.h"
 #include "io/results/results_file.h"
-#include "theory/assumed.h"
+#include "theory/mend.h"
 
 #include <jansson.h>
 #include <math.h>

@@ -3,7 +3,7 @@
  *
  * stations.csv, rollers.csv and modes.csv, which are small and written once, at the end; inputs.csv and route.csv,
  * which are known at the start. */
-#include "core/base/error.h"
+#include "core/error.h"
 #include "def/scene_def.h"
 #include "io/results/results_file.h"
 

@@ -3,7 +3,7 @@
 #ifndef HAWSER_IO_RESULTS_WORDS_H
 #define HAWSER_IO_RESULTS_WORDS_H
 
-#include "def/language.h"
+#include "def/scene_def.h"
 
 /* By its tag in HTML, which is that of a case: "en", "zh", "de". */
 extern const char *const language_tags[LANGUAGES];
@@ -14,10 +14,13 @@ extern const char *const language_tags[LANGUAGES];
 typedef struct WordsRow {
     const char *text[LANGUAGES];
 } WordsRow;
+
 extern const WordsRow words_rows[];
+
 extern const int words_rows_n;
 
 enum { WORDS_MAX = 2048 };
+
 /* An English text, or one of numbers, units, keys and codes, in a language: `text`, WORDS_MAX bytes; the English one
  * itself where no row fits, or where that is the language. */
 const char *words_in(Language language, const char *english, char *text);

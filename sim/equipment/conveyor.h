@@ -53,24 +53,19 @@ typedef struct ConveyorNow {
     double lost;  /* W, in the slip */
 } ConveyorNow;
 
-/* Speed of the belt at time t, m/s. */
-double conveyor_belt(const Conveyor *c, const Winch *w, double t);
 /* The belt at t with the last step accepted at `since`; `seized` (NULL: nothing) stops it. The mean is exact as long as
  * the speed is a cubic, as STEP is. */
 Belt conveyor_runs(const Conveyor *c, const Winch *w, const Seizure *seized, double since, double t);
 /* Share of the grip between a machine's entry and x (m along its line), (WI14): 0 before it, 1 behind it; *slope gets
  * d/dx. */
 double conveyor_share(const Conveyor *c, double x, double *slope);
-
 /* Finds the segments within `reach` (m) of the conveyor in the state y [13 n] (core/state.h): O(n). */
 void conveyor_find(const Conveyor *c, const Chain *chain, const double *y, double reach, ConveyorRange *range);
 /* Whether they may have moved too far since. */
 int conveyor_stale(const ConveyorRange *range, const Chain *chain, const double *y);
-
 /* A step to y at time t was accepted: keeps where segments are and how far they lean (WI22). */
 void conveyor_keep(const Conveyor *c, const Belt *belt, const Chain *chain, const double *y, double t,
                    ConveyorRange *range);
-
 /* RoomKind.checkpoint of conveyors, whose ranges are the workspace's; who grips is among their controls. What is kept
  * of the segments lies in one piece, lean behind x. */
 static inline void conveyors_checkpoint(Checkpoint *c, const Room *room, const Scene *scene, Workspace *ws)

@@ -190,7 +190,7 @@ static void ends_work(const Room *room, const Moment *m, BalanceRates *out)
     out->push[PUSH_DRAG] = v3_scale(size, a);
 }
 
-/* The plane has these loads too (sim/planar/planar_scene.c). */
+/* The plane has these loads too (sim/solve/planar.c). */
 static const char *ends_not_planar(const Room *room, const Scene *scene)
 {
     (void)room;

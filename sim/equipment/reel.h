@@ -1,16 +1,30 @@
+/* A drum with the cable wound on it, touched by every turn: for short studies and to check the reel that only pays out.
+ * The drum is a roller that spins, with a brake; the layers touch it and each other; the cable's end is held to it.
+ * docs/model.md, "Cable on cable", "A wound drum" (CC22)-(CC26). */
+#ifndef HAWSER_SIM_EQUIPMENT_REEL_H
+#define HAWSER_SIM_EQUIPMENT_REEL_H
+
+#include "core/chain.h"
+#include "core/vec3.h"
+#include "def/drive_law.h"
+#include "sim/scene.h"
+
+typedef struct Drum {
+    int present;
+    int roller;   /* of the scene's: the barrel; its two flanges follow */
+    int joints;   /* joints 0 .. joints-1 are placed below, the others along the route */
+    Vec3 *joint;  /* [joints], m */
+    Vec3 tangent; /* where the cable leaves the drum at the start, m */
+    double hold;  /* N s/m: of the cable's end on the drum */
+    double turns; /* wound at the start */
+} Drum;
+
 /* The reel that pays the cable out. Its drum is no body of its own: the chain's tail segment stands for the end of the
  * cable that is just leaving it, moves on the straight line from the drum to the route's start, and carries the drum's
  * inertia and the forces of brake, bearing and back tension. docs/model.md, "Reel and take-in" (RL6)-(RL15).
  *
- * Segments join behind the tail between two steps (sim/stage/stage.h); within a step all here is a function of (t, y).
+ * Segments join behind the tail between two steps (sim/run/stage.h); within a step all here is a function of (t, y).
  */
-#ifndef HAWSER_SIM_EQUIPMENT_REEL_H
-#define HAWSER_SIM_EQUIPMENT_REEL_H
-
-#include "core/base/vec3.h"
-#include "core/chain.h"
-#include "def/drive_law.h"
-#include "sim/scene.h"
 
 /* The line on which the cable leaves, and what is on the drum behind the tail segment of now. */
 typedef struct Reel {
@@ -45,15 +59,11 @@ typedef struct ReelLook {
 
 /* The tail is now segment `first` of the whole chain, whose cable is given. */
 void reel_hold(Reel *r, const Chain *whole, int first, const CableDef *cable);
-
-/* Length of cable from the drum to the centre of segment 0, m (RL6). */
-double reel_free_length(const Reel *r, const Kinematics *kin);
 /* Force of the drum's brake, bearing and back tension against the pull, at free length l (m) and cable speed v (m/s),
  * N (RL8); friction scales brake and bearing. The derivatives by l and v may be NULL. */
 double reel_resistance(const Reel *r, double l, double v, double t, double friction, double *by_l, double *by_v);
 /* What to report, from the kinematics and joint 1's load. */
 ReelLook reel_look(const Reel *r, const Chain *chain, const Kinematics *kin, const JointLoads *joints, double t);
-
 /* The scene's setup, for theory, with what commands have changed since the scene was built; it borrows from the scene.
  */
 Setup scene_setup(const Scene *scene);

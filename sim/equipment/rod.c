@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
 #include "core/bushing.h"
+#include "core/error.h"
 #include "core/state.h"
 #include "def/rod_def.h"
 #include "sim/dynamics.h"

@@ -3,8 +3,8 @@
 #ifndef HAWSER_SIM_EQUIPMENT_ROD_H
 #define HAWSER_SIM_EQUIPMENT_ROD_H
 
-#include "core/base/vec3.h"
 #include "core/chain.h"
+#include "core/vec3.h"
 #include "def/rod_def.h"
 #include "hawser/hawser.h"
 

@@ -1,13 +1,571 @@
-/* Rollers, fixed and moving: what the cable touches at single places. docs/model.md, "Contact", "Rollers that spin and
- * rollers on mounts". What moves them is in sim/equipment/moving_rollers.h and roller_motion.h. */
+#include "sim/equipment/rollers.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
+#include "core/bushing.h"
+#include "core/error.h"
+#include "core/profile.h"
 #include "sim/dynamics.h"
-#include "sim/equipment/roller_motion.h"
 #include "sim/equipment/rooms.h"
+
+static void equipment_work_free(EquipmentWork *w);
+static void equipment_clear(Equipment *q);
+
+enum { ROOM = 4 }; /* segments that a roller of the usual size can touch at a time: two contacts' */
+
+static int body_of(int m) { return 2 * m + 1; }
+
+/* ------------------------------------------------------------------------------------------------- life */
+
+static void sum_free(RollerSum *s)
+{
+    free(s->block);
+    for (int kind = 0; kind < 2; ++kind) {
+        free(s->into[kind]);
+        free(s->from[kind]);
+    }
+    *s = (RollerSum){0};
+}
+
+int equipment_room(EquipmentWork *w, int k, int room)
+{
+    RollerSum *const s = &w->sum[k];
+    sum_free(s);
+    s->block = calloc((size_t)room, sizeof *s->block);
+    int ok = s->block != NULL;
+    for (int kind = 0; kind < 2; ++kind) {
+        s->into[kind] = calloc((size_t)room, sizeof *s->into[kind]);
+        s->from[kind] = calloc((size_t)room, sizeof *s->from[kind]);
+        ok = ok && s->into[kind] && s->from[kind];
+    }
+    s->room = ok ? room : 0;
+    return ok;
+}
+
+/* What exists only where there are mounts. */
+static int mounts_alloc(EquipmentWork *w)
+{
+    const int bodies = 2 * w->q->mounts;
+    if (bodies == 0) return 1;
+    int ok = kinematics_alloc(&w->kin, bodies) && chain_struct_alloc(&w->joints, bodies) &&
+             block_chain_alloc(&w->k, bodies, 6) && block_chain_alloc(&w->d, bodies, 6);
+    for (int i = 0; ok && i < bodies; ++i) {
+        for (int c = 0; c < 3; ++c) {
+            w->kin.p[c][i] = w->q->ground.p[c][i];
+            w->kin.a[c][i] = w->q->ground.a[c][i];
+        }
+        for (int c = 0; c < 4; ++c) w->kin.q[c][i] = w->q->ground.q[c][i];
+    }
+    return ok;
+}
+
+/* For the rollers of a scene, of which there are n_rollers. 0 if there is no memory; nothing is allocated if nothing
+ * moves. The free may be called on a zeroed struct. */
+static int equipment_work_alloc(EquipmentWork *w, const Equipment *q, int n_rollers, const ContactRoller *roller)
+{
+    const size_t rollers = (size_t)n_rollers, n = (size_t)q->n;
+    memset(w, 0, sizeof *w);
+    w->q = q;
+    if (q->n == 0) return 1;
+    w->item_of = malloc(rollers * sizeof *w->item_of);
+    w->roller = malloc(rollers * sizeof *w->roller);
+    w->motion = calloc(rollers, sizeof *w->motion);
+    w->load = calloc(rollers, sizeof *w->load);
+    w->motor = calloc(n, sizeof *w->motor);
+    w->sum = calloc(n, sizeof *w->sum);
+    w->stood = calloc(2 * n, sizeof *w->stood);
+    int ok = w->item_of && w->roller && w->motion && w->load && w->motor && w->sum && w->stood && mounts_alloc(w);
+    for (int k = 0; ok && k < q->n; ++k) ok = equipment_room(w, k, ROOM);
+    if (!ok) {
+        equipment_work_free(w);
+        return 0;
+    }
+    for (int r = 0; r < n_rollers; ++r) w->item_of[r] = -1;
+    for (int k = 0; k < q->n; ++k) w->item_of[q->item[k].roller] = k;
+    memcpy(w->roller, roller, rollers * sizeof *roller);
+    return 1;
+}
+
+static void equipment_work_free(EquipmentWork *w)
+{
+    for (int k = 0; w->sum && k < w->q->n; ++k) sum_free(&w->sum[k]);
+    free(w->item_of);
+    free(w->roller);
+    free(w->motion);
+    free(w->load);
+    free(w->motor);
+    free(w->sum);
+    free(w->stood);
+    kinematics_free(&w->kin);
+    chain_struct_free(&w->joints);
+    block_chain_free(&w->k);
+    block_chain_free(&w->d);
+    memset(w, 0, sizeof *w);
+}
+
+/* ------------------------------------------------------------------------------------------------- motion */
+
+/* Mount m from e into the mounts' chain; its roller's shape follows. */
+static void mount_pose(EquipmentWork *w, const double *e, int m, Shape *shape)
+{
+    const Equipment *const q = w->q;
+    const int i = body_of(m);
+    double turn[4], square = 0;
+    for (int c = 0; c < 3; ++c) {
+        w->kin.p[c][i] = e[equipment_at(q, STATE_P + c, m)];
+        w->kin.v[c][i] = e[equipment_at(q, STATE_V + c, m)];
+        w->kin.w[c][i] = e[equipment_at(q, STATE_W + c, m)];
+    }
+    for (int c = 0; c < 4; ++c) {
+        turn[c] = e[equipment_at(q, STATE_Q + c, m)];
+        square += turn[c] * turn[c];
+    }
+    for (int c = 0; c < 4; ++c) w->kin.q[c][i] = turn[c] / sqrt(square);
+    const Quat unit = {w->kin.q[0][i], w->kin.q[1][i], w->kin.q[2][i], w->kin.q[3][i]};
+    shape->centre = v3_load(w->kin.p, i);
+    shape->axis = quat_rotate(unit, v3(1, 0, 0));
+    v3_store(w->kin.a, i, shape->axis);
+}
+
+/* Poses and motions from e (SP1). */
+static void equipment_pose(EquipmentWork *w, const double *e)
+{
+    for (int k = 0; k < w->q->n; ++k) {
+        const MovingRoller *const item = &w->q->item[k];
+        Shape *const shape = &w->roller[item->roller].shape;
+        RollerMotion motion = {v3(0, 0, 0), v3(0, 0, 0)};
+        if (item->mount >= 0) {
+            mount_pose(w, e, item->mount, shape);
+            motion.v = v3_load(w->kin.v, body_of(item->mount));
+            motion.w = v3_load(w->kin.w, body_of(item->mount));
+        }
+        if (item->spin >= 0) { /* (SP1) */
+            const Vec3 b = shape->axis;
+            motion.w = v3_axpy(motion.w, e[item->spin] - v3_dot(motion.w, b), b);
+        }
+        w->motion[item->roller] = motion;
+    }
+}
+
+double equipment_shift(const EquipmentWork *w, const MovingRoller *item)
+{
+    const Vec3 stands = v3_load(w->q->ground.p, body_of(item->mount));
+    return v3_norm(v3_sub(w->roller[item->roller].shape.centre, stands));
+}
+
+double equipment_turning(const EquipmentWork *w, int k)
+{
+    const MovingRoller *const item = &w->q->item[k];
+    const Vec3 mount = item->mount >= 0 ? v3_load(w->kin.w, body_of(item->mount)) : v3(0, 0, 0);
+    return v3_dot(v3_sub(w->motion[item->roller].w, mount), w->roller[item->roller].shape.axis);
+}
+
+/* Moment of contact, bearing and motor about the axis of roller k, which spins at s (SP8), N m. */
+static double axis_moment(EquipmentWork *w, int k, double s, double friction)
+{
+    const MovingRoller *const item = &w->q->item[k];
+    const RollerLoad *const load = &w->load[item->roller];
+    const Vec3 b = w->roller[item->roller].shape.axis;
+    const Vec3 turning = item->mount >= 0 ? v3_load(w->kin.w, body_of(item->mount)) : v3(0, 0, 0);
+    double d_om, d_load;
+    const double om = s - v3_dot(turning, b);
+    const double held = friction * bearing_torque(&item->bearing, v3_norm(load->force), om, &d_om, &d_load);
+    const double driven = friction * motor_torque(&w->motor[k], om, &d_om);
+    w->lost_bearings -= held * om;
+    w->by_motors += driven * om;
+    return v3_dot(b, load->moment) + held + driven;
+}
+
+/* Rates of mount m from the force and moment on it. */
+static void mount_rates(const EquipmentWork *w, const MovingRoller *item, const double *e, RollerLoad on, double *rate)
+{
+    const Equipment *const q = w->q;
+    const int m = item->mount, i = body_of(m);
+    const Quat turn = {e[equipment_at(q, STATE_Q, m)], e[equipment_at(q, STATE_Q + 1, m)],
+                       e[equipment_at(q, STATE_Q + 2, m)], e[equipment_at(q, STATE_Q + 3, m)]};
+    const Vec3 v = v3_load(w->kin.v, i), half = v3_scale(0.5, v3_load(w->kin.w, i));
+    const Quat turning = quat_mul((Quat){0, half.x, half.y, half.z}, turn);
+    const Vec3 a = v3_scale(1 / item->mass, on.force), spin = v3_scale(1 / item->turning, on.moment);
+    const double out[STATE_SIZE] = {v.x, v.y, v.z, turning.w, turning.x, turning.y, turning.z,
+                                    a.x, a.y, a.z, spin.x,    spin.y,    spin.z};
+    for (int c = 0; c < STATE_SIZE; ++c) rate[equipment_at(q, c, m)] = out[c];
+}
+
+/* Rates of e (SP8), (SP10) from poses and loads; friction scales the torques of bearings and motors. */
+static void equipment_rates(EquipmentWork *w, const double *e, double friction, double *rate)
+{
+    const Equipment *const q = w->q;
+    w->lost_bearings = w->lost_mounts = w->by_motors = 0;
+    if (q->mounts)
+        w->lost_mounts = bushing_kernels()->loads(&q->bushings, &w->kin, 0, 2 * q->mounts, &w->joints).damping;
+    for (int k = 0; k < q->n; ++k) {
+        const MovingRoller *const item = &q->item[k];
+        RollerLoad on = w->load[item->roller];
+        double about = 0;
+        if (item->spin >= 0) {
+            about = axis_moment(w, k, e[item->spin], friction);
+            rate[item->spin] = about / item->inertia;
+        }
+        if (item->mount < 0) continue;
+        const int i = body_of(item->mount);
+        const Vec3 b = w->roller[item->roller].shape.axis;
+        if (item->spin >= 0) { /* the roller keeps what acts about its axis, and its spin resists turning (SP10) */
+            const Vec3 gyro = v3_cross(v3_load(w->kin.w, i), b);
+            on.moment = v3_axpy(v3_axpy(on.moment, -about, b), -item->inertia * e[item->spin], gyro);
+        }
+        on.force = v3_sub(on.force, v3_load(w->joints.force, i));
+        on.moment = v3_add(on.moment, v3_load(w->joints.torque_b, i));
+        if (w->held) on = (RollerLoad){v3(0, 0, 0), v3(0, 0, 0)};
+        mount_rates(w, item, e, on, rate);
+    }
+}
+
+/* ------------------------------------------------------------------------------------------------- derivatives */
+
+/* The contacts' derivatives, contact by contact: `first` is the roller that coupling->roller counts from. */
+static void equipment_blocks_begin(EquipmentWork *w)
+{
+    for (int k = 0; k < w->q->n; ++k) {
+        RollerSum *const s = &w->sum[k];
+        s->touched = s->missed = 0;
+        memset(s->own, 0, sizeof s->own);
+    }
+}
+
+static void block_add(double to[36], const double from[36])
+{
+    for (int k = 0; k < 36; ++k) to[k] += from[k];
+}
+
+/* Where segment i is in the sum, a new place if need be; -1: there is no room left. */
+static int place_of(RollerSum *s, int i)
+{
+    for (int k = 0; k < s->touched; ++k) {
+        if (s->block[k] == i) return k;
+    }
+    if (s->touched == s->room) {
+        ++s->missed;
+        return -1;
+    }
+    const int k = s->touched++;
+    s->block[k] = i;
+    for (int kind = 0; kind < 2; ++kind) {
+        memset(s->into[kind][k], 0, sizeof s->into[kind][k]);
+        memset(s->from[kind][k], 0, sizeof s->from[kind][k]);
+    }
+    return k;
+}
+
+void equipment_blocks_take(EquipmentWork *w, int first, const RollerCoupling *coupling)
+{
+    const int item = w->item_of[first + coupling->roller];
+    if (item < 0) return;
+    RollerSum *const s = &w->sum[item];
+    for (int kind = 0; kind < 2; ++kind) block_add(s->own[kind], coupling->own[kind]);
+    for (int b = 0; b < 2; ++b) {
+        const int place = coupling->body[b] < 0 ? -1 : place_of(s, coupling->body[b]);
+        for (int kind = 0; kind < 2 && place >= 0; ++kind) {
+            block_add(s->into[kind][place], coupling->into[kind][b]);
+            block_add(s->from[kind][place], coupling->from[kind][b]);
+        }
+    }
+}
+
+/* Derivatives of the bushings into w->k, w->d. */
+static void equipment_bushing_blocks(EquipmentWork *w)
+{
+    if (w->q->mounts == 0) return;
+    block_chain_zero(&w->k);
+    block_chain_zero(&w->d);
+    bushing_blocks(&w->q->bushings, &w->kin, 0, 2 * w->q->mounts, &w->k, &w->d);
+}
+
+/* ------------------------------------------------------------------------------------------------- candidates */
+
+/* Remembers where the rollers stand; how far one has moved since, with what its turning adds, m. */
+static void equipment_stand(EquipmentWork *w)
+{
+    for (int k = 0; k < w->q->n; ++k) {
+        const Shape *const shape = &w->roller[w->q->item[k].roller].shape;
+        w->stood[2 * k] = shape->centre;
+        w->stood[2 * k + 1] = shape->axis;
+    }
+}
+
+static double equipment_moved(const EquipmentWork *w)
+{
+    double farthest = 0;
+    for (int k = 0; w->q && k < w->q->n; ++k) {
+        const Shape *const shape = &w->roller[w->q->item[k].roller].shape;
+        const double arm = shape->radius + shape->half_width;
+        const double moved =
+            v3_norm(v3_sub(shape->centre, w->stood[2 * k])) + arm * v3_norm(v3_sub(shape->axis, w->stood[2 * k + 1]));
+        farthest = fmax(farthest, moved);
+    }
+    return farthest;
+}
+
+/* ------------------------------------------------------------------------------------------------- balances */
+
+/* Energy of rollers that spin or stand on mounts, J (BA8), for the poses in w and the state e. */
+static double equipment_energy(const EquipmentWork *work, const double *e)
+{
+    const Equipment *const q = work->q;
+    double sum = 0;
+    for (int k = 0; k < q->n; ++k) {
+        const MovingRoller *const item = &q->item[k];
+        if (item->spin >= 0) sum += item->inertia * e[item->spin] * e[item->spin] / 2;
+        for (int c = 0; c < 3 && item->mount >= 0; ++c) {
+            const double v = e[equipment_at(q, STATE_V + c, item->mount)];
+            const double w = e[equipment_at(q, STATE_W + c, item->mount)];
+            sum += (item->mass * v * v + item->turning * w * w) / 2;
+        }
+    }
+    return q->mounts ? sum + bushing_kernels()->energy(&q->bushings, &work->kin, 0, 2 * q->mounts).elastic : sum;
+}
+
+/* Bodies of the mounts' chain: the ground under mount m, and the mount. */
+static int ground_of(int m) { return 2 * m; }
+
+static void counts_fill(const SceneDef *def, Equipment *q)
+{
+    for (int r = 0; r < def->n_rollers; ++r) {
+        const RollerDef *const d = &def->rollers[r];
+        q->spins += d->spin.inertia > 0;
+        q->mounts += d->mount.present;
+        q->n += d->spin.inertia > 0 || d->mount.present;
+    }
+}
+
+static MovingRoller item_of(const RollerDef *d, int roller, int spin, int mount)
+{
+    const int spins = d->spin.inertia > 0, mounted = d->mount.present;
+    return (MovingRoller){.roller = roller,
+                          .spin = spins ? spin : -1,
+                          .mount = mounted ? mount : -1,
+                          .size = spins + 6 * mounted,
+                          .inertia = d->spin.inertia,
+                          .bearing = {d->spin.friction, d->spin.journal, d->spin.torque, d->spin.speed},
+                          .mass = d->mount.mass,
+                          .turning = d->mount.inertia};
+}
+
+/* The mount's frame: x along the roller's axis, z as far up as that allows (along x where the axis is upright). */
+static Quat attitude_of(Vec3 axis)
+{
+    const Vec3 x = v3_unit(axis), up = fabs(x.z) < 0.99 ? v3(0, 0, 1) : v3(1, 0, 0);
+    const Vec3 z = v3_unit(v3_reject(up, x));
+    return quat_from_axes(x, v3_cross(z, x), z);
+}
+
+/* Ground and mount m at the same place, with the bushing between them. */
+static void bushing_fill(Equipment *q, const MountDef *d, const Shape *shape, int m)
+{
+    const Quat at = attitude_of(shape->axis);
+    const double p[3] = {shape->centre.x, shape->centre.y, shape->centre.z};
+    const double turn[4] = {at.w, at.x, at.y, at.z}, axis[3] = {shape->axis.x, shape->axis.y, shape->axis.z};
+    for (int i = ground_of(m); i <= body_of(m); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            q->ground.p[c][i] = p[c];
+            q->ground.a[c][i] = axis[c];
+        }
+        for (int c = 0; c < 4; ++c) q->ground.q[c][i] = turn[c];
+        q->bushings.half[i] = 0;
+    }
+    for (int c = 0; c < 6; ++c) {
+        q->bushings.stiffness[c][body_of(m)] = d->stiffness[c];
+        q->bushings.damping[c][body_of(m)] = d->damping * d->stiffness[c];
+    }
+}
+
+/* From the rollers of a definition, whose shapes are roller[n_rollers]. Errors: MEMORY. */
+static hawser_status equipment_build(const SceneDef *def, const ContactRoller *roller, Equipment *q, hawser_error *err)
+{
+    memset(q, 0, sizeof *q);
+    counts_fill(def, q);
+    if (q->n == 0) return HAWSER_OK;
+    q->item = calloc((size_t)q->n, sizeof *q->item);
+    int ok = q->item != NULL;
+    if (q->mounts) ok = ok && chain_alloc(&q->bushings, 2 * q->mounts) && kinematics_alloc(&q->ground, 2 * q->mounts);
+    if (!ok) {
+        equipment_clear(q);
+        return error_memory(err);
+    }
+    q->bushings.frame = def->frame;
+    for (int r = 0, k = 0, spin = 0, mount = 0; r < def->n_rollers; ++r) {
+        const MovingRoller item = item_of(&def->rollers[r], r, spin, mount);
+        if (item.size == 0) continue;
+        if (item.mount >= 0) bushing_fill(q, &def->rollers[r].mount, &roller[r].shape, item.mount);
+        spin += item.spin >= 0;
+        mount += item.mount >= 0;
+        q->item[k++] = item;
+    }
+    return HAWSER_OK;
+}
+
+static void equipment_clear(Equipment *q)
+{
+    free(q->item);
+    if (q->mounts) {
+        chain_free(&q->bushings);
+        kinematics_free(&q->ground);
+    }
+    memset(q, 0, sizeof *q);
+}
+
+/* Entries of e; of the velocities among them. */
+static int equipment_size(const Equipment *q) { return q->spins + STATE_SIZE * q->mounts; }
+
+/* e at rest where the case puts everything. */
+static void equipment_initial(const Equipment *q, double *e)
+{
+    memset(e, 0, (size_t)equipment_size(q) * sizeof *e);
+    for (int m = 0; m < q->mounts; ++m) {
+        for (int c = 0; c < 3; ++c) e[equipment_at(q, STATE_P + c, m)] = q->ground.p[c][ground_of(m)];
+        for (int c = 0; c < 4; ++c) e[equipment_at(q, STATE_Q + c, m)] = q->ground.q[c][ground_of(m)];
+    }
+}
+
+void equipment_weights(const Equipment *q, const ContactRoller *roller, const EquipmentTolerances *t, double *weight)
+{
+    for (int k = 0; k < q->n; ++k) {
+        const MovingRoller *const item = &q->item[k];
+        if (item->spin >= 0) weight[item->spin] = roller[item->roller].shape.radius / t->velocity;
+        for (int c = 0; item->mount >= 0 && c < STATE_SIZE; ++c) {
+            const double atol = c < STATE_Q   ? t->position
+                                : c < STATE_V ? t->rotation / 2
+                                : c < STATE_W ? t->velocity
+                                              : t->omega;
+            weight[equipment_at(q, c, item->mount)] = 1 / atol;
+        }
+    }
+}
+
+/* Three entries of e from component c of mount m on. */
+static Vec3 mount_vector(const Equipment *q, const double *e, int c, int m)
+{
+    const double *const at = e + equipment_at(q, c, m);
+    return v3(at[0], at[q->mounts], at[2 * q->mounts]);
+}
+
+double equipment_residual(const Equipment *q, const ContactRoller *roller, const double *rate)
+{
+    double largest = 0;
+    for (int k = 0; k < q->n; ++k) {
+        const MovingRoller *const item = &q->item[k];
+        if (item->mount < 0) continue;
+        const double force = item->mass * v3_norm(mount_vector(q, rate, STATE_V, item->mount));
+        const double moment = item->turning * v3_norm(mount_vector(q, rate, STATE_W, item->mount));
+        const double both = force + moment / roller[item->roller].shape.radius;
+        if (both > largest || isnan(both)) largest = both;
+    }
+    return largest;
+}
+
+double equipment_move_share(const Equipment *q, const double *u, double dt, double move, double turn)
+{
+    double share = 1;
+    for (int m = 0; m < q->mounts; ++m) {
+        const double v = v3_norm(mount_vector(q, u, STATE_V, m)), w = v3_norm(mount_vector(q, u, STATE_W, m));
+        share = fmin(share, fmin(move / (dt * v + 1e-300), turn / (dt * w + 1e-300)));
+    }
+    return share;
+}
+
+void equipment_move(const Equipment *q, double *e, const double *u, double dt)
+{
+    for (int m = 0; m < q->mounts; ++m) {
+        double *const at = e + equipment_at(q, STATE_P, m), *const turned = e + equipment_at(q, STATE_Q, m);
+        const int n = q->mounts;
+        const Vec3 p = v3_axpy(mount_vector(q, e, STATE_P, m), dt, mount_vector(q, u, STATE_V, m));
+        const Quat by = quat_exp(v3_scale(dt, mount_vector(q, u, STATE_W, m)));
+        const Quat t = quat_unit(quat_mul(by, (Quat){turned[0], turned[n], turned[2 * n], turned[3 * n]}));
+        const double position[3] = {p.x, p.y, p.z}, attitude[4] = {t.w, t.x, t.y, t.z};
+        for (int c = 0; c < 3; ++c) at[c * n] = position[c];
+        for (int c = 0; c < 4; ++c) turned[c * n] = attitude[c];
+    }
+}
+
+void equipment_halt(const Equipment *q, double *e)
+{
+    const int still = STATE_V * q->mounts; /* positions and quaternions stay */
+    memset(e, 0, (size_t)q->spins * sizeof *e);
+    memset(e + q->spins + still, 0, (size_t)((STATE_SIZE - STATE_V) * q->mounts) * sizeof *e);
+}
+
+int equipment_worst(const Equipment *q, const double *x, const double *w, double *largest)
+{
+    int worst = -1;
+    *largest = -1;
+    for (int k = 0; k < q->n; ++k) {
+        const MovingRoller *const item = &q->item[k];
+        double sum = 0;
+        if (item->spin >= 0) sum = x[item->spin] * w[item->spin] * x[item->spin] * w[item->spin];
+        for (int c = 0; item->mount >= 0 && c < STATE_SIZE; ++c) {
+            const int i = equipment_at(q, c, item->mount);
+            sum += x[i] * w[i] * x[i] * w[i];
+        }
+        if (sum > *largest || isnan(sum)) {
+            *largest = sum;
+            worst = k;
+        }
+    }
+    return worst;
+}
+
+/* (BA11) of a spin, whose angle is no part of the state: the way is the mean speed times the step. past: [2] speed and
+ * its rate. */
+static MethodLoss spin_loss(double inertia, double speed, double rate, double scale, double past[2])
+{
+    const double gain = inertia * (speed * speed - past[0] * past[0]) / 2;
+    const double work = inertia * (rate + past[1]) * (speed + past[0]) / (4 * scale);
+    past[0] = speed;
+    past[1] = rate;
+    return (MethodLoss){work - gain, inertia * speed * speed / 2};
+}
+
+/* The same of a mount, round in all directions. past: [BODY_PAST] p q v w, their rates' last six. */
+static MethodLoss mount_loss(const Equipment *q, const MovingRoller *item, const double *e, const double *rates,
+                             double scale, double *past)
+{
+    double now[BODY_PAST], work = 0, gain = 0, moving = 0;
+    for (int c = 0; c < STATE_SIZE; ++c) now[c] = e[equipment_at(q, c, item->mount)];
+    for (int c = 0; c < 6; ++c) now[STATE_SIZE + c] = scale * rates[equipment_at(q, STATE_V + c, item->mount)];
+    const Quat here = {now[3], now[4], now[5], now[6]}, before = {past[3], past[4], past[5], past[6]};
+    const Quat turn = quat_mul(here, quat_conj(before));
+    const double way[6] = {now[0] - past[0], now[1] - past[1], now[2] - past[2], 2 * turn.x, 2 * turn.y, 2 * turn.z};
+    for (int c = 0; c < 6; ++c) {
+        const double m = c < 3 ? item->mass : item->turning, v = now[STATE_V + c], v0 = past[STATE_V + c];
+        work += m * (now[STATE_SIZE + c] + past[STATE_SIZE + c]) * way[c] / 2;
+        gain += m * (v + v0) * (v - v0) / 2;
+        moving += m * v * v / 2;
+    }
+    memcpy(past, now, sizeof now);
+    return (MethodLoss){work - gain, moving};
+}
+
+MethodLoss equipment_method_loss(const Equipment *q, const double *e, const double *rates, double scale, double *past)
+{
+    MethodLoss sum = {0, 0};
+    for (int k = 0; k < q->n; ++k) {
+        const MovingRoller *const item = &q->item[k];
+        MethodLoss of[2] = {{0, 0}, {0, 0}};
+        if (item->spin >= 0) {
+            const int s = item->spin;
+            of[0] = spin_loss(item->inertia, e[s], scale * rates[s], scale, past + 2 * s);
+        }
+        if (item->mount >= 0)
+            of[1] = mount_loss(q, item, e, rates, scale, past + 2 * q->spins + BODY_PAST * item->mount);
+        sum.lost += of[0].lost + of[1].lost;
+        sum.moving += of[0].moving + of[1].moving;
+    }
+    return sum;
+}
+
+/* Rollers, fixed and moving: what the cable touches at single places. docs/model.md, "Contact", "Rollers that spin and
+ * rollers on mounts". What moves them is in sim/equipment/rollers.h and roller_motion.h. */
 
 /* A roller that may be held fast, or whose friction changes. */
 typedef struct HeldRoller {
@@ -268,6 +826,7 @@ typedef struct Taker {
     EquipmentWork *work;
     int first;
 } Taker;
+
 static void coupling_take(void *user, const RollerCoupling *coupling)
 {
     const Taker *const to = user;
@@ -433,7 +992,7 @@ static int rollers_look(const Room *room, const Moment *m)
     return active;
 }
 
-/* Whether they cross the plane square, its own geometry asks (sim/planar/plane.c). */
+/* Whether they cross the plane square, its own geometry asks (sim/solve/planar.c). */
 static const char *rollers_not_planar(const Room *room, const Scene *scene)
 {
     if (contact_sticks(&scene->contact)) return "friction sticks";

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
-#include "core/base/team.h"
+#include "core/error.h"
+#include "core/team.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/rooms.h"
 

@@ -6,7 +6,7 @@
 #ifndef HAWSER_SIM_EQUIPMENT_WINCH_H
 #define HAWSER_SIM_EQUIPMENT_WINCH_H
 
-#include "core/push.h"
+#include "core/state.h"
 #include "sim/dynamics.h"
 
 /* It follows the case, or the last command. */
@@ -32,6 +32,7 @@ typedef struct WinchPhase {
     Profile hold;    /* share of the brake of a set tension's winch, 0..1, over t (K3) */
     double held_at;  /* m of travel, where that brake holds */
 } WinchPhase;
+
 enum { HELD_FIRST = 1, HELD_TOLD = 2 };
 
 /* A winch that takes the rope in: a segment that has passed it leaves the chain and becomes the ghost that holds the
@@ -79,11 +80,9 @@ void winch_init(Winch *w, const WinchDef *def);
 double winch_place(const Scene *scene);
 /* A segment that moved on by itself with this drift (m/s) and spin (rad/s) becomes the ghost at time t. */
 void winch_take_in(Winch *w, double t, Vec3 drift, Vec3 spin);
-
 /* A set speed with grip `axial` holds the head's end along the pull and lets it slide across it: the two directions
  * into axis; returns how many there are, 0 of any other. */
 int winch_free_axes(const Winch *w, const WinchDef *def, Vec3 axis[2]);
-
 /* A winch with a speed profile: functions of time alone. */
 double winch_speed(const Winch *w, double t);
 double winch_travel(const Winch *w, double t);
@@ -91,18 +90,13 @@ double winch_travel(const Winch *w, double t);
 WinchMotion winch_motion(const Winch *w, const Chain *chain, const Kinematics *kin, double t);
 /* The largest speed of the profile up to that time (s), or the limit; 0 if there is none, m/s. */
 double winch_largest_speed(const Winch *w, double until);
-
 /* Set tension: what it pulls with at time t when the head's end moves at `speed` along the pull (WI2); *slope (may be
  * NULL) gets d/d(speed). */
 double winch_tension(const Winch *w, double t, double speed, double *slope);
 /* Set tension: force on the last segment along the pull, N: the tension, or what the brake holds (WI5). */
 double winch_pull(const Winch *w, const Chain *chain, const Kinematics *kin, double t);
-/* Pull of the winch on the head along its direction at time t, N, for the kinematics in the workspace; 0 without one.
- */
-double winch_pull_now(const Scene *scene, Workspace *ws, double t);
 /* The same from (t, y); brings the kinematics of the head's last segments up to date, no others. */
 double winch_pull_at(const Scene *scene, Workspace *ws, double t, const double *y);
-
 /* What happens to a winch. */
 typedef enum WinchEvent {
     WINCH_NOTHING,
@@ -117,13 +111,5 @@ typedef enum WinchEvent {
 /* A step to time t was accepted, with this pull on the head (N). Changes the phase if something happens (WI8)-(WI12);
  * call again until NOTHING. */
 WinchEvent winch_accept(Winch *w, double t, double pull);
-/* The same as it is noted; what: NULL for WINCH_NOTHING. */
-Occurrence winch_occurrence(WinchEvent event);
-
-/* Of its room, as RoomKind has them (winch_phase.c). */
-int winch_watches(const Room *room);
-Occurrence winch_happen(Room *room, const Occasion *now);
-int winch_command(Room *room, const Scene *scene, const Command *c, double t, hawser_error *err);
-void winch_controls(Room *room, ControlsVisit *visit);
 
 #endif

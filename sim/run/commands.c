@@ -3,10 +3,10 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/base/error.h"
-#include "sim/control/forces.h"
+#include "core/error.h"
+#include "sim/equipment/forces.h"
 #include "sim/equipment/winch.h"
-#include "sim/run/quasi_run.h"
+#include "sim/run/quasi.h"
 
 /* ------------------------------------------------------------------------------------------------------- events */
 

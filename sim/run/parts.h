@@ -3,22 +3,18 @@
 #ifndef HAWSER_SIM_RUN_PARTS_H
 #define HAWSER_SIM_RUN_PARTS_H
 
-#include "sim/judge/peaks.h"
-#include "sim/judge/trust.h"
-#include "sim/picture/closeup.h"
-#include "sim/picture/envelope.h"
+#include "sim/run/closeup.h"
+#include "sim/run/envelope.h"
+#include "sim/run/modes.h"
 #include "sim/run/passes.h"
+#include "sim/run/peaks.h"
+#include "sim/run/positions.h"
 #include "sim/run/quasi_data.h"
+#include "sim/run/stage.h"
 #include "sim/run/stall.h"
-#include "sim/stage/modes.h"
-#include "sim/stage/positions.h"
-#include "sim/stage/stage.h"
-#include "sim/watch/events.h"
-#include "sim/watch/machines.h"
-#include "sim/watch/position_table.h"
-#include "sim/watch/probes.h"
+#include "sim/run/trust.h"
 #include "sim/watch/sample.h"
-#include "theory/mesh.h"
+#include "theory/stiffness.h"
 
 /* Whom a simulation calls; NULL: nobody. */
 typedef struct Calls {
@@ -73,14 +69,14 @@ typedef struct hawser_sim {
     hawser_status outcome;         /* of the last call that computed */
     int inside;                    /* it moves now: who is called must not have it move */
     char message[HAWSER_MESSAGE_MAX];
-    /* of a whole run's passes (io/api/api_passes.c) */
+    /* of a whole run's passes (io/api/api_run.c) */
     SceneDef *plan;     /* the definition as the case has it; NULL: one pass is enough. Owned */
     int pass;           /* 0; 1 and 2 of the second and third one */
     double work_most;   /* evaluations times segments of a pass that is begun unasked; 0: ten minutes */
     int led;            /* the caller has told it what to do: it cannot be computed again by itself */
     OtherPasses others; /* what it knows of the others */
     PassesSaid *passes; /* what is said of them; NULL: there is nothing to be said. Owned */
-    /* of several chains (sim/run/together.h) */
+    /* of several chains (sim/run/look.h) */
     struct Together *together; /* what moves them all, where this is the first; owned. NULL: it is alone, or led */
     struct hawser_sim *leader; /* the first, where this is another; NULL */
     struct hawser_sim *finer;  /* whose results have replaced this one's: SHOWN; owned */
@@ -89,7 +85,7 @@ typedef struct hawser_sim {
 /* The simulation whose results a handle stands for. */
 #define SHOWN(s) ((s) && (s)->finer ? (s)->finer : (s))
 
-/* The simulations of all chains: this one alone, or those that it leads (sim/run/together.c). */
+/* The simulations of all chains: this one alone, or those that it leads (sim/run/look.c). */
 int sim_chains(const Sim *s);
 Sim *sim_chain(Sim *s, int k);
 /* What is integrated, and its state: of all chains together, or of this one. */

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
 
 /* Of a difference: the first pass's error is twice as large if errors halve, the second's as large as it, or a third if
  * they fall by four. What a pass says of itself is not believed to be more than so many times too much, by each other

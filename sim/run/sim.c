@@ -1,3 +1,4 @@
+/* Where the chain begins: outside itself, outside of what it is pulled over, and at rest. */
 #include "sim/run/sim.h"
 
 #include <math.h>
@@ -5,22 +6,196 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/clock.h"
-#include "core/base/error.h"
-#include "core/base/isa.h"
-#include "core/base/lanes.h"
 #include "core/body.h"
+#include "core/error.h"
+#include "core/lanes.h"
+#include "core/machine.h"
 #include "core/state.h"
+#include "sim/equipment/forces.h"
+#include "sim/equipment/reel.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
 #include "sim/run/commands.h"
 #include "sim/run/look.h"
-#include "sim/run/quasi_run.h"
-#include "sim/run/together.h"
-#include "sim/stage/modes.h"
-#include "sim/stage/statics.h"
-#include "sim/watch/events.h"
-#include "theory/cannot.h"
+#include "sim/run/modes.h"
+#include "sim/run/quasi.h"
+#include "sim/run/statics.h"
+#include "sim/run/trust.h"
+#include "sim/watch/sample.h"
+#include "theory/conditions.h"
+
+static const double GRADE_LOST = M_PI / 180; /* rad, in one bend, that nobody should be surprised by */
+
+/* Where lines meet no contact can tell on which side of each other they are. */
+static hawser_status start_check(Sim *s, hawser_error *err)
+{
+    const Scene *const scene = &s->stage.scene;
+    if (!scene->self.present) return HAWSER_OK;
+    const SelfDetail deepest =
+        self_deepest(&scene->self, SELF_ALONE(&scene->chain, &s->stage.ws.kin), &s->stage.ws.self);
+    const double radius = scene->chain.radius[deepest.element < scene->chain.n ? deepest.element : scene->chain.n - 1];
+    if (!(deepest.depth > radius / 4)) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "contact.cable_on_cable: the cable begins %.1f mm inside itself near (%.3f, %.3f, %.3f) m, at "
+                     "segments %d and %d: lead the route past itself with a cable's diameter between",
+                     1e3 * deepest.depth, deepest.point.x, deepest.point.y, deepest.point.z, deepest.element,
+                     deepest.foot);
+}
+
+/* Says in an event which bend loses the route's grade. Errors: MEMORY. */
+static hawser_status start_grades(Sim *s, hawser_error *err)
+{
+    const Route *const route = &s->stage.scene.route;
+    double before, after;
+    const int bend = route_grade_lost(route, GRADE_LOST, &before, &after);
+    if (bend < 0 || s->stage.scene.def.rod.present) return HAWSER_OK;
+    snprintf(s->grade_says, sizeof s->grade_says,
+             "bend '%s' turns to the side on a grade of %.1f deg and leaves it at %.1f deg: it lies in one plane",
+             route->piece[bend].name, before * 180 / M_PI, after * 180 / M_PI);
+    return sim_note(s, HAWSER_EVENT_NOTE, 0, s->grade_says, s->look.sample.winch_force, err);
+}
+
+/* Likewise what holds the tail before the start where the case does not (BK11). */
+static hawser_status start_held(Sim *s, hawser_error *err)
+{
+    const Scene *const scene = &s->stage.scene;
+    if (isnan(scene->tail_held)) return HAWSER_OK;
+    snprintf(
+        s->held_says, sizeof s->held_says,
+        "friction holds the cable where it hangs: before the start a brake holds its tail with %.4g kN, and is let "
+        "go until %.3g s",
+        scene->tail_held / 1e3, scene->tail.t1);
+    return sim_note(s, HAWSER_EVENT_NOTE, 0, s->held_says, s->look.sample.winch_force, err);
+}
+
+/* Whether nothing is pressed by more than all loads together could ask for, by a look at the state of now. */
+static int fits(void *user)
+{
+    Sim *const s = user;
+    Stage *const st = &s->stage;
+    const int active = st->motion->ops->look(st->motion, st->t, st->y, 0);
+    passing_start(&s->passing, &st->scene, &st->ws.kin,
+                  sample_take(&s->look, &st->scene, &st->ws, st->t, active, SAMPLE_ROW));
+    return s->passing.start.force <= s->passing.start.allowed;
+}
+
+/* Relaxation (E7): of a chain in space without its weight, so that what is to fall does not fall yet, and no farther
+ * than until it fits. What does not come to fit begins where it was. */
+static hawser_status move_out(Sim *s, const double *laid, hawser_error *err)
+{
+    Stage *const st = &s->stage;
+    hawser_relaxation moved;
+    hawser_error ended;
+    const Weight weight = st->scene.weight;
+    st->scene.weight.gravity = st->scene.weight.behind = V3_ZERO;
+    st->ws.stop = (StopCheck){.ask = fits, .user = s, .firm = 1};
+    const hawser_status status = st->motion->ops->relax(st->motion, st->t, st->y, &moved, &ended);
+    st->ws.stop = (StopCheck){0};
+    st->scene.weight = weight;
+    if (status && status != HAWSER_STOPPED) {
+        *err = ended;
+        return status;
+    }
+    if (fits(s)) return sim_note(s, HAWSER_EVENT_NOTE, st->t, START_MOVED_SAYS, s->look.sample.winch_force, err);
+    memcpy(st->y, laid, (size_t)st->motion->size * sizeof *laid);
+    return st->motion->ops->renew(st->motion, st->t, st->y, err);
+}
+
+/* A chain that is not to be relaxed, but whose chords lie inside of what the line would only touch, is moved out: by
+ * the relaxation, which ends as soon as nothing is pressed by more than all loads together (E7). Errors: MEMORY. */
+static hawser_status start_fit(Sim *s, hawser_error *err)
+{
+    Stage *const st = &s->stage;
+    const SceneDef *const def = &st->scene.def;
+    if (def->solver.relax || def->rod.present || fits(s)) return HAWSER_OK;
+    const size_t bytes = (size_t)st->motion->size * sizeof(double);
+    double *const laid = malloc(bytes);
+    if (!laid) return error_memory(err);
+    memcpy(laid, st->y, bytes);
+    const hawser_status status = move_out(s, laid, err);
+    free(laid);
+    return status;
+}
+
+/* Relaxation begins at rest; the motion that the case begins with comes after it. */
+static void chain_stop(Stage *st)
+{
+    const size_t n = (size_t)st->scene.chain.n;
+    if (st->scene.def.launch.present) memset(st->y + STATE_V * n, 0, (STATE_SIZE - STATE_V) * n * sizeof *st->y);
+}
+
+hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err)
+{
+    const double start = clock_now();
+    const Scene *const scene = &s->stage.scene;
+    hawser_status status;
+    if (s->stage.torn) return error_memory(err);
+    for (int k = 0; k < sim_chains(s); ++k) {
+        Sim *const each = sim_chain(s, k);
+        Stage *const st = &each->stage;
+        chain_stop(st);
+        st->motion->ops->look(st->motion, st->t, st->y, 0);
+        passing_look(&each->passing, &st->scene, &st->ws, 0, st->t); /* what is there to be kept */
+    }
+    if (s->together) {
+        status = together_relax(s->together, &s->relaxation, err);
+    } else if (scene->rod->present) {
+        const double share = scene->def.analysis.kind == ANALYSIS_DYNAMICS ? scene->def.solver.relax_tolerance
+                                                                           : scene->def.analysis.tolerance;
+        s->relaxation = (hawser_relaxation){0};
+        status = statics_settle(&s->stage, share, &s->relaxation, err);
+    } else if (scene->def.analysis.kind == ANALYSIS_POSITIONS) {
+        status = s->positions.done > 0 ? HAWSER_OK : sim_advance(s, s->positions.time[0], 1, err);
+    } else {
+        status = s->stage.motion->ops->relax(s->stage.motion, s->stage.t, s->stage.y, &s->relaxation, err);
+    }
+    for (int k = 0; k < sim_chains(s); ++k) {
+        Sim *const each = sim_chain(s, k);
+        each->relaxation = s->relaxation;
+        if (!status && each->stage.t <= 0) scene_launch(&each->stage.scene, each->stage.y);
+    }
+    s->relax_s += clock_now() - start;
+    if (out) *out = s->relaxation;
+    return status;
+}
+
+/* Half a roller's width over what the cable may lie off its middle. */
+static const double WIDER = 1 / TRUST_EDGE;
+
+static hawser_status off_roller(const Edge *e, hawser_error *err)
+{
+    char at[32] = "";
+    if (!isnan(e->at)) snprintf(at, sizeof at, " at %.4g m", e->at);
+    return error_set(
+        err, HAWSER_ERR_RUN,
+        "at rest the cable lies %.0f mm beside the middle of roller '%s'%s, which is %.0f mm wide: it is off it "
+        "before anything moves. Rollers of about %.0f mm or wider would hold it there, or guides beside it "
+        "('guide: both'); 'run.keep_going: true' goes on all the same",
+        1e3 * e->across, e->name, at, 2e3 * e->half, 10 * ceil(1e2 * 2 * e->across * WIDER));
+}
+
+hawser_status place_check(Sim *s, hawser_error *err)
+{
+    for (int k = 0; k < sim_chains(s); ++k) {
+        const Sim *const each = sim_chain(s, k);
+        const SceneDef *const def = &each->stage.scene.def;
+        const Stray *const stray = &each->stray;
+        const int pulled = def->winch.present || def->n_conveyors > 0;
+        if (def->keep_going || def->rod.present || !pulled || def->analysis.kind != ANALYSIS_DYNAMICS) continue;
+        if (def->solver.relax && each->passing.edge.share > 1 && !(each->stage.t > 0))
+            return off_roller(&each->passing.edge, err);
+        if (!(stray->farthest > SUPPORT_OFF_ROUTE)) continue;
+        char when[48] = "before anything moves";
+        if (each->stage.t > 0) snprintf(when, sizeof when, "at %.4g s", each->stage.t);
+        return error_set(
+            err, HAWSER_ERR_RUN,
+            "%s the cable is %.3g m off its route near %.4g m: it has come off what carries it, or nothing "
+            "guides it there: put guides or wider rollers there and ahead of it; 'run.keep_going: true' goes "
+            "on all the same",
+            when, stray->farthest, stray->at);
+    }
+    return HAWSER_OK;
+}
 
 hawser_status sim_trip_set(Sim *s, hawser_error *err)
 {
@@ -433,11 +608,13 @@ hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err)
 }
 
 double hawser_sim_time(const Sim *s) { return s ? SHOWN(s)->stage.t : NAN; }
+
 double hawser_sim_end_time(const Sim *s)
 {
     s = SHOWN(s);
     return s ? fmin(s->stage.scene.def.duration, s->stage.scene.winch->phase.ended) : NAN;
 }
+
 const char *hawser_sim_title(const Sim *s) { return s ? SHOWN(s)->title : ""; }
 
 const hawser_sample *hawser_sim_sample(Sim *s) { return s ? sim_look(SHOWN(s), SAMPLE_ALL) : NULL; }
@@ -489,4 +666,271 @@ void hawser_sim_record(Sim *s)
 {
     if (s) record_now(SHOWN(s), SAMPLE_ALL);
 }
+
 void sim_record_row(Sim *s) { record_now(s, SAMPLE_ROW); }
+
+/* Everything that a simulation keeps, in one list. What belongs to what is watched stands here, so that it can be read
+ * in one go; what the steps keep is with those who keep it (stage_checkpoint). */
+
+/* Of a table's row, what is neither a name nor known from the case. */
+#define ROW(c, row, type, member) CHECKPOINT_FROM(c, row, type, member)
+
+static void stats_checkpoint(Checkpoint *c, Stats *s)
+{
+    const size_t watched = (size_t)(2 + s->n_stations + s->n_rollers), stations = (size_t)s->n_stations;
+    CHECKPOINT_UP_TO(c, s, Stats, n_stations);
+    checkpoint_counts(c, 3, (const int[]){s->passing, s->swings.steps, s->swings.downward});
+    checkpoint_put(c, "s->station", s->station, stations * sizeof *s->station);
+    checkpoint_put(c, "s->roller", s->roller, (size_t)s->n_rollers * sizeof *s->roller);
+    checkpoint_put(c, "s->surface", s->surface, (size_t)s->n_surfaces * sizeof *s->surface);
+    for (int i = 0; i < s->n_stations; ++i) ROW(c, &s->station_out[i], hawser_station, s);
+    for (int i = 0; i < s->n_rollers; ++i) ROW(c, &s->roller_out[i], hawser_roller, s);
+    for (int i = 0; i < s->n_surfaces; ++i) ROW(c, &s->surface_out[i], hawser_surface, from_m);
+    checkpoint_put(c, "s->before", s->before, watched * sizeof *s->before);
+    checkpoint_put(c, "s->now", s->now, watched * sizeof *s->now);
+    checkpoint_put(c, "s->station_joint", s->station_joint, stations * sizeof *s->station_joint);
+    checkpoint_put(c, "s->station_share", s->station_share, stations * sizeof *s->station_share);
+}
+
+static void machines_checkpoint(Checkpoint *c, Machines *m)
+{
+    for (int i = 0; i < m->n; ++i) {
+        CHECKPOINT(c, m->record[i].value);
+        CHECKPOINT(c, m->record[i].kept);
+        for (int k = 0; k < m->out[i].n_figures; ++k) CHECKPOINT(c, m->record[i].figure[k].value);
+    }
+    for (int k = 0; k < m->n_now; ++k) CHECKPOINT(c, m->now[k].value);
+}
+
+static void peaks_checkpoint(Checkpoint *c, Peaks *p)
+{
+    if (!p->present) return;
+    CHECKPOINT_UP_TO(c, p, Peaks, pusher);
+    checkpoint_text(c, "p->pusher", &p->pusher);
+    checkpoint_put(c, "p->roller", p->roller, (size_t)p->n_rollers * sizeof *p->roller);
+    checkpoint_put(c, "p->when", p->when, (size_t)p->n_rollers * sizeof *p->when);
+    Compression *const pushed = &p->pushed;
+    CHECKPOINT_UP_TO(c, pushed, Compression, joints);
+    checkpoint_counts(c, 2, (const int[]){p->recorded, pushed->rows});
+    checkpoint_put(c, "pushed->sum", pushed->sum, (size_t)pushed->joints * sizeof *pushed->sum);
+    checkpoint_put(c, "pushed->time", pushed->time, (size_t)pushed->joints * sizeof *pushed->time);
+    checkpoint_put(c, "pushed->force", pushed->force, (size_t)pushed->n_pushers * sizeof *pushed->force);
+}
+
+static void passing_checkpoint(Checkpoint *c, Passing *p, const Scene *scene)
+{
+    const size_t rollers = (size_t)scene->contact.n_rollers, surfaces = (size_t)scene->surfaces.model.n_surfaces;
+    checkpoint_put(c, "p->side", p->side, rollers * sizeof *p->side);
+    checkpoint_put(c, "p->gone", p->gone, (rollers + surfaces) * sizeof *p->gone);
+    checkpoint_put(c, "p->seen", p->seen, surfaces * SURFACE_FACES_MAX * (size_t)scene->total * sizeof *p->seen);
+    CHECKPOINT(c, p->through);
+    CHECKPOINT(c, p->due);
+    CHECKPOINT(c, p->says);
+    CHECKPOINT_UP_TO(c, &p->start, Misfit, name);
+    checkpoint_text(c, "p->start.name", &p->start.name);
+    CHECKPOINT_UP_TO(c, &p->edge, Edge, name);
+    checkpoint_text(c, "p->edge.name", &p->edge.name);
+    CHECKPOINT(c, p->overlap);
+    checkpoint_counts(c, 2, (const int[]){p->through, p->overlap.looks});
+    p->says[PASSING_SAYS_MAX - 1] = p->overlap.says[OVERLAP_SAYS_MAX - 1] = 0;
+}
+
+static void places_checkpoint(Checkpoint *c, ByPosition *b)
+{
+    checkpoint_put(c, "b->bin", b->bin, (size_t)b->n_bins * sizeof *b->bin);
+    CHECKPOINT(c, b->last_t);
+    CHECKPOINT(c, b->mean);
+}
+
+/* It is there if somebody has asked for it. */
+static hawser_status envelope_checkpoint(Checkpoint *c, Envelope *e, const Scene *scene, hawser_error *err)
+{
+    int present = e->present;
+    CHECKPOINT(c, present);
+    if (c->reading && !c->status) {
+        envelope_free(e);
+        const hawser_status status = present ? envelope_new(e, scene, err) : HAWSER_OK;
+        if (status) return status;
+    }
+    if (c->status || !present) return HAWSER_OK;
+    CHECKPOINT(c, e->last);
+    EnvelopeLine *const lines[] = {&e->arc, &e->place};
+    for (int k = 0; k < 2; ++k) {
+        const size_t bytes = (size_t)lines[k]->n * sizeof(double);
+        Extremes *const of[] = {&lines[k]->tension, &lines[k]->curvature, &lines[k]->sidewall};
+        checkpoint_put(c, "line->time", lines[k]->time, bytes);
+        for (int q = 0; q < 3; ++q) {
+            checkpoint_put(c, "least", of[q]->least, bytes);
+            checkpoint_put(c, "mean", of[q]->mean, bytes);
+            checkpoint_put(c, "largest", of[q]->largest, bytes);
+        }
+    }
+    return HAWSER_OK;
+}
+
+static void events_checkpoint(Checkpoint *c, EventLog *log)
+{
+    int n = log->n;
+    CHECKPOINT(c, n);
+    CHECKPOINT(c, log->missed);
+    checkpoint_longs(c, 1, (const long[]){log->missed});
+    checkpoint_check(c, n <= EVENTS_MAX, "a number of events is impossible");
+    if (!checkpoint_number(c, n, sizeof log->event->t, "a number of events is impossible")) return;
+    hawser_error lack = {HAWSER_OK, ""};
+    if (c->reading) log->n = 0;
+    while (c->reading && log->n < n && !lack.status) events_add(log, (hawser_event){0}, &lack);
+    if (lack.status) checkpoint_lack(c);
+    for (int i = 0; !c->status && i < n; ++i) {
+        CHECKPOINT(c, log->event[i].t);
+        CHECKPOINT(c, log->event[i].pull_N);
+        CHECKPOINT(c, log->event[i].code);
+        checkpoint_text(c, "event", &log->event[i].what);
+    }
+}
+
+/* Of an analysis that has come to its end. */
+static void modes_checkpoint(Checkpoint *c, Modes *m, int segments)
+{
+    const size_t each = 6 * (size_t)segments;
+    int n = m->n;
+    CHECKPOINT(c, n);
+    if (!checkpoint_number(c, n, sizeof *m->shape * each, "a number of modes is impossible")) return;
+    if (c->reading) {
+        modes_free(m);
+        m->out = calloc((size_t)n + 1, sizeof *m->out);
+        m->shape = calloc((size_t)n * each + 1, sizeof *m->shape);
+        if (!m->out || !m->shape) checkpoint_lack(c);
+        if (c->status) return;
+        m->n = n;
+        m->segments = segments;
+    }
+    CHECKPOINT(c, m->iterations);
+    checkpoint_counts(c, 1, &m->iterations);
+    if (n > 0) checkpoint_put(c, "m->shape", m->shape, (size_t)n * each * sizeof *m->shape);
+    for (int k = 0; k < n; ++k) {
+        CHECKPOINT_UP_TO(c, &m->out[k], hawser_mode, shape);
+        if (c->reading) m->out[k].shape = m->shape + (size_t)k * each;
+    }
+}
+
+/* What the run was told, and what winch, jams and conveyors have come to: in bytes of its own (sim/run/commands.h). */
+static hawser_status controls_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
+{
+    const int reel = s->stage.scene.reel->present; /* which the stage asks for itself */
+    hawser_status status = HAWSER_OK;
+    int size = (int)controls_size(s), room = 0;
+    if (c->status) return status;
+    void *bytes = c->reading ? NULL : malloc((size_t)size + 1);
+    if (bytes) controls_save(s, bytes);
+    if (!c->reading && !bytes) checkpoint_lack(c);
+    checkpoint_list(c, "controls", &bytes, &size, &room, 1);
+    if (c->reading && !c->status) status = controls_load(s, bytes, (size_t)size, err);
+    free(bytes);
+    s->stage.scene.reel->present = reel;
+    return status;
+}
+
+/* Whom the caller has set acts on what was read, also if it is from before that. */
+static hawser_status calls_go_on(Sim *s, hawser_error *err)
+{
+    s->led |= s->calls.step || s->calls.event || s->calls.law;
+    if (!s->calls.law) return HAWSER_OK;
+    outside_attend(&s->stage.scene, 1);
+    return stage_to_space(&s->stage, "a law of force acts on segments", err);
+}
+
+static void stall_checkpoint(Checkpoint *c, Stall *stall)
+{
+    const StallFrom *const from = &stall->from;
+    CHECKPOINT(c, *stall);
+    checkpoint_counts(c, 1, &stall->left);
+    checkpoint_longs(c, 4, (const long[]){from->steps, from->error_fails, from->newton_fails, from->strides});
+}
+
+/* What is watched of one chain. */
+static hawser_status watched_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
+{
+    const Scene *const scene = &s->stage.scene;
+    stats_checkpoint(c, &s->stats);
+    machines_checkpoint(c, &s->machines);
+    peaks_checkpoint(c, &s->peaks);
+    passing_checkpoint(c, &s->passing, scene);
+    places_checkpoint(c, &s->by_position);
+    const hawser_status status = envelope_checkpoint(c, &s->envelope, scene, err);
+    if (status) return status;
+    events_checkpoint(c, &s->events);
+    modes_checkpoint(c, &s->modes, scene->chain.n);
+    CHECKPOINT(c, s->stray);
+    CHECKPOINT(c, s->steadiness);
+    stall_checkpoint(c, &s->stall);
+    CHECKPOINT(c, s->relaxation);
+    checkpoint_counts(c, 1, &s->relaxation.iterations);
+    CHECKPOINT(c, s->active_max);
+    CHECKPOINT(c, s->overturned);
+    CHECKPOINT(c, s->relaxed);
+    CHECKPOINT(c, s->led);
+    CHECKPOINT(c, s->relax_s);
+    CHECKPOINT(c, s->output_s);
+    CHECKPOINT(c, s->record_s);
+    return HAWSER_OK;
+}
+
+hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err)
+{
+    hawser_status status = HAWSER_OK;
+    if (s->stage.torn) return error_memory(err);
+    if (s->leader)
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "this is one of several chains: a checkpoint is of the simulation that moves them all");
+    for (int k = 0; !status && k < sim_chains(s); ++k) status = controls_checkpoint(c, sim_chain(s, k), err);
+    if (!status) quasi_checkpoint_before(c, s);
+    if (!status && c->status) return HAWSER_OK;
+    if (!status) status = s->together ? together_checkpoint(c, s->together, err) : stage_checkpoint(c, &s->stage, err);
+    if (c->status) return status;
+    if (!status) status = quasi_checkpoint(c, s, err);
+    for (int k = 0; !status && k < sim_chains(s); ++k) status = watched_checkpoint(c, sim_chain(s, k), err);
+    if (status || !c->reading || c->status) return status;
+    s->stage.motion->ops->lin_stats(s->stage.motion, &s->lin); /* what solves now is not what the beginning asked for */
+    return calls_go_on(s, err);
+}
+
+/* The chain as the case makes it, and the state that a run begins with: what is simulated is as much the case's files,
+ * the catalogue and this program's defaults as its own text. */
+static uint64_t chain_identity(const Sim *s)
+{
+    const Scene *const scene = &s->stage.scene;
+    const Chain *const chain = s->stage.whole.n > 0 ? &s->stage.whole : &scene->chain;
+    const size_t joints = (size_t)scene->total + 1;
+    uint64_t sum[40] = {0};
+    int n = 0;
+    sum[n++] = (uint64_t)scene->total;
+    sum[n++] = (uint64_t)scene->def.solver.planar;
+    sum[n++] = checkpoint_hash(scene->joint_s, joints * sizeof *scene->joint_s);
+    sum[n++] = checkpoint_hash(chain->half, (joints - 1) * sizeof(double));
+    sum[n++] = checkpoint_hash(chain->radius, (joints - 1) * sizeof(double));
+    for (int k = 0; k < 6; ++k) sum[n++] = checkpoint_hash(chain->stiffness[k], joints * sizeof(double));
+    for (int k = 0; k < 6; ++k) { /* which springs do without while positions move the run */
+        const double *const built = s->quasi.stage.damping ? s->quasi.stage.damping + (size_t)k * joints : NULL;
+        sum[n++] = checkpoint_hash(built ? built : chain->damping[k], joints * sizeof(double));
+    }
+    for (int k = 0; k < 6; ++k) sum[n++] = checkpoint_hash(chain->preload[k], joints * sizeof(double));
+    for (int r = 0; r < scene->contact.n_rollers; ++r) {
+        const Vec3 place[2] = {scene->rollers[r].shape.centre, scene->rollers[r].shape.axis};
+        const uint64_t both[2] = {sum[n], checkpoint_hash(place, sizeof place)};
+        sum[n] = checkpoint_hash(both, sizeof both);
+    }
+    return checkpoint_hash(sum, sizeof sum);
+}
+
+/* Of several chains also how they lie and what joins them, which is in their states and in the case's text. */
+uint64_t sim_identity(const Sim *s)
+{
+    if (!s->together) return chain_identity(s);
+    const char *const text = s->case_text ? s->case_text : "";
+    uint64_t both[2] = {checkpoint_hash(text, strlen(text)), 0};
+    for (int k = 0; k < sim_chains(s); ++k) {
+        both[1] = chain_identity(s->together->sim[k]);
+        both[0] = checkpoint_hash(both, sizeof both);
+    }
+    return both[0];
+}

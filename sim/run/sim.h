@@ -10,27 +10,15 @@
  * afterwards. Errors: INPUT (the scene cannot be built: says which key), MEMORY, RUN. */
 hawser_status sim_new(const SceneDef *def, int threads, Sim **out, hawser_error *err);
 Sim *sim_free(Sim *s);
-
-/* Whether the cable begins outside itself. Errors: INPUT. */
-hawser_status start_check(Sim *s, hawser_error *err);
-/* Says in an event which bend loses the route's grade. Errors: MEMORY. */
-hawser_status start_grades(Sim *s, hawser_error *err);
-/* Likewise what holds the tail before the start where the case does not (BK11). */
-hawser_status start_held(Sim *s, hawser_error *err);
-/* A chain that is not to be relaxed, but whose chords lie inside of what the line would only touch, is moved out: by
- * the relaxation, which ends as soon as nothing is pressed by more than all loads together (E7). Errors: MEMORY. */
-hawser_status start_fit(Sim *s, hawser_error *err);
 #define START_MOVED_SAYS "the chain began inside of what it is pulled over, and was moved out"
-
 /* Whether the cable of a pull still lies on what carries it: at rest before time begins, and since. Errors: RUN, with
  * the place and what would hold it, unless the case says to go on; INPUT never. */
 hawser_status place_check(Sim *s, hawser_error *err);
-
 /* Static equilibrium under the loads of t = 0, friction off; see hawser_sim_relax. */
 hawser_status sim_relax(Sim *s, hawser_relaxation *out, hawser_error *err);
 /* See hawser_sim_advance. */
 hawser_status sim_advance(Sim *s, double t, int one_step, hawser_error *err);
-/* Everything that the simulation keeps (sim/run/checkpoint.c). Errors: MEMORY, RUN (SUNDIALS keeps its state in a way
+/* Everything that the simulation keeps (sim/run/sim.c). Errors: MEMORY, RUN (SUNDIALS keeps its state in a way
  * that is not known); what is wrong with a checkpoint that is read is in c. After a failure to read it can only be
  * freed. */
 hawser_status sim_checkpoint(Checkpoint *c, Sim *s, hawser_error *err);

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/base/vec3.h"
+#include "core/vec3.h"
 
 /* Shares of a window's steps from which on something is what holds it up; and of the longest step that is allowed. */
 static const double FAILS_MANY = 0.1, STRIDES_MANY = 0.5, LONGEST_NEAR = 0.8;

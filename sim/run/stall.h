@@ -5,7 +5,7 @@
 
 #include "hawser/hawser.h"
 #include "sim/scene.h"
-#include "sim/step/integrator.h"
+#include "sim/solve/integrator.h"
 
 enum {
     STALL_STEPS = 500,

@@ -8,10 +8,10 @@
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
 #include "sim/run/commands.h"
-#include "sim/run/quasi_run.h"
+#include "sim/run/look.h"
+#include "sim/run/quasi.h"
 #include "sim/run/sim.h"
-#include "sim/run/together.h"
-#include "theory/assumed.h"
+#include "theory/mend.h"
 
 static void integration_fill(const Sim *s, hawser_summary *out)
 {

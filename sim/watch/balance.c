@@ -4,13 +4,81 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
+#include "core/body.h"
+#include "core/bushing.h"
+#include "core/error.h"
+#include "core/lanes.h"
 #include "sim/dynamics.h"
-#include "sim/step/scales.h"
+#include "sim/solve/scales.h"
+
+void balance_gather(const Workspace *ws, BalanceRates *out)
+{
+    for (int p = 0; p < PARTS; ++p) {
+        out->loss[LOST_JOINTS] += ws->joint_power[p].damping;
+        out->loss[LOST_BENDING] += ws->joint_power[p].sliding;
+        balance_work(out, BY_LEAD_IN, ws->lead_in[p]);
+    }
+}
+
+/* The kinematics and the joints at the chain's ends. */
+static void ends_look(const Moment *m, const double *y)
+{
+    const Scene *const scene = m->scene;
+    Workspace *const ws = m->ws;
+    const int n = scene->chain.n, last = (n - 1) / LANES * LANES;
+    body_kernels()->kinematics(n, y, 0, LANES < n ? LANES : n, &ws->kin);
+    body_kernels()->kinematics(n, y, last, n, &ws->kin);
+    scene_ghosts(scene, m->t, &ws->kin);
+    bushing_kernels()->loads(&scene->chain, &ws->kin, n / LANES * LANES, n + 1, &ws->joints);
+}
+
+void balance_spatial(const Scene *scene, Workspace *ws, double t, const double *y, BalanceRates *out)
+{
+    const Moment m = {scene, ws, t, 1};
+    memset(out, 0, sizeof *out);
+    balance_gather(ws, out);
+    ends_look(&m, y);
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        const Room *const room = &scene->room[r];
+        if (room->present && room->kind->work) room->kind->work(room, &m, out);
+    }
+}
+
+/* The chain as bodies (BA7). */
+static void bodies_stock(const Scene *scene, const Kinematics *kin, BalanceStock *out)
+{
+    const Chain *const chain = &scene->chain;
+    const Vec3 g = scene->weight.gravity;
+    for (int i = 0; i < chain->n; ++i) {
+        const double m = chain->mass[i], heavy = i + 1 < chain->n ? m : m - scene->weight.weightless;
+        const Vec3 v = v3_load(kin->v, i), w = v3_load(kin->w, i);
+        out->energy[IN_MOTION] += (m * v3_dot(v, v) + v3_dot(w, body_inertia_times(chain, kin, i, w))) / 2;
+        out->energy[IN_HEIGHT] -= heavy * v3_dot(g, v3_load(kin->p, i));
+        out->momentum = v3_axpy(out->momentum, m, v);
+        out->weight = v3_axpy(out->weight, heavy, g);
+    }
+}
+
+void balance_stock(const Scene *scene, Workspace *ws, const double *own, BalanceStock *out)
+{
+    const Moment m = {.scene = scene, .ws = ws, .friction = 1};
+    memset(out, 0, sizeof *out);
+    bodies_stock(scene, &ws->kin, out);
+    const JointEnergy joints = bushing_kernels()->energy(&scene->chain, &ws->kin, 0, scene->chain.n + 1);
+    out->energy[IN_JOINTS] = joints.elastic;
+    out->energy[IN_BENDING] = joints.sliding;
+    for (int r = 0; r < scene->n_rooms; ++r) {
+        const Room *const room = &scene->room[r];
+        if (room->present && room->kind->stock) room->kind->stock(room, &m, own, out);
+        if (own) own += room->states;
+    }
+}
 
 /* Rates are summed as one run of numbers. */
 static const double ROUNDING = 1e-10; /* of what is held: its differences know no more */
+
 enum { RATES = sizeof(BalanceRates) / sizeof(double), POWERS = BALANCE_WORKS + BALANCE_LOSSES };
+
 typedef union RateList {
     BalanceRates by;
     double value[RATES];
@@ -184,12 +252,15 @@ void balance_carry(Balance *b, double energy) { b->entries.carried += energy; }
 
 static const char *const WORKS[BALANCE_WORKS] = {"winch", "tail",   "lead_in", "reel",          "conveyors", "ends",
                                                  "loads", "motors", "medium",  "surface_edges", "outside"};
+
 static const char *const LOSSES[BALANCE_LOSSES] = {
     "joint_damping",  "bending_hysteresis", "rope_drag",       "conveyor_slip",  "roller_friction",
     "roller_damping", "surface_friction",   "surface_damping", "cable_friction", "cable_damping",
     "bearings",       "mount_damping",      "medium_drag"};
+
 static const char *const STORES[BALANCE_STORES] = {"motion",  "height",   "joints",         "bending",
                                                    "rollers", "surfaces", "cable_on_cable", "equipment"};
+
 static const char *const PUSHES[BALANCE_PUSHES] = {"winch",   "tail",  "lead_in", "reel",     "conveyors",
                                                    "ends",    "loads", "",        "medium",   "",
                                                    "outside", "drag",  "rollers", "surfaces", "weight"};

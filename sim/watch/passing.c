@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
 #include "sim/watch/stats.h"

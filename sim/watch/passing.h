@@ -3,7 +3,7 @@
 #ifndef HAWSER_SIM_WATCH_PASSING_H
 #define HAWSER_SIM_WATCH_PASSING_H
 
-#include "contact/self/self_overlap.h"
+#include "contact/self.h"
 #include "sim/dynamics.h"
 
 enum { PASSING_SAYS_MAX = 160, OVERLAP_SAYS_MAX = 160 };

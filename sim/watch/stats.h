@@ -1,13 +1,43 @@
-/* What a run is judged by: time-weighted means over the steady window, peaks, and the tension at stations of the route.
- * Memory does not grow with the run. */
+/* What the figures of a run may be off by: of the steps in time, of the mesh, of friction that vanishes at rest. From
+ * what a run sees of itself, without a second one. docs/model.md, "Error bars". */
 #ifndef HAWSER_SIM_WATCH_STATS_H
 #define HAWSER_SIM_WATCH_STATS_H
 
 #include "hawser/hawser.h"
 #include "sim/scene.h"
-#include "sim/step/swings.h"
+#include "sim/solve/scales.h"
 #include "sim/time_mean.h"
-#include "sim/watch/error_bars.h"
+#include "sim/watch/balance.h"
+#include "theory/stiffness.h"
+
+/* What all figures of a run share: parts of a force, and of its wavering, 1. */
+typedef struct ErrorShares {
+    double time;   /* of a mean: what the books of the window leave open or have lost (EB2) */
+    double step;   /* of a peak: the tolerance of a step (EB4) */
+    double waver;  /* what of a figure's wavering is the mesh's (EB1) */
+    double passed; /* of a segment, while nothing has been wavering for a whole one */
+    double still;  /* N: what a tension may waver by besides, then (EB9) */
+    double placed; /* N: what the places of joints over rollers made of the peak (EB11) */
+    double rough;  /* what of second differences is the error of a peak (EB12) */
+    double slack,
+        at_rest; /* of a peak's height above the mean and above the pull at rest, N, that what hung slack made (EB15) */
+    double faded;  /* N: what steps have taken from a swing before the peak (EB23) */
+    double blow;   /* N: what the peak owes to segments that a wave must run through, or a clamp holds (EB26), (EB31) */
+    double missed; /* N: what rows do not see of a mean (EB33) */
+    double drift;  /* of a mean, between the halves of its window, if that is refused (EB17) */
+    double start;  /* N: with which a chain that did not come to rest begins inside a body (EB18) */
+    double stands_out; /* of a peak: a spike or jolt that is refused (EB16) */
+    double mesh;       /* what the places of the route and the head ask of segments (EB3), (EB6) */
+    double friction;   /* not yet there at the speed of the pull (EB5) */
+    /* by which friction falls once the cable slides, of what is left; m/s, the speed where it has; the share again, if
+     * a peak is of a cable that breaks loose (EB10) */
+    double falls, falls_until, breaks_loose;
+} ErrorShares;
+
+/* books: NULL where nothing has moved; pull: mean of the steady window, N. */
+ErrorShares error_shares(const Scene *scene, const Mesh *mesh, const BalanceWindow *books, double pull);
+/* What a run is judged by: time-weighted means over the steady window, peaks, and the tension at stations of the route.
+ * Memory does not grow with the run. */
 
 /* What is averaged of a roller: its load, N; spin and shift where it moves, rad/s and m. */
 typedef struct RollerMeans {

@@ -37,7 +37,7 @@ ANNOTATED = """
 1,000 (100.0%)  PROGRAM TOTALS
 
   990 (99.00%)  ???:main [/x/hawser]
-  600 (60.00%)  sim/step/integrator.c:integrator_step [/x/hawser]
+  600 (60.00%)  sim/solve/integrator.c:integrator_step [/x/hawser]
   300 (30.00%)  ???:call_rates [/x/hawser]
   100 (10.00%)  ???:planar_contact_forces [/x/hawser]
    90 ( 9.00%)  ???:solver_solve.constprop.0 [/x/hawser]

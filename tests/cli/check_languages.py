@@ -58,7 +58,7 @@ def left(text, names):
 
 
 def main(hawser, cases):
-    source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "io", "results", "words_table.c")
+    source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "io", "results", "words.c")
     english, bad, seen = english_words(source), [], 0
     with tempfile.TemporaryDirectory() as folder:
         for case in cases:

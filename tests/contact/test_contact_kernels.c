@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "contact/roller/contact_kernels.h"
+#include "contact/roller.h"
 
 static const FrictionLaw friction = {.mu_s = 0.2, .mu_d = 0.15, .v_s = 5e-3, .v_d = 2e-2};
 static const ImpactLaw impact = {.k = 2e7, .e = 1.5, .c = 2e4, .d = 1e-3};

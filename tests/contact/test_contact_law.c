@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "contact/law/contact_law.h"
+#include "contact/law.h"
 #include "core/profile.h"
 #include "tests/support/check.h"
 

@@ -1,7 +1,7 @@
 /* Contact in the plane against contact in space: the same owners and forces for lines of every shape, where they touch
  * inside an arc, beyond an end, and where the radius changes; forces balance those on the rollers; derivatives against
  * differences; what is near. */
-#include "contact/planar/planar_contact.h"
+#include "contact/planar.h"
 #include "tests/support/touch.h"
 
 enum { N = 11 };

@@ -1,6 +1,6 @@
 /* How far cables lie inside each other, by places alone (CC29): closed forms, against every pair of segments, what does
  * not count, and which of several lines are asked. */
-#include "contact/self/self_overlap.h"
+#include "contact/self.h"
 #include "tests/support/touch.h"
 
 static SelfOverlap alone(const SelfScene *s) { return self_overlap(SELF_ALONE(&s->chain, &s->kin)); }

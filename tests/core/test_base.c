@@ -2,9 +2,8 @@
  * are cut off, what is not a number. */
 #include <string.h>
 
-#include "core/base/error.h"
-#include "core/base/vec3.h"
-#include "core/base/worst.h"
+#include "core/error.h"
+#include "core/vec3.h"
 #include "tests/support/check.h"
 
 TEST(test_vectors)

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/lanes.h"
 #include "core/body.h"
+#include "core/lanes.h"
 #include "tests/support/chain.h"
 #include "tests/support/check.h"
 

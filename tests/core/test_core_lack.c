@@ -6,10 +6,10 @@
 
 #include <string.h>
 
-#include "core/base/team.h"
 #include "core/block_chain.h"
 #include "core/chain.h"
-#include "core/route_make.h"
+#include "core/route.h"
+#include "core/team.h"
 #include "tests/support/check.h"
 
 enum { MOST = 200 };

@@ -1,5 +1,5 @@
 /* A file at once: what is there, and what the system does not give, which is never the file's end. */
-#include "core/base/file.h"
+#include "core/file.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "core/base/team.h"
+#include "core/team.h"
 #include "tests/support/check.h"
 
 static int replaced;     /* the system's answers are those below: during the tests of this file */

@@ -1,6 +1,6 @@
 /* Checkpoints of core: what is read back is what was written, and what cannot have been written is refused, with what
  * is wrong with it. */
-#include "core/base/checkpoint.h"
+#include "core/checkpoint.h"
 
 #include <limits.h>
 #include <stdint.h>

@@ -6,8 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "core/base/clock.h"
-#include "core/base/isa.h"
+#include "core/machine.h"
 #include "tests/support/check.h"
 
 /* The set is chosen before main(): a process of this program that is to print it does so before its tests. */

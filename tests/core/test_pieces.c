@@ -1,9 +1,9 @@
 /* Pieces of a checkpoint one by one: what is written is read, and what is damaged behind a right sum is refused with a
  * reason before it is used. */
-#include "core/base/checkpoint.h"
-#include "core/base/error.h"
 #include "core/block_chain.h"
 #include "core/bushing.h"
+#include "core/checkpoint.h"
+#include "core/error.h"
 #include "core/profile.h"
 #include "tests/support/check.h"
 

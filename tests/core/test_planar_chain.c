@@ -2,8 +2,8 @@
  * derive from, and their derivatives against finite differences. */
 
 #include "core/bushing.h"
-#include "core/planar/planar.h"
-#include "core/planar/plane_lanes.h"
+#include "core/planar.h"
+#include "core/plane_lanes.h"
 #include "tests/support/chain.h"
 #include "tests/support/check.h"
 

@@ -1,5 +1,5 @@
 /* What is said of an error by two and three values of a known law. */
-#include "core/base/refinement.h"
+#include "io/api/api_certify.h"
 #include "tests/support/check.h"
 
 /* A figure whose error is c h^p; h falls by `ratio` from value to value. */

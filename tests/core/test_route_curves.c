@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/worst.h"
-#include "core/route_make.h"
+#include "core/route.h"
+#include "core/vec3.h"
 #include "tests/support/check.h"
 
 static const double DEGREE = M_PI / 180;

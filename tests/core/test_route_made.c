@@ -2,7 +2,7 @@
  * not, corners that turn back, roundings of steep profiles, what turns a piece aside, and the knots of curves. */
 #include <stdlib.h>
 
-#include "core/route_make.h"
+#include "core/route.h"
 #include "tests/support/check.h"
 
 static Route route_of(int n, const RoutePieceDef *def, double slope)

@@ -2,7 +2,7 @@
  * eat up, legs straight up, profiles that end early; and what pieces are called. */
 #include <stdlib.h>
 
-#include "core/route_make.h"
+#include "core/route.h"
 #include "tests/support/check.h"
 
 static const double DEGREE = M_PI / 180;

@@ -1,7 +1,7 @@
 /* Two threads: every share is done once, what they write is seen, and they wait for nobody for ever. */
 #include <time.h>
 
-#include "core/base/team.h"
+#include "core/team.h"
 #include "tests/support/check.h"
 
 enum { VALUES = 1000 };

@@ -8,7 +8,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "core/base/team.h"
+#include "core/team.h"
 #include "tests/support/check.h"
 
 typedef struct Work {

@@ -2,13 +2,12 @@
  * other numbers in every lane; the state's places, sums of pushes, halves of a chain. */
 #include <stdlib.h>
 
-#include "core/base/lane_math.h"
-#include "core/base/team.h"
-#include "core/base/worst.h"
-#include "core/planar/plane_lanes.h"
+#include "core/lanes.h"
+#include "core/plane_lanes.h"
 #include "core/profile.h"
-#include "core/push.h"
 #include "core/state.h"
+#include "core/team.h"
+#include "core/vec3.h"
 #include "tests/support/chain.h"
 #include "tests/support/check.h"
 

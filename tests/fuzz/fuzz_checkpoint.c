@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/checkpoint.h"
+#include "core/checkpoint.h"
 #include "hawser/hawser.h"
 #include "tests/fuzz/checkpoint_scenes.h"
 #include "tests/fuzz/fuzz.h"

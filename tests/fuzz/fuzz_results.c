@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "hawser/hawser.h"
-#include "io/report/sheet.h"
+#include "io/report/folder.h"
 #include "tests/fuzz/fuzz.h"
 
 /* Nothing that could end the element that it stands in. */

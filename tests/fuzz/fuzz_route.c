@@ -9,10 +9,10 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "survey/fit/fit.h"
-#include "survey/fit/join.h"
-#include "survey/read/read.h"
-#include "survey/write/write.h"
+#include "survey/fit.h"
+#include "survey/join.h"
+#include "survey/read.h"
+#include "survey/write.h"
 #include "tests/fuzz/fuzz.h"
 
 /* What was read can be measured and asked for places; numbers may be huge, but not none. */

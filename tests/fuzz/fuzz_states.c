@@ -14,7 +14,6 @@
 #include <unistd.h>
 
 #include "io/report/report.h"
-#include "io/report/states.h"
 #include "io/results/results_h5.h"
 #include "tests/fuzz/base_run.h"
 #include "tests/fuzz/fuzz.h"

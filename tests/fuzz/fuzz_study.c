@@ -9,11 +9,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
 #include "hawser/study.h"
 #include "io/results/results_file.h"
-#include "study/engine/engine.h"
-#include "study/results/results.h"
+#include "study/evaluate.h"
+#include "study/findings.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/patches.h"
 

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/yaml/units.h"
+#include "io/case/units.h"
 #include "tests/fuzz/fuzz.h"
 
 FUZZ_TARGET(units)

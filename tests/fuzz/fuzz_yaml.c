@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/yaml/yaml_tree.h"
+#include "io/case/yaml.h"
 #include "tests/fuzz/fuzz.h"
 
 /* Nodes below and at this one; every link checked on the way. */

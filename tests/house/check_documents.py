@@ -1,7 +1,7 @@
 """What the documents point to is there: files behind links, and paths in backticks below the project's folders.
 
 Usage: check_documents.py ROOT
-A path in backticks counts if it begins with a folder of the project ("`sim/newton/newton.c`", "`bench/results/`"); it may hold
+A path in backticks counts if it begins with a folder of the project ("`sim/solve/newton.c`", "`bench/results/`"); it may hold
 "*" and "{a,b}", and words in capitals ("`cases/NAME.yaml`") stand for anything.
 """
 import glob

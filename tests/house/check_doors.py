@@ -1,5 +1,5 @@
 """Files of results folders are opened, renamed and deleted by core/base/file alone, and objects of HDF5 that are read by
-io/results/results_door.c, of Python by hawser/_door.py: whoever made a folder may have put anything into it.
+io/results/hdf5.c, of Python by hawser/_door.py: whoever made a folder may have put anything into it.
 
 Usage: check_doors.py ROOT
 """
@@ -15,25 +15,25 @@ CONTAINERS = re.compile(r"\b(H5Fopen|H5Fcreate|H5Dopen2?|H5Gopen2?|H5Oopen\w*|H5
 
 # What opens files, and why that is not within a results folder that somebody else may have made.
 FILES = {
-    "core/base/file.c": "the door itself",
+    "core/file.c": "the door itself",
     "cli/inspect.c": "theory --crew FILE: named by the user",
     "cli/main.c": "/dev/null",
     "cli/pdf.c": "/dev/null; the PDF beside its name, new and under a random one",
     "fmi/archive/archive.c": "an archive, which the user names; its own temporary folder",
-    "io/library/library_place.c": "the catalogue",
+    "io/case/library.c": "the catalogue",
     "io/results/results_file.c": "the folder itself, which the user names, and those above it",
-    "io/yaml/yaml_file.c": "a case, which the user names",
-    "study/engine/identity.c": "files of a case",
+    "io/case/yaml.c": "a case, which the user names",
+    "study/evaluate.c": "files of a case",
     "survey/input.c": "a route's file, which the user names",
-    "survey/write/write.c": "a route's file, which the user names",
+    "survey/write.c": "a route's file, which the user names",
 }
 # What opens objects of HDF5: those it has made itself, or resumes after the door has checked them all.
 OBJECTS = {
-    "io/results/results_door.c": "the door itself",
-    "io/results/results_disk.c": "a file by its descriptor",
+    "io/results/hdf5.c": "the door itself",
+    "io/results/hdf5.c": "a file by its descriptor",
     "io/results/results_h5.c": "the file that it writes",
-    "io/results/results_geometry.c": "groups that it has made",
-    "study/results/table.c": "a file by its descriptor",
+    "io/results/states_data.c": "groups that it has made",
+    "study/table.c": "a file by its descriptor",
 }
 # Of Python: what opens a file by its name, and lines that do so with a file of their own.
 BY_NAME = re.compile(r"(?<![\w.])open\(|\.(read_text|read_bytes)\(|os\.open\(|h5py\.File\(|pd\.read_csv\(|file\[")
@@ -55,7 +55,7 @@ def check(root):
         if not path.endswith(".c"):
             continue
         code = tree.code_only(tree.read(root, path))
-        for calls, allowed, door in ((OPENS, FILES, "core/base/file"), (CONTAINERS, OBJECTS, "io/results/results_door.c")):
+        for calls, allowed, door in ((OPENS, FILES, "core/base/file"), (CONTAINERS, OBJECTS, "io/results/hdf5.c")):
             if path in allowed:
                 continue
             complaints += [f"{path}: {m.group(1)}() past {door}" for m in calls.finditer(code)]

@@ -10,17 +10,17 @@ import tree
 
 # Libraries' headers, and the only places that may see them.
 LIBRARIES = [
-    (r"(cvode|nvector|sunlinsol|sunmatrix|sundials|kinsol|arkode|ida|sunnonlinsol)/", r"sim/step/"),
+    (r"(cvode|nvector|sunlinsol|sunmatrix|sundials|kinsol|arkode|ida|sunnonlinsol)/", r"sim/solve/"),
     (r"(suitesparse/)?(klu|amd|colamd|btf|metis)\.h$", r"linsolve/"),
     (r"(lapacke|cblas|lapack)\.h$", r"linsolve/"),
     (r"expat\.h$", r"survey/"),
-    (r"jansson\.h$", r"io/|survey/map/|study/engine/"),
+    (r"jansson\.h$", r"io/|survey/map\.c|study/(evaluate|workers)\.c"),
     (r"yaml\.h$", r"io/"),
-    (r"hdf5\w*\.h$", r"io/|study/results/"),
+    (r"hdf5\w*\.h$", r"io/|study/table\.c"),
     (r"zlib\.h$", r"io/report/"),
-    (r"nlopt\.h$", r"study/maths/"),
-    (r"zip\.h$", r"fmi/archive/|survey/table/|io/results/"),
-    (r"shapefil\.h$", r"survey/map/"),
+    (r"nlopt\.h$", r"study/maths\.c"),
+    (r"zip\.h$", r"fmi/archive/|survey/sheet\.c|io/api/job\.c"),
+    (r"shapefil\.h$", r"survey/shape\.c"),
     (r"mpi\.h$", r"mpi/"),
 ]
 

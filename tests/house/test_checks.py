@@ -61,9 +61,9 @@ class Includes(unittest.TestCase):
         return Tree(files).complaints(check_includes.check)
 
     def test_downward_is_fine(self):
-        self.assertEqual([], self.check({"core/a.h": "#include <math.h>\n", "contact/law/b.c": '#include "core/a.h"\n',
+        self.assertEqual([], self.check({"core/a.h": "#include <math.h>\n", "contact/b.c": '#include "core/a.h"\n',
                                          "include/hawser/hawser.h": "", "cli/main.c": "#include <hawser/hawser.h>\n",
-                                         "linsolve/l.c": "#include <klu.h>\n", "sim/step/s.c": "#include <cvode/cvode.h>\n",
+                                         "linsolve/l.c": "#include <klu.h>\n", "sim/solve/s.c": "#include <cvode/cvode.h>\n",
                                          "core/e.h": '#include "hawser/hawser.h"\n'}))
 
     def test_upward(self):
@@ -76,22 +76,22 @@ class Includes(unittest.TestCase):
         self.assertTrue(self.check({"sim/a.c": '#include "io/api/io.h"\n', "io/api/io.h": ""}))
 
     def test_sideways(self):
-        self.assertTrue(self.check({"contact/law/a.c": '#include "linsolve/l.h"\n', "linsolve/l.h": ""}))
-        self.assertTrue(self.check({"linsolve/a.c": '#include "contact/law/c.h"\n', "contact/law/c.h": ""}))
+        self.assertTrue(self.check({"contact/a.c": '#include "linsolve/l.h"\n', "linsolve/l.h": ""}))
+        self.assertTrue(self.check({"linsolve/a.c": '#include "contact/c.h"\n', "contact/c.h": ""}))
 
     def test_downward_within_a_folder(self):
         self.assertEqual([], self.check({"sim/equipment/a.c": '#include "sim/b.h"\n', "sim/b.h": "",
                                          "sim/run/c.c": '#include "sim/a.h"\n', "sim/a.h": '#include "sim/e.h"\n',
-                                         "sim/e.h": "", "io/api/d.c": '#include "io/yaml/y.h"\n', "io/yaml/y.h": ""}))
+                                         "sim/e.h": "", "io/api/d.c": '#include "io/case/y.h"\n', "io/case/y.h": ""}))
 
     def test_upward_within_a_folder(self):
-        found = self.check({"sim/b.c": '#include "sim/equipment/a.h"\n', "sim/equipment/a.h": '#include "sim/step/s.h"\n',
-                            "sim/step/s.h": ""})
+        found = self.check({"sim/b.c": '#include "sim/equipment/a.h"\n', "sim/equipment/a.h": '#include "sim/solve/s.h"\n',
+                            "sim/solve/s.h": ""})
         self.assertEqual(["sim/b.c:1", "sim/equipment/a.h:1"], [c.split(": ")[0] for c in found])
 
     def test_sideways_within_a_folder(self):
-        self.assertEqual(1, len(self.check({"contact/self/a.c": '#include "contact/surface/b.h"\n', "contact/surface/b.h": ""})))
-        self.assertEqual(1, len(self.check({"contact/surface/a.c": '#include "contact/self/b.h"\n', "contact/self/b.h": ""})))
+        self.assertEqual(1, len(self.check({"fmi/unit/a.c": '#include "fmi/archive/b.h"\n', "fmi/archive/b.h": ""})))
+        self.assertEqual(1, len(self.check({"fmi/archive/a.c": '#include "fmi/unit/b.h"\n', "fmi/unit/b.h": ""})))
 
     def test_a_folder_that_is_not_in_the_list(self):
         found = self.check({"sim/odd/a.c": ""})

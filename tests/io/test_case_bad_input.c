@@ -2,9 +2,9 @@
  * out of range, with garbage behind it. Each must be refused with file, line and key. */
 #include "tests/io/case_fixture.h"
 
-#include "core/base/checkpoint.h"
+#include "core/checkpoint.h"
 #include "io/case/case_parts.h"
-#include "io/yaml/yaml_tree.h"
+#include "io/case/yaml.h"
 
 enum { TEXT_MAX = 16384, VALUE_MAX = 64, KEYS_MAX = 1200 };
 

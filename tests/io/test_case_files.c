@@ -4,7 +4,7 @@
 #include <glob.h>
 
 #include "io/case/case_parts.h"
-#include "theory/paper.h"
+#include "theory/closed_form.h"
 
 static const double DEG = 3.14159265358979323846 / 180;
 

@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "io/yaml/yaml_tree.h"
+#include "io/case/yaml.h"
 
 static CaseTree *tree_of(const char *text)
 {

@@ -1,7 +1,6 @@
 /* Certificates: a run whose figures are right holds at once and cheaply; one whose figures are not is never certified,
  * and the certificate says why and with what settings they would be. */
-#include "core/base/refinement.h"
-#include "io/certify/certify.h"
+#include "io/api/api_certify.h"
 #include "tests/io/case_fixture.h"
 
 /* A run to its end, and its certificate. */

@@ -7,7 +7,7 @@
 
 #include "tests/io/case_fixture.h"
 
-#include "def/cables/duct.h"
+#include "def/duct.h"
 #include "hawser/hawser.h"
 #include "hawser/sweep.h"
 #include "tests/support/scratch.h"

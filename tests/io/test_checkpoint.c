@@ -1,6 +1,6 @@
 /* Checkpoints: what is saved, read into a new simulation and saved again is the same bytes, and so is what both come to
  * afterwards; what is no checkpoint of the case is refused before anything changes. */
-#include "core/base/checkpoint.h"
+#include "core/checkpoint.h"
 #include "tests/support/check.h"
 #include "tests/support/data.h"
 

@@ -1,6 +1,6 @@
 /* What codes allow, and what a planner is told where that is not kept: the right figure of each beside the one that was
  * printed before. */
-#include "def/codes.h"
+#include "def/limits.h"
 #include "tests/io/theory_fixture.h"
 #include "tests/support/scratch.h"
 
@@ -139,7 +139,7 @@ TEST(the_table_is_documented)
     assert_non_null(begin);
     assert_non_null(end);
     if (strncmp(begin, table, strlen(table)) || begin + strlen(table) != end)
-        fail_msg("docs/limits.md has another table of codes than def/codes.c: HAWSER_PRINT=1 prints it");
+        fail_msg("docs/limits.md has another table of codes than def/limits.c: HAWSER_PRINT=1 prints it");
     free(text);
 }
 

@@ -8,14 +8,14 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include "core/base/checkpoint.h"
+#include "core/checkpoint.h"
 #include "io/results/results_h5.h"
 #include "tests/support/check.h"
 #include "tests/support/scratch.h"
 
 enum { PAGE = 4096, SIZE = 2 * PAGE };
 
-/* As io/results/results_disk.c writes it: a head, then numbers of pages and their bytes. */
+/* As io/results/hdf5.c writes it: a head, then numbers of pages and their bytes. */
 typedef struct Journal {
     uint64_t pages, size, hash, number;
     char bytes[PAGE];

@@ -5,8 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "io/library/library.h"
-#include "io/yaml/units.h"
+#include "io/case/library.h"
+#include "io/case/units.h"
 #include "tests/support/scratch.h"
 
 enum { TEXT_MAX = 4000 };

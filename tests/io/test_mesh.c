@@ -2,7 +2,7 @@
  * places within a segment. */
 #include "tests/io/case_fixture.h"
 
-#include "theory/mesh.h"
+#include "theory/stiffness.h"
 
 /* A run with segments as given ("auto": by the geometry). */
 typedef struct Pulled {

@@ -5,7 +5,7 @@
 #include "hawser/hawser.h"
 #include "tests/io/example_fixture.h"
 #include "tests/support/check.h"
-#include "validate/build.h"
+#include "validate/validate.h"
 
 TEST(test_same)
 {

@@ -4,7 +4,7 @@
 
 #include "h5_fixture.h"
 #include "io/api/api_handles.h"
-#include "sim/picture/geometry.h"
+#include "sim/run/geometry.h"
 #include "tests/support/check.h"
 #include "tests/support/data.h"
 

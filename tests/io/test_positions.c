@@ -2,7 +2,7 @@
  * steady motion is refused by name. */
 #include "tests/io/case_fixture.h"
 
-#include "core/base/worst.h"
+#include "core/vec3.h"
 
 static hawser_sim *positions_of(const char *text, const char *key, const char *value, const char *places)
 {

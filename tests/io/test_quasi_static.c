@@ -2,7 +2,7 @@
  * where the winch stops or is told to, and what is no such run. */
 #include "tests/io/case_fixture.h"
 
-#include "core/base/worst.h"
+#include "core/vec3.h"
 
 /* The pull from its reel through a bend, with a rope as thick as its cable: a thinner one lies elsewhere in the bend,
  * which positions do not follow (docs/model/44-positions.md). */

@@ -1,8 +1,8 @@
 /* results.h5 read while a run writes it: what the last flush left stays for as long as somebody reads. */
 #include "results_fixture.h"
 
-#include "core/base/checkpoint.h"
-#include "io/report/states.h"
+#include "core/checkpoint.h"
+#include "io/report/report.h"
 #include "io/results/results_h5.h"
 #include "tests/support/check.h"
 
@@ -178,7 +178,7 @@ TEST_WITH(test_readers_wait, fixture_new, fixture_free)
     results_free(r);
 }
 
-/* A journal of one page, the file's first one or other bytes, as io/results/results_disk.c writes it, or with a sum
+/* A journal of one page, the file's first one or other bytes, as io/results/hdf5.c writes it, or with a sum
  * that is not its own. */
 static void journal_write(const Fixture *f, const char *bytes, uint64_t size, int whole)
 {

@@ -1,6 +1,6 @@
 /* What the report is made of: texts that mean harm, tables that are read back, states in few bytes. */
+#include "io/report/folder.h"
 #include "io/report/report.h"
-#include "io/report/sheet.h"
 #include "io/report/svg.h"
 #include "tests/support/check.h"
 

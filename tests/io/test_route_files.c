@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "core/base/worst.h"
+#include "core/vec3.h"
 #include "tests/io/case_fixture.h"
 #include "tests/io/example_fixture.h"
 

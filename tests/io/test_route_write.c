@@ -1,8 +1,8 @@
 /* A route that is written as a case's section is the same line when the case is read. */
 #include <math.h>
 
-#include "survey/fit/fit.h"
-#include "survey/write/write.h"
+#include "survey/fit.h"
+#include "survey/write.h"
 #include "tests/io/case_fixture.h"
 #include "tests/survey/survey_fixture.h"
 

@@ -1,8 +1,8 @@
 /* Figures as people read them: pairs of units against the reader of cases, sizes, keys, sentences, whole documents. */
 #include "tests/io/case_fixture.h"
 
+#include "io/case/units.h"
 #include "io/results/column.h"
-#include "io/yaml/units.h"
 
 /* What a case would read back: the same quantity, in SI. */
 static double read_back(const Units *units, const char *unit)

@@ -3,7 +3,7 @@
 
 #include <locale.h>
 
-#include "io/yaml/units.h"
+#include "io/case/units.h"
 
 static int units_setup(void **state)
 {

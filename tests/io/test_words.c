@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "def/codes.h"
 #include "def/limits.h"
 #include "io/results/words.h"
 #include "tests/support/check.h"

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/worst.h"
+#include "core/vec3.h"
 #include "linsolve/newton_matrix.h"
 
 /* Uniform in [-1, 1], from a 64-bit linear congruential generator (Knuth's MMIX constants). */

@@ -1,6 +1,6 @@
 /* The block LU itself: instruction sets, threads, pivoting, and when it hands over to KLU. */
 
-#include "linsolve/block/block_factor.h"
+#include "linsolve/block_factor.h"
 #include "linsolve/linsolve.h"
 #include "tests/linsolve/matrix_fixture.h"
 #include "tests/support/check.h"

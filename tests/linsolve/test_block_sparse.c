@@ -1,7 +1,7 @@
 /* Chains beside each other with blocks between them: against LAPACK's dense solution, by the backward error, and what
  * the pattern of now costs. */
 
-#include "linsolve/block/block_sparse.h"
+#include "linsolve/block.h"
 #include "linsolve/linsolve.h"
 #include "tests/linsolve/beside_fixture.h"
 #include "tests/support/check.h"

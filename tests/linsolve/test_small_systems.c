@@ -3,8 +3,8 @@
 #include <stdio.h>
 
 #include "linsolve/backend.h"
-#include "linsolve/block/block_factor.h"
-#include "linsolve/block/block_sparse.h"
+#include "linsolve/block.h"
+#include "linsolve/block_factor.h"
 #include "linsolve/linsolve.h"
 #include "tests/linsolve/beside_fixture.h"
 #include "tests/support/check.h"

@@ -2,8 +2,8 @@
  * counted under sanitizers: there the test only runs the pull. */
 #include <stdlib.h>
 
-#include "sim/planar/plane.h"
 #include "sim/run/sim.h"
+#include "sim/solve/planar.h"
 #include "tests/support/lack.h"
 #include "tests/support/scene.h"
 

@@ -1,7 +1,7 @@
 /* Balances of energy and momentum of whole runs: they close, better the more accurate the run; the same in the plane,
  * in space and on two threads; and their terms are what can be said by hand. */
-#include "sim/planar/plane.h"
 #include "sim/run/sim.h"
+#include "sim/solve/planar.h"
 #include "tests/support/scene.h"
 
 /* A run to the definition's end, with its balance. */

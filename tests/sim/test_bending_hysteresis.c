@@ -1,8 +1,8 @@
 /* Cables with a table of bending in whole scenes: the area of a cantilever's loop in a dynamic run, what a free chain
  * may lose and must keep, the start from a relaxed bend, threads. The law at one joint: tests/core/test_sliders.c. */
 #include "sim/equipment/winch.h"
-#include "sim/newton/relax_space.h"
 #include "sim/run/sim.h"
+#include "sim/solve/relax.h"
 #include "tests/support/rig.h"
 
 static void rig_step(Rig *r, double stop)

@@ -2,7 +2,7 @@
  * runs out. */
 #include "tests/support/lack.h"
 
-#include "sim/watch/borne.h"
+#include "sim/run/peaks.h"
 #include "tests/support/check.h"
 
 enum { CHAINS = 2, ROLLERS = 2 };

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/bunch/links.h"
+#include "sim/solve/chains.h"
 #include "tests/support/check.h"
 
 enum { LINES = 3, EACH = 7, ROWS = LINES * EACH };

@@ -1,6 +1,6 @@
 /* The pull by the place of the cable's front: theory along the way against sums done by hand, means against known
  * signals, and a short run from a reel against both. */
-#include "sim/watch/position_table.h"
+#include "sim/run/positions.h"
 
 #include "sim/run/sim.h"
 #include "tests/support/scene.h"

@@ -1,6 +1,6 @@
 /* Newton's iteration for contacts on equations of one unknown, (N17)-(N20): a contact that closes, a force that
  * saturates, an old matrix, an equation without a solution. The test stands in CVODE's place. */
-#include "sim/step/contact_newton.h"
+#include "sim/solve/contact_newton.h"
 
 #include <nvector/nvector_serial.h>
 

@@ -3,7 +3,7 @@
 
 #include "core/state.h"
 #include "sim/equipment/conveyor.h"
-#include "sim/judge/compression.h"
+#include "sim/run/peaks.h"
 #include "tests/support/scene.h"
 
 enum { N = 16 };

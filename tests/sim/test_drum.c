@@ -1,8 +1,8 @@
 /* A drum with the cable wound on it: the lay keeps turns and layers apart, the hold of the end has the derivatives that
  * differences give and keeps angular momentum, Newton's matrix holds drum and layers together, and a cable that is
  * pulled off has the brake's torque over the radius as its tension. */
-#include "sim/equipment/drum.h"
-#include "sim/equipment/roller_motion.h"
+#include "sim/equipment/reel.h"
+#include "sim/equipment/rollers.h"
 #include "tests/support/rig.h"
 
 /* Turns and layers that are not neighbours along the cable do not press on each other, whatever the layers. */

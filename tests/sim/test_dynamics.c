@@ -1,7 +1,6 @@
 /* The whole scene's derivative blocks against finite differences of its forces, and the rates as a pure function. */
 #include "sim/dynamics.h"
 #include "sim/equipment/ends.h"
-#include "sim/weight.h"
 #include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS };

@@ -2,7 +2,7 @@
  * stiff, and a reel whose segments join, beside the BDF. */
 #include <complex.h>
 
-#include "sim/step/esdirk.h"
+#include "sim/solve/esdirk.h"
 #include "tests/support/rig.h"
 
 enum { STAGES = ESDIRK_STAGES, N = 2 };

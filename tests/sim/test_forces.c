@@ -1,7 +1,7 @@
 /* Forces from outside: their blocks and those of a law against differences, what takes a force's place, what is saved.
  */
 #include "core/body.h"
-#include "sim/control/forces.h"
+#include "sim/equipment/forces.h"
 #include "sim/run/commands.h"
 #include "tests/sim/room_fixture.h"
 #include "tests/support/rig.h"

@@ -17,7 +17,7 @@ static Sim *built(int scene)
     return s;
 }
 
-/* Positions are found anew, each in a moment: their analysis is not kept (io/api/api_checkpoint.c). */
+/* Positions are found anew, each in a moment: their analysis is not kept (io/api/api_sim.c). */
 static int kept(const Sim *s) { return s->positions.n == 0; }
 
 /* To a share of the run's end; where time moves only a moment of it. */

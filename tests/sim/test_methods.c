@@ -1,8 +1,8 @@
 /* The integrator against an explicit method that shares nothing with it but the rates: the classical Runge-Kutta method
  * with steps far below its limit of stability, on a pull over a slope, rollers and a bend, in space and in a plane. */
 #include "core/chain.h"
-#include "sim/planar/plane.h"
-#include "sim/stage/stage.h"
+#include "sim/run/stage.h"
+#include "sim/solve/planar.h"
 #include "tests/support/scene.h"
 
 /* The winch is in the middle of its ramp, and friction has turned over on some of the rollers; s. */

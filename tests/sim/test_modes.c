@@ -1,5 +1,5 @@
 /* Vibrations of rods against closed forms, exact ones of the discrete chain and those of the continuum. */
-#include "sim/stage/modes.h"
+#include "sim/run/modes.h"
 #include "tests/support/rig.h"
 
 /* The modes of a rod about its equilibrium at t = 1 s; its ends: 0 free, 1 clamped, 2 pinned. */

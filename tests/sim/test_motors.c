@@ -2,7 +2,7 @@
  * do to rollers without a cable, against closed forms. */
 #include <stdlib.h>
 
-#include "sim/equipment/roller_motion.h"
+#include "sim/equipment/rollers.h"
 #include "tests/sim/room_fixture.h"
 #include "tests/support/rig.h"
 

@@ -1,8 +1,8 @@
 /* What rollers that spin and rollers on mounts do, against closed forms: slowing down, being driven by a cable, hanging
  * down under a load, swinging, and precessing; and what they must not do: notice threads or the world's directions. */
-#include "sim/equipment/roller_motion.h"
-#include "sim/newton/relax_space.h"
+#include "sim/equipment/rollers.h"
 #include "sim/run/sim.h"
+#include "sim/solve/relax.h"
 #include "tests/sim/room_fixture.h"
 #include "tests/support/rig.h"
 

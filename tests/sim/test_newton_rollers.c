@@ -3,10 +3,9 @@
 #include <stdio.h>
 
 #include "sim/dynamics.h"
-#include "sim/equipment/roller_motion.h"
+#include "sim/equipment/rollers.h"
 #include "sim/equipment/rooms.h"
-#include "sim/newton/newton.h"
-#include "sim/newton/newton_leaves.h"
+#include "sim/solve/newton.h"
 #include "tests/support/rig.h"
 
 static const double T = 0.7; /* s: the winch is speeding up, the tail tension rising */

@@ -1,10 +1,9 @@
 /* The planar equations: the same rates, derivative blocks and samples as those in space for every state in the plane;
  * derivatives against finite differences; the Newton solution against the definition. */
 #include "sim/equipment/rooms.h"
-#include "sim/newton/newton.h"
-#include "sim/planar/planar.h"
-#include "sim/planar/plane.h"
-#include "sim/step/spatial.h"
+#include "sim/solve/newton.h"
+#include "sim/solve/planar.h"
+#include "sim/solve/scales.h"
 #include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS, STRIDE = (N + 7) / 8 * 8, SIZE = PLANAR_SIZE * STRIDE };

@@ -1,9 +1,8 @@
 /* Runs in the plane: the pull of the same scene solved in space, the same bits on two threads, what a free chain
  * conserves. */
-#include "sim/planar/planar.h"
-#include "sim/planar/plane.h"
 #include "sim/run/sim.h"
-#include "sim/step/integrator.h"
+#include "sim/solve/integrator.h"
+#include "sim/solve/planar.h"
 #include "tests/support/scene.h"
 
 /* A recorded pull of the planar scene; its samples are kept apart. */

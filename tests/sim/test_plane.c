@@ -1,6 +1,6 @@
 /* Which scenes lie in a plane, which do not and why; and what a case's `solver.planar` makes of it. */
-#include "sim/planar/plane.h"
 #include "sim/run/sim.h"
+#include "sim/solve/planar.h"
 #include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS };

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "sim/stage/statics.h"
+#include "sim/run/statics.h"
 #include "tests/support/kinds.h"
 #include "tests/support/rig.h"
 #include "theory/inverse.h"

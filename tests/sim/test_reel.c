@@ -2,7 +2,7 @@
  * drum by a constant pull against the balance of angular momentum. */
 #include "sim/equipment/reel.h"
 #include "sim/equipment/winch.h"
-#include "sim/stage/stage.h"
+#include "sim/run/stage.h"
 #include "tests/sim/room_fixture.h"
 #include "tests/support/scene.h"
 

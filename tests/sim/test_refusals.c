@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "sim/run/sim.h"
-#include "sim/stage/tangent.h"
+#include "sim/run/tangent.h"
 #include "tests/support/kinds.h"
 
 /* ------------------------------------------------------------------------------------------------------- positions */

@@ -1,6 +1,6 @@
 /* The relaxation: it balances the fixture, the start from it is free of motion, and it says when it did not get there.
  */
-#include "sim/newton/relax_space.h"
+#include "sim/solve/relax.h"
 #include "tests/sim/room_fixture.h"
 #include "tests/support/rig.h"
 

@@ -1,6 +1,6 @@
 /* What errors are measured with: a norm that does not fade as the chain grows, weights from the accuracy. */
-#include "sim/step/scales.h"
-#include "sim/step/vector_kernels.h"
+#include "sim/solve/scales.h"
+#include "sim/solve/vector_kernels.h"
 #include "tests/support/scene.h"
 
 enum { LARGE = 16000 };

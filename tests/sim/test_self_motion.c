@@ -3,8 +3,8 @@
  * the bits of one. */
 #include <string.h>
 
-#include "sim/newton/relax_space.h"
-#include "sim/step/integrator.h"
+#include "sim/solve/integrator.h"
+#include "sim/solve/relax.h"
 #include "tests/sim/room_fixture.h"
 #include "tests/support/rig.h"
 

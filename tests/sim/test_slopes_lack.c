@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "sim/stage/tangent.h"
+#include "sim/run/tangent.h"
 #include "tests/support/scene.h"
 
 enum { MOST = 3000 };

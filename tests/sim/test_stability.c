@@ -1,6 +1,6 @@
 /* Equilibria that stop being stable: the loads at which they do, where the rods go then, and turns that are not lost.
  */
-#include "sim/stage/statics.h"
+#include "sim/run/statics.h"
 #include "tests/sim/room_fixture.h"
 #include "tests/support/rig.h"
 

@@ -4,7 +4,7 @@
 
 #include "sim/equipment/winch.h"
 #include "sim/run/sim.h"
-#include "sim/stage/stage.h"
+#include "sim/run/stage.h"
 #include "tests/support/scene.h"
 
 /* Fails with the message of a call that failed. */

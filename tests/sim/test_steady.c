@@ -1,5 +1,5 @@
 /* Drift of the steady window and spikes of the pull, of pulls that are made up. */
-#include "sim/judge/trust.h"
+#include "sim/run/trust.h"
 
 #include <math.h>
 

@@ -1,8 +1,8 @@
 /* Steady motion along itself: the field of velocities, and what forces change by when segments turn and take their
  * velocities along, against differences of the rates. */
-#include "sim/newton/relax_steady.h"
+#include "sim/solve/relax.h"
 
-#include "core/base/worst.h"
+#include "core/vec3.h"
 #include "tests/support/rig.h"
 
 static const double T = 0.7, SPEED = 0.13; /* s, m/s */

@@ -1,7 +1,7 @@
 /* Steps by what a pull does: swings bound them by what the method takes of a fall (EB25); ramps and ripples do not. */
 #include <math.h>
 
-#include "sim/step/swings.h"
+#include "sim/solve/scales.h"
 #include "tests/support/scene.h"
 
 static const double LONGEST = 0.05, USUAL = 1e-3; /* s; accuracy */

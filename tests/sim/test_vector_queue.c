@@ -1,5 +1,5 @@
 /* Operations on vectors that wait do what they would have done at once, to the last bit, with one thread and two. */
-#include "sim/step/sundials.h"
+#include "sim/solve/integrator.h"
 #include "tests/support/check.h"
 
 #include <math.h>

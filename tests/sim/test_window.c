@@ -1,7 +1,7 @@
 /* The part of a chain that is simulated: arrays copied out of the whole chain's, and vectors mapped as segments come
  * and go. */
-#include "sim/stage/window.h"
-#include "sim/step/sundials.h"
+#include "sim/run/stage.h"
+#include "sim/solve/integrator.h"
 
 #include "tests/support/chain.h"
 #include "tests/support/check.h"

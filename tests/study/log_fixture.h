@@ -2,7 +2,7 @@
 #ifndef HAWSER_TESTS_LOG_FIXTURE_H
 #define HAWSER_TESTS_LOG_FIXTURE_H
 
-#include "study/log/log.h"
+#include "study/log.h"
 #include "tests/study/study_fixture.h"
 
 static inline PullLog log_of(const char *text)

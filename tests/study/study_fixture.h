@@ -7,8 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "study/engine/engine.h"
-#include "study/results/results.h"
+#include "study/evaluate.h"
+#include "study/findings.h"
 #include "tests/support/check.h"
 #include "tests/support/scratch.h"
 

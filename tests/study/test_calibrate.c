@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "io/api/api_handles.h"
-#include "study/maths/points.h"
+#include "study/maths.h"
 #include "tests/study/study_fixture.h"
 
 #define CASE HAWSER_SOURCE_DIR "/cases/huangjiahu.yaml"

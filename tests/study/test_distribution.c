@@ -1,8 +1,6 @@
 /* Quantiles against the distributions that they invert, moments of samples, and the copula's correlations. */
-#include "study/maths/distribution.h"
+#include "study/maths.h"
 
-#include "study/maths/estimate.h"
-#include "study/maths/points.h"
 #include "tests/support/check.h"
 
 /* The quantile inverts the share to rounding, in both tails and far out. Values to 16 digits: M. J. Wichura's AS 241

@@ -1,8 +1,7 @@
 /* Least squares: a straight line against its closed form, a curved one, bounds, and what data cannot tell. */
 #include <math.h>
 
-#include "study/maths/fit.h"
-#include "study/maths/points.h"
+#include "study/maths.h"
 #include "tests/support/check.h"
 
 enum { M = 40 };

@@ -1,5 +1,5 @@
 /* The generators: known answers, strata, and how fast the mean of a smooth function is found. */
-#include "study/maths/points.h"
+#include "study/maths.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/worst.h"
+#include "core/vec3.h"
 #include "hawser/hawser.h"
 #include "io/api/api_handles.h"
-#include "sim/stage/tangent.h"
+#include "sim/run/tangent.h"
 #include "tests/study/study_fixture.h"
 
 #define FLAT   HAWSER_SOURCE_DIR "/tests/data/cli-pull.yaml"

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/maths/search.h"
+#include "study/maths.h"
 #include "tests/support/check.h"
 
 enum { SIDES_MAX = 4, POINTS_MAX = 4000 };

@@ -6,9 +6,9 @@
 #include <jansson.h>
 #include <math.h>
 
-#include "core/base/worst.h"
+#include "core/vec3.h"
 #include "io/api/api_handles.h"
-#include "sim/stage/tangent.h"
+#include "sim/run/tangent.h"
 
 /* A short pull on rollers that begins from where it is laid, with steps so small that their errors do not count. */
 static hawser_case *pull_case(const char *accuracy, const char *key, double value, const char *unit)

@@ -1,5 +1,5 @@
 /* Sobol's indices and Morris' effects of functions of which they are known. */
-#include "study/maths/sensitivity.h"
+#include "study/maths.h"
 
 #include <stdlib.h>
 

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/vec3.h"
 #include "core/chain.h"
+#include "core/vec3.h"
 #include "tests/support/check.h"
 
 /* Uniform in [-1, 1], from a 64-bit linear congruential generator (Knuth's MMIX constants). */

@@ -14,8 +14,7 @@
 
 #include <cmocka.h>
 
-#include "core/base/vec3.h"
-#include "core/base/worst.h"
+#include "core/vec3.h"
 
 /* |found - expected| <= tolerance */
 #define check_close(found, expected, tolerance)                                                                        \

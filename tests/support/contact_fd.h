@@ -3,9 +3,9 @@
 #ifndef HAWSER_TESTS_SUPPORT_CONTACT_FD_H
 #define HAWSER_TESTS_SUPPORT_CONTACT_FD_H
 
-#include "contact/roller/contact.h"
-#include "contact/self/self_contact.h"
-#include "contact/surface/surface.h"
+#include "contact/roller.h"
+#include "contact/self.h"
+#include "contact/surface.h"
 
 /* Steps: `step` in m and rad for the configuration (rotations are applied on the left, world), `speed_step` in m/s and
  * rad/s. kin is changed meanwhile and restored; its quaternions are not used.

@@ -3,11 +3,11 @@
 #ifndef HAWSER_TESTS_SUPPORT_RIG_H
 #define HAWSER_TESTS_SUPPORT_RIG_H
 
-#include "sim/newton/newton_extra.h"
 #include "sim/run/sim.h"
-#include "sim/stage/statics.h"
-#include "sim/step/integrator.h"
-#include "sim/step/spatial.h"
+#include "sim/run/statics.h"
+#include "sim/solve/integrator.h"
+#include "sim/solve/newton.h"
+#include "sim/solve/scales.h"
 #include "tests/support/scene.h"
 
 typedef struct Rig {

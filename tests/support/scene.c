@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/planar/planar.h"
-#include "sim/equipment/drum.h"
-#include "sim/equipment/moving_rollers.h"
+#include "core/planar.h"
+#include "sim/equipment/reel.h"
+#include "sim/equipment/rollers.h"
 
 static double given_or(double given, double usual) { return given > 0 ? given : usual; }
 

@@ -3,9 +3,9 @@
 #ifndef HAWSER_TESTS_SUPPORT_TOUCH_H
 #define HAWSER_TESTS_SUPPORT_TOUCH_H
 
-#include "contact/roller/contact.h"
-#include "contact/self/self_contact.h"
-#include "contact/surface/surface.h"
+#include "contact/roller.h"
+#include "contact/self.h"
+#include "contact/surface.h"
 #include "tests/support/chain.h"
 
 /* Point of the line at u, m (C1), term by term: missing bodies have no weight. */

@@ -1,7 +1,7 @@
 /* A line of 20 km, in noisy points every metre, is fitted within the deviation all along. */
 #include <math.h>
 
-#include "survey/fit/fit.h"
+#include "survey/fit.h"
 #include "tests/survey/noise.h"
 
 TEST(twenty_kilometres_are_within)

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "survey/read/read.h"
+#include "survey/read.h"
 #include "tests/support/check.h"
 
 static const SurveyOptions usual = {.unit = NAN};

@@ -1,9 +1,9 @@
 /* Fitting: routes that are known come back from noisy points; corners, kept arcs, radii below a limit, profiles. */
 #include <math.h>
 
-#include "core/base/worst.h"
-#include "survey/fit/fit.h"
-#include "survey/fit/join.h"
+#include "core/vec3.h"
+#include "survey/fit.h"
+#include "survey/join.h"
 #include "tests/support/lack.h"
 #include "tests/survey/noise.h"
 #include "tests/survey/survey_fixture.h"

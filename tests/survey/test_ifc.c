@@ -1,5 +1,5 @@
 /* IFC: the real files, by meaning and by what is drawn; units, placements, the older schema; what is wrong. */
-#include "core/base/worst.h"
+#include "core/vec3.h"
 #include "tests/survey/survey_fixture.h"
 
 #define IFC(schema, body)                                                                                              \

@@ -1,7 +1,7 @@
 /* Joining: pieces in any order and direction, forks, gaps, doubles, heights; choosing one of many lines. */
 #include <math.h>
 
-#include "survey/fit/join.h"
+#include "survey/join.h"
 #include "tests/survey/survey_fixture.h"
 
 static Alignment *straight(Survey *s, const char *layer, Vec3 from, Vec3 to)

@@ -1,7 +1,7 @@
 /* GPX and GeoJSON, and the projection: true on its meridian, conformal, and back. */
 #include <math.h>
 
-#include "survey/map/map.h"
+#include "survey/map.h"
 #include "tests/survey/survey_fixture.h"
 
 static const double AXIS = 6378137, FLAT = 1 / 298.257223563;

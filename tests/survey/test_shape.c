@@ -186,7 +186,6 @@ TEST(without_what_is_beside)
 }
 
 #else
-#include "tests/survey/survey_fixture.h"
 
 TEST(is_said)
 {

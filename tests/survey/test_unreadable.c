@@ -4,7 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "survey/read/read.h"
+#include "survey/read.h"
 #include "tests/support/check.h"
 
 static const char UNREADABLE[] = "/proc/self/mem";

@@ -1,8 +1,8 @@
 /* Writing: what is read back is the same line within 0.1 mm, in every format that can be read. */
 #include <math.h>
 
-#include "survey/map/map.h"
-#include "survey/write/write.h"
+#include "survey/map.h"
+#include "survey/write.h"
 #include "tests/survey/survey_fixture.h"
 
 /* Writes, reads, and how far the lines are apart along their whole length. */

@@ -1,6 +1,6 @@
 /* What a cable that is pushed presses on its duct with: the law's regimes, its slope, and one push along a duct. */
 #include "tests/support/check.h"
-#include "theory/plan_change.h"
+#include "theory/plan.h"
 #include "theory/pulling.h"
 
 static const double W = 200, EI = 1000, ROOM = 0.03, MU = 0.2;

@@ -1,5 +1,5 @@
 /* Sets of cables: what they are as a whole, and what twisting does to rigidities, against the energy of a helix. */
-#include "def/cables/bundle.h"
+#include "def/bundle_def.h"
 
 #include <string.h>
 

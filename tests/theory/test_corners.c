@@ -7,8 +7,7 @@
 #include "def/limits.h"
 #include "tests/support/check.h"
 #include "theory/place.h"
-#include "theory/plan_change.h"
-#include "theory/plan_head.h"
+#include "theory/plan.h"
 
 static Route route_of(int n, const RoutePieceDef *def, double slope)
 {

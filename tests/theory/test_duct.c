@@ -1,5 +1,5 @@
 /* Cables in a duct: factors from the balance of weights, layouts, clearance, jam ratio, refusals. */
-#include "def/cables/duct.h"
+#include "def/duct.h"
 
 #include <string.h>
 

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "def/cables/duct.h"
+#include "def/duct.h"
 #include "tests/support/check.h"
 
 enum { MOST = 6 };

@@ -1,5 +1,5 @@
 /* The paper's eq. 3-10 with the reconstructed set: every term, the total, and the tension on the way. */
-#include "theory/paper.h"
+#include "theory/closed_form.h"
 
 #include "tests/support/check.h"
 #include "theory/pulling.h"

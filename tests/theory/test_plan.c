@@ -1,7 +1,6 @@
 /* The pulling calculator: both directions, reel and rope, conveyors, ducts, restart, roller loads, closed
  * forms by piece. */
 #include "theory/plan.h"
-#include "theory/plan_pull.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* Derivatives of the pulling theory: against central differences, closed forms, and their own adjoint. */
-#include "theory/plan_change.h"
+#include "theory/plan.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,6 @@
  * what must hold of any of them: the last place of the head is the whole pull, sections are cut routes, a route pulled
  * back is its mirror pulled forward. */
 #include "theory/plan.h"
-#include "theory/plan_head.h"
 
 #include "tests/support/check.h"
 #include "theory/closed_form.h"

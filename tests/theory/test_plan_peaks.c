@@ -1,7 +1,6 @@
 /* The peaks over all places of the head, found by following the tightest rope alone, against those of all the rows;
  * what that rope has along the route; and what bounds the work of a route with thousands of corners. */
 #include "theory/plan.h"
-#include "theory/plan_head.h"
 
 #include <stdlib.h>
 

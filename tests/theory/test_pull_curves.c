@@ -1,6 +1,6 @@
 /* The pulling law on curves: a reference integration from the route's vectors, in both directions, on one support and
  * on two; the largest sidewall pressure where curvature grows. */
-#include "core/base/worst.h"
+#include "core/vec3.h"
 #include "tests/support/check.h"
 #include "theory/pulling.h"
 

@@ -2,7 +2,7 @@
  */
 #include <math.h>
 
-#include "def/cables/stiffness.h"
+#include "def/cable_def.h"
 #include "def/limits.h"
 #include "tests/support/check.h"
 

@@ -8,8 +8,7 @@
 
 #include "tests/support/check.h"
 #include "theory/place.h"
-#include "theory/plan_change.h"
-#include "theory/plan_head.h"
+#include "theory/plan.h"
 
 enum { MOST = 3000 };
 

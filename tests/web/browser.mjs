@@ -12,7 +12,7 @@ const { chromium } = createRequire(join(ROOT, 'web/package.json'))('playwright-c
 const CHROMIUM = ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find((path) => existsSync(path));
 const ARGUMENTS = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
-/** As strict as that of the program's page (io/report/page.c). */
+/** As strict as that of the program's page (io/report/report.c). */
 const POLICY =
   "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; worker-src blob:; base-uri 'none'; form-action 'none'";
 

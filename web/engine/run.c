@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/error.h"
+#include "core/error.h"
 #include "io/report/report.h"
 #include "web/engine/desk.h"
 

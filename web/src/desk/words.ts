@@ -1,6 +1,6 @@
 import { ROWS } from './words_table';
 
-/** The desk's own words: English, Chinese, German. Those of theory and its page are the engine's (io/results/words_table.c). */
+/** The desk's own words: English, Chinese, German. Those of theory and its page are the engine's (io/results/words.c). */
 export const LANGUAGES = ['en', 'zh', 'de'] as const;
 export type Language = (typeof LANGUAGES)[number];
 

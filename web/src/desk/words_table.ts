@@ -1,5 +1,5 @@
 /** The table of the desk's own texts: what the code calls each, then English, Chinese, German. Where the first is the English text itself it
- * stands alone. Words of trade are those of the engine's table (io/results/words_table.c). */
+ * stands alone. Words of trade are those of the engine's table (io/results/words.c). */
 export const ROWS: readonly (readonly [key: string, zh: string, de: string, en?: string])[] = [
   // the screen
   ['New from an example', '从示例新建', 'Neu aus einem Beispiel'],

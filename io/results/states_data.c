@@ -1,0 +1,365 @@
+/* What stands around the cable, in the group "geometry" of results.h5: sets that do not grow. */
+#include <errno.h>
+#include <fcntl.h>
+#include <jansson.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "io/results/results_h5.h"
+
+#define OF(array, n) .values = offsetof(Geometry, array), .count = offsetof(Geometry, n)
+
+const FixedSet geometry_set[] = {
+    {"geometry/route/s", FIXED_NUMBER, OF(route_s, n_route), 0, "m", "arc length along the route"},
+    {"geometry/route/position", FIXED_NUMBER, OF(route_position, n_route), 3, "m", "of the route's line"},
+    {"geometry/route/curvature", FIXED_NUMBER, OF(route_curvature, n_route), 0, "1/m", "of the route's line"},
+    {"geometry/rollers/name", FIXED_NAME, OF(roller_name, n_rollers), 0, "",
+     "rollers and obstacles, as in roller_load"},
+    {"geometry/rollers/kind", FIXED_NAME, OF(roller_kind, n_rollers), 0, "", "roller, hold-down, box, bell-mouth"},
+    {"geometry/rollers/s", FIXED_NUMBER, OF(roller_s, n_rollers), 0, "m", "place along the route; NaN: by coordinates"},
+    {"geometry/rollers/position", FIXED_NUMBER, OF(roller_position, n_rollers), 3, "m", "centres, where they begin"},
+    {"geometry/rollers/axis", FIXED_NUMBER, OF(roller_axis, n_rollers), 3, "1", "unit vectors"},
+    {"geometry/rollers/radius", FIXED_NUMBER, OF(roller_radius, n_rollers), 0, "m",
+     "at the bottom of a groove; box: half its smallest size; bell-mouth: of its section"},
+    {"geometry/rollers/width", FIXED_NUMBER, OF(roller_width, n_rollers), 0, "m", "length along the axis"},
+    {"geometry/rollers/groove", FIXED_NUMBER, OF(roller_groove, n_rollers), 0, "m", "depth of the groove; 0: none"},
+    {"geometry/rollers/rating", FIXED_NUMBER, OF(roller_rating, n_rollers), 0, "N",
+     "what it may carry; NaN: not given"},
+    {"geometry/obstacles/roller", FIXED_COUNT, OF(obstacle_roller, n_obstacles), 0, "1", "which of the rollers it is"},
+    {"geometry/obstacles/side", FIXED_NUMBER, OF(obstacle_side, n_obstacles), 3, "1", "unit vector across the axis"},
+    {"geometry/obstacles/size", FIXED_NUMBER, OF(obstacle_size, n_obstacles), 3, "m",
+     "along the axis, along side, and square to both"},
+    {"geometry/obstacles/edge", FIXED_NUMBER, OF(obstacle_edge, n_obstacles), 0, "m", "radius of its edges"},
+    {"geometry/obstacles/ring", FIXED_NUMBER, OF(obstacle_ring, n_obstacles), 0, "m",
+     "of a bell-mouth: from the axis to the middle of its round section; NaN: a box"},
+    {"geometry/conveyors/name", FIXED_NAME, OF(conveyor_name, n_conveyors), 0, "", "of every conveyor"},
+    {"geometry/conveyors/from", FIXED_NUMBER, OF(conveyor_from, n_conveyors), 0, "m", "along the route"},
+    {"geometry/conveyors/to", FIXED_NUMBER, OF(conveyor_to, n_conveyors), 0, "m", "along the route"},
+    {"geometry/conveyors/points", FIXED_NUMBER, OF(conveyor_points, n_conveyors), 6, "m",
+     "where the cable enters and where it leaves, x y z each"},
+    {"geometry/mesh/points", FIXED_SINGLE, OF(skin.points, skin.n_points), 3, "m", "corners of the triangles"},
+    {"geometry/mesh/triangles", FIXED_COUNT, OF(skin.triangle, skin.n_triangles), 3, "1", "three points each"},
+    {"geometry/mesh/part", FIXED_COUNT, OF(skin.part, skin.n_triangles), 0, "1",
+     "what it is of: 0 roller, 1 surface, 2 conveyor, 3 reel"},
+    {"geometry/mesh/item", FIXED_COUNT, OF(skin.item, skin.n_triangles), 0, "1", "which of these"},
+    {"chain/length", FIXED_NUMBER, OF(length, n_segments), 0, "m", "of every segment, unstretched"},
+    {"chain/diameter", FIXED_NUMBER, OF(diameter, n_segments), 0, "m", "of every segment"},
+    {"chain/part", FIXED_COUNT, OF(part, n_segments), 0, "1", "of every segment: 0 cable, 1 rope"},
+    {"chain/piece", FIXED_COUNT, OF(piece, n_segments), 0, "1", "which piece of the chain a segment is of"},
+    {"chain/piece_name", FIXED_NAME, OF(piece_name, n_pieces), 0, "", "cable or rope of every piece"},
+};
+
+const int geometry_sets = sizeof geometry_set / sizeof *geometry_set;
+
+#define SURFACE(array) .values = offsetof(GeometrySurface, array), .count = offsetof(GeometrySurface, n)
+
+const FixedSet surface_set[] = {
+    {"points", FIXED_NUMBER, SURFACE(points), 3, "m",
+     "along its way: the middle of its bottom; of a duct, of its bore; of a V, where its planes meet"},
+    {"up", FIXED_NUMBER, SURFACE(up), 3, "1", "unit vectors square to the way there, upward in its section"},
+};
+
+const int surface_sets = sizeof surface_set / sizeof *surface_set;
+
+#define OVER_TIME(line, quantity, unit, what)                                                                          \
+    {"envelope/" #line "/" #quantity "_min",                                                                           \
+     FIXED_NUMBER,                                                                                                     \
+     .values = offsetof(Envelope, line.quantity.least),                                                                \
+     .count = offsetof(Envelope, line.n),                                                                              \
+     0,                                                                                                                \
+     unit,                                                                                                             \
+     "least over time of " what},                                                                                      \
+        {"envelope/" #line "/" #quantity "_mean",                                                                      \
+         FIXED_NUMBER,                                                                                                 \
+         .values = offsetof(Envelope, line.quantity.mean),                                                             \
+         .count = offsetof(Envelope, line.n),                                                                          \
+         0,                                                                                                            \
+         unit,                                                                                                         \
+         "mean over time of " what},                                                                                   \
+    {                                                                                                                  \
+        "envelope/" #line "/" #quantity "_max", FIXED_NUMBER, .values = offsetof(Envelope, line.quantity.largest),     \
+                                                              .count = offsetof(Envelope, line.n), 0, unit,            \
+                                                              "largest over time of " what                             \
+    }
+#define ALONG(line, what)                                                                                              \
+    {"envelope/" #line "/s",                                                                                           \
+     FIXED_NUMBER,                                                                                                     \
+     .values = offsetof(Envelope, line.s),                                                                             \
+     .count = offsetof(Envelope, line.n),                                                                              \
+     0,                                                                                                                \
+     "m",                                                                                                              \
+     what},                                                                                                            \
+        {"envelope/" #line "/time",                                                                                    \
+         FIXED_NUMBER,                                                                                                 \
+         .values = offsetof(Envelope, line.time),                                                                      \
+         .count = offsetof(Envelope, line.n),                                                                          \
+         0,                                                                                                            \
+         "s",                                                                                                          \
+         "over which the means are"},                                                                                  \
+        OVER_TIME(line, tension, "N", "the tension"), OVER_TIME(line, curvature, "1/m", "the curvature"),              \
+        OVER_TIME(line, sidewall, "N/m", "the sidewall pressure")
+
+const FixedSet envelope_set[] = {
+    ALONG(arc, "of every joint from the tail, unstretched"),
+    ALONG(place, "along the route; values are of the cable that was there, NaN: none was"),
+};
+
+const int envelope_sets = sizeof envelope_set / sizeof *envelope_set;
+
+/* The pairs that a polyline's elements join, for readers of XDMF. */
+static int line_write(hid_t file, const Geometry *g, int *error)
+{
+    const hsize_t dims[2] = {(hsize_t)g->n_route - 1, 2};
+    if (g->n_route < 2) return 1;
+    int *const pairs = malloc(2 * sizeof *pairs * (size_t)g->n_route);
+    if (!pairs) *error = ENOMEM;
+    if (!pairs) return 0;
+    for (int i = 0; i + 1 < g->n_route; i++) {
+        pairs[2 * i] = i;
+        pairs[2 * i + 1] = i + 1;
+    }
+    const int ok = h5_counts(file, "geometry/route/line", 2, dims, pairs);
+    free(pairs);
+    return ok;
+}
+
+/* A number that is known. */
+static int number_write(hid_t object, const char *name, double value)
+{
+    return isnan(value) || h5_numbers(object, name, 1, &value);
+}
+
+static int surface_write(hid_t file, int i, const GeometrySurface *s)
+{
+    char prefix[64];
+    snprintf(prefix, sizeof prefix, "geometry/surfaces/%d/", i);
+    if (!h5_fixed(file, prefix, surface_sets, surface_set, s)) return 0;
+    prefix[strlen(prefix) - 1] = 0;
+    const hid_t group = h5_group(file, prefix);
+    const int ok = group >= 0 && h5_text(group, "name", s->name) && h5_text(group, "kind", s->kind) &&
+                   h5_text(group, "section", s->section) && number_write(group, "from", s->from) &&
+                   number_write(group, "to", s->to) && number_write(group, "diameter", s->diameter) &&
+                   number_write(group, "width", s->width) && number_write(group, "height", s->height) &&
+                   number_write(group, "endless", s->endless) && h5_numbers(group, "normal", 3, s->normal);
+    if (group >= 0) h5_leave(group);
+    return ok;
+}
+
+static int reel_write(hid_t file, const GeometryReel *r)
+{
+    if (!r->present) return 1;
+    const hid_t group = h5_group(file, "geometry/reel");
+    const int ok = group >= 0 && h5_numbers(group, "centre", 3, r->centre) && h5_numbers(group, "axis", 3, r->axis) &&
+                   number_write(group, "barrel_radius", r->barrel) && number_write(group, "flange_radius", r->flange) &&
+                   number_write(group, "width", r->width);
+    if (group >= 0) h5_leave(group);
+    return ok;
+}
+
+static int winch_write(hid_t file, const GeometryWinch *w)
+{
+    if (!w->present) return 1;
+    const hid_t group = h5_group(file, "geometry/winch");
+    const int ok =
+        group >= 0 && h5_numbers(group, "position", 3, w->position) && h5_numbers(group, "direction", 3, w->direction);
+    if (group >= 0) h5_leave(group);
+    return ok;
+}
+
+int geometry_write(hid_t file, const Geometry *g, int *error)
+{
+    const hid_t group = h5_group(file, "geometry");
+    int ok = group >= 0 && h5_text(group, "description", "what stands around the cable, where it begins") &&
+             h5_fixed(file, "", geometry_sets, geometry_set, g) && line_write(file, g, error);
+    if (group >= 0) h5_leave(group);
+    for (int i = 0; i < g->n_surfaces && ok; i++) ok = surface_write(file, i, &g->surface[i]);
+    ok = ok && reel_write(file, &g->reel) && winch_write(file, &g->winch);
+    const hid_t chain = ok ? h5_group(file, "chain") : -1;
+    ok = chain >= 0 && h5_text(chain, "part_names", "cable, rope");
+    if (chain >= 0) h5_leave(chain);
+    return ok;
+}
+
+/* Whether the files of a folder are of one run. A table of CSV has no place for a run's identity that its readers would
+ * pass over, so that the summary has the sums of all tables; results.h5 has the run's identity and the sum of the
+ * series.
+ */
+
+/* What HDF5 may take to open a file and read two attributes, bytes. */
+enum { HDF5_ROOM = 4 << 20 };
+
+/* What the summary says of a file; NULL: nothing. */
+static const json_t *said_of(const json_t *files, const char *name)
+{
+    size_t k;
+    json_t *file;
+    json_array_foreach(files, k, file)
+    {
+        const char *const said = json_string_value(json_object_get(file, "file"));
+        if (said && !strcmp(said, name)) return file;
+    }
+    return NULL;
+}
+
+/* A table that is there is the one that the run has written. */
+static hawser_status table_check(const OutDir *dir, const json_t *files, const char *name, hawser_error *err)
+{
+    FileSum sum;
+    const hawser_status status = file_sum(dir, name, &sum, err);
+    if (status || sum.bytes < 0) return status;
+    const json_t *const said = said_of(files, name);
+    const char *const wanted = json_string_value(json_object_get(said, "sum"));
+    if (wanted && !strcmp(wanted, sum.sum)) return HAWSER_OK;
+    return error_set(err, HAWSER_ERR_INPUT, "'%.500s/%s' does not belong to the summary beside it: %s", dir->path, name,
+                     said ? "it is of another run, or was changed after this one"
+                          : "this run has written no such file");
+}
+
+int states_belong(hid_t file, const char *run, const char *series)
+{
+    char has_run[DOOR_TEXT_MAX], has_series[DOOR_TEXT_MAX];
+    door_text(file, "run", has_run);
+    door_text(file, "series", has_series);
+    return (!run || !*run || !strcmp(run, has_run)) && (!series || !strcmp(series, has_series));
+}
+
+/* Of which run, and of which series, the states are. */
+typedef struct Belonging {
+    const OutDir *dir;
+    const char *run, *series;
+} Belonging;
+
+/* Prints a word if they are of another one. A file that cannot be opened says nothing: who reads it says so. */
+static hawser_status belonging_read(void *user, FILE *out, hawser_error *err)
+{
+    const Belonging *const b = user;
+    StatesFile states;
+    (void)err;
+    states_open(&states, b->dir);
+    if (states.file >= 0 && !states_belong(states.file, b->run, b->series)) fputs("another", out);
+    states_close(&states);
+    return HAWSER_OK;
+}
+
+/* The states are those of the run; those of one that has ended are those of its series, too. */
+static hawser_status states_check(const OutDir *dir, const char *run, const char *series, hawser_error *err)
+{
+    static const char *const name = STATES_FILE;
+    Belonging b = {dir, run, series};
+    int broken = 0, died;
+    char *said;
+    size_t size;
+    hawser_status status = file_broken(dir, name, &broken, err);
+    if (status) return status;
+    if (broken)
+        return error_set(err, HAWSER_ERR_INPUT,
+                         "'%.600s/%s' is damaged: its bytes are not those that the run has written", dir->path, name);
+    const int fd = file_open_in(dir->at, name, O_RDONLY);
+    if (fd < 0) return HAWSER_OK; /* it says nothing */
+    close(fd);
+    if (!memory_room(HDF5_ROOM)) return error_memory(err);
+    status = apart_do(belonging_read, &b, &said, &size, &died, err);
+    free(said);
+    if (died && !status)
+        return error_set(err, HAWSER_ERR_INPUT, "'%.600s/%s' is damaged: HDF5 does not survive to read it", dir->path,
+                         name);
+    if (status || size == 0) return status;
+    return error_set(err, HAWSER_ERR_INPUT,
+                     "'%.600s/%s' does not belong to the summary beside it: it is of another run", dir->path, name);
+}
+
+/* A file of JSON; *json NULL: it is not there. Without memory jansson finds fault with some word of it, so that it is
+ * asked before whether there is any, and what it finds is looked for twice. Errors: INPUT, MEMORY. */
+static hawser_status json_read(const OutDir *dir, const char *name, json_t **json, hawser_error *err)
+{
+    enum { MORE = 1 << 16, TIMES = 24, MOST = 1 << 28 };
+    json_error_t where;
+    OutSpot spot;
+    char *text = NULL;
+    size_t size;
+    *json = NULL;
+    hawser_status status = out_spot(&spot, dir, name, err);
+    if (!status) status = file_whole_in(dir->at, name, spot.path, MOST, &text, &size, err);
+    if (!text) return status;
+    const int room = memory_room(MORE + TIMES * size);
+    for (int twice = 0; twice < 2 && room && !*json; twice++)
+        *json = json_loadb(text, size, JSON_REJECT_DUPLICATES, &where);
+    if (!room)
+        status = error_memory(err);
+    else if (!*json)
+        status = error_set(err, HAWSER_ERR_INPUT, "cannot read '%.600s': %.200s", spot.path, where.text);
+    free(text);
+    return status;
+}
+
+/* What was computed of a run says of which. */
+static hawser_status companion_check(const OutDir *dir, const char *run, const char *name, hawser_error *err)
+{
+    json_t *json = NULL;
+    hawser_status status = json_read(dir, name, &json, err);
+    const char *const said = json_string_value(json_object_get(json, "run"));
+    if (json && (!said || strcmp(said, run) != 0))
+        status = error_set(err, HAWSER_ERR_INPUT, "'%.600s/%s' does not belong to the summary beside it: %s", dir->path,
+                           name, said ? "it is of another run" : "it does not say of which run it is");
+    json_decref(json);
+    return status;
+}
+
+/* Before a run goes on: its checkpoint may have come from elsewhere. A summary that is not there says nothing. */
+hawser_status summary_is_of(const OutDir *dir, const char *run, hawser_error *err)
+{
+    json_t *summary = NULL;
+    hawser_status status = out_own(json_read(dir, "summary.json", &summary, err), err);
+    const char *const there = json_string_value(json_object_get(summary, "run"));
+    if (!status && run && *run && there && strcmp(run, there) != 0)
+        status = error_set(err, HAWSER_ERR_OUTPUT,
+                           "cannot go on in '%.600s': its results are of another run than its checkpoint", dir->path);
+    json_decref(summary);
+    return status;
+}
+
+/* Between a run and what is computed of it another one may have taken its folder's name. */
+hawser_status companion_write(const char *dir, const char *name, const char *text, hawser_error *err)
+{
+    OutDir folder = {.at = -1};
+    json_t *summary = NULL, *const own = json_loads(text, 0, NULL);
+    const char *const run = json_string_value(json_object_get(own, "run"));
+    hawser_status status = out_make_dir(dir, err);
+    if (!status) status = out_enter(&folder, dir, err);
+    if (!status) status = json_read(&folder, "summary.json", &summary, err);
+    if (status == HAWSER_ERR_INPUT) status = HAWSER_OK; /* it says nothing */
+    const char *const there = json_string_value(json_object_get(summary, "run"));
+    if (!status && run && *run && there && strcmp(run, there) != 0)
+        status = error_set(err, HAWSER_ERR_OUTPUT,
+                           "cannot write '%.500s/%s': the results in this folder are of another run", dir, name);
+    if (!status) status = out_whole_in(&folder, name, text, err);
+    out_leave(&folder);
+    json_decref(summary);
+    json_decref(own);
+    return status;
+}
+
+int is_running(const json_t *summary)
+{
+    const char *const outcome = json_string_value(json_object_get(summary, "outcome"));
+    return outcome && !strcmp(outcome, "running");
+}
+
+hawser_status belong_check(const OutDir *dir, const json_t *summary, hawser_error *err)
+{
+    const json_t *const files = json_object_get(summary, "files");
+    const char *const run = json_string_value(json_object_get(summary, "run"));
+    const int listed = json_is_array(files) && !is_running(summary); /* its tables grow until the end */
+    hawser_status status = HAWSER_OK;
+    if (!run) return HAWSER_OK; /* of a hawser that did not say it yet */
+    for (int k = 0; k < FILE_SUMS_MAX && !status && listed; k++) status = table_check(dir, files, sum_files[k], err);
+    if (!status) status = companion_check(dir, run, "certificate.json", err);
+    if (!status) status = companion_check(dir, run, "sensitivities.json", err);
+    if (status) return status;
+    return states_check(dir, run, json_string_value(json_object_get(said_of(files, "series.csv"), "sum")), err);
+}

@@ -1,0 +1,23 @@
+/* Linear vibrations about an equilibrium: the lowest modes, by subspace iteration with Newton's own matrix.
+ * docs/model.md, "Rods" (RD10)-(RD14). */
+#ifndef HAWSER_SIM_RUN_MODES_H
+#define HAWSER_SIM_RUN_MODES_H
+
+#include "sim/run/stage.h"
+
+typedef struct Modes {
+    int n, segments;  /* of modes found; of the chain */
+    hawser_mode *out; /* [n], by rising frequency */
+    double *shape;    /* [n][6 segments]: dx dy dz, rx ry rz of every segment, the largest displacement 1 m */
+    int iterations;
+} Modes;
+
+/* The lowest `wanted` modes (or all there are) about the stage's state of now, which must be an equilibrium; friction
+ * and damping left out. radius: 0, or that of inertia of newton_swell, m: then omega^2 has the right sign and no more.
+ * Errors: INPUT (rollers that move), MEMORY, RUN. modes_free may follow either way. */
+hawser_status modes_find(Stage *stage, int wanted, double radius, Modes *modes, hawser_error *err);
+void modes_free(Modes *modes);
+/* omega^2 (1/s2) that rounding of the stiffest spring may make or hide (RD13). */
+double modes_rounding(const Chain *chain, double radius);
+
+#endif

@@ -1,0 +1,1336 @@
+/* What the parts of the DXF reader share: the stream of tags, an entity with its tags, and what becomes of it. */
+#include <errno.h>
+#include <iconv.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "core/error.h"
+#include "survey/input.h"
+
+/* A group code with its value; text is empty where it is a number and the number NAN where it is a text that is none.
+ */
+typedef struct DxfTag {
+    int code;
+    double number;
+    const char *text; /* until the next tag */
+} DxfTag;
+
+/* Tags one after the other, of a text or a binary file. */
+typedef struct DxfStream {
+    SurveyInput *in;
+    int binary, short_codes; /* short: of R12 and before, one byte */
+    int held;                /* the tag below has been given back */
+    DxfTag tag;
+    InputLine line, code_line;
+    long strays;        /* lines that are no group code, so far */
+    long left_out;      /* entities that could not be read, so far */
+    hawser_error first; /* what the first thing is that could not be read; status OK: nothing */
+    iconv_t page;       /* from the drawing's code page; (iconv_t)-1: Latin-1 */
+    struct DxfBlocks *blocks;
+} DxfStream;
+
+/* The numbers of an entity that is read: groups below 240. */
+typedef struct DxfNumber {
+    int code;
+    double value;
+} DxfNumber;
+
+typedef struct DxfEntity {
+    char kind[32], layer[SURVEY_NAME_MAX], name[SURVEY_NAME_MAX]; /* name: code 2, a block's or an attribute's tag */
+    char text[SURVEY_NAME_MAX];                                   /* code 1, an attribute's */
+    int n, room;
+    DxfNumber *number;
+    long line;
+    int bad; /* group of a number that is none; -1: a line within is no group code; 0: whole */
+} DxfEntity;
+
+/* Coordinates of an entity's own system, whose z-axis is `axis`, in the world's, metres. */
+typedef struct DxfSystem {
+    Vec3 x, y, axis;
+    double unit;
+} DxfSystem;
+
+/* A corner of a polyline, in its entity's system, with the bulge to the next one. */
+typedef struct DxfCorner {
+    Vec3 at;
+    double bulge; /* tangent of a quarter of the arc's angle, to the left positive */
+} DxfCorner;
+
+/* ---- blocks: their lines in the system of the block, from the origin of its base; survey/dxf.c */
+
+/* From a block's system to the one around it: p = at + x p.x + y p.y + z p.z. m, but the axes have no dimension. */
+typedef struct DxfPlace {
+    Vec3 x, y, z, at;
+} DxfPlace;
+
+/* An insertion of a block, once or in rows and columns. */
+typedef struct DxfInsert {
+    char block[SURVEY_NAME_MAX], layer[SURVEY_NAME_MAX];
+    DxfPlace place; /* at: of the insertion's point, from which the block's base is still to be taken */
+    int columns, rows;
+    Vec3 column, row; /* m from one to the next */
+} DxfInsert;
+
+/* The stream of tags. */
+
+static const char sign[] = "AutoCAD Binary DXF\r\n\x1a";
+
+/* Looks at the file's beginning and goes on behind its sign. */
+static void dxf_begin(DxfStream *s, SurveyInput *in)
+{
+    char head[sizeof sign + 2] = "";
+    *s = (DxfStream){.in = in, .page = (iconv_t)-1};
+    const size_t n = fread(head, 1, sizeof head, in->file); /* with the sign's own 0, and two bytes behind it */
+    const int marked = n > 3 && !memcmp(head, "\xEF\xBB\xBF", 3);
+    s->binary = n == sizeof head && !memcmp(head, sign, sizeof sign);
+    s->short_codes = s->binary && head[sizeof sign + 1] != 0; /* 0 and a text at once: codes of one byte */
+    input_seek(in, s->binary ? (long)sizeof sign : marked ? 3 : 0);
+}
+
+static void dxf_end(DxfStream *s)
+{
+    free(s->line.text);
+    free(s->code_line.text);
+    if (s->page != (iconv_t)-1) iconv_close(s->page);
+}
+
+/* ------------------------------------------------------------------------------------------------------------- text */
+
+/* Keeps what cannot be read as s->first, unless something else is there. */
+static void dxf_fault(DxfStream *s, const char *format, ...)
+{
+    char text[HAWSER_MESSAGE_MAX];
+    hawser_error *const own = s->in->err;
+    va_list args;
+    if (s->first.status) return;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    s->in->err = &s->first;
+    input_error(s->in, "%s", text);
+    s->in->err = own;
+}
+
+/* A group code of DXF, -5 to 1071. */
+static int code_of(const SurveyInput *in, const char *text, double *code)
+{
+    return input_number_whole(in, text, code) && *code >= -5 && *code <= 1071 && *code == floor(*code);
+}
+
+/* A line that is no group code: a text above it has a line break. If that text's last line is a number it passed for a
+ * group code, and the line that was read as its value is the code of this one. 0: the line is left out. */
+static int next_of_broken(DxfStream *s, DxfTag *tag)
+{
+    double code;
+    ++s->strays;
+    dxf_fault(s, "'%.20s' is no group code: expected a whole number", s->code_line.text);
+    if (!s->line.text || !code_of(s->in, s->line.text, &code)) return 0;
+    const InputLine kept = s->line;
+    s->line = s->code_line;
+    s->code_line = kept;
+    *tag = (DxfTag){.code = (int)code};
+    return 1;
+}
+
+static int next_of_text(DxfStream *s, DxfTag *tag)
+{
+    SurveyInput *const in = s->in;
+    double code;
+    int found = 0;
+    while (!found) {
+        int more = input_line(in, &s->code_line);
+        if (more <= 0) return more;
+        if (s->code_line.text[strspn(s->code_line.text, " \t")] == 0) continue;
+        found = code_of(in, s->code_line.text, &code);
+        if (!found) {
+            found = next_of_broken(s, tag);
+            continue;
+        }
+        *tag = (DxfTag){.code = (int)code};
+        more = input_line(in, &s->line);
+        if (more == 0) input_error(in, "the file ends behind a group code");
+        if (more <= 0) return -1;
+    }
+    tag->text = s->line.text + strspn(s->line.text, " \t");
+    if (!input_number_whole(in, tag->text, &tag->number)) tag->number = NAN;
+    return 1;
+}
+
+/* ----------------------------------------------------------------------------------------------------------- binary */
+
+/* How a value is stored, by its code. */
+typedef enum Stored {
+    STORED_TEXT,
+    STORED_DOUBLE,
+    STORED_BYTE,
+    STORED_SHORT,
+    STORED_LONG,
+    STORED_LONG_LONG,
+    STORED_CHUNK
+} Stored;
+
+static Stored stored(int code)
+{
+    static const struct {
+        int from, to;
+        Stored as;
+    } ranges[] = {
+        {10, 59, STORED_DOUBLE},      {60, 79, STORED_SHORT},     {90, 99, STORED_LONG},     {110, 149, STORED_DOUBLE},
+        {160, 169, STORED_LONG_LONG}, {170, 179, STORED_SHORT},   {210, 239, STORED_DOUBLE}, {270, 289, STORED_SHORT},
+        {290, 299, STORED_BYTE},      {310, 319, STORED_CHUNK},   {370, 389, STORED_SHORT},  {400, 409, STORED_SHORT},
+        {420, 429, STORED_LONG},      {440, 459, STORED_LONG},    {460, 469, STORED_DOUBLE}, {1004, 1004, STORED_CHUNK},
+        {1010, 1059, STORED_DOUBLE},  {1060, 1070, STORED_SHORT}, {1071, 1071, STORED_LONG}};
+    for (size_t i = 0; i < sizeof ranges / sizeof *ranges; ++i) {
+        if (code >= ranges[i].from && code <= ranges[i].to) return ranges[i].as;
+    }
+    return STORED_TEXT;
+}
+
+/* n <= 8 bytes, the lowest first; 0: the file ends. */
+static int bytes(DxfStream *s, int n, uint64_t *value)
+{
+    *value = 0;
+    for (int i = 0; i < n; ++i) {
+        const int c = getc_unlocked(s->in->file);
+        if (c == EOF) return 0;
+        *value |= (uint64_t)c << (8 * i);
+    }
+    return 1;
+}
+
+/* A text up to its 0; 0: the file ends or the text does not, or there is no memory, which is said then. */
+static int text_read(DxfStream *s)
+{
+    size_t n = 0;
+    for (int c; (c = getc_unlocked(s->in->file)) != EOF; ++n) {
+        if (n + 1 >= s->line.room) {
+            char *const wider = n < INPUT_LINE_MOST ? realloc(s->line.text, 2 * n + 256) : NULL;
+            if (!wider && n < INPUT_LINE_MOST) error_memory(s->in->err);
+            if (!wider) return 0;
+            s->line.text = wider;
+            s->line.room = 2 * n + 256;
+        }
+        s->line.text[n] = (char)c;
+        if (c == 0) return 1;
+    }
+    return 0;
+}
+
+static int value_of_binary(DxfStream *s, DxfTag *tag)
+{
+    static const int size[] = {[STORED_DOUBLE] = 8, [STORED_BYTE] = 1,      [STORED_SHORT] = 2,
+                               [STORED_LONG] = 4,   [STORED_LONG_LONG] = 8, [STORED_CHUNK] = 1};
+    const Stored as = stored(tag->code);
+    uint64_t raw;
+    tag->text = "";
+    tag->number = NAN;
+    if (as == STORED_TEXT) {
+        if (!text_read(s)) return 0;
+        tag->text = s->line.text;
+        if (!input_number_whole(s->in, tag->text, &tag->number)) tag->number = NAN;
+        return 1;
+    }
+    if (!bytes(s, size[as], &raw)) return 0;
+    if (as == STORED_CHUNK) return fseek(s->in->file, (long)raw, SEEK_CUR) == 0;
+    if (as == STORED_DOUBLE)
+        memcpy(&tag->number, &raw, sizeof tag->number);
+    else if (as == STORED_SHORT)
+        tag->number = (int16_t)raw;
+    else if (as == STORED_LONG)
+        tag->number = (int32_t)raw;
+    else
+        tag->number = (double)raw;
+    if (!isfinite(tag->number)) tag->number = NAN;
+    return 1;
+}
+
+static int next_of_binary(DxfStream *s, DxfTag *tag)
+{
+    uint64_t code;
+    if (!bytes(s, s->short_codes ? 1 : 2, &code)) return 0;
+    const int fine = !s->short_codes || code != 255 || bytes(s, 2, &code);
+    tag->code = (int16_t)code;
+    s->in->err->status = HAWSER_OK;
+    if (fine && value_of_binary(s, tag)) return 1;
+    if (s->in->err->status == HAWSER_ERR_MEMORY) return -1;
+    input_error(s->in, "the file ends inside of group %d, or has a text without an end", tag->code);
+    return -1;
+}
+
+/* ------------------------------------------------------------------------------------------------------------- both */
+
+/* 1: a tag; 0: the file ends; -1: no tag, with the reason in in->err. */
+static int dxf_next(DxfStream *s, DxfTag *tag)
+{
+    int found = 1;
+    if (!s->held) found = s->binary ? next_of_binary(s, &s->tag) : next_of_text(s, &s->tag);
+    s->held = 0;
+    *tag = s->tag;
+    return found;
+}
+
+/* The next call gives the same tag again. */
+static void dxf_hold(DxfStream *s) { s->held = 1; }
+
+/* What becomes of entities: straights and arcs in plan where they lie level, points in space where they do not. */
+
+static const double PI = 3.14159265358979323846;
+
+/* The first number of a code, or what else. */
+static double dxf_number(const DxfEntity *e, int code, double otherwise)
+{
+    for (int i = 0; i < e->n; ++i) {
+        if (e->number[i].code == code) return e->number[i].value;
+    }
+    return otherwise;
+}
+
+/* Its flags, group 70; 0 if that is missing or no number of 16 bits. */
+static int dxf_flags(const DxfEntity *e)
+{
+    const double value = dxf_number(e, 70, 0);
+    return value >= 0 && value < 65536 ? (int)value : 0;
+}
+
+/* The axes of an entity's own system: AutoCAD's rule of the arbitrary axis. */
+static DxfSystem dxf_system(const SurveyInput *in, const DxfEntity *e)
+{
+    const Vec3 given = v3(dxf_number(e, 210, 0), dxf_number(e, 220, 0), dxf_number(e, 230, 1));
+    const Vec3 axis = v3_norm(given) > 0 ? v3_unit(given) : v3(0, 0, 1);
+    const int upright = fabs(axis.x) < 1.0 / 64 && fabs(axis.y) < 1.0 / 64;
+    const Vec3 x = v3_unit(v3_cross(upright ? v3(0, 1, 0) : v3(0, 0, 1), axis));
+    return (DxfSystem){x, v3_cross(axis, x), axis, in->unit};
+}
+
+static Vec3 dxf_world(const DxfSystem *s, Vec3 p)
+{
+    return v3_scale(s->unit, v3_add(v3_add(v3_scale(p.x, s->x), v3_scale(p.y, s->y)), v3_scale(p.z, s->axis)));
+}
+
+static Alignment *alignment_of(const SurveyInput *in, const DxfEntity *e)
+{
+    Alignment *const a = survey_add(in->out, e->layer);
+    if (a) memcpy(a->layer, e->layer, sizeof a->layer);
+    return a;
+}
+
+/* ---------------------------------------------------------------------------------------------------- level shapes */
+
+/* An arc from a to b, in plan; a straight without a bulge. */
+static int element_add(Alignment *to, Vec3 a, Vec3 b, double bulge)
+{
+    const double chord = hypot(b.x - a.x, b.y - a.y), turn = 4 * atan(bulge);
+    if (!(chord > 1e-9)) return 1;
+    PlanElement *const e = alignment_add_plan(to);
+    if (!e) return 0;
+    const double k = 2 * sin(turn / 2) / chord;
+    *e = (PlanElement){.x = a.x,
+                       .y = a.y,
+                       .heading = atan2(b.y - a.y, b.x - a.x) - turn / 2,
+                       .length = fabs(turn) > 1e-9 ? turn / k : chord,
+                       .k0 = fabs(turn) > 1e-9 ? k : 0,
+                       .k1 = fabs(turn) > 1e-9 ? k : 0};
+    return 1;
+}
+
+/* All of a level line is at one height. */
+static int height_add(Alignment *a, double z)
+{
+    double length = 0;
+    for (int i = 0; i < a->n_plan; ++i) length += a->plan[i].length;
+    a->flat = z == 0;
+    if (z == 0 || a->n_plan == 0) return 1;
+    ProfileElement *const e = alignment_add_profile(a);
+    if (e) *e = (ProfileElement){.length = length, .z = z};
+    return e != NULL;
+}
+
+static int point_add(Alignment *a, Vec3 at)
+{
+    Vec3 *const p = alignment_add_point(a);
+    if (p) *p = at;
+    return p != NULL;
+}
+
+/* ------------------------------------------------------------------------------------------------------ tilted arcs */
+
+/* The points of an arc with a bulge in a tilted plane, but for its first one: chords 0.2 mm off at most. */
+static int chords_add(Alignment *to, const DxfSystem *s, Vec3 a, Vec3 b, double bulge)
+{
+    const double chord = hypot(b.x - a.x, b.y - a.y), turn = 4 * atan(bulge);
+    const double radius = fabs(turn) > 1e-9 ? chord / (2 * fabs(sin(turn / 2))) : INFINITY;
+    const double step = 2 * acos(fmax(0, 1 - 2e-4 / fmax(radius * s->unit, 2e-4)));
+    const int n = isfinite(radius) ? (int)fmin(10000, 1 + fabs(turn) / fmax(step, 1e-3)) : 1;
+    const Vec3 along = v3_scale(1 / fmax(chord, 1e-300), v3_sub(b, a)), left = v3(-along.y, along.x, 0);
+    int fine = 1;
+    to->bent |= n > 1;
+    for (int i = 1; i <= n && fine; ++i) { /* seen from the chord's middle, the arc from -turn/2 to turn/2 */
+        const double angle = turn * (i - 0.5 * n) / n, half = turn / 2;
+        const double x = n > 1 ? 0.5 * chord * (1 + sin(angle) / sin(half)) : chord;
+        const double y = n > 1 ? -0.5 * chord * (cos(angle) - cos(half)) / sin(half) : 0;
+        const Vec3 at = v3_axpy(v3_axpy(a, x, along), y, left);
+        fine = point_add(to, dxf_world(s, v3(at.x, at.y, a.z)));
+    }
+    return fine;
+}
+
+/* --------------------------------------------------------------------------------------------------------- entities */
+
+/* n corners; space: a 3-D polyline, without bulges. */
+static hawser_status dxf_add_corners(const SurveyInput *in, const DxfEntity *e, int n, const DxfCorner *corner,
+                                     int closed, int space)
+{
+    DxfSystem s = dxf_system(in, e);
+    if (space) s = (DxfSystem){v3(1, 0, 0), v3(0, 1, 0), v3(0, 0, 1), in->unit};
+    const int level = !space && fabs(s.axis.z) > 1 - 1e-12, last = closed ? n : n - 1;
+    Alignment *const a = n > 1 ? alignment_of(in, e) : NULL;
+    if (n < 2) return HAWSER_OK;
+    if (a) a->drawn = 1;
+    int fine = a != NULL && (level || point_add(a, dxf_world(&s, corner[0].at)));
+    for (int i = 0; i < last && fine; ++i) {
+        const DxfCorner *const from = &corner[i], *const to = &corner[(i + 1) % n];
+        const Vec3 start = dxf_world(&s, from->at), end = dxf_world(&s, to->at);
+        if (level)
+            fine = element_add(a, start, end, s.axis.z > 0 ? from->bulge : -from->bulge);
+        else if (space)
+            fine = point_add(a, end);
+        else
+            fine = chords_add(a, &s, from->at, to->at, from->bulge);
+    }
+    if (fine && level) fine = height_add(a, dxf_world(&s, corner[0].at).z);
+    return fine ? HAWSER_OK : error_memory(in->err);
+}
+
+/* Both ends in the world's coordinates; one that rises is two points in space. */
+static hawser_status dxf_add_line(const SurveyInput *in, const DxfEntity *e)
+{
+    const DxfCorner corner[2] = {{.at = {dxf_number(e, 10, NAN), dxf_number(e, 20, NAN), dxf_number(e, 30, 0)}},
+                                 {.at = {dxf_number(e, 11, NAN), dxf_number(e, 21, NAN), dxf_number(e, 31, 0)}}};
+    if (!isfinite(corner[0].at.x + corner[0].at.y + corner[1].at.x + corner[1].at.y)) {
+        return input_error(in, "a LINE without both of its ends (groups 10, 20, 11, 21)");
+    }
+    if (corner[0].at.z != corner[1].at.z) return dxf_add_corners(in, e, 2, corner, 0, 1);
+    Alignment *const a = alignment_of(in, e);
+    const int fine = a && element_add(a, v3_scale(in->unit, corner[0].at), v3_scale(in->unit, corner[1].at), 0) &&
+                     height_add(a, in->unit * corner[0].at.z);
+    return fine ? HAWSER_OK : error_memory(in->err);
+}
+
+/* Anticlockwise from one angle to the other, in its own system. */
+static hawser_status dxf_add_arc(const SurveyInput *in, const DxfEntity *e)
+{
+    const double radius = dxf_number(e, 40, NAN), from = PI / 180 * dxf_number(e, 50, NAN),
+                 to = PI / 180 * dxf_number(e, 51, NAN);
+    const Vec3 centre = v3(dxf_number(e, 10, NAN), dxf_number(e, 20, NAN), dxf_number(e, 30, 0));
+    const double rest = to - from - 2 * PI * floor((to - from) / (2 * PI)),
+                 turn = rest > 0 || to == from ? rest : 2 * PI;
+    if (!(radius > 0) || !isfinite(from + to + centre.x + centre.y)) {
+        return input_error(in, "an ARC without centre, radius above 0 and angles (groups 10, 20, 40, 50, 51)");
+    }
+    DxfCorner corner[3];
+    for (int i = 0; i < 3; ++i) { /* in two halves: a bulge has no full turns */
+        const double angle = from + 0.5 * i * turn;
+        corner[i] =
+            (DxfCorner){v3(centre.x + radius * cos(angle), centre.y + radius * sin(angle), centre.z), tan(turn / 8)};
+    }
+    return dxf_add_corners(in, e, 3, corner, 0, 0);
+}
+
+/* Corners as groups 10, 20, with 42 behind them; 38 is the height of all. */
+static hawser_status dxf_add_lwpolyline(const SurveyInput *in, const DxfEntity *e)
+{
+    const double z = dxf_number(e, 38, 0);
+    DxfCorner *const corner = calloc((size_t)e->n + 1, sizeof *corner);
+    int n = 0;
+    if (!corner) return error_memory(in->err);
+    for (int i = 0; i < e->n; ++i) {
+        const DxfNumber *const v = &e->number[i];
+        if (v->code == 10) corner[n++].at = v3(v->value, 0, z);
+        if (n && v->code == 20) corner[n - 1].at.y = v->value;
+        if (n && v->code == 42) corner[n - 1].bulge = v->value;
+    }
+    const hawser_status status = dxf_add_corners(in, e, n, corner, dxf_flags(e) & 1, 0);
+    free(corner);
+    return status;
+}
+
+/* Part of an ellipse, in the world's coordinates: a major axis, the ratio of the minor one to it, and two parameters.
+ */
+static hawser_status dxf_add_ellipse(const SurveyInput *in, const DxfEntity *e)
+{
+    enum { CHORDS_MOST = 10000 };
+    const double off = 2e-4, ratio = dxf_number(e, 40, NAN), from = dxf_number(e, 41, 0),
+                 to = dxf_number(e, 42, 2 * PI);
+    const Vec3 centre = v3(dxf_number(e, 10, NAN), dxf_number(e, 20, NAN), dxf_number(e, 30, 0));
+    const Vec3 major = v3(dxf_number(e, 11, NAN), dxf_number(e, 21, NAN), dxf_number(e, 31, 0));
+    const Vec3 minor = v3_scale(ratio, v3_cross(dxf_system(in, e).axis, major));
+    const double turn = to - from - 2 * PI * floor((to - from) / (2 * PI));
+    if (!(v3_norm(major) > 0) || !(ratio > 0) || !isfinite(from + to + centre.x + centre.y))
+        return input_error(in, "an ELLIPSE without centre, axes and parameters (groups 10, 20, 11, 21, 40, 41, 42)");
+    if (turn < 1e-9 || turn > 2 * PI - 1e-9) {
+        survey_ignore(in->out, "ELLIPSE: whole ones");
+        return HAWSER_OK;
+    }
+    const double largest = in->unit * v3_norm(major) * fmax(1, ratio);
+    const int n = (int)fmin(CHORDS_MOST, 8 + turn / sqrt(8 * off / largest));
+    DxfCorner *const corner = calloc((size_t)n + 1, sizeof *corner);
+    if (!corner) return error_memory(in->err);
+    for (int i = 0; i <= n; ++i) {
+        const double u = from + turn * i / n;
+        corner[i].at = v3_axpy(v3_axpy(centre, cos(u), major), sin(u), minor);
+    }
+    const int before = in->out->n;
+    const hawser_status status = dxf_add_corners(in, e, n + 1, corner, 0, 1);
+    if (!status && in->out->n > before) in->out->alignment[before].bent = 1;
+    free(corner);
+    return status;
+}
+
+/* Blocks: what a drawing has once and inserts at many places, moved, turned, scaled, mirrored, one within the other. */
+
+enum { DEPTH_MOST = 32, EXPANDED_MOST = 4000000, COPIES_MOST = 32767 };
+
+typedef struct DxfBlock {
+    char name[SURVEY_NAME_MAX], outside[SURVEY_NAME_MAX]; /* outside: the drawing that it stands for, not in the file */
+    Vec3 base;                                            /* m */
+    Survey lines;
+    int n_inserts, used;
+    DxfInsert *insert; /* [n_inserts] blocks within it */
+} DxfBlock;
+
+struct DxfBlocks {
+    int n, inserted;
+    DxfBlock *block; /* [n] by name, after dxf_blocks_end */
+    long expanded;   /* lines and insertions so far */
+};
+
+/* -------------------------------------------------------------------------------------------------------- keeping */
+
+/* Begins a block, whose lines are added to the Survey that is returned until the next one; NULL: no memory. */
+static Survey *dxf_block_begin(DxfStream *s, const DxfEntity *e)
+{
+    if (!s->blocks) s->blocks = calloc(1, sizeof *s->blocks);
+    DxfBlock *const b = s->blocks ? survey_one_more(&s->blocks->block, &s->blocks->n, sizeof *b) : NULL;
+    if (!b) return NULL;
+    const int outside = dxf_flags(e) & (4 | 8); /* an external reference, laid over or attached */
+    memcpy(b->name, e->name, sizeof b->name);
+    if (outside) snprintf(b->outside, sizeof b->outside, "%s", *e->text ? e->text : e->name);
+    b->base = v3_scale(s->in->unit, v3(dxf_number(e, 10, 0), dxf_number(e, 20, 0), dxf_number(e, 30, 0)));
+    return &b->lines;
+}
+
+/* Adds an insertion to the block that was begun last. Errors: MEMORY. */
+static hawser_status dxf_block_insert(DxfStream *s, const DxfInsert *insert)
+{
+    DxfBlock *const b = &s->blocks->block[s->blocks->n - 1];
+    DxfInsert *const to = survey_one_more(&b->insert, &b->n_inserts, sizeof *to);
+    if (!to) return error_memory(s->in->err);
+    *to = *insert;
+    return HAWSER_OK;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcasecmp(((const DxfBlock *)a)->name, ((const DxfBlock *)b)->name);
+}
+
+/* After the last block, before the first is followed. */
+static void dxf_blocks_end(DxfStream *s)
+{
+    if (s->blocks) qsort(s->blocks->block, (size_t)s->blocks->n, sizeof *s->blocks->block, by_name);
+}
+
+static DxfBlock *block_of(const DxfStream *s, const char *name)
+{
+    DxfBlock key;
+    if (!s->blocks) return NULL;
+    snprintf(key.name, sizeof key.name, "%s", name);
+    return bsearch(&key, s->blocks->block, (size_t)s->blocks->n, sizeof key, by_name);
+}
+
+/* Notes that there are lines in blocks, none of which is inserted. */
+static void dxf_blocks_note(DxfStream *s)
+{
+    for (int i = 0; s->blocks && i < s->blocks->n; ++i) {
+        const DxfBlock *const b = &s->blocks->block[i];
+        for (int k = 0; k < b->lines.n && !b->used; ++k)
+            survey_ignore(s->in->out, "lines inside of blocks that are not inserted");
+    }
+}
+
+static void dxf_blocks_free(struct DxfBlocks *b)
+{
+    for (int i = 0; b && i < b->n; ++i) {
+        survey_clear(&b->block[i].lines);
+        free(b->block[i].insert);
+    }
+    if (b) free(b->block);
+    free(b);
+}
+
+/* --------------------------------------------------------------------------------------------------------- placing */
+
+static Vec3 along(const DxfPlace *p, Vec3 v) { return v3_axpy(v3_axpy(v3_scale(v.x, p->x), v.y, p->y), v.z, p->z); }
+
+static Vec3 placed(const DxfPlace *p, Vec3 v) { return v3_add(p->at, along(p, v)); }
+
+/* First b, then a. */
+static DxfPlace place_within(const DxfPlace *a, const DxfPlace *b)
+{
+    return (DxfPlace){along(a, b->x), along(a, b->y), along(a, b->z), placed(a, b->at)};
+}
+
+/* The insertion that an INSERT describes. Errors: INPUT (a scale of 0), with the reason in in->err. */
+static hawser_status dxf_insert_of(const SurveyInput *in, const DxfEntity *e, DxfInsert *out)
+{
+    const DxfSystem own = dxf_system(in, e);
+    const double turn = PI / 180 * dxf_number(e, 50, 0), c = cos(turn), s = sin(turn);
+    const double sx = dxf_number(e, 41, 1), sy = dxf_number(e, 42, 1), sz = dxf_number(e, 43, 1);
+    const Vec3 x = v3_axpy(v3_scale(c, own.x), s, own.y), y = v3_axpy(v3_scale(-s, own.x), c, own.y);
+    *out = (DxfInsert){.place = {v3_scale(sx, x), v3_scale(sy, y), v3_scale(sz, own.axis),
+                                 dxf_world(&own, v3(dxf_number(e, 10, 0), dxf_number(e, 20, 0), dxf_number(e, 30, 0)))},
+                       .columns = (int)fmin(fmax(dxf_number(e, 70, 1), 1), COPIES_MOST),
+                       .rows = (int)fmin(fmax(dxf_number(e, 71, 1), 1), COPIES_MOST),
+                       .column = v3_scale(in->unit * dxf_number(e, 44, 0), x),
+                       .row = v3_scale(in->unit * dxf_number(e, 45, 0), y)};
+    memcpy(out->block, e->name, sizeof out->block);
+    memcpy(out->layer, e->layer, sizeof out->layer);
+    if (sx == 0 || sy == 0) return input_error(in, "an INSERT with a scale of 0 (groups 41, 42)");
+    return HAWSER_OK;
+}
+
+/* The scale of a place that leaves straights level and arcs arcs; 0: it is none. *mirrored: left becomes right. */
+static double even_scale(const DxfPlace *p, int *mirrored)
+{
+    const double a = hypot(p->x.x, p->x.y), b = hypot(p->y.x, p->y.y), least = 1e-9 * a;
+    const double across = p->x.x * p->y.x + p->x.y * p->y.y;
+    const int upright = fabs(p->x.z) < least && fabs(p->y.z) < least && hypot(p->z.x, p->z.y) < least;
+    *mirrored = p->x.x * p->y.y - p->x.y * p->y.x < 0;
+    return upright && fabs(a - b) < least && fabs(across) < least * a ? a : 0;
+}
+
+/* Elements under a place that is none of theirs, as points; curves as chords 0.2 mm off. */
+static int elements_bend(const Alignment *from, const DxfPlace *p, Alignment *to)
+{
+    enum { CHORDS_MOST = 10000 };
+    const double off = 2e-4, stretch = fmax(v3_norm(p->x), v3_norm(p->y)), z = from->n_profile ? from->profile->z : 0;
+    int fine = 1, level = 1;
+    for (int i = 0; i < from->n_plan && fine; ++i) {
+        const PlanElement *const e = &from->plan[i];
+        const double step = sqrt(8 * off / (stretch * fmax(fabs(e->k0), 1e-12)));
+        const int parts = e->k0 == 0 ? 1 : (int)fmin(CHORDS_MOST, 8 + e->length / step);
+        to->bent |= e->k0 != 0;
+        for (int k = i > 0; k <= parts && fine; ++k) {
+            const PlanElement at = plan_at(e, e->length * k / parts);
+            fine = point_add(to, placed(p, v3(at.x, at.y, z)));
+            level &= fine && to->point[to->n_points - 1].z == 0;
+        }
+    }
+    to->flat = level;
+    return fine;
+}
+
+/* A line of a block where the block is inserted. 0: no memory. */
+static int line_place(const Alignment *from, const DxfPlace *p, Alignment *to)
+{
+    int mirrored;
+    const double scale = even_scale(p, &mirrored);
+    to->drawn = from->drawn;
+    to->bent = from->bent;
+    to->flat = from->flat;
+    int fine = 1;
+    if (from->n_plan && scale == 0) return elements_bend(from, p, to);
+    for (int i = 0; i < from->n_points && fine; ++i) fine = point_add(to, placed(p, from->point[i]));
+    double length = 0;
+    for (int i = 0; i < from->n_plan && fine; ++i) {
+        PlanElement *const e = alignment_add_plan(to);
+        if (!e) return 0;
+        const PlanElement *const f = &from->plan[i];
+        const Vec3 at = placed(p, v3(f->x, f->y, 0)), way = along(p, v3(cos(f->heading), sin(f->heading), 0));
+        const double bend = (mirrored ? -1 : 1) / scale;
+        *e = (PlanElement){.x = at.x,
+                           .y = at.y,
+                           .heading = atan2(way.y, way.x),
+                           .length = scale * f->length,
+                           .k0 = bend * f->k0,
+                           .k1 = bend * f->k1};
+        length += e->length;
+    }
+    if (to->n_plan == 0 || !fine) return fine;
+    const double z = placed(p, v3(0, 0, from->n_profile ? from->profile->z : 0)).z;
+    to->flat = z == 0;
+    if (z == 0) return 1;
+    ProfileElement *const level = alignment_add_profile(to);
+    if (level) *level = (ProfileElement){.length = length, .z = z};
+    return level != NULL;
+}
+
+/* -------------------------------------------------------------------------------------------------------- following */
+
+static const char *layer_within(const char *own, const char *around) { return strcmp(own, "0") ? own : around; }
+
+/* Why a block is not followed; the first time its other contents are noted too. 1: it is. */
+static int is_followed(DxfStream *s, const char *name, DxfBlock *b, int depth)
+{
+    static const char *const never[] = {"*X", "*D", "*T"};
+    static const char *const are[] = {"a hatch", "a dimension", "a table"};
+    char what[SURVEY_NAME_MAX] = "";
+    for (size_t i = 0; !b && i < sizeof never / sizeof *never; ++i)
+        if (!strncasecmp(name, never[i], 2)) snprintf(what, sizeof what, "INSERT of %s", are[i]);
+    if (!*what && !b && s->blocks)
+        snprintf(what, sizeof what, "INSERT of a block '%.60s' that is not in the drawing", name);
+    if (b && *b->outside) snprintf(what, sizeof what, "external drawing '%.60s': bind it into this one", b->outside);
+    if (depth > DEPTH_MOST) snprintf(what, sizeof what, "blocks within each other, more than %d deep", DEPTH_MOST);
+    if (*what) survey_ignore(s->in->out, what);
+    if (*what || !b) return 0;
+    if (b->used++) return 1;
+    for (int i = 0; i < b->lines.n_ignored; ++i) {
+        snprintf(what, sizeof what, "%.100s in blocks", b->lines.ignored[i].what);
+        for (long k = 0; k < b->lines.ignored[i].times; ++k) survey_ignore(s->in->out, what);
+    }
+    return 1;
+}
+
+/* Whether one more line or insertion may be followed. */
+static int is_within(DxfStream *s)
+{
+    if (s->blocks->expanded++ < EXPANDED_MOST) return 1;
+    if (s->blocks->expanded == EXPANDED_MOST + 1)
+        survey_ignore(s->in->out, "lines of blocks beyond the first 4 million");
+    return 0;
+}
+
+static hawser_status copies_follow(DxfStream *s, const DxfInsert *insert, const DxfPlace *around, const char *layer,
+                                   int depth);
+
+/* The lines of a block at a place, and of the blocks within it. */
+static hawser_status block_follow(DxfStream *s, const DxfBlock *b, const DxfPlace *place, const char *layer, int depth)
+{
+    hawser_status status = HAWSER_OK;
+    DxfPlace at = *place;
+    at.at = placed(place, v3_scale(-1, b->base));
+    for (int i = 0; i < b->lines.n && !status && is_within(s); ++i) {
+        const Alignment *const from = &b->lines.alignment[i];
+        const char *const own = layer_within(from->layer, layer);
+        Alignment *const a = survey_add(s->in->out, own);
+        if (!a || !line_place(from, &at, a)) return error_memory(s->in->err);
+        snprintf(a->layer, sizeof a->layer, "%s", own);
+        a->inserted = s->blocks->inserted;
+    }
+    for (int i = 0; i < b->n_inserts && !status && is_within(s); ++i)
+        status = copies_follow(s, &b->insert[i], &at, layer, depth + 1);
+    return status;
+}
+
+static hawser_status copies_follow(DxfStream *s, const DxfInsert *insert, const DxfPlace *around, const char *layer,
+                                   int depth)
+{
+    DxfBlock *const b = block_of(s, insert->block);
+    hawser_status status = HAWSER_OK;
+    if (!is_followed(s, insert->block, b, depth) || (b->lines.n == 0 && b->n_inserts == 0)) return HAWSER_OK;
+    for (int r = 0; r < insert->rows && !status; ++r) {
+        for (int c = 0; c < insert->columns && !status && is_within(s); ++c) {
+            DxfPlace place = insert->place;
+            place.at = v3_axpy(v3_axpy(place.at, c, insert->column), r, insert->row);
+            place = place_within(around, &place);
+            status = block_follow(s, b, &place, layer_within(insert->layer, layer), depth);
+        }
+    }
+    return status;
+}
+
+/* Adds the lines of the inserted block, and of those within it, to in->out. What is not followed is noted there.
+ * Errors: MEMORY. */
+static hawser_status dxf_follow(DxfStream *s, const DxfInsert *insert)
+{
+    const DxfPlace world = {v3(1, 0, 0), v3(0, 1, 0), v3(0, 0, 1), V3_ZERO};
+    if (s->blocks) s->blocks->inserted++;
+    return copies_follow(s, insert, &world, insert->layer, 1);
+}
+
+/* SPLINE: a B-spline, rational or not, as points along it. */
+
+enum { DEGREE_MOST = 15, PARTS = 8, PARTS_MOST = 1024, CONTROLS_MOST = 1 << 20 };
+
+/* m, how far a chord may be beside the spline: the length is then within a millionth. */
+static const double OFF = 2e-4;
+
+/* A point with its weight: x w, y w, z w, w. */
+typedef struct Weighted {
+    double v[4];
+} Weighted;
+
+typedef struct Spline {
+    int degree, n_knots, n_controls, n_fits;
+    double *knot;      /* [n_knots] */
+    Weighted *control; /* [n_controls] */
+    Vec3 *fit;         /* [n_fits] */
+} Spline;
+
+/* How often a code is there. */
+static int count(const DxfEntity *e, int code)
+{
+    int n = 0;
+    for (int i = 0; i < e->n; ++i) n += e->number[i].code == code;
+    return n;
+}
+
+/* The groups one by one; coordinates belong to the control or fit point that was begun last. */
+static void fill(Spline *s, const DxfEntity *e)
+{
+    int knots = 0, controls = 0, fits = 0, weights = 0;
+    for (int i = 0; i < e->n; ++i) {
+        const double v = e->number[i].value;
+        switch (e->number[i].code) {
+        case 40:
+            s->knot[knots++] = v;
+            break;
+        case 41:
+            if (weights < s->n_controls) s->control[weights++].v[3] = v;
+            break;
+        case 10:
+            s->control[controls++].v[0] = v;
+            break;
+        case 20:
+        case 30:
+            if (controls) s->control[controls - 1].v[e->number[i].code / 10 - 1] = v;
+            break;
+        case 11:
+            s->fit[fits++].x = v;
+            break;
+        case 21:
+            if (fits) s->fit[fits - 1].y = v;
+            break;
+        case 31:
+            if (fits) s->fit[fits - 1].z = v;
+            break;
+        default:
+            break;
+        }
+    }
+    for (int i = 0; i < s->n_controls; ++i) {
+        double *const c = s->control[i].v;
+        if (i >= weights || !(c[3] > 0)) c[3] = 1;
+        for (int k = 0; k < 3; ++k) c[k] *= c[3];
+    }
+}
+
+/* De Boor's algorithm in the span that ends at knot `span + 1`. */
+static Vec3 spline_at(const Spline *s, int span, double u)
+{
+    Weighted d[DEGREE_MOST + 1];
+    const int p = s->degree;
+    for (int j = 0; j <= p; ++j) d[j] = s->control[span - p + j];
+    for (int r = 1; r <= p; ++r) {
+        for (int j = p; j >= r; --j) {
+            const double low = s->knot[span - p + j], high = s->knot[span + 1 + j - r];
+            const double part = high > low ? (u - low) / (high - low) : 0;
+            for (int k = 0; k < 4; ++k) d[j].v[k] = (1 - part) * d[j - 1].v[k] + part * d[j].v[k];
+        }
+    }
+    return v3_scale(1 / d[p].v[3], v3(d[p].v[0], d[p].v[1], d[p].v[2]));
+}
+
+/* How many chords of a span stay within OFF of it: by the places half-way along them, each time twice as many. */
+static int chords_needed(const Spline *s, int span, double unit)
+{
+    const double from = s->knot[span], step = s->knot[span + 1] - from;
+    for (int n = PARTS;; n *= 2) {
+        double worst = 0;
+        for (int k = 0; k < n; ++k) {
+            const Vec3 a = spline_at(s, span, from + step * k / n), b = spline_at(s, span, from + step * (k + 1) / n);
+            const Vec3 middle = spline_at(s, span, from + step * (k + 0.5) / n);
+            worst = fmax(worst, v3_norm(v3_sub(middle, v3_scale(0.5, v3_add(a, b)))));
+        }
+        if (n >= PARTS_MOST || !(worst * unit > OFF)) return n;
+    }
+}
+
+static hawser_status corners_add(const SurveyInput *in, const DxfEntity *e, const Spline *s)
+{
+    const int p = s->degree;
+    DxfCorner *corner = NULL;
+    int n = 0;
+    hawser_status status = HAWSER_OK;
+    for (int i = p; i < s->n_controls && !status; ++i) {
+        const double from = s->knot[i], to = s->knot[i + 1];
+        if (!(to > from)) continue;
+        const int parts = chords_needed(s, i, in->unit);
+        DxfCorner *const wider = realloc(corner, (size_t)(n + parts + 1) * sizeof *wider);
+        if (!wider) {
+            status = error_memory(in->err);
+            continue;
+        }
+        corner = wider;
+        memset(corner + n, 0, (size_t)(parts + 1) * sizeof *corner);
+        for (int k = n ? 1 : 0; k <= parts; ++k) corner[n++].at = spline_at(s, i, from + (to - from) * k / parts);
+    }
+    const int before = in->out->n;
+    if (!status) status = dxf_add_corners(in, e, n, corner, 0, 1);
+    if (!status && in->out->n > before) in->out->alignment[before].bent = s->degree > 1;
+    free(corner);
+    return status;
+}
+
+/* Without control points the fit points are places along the line. */
+static hawser_status fits_add(const SurveyInput *in, const DxfEntity *e, const Spline *s)
+{
+    DxfCorner *const corner = calloc((size_t)s->n_fits + 1, sizeof *corner);
+    if (!corner) return error_memory(in->err);
+    survey_ignore(in->out, "SPLINE: what is between its fit points, for it has no control points");
+    const int before = in->out->n;
+    for (int i = 0; i < s->n_fits; ++i) corner[i].at = s->fit[i];
+    const hawser_status status = dxf_add_corners(in, e, s->n_fits, corner, 0, 1);
+    if (!status && in->out->n > before) {
+        in->out->alignment[before].drawn = 0;
+        in->out->alignment[before].bent = 1;
+    }
+    free(corner);
+    return status;
+}
+
+static int is_rising(const Spline *s)
+{
+    for (int i = 1; i < s->n_knots; ++i) {
+        if (!(s->knot[i] >= s->knot[i - 1])) return 0;
+    }
+    return 1;
+}
+
+static hawser_status dxf_add_spline(const SurveyInput *in, const DxfEntity *e)
+{
+    Spline s = {.degree = (int)fmin(fmax(dxf_number(e, 71, 3), 0), DEGREE_MOST + 1),
+                .n_knots = count(e, 40),
+                .n_controls = count(e, 10),
+                .n_fits = count(e, 11)};
+    hawser_status status = HAWSER_OK;
+    const int usable = s.degree >= 1 && s.degree <= DEGREE_MOST && s.n_controls > s.degree &&
+                       s.n_controls < CONTROLS_MOST && s.n_knots == s.n_controls + s.degree + 1;
+    s.knot = calloc((size_t)s.n_knots + 1, sizeof *s.knot);
+    s.control = calloc((size_t)s.n_controls + 1, sizeof *s.control);
+    s.fit = calloc((size_t)s.n_fits + 1, sizeof *s.fit);
+    const int memory = s.knot && s.control && s.fit;
+    if (!memory)
+        status = error_memory(in->err);
+    else
+        fill(&s, e);
+    if (!status && !(usable && is_rising(&s)) && s.n_fits < 2) {
+        status =
+            input_error(in, "a SPLINE needs %d control points and knots to its degree, or fit points", s.degree + 1);
+    } else if (!status) {
+        status = usable && is_rising(&s) ? corners_add(in, e, &s) : fits_add(in, e, &s);
+    }
+    free(s.knot);
+    free(s.control);
+    free(s.fit);
+    return status;
+}
+
+/* Sections and entities, one after the other: only what becomes a line or a mark is kept. */
+
+enum { NUMBERS_MOST = 1 << 26 };
+
+/* The character of "\U+00FC", as drawings before 2007 write what their code page has not; 0: no such. */
+static unsigned escape_of(const char *t) { return strncmp(t, "\\U+", 3) ? 0 : input_hex(t + 3, 4); }
+
+/* A name or layer as UTF-8; older drawings have bytes of a code page, taken for Latin-1 where it is not known. */
+static void text_set(const DxfStream *s, char *to, size_t size, const char *text)
+{
+    const int utf8 = encoding_is_utf8(text);
+    char converted[4 * SURVEY_NAME_MAX];
+    size_t n = 0;
+    if (!utf8 && encoding_convert(s->page, converted, sizeof converted, text)) {
+        text_set(s, to, size, converted);
+        return;
+    }
+    if (utf8 && !strstr(text, "\\U+")) {
+        snprintf(to, size, "%s", text);
+        return;
+    }
+    for (const char *t = text; *t && n + 3 < size; ++t) {
+        const unsigned escaped = escape_of(t);
+        if (escaped || !utf8)
+            n += input_utf8(to + n, escaped ? escaped : (unsigned char)*t);
+        else
+            to[n++] = *t;
+        if (escaped) t += 6;
+    }
+    to[n] = 0;
+}
+
+/* ---------------------------------------------------------------------------------------------------------- entities
+ */
+
+static int number_add(DxfEntity *e, int code, double value)
+{
+    if (e->n == e->room) {
+        const int room = e->room ? 2 * e->room : 64;
+        DxfNumber *const wider = room <= NUMBERS_MOST ? realloc(e->number, (size_t)room * sizeof *wider) : NULL;
+        if (!wider) return 0;
+        e->number = wider;
+        e->room = room;
+    }
+    e->number[e->n++] = (DxfNumber){code, value};
+    return 1;
+}
+
+static const struct {
+    const char *kind;
+    hawser_status (*add)(const SurveyInput *in, const DxfEntity *e);
+} shapes[] = {{"LINE", dxf_add_line},
+              {"ARC", dxf_add_arc},
+              {"LWPOLYLINE", dxf_add_lwpolyline},
+              {"SPLINE", dxf_add_spline},
+              {"ELLIPSE", dxf_add_ellipse}};
+
+/* Whether anything is made of an entity's numbers. */
+static int is_read(const char *kind)
+{
+    static const char *const others[] = {"POLYLINE", "VERTEX", "INSERT", "POINT", "BLOCK"};
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; ++i)
+        if (!strcmp(kind, shapes[i].kind)) return 1;
+    for (size_t i = 0; i < sizeof others / sizeof *others; ++i)
+        if (!strcmp(kind, others[i])) return 1;
+    return 0;
+}
+
+/* Whether a number of an entity is one that its place and shape depend on. */
+static int is_shape(int code) { return code < 60 || (code >= 66 && code < 80) || (code >= 210 && code < 240); }
+
+/* Collects the tags behind `tag`, which begins an entity, up to the next one. Behind group 101 stands an object within
+ * it, with groups of its own. What is wrong is e->bad: it matters only if the entity is wanted. */
+static hawser_status entity_read(DxfStream *s, const DxfTag *begin, DxfEntity *e)
+{
+    enum { EMBEDDED = 101, EXTENDED = 1000 };
+    const long strays = s->strays;
+    DxfTag tag;
+    int more, embedded = 0, last = 0;
+    text_set(s, e->kind, sizeof e->kind, begin->text);
+    *e->layer = *e->name = *e->text = 0;
+    e->n = e->bad = 0;
+    e->line = s->in->line;
+    const int numbers = is_read(e->kind);
+    for (; (more = dxf_next(s, &tag)) > 0 && tag.code != 0; last = tag.code) {
+        if (s->strays != strays && last < EXTENDED && !e->bad) e->bad = -1;
+        embedded |= tag.code == EMBEDDED;
+        if (embedded) continue;
+        if (tag.code == 8) text_set(s, e->layer, sizeof e->layer, tag.text);
+        if (tag.code == 2) text_set(s, e->name, sizeof e->name, tag.text);
+        if (tag.code == 1) text_set(s, e->text, sizeof e->text, tag.text);
+        const int number = tag.code >= 10 && tag.code < 240 && !(tag.code >= 100 && tag.code < 110);
+        if (!number || !(numbers || tag.code == 60 || tag.code == 67)) continue;
+        if (isnan(tag.number)) {
+            if (is_shape(tag.code) && !e->bad) e->bad = tag.code;
+        } else if (!number_add(e, tag.code, tag.number)) {
+            return error_memory(s->in->err);
+        }
+    }
+    if (s->strays != strays && last < EXTENDED && !e->bad) e->bad = -1; /* its last text is broken */
+    if (more > 0) dxf_hold(s);
+    return more < 0 ? s->in->err->status : HAWSER_OK;
+}
+
+/* An entity that cannot be read is left out, and noted; err has the reason. Other errors stay. */
+static hawser_status entity_leave(DxfStream *s, const DxfEntity *e, hawser_status status)
+{
+    enum { FEW = 8 };
+    SurveyInput *const in = s->in;
+    char what[SURVEY_NAME_MAX];
+    if (status != HAWSER_ERR_INPUT) return status;
+    const int before = snprintf(NULL, 0, in->line > 0 ? "%.200s:%ld: " : "%.200s: ", in->path, in->line);
+    const char *const reason = in->err->message + before;
+    if (!s->first.status) s->first = *in->err;
+    in->err->status = HAWSER_OK;
+    if (s->left_out++ < FEW && e->line > 0)
+        snprintf(what, sizeof what, "layer '%.24s', line %ld: %s", e->layer, e->line, reason);
+    else
+        snprintf(what, sizeof what, "layer '%.24s': %s", e->layer, reason);
+    survey_ignore(in->out, what);
+    return HAWSER_OK;
+}
+
+/* Why an entity's tags cannot be read; OK: they can. */
+static hawser_status entity_check(DxfStream *s, const DxfEntity *e)
+{
+    if (e->bad > 0) return input_error(s->in, "group %d of a %s is no number", e->bad, e->kind);
+    if (e->bad < 0) return input_error(s->in, "a line of a %s is no group code", e->kind);
+    return HAWSER_OK;
+}
+
+/* POLYLINE: VERTEX after VERTEX up to SEQEND. Flags: 1 closed, 8 in space, 16 and 64 meshes; of a vertex 16: a spline's
+ * frame, which is no part of the line. */
+static hawser_status polyline_read(DxfStream *s, DxfEntity *head)
+{
+    enum { CLOSED = 1, SPACE = 8, MESHES = 16 | 64, FRAME = 16 };
+    const int flags = dxf_flags(head), space = (flags & SPACE) != 0;
+    DxfCorner *corner = NULL;
+    DxfEntity vertex = {0};
+    DxfTag tag;
+    int n = 0, more = 1;
+    hawser_status status = HAWSER_OK;
+    while (!status && (more = dxf_next(s, &tag)) > 0) {
+        if (tag.code == 0 && strcmp(tag.text, "VERTEX")) {
+            dxf_hold(s);
+            break;
+        }
+        status = entity_read(s, &tag, &vertex);
+        if (vertex.bad && !head->bad) head->bad = vertex.bad;
+        if (status || (dxf_flags(&vertex) & FRAME) || n >= SURVEY_MOST) continue;
+        DxfCorner *const next = survey_one_more(&corner, &n, sizeof *next);
+        const double z = space ? dxf_number(&vertex, 30, 0) : dxf_number(head, 30, 0);
+        if (!next)
+            status = error_memory(s->in->err);
+        else
+            *next =
+                (DxfCorner){v3(dxf_number(&vertex, 10, 0), dxf_number(&vertex, 20, 0), z), dxf_number(&vertex, 42, 0)};
+    }
+    if (!status && more < 0) status = s->in->err->status;
+    if (!status) status = entity_check(s, head);
+    if (!status && (flags & MESHES))
+        survey_ignore(s->in->out, "POLYLINE: meshes");
+    else if (!status)
+        status = dxf_add_corners(s->in, head, n, corner, flags & CLOSED, space);
+    free(corner);
+    free(vertex.number);
+    return status;
+}
+
+/* A point or a block's insertion, in its own system; attributes follow an insertion with 66. The first with a text
+ * names it. */
+static hawser_status mark_read(DxfStream *s, const DxfEntity *e)
+{
+    const int insert = !strcmp(e->kind, "INSERT");
+    const DxfSystem system = dxf_system(s->in, e);
+    const Vec3 at = v3(dxf_number(e, 10, 0), dxf_number(e, 20, 0), dxf_number(e, 30, 0));
+    const double turned = 3.14159265358979323846 / 180 * dxf_number(e, 50, 0);
+    DxfEntity attribute = {0};
+    DxfTag tag;
+    SurveyMark *const mark = survey_add_mark(s->in->out, insert ? e->name : "POINT", e->layer);
+    if (!mark) return error_memory(s->in->err);
+    mark->at = insert ? dxf_world(&system, at) : v3_scale(s->in->unit, at);
+    mark->line = e->line;
+    mark->heading = system.axis.z < 0 ? 3.14159265358979323846 - turned : turned;
+    hawser_status status = HAWSER_OK;
+    int more = 1, named = 0;
+    while (insert && !status && dxf_number(e, 66, 0) == 1 && (more = dxf_next(s, &tag)) > 0) {
+        if (tag.code == 0 && strcmp(tag.text, "ATTRIB")) {
+            dxf_hold(s);
+            break;
+        }
+        status = entity_read(s, &tag, &attribute);
+        const size_t used = strlen(mark->name);
+        if (!status && *attribute.text) {
+            snprintf(mark->name + used, SURVEY_NAME_MAX - used, "%s%s", named++ ? ", " : ": ", attribute.text);
+        }
+    }
+    if (!status && more < 0) status = s->in->err->status;
+    free(attribute.number);
+    return status;
+}
+
+/* An insertion's lines: now, or within the block that is being read, whose own marks are none of the drawing's. */
+static hawser_status insert_read(DxfStream *s, const DxfEntity *e, int in_block)
+{
+    DxfInsert insert;
+    hawser_status status = dxf_insert_of(s->in, e, &insert);
+    if (status) return status;
+    if (in_block) return dxf_block_insert(s, &insert);
+    return dxf_follow(s, &insert);
+}
+
+/* in_block: it is one of a block's. */
+static hawser_status entity_add(DxfStream *s, DxfEntity *e, int in_block)
+{
+    static const char *const silent[] = {"SEQEND", "ATTRIB", "ATTDEF", "ENDBLK", "POINT", "TEXT", "MTEXT"};
+    const int sheet = !in_block && dxf_number(e, 67, 0) == 1; /* frames of a sheet, in its own coordinates */
+    const int insert = !strcmp(e->kind, "INSERT"), point = !strcmp(e->kind, "POINT");
+    if (!strcmp(e->kind, "POLYLINE") && !sheet && dxf_number(e, 60, 0) != 1) return polyline_read(s, e);
+    if (sheet || dxf_number(e, 60, 0) == 1) {
+        char what[SURVEY_NAME_MAX];
+        snprintf(what, sizeof what, sheet ? "%s in paper space" : "%s that is not to be seen", e->kind);
+        survey_ignore(s->in->out, what);
+        return HAWSER_OK;
+    }
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; ++i) {
+        if (strcmp(e->kind, shapes[i].kind)) continue;
+        const hawser_status whole = entity_check(s, e);
+        return whole ? whole : shapes[i].add(s->in, e);
+    }
+    if (insert || (point && !in_block)) {
+        hawser_status status = entity_check(s, e);
+        if (!status && insert) status = insert_read(s, e, in_block);
+        if (!status && !in_block) status = mark_read(s, e);
+        return status;
+    }
+    for (size_t i = 0; i < sizeof silent / sizeof *silent; ++i)
+        if (!strcmp(e->kind, silent[i]) && (in_block || i == 0)) return HAWSER_OK;
+    survey_ignore(s->in->out, e->kind);
+    if (e->bad < 0) survey_ignore(s->in->out, "a line break within a text");
+    return HAWSER_OK;
+}
+
+/* ---------------------------------------------------------------------------------------------------------- sections
+ */
+
+/* $INSUNITS by number: metres in one. */
+static void unit_set(SurveyInput *in, int code)
+{
+    static const struct {
+        int code;
+        double metres;
+        const char *name;
+    } units[] = {{1, 0.0254, "inches"},
+                 {2, 0.3048, "feet"},
+                 {3, 1609.344, "miles"},
+                 {4, 1e-3, "mm"},
+                 {5, 1e-2, "cm"},
+                 {6, 1, "m"},
+                 {7, 1e3, "km"},
+                 {8, 0.0254e-6, "microinches"},
+                 {9, 0.0254e-3, "mils"},
+                 {10, 0.9144, "yards"},
+                 {13, 1e-6, "microns"},
+                 {14, 0.1, "dm"},
+                 {15, 10, "dam"},
+                 {16, 100, "hm"},
+                 {21, 1200.0 / 3937, "US survey feet"},
+                 {22, 100.0 / 3937, "US survey inches"},
+                 {23, 3600.0 / 3937, "US survey yards"},
+                 {24, 5280 * 1200.0 / 3937, "US survey miles"}};
+    in->out->drawn_unit = isnan(in->options.unit);
+    for (size_t i = 0; i < sizeof units / sizeof *units; ++i) {
+        if (units[i].code == code) {
+            input_unit(in, units[i].metres, units[i].name);
+            in->out->drawn_unit *= in->unit;
+            return;
+        }
+    }
+    char what[SURVEY_NAME_MAX];
+    snprintf(what, sizeof what, "$INSUNITS %d: lengths are taken in m", code);
+    if (code && isnan(in->options.unit)) survey_ignore(in->out, what);
+    input_unit(in, 1, "the drawing does not say");
+}
+
+/* $DWGCODEPAGE, as "ANSI_1251", "DOS850" or a name of its own, "GB2312". */
+static void page_set(DxfStream *s, const char *text)
+{
+    char name[40];
+    const int numbered = !strncasecmp(text, "ANSI_", 5) || !strncasecmp(text, "DOS", 3);
+    snprintf(name, sizeof name, "%s%.30s", numbered ? "CP" : "", text + strcspn(text, numbered ? "0123456789" : ""));
+    if (s->page == (iconv_t)-1) s->page = iconv_open("UTF-8", numbered ? name : text);
+}
+
+/* Variables: 9 with a name, then its value. */
+static hawser_status header_read(DxfStream *s)
+{
+    DxfTag tag;
+    int unit_next = 0, page_next = 0, more;
+    while ((more = dxf_next(s, &tag)) > 0 && !(tag.code == 0 && !strcmp(tag.text, "ENDSEC"))) {
+        if (unit_next && tag.code == 70) unit_set(s->in, isnan(tag.number) ? 0 : (int)fmin(fmax(tag.number, 0), 99));
+        if (page_next && tag.code == 3) page_set(s, tag.text);
+        unit_next = tag.code == 9 && !strcmp(tag.text, "$INSUNITS");
+        page_next = tag.code == 9 && !strcmp(tag.text, "$DWGCODEPAGE");
+    }
+    return more < 0 ? s->in->err->status : HAWSER_OK;
+}
+
+static hawser_status entities_read(DxfStream *s)
+{
+    DxfEntity e = {0};
+    DxfTag tag;
+    int more = 1;
+    hawser_status status = HAWSER_OK;
+    while (!status && (more = dxf_next(s, &tag)) > 0 && !(tag.code == 0 && !strcmp(tag.text, "ENDSEC"))) {
+        if (tag.code != 0) continue;
+        status = entity_read(s, &tag, &e);
+        if (!status) status = entity_leave(s, &e, entity_add(s, &e, 0));
+    }
+    free(e.number);
+    return status ? status : more < 0 ? s->in->err->status : HAWSER_OK;
+}
+
+/* Whether insertions of a block may be followed. Hatches, dimensions, tables and sheets have theirs too. */
+static int is_followed_block(const char *name)
+{
+    static const char *const others[] = {"*X", "*D", "*T", "*Paper", "*Model"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; ++i)
+        if (!strncasecmp(name, others[i], strlen(others[i]))) return 0;
+    return 1;
+}
+
+/* Lines of blocks are kept until an insertion says where they are. */
+static hawser_status blocks_read(DxfStream *s)
+{
+    Survey *const drawing = s->in->out;
+    DxfEntity e = {0};
+    DxfTag tag;
+    int more = 1, followed = 0;
+    hawser_status status = HAWSER_OK;
+    while (!status && (more = dxf_next(s, &tag)) > 0 && !(tag.code == 0 && !strcmp(tag.text, "ENDSEC"))) {
+        if (tag.code != 0) continue;
+        const int begins = !strcmp(tag.text, "BLOCK");
+        if (!begins && !followed) continue;
+        status = entity_read(s, &tag, &e);
+        if (!status && begins) {
+            followed = is_followed_block(e.name);
+            Survey *const lines = followed ? dxf_block_begin(s, &e) : drawing;
+            if (!lines) status = error_memory(s->in->err);
+            s->in->out = lines ? lines : drawing;
+        } else if (!status) {
+            status = entity_leave(s, &e, entity_add(s, &e, 1));
+        }
+    }
+    s->in->out = drawing;
+    free(e.number);
+    dxf_blocks_end(s);
+    return status ? status : more < 0 ? s->in->err->status : HAWSER_OK;
+}
+
+static hawser_status section_skip(DxfStream *s)
+{
+    DxfTag tag;
+    int more;
+    int clipped = 0;
+    while ((more = dxf_next(s, &tag)) > 0 && !(tag.code == 0 && !strcmp(tag.text, "ENDSEC"))) {
+        clipped |= tag.code == 0 && !strcmp(tag.text, "SPATIAL_FILTER");
+    }
+    if (clipped) survey_ignore(s->in->out, "borders by which blocks are clipped: their lines are read whole");
+    return more < 0 ? s->in->err->status : HAWSER_OK;
+}
+
+hawser_status dxf_read(SurveyInput *in)
+{
+    DxfStream s;
+    DxfTag tag;
+    int more = 1, sections = 0;
+    hawser_status status = HAWSER_OK;
+    dxf_begin(&s, in);
+    unit_set(in, 0);
+    while (!status && (more = dxf_next(&s, &tag)) > 0 && !(tag.code == 0 && !strcmp(tag.text, "EOF"))) {
+        if (tag.code != 2) continue; /* a section's name behind its beginning */
+        ++sections;
+        if (!strcmp(tag.text, "HEADER"))
+            status = header_read(&s);
+        else if (!strcmp(tag.text, "ENTITIES"))
+            status = entities_read(&s);
+        else if (!strcmp(tag.text, "BLOCKS"))
+            status = blocks_read(&s);
+        else
+            status = section_skip(&s);
+    }
+    if (!status && more < 0) status = s.in->err->status; /* INPUT, or MEMORY */
+    if (!status && sections == 0 && !s.first.status) status = input_error(in, "no section in the drawing");
+    if (!status && in->out->n == 0) dxf_blocks_note(&s);
+    if (!status && in->out->n + in->out->n_marks == 0 && s.first.status) {
+        *in->err = s.first;
+        status = s.first.status;
+    }
+    dxf_blocks_free(s.blocks);
+    dxf_end(&s);
+    return status;
+}
