@@ -15,8 +15,7 @@ typedef struct Way {
 
 static const Way ways[] = {{"block-sparse", LIN_BLOCK_SPARSE, ORDER_AUTO, 100000},
                            {"klu, amd", LIN_KLU, ORDER_AMD, 3000},
-                           {"klu, metis", LIN_KLU, ORDER_METIS, 1200},
-                           {"band", LIN_BAND, ORDER_AUTO, 300}};
+                           {"klu, metis", LIN_KLU, ORDER_METIS, 1200}};
 
 enum { WAYS = sizeof ways / sizeof *ways };
 

@@ -37,7 +37,7 @@ TOLERANCES = (1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 
 COARSE = (1e-2, 1e-3, 1e-4, 1e-5)
 STEPS = (5e-2, 2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4)
 ORDER2, ORDER5 = ("solver.max_order=2",), ("solver.max_order=5",)
-KLU, FULL = ("solver.linear_solver=klu",), ("solver.linear_solver=klu-full",)
+KLU = ("solver.linear_solver=klu",)
 BOTH = (ORDER5, ORDER2)
 
 
@@ -63,9 +63,7 @@ USER_KLU = "CVODE, KLU, unreduced, coloured differences"
 METHODS = (
     Method(HAWSER, "hawser", TOLERANCES),
     Method("hawser, KLU in place of the chain's solver", "hawser", TOLERANCES, extra=KLU),
-    Method("hawser, KLU, unreduced, analytic", "hawser", TOLERANCES, extra=FULL, where=in_space),
     Method("CVODE's settings, hawser's matrix", "cvode-own", TOLERANCES, BOTH),
-    Method("CVODE, KLU, unreduced, analytic", "cvode-own", COARSE, BOTH, FULL, in_space),
     Method(USER_KLU, "cvode-klu", COARSE, BOTH),
     Method("CVODE, band, unreduced", "cvode-band", COARSE, BOTH),
     Method("CVODE, GMRES", "cvode-gmres", (1e-4,), (ORDER5,), once=True, where=in_plane),

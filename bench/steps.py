@@ -17,12 +17,9 @@ from common import arguments, busy, heading, load_of_others, median, pick, publi
 CASES = ("huangjiahu", "straight")
 GEOMETRIES = {"plane": "on", "space": "off"}  # solver.planar
 THREADS = (1, 2)
-SOLVERS = {"plane": ("auto", "block", "bordered", "klu"), "space": ("auto", "block", "bordered", "klu", "klu-full")}
-SLOW_ROUNDS = 3  # of LAPACK's band matrix
+SOLVERS = ("auto", "block", "bordered", "klu")
 WHOLE = "whole"
 QUICK = ["run.duration=1 s", "run.steady_from=500 ms"]
-# LAPACK's dense matrix takes its time: it gets a window of the start, in which `auto` runs too.
-DENSE = {("huangjiahu", "plane"): "200 ms", ("straight", "plane"): "200 ms", ("straight", "space"): "20 ms"}
 LENGTHS = (370, 600, 1000, 2000, 4000)  # segments of `straight` on which two threads are tried
 LENGTH_ROUNDS = 7
 COUNTED = ["run.duration=5 s", "run.steady_from=4 s"]  # the part of a run whose instructions are counted
@@ -46,17 +43,7 @@ def configuration(case, geometry, solver, threads, window=WHOLE, segments=370):
 def everyday():
     """What is fast enough for every round."""
     return [configuration(case, geometry, solver, threads) for case in CASES for geometry in GEOMETRIES
-            for solver in SOLVERS[geometry] for threads in THREADS]
-
-
-def banded():
-    return [configuration(case, geometry, "band", threads) for case in CASES for geometry in GEOMETRIES
-            for threads in THREADS]
-
-
-def dense(chosen, segments=370):
-    return [configuration(case, geometry, solver, 1, window, segments) for (case, geometry), window in chosen.items()
-            for solver in ("auto", "dense")]
+            for solver in SOLVERS for threads in THREADS]
 
 
 def long_rows(lengths):
@@ -158,16 +145,10 @@ def solvers_table(rows, case):
     body = []
     for geometry in GEOMETRIES:
         here = pick(rows, case=case, geometry=geometry)
-        for solver in (*SOLVERS[geometry], "band", "dense"):
-            mine = pick(here, solver=solver)
-            if not mine:
-                continue
-            window = mine[0]["window"]
+        for solver in SOLVERS:
+            mine = pick(here, solver=solver, window=WHOLE)
             name = solver if solver != "auto" else f"auto ({mine[0]['used']})"
-            if window != WHOLE:
-                name += f", first {window}"
-            mine = pick(mine, window=window)
-            body.append([f"{geometry}, {name}"] + solver_cells(mine, pick(here, solver="auto", threads=1)))
+            body.append([f"{geometry}, {name}"] + solver_cells(mine, pick(here, solver="auto", threads=1, window=WHOLE)))
     return table([case, "1 thread, us a step", "spread", "2 threads, us a step", "spread", "steps", "time / auto's"], body)
 
 
@@ -287,9 +268,6 @@ def measure(args):
     rounds, settings = (1, QUICK) if quick else (args.rounds, [])
     target, samples = phase_samples(os.path.join(args.build, "bench/bench_phases"), rounds, 20 if quick else 300)
     rows = run_rounds(args.build, "solvers", everyday(), rounds, settings, warm=not quick)
-    rows += run_rounds(args.build, "band", banded(), 1 if quick else min(SLOW_ROUNDS, rounds), settings, warm=False)
-    few = dense({("straight", "plane"): "20 ms"}, 37) if quick else dense(DENSE)
-    rows += run_rounds(args.build, "dense", few, 1, warm=False)
     rows += run_rounds(args.build, "lengths", long_rows(LENGTHS[:1] if quick else LENGTHS),
                        1 if quick else min(LENGTH_ROUNDS, rounds), warm=not quick)
     counted = count_scenes(args.build, ["run.duration=100 ms", "run.steady_from=50 ms"] if quick else COUNTED,

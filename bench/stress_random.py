@@ -231,7 +231,7 @@ def solver(r, planar=True):
     if r.chance(0.3):
         out["max_order"] = r.randint(1, 5)
     if r.chance(0.3):
-        out["linear_solver"] = r.choice(["block", "klu", "klu-full", "band"])
+        out["linear_solver"] = r.choice(["block", "klu"])
     if r.chance(0.2) and planar:
         out["planar"] = "off"
     if r.chance(0.3):

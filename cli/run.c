@@ -23,7 +23,7 @@ static const char help[] =
     "      --set KEY=VALUE     changes a value of the case, as in --set drive.winch.speed='3 m/min';\n"
     "                          may be given many times\n"
     "      --threads N         1 or 2; results do not depend on it\n"
-    "      --linear-solver KIND  auto, block, bordered, klu, klu-full, band or dense\n"
+    "      --linear-solver KIND  auto, block, bordered or klu\n"
     "      --resume DIR        goes on with the run in DIR, whose program was killed or interrupted, from its last\n"
     "                            checkpoint (run.checkpoint: every minute); results are those of a run that was not\n"
     "      --certify           computes the case again with finer settings until its figures hold to the\n"

@@ -16,8 +16,7 @@ static const double PROGRAM = 13.8e6, ROLLER = 2200, STATES = 7.3e6, STATES_SEGM
 static const double COUPLED = 2000, STATES_BESIDE = 1.6e6;
 /* Bytes that a segment takes, in space and in the plane, and what a solver takes beside the block LU's. */
 static const double SEGMENT[2] = {7700, 3850};
-static const double KLU[2] = {4900, 1400}, KLU_FULL[2] = {76e3, 19e3}, BAND[2] = {3200, 800};
-static const double UNKNOWNS[2] = {6, 3}; /* of a segment */
+static const double KLU[2] = {4900, 1400};
 /* Bytes of a row of series.csv; of a segment in a state, in double and in single precision. */
 static const double ROW = 200, STATE_SEGMENT = 170;
 /* s: a step of a pull that slides, in the mean; what a step takes, and each segment and roller in it. */
@@ -27,8 +26,6 @@ static const double STEP = 0.04, STEP_TIME = 2e-5, SEGMENT_TIME[2] = {0.9e-6, 0.
  * ten times what this says: 40 mm segments in bends, with steps of a millisecond, take 21 times as much, layers that
  * slip 10.0 times, and a chain that stands for an hour 1/400. */
 static const double BEGIN = 0.02, SETTLE = 6e-5, PASSES = 2, TURNS = 10;
-/* Operations a second of LAPACK, and the share of the steps that factor. */
-static const double DENSE_SPEED = 5e9, DENSE_SHARE = 0.3;
 
 /* Chain k of a definition. */
 static const SceneDef *chain_def(const SceneDef *def, int k) { return k > 0 ? &def->beside[k - 1] : def; }
@@ -94,39 +91,16 @@ CostCounts cost_counts(const SceneDef *def, int planar)
     return c;
 }
 
-/* Bytes of the Newton matrix where the block LU does not solve it. */
-static double solver_memory(const CostCounts *c)
-{
-    const int p = c->planar != 0;
-    const double n = c->segments, unknowns = UNKNOWNS[p] * n;
-    switch (c->solver) {
-    case LIN_KLU:
-        return KLU[p] * n;
-    case LIN_KLU_FULL:
-        return KLU_FULL[p] * n;
-    case LIN_BAND:
-        return BAND[p] * n;
-    case LIN_DENSE:
-        return 1.2 * unknowns * unknowns * sizeof(double);
-    case LIN_AUTO:
-    case LIN_BLOCK:
-    case LIN_BORDERED:
-    case LIN_BLOCK_SPARSE:
-        break;
-    }
-    return 0;
-}
-
 Cost cost_of(const CostCounts *c)
 {
     const int p = c->planar != 0;
-    const double unknowns = UNKNOWNS[p] * c->segments, longest = c->step > 0 ? fmin(c->step, STEP) : STEP;
+    const double longest = c->step > 0 ? fmin(c->step, STEP) : STEP;
     double each = STEP_TIME + SEGMENT_TIME[p] * c->segments + ROLLER_TIME * c->rollers;
-    Cost cost = {.memory = PROGRAM + SEGMENT[p] * c->segments + ROLLER * c->rollers + solver_memory(c),
+    Cost cost = {.memory = PROGRAM + SEGMENT[p] * c->segments + ROLLER * c->rollers,
                  .disk = ROW * c->rows + STATE_SEGMENT * c->segments * c->states};
+    if (c->solver == LIN_KLU) cost.memory += KLU[p] * c->segments;
     cost.memory += COUPLED * c->blocks;
     if (c->states > 0) cost.memory += STATES + STATES_BESIDE * c->beside + STATES_SEGMENT * c->segments;
-    if (c->solver == LIN_DENSE) each += DENSE_SHARE * 2 / 3 * unknowns * unknowns * unknowns / DENSE_SPEED;
     if (c->turns) each *= TURNS;
     cost.time = c->blocks > 0
                     ? NAN

@@ -9,7 +9,7 @@ enum { LIN_UNSTABLE = 1000 };
 
 /* A matrix as given or assembled: back ends of the block family read `newton`, the others `sparse`. */
 typedef struct LinMatrix {
-    const NewtonMatrix *newton; /* NULL: a general sparse matrix */
+    const NewtonMatrix *newton; /* NULL: only the assembled one (tests) */
     const SparseMatrix *sparse; /* NULL: not assembled */
     int groups;                 /* of unknowns that belong together, for orderings */
     const int *group_at;        /* [groups+1]; NULL: every unknown is alone */
@@ -34,7 +34,7 @@ typedef struct LinBackend {
     void (*stats)(const void *self, LinStats *stats);
 } LinBackend;
 
-extern const LinBackend klu_backend, lapack_backend, block_backend, bordered_backend, block_sparse_backend;
+extern const LinBackend klu_backend, block_backend, bordered_backend, block_sparse_backend;
 
 /* LinOptions.growth_limit, or the default: losing more than six digits to growth is worth a better factorisation. */
 static inline double growth_limit_of(const LinOptions *options)

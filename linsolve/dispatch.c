@@ -13,7 +13,6 @@ struct LinSolver {
     void *self;
     LinOptions options; /* with the kind that auto resolved to */
     int size;
-    int general;             /* made for a SparseMatrix */
     int chain_n, chain_b;    /* of the NewtonMatrix, to catch misuse */
     int groups, *group_at;   /* as in LinMatrix */
     SparseAssembly assembly; /* where the back end wants compressed columns */
@@ -33,9 +32,6 @@ static const struct {
              [LIN_BLOCK] = {"block", &block_backend},
              [LIN_BORDERED] = {"bordered", &bordered_backend},
              [LIN_KLU] = {"klu", &klu_backend},
-             [LIN_KLU_FULL] = {"klu-full", &klu_backend},
-             [LIN_BAND] = {"band", &lapack_backend},
-             [LIN_DENSE] = {"dense", &lapack_backend},
              [LIN_BLOCK_SPARSE] = {"block-sparse", &block_sparse_backend}};
 
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
@@ -58,28 +54,23 @@ static LinKind kind_choose(const NewtonMatrix *a, char *why, size_t size)
 }
 
 /* Resolves auto and refuses what a kind cannot hold; 0 with err set if so. */
-static int kind_settle(LinSolver *s, const LinMatrix *a, hawser_error *err)
+static int kind_settle(LinSolver *s, const NewtonMatrix *m, hawser_error *err)
 {
     const LinKind asked = s->options.kind;
     if (asked == LIN_BLOCK_SPARSE) {
         snprintf(s->stats.why, sizeof s->stats.why, "auto: several chains, %d couplings between them at most",
-                 a->newton ? a->newton->extras : 0);
+                 m->extras);
     } else if (asked != LIN_AUTO) {
         snprintf(s->stats.why, sizeof s->stats.why, "asked for");
-    } else if (a->newton) {
-        s->options.kind = kind_choose(a->newton, s->stats.why, sizeof s->stats.why);
     } else {
-        s->options.kind = LIN_KLU_FULL;
-        snprintf(s->stats.why, sizeof s->stats.why, "auto: a general sparse matrix");
+        s->options.kind = kind_choose(m, s->stats.why, sizeof s->stats.why);
     }
     const LinKind kind = s->options.kind;
-    const NewtonMatrix *const m = a->newton;
-    const int bare = m && !m->leaves && !m->border;
-    const int fits = !m                         ? kind != LIN_BLOCK && kind != LIN_BORDERED && kind != LIN_BLOCK_SPARSE
-                     : kind == LIN_BLOCK        ? bare && !m->extras
+    const int bare = !m->leaves && !m->border;
+    const int fits = kind == LIN_BLOCK          ? bare && !m->extras
                      : kind == LIN_BORDERED     ? !m->extras
                      : kind == LIN_BLOCK_SPARSE ? bare && (m->chain.b == 6 || !m->extras)
-                                                : kind != LIN_KLU_FULL;
+                                                : 1;
     if (fits) return 1;
     error_set(err, HAWSER_ERR_INPUT, "the linear solver '%s' cannot hold this system; 'auto' or 'klu' can",
               kinds[kind].name);
@@ -118,7 +109,7 @@ static int solver_analyse(LinSolver *s, LinMatrix *a)
         if (!s->team) return 0;
         s->options.team = s->team;
     }
-    if (a->newton && s->backend->sparse) {
+    if (s->backend->sparse) {
         if (!sparse_assembly_new(a->newton, &s->assembly)) return 0;
         s->groups = newton_groups(a->newton, NULL);
         s->group_at = malloc(((size_t)s->groups + 1) * sizeof *s->group_at);
@@ -145,35 +136,21 @@ static int solver_analyse_again(LinSolver *s, const NewtonMatrix *a)
     return solver_analyse(s, &m);
 }
 
-static LinSolver *solver_new(LinMatrix a, const LinOptions *options, hawser_error *err)
+LinSolver *linsolver_new_newton(const NewtonMatrix *a, const LinOptions *options, hawser_error *err)
 {
-    assert(a.newton || a.sparse);
+    LinMatrix m = {.newton = a};
     LinSolver *const s = calloc(1, sizeof *s);
     if (!s) {
         error_memory(err);
         return NULL;
     }
     s->options = *options;
-    s->general = !a.newton;
-    s->size = a.newton ? newton_size(a.newton) : a.sparse->n;
-    s->chain_n = a.newton ? a.newton->chain.n : 0;
-    s->chain_b = a.newton ? a.newton->chain.b : 0;
-    if (!kind_settle(s, &a, err)) return linsolver_free(s);
-    if (solver_analyse(s, &a)) return s;
-    const LinKind kind = s->options.kind;
-    if (kind == LIN_BAND || kind == LIN_DENSE) {
-#ifdef HAWSER_LAPACK
-        error_set(err, HAWSER_ERR_MEMORY,
-                  "no memory for the solver '%s', or its library liblapacke.so.3 is not installed",
-                  linsolver_kind_name(kind));
-#else
-        error_set(err, HAWSER_ERR_RUN,
-                  "the solver '%s' needs LAPACK, which this build of hawser leaves out (HAWSER_LAPACK)",
-                  linsolver_kind_name(kind));
-#endif
-    } else {
-        error_memory(err);
-    }
+    s->size = newton_size(a);
+    s->chain_n = a->chain.n;
+    s->chain_b = a->chain.b;
+    if (!kind_settle(s, a, err)) return linsolver_free(s);
+    if (solver_analyse(s, &m)) return s;
+    error_memory(err);
     return linsolver_free(s);
 }
 
@@ -181,16 +158,6 @@ LinSolver *linsolver_new(const BlockChain *a, const LinOptions *options, hawser_
 {
     const NewtonMatrix m = {.chain = *a};
     return linsolver_new_newton(&m, options, err);
-}
-
-LinSolver *linsolver_new_newton(const NewtonMatrix *a, const LinOptions *options, hawser_error *err)
-{
-    return solver_new((LinMatrix){.newton = a}, options, err);
-}
-
-LinSolver *linsolver_new_sparse(const SparseMatrix *a, const LinOptions *options, hawser_error *err)
-{
-    return solver_new((LinMatrix){.sparse = a, .groups = a->n}, options, err);
 }
 
 LinSolver *linsolver_free(LinSolver *s)
@@ -226,7 +193,7 @@ int linsolver_factor(LinSolver *s, const BlockChain *a)
 
 int linsolver_factor_newton(LinSolver *s, const NewtonMatrix *a)
 {
-    assert(!s->general && a->chain.n == s->chain_n && a->chain.b == s->chain_b && newton_size(a) == s->size);
+    assert(a->chain.n == s->chain_n && a->chain.b == s->chain_b && newton_size(a) == s->size);
     LinMatrix m = {.newton = a, .groups = s->groups, .group_at = s->group_at};
     if (s->backend->sparse) {
         if (!s->self || places_changed(s, a)) {
@@ -245,16 +212,6 @@ int linsolver_factor_newton(LinSolver *s, const NewtonMatrix *a)
     if (s->backend->rough) s->backend->rough(s->self, s->was_rough);
     int status = s->backend->factor(s->self, &m);
     if (status == LIN_UNSTABLE) status = backup_factor(s, a);
-    s->ready = status == 0;
-    return status;
-}
-
-int linsolver_factor_sparse(LinSolver *s, const SparseMatrix *a)
-{
-    assert(s->general && a->n == s->size);
-    ++s->stats.factors;
-    const LinMatrix m = {.sparse = a, .groups = a->n};
-    const int status = s->backend->factor(s->self, &m);
     s->ready = status == 0;
     return status;
 }
@@ -280,7 +237,6 @@ static void stream_all(const LinStream *stream, int n)
 
 int linsolver_stream(LinSolver *s, const LinStream *stream, double *x)
 {
-    assert(!s->general);
     if (!s->ready) return 1;
     if (!s->use_backup && s->backend->stream) {
         ++s->stats.solves;
@@ -309,7 +265,7 @@ void linsolver_stats(const LinSolver *s, LinStats *stats)
 /* The pattern of where leaves were at the last factorisation is that of where they are in m. */
 static int pattern_renew(LinSolver *s, const NewtonMatrix *m)
 {
-    if (!m || !s->backend->sparse) return 1;
+    if (!s->backend->sparse) return 1;
     if (places_changed(s, m) && !solver_analyse_again(s, m)) return 0;
     sparse_assembly_refresh(&s->assembly, m);
     return 1;
@@ -340,11 +296,11 @@ static void backup_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a
     if (c->status || !there) return;
     if (!s->backup)
         s->backup = linsolver_new_newton(a, &(LinOptions){.kind = LIN_KLU, .ordering = ORDER_AMD, .threads = 1}, NULL);
-    if (s->backup) linsolver_checkpoint(c, s->backup, a, NULL);
+    if (s->backup) linsolver_checkpoint(c, s->backup, a);
     if (!s->backup) checkpoint_lack(c);
 }
 
-void linsolver_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a, const SparseMatrix *b)
+void linsolver_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a)
 {
     CHECKPOINT(c, s->ready);
     CHECKPOINT(c, s->use_backup);
@@ -353,14 +309,10 @@ void linsolver_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a, co
     if (c->reading && !c->status && !pattern_renew(s, a)) checkpoint_lack(c);
     if (c->status) return;
     if (c->reading && s->backend->rough) s->backend->rough(s->self, s->was_rough);
-    assert(a || b);
-    const LinMatrix m = {.newton = a,
-                         .sparse = a ? &s->assembly.a : b,
-                         .groups = a ? s->groups : b->n,
-                         .group_at = a ? s->group_at : NULL};
+    const LinMatrix m = {.newton = a, .sparse = &s->assembly.a, .groups = s->groups, .group_at = s->group_at};
     if (s->backend->checkpoint) s->backend->checkpoint(c, s->self, &m, s->ready && !s->use_backup);
     factors_renew(c, s, &m);
-    if (a) backup_checkpoint(c, s, a);
+    backup_checkpoint(c, s, a);
     if (!c->status)
         checkpoint_check(c, !s->use_backup || (s->backup && s->backup->ready), "nothing solves its Newton matrix");
 }

@@ -1,17 +1,6 @@
 /* What a build without LAPACK says where it would be needed. */
 #include "core/error.h"
-#include "linsolve/backend.h"
 #include "linsolve/small.h"
-
-static void *none_make(const LinMatrix *a, const LinOptions *options)
-{
-    (void)a, (void)options;
-    return NULL;
-}
-
-static void none_drop(void *self) { (void)self; }
-
-const LinBackend lapack_backend = {.sparse = 1, .make = none_make, .drop = none_drop};
 
 hawser_status small_eigen(int n, int symmetric, double *s, double *t, double *mu, double *imaginary, double *z,
                           hawser_error *err)

@@ -8,15 +8,11 @@
 #include "hawser/hawser.h"
 #include "linsolve/newton_matrix.h"
 
-/* LIN_KLU_FULL takes any sparse matrix (the unreduced system); LIN_BAND and LIN_DENSE serve tests and benchmarks. */
 typedef enum LinKind {
     LIN_AUTO,
     LIN_BLOCK,
     LIN_BORDERED,
     LIN_KLU,
-    LIN_KLU_FULL,
-    LIN_BAND,
-    LIN_DENSE,
     LIN_BLOCK_SPARSE /* of several chains; a case cannot ask for it */
 } LinKind;
 typedef enum LinOrdering { ORDER_AUTO, ORDER_AMD, ORDER_COLAMD, ORDER_METIS } LinOrdering;
@@ -46,14 +42,12 @@ typedef struct LinSolver LinSolver;
  * was asked for cannot hold the pattern. */
 LinSolver *linsolver_new(const BlockChain *a, const LinOptions *options, hawser_error *err);
 LinSolver *linsolver_new_newton(const NewtonMatrix *a, const LinOptions *options, hawser_error *err);
-LinSolver *linsolver_new_sparse(const SparseMatrix *a, const LinOptions *options, hawser_error *err);
 LinSolver *linsolver_free(LinSolver *s);
 
 /* Factors a, which has the pattern and the type that the solver was made for. 0: done; > 0: singular to working
  * precision or not finite (a smaller step may help); < 0: no memory. The same values give the same bits. */
 int linsolver_factor(LinSolver *s, const BlockChain *a);
 int linsolver_factor_newton(LinSolver *s, const NewtonMatrix *a);
-int linsolver_factor_sparse(LinSolver *s, const SparseMatrix *a);
 
 /* x (a value an unknown, in: right-hand side) becomes the solution. Same returns; needs a factorisation. */
 int linsolver_solve(LinSolver *s, double *x);
@@ -90,9 +84,9 @@ enum { LIN_ROUND_ENTRIES = 108000 };
  * leave: factors of long chains may be rounded to single precision (L20). */
 void linsolver_rough(LinSolver *s, int rough);
 
-/* What the solver has learned, and the factors of a (or of the sparse matrix b; the other is NULL), which has the
- * values that were factored last: read, they are made again with the same bits. */
-void linsolver_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a, const SparseMatrix *b);
+/* What the solver has learned, and the factors of a, which has the values that were factored last: read, they are made
+ * again with the same bits. */
+void linsolver_checkpoint(Checkpoint *c, LinSolver *s, const NewtonMatrix *a);
 /* Its counts and what follows them. */
 void lin_stats_checkpoint(Checkpoint *c, LinStats *stats);
 

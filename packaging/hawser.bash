@@ -31,7 +31,7 @@ _hawser() {
         -o|--output|--resume) _hawser_offer 'folders' ;;
         --set|--sensitivities) _hawser_offer '' ;;
         --threads) _hawser_offer '1 2' ;;
-        --linear-solver) _hawser_offer 'auto block bordered klu klu-full band dense' ;;
+        --linear-solver) _hawser_offer 'auto block bordered klu' ;;
         --tolerance) _hawser_offer '1% 0.5% 2%' ;;
         --effort) _hawser_offer '6 20 60' ;;
         --format) _hawser_offer 'table json csv' ;;
@@ -145,7 +145,7 @@ _hawser() {
     place)
         case $previous in
         --push|--lubricant|--set) _hawser_offer '' ;;
-        --with) _hawser_offer 'auto block bordered klu klu-full band dense' ;;
+        --with) _hawser_offer 'auto block bordered klu' ;;
         -o|--output) _hawser_offer 'files' ;;
         --format) _hawser_offer 'table json csv' ;;
         --units) _hawser_offer 'si us' ;;

@@ -27,7 +27,7 @@ static const char *const motion_choices[] = {"dynamic", "auto", "quasi-static", 
 
 static const char *const passes_choices[] = {"auto", "1", "2", "3", NULL};
 
-static const char *const solvers[] = {"auto", "block", "bordered", "klu", "klu-full", "band", "dense", NULL};
+static const char *const solvers[] = {"auto", "block", "bordered", "klu", NULL};
 
 static const char *const orderings[] = {"auto", "amd", "colamd", "metis", NULL};
 

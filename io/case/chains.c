@@ -401,7 +401,7 @@ static const char *foreign(const SceneDef *def)
     if (def->solver.planar == PLANAR_ON) return "solver.planar: on";
     if (def->cable_on_cable) return "contact.cable_on_cable: a chain that touches itself";
     const LinKind kind = def->solver.linear.kind;
-    if (kind != LIN_AUTO && kind != LIN_KLU && kind != LIN_DENSE) return "solver.linear_solver, but for auto and klu";
+    if (kind != LIN_AUTO && kind != LIN_KLU) return "solver.linear_solver, but for auto and klu";
     return NULL;
 }
 

@@ -107,7 +107,7 @@ static const struct {
     {"contact.between_chains", "Whether several chains touch each other."},
     {"contact.c", "Damping at full depth."},
     {"contact.cable_friction", "Friction of cable on cable; what it leaves out is the case's. Only with cable_on_cable: true or several chains."},
-    {"contact.cable_on_cable", "Whether the cable touches itself: layers, crossings, loops; see docs/equipment.md, \"Cable on cable\". Needs solver.linear_solver auto, klu or dense."},
+    {"contact.cable_on_cable", "Whether the cable touches itself: layers, crossings, loops; see docs/equipment.md, \"Cable on cable\". Needs solver.linear_solver auto or klu."},
     {"contact.d", "Depth at which the damping is full."},
     {"contact.e", "Exponent; 1.5 is Hertz'."},
     {"contact.geometry", "The cable's contact line: smooth through the segments, or each segment a cylinder as in the paper."},

@@ -10,8 +10,6 @@
 #include "core/vec3.h"
 #include "linsolve/inertia.h"
 
-static NewtonFull *newton_full_free(NewtonFull *f);
-
 enum { POINT_ARRAYS = 17 }; /* from Newton.mass to w */
 
 /* Blocks and arrays for nw->n segments, masses 1; 0 if there is no memory (what there is stays for the free, which may
@@ -44,7 +42,7 @@ enum { BLOCK = 36 };
 hawser_status newton_extra_attach(Newton *nw, const BlockExtras *from, const LinOptions *options, hawser_error *err)
 {
     const LinKind kind = options->kind;
-    if (kind != LIN_AUTO && kind != LIN_BLOCK_SPARSE && kind != LIN_KLU && kind != LIN_DENSE) {
+    if (kind != LIN_AUTO && kind != LIN_BLOCK_SPARSE && kind != LIN_KLU) {
         return error_set(err, HAWSER_ERR_INPUT,
                          "solver.linear_solver '%s' cannot hold contact.cable_on_cable: take 'auto' or 'klu'",
                          linsolver_kind_name(kind));
@@ -217,181 +215,8 @@ static void newton_extra_checkpoint(Checkpoint *c, Newton *nw)
         if (next) linsolver_free(nw->solver);
         if (next) nw->solver = next;
     }
-    if (!extra->stale) linsolver_checkpoint(c, nw->solver, &m, NULL);
+    if (!extra->stale) linsolver_checkpoint(c, nw->solver, &m);
 }
-
-enum { P = STATE_P, Q = STATE_Q, U = STATE_V, SIZE = STATE_SIZE };
-
-struct NewtonFull {
-    SparseMatrix a;
-    LinSolver *solver;
-    double *x; /* [13n] in the matrix's order */
-};
-
-/* Whether the block of row segment i and column segment k has an entry at (r, c): the kinematic rows stay within their
- * own segment. */
-static int is_entry(int own, int r, int c)
-{
-    if (r >= U) return 1;
-    if (!own) return 0;
-    if (r < Q) return c == r || c == r + U;
-    return (c >= Q && c < U) || c >= STATE_W;
-}
-
-/* Column pointers and rows; with rows NULL only counts. Returns the number of entries. */
-static int pattern_fill(int n, int *p, int *rows)
-{
-    int count = 0;
-    for (int k = 0; k < n; ++k) {
-        for (int c = 0; c < SIZE; ++c) {
-            if (p) p[SIZE * k + c] = count;
-            for (int i = k > 0 ? k - 1 : 0; i <= k + 1 && i < n; ++i) {
-                for (int r = 0; r < SIZE; ++r) {
-                    if (!is_entry(i == k, r, c)) continue;
-                    if (rows) rows[count] = SIZE * i + r;
-                    ++count;
-                }
-            }
-        }
-    }
-    if (p) p[SIZE * n] = count;
-    return count;
-}
-
-/* Pattern and solver for the chain of nw. Errors: MEMORY. */
-static hawser_status newton_full_new(const Newton *nw, const LinOptions *options, NewtonFull **out, hawser_error *err)
-{
-    const int n = nw->n, count = pattern_fill(n, NULL, NULL);
-    assert(count > 0);
-    NewtonFull *f = calloc(1, sizeof *f);
-    *out = f;
-    if (!f) return error_memory(err);
-    f->a = (SparseMatrix){.n = SIZE * n,
-                          .p = malloc(((size_t)(SIZE * n) + 1) * sizeof(int)),
-                          .i = malloc((size_t)count * sizeof(int)),
-                          .x = calloc((size_t)count, sizeof(double))};
-    f->x = calloc((size_t)(SIZE * n), sizeof(double));
-    if (f->a.p && f->a.i && f->a.x && f->x) {
-        pattern_fill(n, f->a.p, f->a.i);
-        f->solver = linsolver_new_sparse(&f->a, options, err);
-    }
-    if (f->solver) return HAWSER_OK;
-    *out = newton_full_free(f);
-    return error_memory(err);
-}
-
-static NewtonFull *newton_full_free(NewtonFull *f)
-{
-    if (!f) return NULL;
-    linsolver_free(f->solver);
-    free(f->a.p);
-    free(f->a.i);
-    free(f->a.x);
-    free(f->x);
-    free(f);
-    return NULL;
-}
-
-static Quat quat_at(const Newton *nw, int i) { return (Quat){nw->q[0][i], nw->q[1][i], nw->q[2][i], nw->q[3][i]}; }
-
-/* The column of a product of quaternions for the unit quaternion e_c on the left (left = 1) or right of the other. */
-static Quat product_column(Quat q, int c, int left)
-{
-    const Quat unit = {c == 0, c == 1, c == 2, c == 3};
-    return left ? quat_mul(unit, q) : quat_mul(q, unit);
-}
-
-static double quat_part(Quat q, int r) { return r == 0 ? q.w : r == 1 ? q.x : r == 2 ? q.y : q.z; }
-
-/* Entry (r, c) of a kinematic row, r < U, of segment i (N1), (N2). */
-static double kinematic_entry(const Newton *nw, int i, int r, int c)
-{
-    const double gamma = nw->gamma;
-    if (r < Q) return c == r ? 1 : -gamma;
-    if (c < U) {
-        const Quat w = {0, nw->w[0][i], nw->w[1][i], nw->w[2][i]};
-        return (r == c) - gamma / 2 * quat_part(product_column(w, c - Q, 0), r - Q);
-    }
-    return -gamma / 2 * quat_part(product_column(quat_at(nw, i), 1 + c - STATE_W, 1), r - Q);
-}
-
-/* phi = turn . dq (rotation by a change of the quaternion): row-major 3x4, 2 vec(e_c q*) / q^2. */
-static void turn_of_quaternion(const Newton *nw, int i, double turn[12])
-{
-    const Quat q = quat_at(nw, i);
-    const double scale = 2 / (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-    for (int c = 0; c < 4; ++c) {
-        const Quat column = product_column(quat_conj(q), c, 1);
-        turn[c] = scale * column.x;
-        turn[4 + c] = scale * column.y;
-        turn[8 + c] = scale * column.z;
-    }
-}
-
-/* Entry (row r of the velocities, column c) of block row i, block column k. */
-static double motion_entry(const Newton *nw, const double turn[12], int i, int k, int r, int c)
-{
-    const int at = k == i ? 0 : k < i ? -1 : 1;
-    const double *const kb = (at == 0 ? nw->k.diag : at < 0 ? nw->k.lower : nw->k.upper) + 36 * i;
-    const double *const db = (at == 0 ? nw->d.diag : at < 0 ? nw->d.lower : nw->d.upper) + 36 * i;
-    if (c < Q) return -nw->gamma * kb[6 * c + r];
-    if (c < U) {
-        double sum = 0;
-        for (int e = 0; e < 3; ++e) sum += kb[6 * (3 + e) + r] * turn[4 * e + c - Q];
-        return -nw->gamma * sum;
-    }
-    double value = -nw->gamma * db[6 * (c - U) + r];
-    if (at == 0 && r < 3 && c - U == r) value += nw->mass[i];
-    if (at == 0 && r >= 3 && c >= STATE_W) value += nw->inertia[3 * (r - 3) + c - STATE_W][i];
-    return value;
-}
-
-/* Fills the values from nw's blocks for nw->gamma. */
-static void newton_full_form(NewtonFull *f, const Newton *nw)
-{
-    int e = 0;
-    for (int k = 0; k < nw->n; ++k) {
-        double turn[12];
-        turn_of_quaternion(nw, k, turn);
-        for (int c = 0; c < SIZE; ++c) {
-            for (; e < f->a.p[SIZE * k + c + 1]; ++e) {
-                const int i = f->a.i[e] / SIZE, r = f->a.i[e] % SIZE;
-                f->a.x[e] = r < U ? kinematic_entry(nw, i, r, c) : motion_entry(nw, turn, i, k, r - U, c);
-            }
-        }
-    }
-}
-
-/* As newton_factor, newton_solve. */
-static int newton_full_factor(NewtonFull *f) { return linsolver_factor_sparse(f->solver, &f->a); }
-
-/* The right-hand side in the matrix's order, velocity rows times the mass matrix. */
-static void gather(const NewtonFull *f, const Newton *nw, const double *b)
-{
-    const int n = nw->n;
-    for (int i = 0; i < n; ++i) {
-        double *const x = f->x + SIZE * i;
-        for (int c = 0; c < U + 3; ++c) x[c] = c < U ? b[c * n + i] : nw->mass[i] * b[c * n + i];
-        for (int c = 0; c < 3; ++c) {
-            x[STATE_W + c] = 0;
-            for (int e = 0; e < 3; ++e) x[STATE_W + c] += nw->inertia[3 * c + e][i] * b[(STATE_W + e) * n + i];
-        }
-    }
-}
-
-static int newton_full_solve(NewtonFull *f, const Newton *nw, double *b)
-{
-    gather(f, nw, b);
-    const int status = linsolver_solve(f->solver, f->x);
-    for (int i = 0; !status && i < nw->n; ++i) {
-        for (int c = 0; c < SIZE; ++c) b[c * nw->n + i] = f->x[SIZE * i + c];
-    }
-    return status;
-}
-
-static const LinSolver *newton_full_solver(const NewtonFull *f) { return f->solver; }
-
-static void newton_full_checkpoint(Checkpoint *c, NewtonFull *f) { linsolver_checkpoint(c, f->solver, NULL, &f->a); }
 
 /* What (SP11) and (SP12) need of one roller at the linearisation point. */
 typedef struct RollerPoint {
@@ -878,7 +703,7 @@ static void newton_leaves_checkpoint(Checkpoint *c, Newton *nw, EquipmentWork *w
         checkpoint_lack(c);
         return;
     }
-    if (nw->extra || nw->full) return;
+    if (nw->extra) return;
     hawser_error unused;
     nw->solver = linsolver_free(nw->solver);
     nw->solver = linsolver_new_newton(&nw->matrix, &nw->options, &unused);
@@ -889,22 +714,9 @@ static void newton_leaves_checkpoint(Checkpoint *c, Newton *nw, EquipmentWork *w
 static hawser_status solver_new(Newton *nw, hawser_error *err)
 {
     hawser_error mine = {0};
-    if (nw->options.kind == LIN_KLU_FULL) {
-        newton_full_new(nw, &nw->options, &nw->full, &mine);
-    } else {
-        nw->solver = linsolver_new_newton(&nw->matrix, &nw->options, &mine);
-    }
-    if (nw->solver || nw->full) return HAWSER_OK;
+    nw->solver = linsolver_new_newton(&nw->matrix, &nw->options, &mine);
+    if (nw->solver) return HAWSER_OK;
     return error_set(err, mine.status ? mine.status : HAWSER_ERR_MEMORY, "%s", mine.message);
-}
-
-static hawser_status equipment_new(Newton *nw, const Scene *scene, hawser_error *err)
-{
-    if (nw->options.kind != LIN_KLU_FULL) return newton_leaves_new(nw, scene->equipment, err);
-    return error_set(
-        err, HAWSER_ERR_INPUT,
-        "key 'solver.linear_solver': 'klu-full' cannot hold rollers that spin or stand on mounts: expected "
-        "auto, bordered or klu");
 }
 
 hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *options, hawser_error *err)
@@ -921,7 +733,7 @@ hawser_status newton_new(Newton *nw, const Scene *scene, const LinOptions *optio
     nw->matrix.chain = nw->a;
     nw->options = *options;
     hawser_status status = HAWSER_OK;
-    if (scene->equipment->n > 0) status = equipment_new(nw, scene, err);
+    if (scene->equipment->n > 0) status = newton_leaves_new(nw, scene->equipment, err);
     if (!status) status = solver_new(nw, err);
     if (status) newton_free(nw);
     return status;
@@ -971,7 +783,6 @@ void newton_free(Newton *nw)
     newton_parts_free(nw);
     nw->leaves = newton_leaves_free(nw->leaves);
     nw->solver = linsolver_free(nw->solver);
-    nw->full = newton_full_free(nw->full);
     nw->extra = newton_extra_free(nw->extra);
     memset(nw, 0, sizeof *nw);
 }
@@ -1067,30 +878,26 @@ void newton_form(Newton *nw, double gamma)
 {
     Split split = {.nw = nw};
     nw->gamma = gamma;
-    if (nw->full) {
-        newton_full_form(nw->full, nw);
-    } else {
-        both(form_job, &split);
-        if (nw->leaves) newton_leaves_form(nw);
-    }
+    both(form_job, &split);
+    if (nw->leaves) newton_leaves_form(nw);
     if (nw->extra) newton_extra_form(nw);
 }
 
 int newton_negative(const Newton *nw)
 {
-    if (nw->full || nw->extra || nw->leaves || nw->matrix.extras || nw->matrix.border) return -1;
+    if (nw->extra || nw->leaves || nw->matrix.extras || nw->matrix.border) return -1;
     return block_chain_negative(&nw->a);
 }
 
 int newton_factor(Newton *nw)
 {
     if (nw->extra) return newton_extra_factor(nw);
-    return nw->full ? newton_full_factor(nw->full) : linsolver_factor_newton(nw->solver, &nw->matrix);
+    return linsolver_factor_newton(nw->solver, &nw->matrix);
 }
 
 void newton_stats(const Newton *nw, LinStats *stats)
 {
-    linsolver_stats(nw->full ? newton_full_solver(nw->full) : nw->solver, stats);
+    linsolver_stats(nw->solver, stats);
     if (nw->extra) newton_extra_stats(nw->extra, stats);
 }
 
@@ -1123,16 +930,12 @@ static int solve_beside(Newton *nw, double *b)
 
 int newton_solve(Newton *nw, double *b)
 {
-    if (nw->full) return newton_full_solve(nw->full, nw, b);
     if (nw->extra || nw->leaves) return solve_beside(nw, b);
     Split split = {.nw = nw, .b = b};
     return linsolver_stream(nw->solver, &(LinStream){&split, rows_reduce, rows_expand}, nw->x);
 }
 
-void newton_rough(Newton *nw, int rough)
-{
-    if (!nw->full) linsolver_rough(nw->solver, rough);
-}
+void newton_rough(Newton *nw, int rough) { linsolver_rough(nw->solver, rough); }
 
 void newton_point_equipment(Newton *nw, const EquipmentWork *w, const double *y, double friction)
 {
@@ -1154,10 +957,6 @@ hawser_status newton_renew(Newton *nw, EquipmentWork *w, hawser_error *err)
 static void matrix_again(Newton *nw)
 {
     Split split = {.nw = nw};
-    if (nw->full) {
-        newton_full_form(nw->full, nw);
-        return;
-    }
     both(form_job, &split);
     if (nw->leaves) newton_leaves_form(nw);
 }
@@ -1174,9 +973,7 @@ void newton_checkpoint(Checkpoint *c, Newton *nw, EquipmentWork *w)
     if (c->reading && !c->status) matrix_again(nw);
     if (nw->extra) {
         newton_extra_checkpoint(c, nw);
-    } else if (nw->full) {
-        newton_full_checkpoint(c, nw->full);
     } else {
-        linsolver_checkpoint(c, nw->solver, &nw->matrix, NULL);
+        linsolver_checkpoint(c, nw->solver, &nw->matrix);
     }
 }

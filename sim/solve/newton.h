@@ -26,11 +26,10 @@ typedef struct Newton {
     double *z;                   /* [6n] gamma times position residual and eliminated rotation */
     double *x;                   /* [6n + extra] reduced right-hand side and solution */
     double gamma;                /* s, of a */
-    LinSolver *solver;           /* of the matrix; NULL if the full system is solved */
+    LinSolver *solver;           /* of the matrix */
     NewtonMatrix matrix;         /* a, and what the equipment adds */
     LinOptions options;          /* of the solver */
     struct NewtonLeaves *leaves; /* sim/solve/newton.h: rollers that move; NULL: none */
-    struct NewtonFull *full;     /* klu-full: the unreduced system; NULL otherwise */
     struct NewtonExtra *extra;   /* sim/solve/newton.h: blocks off the diagonals; NULL: none */
     Team *team;                  /* borrowed; NULL: one thread */
 } Newton;
@@ -64,13 +63,6 @@ static inline void newton_turn(double gamma, Vec3 w, double s[9])
 
 /* Those of the best instruction set. */
 ISA_KERNELS(NewtonKernels, newton_kernels)
-
-/* ----------------------------------------------------------------------------------------- the unreduced matrix */
-
-/* 13 unknowns a segment, for klu-full: a check of the reduction and the benchmark's other side. Unknowns of a segment
- * in the order position, quaternion, velocity, angular velocity; the velocity rows are multiplied by the mass matrix as
- * in (N5). docs/model.md, "Newton matrix" (N12). */
-typedef struct NewtonFull NewtonFull;
 
 /* Newton's matrix reduced to the velocities. CVODE asks for delta in (1 - gamma J) delta = b over all 13n rates;
  * positions and quaternions are eliminated exactly, which leaves (M - gamma D - gamma^2 K S) du = r, block tridiagonal

@@ -166,8 +166,6 @@ static int unknown_feature(const Scene *scene, char why[PLANE_WHY_MAX])
     }
     if (scene->def.output.n_probes > 0) return !refuse(why, "probes look at the chain in space");
     if (scene->chain.sliders.count > 0) return !refuse(why, "the cable bends with hysteresis");
-    if (scene->def.solver.linear.kind == LIN_KLU_FULL)
-        return !refuse(why, "solver.linear_solver klu-full takes the unreduced system in space");
     return 0;
 }
 
@@ -673,7 +671,7 @@ static void planar_newton_checkpoint(Checkpoint *c, PlanarNewton *nw)
     CHECKPOINT(c, nw->gamma);
     if (c->reading && !c->status) planar_newton_form(nw, nw->gamma);
     const NewtonMatrix m = {.chain = nw->a};
-    linsolver_checkpoint(c, nw->solver, &m, NULL);
+    linsolver_checkpoint(c, nw->solver, &m);
 }
 
 static int segments(const Planar *p) { return p->ps.chain.n; }

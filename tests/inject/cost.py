@@ -37,7 +37,6 @@ SCENES = {
     "2000 segments in space, KLU": chain(500, 0.25, "solver.planar=off", "solver.linear_solver=klu"),
     "three cables of 60 segments, with states": triangle(3, 0.05, "output.states=10 ms"),
     "three cables of 300 segments": triangle(3, 0.01, "output.states=0 s"),
-    "250 segments, dense": chain(50, 0.2, "solver.linear_solver=dense"),
 }
 
 

@@ -23,7 +23,7 @@ static const Scene scenes[] = {
     {"cases/huangjiahu.yaml", 2, NULL, NULL},
     {"cases/huangjiahu.yaml", 2, "solver.planar", "off"},
     {"cases/huangjiahu.yaml", 1, "solver.linear_solver", "klu"},
-    {"cases/straight.yaml", 3, "solver.linear_solver", "dense"},
+    {"cases/straight.yaml", 3, "solver.linear_solver", "block"},
     {"cases/winch-trip.yaml", 7, NULL, NULL},
     {"cases/winch-tension.yaml", 5, NULL, NULL},
     {"cases/reel.yaml", 12, NULL, NULL},

@@ -1,5 +1,6 @@
 /* What solvers say of themselves, by closed forms: growth wherever it is, entries of the factors, how often what was
  * done; and chains whose ends touch. */
+#include "linsolve/backend.h"
 #include "linsolve/linsolve.h"
 #include "tests/linsolve/beside_fixture.h"
 #include "tests/support/check.h"
@@ -88,36 +89,6 @@ TEST(growth_in_one_place)
     }
 }
 
-/* LAPACK's: the largest of the matrix over the largest of U; band and full storage. */
-TEST(lapack)
-{
-    enum { N = 4, SIZE = 3 * N };
-    static const LinKind kinds[] = {LIN_BAND, LIN_DENSE};
-    BlockChain a;
-    assert_true(block_chain_alloc(&a, N, 3));
-    const NewtonMatrix m = {.chain = a};
-    for (int k = 0; k < 2; ++k) {
-        for (double size = 1e-3; size < 1e4; size *= 1e3) {
-            for (int i = 0; i < SIZE; ++i) a.diag[i / 3 * 9 + i % 3 * 4] = size * (1 + 0.1 * i);
-            a.upper[0] = 0;
-            LinSolver *const s = solver_new(&m, kinds[k], 0);
-            LinStats stats = factored(s, &m);
-            check_share(stats.growth, 1, 1e-15);
-            assert_int_equal(stats.nonzeros, kinds[k] == LIN_DENSE ? SIZE * SIZE : SIZE * (2 * 5 + 5 + 1));
-            a.upper[0] = 10 * size; /* (0, 3), and under it 1 of 1: fills nothing, grows by 10 */
-            a.lower[9] = size;      /* (3, 0) */
-            stats = factored(s, &m);
-            check_share(stats.growth, 1, 1e-15); /* 1.3 - 10 is not beyond 10 */
-            a.lower[9] = -0.9 * size;
-            stats = factored(s, &m);
-            check_share(stats.growth, 10 / (1.3 + 9), 1e-14);
-            a.lower[9] = a.upper[0] = 0;
-            linsolver_free(s);
-        }
-    }
-    block_chain_free(&a);
-}
-
 /* (L14): KLU's old pivots serve while nothing grows, however small the pivots become; where they do, new ones are
  * taken from what the limit says on. Rows are scaled to their largest entry. */
 TEST(klu_pivots)
@@ -129,26 +100,27 @@ TEST(klu_pivots)
     for (int strict = 0; strict < 2; ++strict) {
         LinStats stats;
         memcpy(x, first, sizeof x);
-        LinSolver *const s = linsolver_new_sparse(
-            &a, &(LinOptions){.kind = LIN_KLU_FULL, .ordering = ORDER_AMD, .growth_limit = strict ? 1e4 : 1e6}, NULL);
-        assert_int_equal(linsolver_factor_sparse(s, &a), 0);
-        linsolver_stats(s, &stats);
+        void *const s =
+            klu_backend.make(&(LinMatrix){.sparse = &a, .groups = a.n},
+                             &(LinOptions){.kind = LIN_KLU, .ordering = ORDER_AMD, .growth_limit = strict ? 1e4 : 1e6});
+        assert_int_equal(klu_backend.factor(s, &(LinMatrix){.sparse = &a}), 0);
+        klu_backend.stats(s, &stats);
         check_close(stats.growth, 1, 1e-12);
         memcpy(x, small, sizeof x); /* pivots 1 and 2e-5 */
-        assert_int_equal(linsolver_factor_sparse(s, &a), 0);
-        linsolver_stats(s, &stats);
+        assert_int_equal(klu_backend.factor(s, &(LinMatrix){.sparse = &a}), 0);
+        klu_backend.stats(s, &stats);
         assert_int_equal(stats.fallbacks, 0);
         memcpy(x, grown, sizeof x); /* pivots 1e-5 and -1e5 */
-        assert_int_equal(linsolver_factor_sparse(s, &a), 0);
-        linsolver_stats(s, &stats);
+        assert_int_equal(klu_backend.factor(s, &(LinMatrix){.sparse = &a}), 0);
+        klu_backend.stats(s, &stats);
         assert_int_equal(stats.refactors, 2);
         assert_int_equal(stats.fallbacks, strict);
         check_share(stats.growth, strict ? 1 : 1e-5, 1e-9); /* measured anew */
         double y[2] = {1 + 1e-5, 1};
-        assert_int_equal(linsolver_solve(s, y), 0);
+        assert_int_equal(klu_backend.solve(s, 1, y), 0);
         check_close(y[0], 1, 1e-9);
         check_close(y[1], 1, 1e-9);
-        linsolver_free(s);
+        klu_backend.drop(s);
     }
 }
 

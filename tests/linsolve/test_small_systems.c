@@ -124,13 +124,13 @@ TEST(klu_entries)
             }
         }
         const SparseMatrix a = {.n = N, .p = p, .i = i, .x = x};
-        const LinOptions options = {.kind = LIN_KLU_FULL, .ordering = ORDER_AMD};
-        LinSolver *const s = linsolver_new_sparse(&a, &options, NULL);
+        const LinOptions options = {.kind = LIN_KLU, .ordering = ORDER_AMD};
+        void *const s = klu_backend.make(&(LinMatrix){.sparse = &a, .groups = a.n}, &options);
         LinStats stats;
-        assert_int_equal(linsolver_factor_sparse(s, &a), 0);
-        linsolver_stats(s, &stats);
+        assert_int_equal(klu_backend.factor(s, &(LinMatrix){.sparse = &a}), 0);
+        klu_backend.stats(s, &stats);
         assert_int_equal(stats.nonzeros, full ? N * N : N);
-        linsolver_free(s);
+        klu_backend.drop(s);
     }
 }
 
@@ -151,14 +151,14 @@ TEST(hub_goes_last)
             }
         }
         const SparseMatrix a = {.n = N, .p = p, .i = i, .x = x};
-        const LinOptions options = {.kind = LIN_KLU_FULL, .ordering = ORDER_METIS};
-        LinSolver *const s = linsolver_new_sparse(&a, &options, NULL);
+        const LinOptions options = {.kind = LIN_KLU, .ordering = ORDER_METIS};
+        void *const s = klu_backend.make(&(LinMatrix){.sparse = &a, .groups = a.n}, &options);
         LinStats stats;
-        assert_int_equal(linsolver_factor_sparse(s, &a), 0);
-        linsolver_stats(s, &stats);
+        assert_int_equal(klu_backend.factor(s, &(LinMatrix){.sparse = &a}), 0);
+        klu_backend.stats(s, &stats);
         assert_string_equal(stats.ordering, "metis");
         assert_int_equal(stats.nonzeros, 3 * N - 2);
-        linsolver_free(s);
+        klu_backend.drop(s);
     }
 }
 

@@ -8,33 +8,23 @@
 
 enum { ROWS = 9, SIZE = 6 * ROWS };
 
-/* A matrix in one of its two forms. */
-typedef struct Both {
-    const NewtonMatrix *newton;
-    const SparseMatrix *sparse;
-} Both;
-
-static LinSolver *solver_for(Both a, LinKind kind, LinOrdering ordering)
+static LinSolver *solver_for(const NewtonMatrix *a, LinKind kind, LinOrdering ordering)
 {
     hawser_error err = {0};
     const LinOptions options = {.kind = kind, .ordering = ordering, .threads = 1};
-    LinSolver *const s =
-        a.newton ? linsolver_new_newton(a.newton, &options, &err) : linsolver_new_sparse(a.sparse, &options, &err);
+    LinSolver *const s = linsolver_new_newton(a, &options, &err);
     if (!s) fail_msg("%s", err.message);
     return s;
 }
 
-static int factored(LinSolver *s, Both a)
-{
-    return a.newton ? linsolver_factor_newton(s, a.newton) : linsolver_factor_sparse(s, a.sparse);
-}
+static int factored(LinSolver *s, const NewtonMatrix *a) { return linsolver_factor_newton(s, a); }
 
-static Checkpoint written(LinSolver *s, Both a)
+static Checkpoint written(LinSolver *s, const NewtonMatrix *a)
 {
     Checkpoint c = checkpoint_new(0);
-    linsolver_checkpoint(&c, s, a.newton, a.sparse);
+    linsolver_checkpoint(&c, s, a);
     c = checkpoint_new(c.size);
-    linsolver_checkpoint(&c, s, a.newton, a.sparse);
+    linsolver_checkpoint(&c, s, a);
     assert_int_equal(c.status, HAWSER_OK);
     return c;
 }
@@ -70,13 +60,13 @@ static void same_stats(const LinSolver *one, const LinSolver *two)
 
 /* A solver for the pattern of a[0] factors the first `count` of a; read into another one for that pattern, both solve
  * and go on with a[last] alike. */
-static void goes_on(const Both *a, int count, int last, int size, LinKind kind, LinOrdering ordering)
+static void goes_on(const NewtonMatrix *const *a, int count, int last, int size, LinKind kind, LinOrdering ordering)
 {
     LinSolver *const s = solver_for(a[0], kind, ordering), *const to = solver_for(a[0], kind, ordering);
     for (int k = 0; k < count; ++k) assert_int_equal(factored(s, a[k]), 0);
-    const Both now = a[count > 0 ? count - 1 : 0];
+    const NewtonMatrix *const now = a[count > 0 ? count - 1 : 0];
     Checkpoint c = written(s, now), back = checkpoint_over(c.bytes, c.size, NULL);
-    linsolver_checkpoint(&back, to, now.newton, now.sparse);
+    linsolver_checkpoint(&back, to, now);
     checkpoint_end(&back);
     if (back.status) fail_msg("%s: %s", linsolver_kind_name(kind), back.fault);
     checkpoint_free(&c);
@@ -100,31 +90,19 @@ TEST(chains)
     static const double gamma[] = {0.02, 0.005, 0.001};
     BlockChain chain[3];
     NewtonMatrix m[3];
-    SparseAssembly s[3];
-    Both a[3], general[3];
+    const NewtonMatrix *a[3];
     for (int k = 0; k < 3; ++k) {
         uint64_t seed = 1;
         fixture_chain_cable(&chain[k], ROWS, 6, gamma[k], &seed);
         m[k] = (NewtonMatrix){.chain = chain[k]};
-        assert_true(sparse_assembly_new(&m[k], &s[k]));
-        sparse_assembly_refresh(&s[k], &m[k]);
-        a[k] = (Both){.newton = &m[k]};
-        general[k] = (Both){.sparse = &s[k].a};
+        a[k] = &m[k];
     }
     for (int count = 0; count < 3; ++count) {
-        static const LinKind kinds[] = {LIN_AUTO, LIN_BLOCK, LIN_BORDERED, LIN_BAND, LIN_DENSE, LIN_BLOCK_SPARSE};
+        static const LinKind kinds[] = {LIN_AUTO, LIN_BLOCK, LIN_BORDERED, LIN_BLOCK_SPARSE};
         for (size_t k = 0; k < sizeof kinds / sizeof *kinds; ++k) goes_on(a, count, 2, SIZE, kinds[k], ORDER_AUTO);
-        for (LinOrdering o = ORDER_AUTO; o <= ORDER_METIS; ++o) {
-            goes_on(a, count, 2, SIZE, LIN_KLU, o);
-            goes_on(general, count, 2, SIZE, LIN_KLU_FULL, o);
-        }
-        goes_on(general, count, 2, SIZE, LIN_AUTO, ORDER_AUTO);
-        goes_on(general, count, 2, SIZE, LIN_BAND, ORDER_AUTO);
+        for (LinOrdering o = ORDER_AUTO; o <= ORDER_METIS; ++o) goes_on(a, count, 2, SIZE, LIN_KLU, o);
     }
-    for (int k = 0; k < 3; ++k) {
-        sparse_assembly_free(&s[k]);
-        block_chain_free(&chain[k]);
-    }
+    for (int k = 0; k < 3; ++k) block_chain_free(&chain[k]);
 }
 
 /* Leaves that have moved since the solver was made, by one place each time. */
@@ -134,7 +112,7 @@ TEST(leaves)
     uint64_t seed = 2;
     Leaf leaf[PLACES][LEAVES];
     NewtonMatrix m[PLACES];
-    Both a[PLACES];
+    const NewtonMatrix *a[PLACES];
     BlockChain chain;
     double *value[LEAVES];
     fixture_chain_cable(&chain, ROWS, 6, 0.005, &seed);
@@ -150,11 +128,10 @@ TEST(leaves)
             }
         }
         m[p] = (NewtonMatrix){.chain = chain, .leaves = LEAVES, .leaf = leaf[p]};
-        a[p] = (Both){.newton = &m[p]};
+        a[p] = &m[p];
     }
     for (int count = 1; count <= PLACES; ++count) {
         goes_on(a, count, PLACES - 1, WHOLE, LIN_AUTO, ORDER_AUTO);
-        goes_on(a, count, PLACES - 1, WHOLE, LIN_DENSE, ORDER_AUTO);
         goes_on(a, count, 0, WHOLE, LIN_KLU, ORDER_AMD);
     }
     for (int l = 0; l < LEAVES; ++l) free(value[l]);
@@ -170,7 +147,7 @@ TEST(chains_beside)
     memset(b[0].live + b[0].count / 2, 0, (size_t)(b[0].count - b[0].count / 2));
     for (int e = b[0].count / 2; e < b[0].count; ++e) memset(b[0].value + BLOCK * e, 0, BLOCK * sizeof(double));
     const NewtonMatrix m[] = {matrix_of(&b[0], 1), matrix_of(&b[1], 1)};
-    const Both a[] = {{.newton = &m[0]}, {.newton = &m[1]}};
+    const NewtonMatrix *const a[] = {&m[0], &m[1]};
     goes_on(a, 1, 1, 12 * N, LIN_BLOCK_SPARSE, ORDER_AUTO);
     goes_on(a, 2, 0, 12 * N, LIN_BLOCK_SPARSE, ORDER_AUTO);
     beside_free(&b[0]);
@@ -186,7 +163,7 @@ TEST(helped)
     fixture_chain_random(&good, ROWS, 6, 12, &seed);
     memset(hard.diag, 0, 36 * sizeof(double));
     const NewtonMatrix m[] = {{.chain = hard}, {.chain = good}};
-    const Both a[] = {{.newton = &m[0]}, {.newton = &m[1]}};
+    const NewtonMatrix *const a[] = {&m[0], &m[1]};
     LinStats stats, klu;
     LinSolver *const s = solver_for(a[0], LIN_BLOCK, ORDER_AUTO), *const k = solver_for(a[0], LIN_KLU, ORDER_AMD);
     assert_int_equal(factored(s, a[0]), 0);
@@ -222,7 +199,8 @@ static unsigned char *piece(const Checkpoint *c, int k)
 enum { READY, BACKUP_USED, WAS_ROUGH, STATS, FACTORED, AGAIN, DECIDED, CANDIDATE, VALUES };
 
 /* What is said of a checkpoint read into a new solver for a, with piece k an int of this value; NULL: all is well. */
-static const char *fault_of(Both a, LinKind kind, int factorings, int k, int value, Both with)
+static const char *fault_of(const NewtonMatrix *a, LinKind kind, int factorings, int k, int value,
+                            const NewtonMatrix *with)
 {
     static char fault[sizeof((Checkpoint *)NULL)->fault];
     LinSolver *const s = solver_for(a, kind, ORDER_AMD), *const to = solver_for(a, kind, ORDER_AMD);
@@ -230,7 +208,7 @@ static const char *fault_of(Both a, LinKind kind, int factorings, int k, int val
     Checkpoint c = written(s, a);
     memcpy(piece(&c, k), &value, sizeof value);
     Checkpoint back = checkpoint_over(c.bytes, c.size, NULL);
-    linsolver_checkpoint(&back, to, with.newton, with.sparse);
+    linsolver_checkpoint(&back, to, with);
     memcpy(fault, back.fault, sizeof fault);
     checkpoint_free(&c);
     linsolver_free(s);
@@ -245,7 +223,7 @@ TEST(impossible)
     fixture_chain_random(&chain, ROWS, 6, 12, &seed);
     assert_true(block_chain_alloc(&zero, ROWS, 6));
     const NewtonMatrix m = {.chain = chain}, none = {.chain = zero};
-    const Both a = {.newton = &m}, nothing = {.newton = &none};
+    const NewtonMatrix *const a = &m, *const nothing = &none;
     for (int value = 0; value < 4; ++value) assert_null(fault_of(a, LIN_KLU, 1, CANDIDATE, value, a));
     check_has(fault_of(a, LIN_KLU, 1, CANDIDATE, 4, a), "no such ordering");
     check_has(fault_of(a, LIN_KLU, 1, CANDIDATE, -1, a), "no such ordering");
@@ -258,8 +236,7 @@ TEST(impossible)
     check_has(fault_of(a, LIN_KLU, 1, BACKUP_USED, 1, a), "nothing solves its Newton matrix");
     check_has(fault_of(a, LIN_BLOCK, 1, BACKUP_USED, 1, a), "nothing solves its Newton matrix");
     assert_null(fault_of(a, LIN_BLOCK, 1, READY, 1, a));
-    assert_null(fault_of(a, LIN_DENSE, 1, READY, 0, nothing));
-    check_has(fault_of(a, LIN_DENSE, 1, READY, 1, nothing), "its Newton matrix cannot be factored");
+    assert_null(fault_of(a, LIN_BLOCK, 1, READY, 0, nothing));
     check_has(fault_of(a, LIN_BLOCK, 1, READY, 1, nothing), "its Newton matrix cannot be factored");
 
     LinSolver *const s = solver_for(a, LIN_KLU, ORDER_AMD), *const to = solver_for(a, LIN_KLU, ORDER_AMD);
@@ -267,7 +244,7 @@ TEST(impossible)
     Checkpoint c = written(s, a);
     memset(piece(&c, VALUES), 0, (size_t)36 * sizeof(double));
     Checkpoint back = checkpoint_over(c.bytes, c.size, NULL);
-    linsolver_checkpoint(&back, to, a.newton, NULL);
+    linsolver_checkpoint(&back, to, a);
     check_has(back.fault, "its matrix has no pivots");
     assert_int_equal(back.status, HAWSER_ERR_INPUT); /* no lack of memory */
     checkpoint_free(&c);

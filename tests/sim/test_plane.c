@@ -91,10 +91,6 @@ TEST(test_refusals)
     expect_refusal(&def, "roller");
 
     def = planar_scene(0.3);
-    def.solver.linear.kind = LIN_KLU_FULL;
-    expect_refusal(&def, "klu-full");
-
-    def = planar_scene(0.3);
     def.cable_on_cable = 1;
     expect_refusal(&def, "touch itself");
 

@@ -163,7 +163,7 @@ static hawser_status followed(const Scene *none, double *sum, hawser_error *err)
 static hawser_status reported(const Scene *none, double *sum, hawser_error *err)
 {
     (void)none;
-    return pressed(STABILITY_REPORT, LIN_DENSE, sum, err);
+    return pressed(STABILITY_REPORT, LIN_KLU, sum, err);
 }
 
 TEST(test_critical)

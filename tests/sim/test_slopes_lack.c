@@ -116,8 +116,8 @@ static void every_allocation(Attempt *attempt, LinKind kind, int relax)
 TEST(test_run)
 {
     if (!lack_works()) skip();
-    every_allocation(along_a_run, LIN_DENSE, 0);
-    every_allocation(along_a_run, LIN_DENSE, 1);
+    every_allocation(along_a_run, LIN_KLU, 0);
+    every_allocation(along_a_run, LIN_KLU, 1);
     every_allocation(along_a_run, LIN_AUTO, 1);
 }
 

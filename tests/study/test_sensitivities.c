@@ -111,7 +111,7 @@ static hawser_sim *relaxed(const char *file, const char *key, double value, cons
     char text[64];
     snprintf(text, sizeof text, "%.17g %s", value, unit);
     if (hawser_case_load(file, c, &err) || hawser_case_set(*c, "solver.relax_tolerance", "1e-12", &err) ||
-        (strstr(file, "huangjiahu") && hawser_case_set(*c, "solver.linear_solver", "klu-full", &err)) ||
+        (strstr(file, "huangjiahu") && hawser_case_set(*c, "solver.planar", "off", &err)) ||
         (key && hawser_case_set(*c, key, text, &err)) || hawser_sim_new(*c, NULL, &sim, &err) ||
         hawser_sim_relax(sim, NULL, &err))
         fail_msg("%s", err.message);

@@ -155,39 +155,6 @@ static void define_klu(SceneDef *def)
     def->solver.linear.kind = LIN_KLU;
 }
 
-static void define_full(SceneDef *def)
-{
-    define_sticky(def);
-    def->solver.linear.kind = LIN_KLU_FULL;
-}
-
-static void define_dense_modes(SceneDef *def)
-{
-    define_modes(def);
-    def->solver.linear.kind = LIN_DENSE;
-}
-
-/* Six segments on a row of rollers: factors that are made in memory of their own at each step. */
-static void define_dense(SceneDef *def)
-{
-    row_scene(def, &(RowChoice){.segments = 6, .pitch = 1, .mu = 0.2});
-    def->solver.planar = PLANAR_OFF;
-    def->solver.linear.kind = LIN_DENSE;
-    def->duration = 3;
-}
-
-static void define_dense_esdirk(SceneDef *def)
-{
-    define_dense(def);
-    def->solver.method = METHOD_ESDIRK;
-}
-
-static void define_dense_positions(SceneDef *def)
-{
-    define_positions(def);
-    def->solver.linear.kind = LIN_DENSE;
-}
-
 typedef struct SceneKind {
     const char *name;
     void (*define)(SceneDef *);
@@ -211,11 +178,6 @@ static const SceneKind scenes[] = {
     {"chains that do not touch", define_lone_chains},
     {"ESDIRK", define_esdirk},
     {"KLU", define_klu, 1},
-    {"unreduced", define_full, 1},
-    {"dense", define_dense},
-    {"rod, modes, dense", define_dense_modes},
-    {"ESDIRK, dense", define_dense_esdirk},
-    {"positions, dense", define_dense_positions},
 };
 enum { SCENES = sizeof scenes / sizeof *scenes };
 
