@@ -1,7 +1,8 @@
-"""The manual page and the shells' completions, from what the program says with --help.
+"""The manual page, the shells' completions and docs/reference/commands.md, from the program's --help.
 
 Usage: help_pages.py PROGRAM FOLDER [--check]
-  writes hawser.1, hawser.bash and _hawser into FOLDER; with --check compares instead and exits with 1 if one is old.
+  writes hawser.1, hawser.bash and _hawser into FOLDER, and ../docs/reference/commands.md beside it; with --check compares
+  instead and exits with 1 if one is old.
 """
 import argparse
 import pathlib
@@ -101,6 +102,25 @@ def manual(about, version, commands, helps):
                 ".TP\n.B SOURCE_DATE_EPOCH\na report carries this time, in s since 1970, in place of that of its making\n"
                 ".SH SEE ALSO\nThe documents are in share/doc/hawser/docs: the format of cases in case\\-format.md, a first "
                 "pull in tutorial.md; example cases in share/doc/hawser/cases.\n")
+    return "".join(page)
+
+
+def cell(text):
+    return text.replace("|", "\\|")
+
+
+def reference(commands, helps):
+    """Every command with its options as tables, in Markdown."""
+    page = ["# Commands\n\nMade from `hawser COMMAND --help`. `hawser --version` prints the version.\n"]
+    for h in helps:
+        page.append(f"\n## {h.name}\n\n{commands[h.name][:1].upper() + commands[h.name][1:]}.\n\n```\n{h.usage}\n```\n")
+        page.extend(f"\n{paragraph}\n" for paragraph in h.before)
+        page.append("\n| option | meaning |\n|---|---|\n")
+        for o in h.options:
+            value = " KEY=VALUE" if o.value == "KEY" else f" {o.value}" if o.value else ""
+            names = ", ".join(f"`{name}{value}`" for name in (o.short, o.name) if name)
+            page.append(f"| {names} | {cell(' '.join(o.text))} |\n")
+        page.extend(f"\n{paragraph}\n" for paragraph in h.after)
     return "".join(page)
 
 
@@ -205,7 +225,7 @@ def main():
     args = parser.parse_args()
     about, version, commands, helps = read_program(args.program)
     pages = {"hawser.1": manual(about, version, commands, helps), "hawser.bash": bash(commands, helps),
-             "_hawser": zsh(commands, helps)}
+             "_hawser": zsh(commands, helps), "../docs/reference/commands.md": reference(commands, helps)}
     old = [n for n, text in pages.items() if not (args.folder / n).exists() or (args.folder / n).read_text() != text]
     if args.check:
         for name in old:

@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* asprintf */
 #include "io/case/case_read.h"
 
 #include <jansson.h>
@@ -1298,7 +1299,6 @@ static int is_plain(const Units *units, Dimension dimension)
 
 static void number_set(Writer *w, json_t *o, const CaseKey *key)
 {
-    char range[CASE_RANGE_MAX];
     const int plain = is_plain(w->units, key->dimension); /* without a unit 0 alone may stand elsewhere */
     put(w, o, "type", json_pack("[s,s]", "number", "string"));
     put(w, o, "pattern", json_string("[0-9]"));
@@ -1306,7 +1306,18 @@ static void number_set(Writer *w, json_t *o, const CaseKey *key)
     put(w, o, "maximum", json_real(plain ? key->max : 0));
     if (plain) put_text(w, o, "x-unit", dimension_unit(key->dimension));
     if (key->dimension != DIM_NONE) put_text(w, o, "x-quantity", dimension_name(key->dimension));
-    put_text(w, o, "description", case_range_text(key, range));
+}
+
+/* The meaning of a key, behind it the range of a number or the form of another value. */
+static void description_set(Writer *w, json_t *o, const CaseSection *section, const CaseKey *key)
+{
+    char more[CASE_RANGE_MAX + CASE_FORM_MAX] = "", *text = NULL;
+    const char *const meaning = case_key_meaning(section, key);
+    if (key->kind == KEY_NUMBER) case_range_text(key, more);
+    if (key->form || (key->kind == KEY_MAP && key->section)) case_form_text(key, more);
+    if (*meaning && asprintf(&text, *more ? "%s (%s)" : "%s", meaning, more) < 0) w->failed = 1;
+    put_text(w, o, "description", text ? text : more);
+    free(text);
 }
 
 /* A choice that is a number or a truth stands as one, too. */
@@ -1354,10 +1365,9 @@ static void any_set(Writer *w, json_t *o, const CaseKey *key)
                   "anyOf", ref_to(item), "type", "string", "number", "array", "type", "string", "number", "boolean"));
 }
 
-static json_t *key_json(Writer *w, const CaseKey *key)
+static json_t *key_json(Writer *w, const CaseSection *section, const CaseKey *key)
 {
     json_t *const o = json_object();
-    char form[CASE_FORM_MAX];
     switch (key->kind) {
     case KEY_NUMBER:
         number_set(w, o, key);
@@ -1389,7 +1399,7 @@ static json_t *key_json(Writer *w, const CaseKey *key)
         any_set(w, o, key);
         break;
     }
-    if (key->form || (key->kind == KEY_MAP && key->section)) put_text(w, o, "description", case_form_text(key, form));
+    description_set(w, o, section, key);
     put_text(w, o, "default", key->fallback);
     put_text(w, o, "x-absent", key->otherwise);
     return o;
@@ -1434,11 +1444,12 @@ static json_t *section_json(Writer *w, const CaseSection *section, int alone)
     for (int k = 0; k < section->n; ++k) {
         const CaseKey *const key = &section->key[k];
         int needed = key->required && all_here;
-        put(w, keys, key->name, key_json(w, key));
+        put(w, keys, key->name, key_json(w, section, key));
         synonyms_add(w, section, keys, key, &needed);
         if (needed) w->failed |= json_array_append_new(required, json_string(key->name)) < 0;
     }
     json_t *const o = json_pack("{s:s,s:o,s:b}", "type", "object", "properties", keys, "additionalProperties", 0);
+    put_text(w, o, "description", case_section_note(section));
     if (json_array_size(required) > 0) put(w, o, "required", json_incref(required));
     json_decref(required);
     return o;

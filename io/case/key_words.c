@@ -1,4 +1,4 @@
-/* Made by packaging/key_words.py of docs/case-format.md; not to be edited. */
+/* The meaning of every key of a case. docs/reference/case-keys.md, the schema and mock-up units show these words. */
 #include <stdio.h>
 #include <string.h>
 
@@ -32,7 +32,7 @@ static const struct {
     {".obstacles", "Boxes, edges and bell-mouths that the cable can rub on or catch on."},
     {".output", "What is written, and how often."},
     {".paper", "The simplified path of the paper's equations 3-10. Without it, the totals without capstan effect are taken along the route."},
-    {".reel", "What the cable comes from; see equipment.md, \"Reel\". With payout there is always a lead-in."},
+    {".reel", "What the cable comes from. With payout there is always a lead-in."},
     {".rod", "The chain as a rod with a shape of its own, in place of a route and all that belongs to a pull."},
     {".rollers", "What the cable rests on."},
     {".route", "The line on which the cable is meant to lie."},
@@ -107,7 +107,7 @@ static const struct {
     {"contact.between_chains", "Whether several chains touch each other."},
     {"contact.c", "Damping at full depth."},
     {"contact.cable_friction", "Friction of cable on cable; what it leaves out is the case's. Only with cable_on_cable: true or several chains."},
-    {"contact.cable_on_cable", "Whether the cable touches itself: layers, crossings, loops; see docs/equipment.md, \"Cable on cable\". Needs solver.linear_solver auto or klu."},
+    {"contact.cable_on_cable", "Whether the cable touches itself: layers, crossings, loops. Needs solver.linear_solver auto or klu."},
     {"contact.d", "Depth at which the damping is full."},
     {"contact.e", "Exponent; 1.5 is Hertz'."},
     {"contact.geometry", "The cable's contact line: smooth through the segments, or each segment a cylinder as in the paper."},
@@ -510,8 +510,8 @@ static const struct {
     {"route.tolerance", "How far the route may be off the file's line."},
     {"route.transition_radius", "Radius of the bends in the vertical plane that are put in where a straight has a slope of its own, and at corners of the profile. hawser check lists them."},
     {"route.units", "The file's unit of length, such as mm or ft, in place of what it says."},
-    {"run.analysis", "dynamics moves in time; static finds the equilibria on the way to the loads of the end; modes adds the vibrations about the last one: both need a rod, see rods.md. positions: steady motion with the cable's front at places of the route, each found by itself in a fraction of a second; see below."},
-    {"run.checkpoint", "Time on the wall between two checkpoints of a run with results; 0: none. A run that ends earlier writes none. See restart.md."},
+    {"run.analysis", "dynamics moves in time; static finds the equilibria on the way to the loads of the end; modes adds the vibrations about the last one: both need a rod. positions: steady motion with the cable's front at places of the route, each found by itself in a fraction of a second; see below."},
+    {"run.checkpoint", "Time on the wall between two checkpoints of a run with results; 0: none. A run that ends earlier writes none."},
     {"run.duration", "Simulated time; in load steps what the loads run through. Without it the winch's speed, ramp included, says how long the cable's front takes to the route's end (a metre where it lies there already); without a winch that sets a speed hawser run asks for it. A rod that moves in time always needs it."},
     {"run.keep_going", "A pull ends with status 3 at the first moment at which the cable lies beside one of its rollers at rest, or more than 2 m off its route: nothing that follows is of that pull. true goes on, for those who want to look; such a run is never trusted."},
     {"run.load_steps", "Equilibria, evenly spaced in time; smaller steps are taken in between where they are needed."},
@@ -521,7 +521,7 @@ static const struct {
     {"run.positions.from", "Place of the front at the first position."},
     {"run.positions.step", "Between positions; whole segments are quickest. Where something that goes with time has a corner, a table of the back tension say, there is a position besides."},
     {"run.positions.to", "At the last one."},
-    {"run.stability", "Where an equilibrium of static or modes stops being stable the load is found, and the run goes on with a stable one (follow) or with that which is not (report); ignore: nobody looks. See rods.md."},
+    {"run.stability", "Where an equilibrium of static or modes stops being stable the load is found, and the run goes on with a stable one (follow) or with that which is not (report); ignore: nobody looks."},
     {"run.steady_from", "Start of the steady window, over which means are taken; it ends with the run. Below duration."},
     {"run.tolerance", "Of an equilibrium: the largest unbalanced force as a share of the largest force, or what rounding allows."},
     {"solver.accuracy", "One number for all tolerances: smaller is more accurate and slower. auto is 1e-3, and a quarter of that in each finer pass."},
@@ -614,6 +614,55 @@ static const struct {
     /* clang-format on */
 };
 
+/* What holds of a section as a whole, by its path. */
+static const struct {
+    const char *path, *note;
+} notes[] = {
+    /* clang-format off */
+    {"bundle", "Several cables that are pulled together, in the theory and in a run: from then on all pieces of the chain before the rope are the one cable that stands for them. hawser check lists its terms and how the cables lie in each duct. drive.tail.tension is that of each cable, and of twisted ones of all; a reel with model: weight counts the weight of all. A bundle of loose cables is refused beside conveyors, a reel that turns or is touched, rollers with grooves and V or U trays; any beside medium and rod."},
+    {"cables.NAME", "With type the values of an entry of the catalogue stand in for what is not given: power: {type: xlpe-110kv-800-cu}. Of a cable without E, G and A, the rigidities that nobody gives are estimated from diameter, mass and, where it is known, the conductor; hawser check lists them with what they may be off by. The shorthand is the paper's eq. 2, for a solid round bar: EA = E A, GA = G A, GJ = G pi d^4/32, EI = E pi d^4/64, and mass = density A. What is given directly wins over it, item by item; each item must be known one way or the other."},
+    {"cables.NAME.damping_ratio", "Component by component; what is not given stays with damping and damping_factor."},
+    {"chain.N", "From the tail to the winch. The chain may have 200 000 segments."},
+    {"chains.NAME", "The name is of letters, digits, - and _. What a chain does not say is the case's."},
+    {"conveyors.N", "A straight machine with two belts that clamp the cable between from and to. Its largest force is 2 mu clamp, or limit if that is less."},
+    {"conveyors.N.belt", "Either speed and a ramp, or a table."},
+    {"drawing", "Equipment from a drawing (DXF: block insertions and points) or a table (CSV with columns layer or kind, name, and x, y, z or station). Each mark is projected onto the route and becomes what layers says, as if it were written in the case. hawser check lists layer by layer what was placed and what was not."},
+    {"drawing.layers.NAME", "Exactly one of rollers, conveyor, pit and mark."},
+    {"drive.script.N", "Each row is a command; it comes in over its ramp, is an event of the run, and the same can be given by a program while it runs."},
+    {"drive.tail", "Either tension and a ramp, or a table."},
+    {"drive.winch", "Either speed and a ramp, or a table, or a tension."},
+    {"drive.winch.tension", "Either force and a ramp, or a table. The head goes where the tension takes it: along the route's end direction, on which grip: clamp guides it. A brake holds it until t = 0."},
+    {"drive.winch.trip", "Give force or factor."},
+    {"jams.N", "A roller or a conveyor stops when at or head_at says, one of the two, and runs again when release or release_head_at says, one of the two or neither."},
+    {"launch", "How the chain moves as the run begins, after the relaxation; what is given adds up ((MD7), (MD8)). Only for dynamics, not beside a drum. A scene that has it is solved in space."},
+    {"limits", "What is allowed. Only with this section a pull is judged."},
+    {"limits.sheath", "Only counts with attachment: net."},
+    {"medium", "A fluid that fills all space, by equations (MD1) to (MD6). A scene that has one is solved in space."},
+    {"obstacles.N", "A fixed body that the cable can rub on or catch on: exactly one of box, edge and bell. The first two stand at a place of the route or have a centre. Results list it behind the rollers, as box NAME, edge NAME, bell DUCT entry or bell DUCT exit."},
+    {"output.stations", "A map of these two, or the list alone."},
+    {"paper.terms.N", "Each is either a slope or an arc."},
+    {"reel", "payout is a drum that the cable leaves in the course of the run; weight is the paper's allowance, a tail tension of so many metres of cable (its eq. 3). length, ramp, from and to belong to weight, model to both, the others to payout. Neither stands beside drive.tail. contact is a drum with all of the wound cable on it, every turn in contact, for short studies: it has the keys of payout but for v_s, end and back_tension, a brake with law: constant only, and no lead_in, and it needs contact: {geometry: cylinder, cable_on_cable: true} and solver: {relax: false}."},
+    {"reel.back_tension", "Either tension and a ramp, or a table."},
+    {"rod", "A chain without a route, for studies and validation."},
+    {"rod.loads.N", "Either force or moment."},
+    {"rod.tail.motion.N", "One of move, turn, speed and spin; the same under rod.head."},
+    {"rollers.along", "One row, or a list of rows (rollers.along.N). The cable's centre line at rest is meant to lie on the route, so a roller's centre is as far away from the route as the thickest cable sits on it (for a flat roller the sum of the radii): below it, square to its tangent, also in bends to the side. Its axis is level. A row of guides stands beside the route instead, with upright axes. Without where, a row begins at from and goes on in even steps. With where, and in rows of guides, each stretch that is meant (neighbouring bends, neighbouring straights, a range) is divided into equal parts no longer than spacing with a roller in the middle of each: rows for bends and for straights then fit together."},
+    {"rollers.along.groove", "The groove is in the middle of the roller; beyond its lips the roller is a cylinder. The thickest cable must fit into it."},
+    {"rollers.along.mount", "The place of a roller on a mount is where it stands without a cable, its own weight included. A row of stiffnesses is [500 kN/m, 500 kN/m, 1 MN/m, 20 kN m/rad, 20 kN m/rad, 20 kN m/rad], for instance."},
+    {"rollers.along.rule", "Rollers placed by rule. Roller, gap and rating are the row's."},
+    {"rollers.along.spin.motor", "One of torque, speed and factor. Positive is with the pull; about its own axis for a roller of the list. Speeds are those of the roller's surface at its radius."},
+    {"rollers.list.N", "A roller, wherever it is, may not be inside the cable as that lies on the route at the start: its surface must be at least the cable's radius less 1 mm from the line. Rollers come with all their rows first, then those of the list; 100 000 are allowed."},
+    {"route", "The line is given in one of four ways: pieces end to end, points with rounded corners or a spline through them, plan with a profile, or a file (below). Coordinates may be a surveyor's, of any size. A route out of a file. route: {file: tunnel.dxf, layer: CENTRE} takes the line from the drawing each time the case is read, so that a changed drawing changes the run. Read are DXF drawings, LandXML, IFC alignments, tables (CSV, TSV, .xlsx, .ods), GeoJSON, GPX, KML (KMZ) and shapefiles; which it is the file itself says. hawser route FILE lists the lines of a file, how long they are and what was not read. Where several could be meant, name or layer must say which; in a drawing the pieces of a layer are joined where their ends meet within join, and the longest line is taken if no other has a tenth of its length. Elements that join within 1 mm and 1 mrad are laid end to end as they are; other lines, and lines of points, are fitted by straights, arcs and clothoids; a gap between elements, or a jump of the profile, by more than tolerance is refused. In either case the route may be off the file's line by tolerance, else the case is refused. Corners that are left in a profile are rounded by transition_radius. A DWG drawing is saved as DXF first. A case that is a text has no folder, and names no files."},
+    {"route.pieces.N", "Each is a straight, a bend, a clothoid or a parabola, and begins where the one before it ends, in the same direction. A bend to the left or right keeps the grade on which it begins, as a helix whose radius and angle are those of its plan, unless grade: plane is said; an arc that begins level or upright lies in a plane anyway."},
+    {"route.plan.N", "The line as seen from above: each a line, an arc or a clothoid."},
+    {"route.profile", "A map of these, or the list of corners alone. Corners belong to a plan; with route.file the profile is another file: a table of station and height, an alignment over the same stations, points beside the line, or a drawn profile with stations along x and heights along y."},
+    {"run.positions", "run: {analysis: positions} answers what the winch pulls with over the position of the cable's front, and where it is worst, without integrating up to there (a tunnel of 880 m in seconds). At each position the chain lies along the route as it does at that time of the pull, moves at the winch's speed, and all friction acts against that; inertia is left out. Results: positions.csv, and every position is a row of series.csv. Means are over the positions' times."},
+    {"surfaces", "What the cable lies on along a length. Ducts and trays run along the route and share no stretch of it; they may begin where another ends. Results come with all ducts first, then trays, then planes; 1000 are allowed."},
+    {"surfaces.trays.N", "A section is level across, whatever the route does, which may not be steeper than 80 deg on a tray or in a duct with place: resting. A bend must be wider than the surface on the side of its centre."},
+    {"theory", "What hawser theory adds to the scene. cables and layout are older names for those of section bundle, and count in a run too; the dynamics does not see the others."},
+    /* clang-format on */
+};
+
 const char *case_key_meaning(const CaseSection *section, const CaseKey *key)
 {
     char path[CASE_FORM_MAX];
@@ -626,5 +675,12 @@ const char *case_key_meaning(const CaseSection *section, const CaseKey *key)
         if (order < 0) end = middle;
         if (order > 0) first = middle + 1;
     }
+    return "";
+}
+
+const char *case_section_note(const CaseSection *section)
+{
+    for (size_t k = 0; k < sizeof notes / sizeof *notes; ++k)
+        if (!strcmp(notes[k].path, section->path)) return notes[k].note;
     return "";
 }

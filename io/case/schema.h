@@ -115,8 +115,10 @@ hawser_status case_range_check(const CaseReader *r, const CaseNode *node, const 
 int case_word_place(const CaseNode *node, const char *const *word);
 /* The row of a key that the section is known to have. */
 const CaseKey *case_key_of(const CaseSection *section, const char *name);
-/* What it means, by docs/case-format.md; "": nothing is written of it. */
+/* Meaning of a key, from io/case/key_words.c; "": there is none. */
 const char *case_key_meaning(const CaseSection *section, const CaseKey *key);
+/* Text on a section as a whole, from the same file; "": there is none. */
+const char *case_section_note(const CaseSection *section);
 /* Adds to r->def->assumptions what of a file that node names is not in the route. Errors: MEMORY. */
 hawser_status case_unread_add(const CaseReader *r, const CaseNode *node, const char *what, long times);
 /* The same of what was found in the file, or estimated from it, and decides something. */

@@ -67,6 +67,17 @@ void file_write(const char *path, const char *text)
     assert_int_equal(fclose(f), 0);
 }
 
+void check_reference(const char *name, const char *text)
+{
+    char path[512];
+    snprintf(path, sizeof path, "%s/%s", HAWSER_SOURCE_DIR, name);
+    if (getenv("HAWSER_WRITE")) file_write(path, text);
+    char *const there = file_text(path);
+    const int same = !strcmp(there, text);
+    free(there);
+    if (!same) fail_msg("%s is not current: run this test with HAWSER_WRITE=1 in the environment", name);
+}
+
 const char *scratch_write(const char *name, const char *text)
 {
     const char *const path = scratch_path(name);

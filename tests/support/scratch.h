@@ -23,4 +23,8 @@ int folder_remove(const char *dir);
 char *file_text(const char *path);
 void file_write(const char *path, const char *text);
 
+/* Fails unless the file of the project, named from its root, is this text; with HAWSER_WRITE in the environment the
+ * text is written there. */
+void check_reference(const char *name, const char *text);
+
 #endif
