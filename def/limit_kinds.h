@@ -1,7 +1,7 @@
 /* Every limit once, by rows that whoever includes this file reads. From them come the public enumeration (made by
  * tests/house/check_kinds.py --update from the comments here), names and units (def/limits.c), the case's keys
  * (io/case/case_read.c), the bounds that are one number (def/limits.c) and what would mend them
- * (io/api/api_answer.c). No include guard: define the rows that are wanted, then include it. docs/limits.md.
+ * (io/api/api_answer.c). No include guard: define the rows that are wanted, then include it. docs/reference/limits.md.
  *
  *     LIMIT(KIND, name, unit, traits)            rows stay in their order; new ones come behind
  *     LIMIT_KEY(KIND, key, dimension, ...)       the case's own bound, section `limits`; default and range as a CaseKey

@@ -1,5 +1,5 @@
 /* The table of codes: every value once, with its clause. A value of which no public source was found is not here, or is
- * marked; docs/limits.md has the sources in full. */
+ * marked; docs/reference/limits.md has the sources in full. */
 #include "def/limits.h"
 
 #include <math.h>

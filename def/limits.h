@@ -1,5 +1,5 @@
 /* What codes, practices and makers allow: one table of rules, each with its clause and how well it is known. The
- * limits' sources, docs/limits.md and the page are made from it. */
+ * limits' sources, docs/reference/limits.md and the page are made from it. */
 #ifndef HAWSER_DEF_LIMITS_H
 #define HAWSER_DEF_LIMITS_H
 

@@ -273,7 +273,7 @@ hawser_status cannot_be_pulled(const Setup *setup, int moves, hawser_error *err)
     return status ? status : rollers_check(setup, err);
 }
 
-/* Whether theory is calculated with all that the case says. docs/limits.md, "Trust". */
+/* Whether theory is calculated with all that the case says. docs/reference/limits.md, "Trust". */
 
 /* Names and units by kind, and what holds; those of a run alone are in sim/run/trust.c. */
 static const struct {

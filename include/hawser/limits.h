@@ -1,5 +1,5 @@
 /* Whether a pull is safe: part of hawser/hawser.h, which includes it. What each limit means, and where its values come
- * from, is in docs/limits.md. */
+ * from, is in docs/reference/limits.md. */
 #ifndef HAWSER_LIMITS_H
 #define HAWSER_LIMITS_H
 

@@ -26,7 +26,7 @@ typedef struct hawser_pass {
     double wall_time_s;
 } hawser_pass;
 
-/* Why a run was computed again with finer settings, or not (docs/limits.md, "Finer passes"). */
+/* Why a run was computed again with finer settings, or not (docs/reference/limits.md, "Finer passes"). */
 typedef struct hawser_passes {
     /* "replaced": figures are the last pass's; "compared": the first's, as the case gives settings, with error bars
      * from all; "failed", "declined": the first's alone */

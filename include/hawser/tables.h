@@ -130,7 +130,7 @@ typedef enum hawser_condition_kind {
     HAWSER_CONDITION_STIFFNESS          /* of theory: bending stiffness breaks no limit */
 } hawser_condition_kind;
 
-/* A condition under which a run is worth judging (docs/limits.md, "Trust"). */
+/* A condition under which a run is worth judging (docs/reference/limits.md, "Trust"). */
 enum { HAWSER_CONDITIONS_MAX = 32 };
 typedef struct hawser_condition {
     const char *name; /* "energy"; lives for ever */

@@ -782,7 +782,7 @@ static void say_failing(Words *w, const Certifier *z)
     }
 }
 
-/* The conditions of the run that fail (docs/limits.md, "Trust"); returns how many. */
+/* The conditions of the run that fail (docs/reference/limits.md, "Trust"); returns how many. */
 static int say_conditions(Words *w, const hawser_summary *sum)
 {
     int n = 0;

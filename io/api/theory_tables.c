@@ -599,7 +599,7 @@ typedef struct NoteRow {
 static const Column note_column[] = {{COLUMN("note", CHARS, NoteRow, text), .label = "note"}};
 static const Columns note_columns = COLUMNS(NoteRow, note_column);
 
-static const double COLD = -10, FREEZING = 0; /* degrees Celsius; docs/limits.md, "Cold" */
+static const double COLD = -10, FREEZING = 0; /* degrees Celsius; docs/reference/limits.md, "Cold" */
 
 /* What of a file is not in the route, if there is something. 1: a note. */
 static int unread_say(const SceneDef *def, char *text, size_t room)

@@ -120,7 +120,7 @@ static int sharing_find(const Scene *scene, const hawser_summary *figures, doubl
     return out->share >= 0;
 }
 
-/* What is allowed: figures of docs/limits.md, "Trust". */
+/* What is allowed: figures of docs/reference/limits.md, "Trust". */
 static const double ENERGY = 0.01, MOMENTUM = 0.01; /* shares of what goes through, of the largest impulse */
 
 static const double DAMPED = 0.01; /* of what moves, by the steps in time alone */

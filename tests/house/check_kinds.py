@@ -1,5 +1,5 @@
 """A kind of limit or condition is said once: limits by the rows of def/limit_kinds.h, conditions of trust by the tables of
-sim/run/trust.c and theory/conditions.c. From these are the public enumerations; docs/limits.md has a word on each.
+sim/run/trust.c and theory/conditions.c. From these are the public enumerations; docs/reference/limits.md has a word on each.
 
 Usage: check_kinds.py ROOT [--update]     (--update: writes the enumerations)
 The comment of a row says what the kind is. Numbers stay: limits follow their rows, conditions that are new come behind.
@@ -9,7 +9,7 @@ import sys
 
 import tree
 
-LIMITS, CONDITIONS, DOCUMENT = "def/limit_kinds.h", ("sim/run/trust.c", "theory/conditions.c"), "docs/limits.md"
+LIMITS, CONDITIONS, DOCUMENT = "def/limit_kinds.h", ("sim/run/trust.c", "theory/conditions.c"), "docs/reference/limits.md"
 LIMIT = re.compile(r'(?:/\* ((?:(?!\*/).)*?) \*/\n)?^LIMIT\((\w+), "(\w+)"', re.M | re.S)
 CONDITION = re.compile(r'\[HAWSER_CONDITION_(\w+)\]\s*=\s*\{"(\w+)",\s*"[^"]+"\},(?:\s*/\* ((?:(?!\*/).)*?) \*/)?', re.S)
 ENUM = r"(typedef enum hawser_%s_kind \{\n)(.*?)(\} hawser_%s_kind;)"
