@@ -1,4 +1,4 @@
-"""Reads the tables of a results folder (docs/results.md); for the scripts that draw them. Standard library only."""
+"""Reads the tables of a results folder (docs/reference/results.md); for the scripts that draw them. Standard library only."""
 import csv
 import json
 import math

@@ -16,5 +16,5 @@ results=results/${name%.*}
 sh scripts/setup.sh
 sh scripts/build.sh release hawser
 build/release/cli/hawser run "$case_file" -o "$results" --report
-echo "Results: $(pwd)/$results (docs/results.md explains every file)"
+echo "Results: $(pwd)/$results (docs/reference/results.md explains every file)"
 echo "The report, for any browser: $(pwd)/$results/report.html"

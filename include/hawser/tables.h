@@ -15,7 +15,7 @@ typedef struct hawser_figure {
     double value; /* in the unit that `key` ends in */
 } hawser_figure;
 
-/* A machine of which a run keeps figures; docs/results.md says which, by kind. */
+/* A machine of which a run keeps figures; docs/reference/results.md says which, by kind. */
 typedef struct hawser_machine {
     const char *kind; /* "conveyors"; machines of a kind stand together */
     const char *name;

@@ -36,7 +36,8 @@ void sheet_json(const Sheet *sheet, int n, const int *row, Text *out);
  * is least and largest; the last row. `row` has room for `most` + 3; returns how many. A series of at most `most` rows
  * is kept. */
 int sheet_thin(const Sheet *sheet, int column, int most, int *row);
-/* A results folder as it is read back: docs/results.md says what is in each file. Only summary.json must be there. */
+/* A results folder as it is read back: docs/reference/results.md says what is in each file. Only summary.json must be
+ * there. */
 
 struct json_t;
 

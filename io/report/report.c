@@ -250,8 +250,8 @@ void states_clear(States *s)
     *s = (States){0};
 }
 
-/* The sets are those of docs/results.md, "results.h5"; the keys those of docs/report.md. A list of things is a struct
- * of arrays in the file and an array of objects on the page. */
+/* The sets are those of docs/reference/results.md, "results.h5"; the keys those of docs/report.md. A list of things is
+ * a struct of arrays in the file and an array of objects on the page. */
 
 /* Significant digits: a millimetre on ten kilometres. */
 enum { DIGITS = 8, SURFACES_MOST = 10000 };

@@ -1,6 +1,6 @@
 /* A results folder, written while the run goes on: series.csv, results.h5 and results.xdmf grow;
  * stations.csv, rollers.csv and summary.json are filled at the end (until then summary.json says "running").
- * Memory stays constant. docs/results.md describes every file. */
+ * Memory stays constant. docs/reference/results.md describes every file. */
 #ifndef HAWSER_IO_RESULTS_RESULTS_H
 #define HAWSER_IO_RESULTS_RESULTS_H
 

@@ -192,7 +192,7 @@ hawser_status series_make(Series *series, const ResultsDef *def, hawser_error *e
 /* The columns' names, flushed; and a row. Errors: OUTPUT. */
 hawser_status series_head(OutFile *out, const Series *series, hawser_error *err);
 hawser_status series_row(OutFile *out, const Series *series, const hawser_sample *sample, hawser_error *err);
-/* Of results.h5; docs/results.md, "Formats", says what has changed with each. */
+/* Of results.h5; docs/reference/results.md, "Formats", says what has changed with each. */
 enum { STATES_FORMAT = 2 };
 
 /* ------------------------------------------------------------------------------------------------- results.h5 */
@@ -225,8 +225,8 @@ extern const int envelope_sets;
 #define STATES_FILE "states.hawser"
 #endif
 
-/* The sampled states, one row a state, readable while the run goes on. docs/results.md lists what is in it. HDF5 stays
- * silent: what goes wrong comes back as a status. */
+/* The sampled states, one row a state, readable while the run goes on. docs/reference/results.md lists what is in it.
+ * HDF5 stays silent: what goes wrong comes back as a status. */
 typedef struct H5File H5File;
 
 /* Creates dir/results.h5 with everything that does not change. Errors: OUTPUT, MEMORY. */

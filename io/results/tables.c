@@ -1,5 +1,5 @@
-/* What stands above a column says what it is: docs/results.md and Python's tables have it from here. One without has
- * that of the column before it. (tests/house/check_columns.py)
+/* What stands above a column says what it is: docs/reference/results.md and Python's tables have it from here. One
+ * without has that of the column before it. (tests/house/check_columns.py)
  *
  * stations.csv, rollers.csv and modes.csv, which are small and written once, at the end; inputs.csv and route.csv,
  * which are known at the start. */

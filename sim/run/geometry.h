@@ -28,7 +28,7 @@ typedef struct SkinPlace {
 
 /* What stands around the cable, as plain data for those who draw it: the route, rollers, obstacles, ducts and trays,
  * conveyors, the reel and the winch, and the chain's own sizes. Lengths in m, all coordinates those of the results;
- * what moves stands where it begins. docs/results.md, "results.h5", lists it set by set. */
+ * what moves stands where it begins. docs/reference/results.md, "results.h5", lists it set by set. */
 
 /* A line through these points leaves the route by at most the first; never more points than the second. */
 #define GEOMETRY_SAGITTA 0.01

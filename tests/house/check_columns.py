@@ -1,4 +1,4 @@
-"""A column is said once, in the tables of io/results: from these are the tables of docs/results.md, the types of the page's
+"""A column is said once, in the tables of io/results: from these are the tables of docs/reference/results.md, the types of the page's
 data (web/src/columns.ts) and what Python says of the columns of results (python/hawser/_columns.py).
 
 Usage: check_columns.py ROOT [--update]     (--update: writes them)
@@ -18,7 +18,7 @@ KIND = re.compile(r"^, (NUMBER|COUNT|LONG|TEXT|CHARS|FLAG|VECTOR)\b|\.kind = COL
 OF = re.compile(r", (\w+)_columns\)")
 UNITS = (("_N_per_m", "N/m"), ("_m_per_s", "m/s"), ("_rad_per_s", "rad/s"), ("_per_m", "1/m"), ("_N_m", "N m"), ("_per_s", "1/s"),
          ("_rad", "rad"), ("_Hz", "Hz"), ("_pct", "%"), ("_N", "N"), ("_m", "m"), ("_s", "s"))
-DOCUMENT, SCRIPT, PYTHON = "docs/results.md", "web/src/columns.ts", "python/hawser/_columns.py"
+DOCUMENT, SCRIPT, PYTHON = "docs/reference/results.md", "web/src/columns.ts", "python/hawser/_columns.py"
 PART = re.compile(r"(<!-- columns of (\w+) -->\n)(.*?)(<!-- end -->)", re.S)
 FILES = {"station": "stations.csv", "roller": "rollers.csv", "input": "inputs.csv", "route": "route.csv",
          "place": "positions.csv", "shape": "modes.csv"}

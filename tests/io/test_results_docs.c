@@ -1,5 +1,5 @@
-/* docs/results.md says the same as the tables that the writers go over: every column and set with its unit, every key
- * of summary.json, and in the tables of CSV columns nothing else. */
+/* docs/reference/results.md says the same as the tables that the writers go over: every column and set with its unit,
+ * every key of summary.json, and in the tables of CSV columns nothing else. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,7 +13,7 @@ enum { PART_MAX = 1 << 16, NAME_ROOM = 200, ROW_ROOM = 4000 };
 static void part_of(const char *heading, char part[PART_MAX])
 {
     static char doc[1 << 18];
-    FILE *f = fopen(HAWSER_SOURCE_DIR "/docs/results.md", "r");
+    FILE *f = fopen(HAWSER_SOURCE_DIR "/docs/reference/results.md", "r");
     assert_non_null(f);
     const size_t n = fread(doc, 1, sizeof doc - 1, f);
     fclose(f);
