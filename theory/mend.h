@@ -19,7 +19,8 @@ hawser_status solved_make(const SceneDef *own, const Company *company, int forwa
 void solved_free(Solved *s);
 /* Values that a case does not give and that its limits depend on: friction, friction at rest, back tension, radii of
  * changes of slope. Each limit
- * is judged at the unfavourable end of the usual range of one of them at a time. docs/reference/limits.md, "What is assumed". */
+ * is judged at the unfavourable end of the usual range of one of them at a time. docs/reference/limits.md, "What is
+ * assumed". */
 
 typedef enum AssumedKind {
     ASSUMED_RADIUS,   /* of changes of slope: it has no range, and a limit that it breaks asks for a wider one */

@@ -1,5 +1,6 @@
 /* Certificates: whether the figures of a run hold when it is computed again with finer settings; part of
- * hawser/hawser.h, which includes it. What is refined and what the numbers mean is in docs/reference/limits.md, "Certify". */
+ * hawser/hawser.h, which includes it. What is refined and what the numbers mean is in docs/reference/limits.md,
+ * "Certify". */
 #ifndef HAWSER_CERTIFY_H
 #define HAWSER_CERTIFY_H
 

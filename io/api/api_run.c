@@ -457,7 +457,8 @@ hawser_status pass_resume(hawser_sim *s, const OutDir *dir, hawser_progress prog
 }
 
 /* A whole run: one pass, and up to two more with finer settings where nothing is left open but numerical errors.
- * docs/model.md, "Error bars" (EB19), (EB20), (EB27) to (EB30); what a user needs to know of it is in docs/reference/limits.md.
+ * docs/model.md, "Error bars" (EB19), (EB20), (EB27) to (EB30); what a user needs to know of it is in
+ * docs/reference/limits.md.
  */
 
 /* Evaluations times segments, of which a pass takes about so many times as many as the one before (the median of 341

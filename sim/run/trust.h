@@ -1,5 +1,5 @@
-/* Whether a run is worth judging: named conditions, each with its figure and what is allowed. docs/reference/limits.md, "Trust".
- * A run of which one fails is never called safe. */
+/* Whether a run is worth judging: named conditions, each with its figure and what is allowed. docs/reference/limits.md,
+ * "Trust". A run of which one fails is never called safe. */
 #ifndef HAWSER_SIM_RUN_TRUST_H
 #define HAWSER_SIM_RUN_TRUST_H
 
