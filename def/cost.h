@@ -1,5 +1,5 @@
-/* What a run is going to cost, before anything of it is made: memory, disk and time. docs/reliability.md has how far
- * these are from what was measured. */
+/* Estimate of the memory, disk and time of a run, before anything is built. tests/inject/cost.py compares the memory
+ * with measured values. */
 #ifndef HAWSER_DEF_COST_H
 #define HAWSER_DEF_COST_H
 

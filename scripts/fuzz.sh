@@ -117,7 +117,6 @@ if [ $keep = yes ]; then
     for ledger in build/fuzz/ledger.csv build/afl/ledger.csv; do
         [ ! -f $ledger ] || python3 scripts/fuzz_ledger.py keep $ledger
     done
-    python3 scripts/fuzz_ledger.py table
     exit 0
 fi
 found=$(find $build/found -type f \( -path '*/crashes/id*' -o -path '*/hangs/id*' -o -path "build/fuzz/*" \) | wc -l)

@@ -2,9 +2,8 @@
 """Runs a fuzzer and adds a row to a ledger: what was tried, for how long, with how many inputs.
 
 Usage: fuzz_ledger.py run LEDGER TARGET ENGINE LOG FOUND COMMAND...    the fuzzer's output goes to LOG; FOUND: folder of what it found
-       fuzz_ledger.py keep LEDGER...     sums of these by target into the tree's own ledger (tests/fuzz/ledger.csv), and takes them away
-       fuzz_ledger.py table [--check]    a table of the tree's own ledger into docs/reliability.md; --check: whether it is there
-       fuzz_ledger.py sum LEDGER...      the same of others, on standard output
+       fuzz_ledger.py keep LEDGER...     adds the sums of these by target to the tree's own ledger (tests/fuzz/ledger.csv) and removes them
+       fuzz_ledger.py sum LEDGER...      prints a table of the sums by target
 """
 import collections
 import csv
@@ -15,13 +14,10 @@ import subprocess
 import sys
 import time
 
-from document import replace_between
-
 FIELDS = ["end_utc", "target", "engine", "inputs", "processor_s", "clock_s", "found", "status"]
 KEPT = ["end_utc", "commit", "target", "engine", "inputs", "processor_s", "found"]
 TREE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 OWN = os.path.join(TREE, "tests", "fuzz", "ledger.csv")
-PAGE = os.path.join(TREE, "docs", "reliability.md")
 
 
 def inputs_of(log, found):
@@ -126,18 +122,5 @@ def total(*ledgers):
     return 0
 
 
-def table(check=None):
-    with open(PAGE, encoding="utf-8") as file:
-        text = file.read()
-    new = replace_between(text, "fuzzing", by_target(rows_of(OWN)))
-    if check:
-        if new != text:
-            print("docs/reliability.md does not have the sums of tests/fuzz/ledger.csv: python3 scripts/fuzz_ledger.py table")
-        return int(new != text)
-    with open(PAGE, "w", encoding="utf-8") as file:
-        file.write(new)
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit({"run": run, "sum": total, "keep": keep, "table": table}[sys.argv[1]](*sys.argv[2:]))
+    sys.exit({"run": run, "sum": total, "keep": keep}[sys.argv[1]](*sys.argv[2:]))

@@ -246,7 +246,7 @@ static const double deflate_above = 32e6;
 
 /* HDF5 does not survive an allocation that fails: it reads through NULL, or ends the program. So it is asked before
  * whether there is memory for what it may take until it returns, bytes and bytes a segment or roller
- * (docs/reliability.md has what it took), and as much is kept for closing the file. */
+ * (docs/reliability.md), and as much is kept for closing the file. */
 enum { ROOM = 4 << 20, ROOM_EACH = 256 };
 
 struct H5File {
