@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs the validation suite and writes its tables into docs/validation.md.
+# Runs the validation suite and writes its tables into docs/validation-tables.md.
 # Usage: sh scripts/validation.sh [PROGRAM]     (PROGRAM: build/release/cli/hawser)
 set -eu
 export LC_ALL=C
@@ -13,5 +13,5 @@ trap 'rm -f "$results"' EXIT
 status=0
 "$program" validate --format csv >"$results" || status=$?
 [ "$status" -le 1 ] || exit "$status"
-python3 scripts/validation_tables.py "$results" docs/validation.md
+python3 scripts/validation_tables.py "$results" docs/validation-tables.md
 exit "$status"
