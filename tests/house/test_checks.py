@@ -4,7 +4,6 @@ import sys
 import tempfile
 import unittest
 
-import check_adding
 import check_causes
 import check_documents
 import check_equations
@@ -195,41 +194,6 @@ class Causes(unittest.TestCase):
                          self.check(f" *   {'a fall':47} here, it_falls, it_stands\n"))
         self.assertEqual(["tests/io/test_trust.c: 'a fall': there is no tests/io/test_b.c"], self.check(f" *   {'a fall':47} io/test_b, it_falls\n"))
         self.assertEqual(1, len(self.check("")))
-
-
-class Adding(unittest.TestCase):
-    FILES = {"sim/belt.c": "int belt_force;\n", "io/keys.c": 'int k = "Belt";\n', "core/a.c": "/* no belt */\n"}
-    LIST = "- `io/keys.c`: its keys\n- `sim/belt.c`: the belt\n"
-
-    def tree(self, rows, word="belt"):
-        return Tree({**self.FILES, "docs/adding.md": f"# Adding\n<!-- files with {word} -->\n{rows}<!-- end -->\nmore\n"})
-
-    def check(self, rows, word="belt"):
-        return self.tree(rows, word).complaints(check_adding.check)
-
-    def test_the_list_of_the_tree(self):
-        self.assertEqual([], self.check(self.LIST))
-
-    def test_missing_and_too_many(self):
-        found = self.check("- `core/a.c`: nothing\n- `sim/belt.c`: the belt\n")
-        self.assertEqual(["docs/adding.md: belt: io/keys.c is missing", "docs/adding.md: belt: core/a.c does not belong there",
-                          "the list expected:\n- `io/keys.c`\n- `sim/belt.c`: the belt\n"], found)
-
-    def test_each_file_says_what_goes_there(self):
-        self.assertEqual(["docs/adding.md: belt: says nothing about io/keys.c"],
-                         self.check("- `io/keys.c`\n- `sim/belt.c`: the belt\n"))
-
-    def test_an_example_that_is_gone(self):
-        self.assertEqual(1, len(self.check("", word="drum")))
-        self.assertEqual(1, len(Tree({"docs/adding.md": "# Adding\n"}).complaints(check_adding.check)))
-
-    def test_update_keeps_what_is_told(self):
-        tree = self.tree("- `core/a.c`: nothing\n- `sim/belt.c`: the belt\n")
-        check_adding.update(tree.folder.name)
-        with open(os.path.join(tree.folder.name, "docs/adding.md"), encoding="utf-8") as file:
-            self.assertEqual("# Adding\n<!-- files with belt -->\n- `io/keys.c`\n- `sim/belt.c`: the belt\n<!-- end -->\nmore\n",
-                             file.read())
-        tree.folder.cleanup()
 
 
 class Architecture(unittest.TestCase):
