@@ -14,12 +14,12 @@
 #include "core/machine.h"
 #include "sim/dynamics.h"
 #include "sim/equipment/winch.h"
+#include "sim/run/sample.h"
 #include "sim/solve/integrator.h"
 #include "sim/solve/newton.h"
 #include "sim/solve/relax.h"
 #include "sim/solve/scales.h"
 #include "sim/solve/vector_kernels.h"
-#include "sim/watch/sample.h"
 
 static const double GAMMA = 0.01; /* s, of a BDF step of order 2 in the steady pull */
 

@@ -4,8 +4,8 @@
 
 #include <sundials/sundials_nvector.h>
 
+#include "sim/run/sample.h"
 #include "sim/solve/planar.h"
-#include "sim/watch/sample.h"
 
 typedef struct PlaneBench {
     Workspace ws;

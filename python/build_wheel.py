@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 
-# Libraries of which the library for mock-up units has the code in it, where Debian's static ones can be moved (fmi/unit/CMakeLists.txt).
+# Libraries of which the library for mock-up units has the code in it, where Debian's static ones can be moved (fmi/CMakeLists.txt).
 INSIDE = ("libsundials-dev", "libsuitesparse-dev", "libexpat1-dev", "libyaml-dev", "libjansson-dev", "libzip-dev", "zlib1g-dev", "libshp-dev")
 
 

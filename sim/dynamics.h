@@ -117,7 +117,7 @@ hawser_status dynamics_refresh(const Scene *scene, Workspace *ws, double t, cons
 /* New candidate pairs for the kinematics in the workspace. Errors: MEMORY. */
 hawser_status dynamics_find_candidates(const Scene *scene, Workspace *ws, hawser_error *err);
 /* ---- The terms of the balances at one state, from what the equations of motion have computed there
- * (sim/watch/balance.c). docs/model.md, "Balances" (BA1)-(BA8). */
+ * (sim/run/balance.c). docs/model.md, "Balances" (BA1)-(BA8). */
 /* Adds what the last evaluation of the equations of motion has summed on its way, rooms aside: joints, lead-in. */
 void balance_gather(const Workspace *ws, BalanceRates *out);
 /* All rates of a chain in space: those just named at the last evaluation, the others at (t, y), for which the

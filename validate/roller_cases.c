@@ -1,7 +1,7 @@
 /* A cable over single rollers: how friction turns with it, and how it hangs between them. */
 #include <math.h>
 
-#include "sim/watch/stats.h"
+#include "sim/run/stats.h"
 #include "theory/closed_form.h"
 #include "validate/validate.h"
 

@@ -7,7 +7,7 @@
 #include "core/bushing.h"
 #include "core/error.h"
 #include "sim/equipment/rod.h"
-#include "sim/watch/sample.h"
+#include "sim/run/sample.h"
 
 static void vector_copy(double to[3], const double *from) { memcpy(to, from, 3 * sizeof *to); }
 

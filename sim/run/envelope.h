@@ -4,8 +4,8 @@
 #ifndef HAWSER_SIM_RUN_ENVELOPE_H
 #define HAWSER_SIM_RUN_ENVELOPE_H
 
-#include "sim/watch/sample.h"
-#include "sim/watch/stats.h"
+#include "sim/run/sample.h"
+#include "sim/run/stats.h"
 
 /* [n] each; NAN: there was none. The mean is over time, each value standing for the time since the last one. */
 typedef struct Extremes {

@@ -39,7 +39,7 @@ int together_stepped(struct Together *all);
 void together_peak(struct Together *all);
 /* N, at that one's head: of its winch, or what joins it to its rope, by the kinematics of now. */
 double together_pull(const struct Together *all, const Sim *of);
-/* How far they lie inside each other at t (s), and each inside itself (sim/watch/passing.h). */
+/* How far they lie inside each other at t (s), and each inside itself (sim/run/passing.h). */
 void together_overlap(const struct Together *all, Overlap *overlap, double t);
 /* Adds the `more` conditions of another chain, or its limits, to the n of those before; of what both have the worse
  * stays, with the name of its chain: a bundle of which one cable has fallen off its rollers is no better for the

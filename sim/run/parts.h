@@ -10,10 +10,10 @@
 #include "sim/run/peaks.h"
 #include "sim/run/positions.h"
 #include "sim/run/quasi_data.h"
+#include "sim/run/sample.h"
 #include "sim/run/stage.h"
 #include "sim/run/stall.h"
 #include "sim/run/trust.h"
-#include "sim/watch/sample.h"
 #include "theory/stiffness.h"
 
 /* Whom a simulation calls; NULL: nobody. */

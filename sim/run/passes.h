@@ -6,7 +6,7 @@
 #define HAWSER_SIM_RUN_PASSES_H
 
 #include "hawser/hawser.h"
-#include "sim/watch/stats.h"
+#include "sim/run/stats.h"
 
 enum { PASSES_MAX = 3 };
 

@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "sim/equipment/reel.h"
 #include "sim/equipment/winch.h"
-#include "sim/watch/sample.h"
+#include "sim/run/sample.h"
 #include "theory/findings.h"
 
 static const double NEW = 1e-2; /* share of the largest load so far, above which another look is worth it */

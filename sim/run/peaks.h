@@ -5,9 +5,9 @@
 
 #include "core/checkpoint.h"
 #include "core/vec3.h"
+#include "sim/run/stats.h"
 #include "sim/scene.h"
 #include "sim/time_mean.h"
-#include "sim/watch/stats.h"
 #include "theory/expected.h"
 
 typedef struct Borne {

@@ -10,9 +10,9 @@
 #include "sim/equipment/reel.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
+#include "sim/run/sample.h"
+#include "sim/run/stats.h"
 #include "sim/solve/relax.h"
-#include "sim/watch/sample.h"
-#include "sim/watch/stats.h"
 #include "theory/expected.h"
 
 /* m beyond the way that the front has come: so far from it the chain goes on lying as it did there, segment by segment,

@@ -19,9 +19,9 @@
 #include "sim/run/look.h"
 #include "sim/run/modes.h"
 #include "sim/run/quasi.h"
+#include "sim/run/sample.h"
 #include "sim/run/statics.h"
 #include "sim/run/trust.h"
-#include "sim/watch/sample.h"
 #include "theory/conditions.h"
 
 static const double GRADE_LOST = M_PI / 180; /* rad, in one bend, that nobody should be surprised by */

@@ -5,10 +5,10 @@
 
 #include "core/chain.h"
 #include "core/state.h"
+#include "sim/run/balance.h"
 #include "sim/solve/integrator.h"
 #include "sim/solve/planar.h"
 #include "sim/solve/scales.h"
-#include "sim/watch/balance.h"
 
 /* Copies segments first..first+n-1 with their joints. What lies beyond the head keeps its length and its joint, as the
  * last segment that was taken in does (RL16); the tail's joint is free unless it is the whole chain's. Returns 0 if
@@ -37,7 +37,7 @@ void window_map(const WindowMove *move, int extra, int is_state, const double *f
 typedef struct Stability {
     int unstable; /* motions that grow from the last one; -1: not counted */
     int swings;   /* they swing while they grow: flutter, from which no way leads down */
-    int turned;   /* a joint has turned too far in one of them (sim/watch/sample.h) */
+    int turned;   /* a joint has turned too far in one of them (sim/run/sample.h) */
     double dt;    /* s, the step that stands for infinity in Newton's method; 0: not chosen yet */
     int n, room;
     hawser_critical *critical; /* [n], owned, and so are their shapes */

@@ -7,8 +7,8 @@
 #include "core/error.h"
 #include "sim/equipment/rod.h"
 #include "sim/run/modes.h"
+#include "sim/run/sample.h"
 #include "sim/solve/relax.h"
-#include "sim/watch/sample.h"
 
 /* A motion that grows so slowly beside its swing that a damping ratio of as much would hold it does not count: round
  * sections under a dead torque flutter at any load if nothing damps them. */

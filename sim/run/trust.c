@@ -9,8 +9,8 @@
 #include "sim/equipment/rollers.h"
 #include "sim/equipment/winch.h"
 #include "sim/run/peaks.h"
-#include "sim/watch/sample.h"
-#include "sim/watch/stats.h"
+#include "sim/run/sample.h"
+#include "sim/run/stats.h"
 #include "theory/findings.h"
 
 static const double LENGTH = 1e-4; /* m: nobody knows where a cable lies, and no mesh, to less */

@@ -5,7 +5,7 @@
 
 #include "hawser/hawser.h"
 #include "sim/dynamics.h"
-#include "sim/watch/passing.h"
+#include "sim/run/passing.h"
 #include "theory/stiffness.h"
 
 /* Of half a roller's width, that the cable may lie off its middle at rest. */
@@ -74,7 +74,7 @@ typedef struct TrustFacts {
     const hawser_summary *figures; /* with their error bars */
     int n_limits;                  /* what the case allows, against these figures; 0: it does not say */
     const hawser_limit *limit;
-    int turned;                       /* sim/watch/sample.h */
+    int turned;                       /* sim/run/sample.h */
     int unstable;                     /* motions that grow from an equilibrium of statics; -1: not counted */
     const hawser_quasi_static *still; /* what positions have moved; NULL: nothing could be */
     double push_share; /* of positions: the largest compression over the largest tension of the same one */

@@ -5,8 +5,8 @@
 
 #include <stddef.h>
 
-#include "fmi/standard/fmi2.h"
-#include "fmi/standard/fmi3.h"
+#include "fmi/fmi2.h"
+#include "fmi/fmi3.h"
 
 typedef struct FmuVariable {
     char name[128], causality[32], variability[32], type[32], unit[16], start[64];

@@ -9,9 +9,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "fmi/model/model.h"
-#include "fmi/standard/fmi2.h"
-#include "fmi/standard/fmi3.h"
+#include "fmi/fmi2.h"
+#include "fmi/fmi3.h"
+#include "fmi/model.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/patches.h"
 

@@ -19,7 +19,7 @@ FILES = {
     "cli/inspect.c": "theory --crew FILE: named by the user",
     "cli/main.c": "/dev/null",
     "cli/pdf.c": "/dev/null; the PDF beside its name, new and under a random one",
-    "fmi/archive/archive.c": "an archive, which the user names; its own temporary folder",
+    "fmi/archive.c": "an archive, which the user names; its own temporary folder",
     "io/case/library.c": "the catalogue",
     "io/results/results_file.c": "the folder itself, which the user names, and those above it",
     "io/case/yaml.c": "a case, which the user names",

@@ -19,7 +19,7 @@ LIBRARIES = [
     (r"hdf5\w*\.h$", r"io/|study/table\.c"),
     (r"zlib\.h$", r"io/report/"),
     (r"nlopt\.h$", r"study/maths\.c"),
-    (r"zip\.h$", r"fmi/archive/|survey/sheet\.c|io/api/job\.c"),
+    (r"zip\.h$", r"fmi/archive\.c|survey/sheet\.c|io/api/job\.c"),
     (r"shapefil\.h$", r"survey/shape\.c"),
     (r"mpi\.h$", r"mpi/"),
 ]

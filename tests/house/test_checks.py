@@ -88,10 +88,6 @@ class Includes(unittest.TestCase):
                             "sim/solve/s.h": ""})
         self.assertEqual(["sim/b.c:1", "sim/equipment/a.h:1"], [c.split(": ")[0] for c in found])
 
-    def test_sideways_within_a_folder(self):
-        self.assertEqual(1, len(self.check({"fmi/unit/a.c": '#include "fmi/archive/b.h"\n', "fmi/archive/b.h": ""})))
-        self.assertEqual(1, len(self.check({"fmi/archive/a.c": '#include "fmi/unit/b.h"\n', "fmi/unit/b.h": ""})))
-
     def test_a_folder_that_is_not_in_the_list(self):
         found = self.check({"sim/odd/a.c": ""})
         self.assertEqual(["sim/odd/a.c: its folder is not in the list of docs/architecture.md"], found)

@@ -2,7 +2,7 @@
  * shorter segments; and they are not so wide that they say nothing. */
 #include "tests/io/case_fixture.h"
 
-#include "sim/watch/stats.h"
+#include "sim/run/stats.h"
 
 static hawser_summary pulled(const char *data, const char *const *settings)
 {

@@ -1,6 +1,6 @@
 /* The statistics of a run on signals whose means, ripple and peaks are known. */
-#include "sim/watch/sample.h"
-#include "sim/watch/stats.h"
+#include "sim/run/sample.h"
+#include "sim/run/stats.h"
 #include "tests/support/scene.h"
 
 enum { N = FIXTURE_SEGMENTS, STATIONS = 3 };

@@ -1,6 +1,6 @@
 /* How far a step may carry the chain (N14), and what has turned too far to be followed (B16). */
+#include "sim/run/sample.h"
 #include "sim/solve/scales.h"
-#include "sim/watch/sample.h"
 #include "tests/support/rig.h"
 
 static Rig *pull(void)

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "fmi/standard/fmi3.h"
+#include "fmi/fmi3.h"
 
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
@@ -109,7 +109,7 @@ fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 now, fmi3Float64 step, 
 #define NO_VARIABLE_IS(NAME)                                                                                           \
     DENIED(Get##NAME, const fmi3ValueReference vr[], size_t n, fmi3##NAME value[], size_t n_values)                    \
     DENIED(Set##NAME, const fmi3ValueReference vr[], size_t n, const fmi3##NAME value[], size_t n_values)
-#include "fmi/standard/fmi3_denied.h"
+#include "fmi/fmi3_denied.h"
 NO_VARIABLE_IS(Int32)
 NO_VARIABLE_IS(Int64)
 NO_VARIABLE_IS(Boolean)

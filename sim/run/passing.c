@@ -1,4 +1,4 @@
-#include "sim/watch/passing.h"
+#include "sim/run/passing.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "sim/equipment/rod.h"
 #include "sim/equipment/winch.h"
-#include "sim/watch/stats.h"
+#include "sim/run/stats.h"
 
 enum { LOOKS = 16 };                 /* at the cable in a run, besides its start */
 static const double ALONG = 0.1;     /* sin^2 between line and axis: below it the line runs along the roller */

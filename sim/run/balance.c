@@ -1,4 +1,4 @@
-#include "sim/watch/balance.h"
+#include "sim/run/balance.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* Named places of the chain whose motion and forces are wanted. docs/model.md, "Rods" (RD9). */
-#ifndef HAWSER_SIM_WATCH_SAMPLE_H
-#define HAWSER_SIM_WATCH_SAMPLE_H
+#ifndef HAWSER_SIM_RUN_SAMPLE_H
+#define HAWSER_SIM_RUN_SAMPLE_H
 
 #include <math.h>
 

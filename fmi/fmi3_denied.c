@@ -1,8 +1,8 @@
 /* Calls of version 3.0 that the description denies: types that no variable has, events, clocks, derivatives,
  * configuration, model exchange, scheduled execution. All are there, since importers look them up when they load the
  * library; one that keeps to the description calls none of them, another gets an error with a message. */
-#include "fmi/standard/fmi3.h"
-#include "fmi/unit/unit.h"
+#include "fmi/fmi3.h"
+#include "fmi/unit.h"
 
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
@@ -24,4 +24,4 @@
     {                                                                                                                  \
         return (fmi3Status)unit_denied(c, "fmi3" #NAME);                                                               \
     }
-#include "fmi/standard/fmi3_denied.h"
+#include "fmi/fmi3_denied.h"

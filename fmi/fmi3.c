@@ -1,10 +1,10 @@
 /* Version 3.0 of the interface: each call checks what the standard asks of it and passes it on to the unit. */
-#include "fmi/standard/fmi3.h"
+#include "fmi/fmi3.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "fmi/unit/unit.h"
+#include "fmi/unit.h"
 
 /* What an importer holds. */
 typedef struct Instance3 {

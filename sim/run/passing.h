@@ -1,7 +1,7 @@
 /* Whether the cable has got through something: on which side of each roller it was, and that it is on the free side of
  * each surface. docs/reference/limits.md, "Trust". */
-#ifndef HAWSER_SIM_WATCH_PASSING_H
-#define HAWSER_SIM_WATCH_PASSING_H
+#ifndef HAWSER_SIM_RUN_PASSING_H
+#define HAWSER_SIM_RUN_PASSING_H
 
 #include "contact/self.h"
 #include "sim/dynamics.h"

@@ -1,4 +1,4 @@
-#include "fmi/unit/unit.h"
+#include "fmi/unit.h"
 
 #include <assert.h>
 #include <ctype.h>

@@ -11,7 +11,7 @@
 #include <zip.h>
 
 #include "core/error.h"
-#include "fmi/model/model.h"
+#include "fmi/model.h"
 #include "io/api/api_handles.h"
 #include "io/case/library.h"
 #include "io/case/yaml.h"

@@ -1,13 +1,13 @@
 /* What the figures of a run may be off by: of the steps in time, of the mesh, of friction that vanishes at rest. From
  * what a run sees of itself, without a second one. docs/model.md, "Error bars". */
-#ifndef HAWSER_SIM_WATCH_STATS_H
-#define HAWSER_SIM_WATCH_STATS_H
+#ifndef HAWSER_SIM_RUN_STATS_H
+#define HAWSER_SIM_RUN_STATS_H
 
 #include "hawser/hawser.h"
+#include "sim/run/balance.h"
 #include "sim/scene.h"
 #include "sim/solve/scales.h"
 #include "sim/time_mean.h"
-#include "sim/watch/balance.h"
 #include "theory/stiffness.h"
 
 /* What all figures of a run share: parts of a force, and of its wavering, 1. */

@@ -1,4 +1,4 @@
-#include "sim/watch/stats.h"
+#include "sim/run/stats.h"
 
 #include <math.h>
 #include <stdlib.h>

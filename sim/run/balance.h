@@ -1,7 +1,7 @@
 /* The balances of energy and momentum of a run: what was done to the motion since t = 0 against what is there.
  * docs/model.md, "Balances". */
-#ifndef HAWSER_SIM_WATCH_BALANCE_H
-#define HAWSER_SIM_WATCH_BALANCE_H
+#ifndef HAWSER_SIM_RUN_BALANCE_H
+#define HAWSER_SIM_RUN_BALANCE_H
 
 #include "hawser/hawser.h"
 #include "sim/solve/motion.h"

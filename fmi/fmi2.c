@@ -1,11 +1,11 @@
 /* Version 2.0 of the interface: each call checks what the standard asks of it and passes it on to the unit. */
-#include "fmi/standard/fmi2.h"
+#include "fmi/fmi2.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "fmi/unit/unit.h"
+#include "fmi/unit.h"
 
 /* What an importer holds. */
 typedef struct Instance2 {

@@ -1,4 +1,4 @@
-#include "fmi/model/model.h"
+#include "fmi/model.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-#include "sim/watch/sample.h"
+#include "sim/run/sample.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -313,7 +313,7 @@ static void taken_take(SampleBuffers *b, const Scene *scene, const hawser_sample
 }
 
 /* Fills the rows of the segments that are not simulated, before the first and behind the last that is
- * (sim/watch/sample.c). Wound segments lie in their layers on the drum, which turns, and move with its surface;
+ * (sim/run/sample.c). Wound segments lie in their layers on the drum, which turns, and move with its surface;
  * those taken in are all where the rope is held. Both have tension 0. Without SAMPLE_ALL only speeds and
  * tensions. docs/model.md, "Reel and take-in". */
 static void absent_take(SampleBuffers *b, const Scene *scene, const hawser_sample *sample, SampleParts parts)

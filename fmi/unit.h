@@ -3,7 +3,7 @@
 #ifndef HAWSER_FMI_UNIT_UNIT_H
 #define HAWSER_FMI_UNIT_UNIT_H
 
-#include "fmi/model/model.h"
+#include "fmi/model.h"
 
 /* How a call went; the numbers are those of fmi2Status and fmi3Status. */
 typedef enum Outcome { GOES_WELL, GOES_WITH_A_WORD, REFUSED, FAILED, BROKEN } Outcome;
