@@ -1,5 +1,5 @@
-/* What the pictures of docs/routes.md show, as text for scripts/routes_pictures.py: a known route of 20 pieces, points
- * on it with 10 mm of noise, and what is fitted to them. */
+/* What the pictures of docs/guide/routes-from-files.md show, as text for scripts/routes_pictures.py: a known route of
+ * 20 pieces, points on it with 10 mm of noise, and what is fitted to them. */
 #include <math.h>
 #include <stdio.h>
 

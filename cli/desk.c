@@ -13,7 +13,7 @@ static const char help[] =
     "Usage: hawser desk [CASE] [options]\n"
     "\n"
     "Writes the desk, one HTML file that calculates pulls in any browser without hawser and without a network\n"
-    "(docs/desk.md), with the text of CASE in it, and opens it where there is a screen. Files that the case names\n"
+    "(docs/guide), with the text of CASE in it, and opens it where there is a screen. Files that the case names\n"
     "(a route, a drawing) are not in it: open them on the desk as well.\n"
     "\n"
     "  -o, --output FILE       where it goes (default: CASE's name with -desk.html, or desk.html)\n"

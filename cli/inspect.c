@@ -272,7 +272,7 @@ static const char help[] =
     "Finds the fewest caterpillars or intermediate winches, and the fewest pits, with which all limits of the pull "
     "hold,\n"
     "and where they stand; each proposal is calculated again with all limits. Also says how much lubricant its ducts\n"
-    "take. docs/equipment.md says more.\n"
+    "take. docs/guide/plan-a-duct.md says more.\n"
     "\n"
     "      --push FORCE        what one machine takes off at most, '5 kN' (default: theory.machine_push; without\n"
     "                          either pits alone)\n"

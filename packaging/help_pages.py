@@ -101,7 +101,7 @@ def manual(about, version, commands, helps):
                 "friction and reels\n.TP\n.B HAWSER_ISA\nthe instruction set of the kernels: generic, avx2 or avx512\n"
                 ".TP\n.B SOURCE_DATE_EPOCH\na report carries this time, in s since 1970, in place of that of its making\n"
                 ".SH SEE ALSO\nThe documents are in share/doc/hawser/docs: the format of cases in case\\-format.md, a first "
-                "pull in tutorial.md; example cases in share/doc/hawser/cases.\n")
+                "pull in guide/first\\-pull.md; example cases in share/doc/hawser/cases.\n")
     return "".join(page)
 
 

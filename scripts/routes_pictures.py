@@ -1,4 +1,4 @@
-"""The pictures of docs/routes.md from what bench/fit_figures.c computes: docs/img/fit-*.svg.
+"""The pictures of docs/guide/routes-from-files.md from what bench/fit_figures.c computes: docs/img/fit-*.svg.
 
 Usage: routes_pictures.py PROGRAM     (bench_fit_figures of a build; from the root)
 """

@@ -1,4 +1,4 @@
-/* Tables of a route: text or a sheet with names over the columns. docs/routes.md has the names. */
+/* Tables of a route: text or a sheet with names over the columns. docs/formats.md has the names. */
 #ifndef HAWSER_SURVEY_TABLE_H
 #define HAWSER_SURVEY_TABLE_H
 

@@ -1,5 +1,5 @@
 /* A simulation's whole state, kept and gone on from; part of hawser/hawser.h, which includes it. What follows is, bit
- * for bit, what would have followed without it. docs/restart.md. */
+ * for bit, what would have followed without it. docs/formats.md. */
 #ifndef HAWSER_CHECKPOINT_H
 #define HAWSER_CHECKPOINT_H
 

@@ -103,8 +103,8 @@ int hawser_sim_places(const struct hawser_sim *s, const struct hawser_place **ou
 hawser_status hawser_sim_route_length(const struct hawser_sim *s, double *length_m, hawser_error *err);
 hawser_status hawser_sim_route_at(const struct hawser_sim *s, double s_m, hawser_route_place *out, hawser_error *err);
 
-/* Of several chains that are pulled together (docs/bundles.md) the simulation is that of the first, and moves all of
- * them. How many there are; 1: it is alone. */
+/* Of several chains that are pulled together (docs/guide/several-cables.md) the simulation is that of the first, and
+ * moves all of them. How many there are; 1: it is alone. */
 int hawser_sim_chains(const struct hawser_sim *s);
 /* The simulation of chain k, from 0, which is the first's and goes with it: it can be looked at and told what to do,
  * but not moved; NULL: there is none. */

@@ -1,4 +1,4 @@
-/* Pages and figures of results: part of hawser/hawser.h, which includes it. docs/report.md. */
+/* Pages and figures of results: part of hawser/hawser.h, which includes it. docs/formats.md. */
 #ifndef HAWSER_REPORT_H
 #define HAWSER_REPORT_H
 
@@ -63,7 +63,7 @@ typedef struct hawser_place_options {
 hawser_status hawser_case_place(struct hawser_case *c, const hawser_place_options *options, hawser_format format,
                                 char **text, hawser_word *word, hawser_error *err);
 
-/* Writes the desk (docs/desk.md) to `path`, one HTML file for any browser, with the text of a case file in it; NULL:
+/* Writes the desk (docs/guide) to `path`, one HTML file for any browser, with the text of a case file in it; NULL:
  * with an example. Errors: INPUT (the case cannot be read as text; `path` leads to it; the desk is not beside the
  * program), OUTPUT, MEMORY. */
 hawser_status hawser_desk_write(const char *case_path, const char *path, hawser_error *err);

@@ -1,5 +1,5 @@
 /* Routes out of files: drawings (DXF), models (LandXML, IFC), tables (CSV, spreadsheets), maps (GeoJSON, GPX, KML,
- * shapefiles). Part of hawser/hawser.h, which includes it. docs/routes.md says what is read of each. Lengths in m; x
+ * shapefiles). Part of hawser/hawser.h, which includes it. docs/formats.md says what is read of each. Lengths in m; x
  * east, y north, z up, in the file's own system of coordinates. */
 #ifndef HAWSER_ROUTE_H
 #define HAWSER_ROUTE_H

@@ -1,5 +1,5 @@
 /* The pulling calculation as one page for the screen and for paper: answer, figures along the route, cross-sections of
- * ducts, all tables, and pieces of the route worked out by hand. docs/report.md, "The calculation". */
+ * ducts, all tables, and pieces of the route worked out by hand. docs/guide/plan-a-duct.md, "Hand it on". */
 #ifndef HAWSER_IO_REPORT_CALCULATION_H
 #define HAWSER_IO_REPORT_CALCULATION_H
 

@@ -1,4 +1,4 @@
-/* The crew's sheet: one printed side with what those who pull have to know. docs/report.md, "The crew's sheet". */
+/* The crew's sheet: one printed side with what those who pull have to know. docs/guide/plan-a-duct.md, "Hand it on". */
 #ifndef HAWSER_IO_REPORT_CREW_H
 #define HAWSER_IO_REPORT_CREW_H
 

@@ -1,5 +1,5 @@
 /* The parts of the report one by one, in the order in which they stand on each other. The page's frame holds its
- * program, its style and its data; the data are the folder's tables and what results.h5 has. docs/report.md. */
+ * program, its style and its data; the data are the folder's tables and what results.h5 has. docs/formats.md. */
 #ifndef HAWSER_IO_REPORT_REPORT_H
 #define HAWSER_IO_REPORT_REPORT_H
 
@@ -25,7 +25,7 @@ Bundle bundle_style(void);
 void bundle_script_sum(unsigned char sum[32]);
 /* ---------------------------------------------------------------------------------------------------------- packing */
 
-/* States in few bytes: docs/report.md, "States". A value becomes a whole number of steps; of these the differences
+/* States in few bytes: docs/formats.md, "States". A value becomes a whole number of steps; of these the differences
  * along the chain, and of those the differences to the frame before; their bytes by place, deflated, as base64. */
 
 /* value[frames][items][components] into q of the same shape: the nearest multiple of `step`, within +-(2^31 - 1). What
@@ -38,7 +38,7 @@ hawser_status pack_field(int frames, int items, int components, double step, con
                          hawser_error *err);
 /* ------------------------------------------------------------------------------------------------------------- data */
 
-/* What the page knows of its runs: the JSON of #hawser-data. docs/report.md describes it. */
+/* What the page knows of its runs: the JSON of #hawser-data. docs/formats.md describes it. */
 
 enum { REPORT_RUNS_MAX = 6 };
 

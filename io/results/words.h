@@ -1,5 +1,5 @@
 /* The words of a page in other languages: one table with a row for each English text, and a reader that finds the row
- * whose pattern a text fits, whatever numbers and names stand in it. docs/report.md, "Languages". */
+ * whose pattern a text fits, whatever numbers and names stand in it. docs/formats.md, "Languages". */
 #ifndef HAWSER_IO_RESULTS_WORDS_H
 #define HAWSER_IO_RESULTS_WORDS_H
 

@@ -1,4 +1,4 @@
-"""Routes out of files: drawings, models, tables and maps (docs/routes.md)."""
+"""Routes out of files: drawings, models, tables and maps (docs/guide/routes-from-files.md)."""
 from __future__ import annotations
 
 import math

@@ -248,7 +248,7 @@ class Case:
         return frame_of(json.loads(taken(text))["proposals"])
 
     def calculation(self, path: str | os.PathLike[str]) -> pathlib.Path:
-        """Writes the pulling calculation as a page (HTML) that can be handed on and printed (docs/report.md)."""
+        """Writes the pulling calculation as a page (HTML) that can be handed on and printed (docs/guide/plan-a-duct.md)."""
         error = ffi.new("hawser_error *")
         check(lib.hawser_case_calculation(self._c, lib.HAWSER_SI, c_path(path), ffi.NULL, error), error)
         return pathlib.Path(path)

@@ -160,7 +160,7 @@ class Simulation(Looking):
     # ------------------------------------------------------------------------------------------------ keeping
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the whole state to a file, from which load() goes on bit for bit as if nothing had been (docs/restart.md)."""
+        """Writes the whole state to a file, from which load() goes on bit for bit as if nothing had been (docs/guide/simulate.md)."""
         handle = self._open
         with handle as c:
             handle.check(lib.hawser_sim_save(c, c_path(path), handle.error))

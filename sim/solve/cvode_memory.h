@@ -1,7 +1,7 @@
 /* What CVODE remembers from step to step: order, step sizes, coefficients, counters, and which of its vectors are its
  * history. It offers no call for that, and its structures are not public: which bytes of them matter is listed here by
  * place and length, for the versions in which they lie so. Whether they do is asked, wherever that list is used, of
- * everything that CVODE says of itself. docs/restart.md, "The integrator". */
+ * everything that CVODE says of itself. docs/formats.md, "The integrator". */
 #ifndef HAWSER_SIM_SOLVE_CVODE_MEMORY_H
 #define HAWSER_SIM_SOLVE_CVODE_MEMORY_H
 

@@ -12,7 +12,7 @@
  * - a bend to the side levels a grade: test_route_runs bends_keep_their_grade
  * - a conveyor grips the rope: test_grips belts_wait_for_the_cable
  * - two winch forces, "T/R", a bend's place named after the next piece: one_force_and_right_names here; of a run
- *   cli/tutorial
+ *   cli/guide
  * - the friction of nothing in the case: friction_from_to here
  * - settled as the run ends, means of nothing: test_stats, cli/run, cli/limits
  * - `bend: 5`, `sidewall: 300 lb/ft`: test_units bare_angles_are_questioned, pounds_in_place_of_pounds_of_force

@@ -105,7 +105,7 @@ static unsigned char *base64_back(const char *text, size_t *size)
     return bytes;
 }
 
-/* The other way round as docs/report.md describes it, written from there. */
+/* The other way round as docs/formats.md describes it, written from there. */
 static void unpack(int frames, int items, int components, const char *text, int32_t *q)
 {
     const size_t row = (size_t)items * (size_t)components, n = (size_t)frames * row;

@@ -20,7 +20,7 @@ done
     exit 1
 }
 tar -tzf "$(cat "$work/path")" >"$work/list"
-for file in CMakeLists.txt LICENSE NOTICE cli/main.c web/dist/report.js library/ropes.yaml scripts/run.sh docs/tutorial.md; do
+for file in CMakeLists.txt LICENSE NOTICE cli/main.c web/dist/report.js library/ropes.yaml scripts/run.sh docs/guide/README.md; do
     grep -q "^hawser-[0-9.]*/$file\$" "$work/list" || {
         echo "the archive has no $file"
         exit 1

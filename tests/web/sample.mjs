@@ -1,4 +1,4 @@
-// Data of made-up runs in the format of the page (docs/report.md), in which every number is known and every part is there.
+// Data of made-up runs in the format of the page (docs/formats.md), in which every number is known and every part is there.
 
 const range = (n, f) => Array.from({ length: n }, (_, i) => f(i));
 

@@ -1,4 +1,4 @@
-// The data that hawser writes into the page (docs/report.md says what each key means): SI units, null where nothing is known.
+// The data that hawser writes into the page (docs/formats.md says what each key means): SI units, null where nothing is known.
 
 import type { Assumption, ErrorBar, EventRow, LimitRow, Passes, Trust } from './columns';
 export type { Assumption, ErrorBar, Pass, Passes, Trust } from './columns';

@@ -1,4 +1,4 @@
-// Packs a field as the program does (docs/report.md), written apart from what unpacks it in web/src/view/states/packed.ts.
+// Packs a field as the program does (docs/formats.md), written apart from what unpacks it in web/src/view/states/packed.ts.
 import { deflateSync } from 'node:zlib';
 
 /** SI values [frame][item][component] as base64 text. */

@@ -1,4 +1,4 @@
-// The route piece by piece by theory, as the page of the calculation has it (docs/report.md, "The calculation").
+// The route piece by piece by theory, as the page of the calculation has it (docs/guide/plan-a-duct.md, "Hand it on").
 import type { Context } from '../context';
 import { note, recordTable, section, type Field } from './parts';
 

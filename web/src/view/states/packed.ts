@@ -1,5 +1,5 @@
 // Unpacks a field of the states: base64 -> zlib -> byte planes -> zigzag -> differences in time and along the chain -> integers.
-// docs/report.md has the format. The work is cut into slices of a few milliseconds, so that the page answers meanwhile.
+// docs/formats.md has the format. The work is cut into slices of a few milliseconds, so that the page answers meanwhile.
 
 /** Longest stretch of work at a time, ms. */
 const SLICE_MS = 6;
