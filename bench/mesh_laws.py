@@ -2,7 +2,7 @@
 """What long segments add to a pull through one bend: measured against segments of 62.5 mm, and what the laws of docs/model/12-mesh.md
 foretell (the value of the condition `mesh`).
 
-    python3 bench/mesh_laws.py --build build/release [--rows FILE] [--document docs/model/12-mesh.md] [--jobs 1]
+    python3 bench/mesh_laws.py --build build/release [--rows FILE] [--document bench/results/mesh_laws.md] [--jobs 1]
 
 Rows are kept in a file of JSON lines, and what is there already is not run again. A run takes 0.2 to 20 s, all of them about ten minutes.
 """

@@ -121,7 +121,7 @@ Sphere element_sphere(const Element *element, const Chain *chain, const Kinemati
 void line_stand(const Kinematics *kin, int n, double *const at_p[3], double *const at_a[3]);
 int line_moved(const Chain *chain, const Kinematics *kin, double *const at_p[3], double *const at_a[3], double limit);
 /* A binary tree of spheres over the elements, in their order: the chain's own order is the spatial order, so nothing is
- * sorted. Children of node i are 2i and 2i + 1. docs/model.md, "Which pairs are looked at". */
+ * sorted. Children of node i are 2i and 2i + 1. docs/model.md, "Candidates". */
 typedef struct SphereTree {
     int leaves;   /* power of two >= elements */
     Sphere *node; /* [2 leaves]; node[leaves + e] is element e's (C18); a negative radius: nothing there */

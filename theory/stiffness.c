@@ -17,9 +17,9 @@
  * 200 N/m, the contact law's defaults (docs/model/12-mesh.md). Runs, and the law's figure in brackets:
  *
  *   law              constants         what was run                                          extra pull
- *   (ME1) bend       3.4, 7.9          the table at the end of 12-mesh.md
+ *   (ME1) bend       3.4, 7.9          bench/results/mesh_laws.md
  *   (ME10) surface   5                 likewise; without it stiff cables are rated 10 to 50 times too badly
- *   (ME2) duct       0.4, 1.45, 5, 3.5 400 bends drawn at random, 1.6 times what fits them (12-mesh.md)
+ *   (ME2) duct       0.4, 1.45, 5, 3.5 400 bends drawn at random, 1.6 times what fits them
  *   (ME3) jammed     0.16, 3, 13       45, 90, 180 deg, h = 0.5 m, room 1 mm                 802, 840, 1143 N
  *   (ME4) pairs      0.17, 0.12        segments that reach over more than one pair
  *   (ME12) corners   0.17              29 deg, R 13 m, EI 600, h = 125, 250, 350 mm          2, 12, 25 N (3, 12, 23)

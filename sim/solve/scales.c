@@ -108,7 +108,7 @@ int scales_worst_segment(int n, int pitch, int components, const double *x, cons
 }
 
 /* What Newton's iteration may leave is noise in the tensions, because the axial stiffness multiplies it; docs/model.md,
- * "Integration", has the figures. It is a share of the error test's tolerance, of at least NEWTON_SHARE, that grows as
+ * "Integration" (N13). It is a share of the error test's tolerance, of at least NEWTON_SHARE, that grows as
  * the tolerance falls, so that NEWTON_LEFT of the scales of (N10) are left at any accuracy, up to CVODE's default. */
 static const double NEWTON_SHARE = 1e-3, NEWTON_SHARE_MOST = 0.1, NEWTON_LEFT = 3e-7;
 
