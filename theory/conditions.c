@@ -116,7 +116,7 @@ static hawser_status crossing_find(const Setup *setup, Crossing *out, hawser_err
         out->overlap = 1 - f.away / f.thick;
         snprintf(out->says, sizeof out->says,
                  "the route crosses itself at one level, at %.4g m and at %.4g m, where the cable would lie inside "
-                 "itself: lead one way over the other, by %.3g mm at least",
+                 "itself: lead one part over the other, by %.3g mm at least",
                  f.a, f.b, 1e3 * f.thick);
     }
     free(turned);
@@ -307,12 +307,12 @@ static hawser_status supported_by(const Setup *setup, const Calculator *c, hawse
     if (theory->guessed_friction) {
         snprintf(out.remedy, sizeof out.remedy,
                  "nothing carries the cable (no rollers, ducts, trays or floor), and no friction is given: the pull is "
-                 "that of a guessed %g; give what carries it, or friction.mu",
+                 "computed with an assumed friction of %g; give supports, or friction.mu",
                  setup->def->friction.mu_d);
     } else if (hangs) {
         snprintf(out.remedy, sizeof out.remedy,
                  "nothing carries the cable (no rollers, ducts, trays or floor), and the case says how it is run: it "
-                 "would fall; give what carries it");
+                 "would fall; give supports");
     }
     *result = out;
     if (hangs) return HAWSER_OK;
@@ -390,8 +390,8 @@ static hawser_condition friction_of(const Setup *setup, double lightest)
     hawser_condition c = theory_condition(HAWSER_CONDITION_FRICTION, rough[rests].mu, given[rests]);
     c.holds = c.value <= c.allowed * (1 + 1e-9);
     snprintf(c.remedy, sizeof c.remedy,
-             "'%s' has a friction of its own%s%s, %g, and the calculation takes friction.%s, %g: give that, or "
-             "theory.stretches",
+             "'%s' has a friction of its own%s%s, %g, and the calculation takes friction.%s, %g: give the larger one "
+             "there, or theory.stretches",
              rough[rests].name, rough[rests].rolls ? " by its bearing" : "", rests ? " from rest" : "", c.value,
              rests ? "mu_s" : "mu", c.allowed);
     return c;
@@ -411,7 +411,7 @@ static void friction_told(const SceneDef *def, hawser_condition *c)
     c->value *= factor;
     c->holds = !(c->value > c->allowed * (1 + 1e-9));
     snprintf(c->remedy, sizeof c->remedy,
-             "drive.script makes friction %g times the case's, and the calculation takes that (friction.mu: %g): "
+             "drive.script makes friction %g times the case's, and the calculation takes the case's (friction.mu: %g): "
              "give the largest there, and factors of at most 1",
              factor, def->friction.mu_d);
 }
@@ -433,8 +433,8 @@ static hawser_condition medium_of(const Setup *setup)
     }
     hawser_condition c = theory_condition(HAWSER_CONDITION_MEDIUM, most, WET);
     snprintf(c.remedy, sizeof c.remedy,
-             "the fluid of section medium lifts or moves the cable by %.2g %% of its weight, and the calculation knows "
-             "none: a run does",
+             "the fluid of section medium lifts or moves the cable by %.2g %% of its weight, and the calculation does "
+             "not include it: a run does",
              100 * most);
     return c;
 }
@@ -474,8 +474,8 @@ static void drive_doubted(const char *section, const char *does, const char *nam
 {
     out->value = 1;
     out->holds = 0;
-    snprintf(out->remedy, sizeof out->remedy, "%s %s '%.24s', which the calculation does not know: a run does", section,
-             does, name);
+    snprintf(out->remedy, sizeof out->remedy, "%s %s '%.24s', which the calculation does not include: a run does",
+             section, does, name);
 }
 
 /* A belt with its own speed that a faster winch would drag along; NULL if there is none. */
@@ -511,10 +511,10 @@ static void conveyor_doubted(const char *section, const char *does, const char *
 {
     out->value = 1;
     out->holds = 0;
-    snprintf(out->remedy, sizeof out->remedy,
-             "%s %s conveyor '%.24s', and the calculation takes it as it was before: say it in section conveyors as it "
-             "is at worst",
-             section, does, name);
+    snprintf(
+        out->remedy, sizeof out->remedy,
+        "%s %s conveyor '%.24s', and the calculation takes it unchanged: give its worst state in section conveyors",
+        section, does, name);
 }
 
 /* The least of the winch's set tension from its first rise until the front can be at the end, N. */
@@ -574,7 +574,7 @@ static hawser_condition drive_told(const Setup *setup)
             conveyor_doubted("drive.script", "outruns", outrun, &out);
     }
     const char *const late = motor_late(setup);
-    if (late && out.holds) drive_doubted("rollers", "have a motor that comes in late,", late, &out);
+    if (late && out.holds) drive_doubted("rollers", "have a motor that starts late,", late, &out);
     return out;
 }
 
@@ -667,10 +667,11 @@ static hawser_status drive_shared(const Setup *setup, const Calculator *c, int w
     *out = theory_condition(HAWSER_CONDITION_DRIVE, more, left);
     out->unit = "N";
     out->holds = 0;
-    snprintf(out->remedy, sizeof out->remedy,
-             "'%s' runs with the winch, so that lengths decide who of them pulls: without it %.4g kN more are needed, "
-             "and '%s' has %.4g kN left; give it a 'factor' of 1.02",
-             first->name, more / 1e3, least->name, left / 1e3);
+    snprintf(
+        out->remedy, sizeof out->remedy,
+        "'%s' runs with the winch, so that it is not known which of them pulls: without it %.4g kN more are needed, "
+        "and '%s' has %.4g kN left; give it a 'factor' of 1.02",
+        first->name, more / 1e3, least->name, left / 1e3);
     return HAWSER_OK;
 }
 
@@ -879,11 +880,11 @@ hawser_status started_judge(const Setup *setup, const Calculator *c, hawser_cond
         most = found * WAVES / limit->limit;
         *out = theory_condition(HAWSER_CONDITION_DRIVE, found, limit->limit / WAVES);
         out->unit = "N";
-        snprintf(
-            out->remedy, sizeof out->remedy,
-            "at the start '%.40s' pushes only as the cable ahead gives way: %.4g kN, by waves up to a fifth more, are "
-            "needed, and '%s' allows %.4g kN; start it first",
-            by->name, found / 1e3, limit->name, limit->limit / 1e3);
+        snprintf(out->remedy, sizeof out->remedy,
+                 "at the start '%.40s' pushes only as the cable ahead moves: %.4g kN, with waves up to a "
+                 "fifth more, are "
+                 "needed, and '%s' allows %.4g kN; start it first",
+                 by->name, found / 1e3, limit->name, limit->limit / 1e3);
     }
     return status;
 }

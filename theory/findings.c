@@ -86,7 +86,7 @@ static Finding speed_said(const Setup *setup)
     Finding f = {.value =
                      fmax(winch_def_largest(&setup->def->winch, def->duration), speed_told(def, HAWSER_WINCH_SPEED))};
     if (winch->mode == WINCH_TENSION && !isfinite(winch_def_limit(&setup->def->winch))) f.value = NAN;
-    snprintf(f.why, sizeof f.why, "a winch of set tension without a speed_limit: a run says");
+    snprintf(f.why, sizeof f.why, "a winch of set tension without a speed_limit: only a run gives it");
     return f;
 }
 
@@ -210,7 +210,7 @@ static double pushed_as_far(int n, const Buckling *row)
 Finding findings_no_push(const Setup *setup)
 {
     Finding f = {.rating = INFINITY, .absent = !(setup->n_pushers > 0 || setup->def->theory.feed > 0)};
-    snprintf(f.why, sizeof f.why, "nothing pushes it by more than a metre of it weighs");
+    snprintf(f.why, sizeof f.why, "no push is larger than the weight of a metre of cable");
     return f;
 }
 
@@ -470,11 +470,11 @@ static void rows_bear(const Setup *setup, const Calculator *c, int way, double *
     for (int r = 0; r < setup->def->n_rollers; ++r) {
         const RollerDef *const roller = &setup->def->rollers[r];
         if (isnan(roller->s) && roller->rating > 0)
-            snprintf(why, 160, "of rollers.list and obstacles theory knows no load: a run does");
+            snprintf(why, 160, "theory computes no load for rollers.list and obstacles: a run does");
         if (isnan(roller->s) || !(roller->rating > 0)) continue;
         const PlaceLine line = {setup->route, &plan->pull, setup->cable_weight, 0, setup->route->length};
         if (roller->hold_down && line_load(&line, roller->s).up < 0)
-            snprintf(why, 160, "of hold-downs that the cable lifts off to theory knows no load: a run does");
+            snprintf(why, 160, "theory computes no load for hold-downs under uplift: a run does");
         if (roller->hold_down || (roller_is_guide(setup->route, roller) && guide_stands_outside(setup->route, roller)))
             continue;
         const int piece = route_at(setup->route, roller->s).piece;
@@ -1050,21 +1050,21 @@ void away_say(const Calculator *c, int way, int size, char *text)
     const Finding at = finding_on(c->route, pushed, c->pushed[way].at, c->pushed[way].piece);
     if (c->away[way] == AWAY_OVERFED) {
         snprintf(text, (size_t)size,
-                 "what pushes gives more than is needed, and the cable pushes the winch with %.4g kN: let it push less",
+                 "the pushers give more than is needed, and the cable pushes the winch with %.4g kN: reduce their push",
                  pushed);
     } else if (c->away[way] == AWAY_FROM_DRAWN) {
         snprintf(text, (size_t)size,
-                 "it would run ahead of what it draws, pushed with %.4g kN at %.32s: hold that back by more "
+                 "it would run ahead of the cables it pulls, pushed with %.4g kN at %.32s: increase their back tension "
                  "(drive.tail.tension)",
                  pushed, at.where);
     } else if (c->away[way] == AWAY_BY_ITSELF) {
         snprintf(text, (size_t)size,
-                 "without what pushes it the cable would run away as well, pushed with %.4g kN at %.32s: hold it back "
+                 "without any push the cable would run away as well, pushed with %.4g kN at %.32s: hold it back "
                  "where the pull begins",
                  pushed, at.where);
     } else {
         snprintf(text, (size_t)size,
-                 "before the back tension has come in, at %.4g s, the cable would run away, pushed with %.4g kN at "
+                 "before the back tension has risen, at %.4g s, the cable would run away, pushed with %.4g kN at "
                  "%.32s: give it from the start",
                  c->early[way], pushed, at.where);
     }

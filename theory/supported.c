@@ -89,7 +89,7 @@ static hawser_status way_judge(const Setup *setup, const Calculator *c, int way,
         out->holds = sag <= SAG;
         snprintf(out->remedy, sizeof out->remedy,
                  "nothing carries the cable between %.1f and %.1f m, where it would be %.3g m off the route, or fall: "
-                 "give what carries it",
+                 "give supports there",
                  from, to, sag * (to - from));
     }
     pull_clear(&pull);
@@ -395,7 +395,7 @@ static hawser_status lifted_judge(const Setup *setup, const Calculator *c, hawse
     *out = theory_condition(HAWSER_CONDITION_SUPPORTED, most.by, SUPPORT_OFF_ROUTE);
     out->unit = "m";
     snprintf(out->remedy, sizeof out->remedy,
-             "taut, the %s lifts off what carries it by %.3g m at %.1f m: give hold-downs or a duct there, or leave "
+             "taut, the %s lifts off its supports by %.3g m at %.1f m: give hold-downs or a duct there, or leave "
              "out 'run' and 'drive'",
              rope ? "rope" : "cable", most.by, most.at);
     return HAWSER_OK;
@@ -737,7 +737,7 @@ static void shed_say(const Shed *shed, hawser_condition *out)
     out->allowed = shed->room;
     snprintf(
         out->remedy, sizeof out->remedy,
-        "what carries the cable from %.1f m to %.1f m falls to the side by %.2g degrees, and nothing holds it there: "
+        "what carries the cable from %.1f m to %.1f m slopes to the side by %.2g degrees, and nothing holds it there: "
         "moving, it slides off; give guides, or lay it level",
         shed->from, shed->to, atan(shed->falls) * 180 / M_PI);
 }
@@ -778,10 +778,11 @@ static void press_say(const Gates *g, const Press *press, hawser_condition *out)
     out->value = press->force;
     out->allowed = press->borne;
     if (press->borne > 0) {
-        snprintf(out->remedy, sizeof out->remedy,
-                 "taut, the %s presses to the side with %.3g N at %.1f m, and what leans or is grooved there bears "
-                 "%.3g N: %s",
-                 what, press->force, press->s, press->borne, end);
+        snprintf(
+            out->remedy, sizeof out->remedy,
+            "taut, the %s presses to the side with %.3g N at %.1f m, and the inclined or grooved support there bears "
+            "%.3g N: %s",
+            what, press->force, press->s, press->borne, end);
     } else {
         snprintf(out->remedy, sizeof out->remedy,
                  "nothing holds the %s to the side at %.1f m (guide, groove, wall or duct): taut, it runs off its "
