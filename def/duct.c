@@ -225,7 +225,7 @@ static hawser_status check_lying(const DuctDef *def, hawser_error *err)
     const double D = def->duct_diameter, side = wall_sine(D, lying->diameter),
                  need = lying->diameter + def->cable_diameter;
     if (def->cables > 1 || def->thinner > 0)
-        return error_set(err, HAWSER_ERR_INPUT, "beside cables that lie there one is pulled, not %d",
+        return error_set(err, HAWSER_ERR_INPUT, "beside cables that lie in the duct only one can be pulled, not %d",
                          def->cables + def->thinner);
     if (!(D > need))
         return error_set(

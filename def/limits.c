@@ -330,7 +330,7 @@ static TripSetting winch_most(const LimitsDef *def, int cables, double beyond)
                                 {attachment_allowed(def, INFINITY, source) + beyond, "what the eye or net bears"},
                                 {rope_allowed(def, source), "what the rope may be pulled with"},
                                 {def->own[HAWSER_LIMIT_WINCH], "what the winch can pull"}};
-    TripSetting least = {NAN, "nothing is known that gives first"};
+    TripSetting least = {NAN, "no allowed value is known"};
     for (size_t i = 0; i < sizeof each / sizeof *each; i++) {
         if (!isnan(each[i].force) && !(each[i].force >= least.force)) least = each[i];
     }
@@ -561,8 +561,8 @@ static void leave_open(hawser_limit *out, double start)
     out->at_speed = 1;
     out->margin = NAN;
     snprintf(out->source, sizeof out->source,
-             "holds at speed, but a start from rest may need up to %.3g times as much, which positions do not have: "
-             "'run.analysis: dynamics' has it",
+             "holds at speed, but a start from rest may need up to %.3g times as much, which positions do not include: "
+             "use 'run.analysis: dynamics'",
              start);
 }
 

@@ -223,7 +223,7 @@ void limits_duct(const LimitsDef *def, int cables, const char *name, const DuctL
 int verdict_say(int n_conditions, const hawser_condition *condition, int n, const hawser_limit *limit, int open,
                 char *text, size_t size);
 /* Beginning of the source of `trip` if the required force exceeds the allowed one. */
-#define LIMITS_NO_TRIP "no trip does"
+#define LIMITS_NO_TRIP "no trip is possible"
 /* Compares the findings with the limits, (LI4): out[HAWSER_LIMITS_MAX]. Returns their number; 0 if def is not present.
  */
 int limits_judge(const LimitsDef *def, double diameter, int cables, const Finding finding[LIMIT_KINDS],
