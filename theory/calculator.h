@@ -26,7 +26,8 @@ typedef struct Bearer {
 } Bearer;
 
 /* A rated carrier on a straight with a neighbour in a bend, so that it turns the cable as well: its place, m along the
- * route; the unit downward and lateral force per tension of a taut cable; the length of cable that it carries, m. */
+ * route; the downward and lateral force per tension of a cable that is taut to its neighbours; the length of cable it
+ * carries, m. */
 typedef struct Beside {
     int roller;
     double s, down, aside, gap;

@@ -10,7 +10,7 @@ double belts_largest_speed(const SceneDef *def);
 /* Sets the findings that follow from the scene itself: belts, the winch's largest speed; marks as absent what the scene
  * does not have. */
 void findings_of_scene(const Setup *setup, Finding finding[LIMIT_KINDS]);
-/* Finds the trip of the case for a winch with theory's force `force` and the steady force `steady`, N, of which
+/* Finds the trip of the case for a winch that needs `steady` N by itself (theory's winch force: `force`), of which
  * `beyond` belong to the rope. Absent without a winch that has a speed. */
 void findings_trip(const Setup *setup, double force, double steady, double beyond, Finding *finding);
 /* Solves theory's pull with more tension where it begins. Errors: as pull_solve. */

@@ -251,8 +251,8 @@ static int compare_supports(const void *a, const void *b)
     return (x->item > y->item) - (x->item < y->item);
 }
 
-/* Place of the next support of the same side in one direction; without one, the middle of the distance to the cable's
- * end counts as border. */
+/* Place of the next support of the same side in one direction; without one the end of the cable, which takes half of
+ * the load between. */
 static double neighbour(const PlaceLine *line, int n, const Support *support, int i, int step)
 {
     const double end = step < 0 ? fmin(line->from, support[i].s) : fmax(line->to, support[i].s);
