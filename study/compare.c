@@ -126,16 +126,16 @@ static hawser_status signs_check(const PullLog *log, hawser_error *err)
         last = i;
     }
     if (force[1] > 2 * force[0] && force[1] > 2)
-        return error_set(err, HAWSER_ERR_INPUT, "the log: %ld of its forces are below 0: write a pull above 0",
+        return error_set(err, HAWSER_ERR_INPUT, "the log: %ld of its forces are below 0: pulls must be above 0",
                          force[1]);
     if (log->has_speed && speed[1] > 2 * speed[0] && speed[1] > 2)
-        return error_set(err, HAWSER_ERR_INPUT, "the log: %ld of its speeds are below 0: write that of a pull above 0",
-                         speed[1]);
-    if (log->has_length && length[1] > 2 * length[0] && length[1] > 2) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "the log: its length runs down, from %.6g m in line %d to %.6g m in line %d: write what has "
-                         "been pulled, which rises",
-                         log->length[first], log->line[first], log->length[last], log->line[last]);
+                         "the log: %ld of its speeds are below 0: speeds of a pull must be above 0", speed[1]);
+    if (log->has_length && length[1] > 2 * length[0] && length[1] > 2) {
+        return error_set(
+            err, HAWSER_ERR_INPUT,
+            "the log: its length runs down, from %.6g m in line %d to %.6g m in line %d: the length pulled must rise",
+            log->length[first], log->line[first], log->length[last], log->line[last]);
     }
     return HAWSER_OK;
 }
@@ -149,11 +149,10 @@ static void falls_say(PullLog *log, const LogKept *k)
         if (falls++ == 0) first = m;
     }
     if (falls == 0) return;
-    log_say(
-        log,
-        "The length falls as if its counter was set back, %ld in all, first from %.4g m to %.4g m in line %d: places "
-        "are taken as they stand",
-        falls, log->length[k->at[first - 1]], log->length[k->at[first]], log->line[k->at[first]]);
+    log_say(log,
+            "The length falls as if its counter was set back, %ld in all, first from %.4g m to %.4g m in line %d: "
+            "places are used unchanged",
+            falls, log->length[k->at[first - 1]], log->length[k->at[first]], log->line[k->at[first]]);
 }
 
 /* Reports first that many readings are lost. */
@@ -582,13 +581,13 @@ static hawser_status axis_make(Comparison *c, hawser_error *err)
     const double *const from = by_start ? c->log.time : c->log.length;
     if (by_start ? !c->log.has_time : !has_places(&c->log, from))
         return error_set(err, HAWSER_ERR_INPUT, "the log has no %s: align it by %s",
-                         by_start ? "time" : "length, and no speed to reckon it from", by_start ? "length" : "start");
+                         by_start ? "time" : "length, and no speed to compute it from", by_start ? "length" : "start");
     c->axis = malloc(((size_t)c->log.n + 1) * sizeof *c->axis);
     if (!c->axis) return error_memory(err);
     const double zero = by_start && c->log.begin >= 0 ? from[c->log.begin] : 0;
     for (long i = 0; i < c->log.n; i++) c->axis[i] = from[i] - zero + c->options.shift;
     if (by_start && !c->log.from_rest)
-        log_say_first(&c->log, "The log does not begin at rest: the run's start is laid at its first reading");
+        log_say_first(&c->log, "The log does not begin at rest: the run's start is aligned with its first reading");
     return HAWSER_OK;
 }
 
@@ -763,7 +762,7 @@ static int planned_say(const Comparison *c, char *text, size_t size)
     if (!c->heads.theory) return n;
     if (isnan(c->share))
         return n + snprintf(text + n, size - (size_t)n,
-                            "  friction  no friction explains what was pulled: look at weight and back tension\n");
+                            "  friction  no friction explains what was pulled: check weight and back tension\n");
     const int one = c->heads.friction - c->heads.friction_least < 1e-9;
     if (one)
         n += snprintf(text + n, size - (size_t)n,

@@ -25,12 +25,13 @@ static void warnings_find(const Study *s, const FitResult *x, Findings *f)
     for (int j = 0; j < s->n_parameters; j++) {
         const Parameter *const p = &s->parameter[j];
         if (x->at_bound[j])
-            warn(f, "%s lies at its bound '%s': the log wants it beyond", p->name, x->at_bound[j] < 0 ? "from" : "to");
+            warn(f, "%s is at its bound '%s': the log fits better beyond it", p->name,
+                 x->at_bound[j] < 0 ? "from" : "to");
         else if (x->half[j] > (p->law.b - p->law.a) / 2)
-            warn(f, "the log says nothing of %s: its interval is as wide as its range%s", p->name, "");
+            warn(f, "the log does not determine %s: its interval is as wide as its range%s", p->name, "");
         for (int k = 0; k < j; k++) {
             if (fabs(x->correlation[j][k]) > TOGETHER)
-                warn(f, "%s and %s cannot be told apart: one makes up for the other", s->parameter[k].name, p->name);
+                warn(f, "%s and %s cannot be separated: one compensates the other", s->parameter[k].name, p->name);
         }
     }
     if (x->least_singular > UNSEEN || s->n_parameters < 2) return;
@@ -39,7 +40,7 @@ static void warnings_find(const Study *s, const FitResult *x, Findings *f)
     for (int j = 0; j < s->n_parameters; j++) {
         if (j != a && (b < 0 || fabs(x->weakest[j]) > fabs(x->weakest[b]))) b = j;
     }
-    warn(f, "the log does not see %s and %s together at all", s->parameter[a].name, s->parameter[b].name);
+    warn(f, "the log does not determine %s and %s together", s->parameter[a].name, s->parameter[b].name);
 }
 
 /* Evaluates the fit of a calibration with the available samples. Errors: MEMORY. */

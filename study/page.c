@@ -395,7 +395,7 @@ static void say_fit(Lines *l, const Study *s, const Findings *f)
 {
     const FitResult *const x = &f->fit;
     line(l, "%s: RMS %.3g N, %.2g %% of the log's force, after %d evaluations\n",
-         x->done ? "FITTED" : "NOT FITTED, no least was reached", x->rms, f->fit_rms_pct, x->evaluations);
+         x->done ? "FITTED" : "NOT FITTED, no minimum was reached", x->rms, f->fit_rms_pct, x->evaluations);
     line(l, "  log      %d parts, %ld starts in it; %ld readings were left out as lost, drop-outs or spikes\n",
          s->measured.n, s->measured.starts, s->measured.lost);
     for (int k = 0; k < s->measured.n_notes; k++) line(l, "  log      %s\n", s->measured.note[k]);
@@ -464,7 +464,7 @@ static void say_runs(Lines *l, const Study *s, const Findings *f)
     for (int q = 0; q < s->n_quantities && f->chosen; q++) {
         if (s->quantity[q].of != BY_RUN) continue;
         line(l, "  beware   the runs were chosen, near a limit: their quantities %s\n",
-             s->pilot ? "are told of the pilots alone" : "have no statistics, which 'fidelity: auto' or 'run' have");
+             s->pilot ? "come from the pilots alone" : "have no statistics, which 'fidelity: auto' or 'run' have");
         break;
     }
     for (int k = 0; k < LIMIT_KINDS; k++) {

@@ -253,7 +253,7 @@ static hawser_status method_choose(const CaseReader *r, const CaseNode *section,
         return case_value_error(r->err, method, ": there are more points than evaluations");
     for (int j = 0; j < s->n_parameters && a->method == SEARCH_LINEAR; j++) {
         if (whole[j])
-            return case_value_error(r->err, method, " knows numbers only, and '%s' is none: take random",
+            return case_value_error(r->err, method, " works with real numbers only, and '%s' is not one: use random",
                                     s->parameter[j].name);
     }
     return HAWSER_OK;
@@ -350,7 +350,7 @@ static hawser_status measured_read(const CaseReader *r, const CaseNode *section,
     if (status) return status;
     for (int j = 0; j < s->n_parameters; j++) {
         if (s->parameter[j].whole)
-            return case_key_error(r->err, s->parameter[j].node, NULL, "give a range: a fit wants numbers");
+            return case_key_error(r->err, s->parameter[j].node, NULL, "give a range: a fit requires numbers");
     }
     if (s->n_parameters > FIT_MAX) return case_key_error(r->err, section, NULL, "more than %d parameters", FIT_MAX);
     if (s->fidelity != BY_THEORY && record.starts)
@@ -371,7 +371,7 @@ static hawser_status measured_read(const CaseReader *r, const CaseNode *section,
     if (!status && !(to > from)) {
         status = case_key_error(
             r->err, section, NULL,
-            "the log has no lengths within 'from' and 'to', and no speed to reckon them from: give 'speed'");
+            "the log has no lengths within 'from' and 'to', and no speed to compute them from: give 'speed'");
     }
     if (!status) {
         m->n = log_points(&log, log.length, from, to, (int)record.samples, &m->point);
@@ -718,8 +718,7 @@ static hawser_status correlations_read(const CaseReader *r, const CaseNode *list
     const int bad = status ? -1 : correlation_factor(n, s->factor, lower);
     if (bad >= 0) {
         status = case_key_error(r->err, list, NULL,
-                                "no parameters can be correlated so: with what is said of the others, '%s' cannot be "
-                                "correlated as it is",
+                                "these correlations are impossible: with those of the others, '%s' cannot have its own",
                                 s->parameter[bad].name);
     }
     if (!status) memcpy(s->factor, lower, (size_t)n * (size_t)n * sizeof *lower);
@@ -760,7 +759,7 @@ static hawser_status quoted_cell(Csv *c, char **cell, char **end)
     if (!*from) return csv_error(c, line, "a quote that does not end", NULL);
     *to = 0;
     *end = from + 1;
-    if (**end && !strchr(",\r\n", **end)) return csv_error(c, c->line, "something stands behind a quote: ", *end);
+    if (**end && !strchr(",\r\n", **end)) return csv_error(c, c->line, "text after a closing quote: ", *end);
     return HAWSER_OK;
 }
 
@@ -1108,7 +1107,7 @@ static hawser_status kind_find(const CaseReader *r, Study *s, const CaseNode **w
     if (n == 1) return HAWSER_OK;
     return case_key_error(r->err, n ? *way : r->root, NULL,
                           "%s: give one of grid, list, monte-carlo, sensitivity, optimise, calibrate",
-                          n ? "there is another way to go about it beside it" : "nothing says how to vary");
+                          n ? "there is a second one of these" : "there is none of these");
 }
 
 /* Builds a path relative to the study's file, and records it as one that is read. */

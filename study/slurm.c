@@ -163,7 +163,7 @@ static hawser_status others_wait(Ranked *r, const hawser_study_options *options,
             Mate *const m = &r->mate[k];
             open += !m->over;
             if (m->over && m->status && !status)
-                status = error_set(err, m->status, "rank %d could not go on: the same command does", k);
+                status = error_set(err, m->status, "rank %d failed: the same command continues the study", k);
             if (status && !m->over && !m->stopped) say(r, k, SAY_STOP, 0, 0);
             m->stopped |= status && !m->over;
         }
@@ -175,7 +175,7 @@ static hawser_status others_wait(Ranked *r, const hawser_study_options *options,
         state_add(r, &state);
         told = now;
         if (options->progress(options->user, &state) && open && !status)
-            status = error_set(err, HAWSER_STOPPED, "stopped with %ld of %ld samples: the same command goes on",
+            status = error_set(err, HAWSER_STOPPED, "stopped with %ld of %ld samples: the same command continues",
                                state.done, state.samples);
     }
     return status;
@@ -225,7 +225,7 @@ hawser_status ranks_agree(const hawser_ranks *ranks, hawser_status status, hawse
     int64_t first = status;
     ranks->share(ranks->user, &first, sizeof first);
     if (ranks->rank == 0 || first == HAWSER_OK) return status;
-    return error_set(err, (hawser_status)first, "the first rank could not go on");
+    return error_set(err, (hawser_status)first, "the first rank failed");
 }
 
 /* Counts of this engine alone, as of the last call of its feed. */

@@ -622,12 +622,12 @@ static hawser_status worker_over(Engine *e, int k, int wait_status, hawser_error
     if (WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == WORKER_MEMORY) return error_memory(err);
     if (WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == WORKER_OTHER) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "the search does not meet the samples in '%.400s' again, which another machine has computed: "
+                         "the search does not reproduce the samples in '%.400s', which another machine has computed: "
                          "take another folder, or begin anew with --fresh",
                          e->dir);
     }
     if (slot->sample < 0 && ++e->idle_deaths > IDLE_DEATHS_MAX)
-        return error_set(err, HAWSER_ERR_MEMORY, "workers end before they begin: is 'memory' too small?");
+        return error_set(err, HAWSER_ERR_MEMORY, "workers end before their first sample: is 'memory' too small?");
     const int over = e->board->closed && range_is_empty(e->board->range);
     if (slot->unit < 0) return over ? HAWSER_OK : worker_start(e, k, err);
     const hawser_status status = store_take(e->dir, e->crew, k, e->rows, err);
@@ -711,7 +711,7 @@ static hawser_status wait_all(Engine *e, const hawser_study_options *options, co
         if (status || !options->progress || (running && now - told < TELL)) continue;
         told = now;
         if (options->progress(options->user, &state) && running)
-            status = error_set(err, HAWSER_STOPPED, "stopped with %ld of %ld samples: the same command goes on",
+            status = error_set(err, HAWSER_STOPPED, "stopped with %ld of %ld samples: the same command continues",
                                state.done, state.samples);
     }
     workers_end(e);
