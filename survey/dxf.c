@@ -886,7 +886,7 @@ static hawser_status fits_add(const SurveyInput *in, const DxfEntity *e, const S
 {
     DxfCorner *const corner = calloc((size_t)s->n_fits + 1, sizeof *corner);
     if (!corner) return error_memory(in->err);
-    survey_ignore(in->out, "SPLINE: what is between its fit points, for it has no control points");
+    survey_ignore(in->out, "SPLINE: the curve between its fit points, since it has no control points");
     const int before = in->out->n;
     for (int i = 0; i < s->n_fits; ++i) corner[i].at = s->fit[i];
     const hawser_status status = dxf_add_corners(in, e, s->n_fits, corner, 0, 1);
@@ -1156,7 +1156,7 @@ static hawser_status entity_add(DxfStream *s, DxfEntity *e, int in_block)
     if (!strcmp(e->kind, "POLYLINE") && !sheet && dxf_number(e, 60, 0) != 1) return polyline_read(s, e);
     if (sheet || dxf_number(e, 60, 0) == 1) {
         char what[SURVEY_NAME_MAX];
-        snprintf(what, sizeof what, sheet ? "%s in paper space" : "%s that is not to be seen", e->kind);
+        snprintf(what, sizeof what, sheet ? "%s in paper space" : "%s that is invisible", e->kind);
         survey_ignore(s->in->out, what);
         return HAWSER_OK;
     }

@@ -547,8 +547,8 @@ static hawser_status heights_at_feet(const Alignment *plan, const Alignment *fro
             return point_refuse(from, p, "beside the line whose heights it is to give", f->away, err);
         if (back && rise > o->deviation)
             return point_refuse(from, p,
-                                "above or below a point that lies no farther along the line: no profile can say that, "
-                                "a 'radius' for the corners of a line of straights can",
+                                "above or below a point that lies no farther along the line: a profile cannot express "
+                                "that, a 'radius' for the corners of a line of straights can",
                                 rise, err);
         if (!back) z = p->z;
         if (!back && !node_add(l, s, z, from->drawn)) status = error_memory(err);
@@ -614,8 +614,8 @@ static hawser_status profile_take(const Piece *p, Alignment *out, hawser_error *
     const PlanElement end = plan_at(&p->e, p->e.length);
     if (fmax(fabs(p->e.heading), fabs(end.heading)) > 80 * PI / 180) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "'%.60s' is steeper than 80 deg %.1f m from its start: no profile can say that", out->name,
-                         p->e.x);
+                         "'%.60s' is steeper than 80 deg %.1f m from its start: a profile cannot express that",
+                         out->name, p->e.x);
     }
     ProfileElement *const e = alignment_add_profile(out);
     if (!e) return error_memory(err);

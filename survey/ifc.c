@@ -597,8 +597,7 @@ static hawser_status curve_add(const IfcFile *file, long id, int depth, Alignmen
 {
     StepEntity e = {0};
     hawser_status status = step_entity(&file->step, id, &e);
-    if (!status && depth > DEPTH_MOST)
-        status = input_error(file->step.in, "#%ld: curves over curves without an end", id);
+    if (!status && depth > DEPTH_MOST) status = input_error(file->step.in, "#%ld: an endless chain of base curves", id);
     if (status) {
         step_entity_free(&e);
         return status;
@@ -724,8 +723,8 @@ static hawser_status ifc_vertical_segment(const IfcFile *file, const StepEntity 
     if (length > 0 && !arc && !straight && !step_is(type, "PARABOLICARC")) {
         if (!(off < 0.01))
             return input_error(file->step.in,
-                               "alignment '%.40s', #%ld: a vertical transition of %g m, whose gradients say its height "
-                               "to %.2g m only: expected CONSTANTGRADIENT, CIRCULARARC or PARABOLICARC",
+                               "alignment '%.40s', #%ld: a vertical transition of %g m, whose gradients determine its "
+                               "height to %.2g m only: expected CONSTANTGRADIENT, CIRCULARARC or PARABOLICARC",
                                a->name, e->id, length, off);
         survey_ignore(file->step.in->out, "vertical transitions: taken as parabolas, less than 10 mm off");
     }
@@ -846,7 +845,7 @@ static hawser_status factor_read(const IfcFile *file, const StepEntity *unit, in
     hawser_status status = HAWSER_OK;
     *factor = prefix_factor(step_attribute(unit, 2));
     if (strncmp(unit->name, "IFCCONVERSIONBASEDUNIT", 22)) return HAWSER_OK;
-    if (depth > UNITS_MOST) return input_error(file->step.in, "#%ld: units of units without an end", unit->id);
+    if (depth > UNITS_MOST) return input_error(file->step.in, "#%ld: an endless chain of units", unit->id);
     status = step_entity(&file->step, step_reference(unit, 3), &measure);
     if (!status) status = step_entity(&file->step, step_reference(&measure, 1), &base);
     if (!status) status = factor_read(file, &base, depth + 1, factor);
@@ -982,7 +981,7 @@ static hawser_status placement_apply(const IfcFile *file, long id, Alignment *a)
     for (int depth = 0; id && !status; ++depth) {
         Vec3 origin, x_axis;
         int tilted = 0;
-        if (depth > PLACEMENTS_MOST) status = input_error(file->step.in, "#%ld: placements without an end", id);
+        if (depth > PLACEMENTS_MOST) status = input_error(file->step.in, "#%ld: an endless chain of placements", id);
         if (!status) status = step_entity(&file->step, id, &e);
         if (status || strcmp(e.name, "IFCLOCALPLACEMENT")) break;
         status = ifc_axes(file, step_reference(&e, 1), &origin, &x_axis, &tilted);

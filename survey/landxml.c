@@ -286,7 +286,7 @@ static void curve_add(Reader *r)
         return;
     }
     if (!g->turns && !(has_centre && g->length > 0)) { /* with a centre the length would determine it */
-        FAIL(r, "a %s without rot, cw or ccw: which way it turns", "Curve");
+        FAIL(r, "a %s without rot, cw or ccw, the direction of its turn", "Curve");
         return;
     }
     const Vec3 start = g->have[POINT_START].at, end = g->have[POINT_END].at;
@@ -305,7 +305,7 @@ static void curve_add(Reader *r)
     }
     const double other = 2 * acos(-1) - turn; /* the turn around the other side */
     if (fabs(radius * turn - g->length) > fabs(radius * other - g->length) + 1e-3) {
-        if (g->turns) survey_ignore(r->in->out, "rot of a Curve: its length says the other side");
+        if (g->turns) survey_ignore(r->in->out, "rot of a Curve: its length implies the other side");
         element_add(r, start, from - side * acos(0), radius * other, -side / radius, -side / radius);
         return;
     }
@@ -323,7 +323,7 @@ static void spiral_add(Reader *r)
         return;
     }
     if (!g->turns) {
-        FAIL(r, "a %s without rot, cw or ccw: which way it turns", "Spiral");
+        FAIL(r, "a %s without rot, cw or ccw, the direction of its turn", "Spiral");
         return;
     }
     const PlanElement level = {0, 0, 0, g->length, side / g->radius, side / g->radius_end, 0, 0};
@@ -530,7 +530,7 @@ static void units_read(Reader *r, const char **attributes)
         if (strcasecmp(name, units[i].name)) continue;
         input_unit(r->in, units[i].metres, name);
         height_unit_check(r, attribute(attributes, "elevationUnit"), units[i].metres);
-        if (r->in->out->n > 0 && r->in->unit != before) FAIL(r, "Units behind what is measured in them: not read");
+        if (r->in->out->n > 0 && r->in->unit != before) FAIL(r, "Units after the values that they apply to: not read");
         return;
     }
     FAIL(r, "linearUnit is '%.40s': expected meter, foot, USSurveyFoot, inch and the like", name ? name : "not given");

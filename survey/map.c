@@ -474,7 +474,7 @@ static void line_end(Reader *r)
     if (a->partly) survey_ignore(s, "heights of a line in which some points have none");
     if (r->kml && !a->flat && r->mode == GROUND && !r->highest) a->flat = 1; /* 0 means the ground */
     if (r->kml && !a->flat && r->mode == ABOVE_GROUND) {
-        survey_ignore(s, "heights above the ground (relativeToGround), whose own are not in the file");
+        survey_ignore(s, "heights above the ground (relativeToGround), whose level is not in the file");
         a->flat = a->partly = 1;
     }
     if (r->kml && !a->flat && r->mode == GROUND)
@@ -534,7 +534,7 @@ static void kml_begin(Reader *r, const char *name)
 {
     Survey *const s = r->places.in->out;
     if (is_left_out(name)) {
-        survey_ignore(s, strcmp(name, "NetworkLink") ? name : "NetworkLink: what lies in another file");
+        survey_ignore(s, strcmp(name, "NetworkLink") ? name : "NetworkLink: contents of another file");
         r->skipped = r->depth;
     } else if (!strcmp(name, "ExtendedData")) {
         r->skipped = r->depth;

@@ -189,7 +189,7 @@ static void lengths_compare(Survey *s)
         const double stated = s->alignment[i].stated_length, is = alignment_measure(&s->alignment[i]).plan_length;
         char what[SURVEY_NAME_MAX];
         if (!(stated > 0) || fabs(stated - is) < least + part * is) continue;
-        snprintf(what, sizeof what, "'%.40s' is %.10g m long by the file's word, but its line is %.10g m",
+        snprintf(what, sizeof what, "'%.40s' is %.10g m long according to the file, but its line is %.10g m",
                  s->alignment[i].name, stated, is);
         survey_ignore(s, what);
     }
@@ -207,7 +207,7 @@ static void profiles_compare(Survey *s)
         const double from = a->profile[0].station,
                      to = a->profile[a->n_profile - 1].station + a->profile[a->n_profile - 1].length;
         if (from < least + part * is && to > is - least - part * is) continue;
-        snprintf(what, sizeof what, "heights of '%.40s' but from %.3f to %.3f m of %.3f: its grade goes on", a->name,
+        snprintf(what, sizeof what, "heights of '%.40s' only from %.3f to %.3f m of %.3f: its grade continues", a->name,
                  from, to, is);
         survey_ignore(s, what);
     }

@@ -135,7 +135,8 @@ static hawser_status index_make(const SurveyInput *in, Files *files)
 static hawser_status files_read(SurveyInput *in, Files *files)
 {
     const char *const dot = strrchr(in->path, '.');
-    if (dot && !strcasecmp(dot, endings[FILE_SHX])) return input_error(in, "the index of a shapefile: name its .shp");
+    if (dot && !strcasecmp(dot, endings[FILE_SHX]))
+        return input_error(in, "the index of a shapefile: give its .shp file");
     input_seek(in, 0);
     hawser_status status = input_all(in, FILE_MOST, &files->text[FILE_SHP], &files->size[FILE_SHP]);
     for (int i = FILE_SHX; i < FILES && !status; ++i) status = beside_read(in, files, i);
@@ -145,7 +146,7 @@ static hawser_status files_read(SurveyInput *in, Files *files)
     for (int i = FILE_SHP; i <= FILE_SHX && !status; ++i) {
         const char *const text = files->text[i];
         if (files->size[i] < HEAD || 2 * (size_t)big(text + 24) > files->size[i])
-            status = input_error(in, "its %s is shorter than it says: the file is not whole", endings[i]);
+            status = input_error(in, "its %s is shorter than its head states: the file is incomplete", endings[i]);
     }
     return status;
 }

@@ -214,7 +214,7 @@ static int value_parse(Parser *p, int depth)
     p->c = blanks(p->c);
     if (isalpha((unsigned char)*p->c)) return typed_parse(p, depth);
     if (*p->c == '(') {
-        if (depth >= NESTING_MOST) return fail(p, "values too deep in one another"), -1;
+        if (depth >= NESTING_MOST) return fail(p, "values nested too deep"), -1;
         return list_parse(p, depth + 1);
     }
     const int place = value_add(p);

@@ -18,8 +18,8 @@ static hawser_status way_check(const SurveyInput *in, const Table *t, int i, dou
     const double slack = 0.01, least = 1, on = t->row[i].value[COLUMN_STATION] - t->row[0].value[COLUMN_STATION];
     if (isnan(on) || (on >= plan * (1 - slack) - least && on <= space * (1 + slack) + least)) return HAWSER_OK;
     return input_error(in,
-                       "station %.10g m is %.10g m from the first one, and the way to it is %.10g m: expected stations "
-                       "that are the way, or none",
+                       "station %.10g m is %.10g m from the first one, and the distance along the route is %.10g m: "
+                       "expected equal ones, or no stations",
                        t->row[i].value[COLUMN_STATION], on, plan);
 }
 
@@ -181,7 +181,7 @@ static hawser_status plan_make(SurveyInput *in, const Table *t, Alignment *a)
                            t->has[COLUMN_RADIUS_START] ? "start" : "end", t->has[COLUMN_RADIUS_END] ? "start" : "end");
     for (int i = 0; i < t->n && !status; ++i) status = element_check(in, t, i);
     if (!status && t->n == 1 && isnan(t->row[0].value[COLUMN_HEADING]))
-        return input_error(in, "an element alone needs its direction: there is no next one that tells it");
+        return input_error(in, "a single element needs its direction: no next one determines it");
     if (status) return status;
     const Convention c = convention_find(in, t);
     for (int i = 0; i < t->n; ++i) {
@@ -518,9 +518,8 @@ static hawser_status radii_side(SurveyInput *in, const Table *t, int *side)
     for (int i = 1; i < t->n; ++i) differ |= !(t->row[i].value[COLUMN_RADIUS] == first[COLUMN_RADIUS]);
     *side = !(last[COLUMN_RADIUS] > 0) ? 0 : !(first[COLUMN_RADIUS] > 0) ? -1 : 0;
     if (differ && first[COLUMN_RADIUS] > 0 && last[COLUMN_RADIUS] > 0)
-        return input_error(in,
-                           "radii of corners between legs: leave out that of the last leg where they are of its end, "
-                           "of the first where they are of its start");
+        return input_error(in, "radii at the start or at the end of legs: leave out that of the last leg if they are "
+                               "at the ends, of the first if at the starts");
     return HAWSER_OK;
 }
 
@@ -606,10 +605,9 @@ static hawser_status unused_check(SurveyInput *in, const Table *t, const char *k
         for (int i = 0; i < t->n; ++i) {
             if (!(fabs(t->row[i].value[c]) > 0)) continue;
             in->line = t->row[i].line;
-            return input_error(in,
-                               "a column '%s' in a table of %s, which has no use for it: take the column out, or name "
-                               "it in 'ignore'",
-                               names[c], kind);
+            return input_error(
+                in, "a column '%s' in a table of %s, which does not use it: remove the column, or name it in 'ignore'",
+                names[c], kind);
         }
         snprintf(what, sizeof what, "column '%s' of a table of %s", names[c], kind);
         survey_ignore(in->out, what);
@@ -669,8 +667,8 @@ static hawser_status degrees_check(SurveyInput *in, const Table *t)
     if (t->n < 2 || most > 180 || extent > 2 || most < 3 * extent) return HAWSER_OK;
     in->line = 0;
     return input_error(in,
-                       "x and y lie within %.3g of each other: degrees? Heads 'longitude' and 'latitude' say so (WGS "
-                       "84); metres are said by their unit, 'x (m)'",
+                       "x and y lie within %.3g of each other: degrees? Then name the columns 'longitude' and "
+                       "'latitude' (WGS 84); for metres give the unit, 'x (m)'",
                        extent);
 }
 
@@ -751,7 +749,7 @@ hawser_status table_alignment(SurveyInput *in, Table *t)
             "the columns are none of these: length, angle, radius, turn, slope; x, y, z; x, y, radius; "
             "x, y, direction, length, radius; distance, bearing, radius; station, height and gradient or "
             "curve length%s",
-            has[COLUMN_CANT] ? ": cant says nothing of a line" : "");
+            has[COLUMN_CANT] ? ": cant does not define a line" : "");
     status = unused_check(in, t, kind, used);
     return status ? status : make(in, t, a);
 }

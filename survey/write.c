@@ -434,7 +434,7 @@ static hawser_status print_pieces(const Alignment *a, FILE *to, hawser_error *er
         if (piece_print(&s.item[i], to)) continue;
         status = error_set(err, HAWSER_ERR_INPUT,
                            "'%.60s' has a clothoid, a parabola or a bend on a vertical curve %.3f m from its start: a "
-                           "table of pieces has no word for it; write elements",
+                           "table of pieces cannot express it; write elements",
                            a->name, s.item[i].station);
     }
     free(s.item);
@@ -466,7 +466,7 @@ hawser_status alignment_print(const Alignment *a, const char *system, WriteForma
     }
     if (format != WRITE_CASE && a->n_plan == 0 && a->corner > 0) {
         return error_set(err, HAWSER_ERR_INPUT,
-                         "'%.60s' has corners in space with a radius, which only a case's route (.yaml) can say",
+                         "'%.60s' has corners in space with a radius, which only a case's route (.yaml) can express",
                          a->name);
     }
     for (int i = 0; i < a->n_plan; ++i) {
